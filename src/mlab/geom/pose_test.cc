@@ -1,0 +1,41 @@
+#include "mlab/geom/pose.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace mlab::geom {
+namespace {
+
+TEST(Pose, SeesAPointToItsLeftAsPositiveY) {
+  const Pose facing_north{{10.0, 20.0}, std::numbers::pi / 2.0};
+  const Vector seen = facing_north.to_robot(Point{7.0, 20.0});  // three metres to the west
+  EXPECT_NEAR(seen.x, 0.0, 1e-12);
+  EXPECT_NEAR(seen.y, 3.0, 1e-12);
+}
+
+TEST(Pose, PointAtIsTheInverseOfToRobot) {
+  const Pose pose{{-3.0, 8.0}, 0.7};
+  const Point p{12.0, -4.0};
+  const Point back = pose.point_at(pose.to_robot(p));
+  EXPECT_NEAR(back.x, p.x, 1e-12);
+  EXPECT_NEAR(back.y, p.y, 1e-12);
+}
+
+TEST(Segment, NearestPointStaysBetweenTheEnds) {
+  const Segment s{{0.0, 0.0}, {10.0, 0.0}};
+  EXPECT_EQ(nearest_point(s, {5.0, 3.0}), (Point{5.0, 0.0}));
+  EXPECT_EQ(nearest_point(s, {-5.0, 3.0}), (Point{0.0, 0.0}));
+  EXPECT_EQ(nearest_point(s, {15.0, 3.0}), (Point{10.0, 0.0}));
+}
+
+TEST(Segment, IntersectsAlsoWhereAnEndTouches) {
+  const Segment s{{0.0, 0.0}, {10.0, 0.0}};
+  EXPECT_TRUE(intersects(s, {{5.0, -1.0}, {5.0, 1.0}}));
+  EXPECT_TRUE(intersects(s, {{5.0, 0.0}, {5.0, 1.0}}));
+  EXPECT_FALSE(intersects(s, {{5.0, 0.1}, {5.0, 1.0}}));
+  EXPECT_FALSE(intersects(s, {{11.0, -1.0}, {11.0, 1.0}}));
+}
+
+}  // namespace
+}  // namespace mlab::geom

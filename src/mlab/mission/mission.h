@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mlab/base/id.h"
+#include "mlab/geom/pose.h"
+#include "mlab/overlay/overlay.h"
+#include "mlab/percept/percepts.h"
+#include "mlab/text/source.h"
+
+namespace mlab::mission {
+
+/// A NEW-ROBOT parameter. Numbers keep the text that was written, so that 0.3 stays 0.3.
+struct RobotParameter {
+  std::string key;    ///< case-sensitive
+  std::string value;  ///< without quotes; booleans as `1` and `0`
+  text::Place place;  ///< of the key
+};
+
+/// What NEW-ROBOT defines, or the predefined ROBOT.
+struct RobotType {
+  std::string name;     ///< compared without regard to letter case
+  std::string program;  ///< as written: `robot`, `mine.cnl`, `./forager`
+  std::string color = "blue";  ///< an X11 colour name
+  std::string host;     ///< empty: here
+  std::vector<RobotParameter> parameters;  ///< in file order; of equal keys the last counts
+  text::Place place;    ///< of the program's name; nowhere for ROBOT
+};
+
+struct Robot {
+  base::RobotId id;
+  std::uint32_t type = 0;  ///< index into Mission::types
+  text::Place place;
+};
+
+/// A named group of robots. Recursive: the parts are the groups written directly inside, named or not.
+struct Unit {
+  std::string name;  ///< empty for an unnamed group
+  std::vector<base::RobotId> members;  ///< all robots below, depth first in file order
+  std::vector<std::uint32_t> parts;    ///< indices into Mission::units; empty for a flat unit
+  text::Place place;
+};
+
+enum class Technique : std::uint8_t { kTraveling, kTravelingOverwatch, kBoundingOverwatch };
+
+/// A point in mission time.
+struct MissionTime {
+  enum class Kind : std::uint8_t {
+    kSinceReached,  ///< seconds after the unit is in place (UNTIL TIMEOUT)
+    kSinceStart,    ///< seconds after the mission clock's start (`+...`)
+    kOfDay,         ///< seconds after midnight of the day on which the mission clock starts
+    kAbsolute,      ///< seconds since 1970-01-01 00:00, in the mission clock's own time zone
+  };
+  Kind kind = Kind::kSinceReached;
+  double seconds = 0.0;
+};
+
+struct PhaseLine {
+  std::string name;                  ///< as written
+  std::vector<geom::Point> points;   ///< of the feature, at least one [m, world]
+  double radius = 0.0;               ///< of a feature with a single point: half its size [m]
+  std::optional<MissionTime> not_before;
+  std::string acknowledge;           ///< text that the operator acknowledges; empty: none
+  bool waits = false;                ///< hold at the line until it is acknowledged
+};
+
+/// `UNIT u ...`
+struct UnitCommand {
+  std::uint32_t unit = 0;            ///< index into Mission::units
+  percept::Task task = percept::Task::kMoveTo;
+  std::string place_name;            ///< as written; `310 205` for coordinates; empty for STOP
+  geom::Point goal;                  ///< [m, world]
+  std::vector<geom::Point> route;    ///< FOLLOW [m, world]
+  geom::Offset start_step;           ///< START: from one robot to the next [m]
+  percept::Formation formation = percept::Formation::kNone;
+  bool has_formation = false;        ///< a FORMATION clause was written
+  Technique technique = Technique::kTraveling;
+  double speed = 0.0;                ///< [m/s]; 0: the robot's own
+  std::optional<double> heading;     ///< HEADING of the formation [rad, world]
+  std::vector<PhaseLine> phase_lines;
+  std::string on_completion;         ///< message; empty: none
+  std::optional<MissionTime> until;  ///< OCCUPY: proceeds by itself then
+  text::Place place;                 ///< of the unit's name
+};
+
+enum class BooleanOption : std::uint8_t {
+  kUseMilitaryStyle, kShowTrails, kHighlightRepellingObstacles, kShowMovementVectors, kShowColormap, kDebugRobots,
+  kDebugSimulator, kDebugScheduler, kScaleRobots
+};
+enum class NumberOption : std::uint8_t {
+  kSeed, kRobotLength, kObstacleCoverage, kMinObstacleRadius, kMaxObstacleRadius, kZoomFactor, kCycleDuration
+};
+struct SetBoolean {
+  BooleanOption option = BooleanOption::kShowTrails;
+  bool value = true;
+};
+struct SetNumber {
+  NumberOption option = NumberOption::kSeed;
+  double value = 0.0;
+};
+struct Print {
+  bool robot_info = false;  ///< else the console database
+};
+struct Quit {};
+
+using Command = std::variant<UnitCommand, SetBoolean, SetNumber, Print, Quit>;
+
+/// Commands that start together. The step is done when all of them are.
+struct Step {
+  std::string label;  ///< without the point: `2a`
+  std::vector<Command> commands;
+  text::Place place;
+};
+
+/// All SET options, with the historic defaults.
+struct Options {
+  std::optional<double> seed;           ///< for CREATE-OBSTACLES, rounded to a 32-bit float as historically
+  double robot_length = 0.0;            ///< drawing only; 0: default
+  double obstacle_coverage = 3.0;       ///< [per cent of the area]
+  double min_obstacle_radius = 2.0;     ///< [m]
+  double max_obstacle_radius = 10.0;    ///< [m]
+  double zoom_percent = 100.0;
+  std::optional<double> cycle_duration; ///< [s]
+  bool use_military_style = true;
+  bool show_trails = false;
+  bool highlight_repelling_obstacles = false;
+  bool show_movement_vectors = false;
+  bool show_colormap = false;
+  bool debug_robots = false;
+  bool debug_simulator = false;
+  bool debug_scheduler = false;
+  bool scale_robots = true;
+};
+
+/// A mission, checked: every name is resolved. Immutable once loaded.
+struct Mission {
+  std::string name;
+  std::string scenario;
+  overlay::Overlay overlay;      ///< all overlays that it names, its own area, obstacles and start points added
+  std::vector<RobotType> types;  ///< [0] is ROBOT
+  std::vector<Robot> robots;     ///< by id, ascending
+  std::vector<Unit> units;
+  Options options;
+  std::vector<Step> steps;
+  text::SourcePtr source;
+};
+
+}  // namespace mlab::mission

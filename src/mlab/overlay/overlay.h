@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "mlab/geom/pose.h"
+#include "mlab/text/source.h"
+
+namespace mlab::overlay {
+
+/// The kinds of named control measures: what a mission may send a unit to, or follow.
+enum class MeasureKind : std::uint8_t {
+  kAssemblyArea, kAttackPosition, kBattlePosition, kObjective, kPassagePoint, kStartPoint, kAxis, kGap, kBoundary,
+  kLineOfDeparture, kPhaseLine, kWall, kRoom, kDoor, kHallway, kRoad
+};
+/// `AA`, `ATK`, ...: the keyword, as it also stands before a hyphen in references.
+std::string_view keyword(MeasureKind kind);
+
+/// A named control measure. All points are world points, ORIGIN added [m].
+struct ControlMeasure {
+  MeasureKind kind = MeasureKind::kPassagePoint;
+  std::string name;         ///< without the trailing `*`; may be empty
+  bool shows_label = true;  ///< false where the name ended in `*`
+  std::vector<geom::Point> points;   ///< at least one; for a hallway its extents
+  std::vector<geom::Point> centerline;  ///< hallway only
+  double size = 0.0;        ///< diameter, width or height, the kind's default where none was given [m]
+  text::Place place;        ///< of the name
+
+  /// Where the measure is when one point is wanted: the mean of its vertices.
+  geom::Point center() const;
+  /// True for the kinds that FOLLOW takes: boundary, LD/LC, gap, axis, phase line, wall, door, room, hallway, road.
+  bool is_line() const;
+};
+
+struct ObstacleDisc {
+  geom::Point center;
+  double radius = 0.0;  ///< [m], > 0
+  double height = 0.0;  ///< [m]; 0: none said
+  text::Place place;
+};
+
+enum class ObjectStyle : std::uint8_t { kFixed, kMovable, kContainer };
+/// OBJECT, ATTRACTOR, BASKET: something that robots perceive, and perhaps carry.
+struct WorldObject {
+  geom::Point center;
+  double diameter = 0.0;  ///< [m]
+  ObjectStyle style = ObjectStyle::kFixed;
+  std::string color;
+  text::Place place;
+};
+
+/// A BOUNDARY whose name makes it a zone.
+enum class ZoneKind : std::uint8_t { kNone, kWeather, kNoFly, kNoCommunication };
+ZoneKind zone_kind(const ControlMeasure& measure);
+
+/// Width and height of the mission area, whose lower left corner is the world's origin [m].
+struct Area {
+  double width = 1000.0;
+  double height = 1000.0;
+};
+
+struct HeightMap {
+  std::string file;
+  int columns = 0;
+  int rows = 0;
+  double sea_level = 0.0;
+  double z_scale = 1.0;
+};
+
+/// The map: everything that one or several ODL files say. Missions add to it (MISSION-AREA, OBSTACLE, SP).
+struct Overlay {
+  std::string scenario;
+  std::string site;
+  geom::Offset origin;       ///< the ORIGIN in force at the end; later plain coordinates have it added [m]
+  std::optional<Area> area;  ///< as stated; without a statement the default applies
+  double heading = 0.0;      ///< initial heading of all robots [rad]
+  std::optional<geom::Point> global_reference;  ///< GLOBAL_REF_POINT: x latitude, y longitude [degrees]
+  std::optional<double> scale;        ///< SCALE 1:n
+  std::optional<double> zoom_percent;
+  std::string map_file;               ///< LOAD-MAP, found or as written; empty: none
+  std::optional<HeightMap> height_map;
+  std::vector<ControlMeasure> measures;  ///< in file order; equal names are all kept
+  std::vector<ObstacleDisc> obstacles;
+  std::vector<WorldObject> objects;
+
+  Area mission_area() const { return area.value_or(Area{}); }
+};
+
+/// Finds what a location reference names: `AA-AA1`, `PP-CHARLIE`, `Split`. The last of several equal names wins.
+///
+/// The first hit of: the reference exactly; after one type prefix is stripped, exactly; with every character after the
+/// first lowered; with the first raised; all capitals. The prefix is decoration, the kind is not compared.
+/// @return null where nothing has that name
+const ControlMeasure* find_measure(const Overlay& overlay, std::string_view reference);
+
+}  // namespace mlab::overlay

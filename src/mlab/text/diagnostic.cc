@@ -1,0 +1,151 @@
+#include "mlab/text/diagnostic.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace mlab::text {
+namespace {
+
+constexpr std::size_t kShownColumns = 100;
+
+struct Excerpt {
+  std::string text;
+  std::size_t caret = 0;   // first caret, counted in characters of `text`
+  std::size_t carets = 1;  // how many
+};
+
+bool is_first_byte(char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }
+
+// The line split into characters, so that cutting it never cuts a character in two.
+std::vector<std::string> characters(std::string_view line) {
+  std::vector<std::string> out;
+  for (const char c : line) {
+    const auto u = static_cast<unsigned char>(c);
+    if (is_first_byte(c) || out.empty()) {
+      out.emplace_back(1, c == '\t' ? ' ' : u < 0x20 || u == 0x7f ? '?' : c);
+    } else {
+      out.back() += c;
+    }
+  }
+  return out;
+}
+
+Excerpt excerpt(const Source& source, Span span) {
+  const LineColumn at = source.line_column(span.begin);
+  const LineColumn end = source.line_column(span.end);
+  const std::vector<std::string> line = characters(source.line(at.line));
+  const std::size_t first = at.column - 1;
+  const std::size_t last = end.line == at.line ? end.column - 1 : line.size();
+  const std::size_t from = first > kShownColumns * 3 / 4 ? first - kShownColumns / 2 : 0;
+  Excerpt out;
+  if (from > 0) out.text = "...";
+  out.caret = out.text.size() + first - from;
+  for (std::size_t i = from; i < line.size() && i < from + kShownColumns; ++i) out.text += line[i];
+  if (line.size() > from + kShownColumns) out.text += "...";
+  const std::size_t shown_end = std::min(last, from + kShownColumns);
+  out.carets = shown_end > first ? shown_end - first : 1;
+  return out;
+}
+
+std::string location(const Place& place) {
+  if (!place.source) return "";
+  const LineColumn at = place.source->line_column(place.span.begin);
+  return fmt::format("{}:{}:{}: ", place.source->name(), at.line, at.column);
+}
+
+}  // namespace
+
+void Diagnostics::report(Diagnostic diagnostic) {
+  std::size_t& count = diagnostic.severity == Severity::kError ? error_count_ : warning_count_;
+  if (count++ < kMaxErrors) items_.push_back(std::move(diagnostic));
+}
+
+Diagnostic& Diagnostics::error(std::string kind, Place place, std::string message) {
+  const std::size_t before = items_.size();
+  report({Severity::kError, std::move(kind), std::move(message), std::move(place), {}, {}, {}});
+  return items_.size() > before ? items_.back() : dropped_ = {};
+}
+
+Diagnostic& Diagnostics::warning(std::string kind, Place place, std::string message) {
+  const std::size_t before = items_.size();
+  report({Severity::kWarning, std::move(kind), std::move(message), std::move(place), {}, {}, {}});
+  return items_.size() > before ? items_.back() : dropped_ = {};
+}
+
+std::string render(const Diagnostic& diagnostic) {
+  const char* level = diagnostic.severity == Severity::kError ? "error" : "warning";
+  std::string out = fmt::format("{}{}: {} [{}]\n", location(diagnostic.place), level, diagnostic.message, diagnostic.kind);
+  if (const Source* source = diagnostic.place.source.get()) {
+    const LineColumn at = source->line_column(diagnostic.place.span.begin);
+    const Excerpt shown = excerpt(*source, diagnostic.place.span);
+    out += fmt::format("{:>5} | {}\n", at.line, shown.text);
+    out += fmt::format("      | {}{}{}{}\n", std::string(shown.caret, ' '), std::string(shown.carets, '^'),
+                       diagnostic.label.empty() ? "" : " ", diagnostic.label);
+  } else if (!diagnostic.label.empty()) {
+    out += fmt::format("      = {}\n", diagnostic.label);
+  }
+  for (const std::string& hint : diagnostic.hints) out += fmt::format("      = hint: {}\n", hint);
+  for (const Note& note : diagnostic.notes) out += fmt::format("{}note: {}\n", location(note.place), note.message);
+  return out;
+}
+
+std::string render(const Diagnostics& diagnostics) {
+  std::string out;
+  for (const Diagnostic& item : diagnostics.items()) out += render(item);
+  const std::size_t said = diagnostics.items().size();
+  const std::size_t all = diagnostics.error_count() + diagnostics.warning_count();
+  if (all > said) out += fmt::format("... and {} more\n", all - said);
+  return out;
+}
+
+Result<SourcePtr> read_source(const std::string& path) {
+  const auto failed = [&](std::string kind, const std::string& why) {
+    return std::unexpected(Diagnostic{Severity::kError, std::move(kind), fmt::format("cannot read `{}`: {}", path, why), {}, {}, {}, {}});
+  };
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return failed("cannot-read", std::generic_category().message(errno));
+  std::string text;
+  char block[1 << 16];
+  while (file.read(block, sizeof block) || file.gcount() > 0) {
+    text.append(block, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > Source::kMaxBytes) return failed("file-too-large", fmt::format("it has more than {} bytes", Source::kMaxBytes));
+  }
+  if (file.bad() || (text.empty() && errno != 0)) return failed("cannot-read", std::generic_category().message(errno));
+  return std::make_shared<const Source>(path, std::move(text));
+}
+
+std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  std::string best;
+  std::size_t best_distance = name.size() / 3 + 2;  // more changes than this, and somebody meant something else
+  for (const std::string& candidate : candidates) {
+    if (candidate.size() > name.size() + best_distance || name.size() > candidate.size() + best_distance) continue;
+    std::vector<std::size_t> row(candidate.size() + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      std::size_t diagonal = row[0];
+      row[0] = i + 1;
+      for (std::size_t j = 0; j < candidate.size(); ++j) {
+        const std::size_t change = diagonal + (lower(name[i]) == lower(candidate[j]) ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
+      }
+    }
+    if (row.back() < best_distance && row.back() < std::max(name.size(), candidate.size())) {
+      best_distance = row.back();
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace mlab::text
