@@ -1,4 +1,4 @@
-# What every target of the project is compiled with, and one function that declares a module.
+# What every target of the project is compiled with, and the functions that declare modules, fuzzers and tests.
 
 find_program(MLAB_MOLD mold)
 find_program(MLAB_CCACHE ccache)
@@ -11,32 +11,100 @@ endif()
 
 add_library(mlab_options INTERFACE)
 # -ffp-contract=off: the same arithmetic everywhere, so that a run repeats bit for bit.
-target_compile_options(mlab_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror -ffp-contract=off)
+target_compile_options(mlab_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Clang builds only the fuzzers; what it alone warns about is clang-tidy's business.
+  target_compile_options(mlab_options INTERFACE -Werror)
+endif()
 if(MLAB_SANITIZE)
   string(REPLACE ";" "," sanitizers "${MLAB_SANITIZE}")
   target_compile_options(mlab_options INTERFACE -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(mlab_options INTERFACE -fsanitize=${sanitizers})
 endif()
+if(MLAB_FUZZ)
+  target_compile_options(mlab_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# Everything that `./mlab test` builds for the sanitizers: all unit tests; the tests of code with threads; the fuzzers.
+add_custom_target(unit_tests)
+add_custom_target(threaded_tests)
+add_custom_target(fuzzers)
+set(MLAB_THREADED_MODULES flow sim fleet)
 
 # mlab_module(NAME [SOURCES file...] [TESTS file...] [LINK target...] [TEST_LINK target...])
 #
 # The static library mlab_NAME out of SOURCES (header-only without), that links LINK; and the test program
-# mlab_NAME_test out of TESTS.
+# mlab_NAME_test out of TESTS. Installed, the library is mlab::NAME, with the headers of the folder.
 function(mlab_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;TESTS;LINK;TEST_LINK" ${ARGN})
   if(arg_SOURCES)
     add_library(mlab_${name} STATIC ${arg_SOURCES})
-    target_include_directories(mlab_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>)
-    target_link_libraries(mlab_${name} PUBLIC ${arg_LINK} PRIVATE $<BUILD_INTERFACE:mlab_options>)
+    set(scope PUBLIC)
+    target_link_libraries(mlab_${name} PRIVATE $<BUILD_INTERFACE:mlab_options>)
   else()
     add_library(mlab_${name} INTERFACE)
-    target_include_directories(mlab_${name} INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>)
-    target_link_libraries(mlab_${name} INTERFACE ${arg_LINK})
+    set(scope INTERFACE)
   endif()
+  target_include_directories(mlab_${name} ${scope} $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(mlab_${name} ${scope} ${arg_LINK})
+  target_compile_features(mlab_${name} INTERFACE cxx_std_23)
+  add_library(mlab::${name} ALIAS mlab_${name})
+
+  set_target_properties(mlab_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS mlab_${name} EXPORT mlabTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} FILES_MATCHING PATTERN "*.h")
+
   if(MLAB_TESTS AND arg_TESTS)
-    add_executable(mlab_${name}_test ${arg_TESTS})
-    target_link_libraries(mlab_${name}_test PRIVATE mlab_${name} mlab_options ${arg_TEST_LINK} GTest::gtest GTest::gtest_main)
-    target_compile_definitions(mlab_${name}_test PRIVATE MLAB_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-    gtest_discover_tests(mlab_${name}_test DISCOVERY_TIMEOUT 60)
+    mlab_test(mlab_${name}_test SOURCES ${arg_TESTS} LINK mlab_${name} ${arg_TEST_LINK})
+    add_dependencies(unit_tests mlab_${name}_test)
+    if(name IN_LIST MLAB_THREADED_MODULES)
+      add_dependencies(threaded_tests mlab_${name}_test)
+    endif()
   endif()
+endfunction()
+
+# mlab_test(NAME SOURCES file... [LINK target...] [LABEL label])
+#
+# A GoogleTest program, each of its tests one test of ctest. LABEL: `repo` (rules of the source tree), `e2e` (missions
+# and command line); without, it is a unit test.
+function(mlab_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINK} mlab_options GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE MLAB_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  set(properties "")
+  if(arg_LABEL)
+    set(properties PROPERTIES LABELS ${arg_LABEL})
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 ${properties})
+endfunction()
+
+# mlab_fuzzer(NAME SOURCES file... [LINK target...] [SEEDS folder] [DICTIONARY file])
+#
+# A libFuzzer program (it defines LLVMFuzzerTestOneInput), built where MLAB_FUZZ is on. SEEDS is a folder of inputs to
+# start from, DICTIONARY a file of words (libFuzzer's format). A finding is kept in build/fuzz/found.
+function(mlab_fuzzer name)
+  cmake_parse_arguments(arg "" "SEEDS;DICTIONARY" "SOURCES;LINK" ${ARGN})
+  if(NOT MLAB_FUZZ)
+    return()
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINK} mlab_options)
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  add_dependencies(fuzzers ${name})
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/corpus/${name} ${CMAKE_BINARY_DIR}/found)
+  set(options "")
+  if(arg_DICTIONARY)
+    list(APPEND options -dict=${CMAKE_CURRENT_SOURCE_DIR}/${arg_DICTIONARY})
+  endif()
+  set(seeds "")
+  if(arg_SEEDS)
+    cmake_path(ABSOLUTE_PATH arg_SEEDS BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE seeds)
+  endif()
+  add_test(NAME fuzz.${name} COMMAND ${name} -seed=1 -max_total_time=${MLAB_FUZZ_SECONDS} -timeout=10 -rss_limit_mb=2048
+    -print_final_stats=1 -artifact_prefix=${CMAKE_BINARY_DIR}/found/${name}- ${options}
+    ${CMAKE_BINARY_DIR}/corpus/${name} ${seeds})
+  set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz)
 endfunction()

@@ -1,0 +1,45 @@
+# What each stage of `./mlab test` does. Each runs in a subshell with -e; its output goes to its log.
+
+jobs=$(job_count)
+clang=(-DCMAKE_CXX_COMPILER=clang++-19)
+
+run_ctest() {
+  local folder=$1
+  shift
+  ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=ignore "${ctest_options[@]}" "$@"
+}
+
+# As the product, but with assertions.
+stage_build() {
+  configure "$build/test" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O2" -DMLAB_TESTS=ON
+  ninja -C "$build/test" -j "$jobs"
+}
+
+stage_unit() { run_ctest "$build/test" -LE 'repo|e2e'; }
+stage_repo() { run_ctest "$build/test" -L repo; }
+stage_e2e() { run_ctest "$build/test" -L e2e; }
+
+stage_fuzz() {
+  configure "$build/fuzz" "${clang[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -g1" \
+    -DMLAB_TESTS=OFF -DMLAB_FUZZ=ON "-DMLAB_SANITIZE=address;undefined" "-DMLAB_FUZZ_SECONDS=$fuzz_seconds"
+  ninja -C "$build/fuzz" -j "$jobs" fuzzers
+  run_ctest "$build/fuzz" -L fuzz
+}
+
+stage_address() {
+  configure "$build/asan" -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1" \
+    -DMLAB_TESTS=ON "-DMLAB_SANITIZE=address;undefined"
+  ninja -C "$build/asan" -j "$jobs" unit_tests
+  run_ctest "$build/asan" -LE 'repo|e2e'
+}
+
+stage_thread() {
+  configure "$build/tsan" -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1" \
+    -DMLAB_TESTS=ON -DMLAB_SANITIZE=thread
+  ninja -C "$build/tsan" -j "$jobs" threaded_tests
+  run_ctest "$build/tsan" -L threads
+}
+
+stage_tidy() { MLAB_JOBS=$jobs bash "$root/tools/tidy" "$build/test"; }
+
+stage_install() { bash "$root/tests/install/install_test" "$root" "$build/test"; }
