@@ -14,8 +14,22 @@ namespace mlab::overlay {
 
 /// The kinds of named control measures: what a mission may send a unit to, or follow.
 enum class MeasureKind : std::uint8_t {
-  kAssemblyArea, kAttackPosition, kBattlePosition, kObjective, kPassagePoint, kStartPoint, kAxis, kGap, kBoundary,
-  kLineOfDeparture, kPhaseLine, kWall, kRoom, kDoor, kHallway, kRoad
+  kAssemblyArea,
+  kAttackPosition,
+  kBattlePosition,
+  kObjective,
+  kPassagePoint,
+  kStartPoint,
+  kAxis,
+  kGap,
+  kBoundary,
+  kLineOfDeparture,
+  kPhaseLine,
+  kWall,
+  kRoom,
+  kDoor,
+  kHallway,
+  kRoad
 };
 /// `AA`, `ATK`, ...: the keyword, as it also stands before a hyphen in references.
 std::string_view keyword(MeasureKind kind);
@@ -23,16 +37,17 @@ std::string_view keyword(MeasureKind kind);
 /// A named control measure. All points are world points, ORIGIN added [m].
 struct ControlMeasure {
   MeasureKind kind = MeasureKind::kPassagePoint;
-  std::string name;         ///< without the trailing `*`; may be empty
-  bool shows_label = true;  ///< false where the name ended in `*`
-  std::vector<geom::Point> points;   ///< at least one; for a hallway its extents
+  std::string name;                     ///< without the trailing `*`; may be empty
+  bool shows_label = true;              ///< false where the name ended in `*`
+  std::vector<geom::Point> points;      ///< at least one; for a hallway its extents
   std::vector<geom::Point> centerline;  ///< hallway only
-  double size = 0.0;        ///< diameter, width or height, the kind's default where none was given [m]
-  text::Place place;        ///< of the name
+  double size = 0.0;  ///< diameter, width or height, the kind's default where none was given [m]
+  text::Place place;  ///< of the name
 
   /// Where the measure is when one point is wanted: the mean of its vertices.
   geom::Point center() const;
-  /// True for the kinds that FOLLOW takes: boundary, LD/LC, gap, axis, phase line, wall, door, room, hallway, road.
+  /// True for the kinds that FOLLOW takes: boundary, LD/LC, gap, axis, phase line, wall, door, room, hallway,
+  /// road.
   bool is_line() const;
 };
 
@@ -57,6 +72,12 @@ struct WorldObject {
 enum class ZoneKind : std::uint8_t { kNone, kWeather, kNoFly, kNoCommunication };
 ZoneKind zone_kind(const ControlMeasure& measure);
 
+/// Where the world's origin lies on the Earth (ORIGIN UTM), so that UTM points find their place on the map.
+struct UtmOrigin {
+  int zone = 0;         ///< 1..60; all UTM points of the map are projected in this zone
+  geom::Offset offset;  ///< easting, northing [m]
+};
+
 /// Width and height of the mission area, whose lower left corner is the world's origin [m].
 struct Area {
   double width = 1000.0;
@@ -71,17 +92,27 @@ struct HeightMap {
   double z_scale = 1.0;
 };
 
+/// A background picture and the rectangle of the world that it covers (LOAD-MAP).
+struct MapPicture {
+  std::string file;
+  geom::Point lower_left;  ///< [m]
+  double width = 0.0;      ///< [m]
+  double height = 0.0;     ///< [m]
+};
+
 /// The map: everything that one or several ODL files say. Missions add to it (MISSION-AREA, OBSTACLE, SP).
 struct Overlay {
   std::string scenario;
   std::string site;
-  geom::Offset origin;       ///< the ORIGIN in force at the end; later plain coordinates have it added [m]
-  std::optional<Area> area;  ///< as stated; without a statement the default applies
-  double heading = 0.0;      ///< initial heading of all robots [rad]
+  geom::Offset origin;  ///< the ORIGIN in force at the end; later plain coordinates have it added [m]
+  std::optional<UtmOrigin> utm_origin;          ///< set by ORIGIN UTM; then `origin` is zero
+  std::optional<Area> area;                     ///< as stated; without a statement the default applies
+  double heading = 0.0;                         ///< initial heading of all robots [rad]
   std::optional<geom::Point> global_reference;  ///< GLOBAL_REF_POINT: x latitude, y longitude [degrees]
-  std::optional<double> scale;        ///< SCALE 1:n
+  std::optional<double> scale;                  ///< SCALE 1:n
   std::optional<double> zoom_percent;
-  std::string map_file;               ///< LOAD-MAP, found or as written; empty: none
+  std::string map_file;                   ///< LOAD-MAP, found or as written; empty: none
+  std::optional<MapPicture> map_picture;  ///< what the map file says; empty where it could not be read
   std::optional<HeightMap> height_map;
   std::vector<ControlMeasure> measures;  ///< in file order; equal names are all kept
   std::vector<ObstacleDisc> obstacles;
@@ -90,11 +121,17 @@ struct Overlay {
   Area mission_area() const { return area.value_or(Area{}); }
 };
 
-/// Finds what a location reference names: `AA-AA1`, `PP-CHARLIE`, `Split`. The last of several equal names wins.
+/// Finds what a location reference names: `AA-AA1`, `PP-CHARLIE`, `Split`. The last of several equal names
+/// wins.
 ///
-/// The first hit of: the reference exactly; after one type prefix is stripped, exactly; with every character after the
-/// first lowered; with the first raised; all capitals. The prefix is decoration, the kind is not compared.
+/// The first hit of: the reference exactly; after one type prefix is stripped, exactly; with every character
+/// after the first lowered; with the first raised; all capitals. The prefix is decoration, the kind is not
+/// compared.
 /// @return null where nothing has that name
 const ControlMeasure* find_measure(const Overlay& overlay, std::string_view reference);
+
+/// The name in the overlay that somebody who wrote `reference` may have meant, for a hint; empty where none
+/// is near. Looks at a bounded number of names, so it may be called for every mistake of a large file.
+std::string nearest_measure_name(const Overlay& overlay, std::string_view reference);
 
 }  // namespace mlab::overlay

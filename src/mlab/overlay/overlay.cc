@@ -1,0 +1,129 @@
+#include "mlab/overlay/overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::overlay {
+namespace {
+
+// More names than this are not compared for a hint: it is about a few hundred microseconds.
+constexpr std::size_t kNamesForHints = 2000;
+
+struct Prefix {
+  std::string_view word;
+  MeasureKind kind;
+};
+constexpr std::array kPrefixes = {
+    Prefix{"AA", MeasureKind::kAssemblyArea},   Prefix{"ATK", MeasureKind::kAttackPosition},
+    Prefix{"BP", MeasureKind::kBattlePosition}, Prefix{"OBJ", MeasureKind::kObjective},
+    Prefix{"PP", MeasureKind::kPassagePoint},   Prefix{"SP", MeasureKind::kStartPoint},
+    Prefix{"AXIS", MeasureKind::kAxis},         Prefix{"GAP", MeasureKind::kGap},
+    Prefix{"BOUNDARY", MeasureKind::kBoundary}, Prefix{"LDLC", MeasureKind::kLineOfDeparture},
+    Prefix{"PL", MeasureKind::kPhaseLine},      Prefix{"WALL", MeasureKind::kWall},
+    Prefix{"ROOM", MeasureKind::kRoom},         Prefix{"DOOR", MeasureKind::kDoor},
+    Prefix{"HALLWAY", MeasureKind::kHallway},   Prefix{"ROAD", MeasureKind::kRoad},
+};
+
+char lower(char c) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+char upper(char c) {
+  return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+}
+
+// `AA1` of `AA-AA1`; the whole where it has no prefix.
+std::string_view without_prefix(std::string_view reference) {
+  const std::size_t hyphen = reference.find('-');
+  if (hyphen == std::string_view::npos) return reference;
+  const std::string_view head = reference.substr(0, hyphen);
+  const auto is_head = [&](const Prefix& p) {
+    return std::ranges::equal(p.word, head, {}, {}, [](char c) { return upper(c); });
+  };
+  return std::ranges::any_of(kPrefixes, is_head) ? reference.substr(hyphen + 1) : reference;
+}
+
+// All spellings that a reference may stand for, the first that some measure has wins.
+std::array<std::string, 5> spellings(std::string_view reference) {
+  const std::string bare(without_prefix(reference));
+  if (bare.empty()) return {std::string(reference), bare, bare, bare, bare};
+  std::string lowered = bare;
+  std::transform(lowered.begin() + 1, lowered.end(), lowered.begin() + 1, lower);
+  std::string raised = lowered;
+  raised[0] = upper(raised[0]);
+  std::string capitals = raised;
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(), upper);
+  return {std::string(reference), bare, lowered, raised, capitals};
+}
+
+}  // namespace
+
+std::string_view keyword(MeasureKind kind) {
+  const auto* found = std::ranges::find(kPrefixes, kind, &Prefix::kind);
+  return found == kPrefixes.end() ? std::string_view{} : found->word;
+}
+
+geom::Point ControlMeasure::center() const {
+  if (points.empty()) return {};
+  geom::Offset sum;
+  for (const geom::Point& p : points) sum = sum + (p - geom::Point{});
+  const auto count = static_cast<double>(points.size());
+  return {sum.x / count, sum.y / count};
+}
+
+bool ControlMeasure::is_line() const {
+  switch (kind) {
+    case MeasureKind::kBoundary:
+    case MeasureKind::kLineOfDeparture:
+    case MeasureKind::kGap:
+    case MeasureKind::kAxis:
+    case MeasureKind::kPhaseLine:
+    case MeasureKind::kWall:
+    case MeasureKind::kDoor:
+    case MeasureKind::kRoom:
+    case MeasureKind::kHallway:
+    case MeasureKind::kRoad:
+      return true;
+    default:
+      return false;
+  }
+}
+
+ZoneKind zone_kind(const ControlMeasure& measure) {
+  if (measure.kind != MeasureKind::kBoundary) return ZoneKind::kNone;
+  if (measure.name.contains("WeatherZone")) return ZoneKind::kWeather;
+  if (measure.name.contains("NoFlyZone")) return ZoneKind::kNoFly;
+  if (measure.name.contains("NoCommZone")) return ZoneKind::kNoCommunication;
+  return ZoneKind::kNone;
+}
+
+const ControlMeasure* find_measure(const Overlay& overlay, std::string_view reference) {
+  const std::array<std::string, 5> wanted = spellings(reference);
+  const ControlMeasure* best = nullptr;
+  std::size_t best_rank = wanted.size();
+  // Backwards, since the last of equal names wins.
+  for (auto measure = overlay.measures.rbegin(); measure != overlay.measures.rend() && best_rank > 0;
+       ++measure) {
+    const auto rank = static_cast<std::size_t>(std::ranges::find(wanted, measure->name) - wanted.begin());
+    if (rank < best_rank) {
+      best = &*measure;
+      best_rank = rank;
+    }
+  }
+  return best;
+}
+
+std::string nearest_measure_name(const Overlay& overlay, std::string_view reference) {
+  const std::string_view bare = without_prefix(reference);
+  std::vector<std::string> names;
+  for (const ControlMeasure& measure : overlay.measures) {
+    if (names.size() == kNamesForHints) break;
+    if (!measure.name.empty()) names.push_back(measure.name);
+  }
+  return text::nearest_name(bare, names);
+}
+
+}  // namespace mlab::overlay
