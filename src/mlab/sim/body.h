@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mlab/base/id.h"
+#include "mlab/geom/pose.h"
+
+namespace mlab::sim {
+
+/// A body of the simulator: dense, from 0, in the order of adding; stays valid when a body is removed.
+using BodyIndex = base::Id<struct BodyTag>;
+
+/// How a body turns wanted velocities into motion. docs/simulator.md has the laws.
+enum class Drive : std::uint8_t { kHolonomic, kDifferential, kCar };
+
+struct Kinematics {
+  Drive drive = Drive::kHolonomic;
+  double axle = 0.0;             ///< differential: distance between the wheels [m]
+  double max_wheel_speed = 0.0;  ///< differential: of each wheel [m/s]; 0: no limit
+  double wheelbase = 1.25;       ///< car: distance between the axles [m], > 0
+  double max_steer = 1.309;      ///< car: of the front wheels, to each side [rad], < pi/2
+  double max_speed = 0.0;        ///< [m/s]; 0: no limit
+  double max_acceleration =
+      0.0;  ///< of the velocity (holonomic), of the speed along the heading (others) [m/s^2]; 0: no limit
+  double max_turn_rate = 0.0;          ///< [rad/s]; 0: no limit
+  double max_turn_acceleration = 0.0;  ///< [rad/s^2]; 0: no limit
+
+  friend bool operator==(const Kinematics&, const Kinematics&) = default;
+};
+
+/// Range sensors all round, evenly spaced, on the body's surface. They see discs, walls and robots.
+struct RangeRing {
+  std::uint16_t count = 0;   ///< 0: no ring
+  double first_angle = 0.0;  ///< of beam 0; the others follow counter-clockwise [rad, robot frame]
+  double range = 0.0;        ///< from the surface [m]
+  double beam_width =
+      0.0;               ///< full angle of the cone; the nearest thing in it is told [rad]; 0: a single ray
+  double noise = 0.0;    ///< standard deviation of the distance where something was hit [m]
+  double dropout = 0.0;  ///< chance that a beam that hit something tells nothing, 0 .. 1
+
+  friend bool operator==(const RangeRing&, const RangeRing&) = default;
+};
+
+/// What bodies of one kind have in common.
+struct BodySpec {
+  double radius = 0.2;  ///< of the disc [m], >= 0
+  Kinematics kinematics;
+  RangeRing ring;
+
+  friend bool operator==(const BodySpec&, const BodySpec&) = default;
+};
+
+/// A body to be put into the world.
+struct BodySetup {
+  BodySpec spec;
+  geom::Pose pose;
+  base::RobotId robot;     ///< tells the robot's requests and random streams apart; unique
+  std::uint32_t unit = 0;  ///< bodies of the same unit see each other as mates; 0: of no unit
+};
+
+/// Where a body came to stand.
+struct Placement {
+  BodyIndex body;
+  geom::Pose pose;
+  bool moved = false;  ///< the wanted place was not free: this is the nearest free one
+};
+
+}  // namespace mlab::sim

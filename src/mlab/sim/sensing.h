@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mlab/percept/percepts.h"
+
+namespace mlab::sim {
+
+/// What is to be sensed for one robot in one cycle; the rest costs nothing and stays empty.
+struct SenseNeeds {
+  double obstacle_range =
+      0.0;  ///< discs whose centre is within this + radius, wall hits within this [m]; 0: none
+  double robot_range = 0.0;      ///< [m]; 0: none
+  double object_range = 0.0;     ///< [m]; 0: none
+  std::uint32_t max_robots = 0;  ///< only the nearest so many; 0: all
+  bool ranges = false;           ///< the ring of range sensors, with its own range
+};
+
+/// The objects list has robots and obstacles in it too, as things seen by their colour; these ids tell them
+/// apart from objects that can be carried: the base plus the robot's id, or plus the place of the disc in the
+/// world.
+inline constexpr std::uint32_t kRobotObjectBase = 0x40000000;
+inline constexpr std::uint32_t kDiscObjectBase = 0x80000000;
+
+/// Memory for the lists of one robot's percepts, owned by the caller and used again in every cycle: it grows
+/// to what the fullest cycle needed, then the cycle allocates nothing. One for each robot, or one for each
+/// thread where percepts are used up at once.
+class SenseBuffer {
+ public:
+  /// Makes room for lists of this length, so that shorter ones never allocate.
+  void reserve(std::size_t obstacles, std::size_t robots, std::size_t objects, std::size_t beams);
+
+ private:
+  friend class Sensors;
+  /// Something seen, before the list is sorted.
+  struct Seen {
+    double distance;   ///< what the list is sorted by [m]
+    std::uint32_t id;  ///< breaks ties
+    double x, y;       ///< centre [m, robot frame]
+    double radius;
+  };
+  std::vector<Seen> seen_;
+  std::vector<double> beams_;
+  std::vector<percept::Obstacle> obstacles_;
+  std::vector<percept::RobotReading> robots_;
+  std::vector<percept::ObjectReading> objects_;
+  std::vector<percept::RangeReading> ranges_;
+};
+
+}  // namespace mlab::sim
