@@ -6,8 +6,12 @@
 namespace mlab::base {
 
 /// Degrees exist only at the edges (languages, screens); inside everything is radians.
-constexpr double radians(double angle_deg) { return angle_deg * (std::numbers::pi / 180.0); }
-constexpr double degrees(double angle) { return angle * (180.0 / std::numbers::pi); }
+constexpr double radians(double angle_deg) {
+  return angle_deg * (std::numbers::pi / 180.0);
+}
+constexpr double degrees(double angle) {
+  return angle * (180.0 / std::numbers::pi);
+}
 
 /// The same direction in (-pi, pi] [rad].
 inline double wrap_angle(double angle) {

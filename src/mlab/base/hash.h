@@ -23,6 +23,8 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
 }
 
 /// One key out of two, in order: `combine_bits(a, b) != combine_bits(b, a)`.
-constexpr std::uint64_t combine_bits(std::uint64_t a, std::uint64_t b) { return mix_bits(mix_bits(a) ^ b); }
+constexpr std::uint64_t combine_bits(std::uint64_t a, std::uint64_t b) {
+  return mix_bits(mix_bits(a) ^ b);
+}
 
 }  // namespace mlab::base

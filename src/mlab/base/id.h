@@ -24,5 +24,7 @@ using ObjectId = Id<struct ObjectTag>;
 
 template <class Tag>
 struct std::hash<mlab::base::Id<Tag>> {
-  std::size_t operator()(mlab::base::Id<Tag> id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
+  std::size_t operator()(mlab::base::Id<Tag> id) const noexcept {
+    return std::hash<std::uint32_t>{}(id.value);
+  }
 };

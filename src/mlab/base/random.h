@@ -16,7 +16,8 @@ class Random {
   Random() = default;
   explicit constexpr Random(std::uint64_t key) : key_(mix_bits(key)) {}
   /// The stream of one node of one robot in one cycle.
-  static constexpr Random of(std::uint64_t seed, std::uint64_t robot, std::uint64_t path_hash, std::uint64_t cycle) {
+  static constexpr Random of(std::uint64_t seed, std::uint64_t robot, std::uint64_t path_hash,
+                             std::uint64_t cycle) {
     return Random(combine_bits(combine_bits(seed, robot), combine_bits(path_hash, cycle)));
   }
 

@@ -18,8 +18,11 @@ class Library {
     const Alias* alias = nullptr;  ///< null: found by its own name
   };
 
-  /// Adds behaviors with all their aliases, and the types of their ports. A later one of the same name replaces the
-  /// earlier, so that a mission may bring its own version.
+  /// Knows the types of port_types.h, and no behavior.
+  Library();
+
+  /// Adds behaviors with all their aliases, and the types of their ports. A later one of the same name
+  /// replaces the earlier, so that a mission may bring its own version.
   void add(std::span<const Behavior* const> behaviors);
   void add_type(const TypeInfo& type, std::string_view alias = {});
 

@@ -9,8 +9,8 @@
 
 namespace mlab::flow {
 
-/// What flows on a wire for "some of the readings of this cycle": indices into the percepts, in ascending order,
-/// so nearest first. 64 are kept at most; the farthest fall out.
+/// What flows on a wire for "some of the readings of this cycle": indices into the percepts, in ascending
+/// order, so nearest first. 64 are kept at most; the farthest fall out.
 template <class Reading>
 struct IndexList {
   static constexpr std::size_t kCapacity = 64;
@@ -34,7 +34,9 @@ template <class Reading>
 class ListView {
  public:
   ListView(const IndexList<Reading>& list, std::span<const Reading> readings)
-      : list_(&list), readings_(readings.data()), count_(list.count <= readings.size() ? list.count : clipped(readings.size())) {}
+      : list_(&list),
+        readings_(readings.data()),
+        count_(list.count <= readings.size() ? list.count : clipped(readings.size())) {}
 
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }

@@ -28,6 +28,7 @@ struct Parameter {
   std::string type;  ///< of TypeInfo::name
   std::string unit;
   std::string help;
+  std::vector<std::string> other_names;  ///< by which nodes may name it as well
   Source initial;
   double min = -1e300;
   double max = 1e300;
@@ -63,17 +64,19 @@ struct Node {
     kBehavior,
     kSequence,  ///< the member of the active state; transitions by triggers
     kSelect,    ///< the member whose case holds the selector's value
-    kDelay,     ///< the value that `links[0]` had in the last cycle in which the delay was evaluated; breaks loops
+    kDelay,     ///< the value that `links[0]` had in the last cycle in which the delay was evaluated; breaks
+                ///< loops
   };
   Kind kind = Kind::kBehavior;
-  std::string name;         ///< unique in the network; the path of its ports starts with it
-  std::string behavior;     ///< name or alias in the library; for operators the type of the output
+  std::string name;      ///< unique in the network; the path of its ports starts with it
+  std::string behavior;  ///< name or alias in the library; for operators the type of the output
   text::Place behavior_place;
   std::vector<Link> links;
   std::vector<State> states;
   Source selector;
   std::vector<Case> cases;
-  text::Place place;        ///< of the node's name
+  bool is_public = false;  ///< evaluated even if nobody consumes it, because somebody watches it
+  text::Place place;       ///< of the node's name
 };
 
 /// What a program is built from: parameters, nodes and their wiring, still in the author's words.

@@ -16,12 +16,20 @@ struct Offset {
   friend constexpr Offset operator*(Offset a, double s) { return {a.x * s, a.y * s}; }
   friend constexpr bool operator==(Offset, Offset) = default;
 };
-inline double length(Offset o) { return std::sqrt(o.x * o.x + o.y * o.y); }
-constexpr double dot(Offset a, Offset b) { return a.x * b.x + a.y * b.y; }
+inline double length(Offset o) {
+  return std::sqrt(o.x * o.x + o.y * o.y);
+}
+constexpr double dot(Offset a, Offset b) {
+  return a.x * b.x + a.y * b.y;
+}
 /// Positive where b lies counter-clockwise of a.
-constexpr double cross(Offset a, Offset b) { return a.x * b.y - a.y * b.x; }
+constexpr double cross(Offset a, Offset b) {
+  return a.x * b.y - a.y * b.x;
+}
 /// Counter-clockwise from east, in (-pi, pi] [rad].
-inline double direction(Offset o) { return std::atan2(o.y, o.x); }
+inline double direction(Offset o) {
+  return std::atan2(o.y, o.x);
+}
 
 /// A place in the world: x east, y north [m]. Not a Vector: only a Pose turns one into the other.
 struct Point {
@@ -33,7 +41,9 @@ struct Point {
   friend constexpr Offset operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
   friend constexpr bool operator==(Point, Point) = default;
 };
-inline double distance(Point a, Point b) { return length(a - b); }
+inline double distance(Point a, Point b) {
+  return length(a - b);
+}
 
 /// Where a robot is and where it looks.
 struct Pose {
@@ -79,7 +89,8 @@ inline bool intersects(Segment s, Segment t) {
   const double d2 = cross(s.b - s.a, t.b - s.a);
   const double d3 = cross(t.b - t.a, s.a - t.a);
   const double d4 = cross(t.b - t.a, s.b - t.a);
-  if (((d1 > 0) != (d2 > 0)) && ((d3 > 0) != (d4 > 0)) && d1 != 0 && d2 != 0 && d3 != 0 && d4 != 0) return true;
+  if (((d1 > 0) != (d2 > 0)) && ((d3 > 0) != (d4 > 0)) && d1 != 0 && d2 != 0 && d3 != 0 && d4 != 0)
+    return true;
   const auto touches = [](Segment u, Point p) { return nearest_point(u, p) == p; };
   return touches(s, t.a) || touches(s, t.b) || touches(t, s.a) || touches(t, s.b);
 }

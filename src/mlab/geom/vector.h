@@ -25,14 +25,24 @@ struct Vector {
 
 /// Length in the plane; z does not count. Written out because the loop calls it: std::hypot guards against
 /// overflow that metres never reach and costs ten times as much.
-inline double length(Vector v) { return std::sqrt(v.x * v.x + v.y * v.y); }
-constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+inline double length(Vector v) {
+  return std::sqrt(v.x * v.x + v.y * v.y);
+}
+constexpr double dot(Vector a, Vector b) {
+  return a.x * b.x + a.y * b.y;
+}
 /// Positive where b lies to the left of a.
-constexpr double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
+constexpr double cross(Vector a, Vector b) {
+  return a.x * b.y - a.y * b.x;
+}
 /// Direction counter-clockwise from ahead, in (-pi, pi] [rad]; 0 for the zero vector.
-inline double direction(Vector v) { return std::atan2(v.y, v.x); }
+inline double direction(Vector v) {
+  return std::atan2(v.y, v.x);
+}
 /// The vector of length `magnitude` in the direction `angle` [rad, counter-clockwise from ahead].
-inline Vector polar(double magnitude, double angle) { return {magnitude * std::cos(angle), magnitude * std::sin(angle), 0.0}; }
+inline Vector polar(double magnitude, double angle) {
+  return {magnitude * std::cos(angle), magnitude * std::sin(angle), 0.0};
+}
 /// Turned counter-clockwise by `angle` [rad] about the z axis.
 inline Vector rotated(Vector v, double angle) {
   const double c = std::cos(angle);

@@ -14,7 +14,9 @@ TEST(Vector, UnitKeepsTheDirectionAndDropsTheLength) {
   EXPECT_DOUBLE_EQ(u.z, 0.0);
 }
 
-TEST(Vector, UnitOfAlmostNothingIsZero) { EXPECT_EQ(unit({1e-6, 0.0, 0.0}), Vector{}); }
+TEST(Vector, UnitOfAlmostNothingIsZero) {
+  EXPECT_EQ(unit({1e-6, 0.0, 0.0}), Vector{});
+}
 
 TEST(Vector, RotatesCounterClockwise) {
   const Vector v = rotated({1.0, 0.0, 2.0}, std::numbers::pi / 2.0);
@@ -23,7 +25,9 @@ TEST(Vector, RotatesCounterClockwise) {
   EXPECT_DOUBLE_EQ(v.z, 2.0);
 }
 
-TEST(Vector, CrossIsPositiveToTheLeft) { EXPECT_GT(cross({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}), 0.0); }
+TEST(Vector, CrossIsPositiveToTheLeft) {
+  EXPECT_GT(cross({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}), 0.0);
+}
 
 }  // namespace
 }  // namespace mlab::geom

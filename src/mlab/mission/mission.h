@@ -24,12 +24,12 @@ struct RobotParameter {
 
 /// What NEW-ROBOT defines, or the predefined ROBOT.
 struct RobotType {
-  std::string name;     ///< compared without regard to letter case
-  std::string program;  ///< as written: `robot`, `mine.cnl`, `./forager`
-  std::string color = "blue";  ///< an X11 colour name
-  std::string host;     ///< empty: here
+  std::string name;                        ///< compared without regard to letter case
+  std::string program;                     ///< as written: `robot`, `mine.cnl`, `./forager`
+  std::string color = "blue";              ///< an X11 colour name
+  std::string host;                        ///< empty: here
   std::vector<RobotParameter> parameters;  ///< in file order; of equal keys the last counts
-  text::Place place;    ///< of the program's name; nowhere for ROBOT
+  text::Place place;                       ///< of the program's name; nowhere for ROBOT
 };
 
 struct Robot {
@@ -40,7 +40,7 @@ struct Robot {
 
 /// A named group of robots. Recursive: the parts are the groups written directly inside, named or not.
 struct Unit {
-  std::string name;  ///< empty for an unnamed group
+  std::string name;                    ///< empty for an unnamed group
   std::vector<base::RobotId> members;  ///< all robots below, depth first in file order
   std::vector<std::uint32_t> parts;    ///< indices into Mission::units; empty for a flat unit
   text::Place place;
@@ -61,27 +61,27 @@ struct MissionTime {
 };
 
 struct PhaseLine {
-  std::string name;                  ///< as written
-  std::vector<geom::Point> points;   ///< of the feature, at least one [m, world]
-  double radius = 0.0;               ///< of a feature with a single point: half its size [m]
+  std::string name;                 ///< as written
+  std::vector<geom::Point> points;  ///< of the feature, at least one [m, world]
+  double radius = 0.0;              ///< of a feature with a single point: half its size [m]
   std::optional<MissionTime> not_before;
-  std::string acknowledge;           ///< text that the operator acknowledges; empty: none
-  bool waits = false;                ///< hold at the line until it is acknowledged
+  std::string acknowledge;  ///< text that the operator acknowledges; empty: none
+  bool waits = false;       ///< hold at the line until it is acknowledged
 };
 
 /// `UNIT u ...`
 struct UnitCommand {
-  std::uint32_t unit = 0;            ///< index into Mission::units
+  std::uint32_t unit = 0;  ///< index into Mission::units
   percept::Task task = percept::Task::kMoveTo;
-  std::string place_name;            ///< as written; `310 205` for coordinates; empty for STOP
-  geom::Point goal;                  ///< [m, world]
-  std::vector<geom::Point> route;    ///< FOLLOW [m, world]
-  geom::Offset start_step;           ///< START: from one robot to the next [m]
+  std::string place_name;          ///< as written; `310 205` for coordinates; empty for STOP
+  geom::Point goal;                ///< [m, world]
+  std::vector<geom::Point> route;  ///< FOLLOW [m, world]
+  geom::Offset start_step;         ///< START: from one robot to the next [m]
   percept::Formation formation = percept::Formation::kNone;
-  bool has_formation = false;        ///< a FORMATION clause was written
+  bool has_formation = false;  ///< a FORMATION clause was written
   Technique technique = Technique::kTraveling;
-  double speed = 0.0;                ///< [m/s]; 0: the robot's own
-  std::optional<double> heading;     ///< HEADING of the formation [rad, world]
+  double speed = 0.0;             ///< [m/s]; 0: the robot's own
+  std::optional<double> heading;  ///< HEADING of the formation [rad, world]
   std::vector<PhaseLine> phase_lines;
   std::string on_completion;         ///< message; empty: none
   std::optional<MissionTime> until;  ///< OCCUPY: proceeds by itself then
@@ -89,11 +89,24 @@ struct UnitCommand {
 };
 
 enum class BooleanOption : std::uint8_t {
-  kUseMilitaryStyle, kShowTrails, kHighlightRepellingObstacles, kShowMovementVectors, kShowColormap, kDebugRobots,
-  kDebugSimulator, kDebugScheduler, kScaleRobots
+  kUseMilitaryStyle,
+  kShowTrails,
+  kHighlightRepellingObstacles,
+  kShowMovementVectors,
+  kShowColormap,
+  kDebugRobots,
+  kDebugSimulator,
+  kDebugScheduler,
+  kScaleRobots
 };
 enum class NumberOption : std::uint8_t {
-  kSeed, kRobotLength, kObstacleCoverage, kMinObstacleRadius, kMaxObstacleRadius, kZoomFactor, kCycleDuration
+  kSeed,
+  kRobotLength,
+  kObstacleCoverage,
+  kMinObstacleRadius,
+  kMaxObstacleRadius,
+  kZoomFactor,
+  kCycleDuration
 };
 struct SetBoolean {
   BooleanOption option = BooleanOption::kShowTrails;
@@ -119,13 +132,13 @@ struct Step {
 
 /// All SET options, with the historic defaults.
 struct Options {
-  std::optional<double> seed;           ///< for CREATE-OBSTACLES, rounded to a 32-bit float as historically
-  double robot_length = 0.0;            ///< drawing only; 0: default
-  double obstacle_coverage = 3.0;       ///< [per cent of the area]
-  double min_obstacle_radius = 2.0;     ///< [m]
-  double max_obstacle_radius = 10.0;    ///< [m]
+  std::optional<double> seed;         ///< for CREATE-OBSTACLES, rounded to a 32-bit float as historically
+  double robot_length = 0.0;          ///< drawing only; 0: default
+  double obstacle_coverage = 3.0;     ///< [per cent of the area]
+  double min_obstacle_radius = 2.0;   ///< [m]
+  double max_obstacle_radius = 10.0;  ///< [m]
   double zoom_percent = 100.0;
-  std::optional<double> cycle_duration; ///< [s]
+  std::optional<double> cycle_duration;  ///< [s]
   bool use_military_style = true;
   bool show_trails = false;
   bool highlight_repelling_obstacles = false;
@@ -141,7 +154,7 @@ struct Options {
 struct Mission {
   std::string name;
   std::string scenario;
-  overlay::Overlay overlay;      ///< all overlays that it names, its own area, obstacles and start points added
+  overlay::Overlay overlay;  ///< all overlays that it names, its own area, obstacles and start points added
   std::vector<RobotType> types;  ///< [0] is ROBOT
   std::vector<Robot> robots;     ///< by id, ascending
   std::vector<Unit> units;

@@ -8,14 +8,14 @@
 
 namespace mlab::percept {
 
-/// Something that a behavior asks of the world or of others; resolved after the cycle in the order of robot ids,
-/// then of requests, and seen in the next cycle.
+/// Something that a behavior asks of the world or of others; resolved after the cycle in the order of robot
+/// ids, then of requests, and seen in the next cycle.
 struct Request {
   enum class Kind : std::uint8_t { kPickUp, kDrop, kDropInBasket, kNotify, kProceed };
   Kind kind = Kind::kPickUp;
-  base::ObjectId object;            ///< what is picked up, or the basket
-  double reach = 0.0;               ///< farthest edge distance at which it may be taken [m]
-  std::uint64_t notification = 0;   ///< base::hash_text of the name that others wait for
+  base::ObjectId object;           ///< what is picked up, or the basket
+  double reach = 0.0;              ///< farthest edge distance at which it may be taken [m]
+  std::uint64_t notification = 0;  ///< base::hash_text of the name that others wait for
 };
 
 /// How far a robot is with its order.

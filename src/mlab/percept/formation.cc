@@ -9,7 +9,8 @@ namespace mlab::percept {
 namespace {
 
 constexpr std::array<std::string_view, kFormationCount> kNames = {
-    "No-Formation", "Line", "Line-Left", "Line-Right", "Wedge", "Wedge-Left", "Wedge-Right", "Diamond", "Column", "Sweep"};
+    "No-Formation", "Line",        "Line-Left", "Line-Right", "Wedge",
+    "Wedge-Left",   "Wedge-Right", "Diamond",   "Column",     "Sweep"};
 
 // Places along a row that is symmetric about its middle: the first rank beside the middle on `first_side`
 // (+1 left, -1 right), the second outward on the same side, as the historic tables do for four robots.
@@ -24,7 +25,9 @@ double row_place(int rank, int count, double spacing, double first_side) {
   return rank <= half ? first_side * out : -first_side * out;
 }
 
-geom::Vector line(int rank, int count, double s, double first_side) { return {0.0, row_place(rank, count, s, first_side), 0.0}; }
+geom::Vector line(int rank, int count, double s, double first_side) {
+  return {0.0, row_place(rank, count, s, first_side), 0.0};
+}
 
 geom::Vector column(int rank, int count, double s) {
   // Four robots keep the historic order 1, 3, 2, 4: the two halves of a unit interleave.
@@ -45,19 +48,22 @@ geom::Vector vee(int rank, int count, double s, double first_side) {
 }
 
 geom::Vector wedge(int rank, int count, double s, double first_side) {
-  if (count == 2) return {rank == 0 ? s / 2.0 : -s / 2.0, (rank == 0 ? first_side : -first_side) * s / 2.0, 0.0};
+  if (count == 2)
+    return {rank == 0 ? s / 2.0 : -s / 2.0, (rank == 0 ? first_side : -first_side) * s / 2.0, 0.0};
   if (count == 3) {
     const double side = rank == 1 ? 1.0 : -1.0;
     return rank == 0 ? geom::Vector{2.0 * s / 3.0, 0.0, 0.0} : geom::Vector{-s / 3.0, side * s / 3.0, 0.0};
   }
   if (count == 4) {
     const double side = rank < 2 ? -1.0 : 1.0;
-    return rank % 2 == 0 ? geom::Vector{s / 2.0, side * s / 2.0, 0.0} : geom::Vector{-s / 2.0, side * 1.5 * s, 0.0};
+    return rank % 2 == 0 ? geom::Vector{s / 2.0, side * s / 2.0, 0.0}
+                         : geom::Vector{-s / 2.0, side * 1.5 * s, 0.0};
   }
   return vee(rank, count, s, first_side);
 }
 
-// Along the outline of a square that stands on its corner, the leader at the front corner, neighbours s apart.
+// Along the outline of a square that stands on its corner, the leader at the front corner, neighbours s
+// apart.
 geom::Vector diamond(int rank, int count, double s) {
   if (count == 2) return line(rank, count, s, -1.0);
   if (count == 3) return wedge(rank, count, s, -1.0);
@@ -85,26 +91,36 @@ geom::Vector station(Formation formation, int rank, int count, double spacing) {
   if (count <= 1) return {};
   switch (formation) {
     case Formation::kLine:
-    case Formation::kLineLeft: return line(rank, count, spacing, -1.0);
-    case Formation::kLineRight: return line(rank, count, spacing, count == 2 ? 1.0 : -1.0);
+    case Formation::kLineLeft:
+      return line(rank, count, spacing, -1.0);
+    case Formation::kLineRight:
+      return line(rank, count, spacing, count == 2 ? 1.0 : -1.0);
     case Formation::kWedge:
-    case Formation::kWedgeLeft: return wedge(rank, count, spacing, -1.0);
-    case Formation::kWedgeRight: return wedge(rank, count, spacing, 1.0);
-    case Formation::kDiamond: return diamond(rank, count, spacing);
-    case Formation::kColumn: return column(rank, count, spacing);
+    case Formation::kWedgeLeft:
+      return wedge(rank, count, spacing, -1.0);
+    case Formation::kWedgeRight:
+      return wedge(rank, count, spacing, 1.0);
+    case Formation::kDiamond:
+      return diamond(rank, count, spacing);
+    case Formation::kColumn:
+      return column(rank, count, spacing);
     case Formation::kNone:
-    case Formation::kSweep: break;
+    case Formation::kSweep:
+      break;
   }
   return {};
 }
 
-std::string_view name(Formation formation) { return kNames[static_cast<std::size_t>(formation)]; }
+std::string_view name(Formation formation) {
+  return kNames[static_cast<std::size_t>(formation)];
+}
 
 std::optional<Formation> formation_named(std::string_view wanted) {
   const auto same = [](std::string_view a, std::string_view b) {
     if (a.size() != b.size()) return false;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      if (std::tolower(static_cast<unsigned char>(a[i])) != std::tolower(static_cast<unsigned char>(b[i]))) return false;
+      if (std::tolower(static_cast<unsigned char>(a[i])) != std::tolower(static_cast<unsigned char>(b[i])))
+        return false;
     }
     return true;
   };

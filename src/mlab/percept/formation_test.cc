@@ -40,7 +40,8 @@ TEST(Station, NeighboursInLineAndColumnAreOneSpacingApartForEveryNumberOfRobots)
         double nearest = 1e9;
         for (int other = 0; other < count; ++other) {
           if (other == rank) continue;
-          nearest = std::min(nearest, length(station(formation, rank, count, kSpacing) - station(formation, other, count, kSpacing)));
+          nearest = std::min(nearest, length(station(formation, rank, count, kSpacing) -
+                                             station(formation, other, count, kSpacing)));
         }
         EXPECT_NEAR(nearest, kSpacing, 1e-9) << name(formation) << " " << count << " " << rank;
       }
@@ -52,14 +53,16 @@ TEST(Station, EveryFormationIsCentredOnTheUnit) {
   for (int f = 0; f < kFormationCount; ++f) {
     for (int count = 1; count <= 12; ++count) {
       Vector sum;
-      for (int rank = 0; rank < count; ++rank) sum += station(static_cast<Formation>(f), rank, count, kSpacing);
+      for (int rank = 0; rank < count; ++rank)
+        sum += station(static_cast<Formation>(f), rank, count, kSpacing);
       expect_near(sum, {});
     }
   }
 }
 
 TEST(Station, NoTwoRobotsShareOne) {
-  for (const Formation f : {Formation::kLine, Formation::kLineRight, Formation::kWedge, Formation::kWedgeRight, Formation::kDiamond, Formation::kColumn}) {
+  for (const Formation f : {Formation::kLine, Formation::kLineRight, Formation::kWedge,
+                            Formation::kWedgeRight, Formation::kDiamond, Formation::kColumn}) {
     for (int count = 2; count <= 16; ++count) {
       for (int a = 0; a < count; ++a) {
         for (int b = a + 1; b < count; ++b) {

@@ -19,16 +19,26 @@ struct Obstacle {
 /// Another robot in sight.
 struct RobotReading {
   base::RobotId id;
-  geom::Vector center;  ///< [m, robot frame]
+  geom::Vector center;   ///< [m, robot frame]
   double heading = 0.0;  ///< relative to this robot's heading [rad]
-  double radius = 0.2;  ///< of its body [m]
+  double radius = 0.2;   ///< of its body [m]
   bool is_unit_mate = false;
 };
 
 /// The kinds of things that a robot tells apart by colour. A value is a bit number of an ObjectClasses mask.
 /// @source  the historic table of object classes
 enum class ObjectClass : std::uint8_t {
-  kMine, kEnemyRobot, kFlag, kBasket, kRock, kTree, kHomeBase, kUnknown, kHidingPlace, kYellowMarker, kFriendlyRobot
+  kMine,
+  kEnemyRobot,
+  kFlag,
+  kBasket,
+  kRock,
+  kTree,
+  kHomeBase,
+  kUnknown,
+  kHidingPlace,
+  kYellowMarker,
+  kFriendlyRobot
 };
 /// What may be done with an object.
 enum class ObjectStyle : std::uint8_t { kFixed, kMovable, kContainer };
@@ -44,56 +54,64 @@ struct ObjectReading {
 
 /// One beam of a range sensor ring. Beams come in the order of the ring's mounting.
 struct RangeReading {
-  float angle = 0.0F;     ///< of the beam's axis [rad, robot frame]
-  float distance = 0.0F;  ///< from the body's surface to the nearest thing; the range where nothing was hit [m]
+  float angle = 0.0F;  ///< of the beam's axis [rad, robot frame]
+  float distance =
+      0.0F;  ///< from the body's surface to the nearest thing; the range where nothing was hit [m]
   bool hit = false;
 };
 
 /// What the mission wants of a robot. The numbers are those of the historic command messages.
 enum class Task : std::uint8_t {
-  kNone = 0, kStart = 1, kMoveTo = 2, kTeleoperate = 3, kSweepTo = 4, kFollow = 5, kOccupy = 6, kStop = 7
+  kNone = 0,
+  kStart = 1,
+  kMoveTo = 2,
+  kTeleoperate = 3,
+  kSweepTo = 4,
+  kFollow = 5,
+  kOccupy = 6,
+  kStop = 7
 };
 
 /// The command in force, as its robot sees it. Places are world points.
 struct Order {
   std::uint32_t sequence = 0;  ///< grows with every new command; 0: no command yet
   Task task = Task::kNone;
-  geom::Point goal;                            ///< [m, world]
-  std::span<const geom::Point> route;          ///< FOLLOW: the polyline, first point first [m, world]
+  geom::Point goal;                    ///< [m, world]
+  std::span<const geom::Point> route;  ///< FOLLOW: the polyline, first point first [m, world]
   Formation formation = Formation::kNone;
   FormationReference reference = FormationReference::kUnitCenter;
-  double heading = 0.0;      ///< formation heading that the command fixes [rad, world], where has_heading
+  double heading = 0.0;  ///< formation heading that the command fixes [rad, world], where has_heading
   bool has_heading = false;
-  double speed = 0.0;        ///< cruise speed of the unit [m/s]; 0: the robot's own
-  bool halted = false;       ///< hold where you are (overwatch, phase line, pause of a bound)
+  double speed = 0.0;   ///< cruise speed of the unit [m/s]; 0: the robot's own
+  bool halted = false;  ///< hold where you are (overwatch, phase line, pause of a bound)
 };
 
-/// This robot's unit under the order in force. Comes from the unit, once per cycle, the same for all its members;
-/// not from this robot's sensors.
+/// This robot's unit under the order in force. Comes from the unit, once per cycle, the same for all its
+/// members; not from this robot's sensors.
 struct UnitPercept {
   std::uint16_t size = 1;
-  std::uint16_t rank = 0;              ///< of this robot among the members, 0-based
-  geom::Point center;                  ///< mean position of the members [m, world]
-  geom::Offset center_step;            ///< how far the centre moved in the last cycle [m, world]
-  geom::Pose leader;                   ///< of the member of rank 0
-  geom::Pose neighbor;                 ///< of the member one rank before this one; its own for rank 0
-  double formation_heading = 0.0;      ///< last direction in which the formation looked [rad, world]
+  std::uint16_t rank = 0;          ///< of this robot among the members, 0-based
+  geom::Point center;              ///< mean position of the members [m, world]
+  geom::Offset center_step;        ///< how far the centre moved in the last cycle [m, world]
+  geom::Pose leader;               ///< of the member of rank 0
+  geom::Pose neighbor;             ///< of the member one rank before this one; its own for rank 0
+  double formation_heading = 0.0;  ///< last direction in which the formation looked [rad, world]
 };
 
 /// The operator's stick.
 struct Joystick {
-  double x = 0.0;          ///< to the right, -1 .. 1
-  double y = 0.0;          ///< up (ahead, or north), -1 .. 1
-  double magnitude = 0.0;  ///< 0: nobody steers
+  double x = 0.0;               ///< to the right, -1 .. 1
+  double y = 0.0;               ///< up (ahead, or north), -1 .. 1
+  double magnitude = 0.0;       ///< 0: nobody steers
   bool is_robot_frame = false;  ///< up is ahead; else up is north
-  bool complete = false;   ///< End Teleoperation was pressed
+  bool complete = false;        ///< End Teleoperation was pressed
 };
 
 /// Everything that a robot may know in one cycle. Lists are views into a buffer of the cycle, nearest first,
 /// valid until the cycle ends.
 struct Percepts {
   geom::Pose pose;
-  double time = 0.0;   ///< simulated or real time since the start of the run [s]
+  double time = 0.0;            ///< simulated or real time since the start of the run [s]
   double cycle_duration = 0.1;  ///< [s]
   std::span<const Obstacle> obstacles;
   std::span<const RobotReading> robots;

@@ -22,7 +22,9 @@ struct Excerpt {
   std::size_t carets = 1;  // how many
 };
 
-bool is_first_byte(char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }
+bool is_first_byte(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+}
 
 // The line split into characters, so that cutting it never cuts a character in two.
 std::vector<std::string> characters(std::string_view line) {
@@ -82,7 +84,8 @@ Diagnostic& Diagnostics::warning(std::string kind, Place place, std::string mess
 
 std::string render(const Diagnostic& diagnostic) {
   const char* level = diagnostic.severity == Severity::kError ? "error" : "warning";
-  std::string out = fmt::format("{}{}: {} [{}]\n", location(diagnostic.place), level, diagnostic.message, diagnostic.kind);
+  std::string out =
+      fmt::format("{}{}: {} [{}]\n", location(diagnostic.place), level, diagnostic.message, diagnostic.kind);
   if (const Source* source = diagnostic.place.source.get()) {
     const LineColumn at = source->line_column(diagnostic.place.span.begin);
     const Excerpt shown = excerpt(*source, diagnostic.place.span);
@@ -93,7 +96,8 @@ std::string render(const Diagnostic& diagnostic) {
     out += fmt::format("      = {}\n", diagnostic.label);
   }
   for (const std::string& hint : diagnostic.hints) out += fmt::format("      = hint: {}\n", hint);
-  for (const Note& note : diagnostic.notes) out += fmt::format("{}note: {}\n", location(note.place), note.message);
+  for (const Note& note : diagnostic.notes)
+    out += fmt::format("{}note: {}\n", location(note.place), note.message);
   return out;
 }
 
@@ -108,7 +112,8 @@ std::string render(const Diagnostics& diagnostics) {
 
 Result<SourcePtr> read_source(const std::string& path) {
   const auto failed = [&](std::string kind, const std::string& why) {
-    return std::unexpected(Diagnostic{Severity::kError, std::move(kind), fmt::format("cannot read `{}`: {}", path, why), {}, {}, {}, {}});
+    return std::unexpected(Diagnostic{
+        Severity::kError, std::move(kind), fmt::format("cannot read `{}`: {}", path, why), {}, {}, {}, {}});
   };
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -117,18 +122,22 @@ Result<SourcePtr> read_source(const std::string& path) {
   char block[1 << 16];
   while (file.read(block, sizeof block) || file.gcount() > 0) {
     text.append(block, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > Source::kMaxBytes) return failed("file-too-large", fmt::format("it has more than {} bytes", Source::kMaxBytes));
+    if (text.size() > Source::kMaxBytes)
+      return failed("file-too-large", fmt::format("it has more than {} bytes", Source::kMaxBytes));
   }
-  if (file.bad() || (text.empty() && errno != 0)) return failed("cannot-read", std::generic_category().message(errno));
+  if (file.bad() || (text.empty() && errno != 0))
+    return failed("cannot-read", std::generic_category().message(errno));
   return std::make_shared<const Source>(path, std::move(text));
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
   std::string best;
-  std::size_t best_distance = name.size() / 3 + 2;  // more changes than this, and somebody meant something else
+  std::size_t best_distance =
+      name.size() / 3 + 2;  // more changes than this, and somebody meant something else
   for (const std::string& candidate : candidates) {
-    if (candidate.size() > name.size() + best_distance || name.size() > candidate.size() + best_distance) continue;
+    if (candidate.size() > name.size() + best_distance || name.size() > candidate.size() + best_distance)
+      continue;
     std::vector<std::size_t> row(candidate.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
     for (std::size_t i = 0; i < name.size(); ++i) {

@@ -63,7 +63,8 @@ class Diagnostics {
 ///           = hint: did you mean `ATK-AP1`?
 ///     democ.odl:14:1: note: `ATK-AP1` declared here
 ///
-/// Ends with a newline. Control characters of the source are shown as `?`; long lines are cut around the carets.
+/// Ends with a newline. Control characters of the source are shown as `?`; long lines are cut around the
+/// carets.
 std::string render(const Diagnostic& diagnostic);
 /// All of them in order, and a line that counts what was dropped.
 std::string render(const Diagnostics& diagnostics);

@@ -16,7 +16,8 @@ TEST(Render, ShowsTheLineWithCaretsHintsAndNotes) {
   const auto mission = std::make_shared<const Source>("demo.mdl", "x\n  2. MOVETO ATK-AP9\n");
   const auto map = std::make_shared<const Source>("democ.odl", "ATK AP1 1 2\n");
   Diagnostics sink;
-  Diagnostic& d = sink.error("unknown-control-measure", place_of(mission, "ATK-AP9"), "unknown control measure `ATK-AP9`");
+  Diagnostic& d = sink.error("unknown-control-measure", place_of(mission, "ATK-AP9"),
+                             "unknown control measure `ATK-AP9`");
   d.label = "not in overlay `democ.odl`";
   d.hints = {"did you mean `ATK-AP1`?"};
   d.notes = {{"`AP1` declared here", place_of(map, "AP1")}};
@@ -36,7 +37,8 @@ TEST(Render, NeverPrintsControlCharactersOfTheSource) {
 }
 
 TEST(Render, CutsALongLineAroundTheCarets) {
-  const auto source = std::make_shared<const Source>("a", std::string(5000, 'x') + "Y" + std::string(5000, 'z'));
+  const auto source =
+      std::make_shared<const Source>("a", std::string(5000, 'x') + "Y" + std::string(5000, 'z'));
   Diagnostics sink;
   sink.error("k", {source, {5000, 5001}}, "m");
   const std::string out = render(sink);

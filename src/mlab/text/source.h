@@ -22,7 +22,8 @@ struct LineColumn {
   std::uint32_t column = 1;
 };
 
-/// The text of one file (or of one typed line), with its name for messages. Immutable, shared by all that point at it.
+/// The text of one file (or of one typed line), with its name for messages. Immutable, shared by all that
+/// point at it.
 class Source {
  public:
   /// Parsers take at most this many bytes; `read_source` refuses a larger file.

@@ -1,0 +1,350 @@
+#include "mlab/flow/port_types.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/flow/library.h"
+
+namespace mlab::flow {
+namespace {
+
+using percept::Formation;
+using percept::FormationReference;
+using percept::ObjectReading;
+using percept::Task;
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\n'))
+    text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\n'))
+    text.remove_suffix(1);
+  return text;
+}
+
+// Numbers may stand in parentheses or braces of their own: `(.5)`, `{0.5}`.
+std::string_view without_brackets(std::string_view text) {
+  text = trimmed(text);
+  while (text.size() >= 2 &&
+         ((text.front() == '(' && text.back() == ')') || (text.front() == '{' && text.back() == '}'))) {
+    text = trimmed(text.substr(1, text.size() - 2));
+  }
+  return text;
+}
+
+bool same_word(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  const auto fold = [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c == '_' ? '-' : c;
+  };
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (fold(a[i]) != fold(b[i])) return false;
+  }
+  return true;
+}
+
+std::optional<double> number(std::string_view text) {
+  text = without_brackets(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// `{1, 2}` as numbers; empty where anything else stands there.
+std::vector<double> numbers(std::string_view text) {
+  std::vector<double> out;
+  text = without_brackets(text);
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const std::optional<double> value = number(text.substr(0, comma));
+    if (!value) return {};
+    out.push_back(*value);
+    if (comma == std::string_view::npos) return out;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+template <class T>
+const T& as(const void* value) {
+  return *static_cast<const T*>(value);
+}
+
+bool parse_bool(std::string_view text, void* out) {
+  text = without_brackets(text);
+  for (const std::string_view yes : {"true", "yes", "on", "1"}) {
+    if (same_word(text, yes)) return *static_cast<bool*>(out) = true, true;
+  }
+  for (const std::string_view no : {"false", "no", "off", "0"}) {
+    if (same_word(text, no)) return *static_cast<bool*>(out) = false, true;
+  }
+  return false;
+}
+
+bool parse_int(std::string_view text, void* out) {
+  const std::optional<double> value = number(text);
+  if (!value || *value != std::floor(*value) || std::abs(*value) > 2147483647.0) return false;
+  *static_cast<int*>(out) = static_cast<int>(*value);
+  return true;
+}
+
+bool parse_double(std::string_view text, void* out) {
+  const std::optional<double> value = number(text);
+  if (value) *static_cast<double*>(out) = *value;
+  return value.has_value();
+}
+
+bool parse_vector(std::string_view text, void* out) {
+  const std::vector<double> v = numbers(text);
+  if (v.size() != 2 && v.size() != 3) return false;
+  *static_cast<geom::Vector*>(out) = {v[0], v[1], v.size() == 3 ? v[2] : 0.0};
+  return true;
+}
+
+bool parse_point(std::string_view text, void* out) {
+  const std::vector<double> v = numbers(text);
+  if (v.size() != 2 && !(v.size() == 3 && v[2] == 0.0)) return false;
+  *static_cast<geom::Point*>(out) = {v[0], v[1]};
+  return true;
+}
+
+bool parse_text(std::string_view text, void* out) {
+  return static_cast<Text*>(out)->assign(text);
+}
+
+// Enumerations: the words in the order of their values.
+constexpr std::string_view kReferences[] = {"unit-center", "leader", "neighbor"};
+constexpr std::string_view kTasks[] = {"none",    "start",  "moveto", "teleoperate",
+                                       "sweepto", "follow", "occupy", "stop"};
+constexpr std::string_view kClasses[] = {"Mine",        "EnemyRobot",   "Flag",         "Basket",
+                                         "Rock",        "Tree",         "HomeBase",     "Unknown",
+                                         "HidingPlace", "YellowMarker", "FriendlyRobot"};
+
+std::optional<std::size_t> word_index(std::span<const std::string_view> words, std::string_view text) {
+  text = without_brackets(text);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (same_word(words[i], text)) return i;
+  }
+  const std::optional<double> value = number(text);
+  if (value && *value >= 0 && *value < static_cast<double>(words.size()) && *value == std::floor(*value)) {
+    return static_cast<std::size_t>(*value);
+  }
+  return std::nullopt;
+}
+
+template <class T, const auto& kWords>
+bool parse_choice(std::string_view text, void* out) {
+  const std::optional<std::size_t> i = word_index(kWords, text);
+  if (i) *static_cast<T*>(out) = static_cast<T>(*i);
+  return i.has_value();
+}
+
+template <class T, const auto& kWords>
+std::string print_choice(const void* value) {
+  const auto i = static_cast<std::size_t>(as<T>(value));
+  return i < std::size(kWords) ? std::string(kWords[i]) : fmt::format("{}", i);
+}
+
+bool parse_formation(std::string_view text, void* out) {
+  const std::optional<Formation> formation = percept::formation_named(without_brackets(text));
+  if (formation) *static_cast<Formation*>(out) = *formation;
+  return formation.has_value();
+}
+
+// `Flag|Basket`, `AnyObject`, or the mask as a number.
+bool parse_classes(std::string_view text, void* out) {
+  text = without_brackets(text);
+  ObjectClasses mask;
+  if (same_word(text, "AnyObject")) {
+    mask.bits = (1U << std::size(kClasses)) - 1U;
+  } else if (const std::optional<double> value = number(text)) {
+    if (*value < -1.0 || *value > 4294967295.0 || *value != std::floor(*value)) return false;
+    mask.bits = *value < 0 ? (1U << std::size(kClasses)) - 1U : static_cast<std::uint32_t>(*value);
+  } else {
+    while (true) {
+      const std::size_t bar = text.find('|');
+      const std::string_view word = trimmed(text.substr(0, bar));
+      std::size_t i = 0;
+      while (i < std::size(kClasses) && !same_word(kClasses[i], word)) ++i;
+      if (i == std::size(kClasses)) return false;
+      mask.bits |= 1U << i;
+      if (bar == std::string_view::npos) break;
+      text.remove_prefix(bar + 1);
+    }
+  }
+  *static_cast<ObjectClasses*>(out) = mask;
+  return true;
+}
+
+std::string print_classes(const void* value) {
+  std::string out;
+  for (std::size_t i = 0; i < std::size(kClasses); ++i) {
+    if ((as<ObjectClasses>(value).bits >> i & 1U) != 0)
+      out += (out.empty() ? "" : "|") + std::string(kClasses[i]);
+  }
+  return out.empty() ? "0" : out;
+}
+
+template <class List>
+constexpr TypeInfo list_type(std::string_view name) {
+  return {name,         TypeKind::kList,
+          sizeof(List), alignof(List),
+          nullptr,      [](const void* value) { return fmt::format("{} readings", as<List>(value).count); },
+          nullptr};
+}
+
+template <class T>
+constexpr TypeInfo plain_type(std::string_view name, TypeKind kind, bool (*parse)(std::string_view, void*),
+                              std::string (*print)(const void*), bool (*is_finite)(const void*) = nullptr) {
+  return {name, kind, sizeof(T), alignof(T), parse, print, is_finite};
+}
+
+}  // namespace
+
+const TypeInfo& PortTraits<bool>::info() {
+  static constexpr TypeInfo kInfo = plain_type<bool>("bool", TypeKind::kBool, parse_bool, [](const void* v) {
+    return std::string(as<bool>(v) ? "true" : "false");
+  });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<int>::info() {
+  static constexpr TypeInfo kInfo = plain_type<int>(
+      "int", TypeKind::kInteger, parse_int, [](const void* v) { return fmt::format("{}", as<int>(v)); });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<double>::info() {
+  static constexpr TypeInfo kInfo = plain_type<double>(
+      "double", TypeKind::kReal, parse_double, [](const void* v) { return fmt::format("{}", as<double>(v)); },
+      [](const void* v) { return std::isfinite(as<double>(v)); });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<geom::Vector>::info() {
+  static constexpr TypeInfo kInfo = plain_type<geom::Vector>(
+      "Vector", TypeKind::kVector, parse_vector,
+      [](const void* v) {
+        const auto& a = as<geom::Vector>(v);
+        return fmt::format("{{{}, {}, {}}}", a.x, a.y, a.z);
+      },
+      [](const void* v) {
+        return std::isfinite(as<geom::Vector>(v).x + as<geom::Vector>(v).y + as<geom::Vector>(v).z);
+      });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<geom::Point>::info() {
+  static constexpr TypeInfo kInfo = plain_type<geom::Point>(
+      "Point", TypeKind::kPoint, parse_point,
+      [](const void* v) { return fmt::format("{{{}, {}}}", as<geom::Point>(v).x, as<geom::Point>(v).y); },
+      [](const void* v) { return std::isfinite(as<geom::Point>(v).x + as<geom::Point>(v).y); });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<geom::Pose>::info() {
+  static constexpr TypeInfo kInfo = plain_type<geom::Pose>(
+      "Pose", TypeKind::kPose, nullptr,
+      [](const void* v) {
+        const auto& p = as<geom::Pose>(v);
+        return fmt::format("{{{}, {}, {} rad}}", p.position.x, p.position.y, p.heading);
+      },
+      [](const void* v) {
+        const auto& p = as<geom::Pose>(v);
+        return std::isfinite(p.position.x + p.position.y + p.heading);
+      });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<Obstacles>::info() {
+  static constexpr TypeInfo kInfo = list_type<Obstacles>("Obstacles");
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<Robots>::info() {
+  static constexpr TypeInfo kInfo = list_type<Robots>("Robots");
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<Objects>::info() {
+  static constexpr TypeInfo kInfo = list_type<Objects>("Objects");
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<Ranges>::info() {
+  static constexpr TypeInfo kInfo = list_type<Ranges>("Ranges");
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<ObjectReading>::info() {
+  static constexpr TypeInfo kInfo =
+      plain_type<ObjectReading>("Object", TypeKind::kOther, nullptr, [](const void* v) {
+        const auto& o = as<ObjectReading>(v);
+        return o.id.value == 0 ? std::string("none")
+                               : fmt::format("object {} at {{{}, {}}}", o.id.value, o.center.x, o.center.y);
+      });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<ObjectClasses>::info() {
+  static constexpr TypeInfo kInfo =
+      plain_type<ObjectClasses>("ObjectClasses", TypeKind::kMask, parse_classes, print_classes);
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<Formation>::info() {
+  static constexpr TypeInfo kInfo =
+      plain_type<Formation>("Formation", TypeKind::kChoice, parse_formation,
+                            [](const void* v) { return std::string(percept::name(as<Formation>(v))); });
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<FormationReference>::info() {
+  static constexpr TypeInfo kInfo = plain_type<FormationReference>(
+      "FormationReference", TypeKind::kChoice, parse_choice<FormationReference, kReferences>,
+      print_choice<FormationReference, kReferences>);
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<Task>::info() {
+  static constexpr TypeInfo kInfo =
+      plain_type<Task>("Task", TypeKind::kChoice, parse_choice<Task, kTasks>, print_choice<Task, kTasks>);
+  return kInfo;
+}
+
+const TypeInfo& PortTraits<Text>::info() {
+  static constexpr TypeInfo kInfo = plain_type<Text>(
+      "Text", TypeKind::kText, parse_text, [](const void* v) { return std::string(as<Text>(v).view()); });
+  return kInfo;
+}
+
+void add_port_types(Library& library) {
+  const auto add = [&](const TypeInfo& type, std::initializer_list<std::string_view> aliases) {
+    library.add_type(type);
+    for (const std::string_view alias : aliases) library.add_type(type, alias);
+  };
+  add(type_info<bool>(), {"boolean"});
+  add(type_info<int>(), {});
+  add(type_info<double>(), {"float"});
+  add(type_info<geom::Vector>(), {});
+  add(type_info<geom::Point>(), {});
+  add(type_info<geom::Pose>(), {"robot_position"});
+  add(type_info<Obstacles>(), {"obs_array"});
+  add(type_info<Robots>(), {});
+  add(type_info<Objects>(), {"ObjectList"});
+  add(type_info<Ranges>(), {});
+  add(type_info<ObjectReading>(), {"ObjectReading"});
+  add(type_info<ObjectClasses>(), {"OneObjectClass"});
+  add(type_info<Formation>(), {"gt_Formation"});
+  add(type_info<FormationReference>(), {});
+  add(type_info<Task>(), {});
+  add(type_info<Text>(), {"CNLString_t"});
+}
+
+}  // namespace mlab::flow

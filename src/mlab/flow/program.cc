@@ -1,0 +1,334 @@
+#include "mlab/flow/program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/core.h>
+
+#include "mlab/base/angle.h"
+#include "mlab/flow/async_runner.h"
+#include "mlab/flow/port_types.h"
+
+namespace mlab::flow {
+namespace {
+
+// A stamp that is no cycle: the node fired once, and must restart when it fires next.
+constexpr std::uint32_t kMustRestart = 0xffffffffU;
+
+template <class T>
+T& at(std::byte* frame, std::uint32_t offset) {
+  return *std::launder(reinterpret_cast<T*>(frame + offset));
+}
+template <class T>
+const T& at(const std::byte* frame, std::uint32_t offset) {
+  return *std::launder(reinterpret_cast<const T*>(frame + offset));
+}
+
+// The first eight bytes of every frame.
+std::uint64_t& cycle_of(std::byte* frame) {
+  return at<std::uint64_t>(frame, 0);
+}
+
+std::int64_t integer_at(const std::byte* frame, std::uint32_t offset, std::uint32_t size) {
+  switch (size) {
+    case 1:
+      return at<std::uint8_t>(frame, offset);
+    case 2:
+      return at<std::uint16_t>(frame, offset);
+    case 4:
+      return at<std::int32_t>(frame, offset);
+    default:
+      return at<std::int64_t>(frame, offset);
+  }
+}
+
+}  // namespace
+
+void Needs::add(const Needs& other) {
+  obstacles = std::max(obstacles, other.obstacles);
+  robots = std::max(robots, other.robots);
+  objects = std::max(objects, other.objects);
+  ranges = ranges || other.ranges;
+}
+
+const Port* Program::find(std::string_view path) const {
+  const auto it = port_index_.find(path);
+  return it == port_index_.end() ? nullptr : &ports_[it->second];
+}
+
+std::uint64_t Program::cycle(const std::byte* frame) {
+  return at<std::uint64_t>(frame, 0);
+}
+
+void Program::step(std::byte* frame, const percept::Percepts& percepts, percept::Action& action,
+                   std::uint64_t seed, std::uint32_t robot, AsyncRunner* async) const {
+  const std::uint64_t number = ++cycle_of(frame);
+  const Cycle context{&percepts, &action, number, seed, robot};
+  const auto now = static_cast<std::uint32_t>(number);
+  Call call;
+  call.cycle = &context;
+  call.frame = frame;
+  run(root_, call, now, async);
+  for (const DelayCode& delay : delays_) {
+    if (at<std::uint32_t>(frame, delay.stamp) == now)
+      std::memcpy(frame + delay.next, frame + delay.source, delay.value_size);
+  }
+}
+
+void Program::run(const Block& block, Call& call, std::uint32_t now, AsyncRunner* async) const {
+  const Instruction* const end = instructions_.data() + block.first + block.count;
+  for (const Instruction* i = instructions_.data() + block.first; i != end; ++i) {
+    bool is_first = false;
+    bool is_restart = false;
+    if (i->stamp != kNone) {
+      auto& stamp = at<std::uint32_t>(call.frame, i->stamp);
+      if (i->is_guarded && stamp == now) continue;
+      is_first = stamp == 0;
+      is_restart = stamp != now - 1 || is_first;
+      stamp = now;
+    }
+    switch (i->kind) {
+      case Instruction::Kind::kFire:
+        call.inputs = words_.data() + i->inputs;
+        call.output = i->output;
+        call.state = i->state;
+        call.is_first = is_first;
+        call.is_restart = is_restart;
+        call.path_hash = i->path_hash;
+        i->fire(call);
+        break;
+      case Instruction::Kind::kSequence:
+        run_sequence(*i, is_restart, call, now, async);
+        break;
+      case Instruction::Kind::kSelect:
+        run_select(*i, call, now, async);
+        break;
+      case Instruction::Kind::kDelay: {
+        const DelayCode& delay = delays_[i->data];
+        std::memcpy(call.frame + i->output, call.frame + (is_restart ? delay.initial : delay.next),
+                    delay.value_size);
+        break;
+      }
+      case Instruction::Kind::kStartAsync:
+        run_async(*i, is_first, call, now, async);
+        break;
+    }
+  }
+}
+
+void Program::run_sequence(const Instruction& instruction, bool starts_anew, Call& call, std::uint32_t now,
+                           AsyncRunner* async) const {
+  const SequenceCode& sequence = sequences_[instruction.data];
+  auto& active = at<std::uint32_t>(call.frame, sequence.active);
+  if (starts_anew) active = sequence.start;
+  const StateCode& before = sequence.states[active];
+  run(before.triggers, call, now, async);
+  for (const TransitionCode& transition : before.transitions) {
+    if (at<bool>(call.frame, transition.trigger) == transition.is_negated) continue;
+    if (transition.restarts && transition.target == active) restart(before.member, call.frame);
+    active = transition.target;
+    break;
+  }
+  const StateCode& state = sequence.states[active];
+  run(state.member, call, now, async);
+  std::memcpy(call.frame + instruction.output, call.frame + state.value, sequence.value_size);
+}
+
+void Program::run_select(const Instruction& instruction, Call& call, std::uint32_t now,
+                         AsyncRunner* async) const {
+  const SelectCode& select = selects_[instruction.data];
+  const std::int64_t value = integer_at(call.frame, select.selector, select.selector_size);
+  std::int32_t chosen = select.otherwise;
+  for (std::size_t i = 0; i < select.cases.size(); ++i) {
+    const auto& values = select.cases[i].values;
+    if (std::find(values.begin(), values.end(), value) != values.end()) chosen = static_cast<std::int32_t>(i);
+  }
+  if (chosen < 0) {
+    std::memset(call.frame + instruction.output, 0, select.value_size);
+    return;
+  }
+  const CaseCode& member = select.cases[static_cast<std::size_t>(chosen)];
+  run(member.member, call, now, async);
+  std::memcpy(call.frame + instruction.output, call.frame + member.value, select.value_size);
+}
+
+void Program::run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
+                        AsyncRunner* async) const {
+  const AsyncCode& code = asyncs_[instruction.data];
+  auto& started = at<std::uint32_t>(call.frame, code.started);
+  auto& fresh = at<bool>(call.frame, code.fresh);
+  // Time, cycle duration and a flag stand before the captured inputs.
+  auto& time = at<double>(call.frame, code.captured);
+  auto& duration = at<double>(call.frame, code.captured + 8);
+  auto& first_job = at<bool>(call.frame, code.captured + 16);
+  const JobKey key{call.cycle->robot, instruction.path_hash, started};
+  const auto job_of = [&] {
+    Job job;
+    job.behavior = code.behavior;
+    job.frame = Frame(frame_size());
+    std::memcpy(job.frame.data(), call.frame, frame_size());
+    job.inputs.assign(
+        words_.begin() + instruction.inputs,
+        words_.begin() + instruction.inputs + static_cast<std::ptrdiff_t>(code.captured_offsets.size()));
+    job.output = instruction.output;
+    job.state = instruction.state;
+    job.is_first = first_job;
+    job.path_hash = instruction.path_hash;
+    job.time = time;
+    job.cycle_duration = duration;
+    job.seed = call.cycle->seed;
+    job.robot = call.cycle->robot;
+    job.cycle = started;
+    return job;
+  };
+  fresh = false;
+  if (started != 0 && now - started >= static_cast<std::uint32_t>(code.behavior->latency_cycles)) {
+    Job job;
+    if (async == nullptr || !async->take(key, job)) {
+      job = job_of();
+      job.compute();
+    }
+    std::memcpy(call.frame + instruction.output, job.frame.data() + instruction.output, code.output_size);
+    if (code.behavior->state_size > 0) {
+      std::memcpy(call.frame + instruction.state, job.frame.data() + instruction.state,
+                  code.behavior->state_size);
+    }
+    started = 0;
+    fresh = true;
+  }
+  if (started == 0) {
+    for (std::size_t i = 0; i < code.sources.size(); ++i) {
+      std::memcpy(call.frame + code.captured_offsets[i], call.frame + code.sources[i], code.sizes[i]);
+    }
+    time = call.cycle->percepts->time;
+    duration = call.cycle->percepts->cycle_duration;
+    first_job = is_first;
+    started = now;
+    if (async != nullptr) async->start({call.cycle->robot, instruction.path_hash, now}, job_of());
+  }
+}
+
+void Program::restart(const Block& block, std::byte* frame) const {
+  for (std::uint32_t n = block.first; n < block.first + block.count; ++n) {
+    const Instruction& i = instructions_[n];
+    if (i.stamp == kNone || i.is_guarded) continue;
+    auto& stamp = at<std::uint32_t>(frame, i.stamp);
+    if (stamp != 0) stamp = kMustRestart;
+  }
+}
+
+void Program::add_needs(const Block& block, const std::byte* frame, bool starts_anew, Needs& needs) const {
+  for (std::uint32_t n = block.first_need; n < block.first_need + block.need_count; ++n) {
+    const NeedCode& need = needs_[n];
+    const double range = need.range_offset == kNone ? need.range : at<double>(frame, need.range_offset);
+    switch (need.device) {
+      case Need::Device::kObstacles:
+        needs.obstacles = std::max(needs.obstacles, range);
+        break;
+      case Need::Device::kRobots:
+        needs.robots = std::max(needs.robots, range);
+        break;
+      case Need::Device::kObjects:
+        needs.objects = std::max(needs.objects, range);
+        break;
+      case Need::Device::kRanges:
+        needs.ranges = true;
+        break;
+    }
+  }
+  if (needs_are_fixed_) return;
+  const auto last = static_cast<std::uint32_t>(cycle(frame));
+  for (std::uint32_t n = block.first; n < block.first + block.count; ++n) {
+    const Instruction& i = instructions_[n];
+    if (i.kind == Instruction::Kind::kSelect) {
+      for (const CaseCode& member : selects_[i.data].cases) add_needs(member.member, frame, false, needs);
+    } else if (i.kind == Instruction::Kind::kSequence) {
+      const SequenceCode& sequence = sequences_[i.data];
+      const bool starts = starts_anew || last == 0 || at<std::uint32_t>(frame, i.stamp) != last;
+      const StateCode& state =
+          sequence.states[starts ? sequence.start : at<std::uint32_t>(frame, sequence.active)];
+      add_needs(state.triggers, frame, starts, needs);
+      add_needs(state.member, frame, starts, needs);
+      for (const TransitionCode& transition : state.transitions) {
+        add_needs(sequence.states[transition.target].member, frame, true, needs);
+      }
+    }
+  }
+}
+
+Needs Program::needs(const std::byte* frame) const {
+  Needs out;
+  add_needs(root_, frame, false, out);
+  return out;
+}
+
+std::optional<std::string> Program::set(std::byte* frame, const Port& port, std::string_view text) const {
+  if (port.role == Port::Role::kOutput)
+    return fmt::format("`{}` is the output of a node, not a parameter", port.path);
+  alignas(Frame::kAlignment) std::byte value[sizeof(Text) > 512 ? sizeof(Text) : 512] = {};
+  if (port.type->parse == nullptr || port.type->size > sizeof value) {
+    return fmt::format("`{}` is of type {}, which has no constants", port.path, port.type->name);
+  }
+  if (!port.type->parse(text, value)) return fmt::format("`{}` is no {}", text, port.type->name);
+  if (port.type->kind == TypeKind::kReal || port.type->kind == TypeKind::kInteger) {
+    double number = 0.0;
+    if (port.type->kind == TypeKind::kReal) std::memcpy(&number, value, sizeof number);
+    if (port.type->kind == TypeKind::kInteger)
+      number = static_cast<double>(integer_at(value, 0, port.type->size));
+    if (number < port.min || number > port.max) {
+      return fmt::format("{} is out of range: `{}` takes {} .. {}{}{}", text, port.path, port.min, port.max,
+                         port.edge_unit.empty() ? "" : " ", port.edge_unit);
+    }
+    if (port.edge_unit == "deg" && port.unit != "deg") {
+      number = base::radians(number);
+      std::memcpy(value, &number, sizeof number);
+    }
+  }
+  std::memcpy(frame + port.offset, value, port.type->size);
+  return std::nullopt;
+}
+
+const Port* Program::find_fault(const std::byte* frame) const {
+  const Port* fault = nullptr;
+  for (const Port& port : ports_) {
+    if (port.type->is_finite == nullptr || port.type->is_finite(frame + port.offset)) continue;
+    if (fault == nullptr || port.offset < fault->offset)
+      fault = &port;  // offsets grow in the order of evaluation
+  }
+  return fault;
+}
+
+std::string Program::print(const std::byte* frame, const Port& port) {
+  if (port.type->kind == TypeKind::kReal && port.edge_unit == "deg" && port.unit != "deg") {
+    return fmt::format("{}", base::degrees(at<double>(frame, port.offset)));
+  }
+  return port.type->print == nullptr ? fmt::format("<{}>", port.type->name)
+                                     : port.type->print(frame + port.offset);
+}
+
+std::optional<double> Program::number(const std::byte* frame, const Port& port) {
+  switch (port.type->kind) {
+    case TypeKind::kReal:
+      return at<double>(frame, port.offset);
+    case TypeKind::kVector:
+      return geom::length(at<geom::Vector>(frame, port.offset));
+    case TypeKind::kBool:
+    case TypeKind::kInteger:
+    case TypeKind::kChoice:
+    case TypeKind::kMask:
+      return static_cast<double>(integer_at(frame, port.offset, port.type->size));
+    default:
+      return std::nullopt;
+  }
+}
+
+std::vector<std::string> Program::active_states(const std::byte* frame) const {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < sequences_.size(); ++i) {
+    out.push_back(sequence_names_[i] + "." + state_names_[i][at<std::uint32_t>(frame, sequences_[i].active)]);
+  }
+  return out;
+}
+
+}  // namespace mlab::flow

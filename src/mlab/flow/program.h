@@ -1,0 +1,209 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/flow/behavior.h"
+#include "mlab/flow/frame.h"
+#include "mlab/flow/library.h"
+#include "mlab/flow/network.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::flow {
+
+class AsyncRunner;
+
+/// A value of a program that has a name: a parameter, a constant of a node (`node.input`), or a node's output
+/// (`node`).
+struct Port {
+  enum class Role : std::uint8_t { kParameter, kConstant, kOutput };
+  std::string path;
+  Role role = Role::kOutput;
+  const TypeInfo* type = nullptr;
+  std::string
+      unit;  ///< of the value as it stands in the frame; angles are in radians whatever the author wrote
+  std::string help;
+  std::uint32_t offset = 0;  ///< in the frame
+  double min = -1e300;       ///< of what may be set, in `edge_unit`
+  double max = 1e300;
+  std::string edge_unit;  ///< in which people set and read it: `deg` where the author said so
+};
+
+/// What has to be sensed for the next cycle, and how far at most [m]; 0: not wanted.
+struct Needs {
+  double obstacles = 0.0;
+  double robots = 0.0;
+  double objects = 0.0;
+  bool ranges = false;
+
+  void add(const Needs& other);
+};
+
+/// A network made ready to run: operations in order and a port table. Immutable, shared by all robots of a
+/// kind; the values are in a Frame for each robot. `step` uses no heap, no strings, no locks.
+class Program {
+ public:
+  /// One operation of the cycle. The order within a block is the order of execution.
+  struct Instruction {
+    enum class Kind : std::uint8_t { kFire, kSequence, kSelect, kDelay, kStartAsync };
+    Kind kind = Kind::kFire;
+    bool is_guarded = false;      ///< stands in several blocks: fires once a cycle
+    std::uint32_t stamp = kNone;  ///< offset of the cycle in which it fired last; kNone: nobody needs to know
+    std::uint32_t inputs = 0;     ///< index into words
+    std::uint32_t output = 0;     ///< offset
+    std::uint32_t state = 0;      ///< offset
+    std::uint32_t data = 0;       ///< index into sequences, selects, delays, asyncs
+    FireFunction fire = nullptr;
+    std::uint64_t path_hash = 0;
+  };
+  /// Instructions that run together.
+  struct Block {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t first_need = 0;
+    std::uint32_t need_count = 0;
+  };
+  struct TransitionCode {
+    std::uint32_t trigger = 0;  ///< offset of a bool
+    bool is_negated = false;
+    bool restarts = false;
+    std::uint32_t target = 0;  ///< index of the state
+  };
+  struct StateCode {
+    Block triggers;
+    Block member;
+    std::uint32_t value = 0;  ///< offset of the member's value
+    std::vector<TransitionCode> transitions;
+  };
+  struct SequenceCode {
+    std::uint32_t active = 0;  ///< offset of the index of the active state
+    std::uint32_t start = 0;
+    std::uint32_t value_size = 0;
+    std::vector<StateCode> states;
+  };
+  struct CaseCode {
+    std::vector<std::int64_t> values;
+    Block member;
+    std::uint32_t value = 0;
+  };
+  struct SelectCode {
+    std::uint32_t selector = 0;
+    TypeKind selector_kind = TypeKind::kInteger;
+    std::uint32_t selector_size = 4;
+    std::uint32_t value_size = 0;
+    std::vector<CaseCode> cases;
+    std::int32_t otherwise = -1;
+  };
+  struct DelayCode {
+    std::uint32_t stamp = 0;
+    std::uint32_t source = 0;
+    std::uint32_t next = 0;  ///< what it will put out in its next cycle
+    std::uint32_t initial = 0;
+    std::uint32_t value_size = 0;
+  };
+  struct AsyncCode {
+    const Behavior* behavior = nullptr;
+    std::uint32_t started = 0;           ///< offset of the cycle in which the running job began; 0: none runs
+    std::uint32_t fresh = 0;             ///< offset of a bool: the value came in this cycle
+    std::uint32_t captured = 0;          ///< offset where the inputs of the running job are kept
+    std::vector<std::uint32_t> sources;  ///< per captured input: offset of its source
+    std::vector<std::uint32_t> captured_offsets;  ///< and where it is kept
+    std::vector<std::uint32_t> sizes;
+    std::uint32_t output_size = 0;
+  };
+  struct NeedCode {
+    Need::Device device = Need::Device::kObstacles;
+    std::uint32_t range_offset = kNone;  ///< of a double
+    double range = 0.0;
+  };
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  const std::string& name() const { return name_; }
+  /// All ports in the order in which the network declares them.
+  const std::vector<Port>& ports() const { return ports_; }
+  /// Null where there is none. Parameters are found by all of their names.
+  const Port* find(std::string_view path) const;
+  std::size_t frame_size() const { return initial_.size(); }
+  /// How many nodes there are to evaluate, and how many operations remain after sharing.
+  std::size_t node_count() const { return node_count_; }
+  std::size_t instruction_count() const { return instructions_.size(); }
+
+  /// A robot's values before its first cycle.
+  Frame make_frame() const { return initial_; }
+  const Frame& initial_frame() const { return initial_; }
+
+  /// One cycle: senses are in `percepts`, what the robot does goes into `action`. `number` of the cycle
+  /// handed to the behaviors is counted in the frame, from 1.
+  /// @param frame  frame_size() bytes, aligned to Frame::kAlignment, made from `initial_frame`
+  /// @param async  runs asynchronous behaviors elsewhere; null: they are computed here when their value is
+  /// due
+  void step(std::byte* frame, const percept::Percepts& percepts, percept::Action& action, std::uint64_t seed,
+            std::uint32_t robot, AsyncRunner* async = nullptr) const;
+
+  /// What the next step may read, given the states in which the robot is.
+  Needs needs(const std::byte* frame) const;
+
+  /// The cycle that ran last; 0 before the first.
+  static std::uint64_t cycle(const std::byte* frame);
+
+  /// Sets a parameter or constant, as a person writes it (in edge_unit). Nothing changes where there is an
+  /// error.
+  /// @errors  a sentence that says what is wrong: not settable, not of the type, out of range
+  std::optional<std::string> set(std::byte* frame, const Port& port, std::string_view text) const;
+
+  /// The first port, in the order of evaluation, whose value is NaN or infinite; null where all are sound.
+  const Port* find_fault(const std::byte* frame) const;
+
+  /// The value for a person.
+  static std::string print(const std::byte* frame, const Port& port);
+  /// The number that a bool, integer, real, choice or mask port holds; the length of a vector; nothing for
+  /// others.
+  static std::optional<double> number(const std::byte* frame, const Port& port);
+
+  /// The active states of all sequences, `sequence.state` each, in the network's order.
+  std::vector<std::string> active_states(const std::byte* frame) const;
+
+ private:
+  friend class ProgramBuilder;
+
+  void run(const Block& block, Call& call, std::uint32_t now, AsyncRunner* async) const;
+  void run_sequence(const Instruction& instruction, bool restart, Call& call, std::uint32_t now,
+                    AsyncRunner* async) const;
+  void run_select(const Instruction& instruction, Call& call, std::uint32_t now, AsyncRunner* async) const;
+  void run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
+                 AsyncRunner* async) const;
+  void restart(const Block& block, std::byte* frame) const;
+  void add_needs(const Block& block, const std::byte* frame, bool starts_anew, Needs& needs) const;
+
+  std::string name_;
+  std::vector<Port> ports_;
+  std::map<std::string, std::uint32_t, std::less<>> port_index_;
+  std::vector<Instruction> instructions_;
+  std::vector<std::uint32_t> words_;
+  Block root_;
+  std::vector<SequenceCode> sequences_;
+  std::vector<std::string> sequence_names_;
+  std::vector<std::vector<std::string>> state_names_;
+  std::vector<SelectCode> selects_;
+  std::vector<DelayCode> delays_;
+  std::vector<AsyncCode> asyncs_;
+  std::vector<NeedCode> needs_;
+  bool needs_are_fixed_ = false;
+  std::size_t node_count_ = 0;
+  Frame initial_;
+};
+
+/// Builds the program of a network. Null where there were errors; every problem is reported at the author's
+/// place: unknown behaviors, inputs, sources; missing, double links; types and units that do not agree;
+/// constants that are none of their type or out of range; loops, with their path; nodes that nothing uses,
+/// lists without members (warnings).
+std::shared_ptr<const Program> build_program(const Network& network, const Library& library,
+                                             text::Diagnostics& sink);
+
+}  // namespace mlab::flow

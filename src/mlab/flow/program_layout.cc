@@ -1,0 +1,299 @@
+#include <algorithm>
+#include <cstring>
+
+#include "mlab/base/hash.h"
+#include "mlab/flow/port_types.h"
+#include "mlab/flow/program_builder.h"
+
+namespace mlab::flow {
+
+using Instruction = Program::Instruction;
+
+std::uint32_t ProgramBuilder::allocate(std::size_t size, std::size_t alignment) {
+  const auto a = static_cast<std::uint32_t>(alignment);
+  frame_size_ = (frame_size_ + a - 1) / a * a;
+  const std::uint32_t offset = frame_size_;
+  frame_size_ += static_cast<std::uint32_t>(size);
+  return offset;
+}
+
+std::uint32_t ProgramBuilder::canonical(std::uint32_t op) const {
+  while (ops_[op].same_as != kNone) op = ops_[op].same_as;
+  return op;
+}
+
+std::uint32_t ProgramBuilder::offset_of(const Ref& ref) const {
+  switch (ref.kind) {
+    case Ref::Kind::kSlot:
+      return slots_[ref.index].offset;
+    case Ref::Kind::kFresh:
+      return ops_[canonical(ref.index)].fresh;
+    default:
+      return ops_[canonical(ref.index)].output;
+  }
+}
+
+// All operations that the roots need, each after its own sources. What only a state or a case needs is left
+// out: it has a block of its own. Iterative, because a chain may be ten thousand nodes long.
+std::vector<std::uint32_t> ProgramBuilder::order(const std::vector<std::uint32_t>& roots) {
+  visited_.resize(ops_.size(), 0);
+  ++block_number_;
+  std::vector<std::uint32_t> out;
+  struct Visit {
+    std::uint32_t op;
+    std::vector<std::uint32_t> sources;
+    std::size_t next = 0;
+  };
+  std::vector<std::uint32_t> waiting(roots.rbegin(), roots.rend());
+  std::vector<Visit> path;
+  const auto enter = [&](std::uint32_t op) {
+    op = canonical(op);
+    if (std::exchange(visited_[op], block_number_) == block_number_) return;
+    Visit visit{op, {}, 0};
+    const auto add = [&](const Ref& ref) {
+      if (ref.kind == Ref::Kind::kOp || ref.kind == Ref::Kind::kFresh) visit.sources.push_back(ref.index);
+    };
+    for (const auto& input : ops_[op].inputs) {
+      for (const Ref& ref : input) add(ref);
+    }
+    add(ops_[op].selector);
+    // What a delay keeps for the next cycle has to be evaluated in this one, but not before it.
+    if (ops_[op].value.kind == Ref::Kind::kOp) waiting.insert(waiting.begin(), ops_[op].value.index);
+    path.push_back(std::move(visit));
+  };
+  while (!waiting.empty() || !path.empty()) {
+    if (path.empty()) {
+      const std::uint32_t root = waiting.back();
+      waiting.pop_back();
+      enter(root);
+      continue;
+    }
+    if (path.back().next < path.back().sources.size()) {
+      enter(path.back().sources[path.back().next++]);
+    } else {
+      out.push_back(path.back().op);
+      path.pop_back();
+    }
+  }
+  return out;
+}
+
+void ProgramBuilder::lay_out() {
+  for (Slot& slot : slots_) {
+    const TypeInfo& type = *program_->ports_[slot.port].type;
+    slot.offset = allocate(type.size, type.alignment);
+    program_->ports_[slot.port].offset = slot.offset;
+  }
+  std::vector<std::uint32_t> all(ops_.size());
+  for (std::uint32_t i = 0; i < ops_.size(); ++i) all[i] = i;
+  for (const std::uint32_t i : order(all)) {
+    Op& op = ops_[i];
+    if (op.type != nullptr) op.output = allocate(op.type->size, op.type->alignment);
+    if (op.behavior != nullptr) op.state = allocate(op.behavior->state_size, op.behavior->state_alignment);
+    if (op.kind == Instruction::Kind::kStartAsync) op.fresh = allocate(1, 1);
+  }
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t i = 0; i < ops_.size(); ++i) {
+    const bool is_sink = ops_[i].behavior != nullptr && ops_[i].type == nullptr;
+    if (is_sink || (ops_[i].node != nullptr && ops_[i].node->is_public)) roots.push_back(i);
+  }
+  program_->root_ = emit(roots);
+  program_->needs_are_fixed_ = program_->sequences_.empty() && program_->selects_.empty();
+  program_->node_count_ = network_.nodes.size();
+  assign_stamps();
+  for (std::uint32_t i = 0; i < ops_.size(); ++i) {
+    if (op_ports_[i] != kNone)
+      program_->ports_[op_ports_[i]].offset = offset_of({Ref::Kind::kOp, i, nullptr, "", ""});
+  }
+  for (std::uint32_t i = 0; i < ops_.size(); ++i) {
+    if (ops_[i].kind != Instruction::Kind::kStartAsync) continue;
+    program_->ports_.push_back({ops_[i].path + ".fresh", Port::Role::kOutput, &type_info<bool>(), "", "",
+                                ops_[i].fresh, -1e300, 1e300, ""});
+  }
+  for (std::uint32_t i = 0; i < program_->ports_.size(); ++i)
+    program_->port_index_.emplace(program_->ports_[i].path, i);
+  for (const auto& [name, entry] : names_) {  // a parameter's other names
+    if (entry.ref.kind == Ref::Kind::kSlot) program_->port_index_.emplace(name, slots_[entry.ref.index].port);
+  }
+  program_->initial_ = Frame((frame_size_ + Frame::kAlignment - 1) / Frame::kAlignment * Frame::kAlignment);
+  std::byte* frame = program_->initial_.data();
+  for (const Slot& slot : slots_)
+    std::copy(slot.value.begin(), slot.value.begin() + program_->ports_[slot.port].type->size,
+              frame + slot.offset);
+  for (const Op& op : ops_) {
+    if (op.type != nullptr && op.behavior != nullptr && op.behavior->write_initial_output != nullptr) {
+      op.behavior->write_initial_output(frame + op.output);
+    }
+  }
+}
+
+Program::Block ProgramBuilder::emit_for(const std::vector<Ref>& refs) {
+  std::vector<std::uint32_t> roots;
+  for (const Ref& ref : refs) {
+    if (ref.kind == Ref::Kind::kOp || ref.kind == Ref::Kind::kFresh) roots.push_back(ref.index);
+  }
+  return emit(roots);
+}
+
+Program::Block ProgramBuilder::emit(const std::vector<std::uint32_t>& roots) {
+  const std::vector<std::uint32_t> ops = order(roots);
+  std::vector<Instruction> block;
+  for (const std::uint32_t i : ops) {
+    ++ops_[i].blocks;
+    Instruction instruction;
+    instruction.kind = ops_[i].kind;
+    instruction.output = ops_[i].output;
+    instruction.state = ops_[i].state;
+    instruction.path_hash = base::hash_text(ops_[i].path);
+    if (ops_[i].behavior != nullptr) instruction.fire = ops_[i].behavior->fire;
+    switch (ops_[i].kind) {
+      case Instruction::Kind::kFire:
+        instruction.inputs = emit_inputs(ops_[i]);
+        break;
+      case Instruction::Kind::kSequence:
+        if (ops_[i].data == kNone) ops_[i].data = emit_sequence(ops_[i]);
+        break;
+      case Instruction::Kind::kSelect:
+        if (ops_[i].data == kNone) ops_[i].data = emit_select(ops_[i]);
+        break;
+      case Instruction::Kind::kDelay:
+        if (ops_[i].data == kNone) {
+          ops_[i].data = emit_delay(ops_[i]);
+          delay_ops_.push_back(i);
+        }
+        break;
+      case Instruction::Kind::kStartAsync:
+        instruction.inputs = static_cast<std::uint32_t>(program_->words_.size());
+        if (ops_[i].data == kNone)
+          ops_[i].data = emit_async(ops_[i], instruction.inputs);
+        else
+          instruction.inputs = ops_[i].captured;
+        break;
+    }
+    if (ops_[i].data != kNone) instruction.data = ops_[i].data;
+    block.push_back(instruction);
+  }
+  Program::Block out;
+  out.first = static_cast<std::uint32_t>(program_->instructions_.size());
+  out.count = static_cast<std::uint32_t>(block.size());
+  program_->instructions_.insert(program_->instructions_.end(), block.begin(), block.end());
+  instruction_ops_.insert(instruction_ops_.end(), ops.begin(), ops.end());
+  out.first_need = static_cast<std::uint32_t>(program_->needs_.size());
+  for (const std::uint32_t i : ops) emit_needs(ops_[i]);
+  out.need_count = static_cast<std::uint32_t>(program_->needs_.size()) - out.first_need;
+  return out;
+}
+
+std::uint32_t ProgramBuilder::emit_inputs(const Op& op) {
+  const auto first = static_cast<std::uint32_t>(program_->words_.size());
+  // A list stands in the inputs as the index of its words, which come after the inputs: see Call::inputs.
+  std::vector<std::uint32_t> words;
+  for (std::size_t i = 0; i < op.inputs.size(); ++i) {
+    if (op.behavior->inputs[i].is_list) words.push_back(static_cast<std::uint32_t>(op.inputs[i].size()));
+    for (const Ref& ref : op.inputs[i]) words.push_back(offset_of(ref));
+  }
+  program_->words_.insert(program_->words_.end(), words.begin(), words.end());
+  return first;
+}
+
+std::uint32_t ProgramBuilder::emit_sequence(const Op& op) {
+  Program::SequenceCode code;
+  code.active = allocate(sizeof(std::uint32_t), alignof(std::uint32_t));
+  code.start = op.start;
+  code.value_size = op.type->size;
+  const std::vector<StateRefs>& states = op.states;
+  const Node& node = *op.node;
+  std::vector<std::string> names;
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    Program::StateCode state;
+    state.triggers = emit_for(states[s].triggers);
+    state.member = emit_for({states[s].member});
+    state.value = offset_of(states[s].member);
+    for (std::size_t t = 0; t < states[s].triggers.size(); ++t) {
+      const Transition& transition = node.states[s].transitions[t];
+      state.transitions.push_back({offset_of(states[s].triggers[t]), transition.is_negated,
+                                   transition.restarts, states[s].targets[t]});
+    }
+    code.states.push_back(std::move(state));
+    names.push_back(node.states[s].name);
+  }
+  program_->sequences_.push_back(std::move(code));
+  program_->sequence_names_.push_back(node.name);
+  program_->state_names_.push_back(std::move(names));
+  return static_cast<std::uint32_t>(program_->sequences_.size() - 1);
+}
+
+std::uint32_t ProgramBuilder::emit_select(const Op& op) {
+  Program::SelectCode code;
+  code.selector = offset_of(op.selector);
+  code.selector_kind = op.selector.type->kind;
+  code.selector_size = op.selector.type->size;
+  code.value_size = op.type->size;
+  const std::vector<Ref>& members = op.cases;
+  const Node& node = *op.node;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (node.cases[i].values.empty()) code.otherwise = static_cast<std::int32_t>(i);
+    code.cases.push_back({node.cases[i].values, emit_for({members[i]}), offset_of(members[i])});
+  }
+  program_->selects_.push_back(std::move(code));
+  return static_cast<std::uint32_t>(program_->selects_.size() - 1);
+}
+
+std::uint32_t ProgramBuilder::emit_delay(const Op& op) {
+  Program::DelayCode code;
+  code.source = offset_of(op.value);
+  code.initial = offset_of(op.initial);
+  code.next = allocate(op.type->size, op.type->alignment);
+  code.value_size = op.type->size;
+  program_->delays_.push_back(code);
+  return static_cast<std::uint32_t>(program_->delays_.size() - 1);
+}
+
+std::uint32_t ProgramBuilder::emit_async(const Op& op, std::uint32_t words) {
+  Program::AsyncCode code;
+  code.behavior = op.behavior;
+  code.started = allocate(sizeof(std::uint32_t), alignof(std::uint32_t));
+  code.fresh = op.fresh;
+  code.captured = allocate(24, 8);  // time, cycle duration, whether it is the node's first job
+  code.output_size = op.type == nullptr ? 0 : op.type->size;
+  for (std::size_t i = 0; i < op.inputs.size(); ++i) {
+    const TypeInfo& type = *op.behavior->inputs[i].type;
+    code.sources.push_back(offset_of(op.inputs[i].front()));
+    code.captured_offsets.push_back(allocate(type.size, type.alignment));
+    code.sizes.push_back(type.size);
+  }
+  program_->words_.insert(program_->words_.end(), code.captured_offsets.begin(), code.captured_offsets.end());
+  ops_[static_cast<std::size_t>(&op - ops_.data())].captured = words;
+  program_->asyncs_.push_back(std::move(code));
+  return static_cast<std::uint32_t>(program_->asyncs_.size() - 1);
+}
+
+void ProgramBuilder::emit_needs(const Op& op) {
+  if (op.behavior == nullptr) return;
+  for (const Need& need : op.behavior->needs) {
+    Program::NeedCode code{need.device, kNone, need.range};
+    if (need.range_input >= 0)
+      code.range_offset = offset_of(op.inputs[static_cast<std::size_t>(need.range_input)].front());
+    program_->needs_.push_back(code);
+  }
+}
+
+// Only now is it known which operations stand in several blocks.
+void ProgramBuilder::assign_stamps() {
+  for (Op& op : ops_) {
+    const bool keeps_state =
+        op.behavior != nullptr && (op.behavior->state_size > 0 || op.behavior->has_header);
+    const bool is_operator = op.kind == Instruction::Kind::kSequence ||
+                             op.kind == Instruction::Kind::kDelay ||
+                             op.kind == Instruction::Kind::kStartAsync;
+    if (op.blocks > 0 && (op.blocks > 1 || keeps_state || is_operator)) op.stamp = allocate(4, 4);
+  }
+  for (std::size_t i = 0; i < program_->instructions_.size(); ++i) {
+    const Op& op = ops_[instruction_ops_[i]];
+    program_->instructions_[i].stamp = op.stamp;
+    program_->instructions_[i].is_guarded = op.blocks > 1;
+  }
+  for (std::size_t i = 0; i < delay_ops_.size(); ++i) program_->delays_[i].stamp = ops_[delay_ops_[i]].stamp;
+}
+
+}  // namespace mlab::flow
