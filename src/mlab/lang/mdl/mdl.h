@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/mission/mission.h"
+#include "mlab/overlay/overlay.h"
+#include "mlab/text/diagnostic.h"
+#include "mlab/text/source.h"
+
+/// The mission description language: from text to a mission that can be carried out, and back to tidy text.
+namespace mlab::mdl {
+
+/// What a mission file says, before any name is looked up. Defined in tree.h.
+struct Tree;
+
+/// Reads the text of a mission, or of a typed command with the words IMMEDIATE COMMAND: before it.
+///
+/// After an error it goes on with the next statement or step, so one call reports all that is wrong. The tree
+/// holds what was understood; where there were errors it is good for looking at, not for printing.
+Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics);
+
+/// The mission in its canonical layout: one statement per line, keywords in capitals, comments kept.
+/// Printing what was parsed from it again changes nothing.
+///
+/// @param tree  parsed without errors
+std::string print(const Tree& tree);
+
+/// What a mission needs from outside its file.
+struct LoadOptions {
+  /// For CREATE-OBSTACLES where the mission does not SET SEED.
+  std::uint64_t seed = 0;
+  /// Where overlays and pictures are looked for after the mission's own folder and the current one.
+  std::vector<std::string> overlay_folders;
+};
+
+/// Everything a run needs: overlays loaded, names resolved, robots numbered, random obstacles created.
+///
+/// @return null where there were errors
+/// @errors in `diagnostics`: whatever keeps the mission from being understood; warnings for the rest
+std::shared_ptr<const mission::Mission> load_mission(const std::string& path, text::Diagnostics& diagnostics,
+                                                     const LoadOptions& options = {});
+/// The same for text that is already at hand.
+///
+/// @param folder  where overlays are looked for first; empty: the current folder
+std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& source, const std::string& folder,
+                                                      text::Diagnostics& diagnostics,
+                                                      const LoadOptions& options = {});
+
+/// A line typed by the operator, resolved against the mission that is loaded.
+struct Immediate {
+  /// For mission::event::Typed. Their units are indices into `edited` where there is one, else into the mission
+  /// that the line was read against.
+  std::vector<mission::Command> commands;
+  /// The mission with the units, robots, obstacles and settings that the line added. Its first units and robots are
+  /// the old ones, unmoved, unless a name was defined anew. Null where the line added nothing.
+  std::shared_ptr<const mission::Mission> edited;
+  /// The obstacles of `edited` are not those of the mission before.
+  bool changes_obstacles = false;
+};
+
+/// Reads a typed line: `UNIT scouts MOVETO PP-Charlie`, several joined by AND, IMMEDIATE COMMAND: before it or not.
+///
+/// @return nothing where there were errors
+std::optional<Immediate> parse_immediate(const std::string& line, const mission::Mission& mission,
+                                         text::Diagnostics& diagnostics, const LoadOptions& options = {});
+
+/// Tells a mission from the other languages by what stands in it.
+bool looks_like_mdl(std::string_view text);
+
+}  // namespace mlab::mdl

@@ -1,0 +1,254 @@
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/parser.h"
+#include "mlab/lang/mdl/quoted.h"
+
+namespace mlab::mdl {
+namespace {
+
+using percept::Task;
+
+// In the order of Clause::what.
+constexpr std::array<std::string_view, 7> kClauseNames = {"FORMATION", "TECHNIQUE", "SPEED", "HEADING",
+                                                          "PHASE-LINE", "ON-COMPLETION", "UNTIL"};
+
+std::string_view command_word(Task task) {
+  switch (task) {
+    case Task::kStart: return "START";
+    case Task::kMoveTo: return "MOVETO";
+    case Task::kTeleoperate: return "TELEOPERATE";
+    case Task::kSweepTo: return "SWEEPTO";
+    case Task::kFollow: return "FOLLOW";
+    case Task::kOccupy: return "OCCUPY";
+    default: return "STOP";
+  }
+}
+
+bool takes_clause(Task task, std::size_t index) {
+  const std::string_view clause = kClauseNames[index];
+  switch (task) {
+    case Task::kMoveTo: return clause != "UNTIL";
+    case Task::kSweepTo:
+    case Task::kFollow: return clause != "UNTIL" && clause != "HEADING";
+    case Task::kTeleoperate: return clause == "FORMATION" || clause == "SPEED" || clause == "ON-COMPLETION";
+    case Task::kOccupy: return clause == "FORMATION" || clause == "HEADING" || clause == "UNTIL";
+    default: return false;
+  }
+}
+
+Task task_of(Word word) {
+  switch (word) {
+    case Word::kStart: return Task::kStart;
+    case Word::kMoveTo: return Task::kMoveTo;
+    case Word::kTeleoperate: return Task::kTeleoperate;
+    case Word::kSweepTo: return Task::kSweepTo;
+    case Word::kFollow: return Task::kFollow;
+    case Word::kOccupy: return Task::kOccupy;
+    case Word::kStop: return Task::kStop;
+    default: return Task::kNone;
+  }
+}
+
+}  // namespace
+
+statement::UnitAction Parser::unit_action() {
+  statement::UnitAction out;
+  if (at(TokenKind::kLess)) {
+    fail("unit-in-brackets", token().span, "a command names its unit without `<` and `>`")
+        .hints.emplace_back("units are defined before `COMMAND LIST:`");
+    return out;
+  }
+  out.unit = name("the unit's name");
+  if (stuck_) return out;
+  out.task = at(TokenKind::kWord) ? task_of(token().word) : Task::kNone;
+  if (out.task == Task::kNone) {
+    const std::vector<std::string> known = {"START", "MOVETO", "OCCUPY", "FOLLOW", "SWEEPTO", "TELEOPERATE", "STOP"};
+    auto& error = fail("unknown-command", token().span,
+                       fmt::format("expected what unit {} shall do, found {}", quoted(out.unit.text), describe(token())));
+    const std::string near = text::nearest_name(written(token()).substr(0, 40), known);
+    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ") : fmt::format("did you mean `{}`?", near));
+    return out;
+  }
+  advance();
+  if (out.task != Task::kStop) out.location = location(command_word(out.task));
+  if (out.task == Task::kStart) start_step(out);
+  clauses(out);
+  return out;
+}
+
+Location Parser::location(std::string_view command) {
+  Location out;
+  if (stuck_) return out;
+  if (at(TokenKind::kNumber)) {
+    out.x = number("the x coordinate");
+    if (at(TokenKind::kLabel) && token().first_on_line) {
+      fail("one-coordinate", out.x.span, fmt::format("a place has two coordinates, here is only {}", quoted(out.x.text)))
+          .hints.emplace_back("a place whose name looks like a number stands in quotes");
+    }
+    out.y = number("the y coordinate");
+    out.span = {out.x.span.begin, out.y.span.end};
+    return out;
+  }
+  out.name = name(fmt::format("the place of {}", command));
+  out.span = out.name->span;
+  return out;
+}
+
+// START's way from one robot to the next.
+void Parser::start_step(statement::UnitAction& action) {
+  const bool follows = at(TokenKind::kNumber) || (at(TokenKind::kLabel) && !token().first_on_line) || at(TokenKind::kTime);
+  if (stuck_ || !follows) return;
+  const Number x = number("the x offset");
+  const bool is_alone = !at(TokenKind::kNumber) && !at(TokenKind::kTime) && !(at(TokenKind::kLabel) && !token().first_on_line);
+  if (!stuck_ && is_alone) {
+    fail("one-offset", x.span, fmt::format("START takes two offsets or none, here is only {}", quoted(x.text)))
+        .hints.push_back(fmt::format("write `0 {}` for robots in a row to the north, `{} 0` for one to the east", x.text, x.text));
+    return;
+  }
+  const Number y = number("the y offset");
+  action.step_x = x;
+  action.step_y = y;
+}
+
+void Parser::clauses(statement::UnitAction& action) {
+  while (!stuck_) {
+    const text::Span first = token().span;
+    std::optional<Clause> clause = parsed_clause(action.task);
+    if (!clause) return;
+    if (stuck_) return;
+    clause->span = {first.begin, tokens_.tokens[next_ - 1].span.end};
+    action.clauses.push_back(std::move(*clause));
+  }
+}
+
+void Parser::refuse_clause(Task task, std::size_t index, text::Span span, std::string_view said) {
+  std::vector<std::string> allowed;
+  for (std::size_t i = 0; i < kClauseNames.size(); ++i) {
+    if (takes_clause(task, i)) allowed.emplace_back(kClauseNames[i]);
+  }
+  complain("clause-not-allowed", span, fmt::format("{} does not take {}", command_word(task), quoted(said)))
+      .hints.push_back(allowed.empty() ? "it takes no clauses" : fmt::format("it takes {}", listed(allowed, " and ")));
+}
+
+// Nothing where no clause begins.
+std::optional<Clause> Parser::parsed_clause(Task task) {
+  const Token t = token();
+  Clause out;
+  const auto begin = [&](std::size_t index) {
+    if (!takes_clause(task, index)) refuse_clause(task, index, t.span, kClauseNames[index]);
+    if (t.kind != TokenKind::kFormation && t.kind != TokenKind::kTechnique) advance();
+  };
+  if (t.kind == TokenKind::kFormation || at(Word::kFormation)) {
+    begin(0);
+    if (t.kind != TokenKind::kFormation) take(TokenKind::kEquals);
+    if (!at(TokenKind::kFormation)) {
+      std::vector<std::string> known;
+      for (int i = 0; i < percept::kFormationCount; ++i) known.emplace_back(percept::name(static_cast<percept::Formation>(i)));
+      auto& error = fail("unknown-formation", token().span, fmt::format("expected a formation, found {}", describe(token())));
+      const std::string near = text::nearest_name(written(token()).substr(0, 40), known);
+      error.hints.push_back(near.empty() ? "known are " + listed(known, " and ") : fmt::format("did you mean `{}`?", near));
+    }
+    out.what = clause::Formation{static_cast<percept::Formation>(token().value)};
+    advance();
+  } else if (t.kind == TokenKind::kTechnique || at(Word::kTechnique)) {
+    begin(1);
+    if (t.kind != TokenKind::kTechnique) take(TokenKind::kEquals);
+    if (!at(TokenKind::kTechnique)) fail_expected("TRAVELING, TRAVELING-OVERWATCH or BOUNDING-OVERWATCH");
+    out.what = clause::Technique{static_cast<mission::Technique>(token().value)};
+    advance();
+  } else if (at(Word::kSpeed)) {
+    begin(2);
+    take(TokenKind::kEquals);
+    out.what = clause::Speed{number("a speed in metres per second")};
+  } else if (t.kind == TokenKind::kName && equal_without_case(written(t), "HEADING")) {
+    begin(3);
+    take(TokenKind::kEquals);
+    out.what = clause::Heading{number("a heading in degrees")};
+  } else if (at(Word::kPhaseLine)) {
+    begin(4);
+    out.what = phase_line();
+  } else if (at(Word::kOnCompletion)) {
+    begin(5);
+    if (!take(Word::kMessage)) fail_expected("`MESSAGE` behind ON-COMPLETION");
+    out.what = clause::OnCompletion{name("the message")};
+  } else if (at(Word::kUntil)) {
+    begin(6);
+    out.what = clause::Until{until()};
+  } else if (t.kind == TokenKind::kName && equal_without_case(written(t), "FREEZE")) {
+    fail("freeze", t.span, "`FREEZE` is no clause of this language")
+        .hints.emplace_back("a unit that has arrived holds its place with OCCUPY");
+  } else if (at(Word::kWait)) {
+    fail("wait-without-acknowledge", t.span, "`WAIT` needs an `ACKNOWLEDGE` before it, whose answer it waits for")
+        .hints.emplace_back("write `PHASE-LINE name ACKNOWLEDGE \"text\" WAIT`");
+  } else {
+    return std::nullopt;
+  }
+  return out;
+}
+
+clause::PhaseLine Parser::phase_line() {
+  clause::PhaseLine out;
+  out.line = name("the phase line's name");
+  out.moment = time_and_date();
+  if (take(Word::kAcknowledge)) {
+    out.acknowledge = name("the text to acknowledge");
+    out.waits = take(Word::kWait);
+  }
+  return out;
+}
+
+// A time, a date and a time, a time and a date, or nothing.
+std::optional<Moment> Parser::time_and_date() {
+  if (stuck_ || (!at(TokenKind::kTime) && !at(TokenKind::kDate))) return std::nullopt;
+  Moment out;
+  out.span = token().span;
+  const auto mark = [&] {
+    Mark read{std::string(written(token())), token().span};
+    out.span.end = token().span.end;
+    advance();
+    return read;
+  };
+  if (at(TokenKind::kTime)) {
+    out.time = mark();
+    if (at(TokenKind::kDate)) out.date = mark();
+    return out;
+  }
+  out.date = mark();
+  if (at(TokenKind::kTime)) {
+    out.time = mark();
+  } else {
+    fail("date-without-time", out.date->span, fmt::format("the date {} needs a time of day", quoted(out.date->text)))
+        .hints.push_back(fmt::format("write `12:00 {}`", out.date->text));
+  }
+  return out;
+}
+
+Moment Parser::until() {
+  Moment out;
+  if (stuck_) return out;
+  if (at(Word::kTimeout)) {
+    out.span = token().span;
+    advance();
+    out.is_timeout = true;
+    if (at(TokenKind::kTime)) {
+      out.time = Mark{std::string(written(token())), token().span};
+      advance();
+    } else {
+      out.number = number("a number of seconds or a time");
+    }
+    if (!stuck_) out.span.end = tokens_.tokens[next_ - 1].span.end;
+    return out;
+  }
+  if (std::optional<Moment> moment = time_and_date()) return *moment;
+  if (!stuck_ && !at(TokenKind::kNumber)) fail_expected("`TIMEOUT`, a time, or a date and a time");
+  out.span = token().span;
+  out.number = number("minutes after midnight");
+  return out;
+}
+
+}  // namespace mlab::mdl

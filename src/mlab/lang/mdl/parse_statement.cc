@@ -1,0 +1,382 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/parser.h"
+#include "mlab/lang/mdl/quoted.h"
+
+namespace mlab::mdl {
+namespace {
+
+using mission::BooleanOption;
+using mission::NumberOption;
+
+struct OptionWord {
+  Word word;
+  std::variant<BooleanOption, NumberOption> option;
+  bool in_steps;
+};
+constexpr auto kOptions = std::to_array<OptionWord>({
+    {Word::kUseMilitaryStyle, BooleanOption::kUseMilitaryStyle, true},
+    {Word::kShowTrails, BooleanOption::kShowTrails, true},
+    {Word::kHighlightRepellingObstacles, BooleanOption::kHighlightRepellingObstacles, true},
+    {Word::kShowMovementVectors, BooleanOption::kShowMovementVectors, true},
+    {Word::kShowColormap, BooleanOption::kShowColormap, false},
+    {Word::kDebugRobots, BooleanOption::kDebugRobots, true},
+    {Word::kDebugSimulator, BooleanOption::kDebugSimulator, true},
+    {Word::kDebugScheduler, BooleanOption::kDebugScheduler, true},
+    {Word::kScaleRobots, BooleanOption::kScaleRobots, false},
+    {Word::kSeed, NumberOption::kSeed, false},
+    {Word::kRobotLength, NumberOption::kRobotLength, false},
+    {Word::kObstacleCoverage, NumberOption::kObstacleCoverage, false},
+    {Word::kMinObstacleRadius, NumberOption::kMinObstacleRadius, false},
+    {Word::kMaxObstacleRadius, NumberOption::kMaxObstacleRadius, false},
+    {Word::kZoomFactor, NumberOption::kZoomFactor, false},
+    {Word::kCycleDuration, NumberOption::kCycleDuration, true},
+});
+
+// What an author of an overlay may take for a statement of a mission.
+constexpr auto kOverlayWords = std::to_array<std::string_view>(
+    {"SITE", "ORIGIN", "GLOBAL_REF_POINT", "HEADING", "SCALE", "AA", "ATK", "AXIS", "BOUNDARY", "ATTRACTOR", "OBJECT",
+     "BASKET", "BP", "GAP", "HEIGHTMAP", "LDLC", "OBJ", "PL", "PP", "WALL", "ROOM", "DOOR", "HALLWAY", "ROAD",
+     "WAYPOINT-FILE", "CONTROL"});
+
+const std::vector<std::string>& statement_words(Section section) {
+  static const std::vector<std::string> preamble = {
+      "MISSION NAME", "SCENARIO", "OVERLAY", "MISSION-AREA", "LOAD-MAP", "SP",    "OBSTACLE",
+      "CREATE-OBSTACLES", "NEW-ROBOT", "UNIT", "SET", "PRINT", "COMMAND LIST:"};
+  static const std::vector<std::string> step = {"UNIT", "SET", "PRINT", "QUIT"};
+  static const std::vector<std::string> typed = {"UNIT", "SET", "PRINT", "QUIT", "OBSTACLE", "CREATE-OBSTACLES", "INJECTTRACK"};
+  return section == Section::kPreamble ? preamble : section == Section::kStep ? step : typed;
+}
+
+bool is_allowed(Word word, Section section) {
+  switch (word) {
+    case Word::kUnit:
+    case Word::kSet:
+    case Word::kPrint: return true;
+    case Word::kQuit: return section != Section::kPreamble;
+    case Word::kInjectTrack: return section == Section::kTyped;
+    case Word::kObstacle:
+    case Word::kCreateObstacles: return section != Section::kStep;
+    case Word::kScenario:
+    case Word::kOverlay:
+    case Word::kMissionArea:
+    case Word::kLoadMap:
+    case Word::kSp:
+    case Word::kNewRobot: return section == Section::kPreamble;
+    default: return false;
+  }
+}
+
+bool is_action(Word word) {
+  return word == Word::kStart || word == Word::kMoveTo || word == Word::kTeleoperate || word == Word::kSweepTo ||
+         word == Word::kOccupy || word == Word::kFollow || word == Word::kStop;
+}
+
+bool has_program(const Statement& statement) {
+  const auto* robot = std::get_if<statement::NewRobot>(&statement.what);
+  return robot != nullptr && robot->program.span.end > robot->program.span.begin;
+}
+
+}  // namespace
+
+std::optional<Statement> Parser::parsed_statement(Section section, Damage& damage) {
+  Statement out;
+  out.span = token().span;
+  if (at(TokenKind::kMissionName) && section == Section::kPreamble) {
+    advance();
+    out.what = statement::MissionName{name("the mission's name")};
+  } else if (at(TokenKind::kWord) && is_allowed(token().word, section)) {
+    statement_by_word(section, out, damage);
+  } else {
+    refuse_statement(section, damage);
+  }
+  // A robot type counts as known as soon as its program is.
+  return !stuck_ || has_program(out) ? std::optional(std::move(out)) : std::nullopt;
+}
+
+void Parser::statement_by_word(Section section, Statement& out, Damage& damage) {
+  const Word word = token().word;
+  advance();
+  switch (word) {
+    case Word::kScenario: out.what = statement::Scenario{name("the scenario's name")}; break;
+    case Word::kOverlay:
+      out.what = overlay_file();
+      damage.places |= stuck_;
+      break;
+    case Word::kMissionArea: {
+      const Number width = number("the width of the mission area");
+      out.what = statement::MissionArea{width, number("the height of the mission area")};
+      break;
+    }
+    case Word::kLoadMap: out.what = statement::LoadMap{name("the name of a map file")}; break;
+    case Word::kSp: {
+      Name start = name("the start point's name");
+      const Number x = number("the x coordinate");
+      out.what = statement::StartPlace{std::move(start), x, number("the y coordinate")};
+      damage.places |= stuck_;
+      break;
+    }
+    case Word::kObstacle: {
+      const Number x = number("the x coordinate");
+      const Number y = number("the y coordinate");
+      out.what = statement::Obstacle{x, y, number("the obstacle's radius")};
+      break;
+    }
+    case Word::kCreateObstacles: out.what = statement::CreateObstacles{}; break;
+    case Word::kNewRobot:
+      out.what = new_robot();
+      damage.types |= stuck_ && !has_program(out);
+      break;
+    case Word::kUnit:
+      if (section == Section::kStep || (section == Section::kTyped && !at(TokenKind::kLess))) {
+        out.what = unit_action();
+      } else {
+        out.what = unit_definition();
+        damage.units |= stuck_;
+      }
+      break;
+    case Word::kSet: out.what = set(section); break;
+    case Word::kPrint: out.what = print(); break;
+    case Word::kInjectTrack: out.what = inject_track(); break;
+    default: out.what = statement::Quit{}; break;
+  }
+}
+
+// Something stands where a statement should begin.
+void Parser::refuse_statement(Section section, Damage& damage) {
+  const Token t = token();
+  const std::string said = quoted(written(t));
+  const bool is_preamble_word = starts_statement(t);
+  if (section == Section::kPreamble) damage = {true, true, true};
+  if (section == Section::kTyped && t.kind == TokenKind::kLabel) {
+    fail("not-typed", t.span, fmt::format("a typed command has no step label, found {}", said));
+  } else if (section == Section::kTyped && is_preamble_word) {
+    fail("not-typed", t.span, fmt::format("{} cannot be typed, it belongs into the mission file", said));
+  } else if (section == Section::kStep && is_preamble_word) {
+    fail("not-in-steps", t.span, fmt::format("{} belongs before `COMMAND LIST:`", said));
+  } else if (section == Section::kPreamble && t.kind == TokenKind::kWord && (is_action(t.word) || t.word == Word::kQuit)) {
+    fail("not-in-preamble", t.span, fmt::format("{} belongs into a step behind `COMMAND LIST:`", said));
+  } else if (std::ranges::any_of(kOverlayWords, [&](std::string_view word) { return equal_without_case(word, written(t)); })) {
+    fail("not-in-missions", t.span, fmt::format("{} belongs into an overlay, not into a mission", said));
+  } else {
+    auto& error = fail("unknown-statement", t.span,
+                       fmt::format("expected {}, found {}", section == Section::kPreamble ? "a statement" : "a command", describe(t)));
+    const std::string near = text::nearest_name(written(t).substr(0, 40), statement_words(section));
+    if (!near.empty()) {
+      error.hints.push_back(fmt::format("did you mean `{}`?", near));
+    } else if (section == Section::kPreamble && !t.first_on_line && next_ > 0) {
+      error.hints.emplace_back("a name of several words stands in quotes");
+    } else {
+      error.hints.push_back("known are " + listed(statement_words(section), " and "));
+    }
+  }
+}
+
+statement::OverlayFile Parser::overlay_file() {
+  if (!stuck_ && at(TokenKind::kFile)) return {take_name()};
+  return {name("the name of an overlay file")};
+}
+
+statement::NewRobot Parser::new_robot() {
+  statement::NewRobot out;
+  out.name = name("the new type's name");
+  const bool is_standard = !stuck_ && at(Word::kRobot) && at(TokenKind::kWord);
+  out.program = name("the robot program's name");
+  if (is_standard) out.program.text = "robot";
+  out.color = color_or_host();
+  if (out.color) out.host = color_or_host();
+  if (out.host && (at(TokenKind::kName) || at(TokenKind::kString)) && !token().first_on_line) {
+    fail("too-many-words", token().span, fmt::format("nothing but parameters may follow the host, found {}", describe(token())))
+        .hints.emplace_back("NEW-ROBOT takes type, program, colour, host and then parameters in parentheses");
+  }
+  if (!stuck_ && at(TokenKind::kFile) && !token().first_on_line) {
+    name(out.color ? "a host" : "a colour");
+  }
+  if (!stuck_ && at(TokenKind::kOpen)) parameter_list(out);
+  return out;
+}
+
+// The position is optional, so of the reserved words only the two that were colours before they were reserved count.
+std::optional<Name> Parser::color_or_host() {
+  if (stuck_ || looks_like_header()) return std::nullopt;
+  const bool is_color_word = at(Word::kRed) || at(Word::kYellow);
+  if (!is_color_word && !at(TokenKind::kName) && !at(TokenKind::kString)) return std::nullopt;
+  return take_name();
+}
+
+void Parser::parameter_list(statement::NewRobot& robot) {
+  const text::Span open = token().span;
+  advance();
+  if (at(TokenKind::kClose)) {
+    fail("empty-parameter-list", {open.begin, token().span.end}, "a parameter list names at least one parameter")
+        .hints.emplace_back("leave out the parentheses");
+    return;
+  }
+  do {
+    Comments comments;
+    collect_comments(robot.parameters.empty() ? nullptr : &robot.parameters.back().comments, comments);
+    if (at(TokenKind::kClose)) {
+      fail("trailing-comma", tokens_.tokens[next_ - 1].span, "a comma stands behind the last parameter");
+      return;
+    }
+    Parameter read = parameter();
+    if (stuck_) return;
+    read.comments = std::move(comments);
+    robot.parameters.push_back(std::move(read));
+  } while (take(TokenKind::kComma));
+  Comments below;
+  collect_comments(&robot.parameters.back().comments, below);
+  std::erase(below.above, "");
+  robot.comments_below = std::move(below.above);
+  if (take(TokenKind::kClose)) return;
+  const bool is_value = at(TokenKind::kName) || at(TokenKind::kString) || at(TokenKind::kNumber);
+  fail("unclosed-parameter-list", token().span,
+       fmt::format("expected {} before {}", is_value ? "`,`" : "`,` or `)`", describe(token())))
+      .notes.push_back({"the parameter list begins here", place(open)});
+}
+
+Parameter Parser::parameter() {
+  Parameter out;
+  const bool is_timeout = at(Word::kTimeout);
+  out.key = name("a parameter's name");
+  if (is_timeout && !out.key.quoted) out.key.text = "timeout";
+  if (!stuck_ && !take(TokenKind::kEquals)) {
+    fail("unexpected-token", token().span, fmt::format("expected `=` behind {}, found {}", quoted(out.key.text), describe(token())));
+  }
+  if (stuck_) return out;
+  const Token t = token();
+  out.value_span = t.span;
+  out.written = written(t);
+  if (t.kind == TokenKind::kBoolean) {
+    out.value = t.value == 1 ? "1" : "0";
+    advance();
+  } else if (t.kind == TokenKind::kNumber || t.kind == TokenKind::kLabel || t.kind == TokenKind::kTime) {
+    out.value = number("the parameter's value").text;
+  } else {
+    out.value = name("the parameter's value").text;
+  }
+  return out;
+}
+
+statement::UnitDefinition Parser::unit_definition() {
+  statement::UnitDefinition out;
+  if (!at(TokenKind::kLess)) {
+    auto& error = fail("unit-without-brackets", token().span,
+                       fmt::format("expected `<` before the unit's name, found {}", describe(token())));
+    if (at(TokenKind::kName)) error.hints.push_back(fmt::format("write `UNIT <{}> ROBOT`", written(token()).substr(0, 40)));
+    return out;
+  }
+  Group& root = out.groups.emplace_back();
+  root.span = token().span;
+  root.name = group_name();
+  group_content(out, 0, 1);
+  return out;
+}
+
+Name Parser::group_name() {
+  take(TokenKind::kLess);
+  Name out = name("the unit's name");
+  if (!stuck_ && !take(TokenKind::kGreater)) fail_expected("`>` behind the unit's name");
+  return out;
+}
+
+bool Parser::at_robot() const {
+  if (stuck_ || looks_like_header()) return false;
+  return at(Word::kRobot) || at(TokenKind::kName) || at(TokenKind::kString);
+}
+
+// Robots, or groups in parentheses; never both.
+void Parser::group_content(statement::UnitDefinition& unit, std::uint32_t group, std::uint32_t depth) {
+  if (stuck_) return;
+  if (at(TokenKind::kOpen)) {
+    while (!stuck_ && at(TokenKind::kOpen)) {
+      const std::uint32_t part = parenthesized_group(unit, depth + 1);
+      if (!stuck_) unit.groups[group].parts.push_back(part);
+    }
+  } else {
+    if (!at_robot()) fail_expected(unit.groups[group].name ? "a robot or a group in parentheses" : "a robot or `<name>`");
+    while (at_robot()) unit.groups[group].robots.push_back(take_name());
+  }
+  if (stuck_) return;
+  const bool has_parts = !unit.groups[group].parts.empty();
+  const bool is_mixed = has_parts ? at_robot() && (depth > 1 || !token().first_on_line) : at(TokenKind::kOpen);
+  if (is_mixed) {
+    fail("mixed-group", token().span, "a unit has either robots or groups, not both on one level")
+        .hints.emplace_back("put the robots into parentheses of their own");
+  }
+}
+
+std::uint32_t Parser::parenthesized_group(statement::UnitDefinition& unit, std::uint32_t depth) {
+  const auto index = static_cast<std::uint32_t>(unit.groups.size());
+  Group& group = unit.groups.emplace_back();
+  group.span = token().span;
+  if (depth > kMaxGroupDepth) {
+    fail("unit-too-deep", token().span, fmt::format("groups are nested more than {} deep", kMaxGroupDepth));
+    return index;
+  }
+  const text::Span open = token().span;
+  advance();
+  if (at(TokenKind::kLess)) {
+    Name read = group_name();
+    unit.groups[index].name = std::move(read);
+    group_content(unit, index, depth);
+  } else {
+    group_content(unit, index, depth);
+  }
+  if (!stuck_ && !take(TokenKind::kClose)) {
+    fail("unclosed-group", token().span, fmt::format("expected `)` before {}", describe(token())))
+        .notes.push_back({"the group begins here", place(open)});
+  }
+  return index;
+}
+
+statement::Set Parser::set(Section section) {
+  statement::Set out;
+  if (stuck_) return out;
+  const Token t = token();
+  const auto* found = std::ranges::find(kOptions, t.word, &OptionWord::word);
+  if (t.kind != TokenKind::kWord || found == kOptions.end()) {
+    std::vector<std::string> known;
+    for (const OptionWord& option : kOptions) known.emplace_back(spelling(option.word));
+    auto& error = fail("unknown-option", t.span, fmt::format("expected an option, found {}", describe(t)));
+    const std::string near = text::nearest_name(written(t).substr(0, 40), known);
+    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ") : fmt::format("did you mean `{}`?", near));
+    return out;
+  }
+  out.option = found->option;
+  out.option_span = t.span;
+  if (section == Section::kStep && !found->in_steps) {
+    fail("not-in-steps", t.span, fmt::format("{} is set before `COMMAND LIST:`, not in a step", quoted(spelling(t.word))));
+    return out;
+  }
+  advance();
+  if (std::holds_alternative<NumberOption>(out.option)) {
+    out.number = number(fmt::format("a number for {}", spelling(t.word)));
+  } else if (at(TokenKind::kBoolean)) {
+    out.flag = token().value == 1;
+    advance();
+  }
+  return out;
+}
+
+statement::Print Parser::print() {
+  if (take(Word::kConsoleDatabase)) return {false};
+  if (take(Word::kRobotInfo)) return {true};
+  fail_expected("`CONSOLE-DATABASE` or `ROBOT-INFO`");
+  return {};
+}
+
+statement::InjectTrack Parser::inject_track() {
+  if (take(Word::kRed)) return {true};
+  if (take(Word::kYellow)) return {false};
+  fail_expected("`RED` or `YELLOW`");
+  return {};
+}
+
+}  // namespace mlab::mdl

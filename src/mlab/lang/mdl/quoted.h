@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mlab::mdl {
+
+/// What an author wrote, in backticks, fit for one line of a message: cut when long, control characters and
+/// broken UTF-8 replaced by `?`.
+std::string quoted(std::string_view text);
+
+/// `a, b or c`
+template <class Range>
+std::string listed(const Range& words, std::string_view last_separator = " or ") {
+  std::string out;
+  std::size_t i = 0;
+  for (const auto& word : words) {
+    if (i > 0) out += i + 1 == std::size(words) ? last_separator : ", ";
+    out += word;
+    ++i;
+  }
+  return out;
+}
+
+}  // namespace mlab::mdl

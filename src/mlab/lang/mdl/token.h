@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/text/diagnostic.h"
+#include "mlab/text/source.h"
+
+namespace mlab::mdl {
+
+/// Reserved words, synonyms folded. HEADING and FREEZE are none: they are told by where they stand.
+enum class Word : std::uint8_t {
+  kNone,
+  // statements
+  kScenario, kOverlay, kMissionArea, kLoadMap, kSp, kUnit, kHeightMap, kNewRobot, kCreateObstacles, kObstacle,
+  kSet, kPrint, kQuit, kInjectTrack,
+  // what units do
+  kStart, kMoveTo, kTeleoperate, kSweepTo, kOccupy, kFollow, kStop,
+  // clauses
+  kAnd, kFormation, kTechnique, kSpeed, kPhaseLine, kUntil, kTimeout, kOnCompletion, kAcknowledge, kMessage, kWait,
+  // options
+  kSeed, kShowTrails, kHighlightRepellingObstacles, kUseMilitaryStyle, kShowMovementVectors, kShowColormap,
+  kObstacleCoverage, kZoomFactor, kScaleRobots, kRobotLength, kMinObstacleRadius, kMaxObstacleRadius,
+  kCycleDuration, kDebugRobots, kDebugSimulator, kDebugScheduler,
+  // the rest
+  kConsoleDatabase, kRobotInfo, kRed, kYellow, kRobot
+};
+
+enum class TokenKind : std::uint8_t {
+  kEnd,
+  kMissionName,       ///< `MISSION NAME`
+  kCommandList,       ///< `COMMAND LIST:`
+  kImmediateCommand,  ///< `IMMEDIATE COMMAND:`
+  kWord,              ///< a reserved word
+  kBoolean,           ///< `value` 1 or 0
+  kFormation,         ///< `value` a percept::Formation
+  kTechnique,         ///< `value` a mission::Technique
+  kName,
+  kString,
+  kFile,              ///< a name with points, slashes or a digit first; understood after OVERLAY alone
+  kNumber,
+  kTime,
+  kDate,
+  kLabel,             ///< with its point
+  kColon, kOpen, kClose, kLess, kGreater, kEquals, kComma
+};
+
+struct Token {
+  TokenKind kind = TokenKind::kEnd;
+  Word word = Word::kNone;
+  std::uint8_t value = 0;
+  bool first_on_line = false;
+  bool blank_line_before = false;  ///< between it and the token or comment before it
+  text::Span span;
+};
+
+/// From `--` to the end of the line, blanks at the end left out.
+struct CommentToken {
+  text::Span span;
+  std::uint32_t next_token = 0;  ///< index of the token that follows
+  bool own_line = false;
+  bool blank_line_before = false;
+};
+
+struct Tokens {
+  std::vector<Token> tokens;  ///< the last one is kEnd
+  std::vector<CommentToken> comments;
+};
+
+/// Cuts the text into tokens. Characters that belong to no token are skipped with a warning.
+Tokens lex(const text::SourcePtr& source, text::Diagnostics& diagnostics);
+
+/// A reserved word of the language, as the lexer tells it.
+struct Keyword {
+  std::string_view text;
+  TokenKind kind = TokenKind::kWord;
+  Word word = Word::kNone;
+  std::uint8_t value = 0;
+};
+/// Null where the text is no reserved word. Letter case does not count.
+const Keyword* find_keyword(std::string_view text);
+/// How the canonical layout writes the word.
+std::string_view spelling(Word word);
+
+bool equal_without_case(std::string_view a, std::string_view b);
+std::string lower_case(std::string_view text);
+
+}  // namespace mlab::mdl
