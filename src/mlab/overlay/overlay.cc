@@ -46,19 +46,6 @@ std::string_view without_prefix(std::string_view reference) {
   return std::ranges::any_of(kPrefixes, is_head) ? reference.substr(hyphen + 1) : reference;
 }
 
-// All spellings that a reference may stand for, the first that some measure has wins.
-std::array<std::string, 5> spellings(std::string_view reference) {
-  const std::string bare(without_prefix(reference));
-  if (bare.empty()) return {std::string(reference), bare, bare, bare, bare};
-  std::string lowered = bare;
-  std::transform(lowered.begin() + 1, lowered.end(), lowered.begin() + 1, lower);
-  std::string raised = lowered;
-  raised[0] = upper(raised[0]);
-  std::string capitals = raised;
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(), upper);
-  return {std::string(reference), bare, lowered, raised, capitals};
-}
-
 }  // namespace
 
 std::string_view keyword(MeasureKind kind) {
@@ -98,6 +85,18 @@ ZoneKind zone_kind(const ControlMeasure& measure) {
   if (measure.name.contains("NoFlyZone")) return ZoneKind::kNoFly;
   if (measure.name.contains("NoCommZone")) return ZoneKind::kNoCommunication;
   return ZoneKind::kNone;
+}
+
+std::array<std::string, 5> spellings(std::string_view reference) {
+  const std::string bare(without_prefix(reference));
+  if (bare.empty()) return {std::string(reference), bare, bare, bare, bare};
+  std::string lowered = bare;
+  std::transform(lowered.begin() + 1, lowered.end(), lowered.begin() + 1, lower);
+  std::string raised = lowered;
+  raised[0] = upper(raised[0]);
+  std::string capitals = raised;
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(), upper);
+  return {std::string(reference), bare, lowered, raised, capitals};
 }
 
 const ControlMeasure* find_measure(const Overlay& overlay, std::string_view reference) {

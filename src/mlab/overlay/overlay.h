@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -129,6 +130,10 @@ struct Overlay {
 /// compared.
 /// @return null where nothing has that name
 const ControlMeasure* find_measure(const Overlay& overlay, std::string_view reference);
+
+/// All names that a reference may stand for; the first that some measure has wins. For whoever looks up so
+/// many references that searching the list each time would take too long.
+std::array<std::string, 5> spellings(std::string_view reference);
 
 /// The name in the overlay that somebody who wrote `reference` may have meant, for a hint; empty where none
 /// is near. Looks at a bounded number of names, so it may be called for every mistake of a large file.
