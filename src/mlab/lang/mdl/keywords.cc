@@ -8,7 +8,9 @@
 namespace mlab::mdl {
 namespace {
 
-constexpr Keyword word(std::string_view text, Word which) { return {text, TokenKind::kWord, which, 0}; }
+constexpr Keyword word(std::string_view text, Word which) {
+  return {text, TokenKind::kWord, which, 0};
+}
 constexpr Keyword boolean(std::string_view text, std::uint8_t value) {
   return {text, TokenKind::kBoolean, Word::kNone, value};
 }
@@ -109,10 +111,15 @@ constexpr auto kSorted = [] {
   return sorted;
 }();
 
-constexpr std::size_t kLongest = std::ranges::max(kWritten, {}, [](const Keyword& k) { return k.text.size(); }).text.size();
+constexpr std::size_t kLongest =
+    std::ranges::max(kWritten, {}, [](const Keyword& k) { return k.text.size(); }).text.size();
 
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+constexpr char upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+constexpr char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 }  // namespace
 

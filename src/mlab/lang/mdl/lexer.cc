@@ -9,11 +9,19 @@
 namespace mlab::mdl {
 namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-constexpr bool is_alphanumeric(char c) { return is_digit(c) || is_letter(c); }
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+constexpr bool is_alphanumeric(char c) {
+  return is_digit(c) || is_letter(c);
+}
 // A carriage return counts as a blank: files that came through Windows are as good as others.
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
 
 // Every `..._length` says how many bytes from `at` on belong to that class of token; 0: none.
 class Lexer {
@@ -71,10 +79,11 @@ class Lexer {
   void token() {
     Match best;
     // On equal length the class that comes first wins.
-    for (const Match match : {header(), Match{TokenKind::kDate, date_length()}, Match{TokenKind::kTime, time_length()},
-                              Match{TokenKind::kLabel, label_length()}, Match{TokenKind::kNumber, number_length()},
-                              Match{TokenKind::kName, name_length()}, Match{TokenKind::kFile, file_length()},
-                              string(), punctuation()}) {
+    for (const Match match :
+         {header(), Match{TokenKind::kDate, date_length()}, Match{TokenKind::kTime, time_length()},
+          Match{TokenKind::kLabel, label_length()}, Match{TokenKind::kNumber, number_length()},
+          Match{TokenKind::kName, name_length()}, Match{TokenKind::kFile, file_length()}, string(),
+          punctuation()}) {
       if (match.length > best.length) best = match;
     }
     if (best.length == 0) {
@@ -90,18 +99,22 @@ class Lexer {
       if (!equal_without_case(text_.substr(at_, first.size()), first)) return 0;
       const std::size_t gap = run_length(at_ + first.size(), [](char c) { return c == ' ' || c == '\t'; });
       const std::size_t length = first.size() + gap + second.size();
-      if (gap == 0 || !equal_without_case(text_.substr(at_ + first.size() + gap, second.size()), second)) return 0;
+      if (gap == 0 || !equal_without_case(text_.substr(at_ + first.size() + gap, second.size()), second))
+        return 0;
       return length;
     };
     if (const std::size_t n = two_words("MISSION", "NAME"); n > 0 && !continues_name(at_ + n)) {
       return {TokenKind::kMissionName, n};
     }
     if (const std::size_t n = two_words("COMMAND", "LIST:"); n > 0) return {TokenKind::kCommandList, n};
-    if (const std::size_t n = two_words("IMMEDIATE", "COMMAND:"); n > 0) return {TokenKind::kImmediateCommand, n};
+    if (const std::size_t n = two_words("IMMEDIATE", "COMMAND:"); n > 0)
+      return {TokenKind::kImmediateCommand, n};
     return {};
   }
 
-  bool continues_name(std::size_t i) const { return is_alphanumeric(peek(i)) || peek(i) == '_' || peek(i) == '-'; }
+  bool continues_name(std::size_t i) const {
+    return is_alphanumeric(peek(i)) || peek(i) == '_' || peek(i) == '-';
+  }
 
   std::size_t digits(std::size_t from, std::size_t at_most) const {
     std::size_t n = 0;
@@ -112,7 +125,8 @@ class Lexer {
   std::size_t date_length() const {
     const std::size_t month = digits(at_, 2);
     const std::size_t i = at_ + month;
-    if (month == 0 || peek(i) != '-' || digits(i + 1, 2) < 2 || peek(i + 3) != '-' || digits(i + 4, 2) < 2) return 0;
+    if (month == 0 || peek(i) != '-' || digits(i + 1, 2) < 2 || peek(i + 3) != '-' || digits(i + 4, 2) < 2)
+      return 0;
     return month + 6;
   }
 
@@ -163,8 +177,9 @@ class Lexer {
   std::size_t file_length() const {
     const char c = text_[at_];
     if (c != '/' && c != '.' && !is_alphanumeric(c)) return 0;
-    const std::size_t n =
-        1 + run_length(at_ + 1, [](char d) { return d == '/' || d == '-' || d == '.' || d == '_' || is_alphanumeric(d); });
+    const std::size_t n = 1 + run_length(at_ + 1, [](char d) {
+                            return d == '/' || d == '-' || d == '.' || d == '_' || is_alphanumeric(d);
+                          });
     return peek(at_ + n) == '~' ? n + 1 : n;
   }
 
@@ -172,34 +187,47 @@ class Lexer {
     if (text_[at_] != '"') return {};
     const std::size_t end = std::min(text_.find_first_of("\"\n", at_ + 1), text_.size());
     if (peek(end) == '"') return {TokenKind::kString, end - at_ + 1};
-    diagnostics_.error("unterminated-string", {source_, span(end - at_)}, "the string has no closing `\"` on its line")
-        .hints.emplace_back("a string ends on the line on which it begins; there is no way to put a `\"` into one");
+    diagnostics_
+        .error("unterminated-string", {source_, span(end - at_)},
+               "the string has no closing `\"` on its line")
+        .hints.emplace_back(
+            "a string ends on the line on which it begins; there is no way to put a `\"` into one");
     return {TokenKind::kString, end - at_};
   }
 
   Match punctuation() const {
     switch (text_[at_]) {
-      case ':': return {TokenKind::kColon, 1};
-      case '(': return {TokenKind::kOpen, 1};
-      case ')': return {TokenKind::kClose, 1};
-      case '<': return {TokenKind::kLess, 1};
-      case '>': return {TokenKind::kGreater, 1};
-      case '=': return {TokenKind::kEquals, 1};
-      case ',': return {TokenKind::kComma, 1};
-      default: return {};
+      case ':':
+        return {TokenKind::kColon, 1};
+      case '(':
+        return {TokenKind::kOpen, 1};
+      case ')':
+        return {TokenKind::kClose, 1};
+      case '<':
+        return {TokenKind::kLess, 1};
+      case '>':
+        return {TokenKind::kGreater, 1};
+      case '=':
+        return {TokenKind::kEquals, 1};
+      case ',':
+        return {TokenKind::kComma, 1};
+      default:
+        return {};
     }
   }
 
   bool starts_something(char c) const {
-    return c == '\n' || is_blank(c) || is_alphanumeric(c) || std::string_view("+-/.\":()<>=,").find(c) != std::string_view::npos;
+    return c == '\n' || is_blank(c) || is_alphanumeric(c) ||
+           std::string_view("+-/.\":()<>=,").find(c) != std::string_view::npos;
   }
 
   void skip_characters() {
     const std::size_t length = 1 + run_length(at_ + 1, [&](char c) { return !starts_something(c); });
-    diagnostics_
-        .warning("skipped-characters", {source_, span(length)},
-                 length == 1 ? "this character belongs to no word of the language and is skipped"
-                             : fmt::format("these {} bytes belong to no word of the language and are skipped", length));
+    diagnostics_.warning(
+        "skipped-characters", {source_, span(length)},
+        length == 1
+            ? "this character belongs to no word of the language and is skipped"
+            : fmt::format("these {} bytes belong to no word of the language and are skipped", length));
     at_ += length;
     line_is_empty_ = first_on_line_ = false;
   }
@@ -234,6 +262,8 @@ class Lexer {
 
 }  // namespace
 
-Tokens lex(const text::SourcePtr& source, text::Diagnostics& diagnostics) { return Lexer(source, diagnostics).run(); }
+Tokens lex(const text::SourcePtr& source, text::Diagnostics& diagnostics) {
+  return Lexer(source, diagnostics).run();
+}
 
 }  // namespace mlab::mdl

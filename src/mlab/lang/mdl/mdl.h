@@ -47,23 +47,25 @@ std::shared_ptr<const mission::Mission> load_mission(const std::string& path, te
 /// The same for text that is already at hand.
 ///
 /// @param folder  where overlays are looked for first; empty: the current folder
-std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& source, const std::string& folder,
+std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& source,
+                                                      const std::string& folder,
                                                       text::Diagnostics& diagnostics,
                                                       const LoadOptions& options = {});
 
 /// A line typed by the operator, resolved against the mission that is loaded.
 struct Immediate {
-  /// For mission::event::Typed. Their units are indices into `edited` where there is one, else into the mission
-  /// that the line was read against.
+  /// For mission::event::Typed. Their units are indices into `edited` where there is one, else into the
+  /// mission that the line was read against.
   std::vector<mission::Command> commands;
-  /// The mission with the units, robots, obstacles and settings that the line added. Its first units and robots are
-  /// the old ones, unmoved, unless a name was defined anew. Null where the line added nothing.
+  /// The mission with the units, robots, obstacles and settings that the line added. Its first units and
+  /// robots are the old ones, unmoved, unless a name was defined anew. Null where the line added nothing.
   std::shared_ptr<const mission::Mission> edited;
   /// The obstacles of `edited` are not those of the mission before.
   bool changes_obstacles = false;
 };
 
-/// Reads a typed line: `UNIT scouts MOVETO PP-Charlie`, several joined by AND, IMMEDIATE COMMAND: before it or not.
+/// Reads a typed line: `UNIT scouts MOVETO PP-Charlie`, several joined by AND, IMMEDIATE COMMAND: before it
+/// or not.
 ///
 /// @return nothing where there were errors
 std::optional<Immediate> parse_immediate(const std::string& line, const mission::Mission& mission,

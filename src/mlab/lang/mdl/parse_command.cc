@@ -14,43 +14,63 @@ namespace {
 using percept::Task;
 
 // In the order of Clause::what.
-constexpr std::array<std::string_view, 7> kClauseNames = {"FORMATION", "TECHNIQUE", "SPEED", "HEADING",
+constexpr std::array<std::string_view, 7> kClauseNames = {"FORMATION",  "TECHNIQUE",     "SPEED", "HEADING",
                                                           "PHASE-LINE", "ON-COMPLETION", "UNTIL"};
 
 std::string_view command_word(Task task) {
   switch (task) {
-    case Task::kStart: return "START";
-    case Task::kMoveTo: return "MOVETO";
-    case Task::kTeleoperate: return "TELEOPERATE";
-    case Task::kSweepTo: return "SWEEPTO";
-    case Task::kFollow: return "FOLLOW";
-    case Task::kOccupy: return "OCCUPY";
-    default: return "STOP";
+    case Task::kStart:
+      return "START";
+    case Task::kMoveTo:
+      return "MOVETO";
+    case Task::kTeleoperate:
+      return "TELEOPERATE";
+    case Task::kSweepTo:
+      return "SWEEPTO";
+    case Task::kFollow:
+      return "FOLLOW";
+    case Task::kOccupy:
+      return "OCCUPY";
+    default:
+      return "STOP";
   }
 }
 
 bool takes_clause(Task task, std::size_t index) {
   const std::string_view clause = kClauseNames[index];
   switch (task) {
-    case Task::kMoveTo: return clause != "UNTIL";
+    case Task::kMoveTo:
+      return clause != "UNTIL";
     case Task::kSweepTo:
-    case Task::kFollow: return clause != "UNTIL" && clause != "HEADING";
-    case Task::kTeleoperate: return clause == "FORMATION" || clause == "SPEED" || clause == "ON-COMPLETION";
-    case Task::kOccupy: return clause == "FORMATION" || clause == "HEADING" || clause == "UNTIL";
-    default: return false;
+    case Task::kFollow:
+      return clause != "UNTIL" && clause != "HEADING";
+    case Task::kTeleoperate:
+      return clause == "FORMATION" || clause == "SPEED" || clause == "ON-COMPLETION";
+    case Task::kOccupy:
+      return clause == "FORMATION" || clause == "HEADING" || clause == "UNTIL";
+    default:
+      return false;
   }
 }
 
 Task task_of(Word word) {
   switch (word) {
-    case Word::kStart: return Task::kStart;
-    case Word::kMoveTo: return Task::kMoveTo;
-    case Word::kTeleoperate: return Task::kTeleoperate;
-    case Word::kSweepTo: return Task::kSweepTo;
-    case Word::kFollow: return Task::kFollow;
-    case Word::kOccupy: return Task::kOccupy;
-    case Word::kStop: return Task::kStop;
-    default: return Task::kNone;
+    case Word::kStart:
+      return Task::kStart;
+    case Word::kMoveTo:
+      return Task::kMoveTo;
+    case Word::kTeleoperate:
+      return Task::kTeleoperate;
+    case Word::kSweepTo:
+      return Task::kSweepTo;
+    case Word::kFollow:
+      return Task::kFollow;
+    case Word::kOccupy:
+      return Task::kOccupy;
+    case Word::kStop:
+      return Task::kStop;
+    default:
+      return Task::kNone;
   }
 }
 
@@ -67,11 +87,14 @@ statement::UnitAction Parser::unit_action() {
   if (stuck_) return out;
   out.task = at(TokenKind::kWord) ? task_of(token().word) : Task::kNone;
   if (out.task == Task::kNone) {
-    const std::vector<std::string> known = {"START", "MOVETO", "OCCUPY", "FOLLOW", "SWEEPTO", "TELEOPERATE", "STOP"};
-    auto& error = fail("unknown-command", token().span,
-                       fmt::format("expected what unit {} shall do, found {}", quoted(out.unit.text), describe(token())));
+    const std::vector<std::string> known = {"START",   "MOVETO",      "OCCUPY", "FOLLOW",
+                                            "SWEEPTO", "TELEOPERATE", "STOP"};
+    auto& error = fail(
+        "unknown-command", token().span,
+        fmt::format("expected what unit {} shall do, found {}", quoted(out.unit.text), describe(token())));
     const std::string near = text::nearest_name(written(token()).substr(0, 40), known);
-    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ") : fmt::format("did you mean `{}`?", near));
+    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
+                                       : fmt::format("did you mean `{}`?", near));
     return out;
   }
   advance();
@@ -87,7 +110,8 @@ Location Parser::location(std::string_view command) {
   if (at(TokenKind::kNumber)) {
     out.x = number("the x coordinate");
     if (at(TokenKind::kLabel) && token().first_on_line) {
-      fail("one-coordinate", out.x.span, fmt::format("a place has two coordinates, here is only {}", quoted(out.x.text)))
+      fail("one-coordinate", out.x.span,
+           fmt::format("a place has two coordinates, here is only {}", quoted(out.x.text)))
           .hints.emplace_back("a place whose name looks like a number stands in quotes");
     }
     out.y = number("the y coordinate");
@@ -101,13 +125,17 @@ Location Parser::location(std::string_view command) {
 
 // START's way from one robot to the next.
 void Parser::start_step(statement::UnitAction& action) {
-  const bool follows = at(TokenKind::kNumber) || (at(TokenKind::kLabel) && !token().first_on_line) || at(TokenKind::kTime);
+  const bool follows =
+      at(TokenKind::kNumber) || (at(TokenKind::kLabel) && !token().first_on_line) || at(TokenKind::kTime);
   if (stuck_ || !follows) return;
   const Number x = number("the x offset");
-  const bool is_alone = !at(TokenKind::kNumber) && !at(TokenKind::kTime) && !(at(TokenKind::kLabel) && !token().first_on_line);
+  const bool is_alone =
+      !at(TokenKind::kNumber) && !at(TokenKind::kTime) && !(at(TokenKind::kLabel) && !token().first_on_line);
   if (!stuck_ && is_alone) {
-    fail("one-offset", x.span, fmt::format("START takes two offsets or none, here is only {}", quoted(x.text)))
-        .hints.push_back(fmt::format("write `0 {}` for robots in a row to the north, `{} 0` for one to the east", x.text, x.text));
+    fail("one-offset", x.span,
+         fmt::format("START takes two offsets or none, here is only {}", quoted(x.text)))
+        .hints.push_back(fmt::format(
+            "write `0 {}` for robots in a row to the north, `{} 0` for one to the east", x.text, x.text));
     return;
   }
   const Number y = number("the y offset");
@@ -126,13 +154,14 @@ void Parser::clauses(statement::UnitAction& action) {
   }
 }
 
-void Parser::refuse_clause(Task task, std::size_t index, text::Span span, std::string_view said) {
+void Parser::refuse_clause(Task task, text::Span span, std::string_view said) {
   std::vector<std::string> allowed;
   for (std::size_t i = 0; i < kClauseNames.size(); ++i) {
     if (takes_clause(task, i)) allowed.emplace_back(kClauseNames[i]);
   }
   complain("clause-not-allowed", span, fmt::format("{} does not take {}", command_word(task), quoted(said)))
-      .hints.push_back(allowed.empty() ? "it takes no clauses" : fmt::format("it takes {}", listed(allowed, " and ")));
+      .hints.push_back(allowed.empty() ? "it takes no clauses"
+                                       : fmt::format("it takes {}", listed(allowed, " and ")));
 }
 
 // Nothing where no clause begins.
@@ -140,7 +169,7 @@ std::optional<Clause> Parser::parsed_clause(Task task) {
   const Token t = token();
   Clause out;
   const auto begin = [&](std::size_t index) {
-    if (!takes_clause(task, index)) refuse_clause(task, index, t.span, kClauseNames[index]);
+    if (!takes_clause(task, index)) refuse_clause(task, t.span, kClauseNames[index]);
     if (t.kind != TokenKind::kFormation && t.kind != TokenKind::kTechnique) advance();
   };
   if (t.kind == TokenKind::kFormation || at(Word::kFormation)) {
@@ -148,10 +177,13 @@ std::optional<Clause> Parser::parsed_clause(Task task) {
     if (t.kind != TokenKind::kFormation) take(TokenKind::kEquals);
     if (!at(TokenKind::kFormation)) {
       std::vector<std::string> known;
-      for (int i = 0; i < percept::kFormationCount; ++i) known.emplace_back(percept::name(static_cast<percept::Formation>(i)));
-      auto& error = fail("unknown-formation", token().span, fmt::format("expected a formation, found {}", describe(token())));
+      for (int i = 0; i < percept::kFormationCount; ++i)
+        known.emplace_back(percept::name(static_cast<percept::Formation>(i)));
+      auto& error = fail("unknown-formation", token().span,
+                         fmt::format("expected a formation, found {}", describe(token())));
       const std::string near = text::nearest_name(written(token()).substr(0, 40), known);
-      error.hints.push_back(near.empty() ? "known are " + listed(known, " and ") : fmt::format("did you mean `{}`?", near));
+      error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
+                                         : fmt::format("did you mean `{}`?", near));
     }
     out.what = clause::Formation{static_cast<percept::Formation>(token().value)};
     advance();
@@ -183,7 +215,8 @@ std::optional<Clause> Parser::parsed_clause(Task task) {
     fail("freeze", t.span, "`FREEZE` is no clause of this language")
         .hints.emplace_back("a unit that has arrived holds its place with OCCUPY");
   } else if (at(Word::kWait)) {
-    fail("wait-without-acknowledge", t.span, "`WAIT` needs an `ACKNOWLEDGE` before it, whose answer it waits for")
+    fail("wait-without-acknowledge", t.span,
+         "`WAIT` needs an `ACKNOWLEDGE` before it, whose answer it waits for")
         .hints.emplace_back("write `PHASE-LINE name ACKNOWLEDGE \"text\" WAIT`");
   } else {
     return std::nullopt;
@@ -222,7 +255,8 @@ std::optional<Moment> Parser::time_and_date() {
   if (at(TokenKind::kTime)) {
     out.time = mark();
   } else {
-    fail("date-without-time", out.date->span, fmt::format("the date {} needs a time of day", quoted(out.date->text)))
+    fail("date-without-time", out.date->span,
+         fmt::format("the date {} needs a time of day", quoted(out.date->text)))
         .hints.push_back(fmt::format("write `12:00 {}`", out.date->text));
   }
   return out;

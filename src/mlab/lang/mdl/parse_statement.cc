@@ -40,17 +40,40 @@ constexpr auto kOptions = std::to_array<OptionWord>({
 });
 
 // What an author of an overlay may take for a statement of a mission.
-constexpr auto kOverlayWords = std::to_array<std::string_view>(
-    {"SITE", "ORIGIN", "GLOBAL_REF_POINT", "HEADING", "SCALE", "AA", "ATK", "AXIS", "BOUNDARY", "ATTRACTOR", "OBJECT",
-     "BASKET", "BP", "GAP", "HEIGHTMAP", "LDLC", "OBJ", "PL", "PP", "WALL", "ROOM", "DOOR", "HALLWAY", "ROAD",
-     "WAYPOINT-FILE", "CONTROL"});
+constexpr auto kOverlayWords = std::to_array<std::string_view>({"SITE",
+                                                                "ORIGIN",
+                                                                "GLOBAL_REF_POINT",
+                                                                "HEADING",
+                                                                "SCALE",
+                                                                "AA",
+                                                                "ATK",
+                                                                "AXIS",
+                                                                "BOUNDARY",
+                                                                "ATTRACTOR",
+                                                                "OBJECT",
+                                                                "BASKET",
+                                                                "BP",
+                                                                "GAP",
+                                                                "HEIGHTMAP",
+                                                                "LDLC",
+                                                                "OBJ",
+                                                                "PL",
+                                                                "PP",
+                                                                "WALL",
+                                                                "ROOM",
+                                                                "DOOR",
+                                                                "HALLWAY",
+                                                                "ROAD",
+                                                                "WAYPOINT-FILE",
+                                                                "CONTROL"});
 
 const std::vector<std::string>& statement_words(Section section) {
   static const std::vector<std::string> preamble = {
-      "MISSION NAME", "SCENARIO", "OVERLAY", "MISSION-AREA", "LOAD-MAP", "SP",    "OBSTACLE",
-      "CREATE-OBSTACLES", "NEW-ROBOT", "UNIT", "SET", "PRINT", "COMMAND LIST:"};
+      "MISSION NAME",     "SCENARIO",  "OVERLAY", "MISSION-AREA", "LOAD-MAP", "SP",           "OBSTACLE",
+      "CREATE-OBSTACLES", "NEW-ROBOT", "UNIT",    "SET",          "PRINT",    "COMMAND LIST:"};
   static const std::vector<std::string> step = {"UNIT", "SET", "PRINT", "QUIT"};
-  static const std::vector<std::string> typed = {"UNIT", "SET", "PRINT", "QUIT", "OBSTACLE", "CREATE-OBSTACLES", "INJECTTRACK"};
+  static const std::vector<std::string> typed = {
+      "UNIT", "SET", "PRINT", "QUIT", "OBSTACLE", "CREATE-OBSTACLES", "INJECTTRACK"};
   return section == Section::kPreamble ? preamble : section == Section::kStep ? step : typed;
 }
 
@@ -58,24 +81,30 @@ bool is_allowed(Word word, Section section) {
   switch (word) {
     case Word::kUnit:
     case Word::kSet:
-    case Word::kPrint: return true;
-    case Word::kQuit: return section != Section::kPreamble;
-    case Word::kInjectTrack: return section == Section::kTyped;
+    case Word::kPrint:
+      return true;
+    case Word::kQuit:
+      return section != Section::kPreamble;
+    case Word::kInjectTrack:
+      return section == Section::kTyped;
     case Word::kObstacle:
-    case Word::kCreateObstacles: return section != Section::kStep;
+    case Word::kCreateObstacles:
+      return section != Section::kStep;
     case Word::kScenario:
     case Word::kOverlay:
     case Word::kMissionArea:
     case Word::kLoadMap:
     case Word::kSp:
-    case Word::kNewRobot: return section == Section::kPreamble;
-    default: return false;
+    case Word::kNewRobot:
+      return section == Section::kPreamble;
+    default:
+      return false;
   }
 }
 
 bool is_action(Word word) {
-  return word == Word::kStart || word == Word::kMoveTo || word == Word::kTeleoperate || word == Word::kSweepTo ||
-         word == Word::kOccupy || word == Word::kFollow || word == Word::kStop;
+  return word == Word::kStart || word == Word::kMoveTo || word == Word::kTeleoperate ||
+         word == Word::kSweepTo || word == Word::kOccupy || word == Word::kFollow || word == Word::kStop;
 }
 
 bool has_program(const Statement& statement) {
@@ -104,7 +133,9 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
   const Word word = token().word;
   advance();
   switch (word) {
-    case Word::kScenario: out.what = statement::Scenario{name("the scenario's name")}; break;
+    case Word::kScenario:
+      out.what = statement::Scenario{name("the scenario's name")};
+      break;
     case Word::kOverlay:
       out.what = overlay_file();
       damage.places |= stuck_;
@@ -114,7 +145,9 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
       out.what = statement::MissionArea{width, number("the height of the mission area")};
       break;
     }
-    case Word::kLoadMap: out.what = statement::LoadMap{name("the name of a map file")}; break;
+    case Word::kLoadMap:
+      out.what = statement::LoadMap{name("the name of a map file")};
+      break;
     case Word::kSp: {
       Name start = name("the start point's name");
       const Number x = number("the x coordinate");
@@ -128,7 +161,9 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
       out.what = statement::Obstacle{x, y, number("the obstacle's radius")};
       break;
     }
-    case Word::kCreateObstacles: out.what = statement::CreateObstacles{}; break;
+    case Word::kCreateObstacles:
+      out.what = statement::CreateObstacles{};
+      break;
     case Word::kNewRobot:
       out.what = new_robot();
       damage.types |= stuck_ && !has_program(out);
@@ -141,10 +176,18 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
         damage.units |= stuck_;
       }
       break;
-    case Word::kSet: out.what = set(section); break;
-    case Word::kPrint: out.what = print(); break;
-    case Word::kInjectTrack: out.what = inject_track(); break;
-    default: out.what = statement::Quit{}; break;
+    case Word::kSet:
+      out.what = set(section);
+      break;
+    case Word::kPrint:
+      out.what = print();
+      break;
+    case Word::kInjectTrack:
+      out.what = inject_track();
+      break;
+    default:
+      out.what = statement::Quit{};
+      break;
   }
 }
 
@@ -160,13 +203,17 @@ void Parser::refuse_statement(Section section, Damage& damage) {
     fail("not-typed", t.span, fmt::format("{} cannot be typed, it belongs into the mission file", said));
   } else if (section == Section::kStep && is_preamble_word) {
     fail("not-in-steps", t.span, fmt::format("{} belongs before `COMMAND LIST:`", said));
-  } else if (section == Section::kPreamble && t.kind == TokenKind::kWord && (is_action(t.word) || t.word == Word::kQuit)) {
+  } else if (section == Section::kPreamble && t.kind == TokenKind::kWord &&
+             (is_action(t.word) || t.word == Word::kQuit)) {
     fail("not-in-preamble", t.span, fmt::format("{} belongs into a step behind `COMMAND LIST:`", said));
-  } else if (std::ranges::any_of(kOverlayWords, [&](std::string_view word) { return equal_without_case(word, written(t)); })) {
+  } else if (std::ranges::any_of(kOverlayWords, [&](std::string_view word) {
+               return equal_without_case(word, written(t));
+             })) {
     fail("not-in-missions", t.span, fmt::format("{} belongs into an overlay, not into a mission", said));
   } else {
     auto& error = fail("unknown-statement", t.span,
-                       fmt::format("expected {}, found {}", section == Section::kPreamble ? "a statement" : "a command", describe(t)));
+                       fmt::format("expected {}, found {}",
+                                   section == Section::kPreamble ? "a statement" : "a command", describe(t)));
     const std::string near = text::nearest_name(written(t).substr(0, 40), statement_words(section));
     if (!near.empty()) {
       error.hints.push_back(fmt::format("did you mean `{}`?", near));
@@ -192,7 +239,8 @@ statement::NewRobot Parser::new_robot() {
   out.color = color_or_host();
   if (out.color) out.host = color_or_host();
   if (out.host && (at(TokenKind::kName) || at(TokenKind::kString)) && !token().first_on_line) {
-    fail("too-many-words", token().span, fmt::format("nothing but parameters may follow the host, found {}", describe(token())))
+    fail("too-many-words", token().span,
+         fmt::format("nothing but parameters may follow the host, found {}", describe(token())))
         .hints.emplace_back("NEW-ROBOT takes type, program, colour, host and then parameters in parentheses");
   }
   if (!stuck_ && at(TokenKind::kFile) && !token().first_on_line) {
@@ -202,7 +250,8 @@ statement::NewRobot Parser::new_robot() {
   return out;
 }
 
-// The position is optional, so of the reserved words only the two that were colours before they were reserved count.
+// The position is optional, so of the reserved words only the two that were colours before they were reserved
+// count.
 std::optional<Name> Parser::color_or_host() {
   if (stuck_ || looks_like_header()) return std::nullopt;
   const bool is_color_word = at(Word::kRed) || at(Word::kYellow);
@@ -214,7 +263,8 @@ void Parser::parameter_list(statement::NewRobot& robot) {
   const text::Span open = token().span;
   advance();
   if (at(TokenKind::kClose)) {
-    fail("empty-parameter-list", {open.begin, token().span.end}, "a parameter list names at least one parameter")
+    fail("empty-parameter-list", {open.begin, token().span.end},
+         "a parameter list names at least one parameter")
         .hints.emplace_back("leave out the parentheses");
     return;
   }
@@ -247,7 +297,8 @@ Parameter Parser::parameter() {
   out.key = name("a parameter's name");
   if (is_timeout && !out.key.quoted) out.key.text = "timeout";
   if (!stuck_ && !take(TokenKind::kEquals)) {
-    fail("unexpected-token", token().span, fmt::format("expected `=` behind {}, found {}", quoted(out.key.text), describe(token())));
+    fail("unexpected-token", token().span,
+         fmt::format("expected `=` behind {}, found {}", quoted(out.key.text), describe(token())));
   }
   if (stuck_) return out;
   const Token t = token();
@@ -269,7 +320,8 @@ statement::UnitDefinition Parser::unit_definition() {
   if (!at(TokenKind::kLess)) {
     auto& error = fail("unit-without-brackets", token().span,
                        fmt::format("expected `<` before the unit's name, found {}", describe(token())));
-    if (at(TokenKind::kName)) error.hints.push_back(fmt::format("write `UNIT <{}> ROBOT`", written(token()).substr(0, 40)));
+    if (at(TokenKind::kName))
+      error.hints.push_back(fmt::format("write `UNIT <{}> ROBOT`", written(token()).substr(0, 40)));
     return out;
   }
   Group& root = out.groups.emplace_back();
@@ -300,12 +352,14 @@ void Parser::group_content(statement::UnitDefinition& unit, std::uint32_t group,
       if (!stuck_) unit.groups[group].parts.push_back(part);
     }
   } else {
-    if (!at_robot()) fail_expected(unit.groups[group].name ? "a robot or a group in parentheses" : "a robot or `<name>`");
+    if (!at_robot())
+      fail_expected(unit.groups[group].name ? "a robot or a group in parentheses" : "a robot or `<name>`");
     while (at_robot()) unit.groups[group].robots.push_back(take_name());
   }
   if (stuck_) return;
   const bool has_parts = !unit.groups[group].parts.empty();
-  const bool is_mixed = has_parts ? at_robot() && (depth > 1 || !token().first_on_line) : at(TokenKind::kOpen);
+  const bool is_mixed =
+      has_parts ? at_robot() && (depth > 1 || !token().first_on_line) : at(TokenKind::kOpen);
   if (is_mixed) {
     fail("mixed-group", token().span, "a unit has either robots or groups, not both on one level")
         .hints.emplace_back("put the robots into parentheses of their own");
@@ -346,13 +400,15 @@ statement::Set Parser::set(Section section) {
     for (const OptionWord& option : kOptions) known.emplace_back(spelling(option.word));
     auto& error = fail("unknown-option", t.span, fmt::format("expected an option, found {}", describe(t)));
     const std::string near = text::nearest_name(written(t).substr(0, 40), known);
-    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ") : fmt::format("did you mean `{}`?", near));
+    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
+                                       : fmt::format("did you mean `{}`?", near));
     return out;
   }
   out.option = found->option;
   out.option_span = t.span;
   if (section == Section::kStep && !found->in_steps) {
-    fail("not-in-steps", t.span, fmt::format("{} is set before `COMMAND LIST:`, not in a step", quoted(spelling(t.word))));
+    fail("not-in-steps", t.span,
+         fmt::format("{} is set before `COMMAND LIST:`, not in a step", quoted(spelling(t.word))));
     return out;
   }
   advance();

@@ -54,7 +54,8 @@ text::Diagnostic& Parser::fail(std::string kind, text::Span span, std::string me
 }
 
 text::Diagnostic& Parser::fail_expected(std::string_view what) {
-  return fail("unexpected-token", token().span, fmt::format("expected {}, found {}", what, describe(token())));
+  return fail("unexpected-token", token().span,
+              fmt::format("expected {}, found {}", what, describe(token())));
 }
 
 text::Diagnostic& Parser::complain(std::string kind, text::Span span, std::string message) {
@@ -83,7 +84,8 @@ Name Parser::take_name() {
   Name out;
   out.span = t.span;
   out.quoted = t.kind == TokenKind::kString;
-  out.text = out.quoted ? text.substr(1, text.size() - (text.size() > 1 && text.ends_with('"') ? 2 : 1)) : text;
+  out.text =
+      out.quoted ? text.substr(1, text.size() - (text.size() > 1 && text.ends_with('"') ? 2 : 1)) : text;
   advance();
   return out;
 }
@@ -96,7 +98,8 @@ Name Parser::name(std::string_view what) {
   if (t.kind == TokenKind::kName || t.kind == TokenKind::kString) return take_name();
   if (is_reserved(t) && !(t.first_on_line && (starts_statement(t) || at(Word::kAnd)))) return take_name();
   if (t.kind == TokenKind::kFile) {
-    fail("unquoted-name", t.span, fmt::format("{} cannot stand as {} without quotes", quoted(written(t)), what))
+    fail("unquoted-name", t.span,
+         fmt::format("{} cannot stand as {} without quotes", quoted(written(t)), what))
         .hints.push_back(fmt::format("write `\"{}\"`", written(t).substr(0, 80)));
     return {};
   }
@@ -108,7 +111,8 @@ Number Parser::number_of(const Token& t) {
   Number out{0.0, std::string(written(t)), t.span};
   const char* end = out.text.data() + out.text.size();
   if (std::from_chars(out.text.data(), end, out.value).ec != std::errc{} || !std::isfinite(out.value)) {
-    complain("number-out-of-range", t.span, fmt::format("{} is beyond what a number can hold", quoted(out.text)));
+    complain("number-out-of-range", t.span,
+             fmt::format("{} is beyond what a number can hold", quoted(out.text)));
     out.value = 0.0;
   }
   return out;
@@ -124,7 +128,8 @@ Number Parser::number(std::string_view what) {
   }
   if (t.kind == TokenKind::kLabel && !t.first_on_line) {
     const std::string_view digits = written(t).substr(0, written(t).size() - 1);
-    fail("label-as-number", t.span, fmt::format("expected {}, found the step label {}", what, quoted(written(t))))
+    fail("label-as-number", t.span,
+         fmt::format("expected {}, found the step label {}", what, quoted(written(t))))
         .hints.push_back(fmt::format("a number does not end with a point: write `{}`", digits.substr(0, 40)));
   } else if (t.kind == TokenKind::kTime && written(t).starts_with('+')) {
     fail("time-as-number", t.span, fmt::format("expected {}, found the time {}", what, quoted(written(t))))
@@ -139,7 +144,7 @@ Number Parser::number(std::string_view what) {
 bool Parser::starts_statement(const Token& t) const {
   if (t.kind == TokenKind::kMissionName || t.kind == TokenKind::kCommandList) return true;
   static constexpr std::array kStatements = {
-      Word::kScenario, Word::kOverlay, Word::kMissionArea,    Word::kLoadMap,  Word::kSp,  Word::kUnit,
+      Word::kScenario, Word::kOverlay, Word::kMissionArea,     Word::kLoadMap,  Word::kSp,   Word::kUnit,
       Word::kNewRobot, Word::kSet,     Word::kCreateObstacles, Word::kObstacle, Word::kPrint};
   return t.kind == TokenKind::kWord && std::ranges::find(kStatements, t.word) != kStatements.end();
 }
@@ -154,7 +159,8 @@ bool Parser::looks_like_header() const {
 
 void Parser::recover_in_preamble() {
   stuck_ = false;
-  while (!at_end() && !at(TokenKind::kCommandList) && !(token().first_on_line && (starts_statement(token()) || looks_like_header()))) {
+  while (!at_end() && !at(TokenKind::kCommandList) &&
+         !(token().first_on_line && (starts_statement(token()) || looks_like_header()))) {
     advance();
   }
 }
@@ -169,7 +175,9 @@ void Parser::recover_in_typed() {
   while (!at_end() && !at(Word::kAnd)) advance();
 }
 
-Comments* Parser::last_comments(Tree& tree) { return tree.preamble.empty() ? nullptr : &tree.preamble.back().comments; }
+Comments* Parser::last_comments(Tree& tree) {
+  return tree.preamble.empty() ? nullptr : &tree.preamble.back().comments;
+}
 
 Tree Parser::file() {
   Tree tree;
@@ -193,7 +201,8 @@ Tree Parser::typed_line() {
 
 void Parser::preamble(Tree& tree) {
   const bool is_empty = at(TokenKind::kCommandList);
-  while (!at_end() && !at(TokenKind::kCommandList) && !looks_like_header() && !(at(TokenKind::kLabel) && token().first_on_line)) {
+  while (!at_end() && !at(TokenKind::kCommandList) && !looks_like_header() &&
+         !(at(TokenKind::kLabel) && token().first_on_line)) {
     Comments comments;
     collect_comments(last_comments(tree), comments);
     if (std::optional<Statement> parsed = parsed_statement(Section::kPreamble, tree.damage)) {
@@ -219,15 +228,17 @@ bool Parser::command_list_header(Tree& tree) {
     if (!is_hyphenated) advance();
     const text::Span all{first.begin, tokens_.tokens[next_ - 1].span.end};
     if (is_hyphenated && take(TokenKind::kColon)) {
-      diagnostics_.warning("hyphenated-command-list", place(first), "`COMMAND-LIST:` is written `COMMAND LIST:`");
+      diagnostics_.warning("hyphenated-command-list", place(first),
+                           "`COMMAND-LIST:` is written `COMMAND LIST:`");
     } else {
       complain("command-list-spelling", all, "expected `COMMAND LIST:`, the colon right behind the word");
       take(TokenKind::kColon);
     }
     return true;
   }
-  auto& said = complain("missing-command-list", token().span,
-                        fmt::format("expected `COMMAND LIST:` before the steps, found {}", describe(token())));
+  auto& said =
+      complain("missing-command-list", token().span,
+               fmt::format("expected `COMMAND LIST:` before the steps, found {}", describe(token())));
   if (at(TokenKind::kLabel)) said.hints.emplace_back("put a line `COMMAND LIST:` before the first step");
   return at(TokenKind::kLabel);
 }
@@ -261,13 +272,17 @@ void Parser::step_label(LabelledStep& step) {
     step.label.text.pop_back();
     advance();
   } else if (t.kind == TokenKind::kNumber) {
-    complain("label-without-point", t.span, fmt::format("the step label {} has no point behind it", quoted(text)))
+    complain("label-without-point", t.span,
+             fmt::format("the step label {} has no point behind it", quoted(text)))
         .hints.push_back(fmt::format("write `{}.`", text.substr(0, 40)));
     advance();
-  } else if (t.kind == TokenKind::kFile && text[0] >= '0' && text[0] <= '9' && text.find('.') != std::string_view::npos) {
+  } else if (t.kind == TokenKind::kFile && text[0] >= '0' && text[0] <= '9' &&
+             text.find('.') != std::string_view::npos) {
     const std::size_t point = text.find('.');
-    fail("label-without-blank", t.span, fmt::format("no blank stands behind the step label {}", quoted(text.substr(0, point + 1))))
-        .hints.push_back(fmt::format("write `{}. {}`", text.substr(0, std::min<std::size_t>(point, 40)), text.substr(point + 1, 40)));
+    fail("label-without-blank", t.span,
+         fmt::format("no blank stands behind the step label {}", quoted(text.substr(0, point + 1))))
+        .hints.push_back(fmt::format("write `{}. {}`", text.substr(0, std::min<std::size_t>(point, 40)),
+                                     text.substr(point + 1, 40)));
   } else if (starts_statement(t) && !at(Word::kUnit) && !at(Word::kSet) && !at(Word::kPrint)) {
     Damage ignored;
     refuse_statement(Section::kStep, ignored);
@@ -297,7 +312,8 @@ void Parser::step_commands(LabelledStep& step) {
     }
     const bool at_command = at(Word::kUnit) || at(Word::kQuit) || at(Word::kSet) || at(Word::kPrint);
     if (!stuck_ && at_command) {
-      complain("missing-and", token().span, fmt::format("expected `AND` or a step label before {}", quoted(written(token()))));
+      complain("missing-and", token().span,
+               fmt::format("expected `AND` or a step label before {}", quoted(written(token()))));
       continue;
     }
     if (!stuck_ && !at_end() && !at(Word::kAnd) && !at(TokenKind::kLabel)) {
@@ -339,6 +355,8 @@ void Parser::remaining_comments(Tree& tree) {
   tree.comments_below = std::move(rest.above);
 }
 
-Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics) { return Parser(source, diagnostics).file(); }
+Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics) {
+  return Parser(source, diagnostics).file();
+}
 
 }  // namespace mlab::mdl

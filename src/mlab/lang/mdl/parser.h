@@ -18,8 +18,9 @@ enum class Section : std::uint8_t { kPreamble, kStep, kTyped };
 
 /// Recursive descent over the tokens of one source.
 ///
-/// The first error inside a statement is reported and makes the parser `stuck`: from then on it takes no tokens and
-/// reports nothing, so that the functions need not look at each other's success. `recover_*` end that state.
+/// The first error inside a statement is reported and makes the parser `stuck`: from then on it takes no
+/// tokens and reports nothing, so that the functions need not look at each other's success. `recover_*` end
+/// that state.
 class Parser {
  public:
   Parser(text::SourcePtr source, text::Diagnostics& diagnostics);
@@ -46,8 +47,8 @@ class Parser {
   text::Diagnostic& fail_expected(std::string_view what);
   /// Reports and goes on.
   text::Diagnostic& complain(std::string kind, text::Span span, std::string message);
-  /// Hands the comments before the next token to the construct that begins there; one that stands behind the construct
-  /// before it goes to that one.
+  /// Hands the comments before the next token to the construct that begins there; one that stands behind the
+  /// construct before it goes to that one.
   void collect_comments(Comments* before, Comments& mine);
 
   // parser.cc: what all statements are made of
@@ -96,7 +97,7 @@ class Parser {
   Location location(std::string_view command);
   void clauses(statement::UnitAction& action);
   std::optional<Clause> parsed_clause(percept::Task task);
-  void refuse_clause(percept::Task task, std::size_t index, text::Span span, std::string_view said);
+  void refuse_clause(percept::Task task, text::Span span, std::string_view said);
   clause::PhaseLine phase_line();
   Moment until();
   std::optional<Moment> time_and_date();

@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t kMaxColumns = 100;
 constexpr std::size_t kMaxLabelColumns = 6;
 
-std::string text_of(const Name& name) { return name.quoted ? "\"" + name.text + "\"" : name.text; }
+std::string text_of(const Name& name) {
+  return name.quoted ? "\"" + name.text + "\"" : name.text;
+}
 
 std::string text_of(const Location& location) {
   return location.name ? text_of(*location.name) : location.x.text + " " + location.y.text;
@@ -32,53 +34,83 @@ std::string text_of(const Moment& moment) {
 
 std::string_view text_of(mission::Technique technique) {
   switch (technique) {
-    case mission::Technique::kTravelingOverwatch: return "Traveling-Overwatch";
-    case mission::Technique::kBoundingOverwatch: return "Bounding-Overwatch";
-    default: return "Traveling";
+    case mission::Technique::kTravelingOverwatch:
+      return "Traveling-Overwatch";
+    case mission::Technique::kBoundingOverwatch:
+      return "Bounding-Overwatch";
+    default:
+      return "Traveling";
   }
 }
 
 std::string_view text_of(mission::BooleanOption option) {
   switch (option) {
-    case mission::BooleanOption::kUseMilitaryStyle: return "USE-MILITARY-STYLE";
-    case mission::BooleanOption::kShowTrails: return "SHOW-TRAILS";
-    case mission::BooleanOption::kHighlightRepellingObstacles: return "HIGHLIGHT-REPELLING-OBSTACLES";
-    case mission::BooleanOption::kShowMovementVectors: return "SHOW-MOVEMENT-VECTORS";
-    case mission::BooleanOption::kShowColormap: return "SHOW-COLORMAP";
-    case mission::BooleanOption::kDebugRobots: return "DEBUG-ROBOTS";
-    case mission::BooleanOption::kDebugSimulator: return "DEBUG-SIMULATOR";
-    case mission::BooleanOption::kDebugScheduler: return "DEBUG-SCHEDULER";
-    default: return "SCALE-ROBOTS";
+    case mission::BooleanOption::kUseMilitaryStyle:
+      return "USE-MILITARY-STYLE";
+    case mission::BooleanOption::kShowTrails:
+      return "SHOW-TRAILS";
+    case mission::BooleanOption::kHighlightRepellingObstacles:
+      return "HIGHLIGHT-REPELLING-OBSTACLES";
+    case mission::BooleanOption::kShowMovementVectors:
+      return "SHOW-MOVEMENT-VECTORS";
+    case mission::BooleanOption::kShowColormap:
+      return "SHOW-COLORMAP";
+    case mission::BooleanOption::kDebugRobots:
+      return "DEBUG-ROBOTS";
+    case mission::BooleanOption::kDebugSimulator:
+      return "DEBUG-SIMULATOR";
+    case mission::BooleanOption::kDebugScheduler:
+      return "DEBUG-SCHEDULER";
+    default:
+      return "SCALE-ROBOTS";
   }
 }
 
 std::string_view text_of(mission::NumberOption option) {
   switch (option) {
-    case mission::NumberOption::kSeed: return "SEED";
-    case mission::NumberOption::kRobotLength: return "ROBOT-LENGTH";
-    case mission::NumberOption::kObstacleCoverage: return "OBSTACLE-COVERAGE";
-    case mission::NumberOption::kMinObstacleRadius: return "MIN-OBSTACLE-RADIUS";
-    case mission::NumberOption::kMaxObstacleRadius: return "MAX-OBSTACLE-RADIUS";
-    case mission::NumberOption::kZoomFactor: return "ZOOM-FACTOR";
-    default: return "CYCLE-DURATION";
+    case mission::NumberOption::kSeed:
+      return "SEED";
+    case mission::NumberOption::kRobotLength:
+      return "ROBOT-LENGTH";
+    case mission::NumberOption::kObstacleCoverage:
+      return "OBSTACLE-COVERAGE";
+    case mission::NumberOption::kMinObstacleRadius:
+      return "MIN-OBSTACLE-RADIUS";
+    case mission::NumberOption::kMaxObstacleRadius:
+      return "MAX-OBSTACLE-RADIUS";
+    case mission::NumberOption::kZoomFactor:
+      return "ZOOM-FACTOR";
+    default:
+      return "CYCLE-DURATION";
   }
 }
 
 std::string_view text_of(percept::Task task) {
   switch (task) {
-    case percept::Task::kStart: return "START";
-    case percept::Task::kMoveTo: return "MOVETO";
-    case percept::Task::kTeleoperate: return "TELEOPERATE";
-    case percept::Task::kSweepTo: return "SWEEPTO";
-    case percept::Task::kFollow: return "FOLLOW";
-    case percept::Task::kOccupy: return "OCCUPY";
-    default: return "STOP";
+    case percept::Task::kStart:
+      return "START";
+    case percept::Task::kMoveTo:
+      return "MOVETO";
+    case percept::Task::kTeleoperate:
+      return "TELEOPERATE";
+    case percept::Task::kSweepTo:
+      return "SWEEPTO";
+    case percept::Task::kFollow:
+      return "FOLLOW";
+    case percept::Task::kOccupy:
+      return "OCCUPY";
+    default:
+      return "STOP";
   }
 }
 
 struct ClausePrinter {
-  std::string operator()(const clause::Formation& c) const { return fmt::format("FORMATION {}", percept::name(c.formation)); }
-  std::string operator()(const clause::Technique& c) const { return fmt::format("TECHNIQUE {}", text_of(c.technique)); }
+  std::string operator()(const clause::Formation& c) const {
+    return fmt::format("FORMATION {}", percept::name(c.formation));
+  }
+  std::string operator()(const clause::Technique& c) const {
+    return fmt::format("TECHNIQUE {}", text_of(c.technique));
+  }
   std::string operator()(const clause::Speed& c) const { return "SPEED " + c.speed.text; }
   std::string operator()(const clause::Heading& c) const { return "HEADING " + c.degrees.text; }
   std::string operator()(const clause::PhaseLine& c) const {
@@ -87,7 +119,9 @@ struct ClausePrinter {
     if (c.acknowledge) out += " ACKNOWLEDGE " + text_of(*c.acknowledge);
     return c.waits ? out + " WAIT" : out;
   }
-  std::string operator()(const clause::OnCompletion& c) const { return "ON-COMPLETION MESSAGE " + text_of(c.message); }
+  std::string operator()(const clause::OnCompletion& c) const {
+    return "ON-COMPLETION MESSAGE " + text_of(c.message);
+  }
   std::string operator()(const clause::Until& c) const { return "UNTIL " + text_of(c.moment); }
 };
 
@@ -167,14 +201,19 @@ struct StatementPrinter {
   std::string operator()(const statement::NewRobot& s) const { return text_of(s); }
   std::string operator()(const statement::UnitDefinition& s) const { return text_of(s); }
   std::string operator()(const statement::Set& s) const {
-    std::string out = fmt::format("SET {}", std::visit([](auto option) { return text_of(option); }, s.option));
+    std::string out =
+        fmt::format("SET {}", std::visit([](auto option) { return text_of(option); }, s.option));
     if (s.flag) out += *s.flag ? " ON" : " OFF";
     if (s.number) out += " " + s.number->text;
     return out;
   }
-  std::string operator()(const statement::Print& s) const { return s.robot_info ? "PRINT ROBOT-INFO" : "PRINT CONSOLE-DATABASE"; }
+  std::string operator()(const statement::Print& s) const {
+    return s.robot_info ? "PRINT ROBOT-INFO" : "PRINT CONSOLE-DATABASE";
+  }
   std::string operator()(const statement::Quit&) const { return "QUIT"; }
-  std::string operator()(const statement::InjectTrack& s) const { return s.is_red ? "INJECTTRACK RED" : "INJECTTRACK YELLOW"; }
+  std::string operator()(const statement::InjectTrack& s) const {
+    return s.is_red ? "INJECTTRACK RED" : "INJECTTRACK YELLOW";
+  }
   std::string operator()(const statement::UnitAction& s) const {
     std::string out = fmt::format("UNIT {} {}", text_of(s.unit), text_of(s.task));
     if (s.location) out += " " + text_of(*s.location);
@@ -213,7 +252,8 @@ class Printer {
     std::string begin = "IMMEDIATE COMMAND: ";
     for (const Statement& s : tree.typed) {
       above(s.comments, "", false);
-      line(begin + std::visit(StatementPrinter{}, s.what) + (&s == &tree.typed.back() ? "" : " AND"), s.comments.after);
+      line(begin + std::visit(StatementPrinter{}, s.what) + (&s == &tree.typed.back() ? "" : " AND"),
+           s.comments.after);
       begin = "    ";
     }
     below(tree);
@@ -227,7 +267,8 @@ class Printer {
     for (const Statement& command : step.commands) {
       const bool is_first = &command == &step.commands.front();
       if (!is_first) above(command.comments, indent, false);
-      line((is_first ? label : indent) + std::visit(StatementPrinter{}, command.what) + (&command == &step.commands.back() ? "" : " AND"),
+      line((is_first ? label : indent) + std::visit(StatementPrinter{}, command.what) +
+               (&command == &step.commands.back() ? "" : " AND"),
            command.comments.after);
     }
   }
@@ -266,6 +307,8 @@ class Printer {
 
 }  // namespace
 
-std::string print(const Tree& tree) { return Printer().mission(tree); }
+std::string print(const Tree& tree) {
+  return Printer().mission(tree);
+}
 
 }  // namespace mlab::mdl

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 
+#include "mlab/text/shown.h"
+
 namespace mlab::mdl {
 
-/// What an author wrote, in backticks, fit for one line of a message: cut when long, control characters and
-/// broken UTF-8 replaced by `?`.
-std::string quoted(std::string_view text);
+/// What an author wrote, in backticks, fit for one line of a message.
+inline std::string quoted(std::string_view text) {
+  return "`" + text::shown(text) + "`";
+}
 
 /// `a, b or c`
 template <class Range>

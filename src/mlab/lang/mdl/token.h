@@ -14,18 +14,63 @@ namespace mlab::mdl {
 enum class Word : std::uint8_t {
   kNone,
   // statements
-  kScenario, kOverlay, kMissionArea, kLoadMap, kSp, kUnit, kHeightMap, kNewRobot, kCreateObstacles, kObstacle,
-  kSet, kPrint, kQuit, kInjectTrack,
+  kScenario,
+  kOverlay,
+  kMissionArea,
+  kLoadMap,
+  kSp,
+  kUnit,
+  kHeightMap,
+  kNewRobot,
+  kCreateObstacles,
+  kObstacle,
+  kSet,
+  kPrint,
+  kQuit,
+  kInjectTrack,
   // what units do
-  kStart, kMoveTo, kTeleoperate, kSweepTo, kOccupy, kFollow, kStop,
+  kStart,
+  kMoveTo,
+  kTeleoperate,
+  kSweepTo,
+  kOccupy,
+  kFollow,
+  kStop,
   // clauses
-  kAnd, kFormation, kTechnique, kSpeed, kPhaseLine, kUntil, kTimeout, kOnCompletion, kAcknowledge, kMessage, kWait,
+  kAnd,
+  kFormation,
+  kTechnique,
+  kSpeed,
+  kPhaseLine,
+  kUntil,
+  kTimeout,
+  kOnCompletion,
+  kAcknowledge,
+  kMessage,
+  kWait,
   // options
-  kSeed, kShowTrails, kHighlightRepellingObstacles, kUseMilitaryStyle, kShowMovementVectors, kShowColormap,
-  kObstacleCoverage, kZoomFactor, kScaleRobots, kRobotLength, kMinObstacleRadius, kMaxObstacleRadius,
-  kCycleDuration, kDebugRobots, kDebugSimulator, kDebugScheduler,
+  kSeed,
+  kShowTrails,
+  kHighlightRepellingObstacles,
+  kUseMilitaryStyle,
+  kShowMovementVectors,
+  kShowColormap,
+  kObstacleCoverage,
+  kZoomFactor,
+  kScaleRobots,
+  kRobotLength,
+  kMinObstacleRadius,
+  kMaxObstacleRadius,
+  kCycleDuration,
+  kDebugRobots,
+  kDebugSimulator,
+  kDebugScheduler,
   // the rest
-  kConsoleDatabase, kRobotInfo, kRed, kYellow, kRobot
+  kConsoleDatabase,
+  kRobotInfo,
+  kRed,
+  kYellow,
+  kRobot
 };
 
 enum class TokenKind : std::uint8_t {
@@ -39,12 +84,18 @@ enum class TokenKind : std::uint8_t {
   kTechnique,         ///< `value` a mission::Technique
   kName,
   kString,
-  kFile,              ///< a name with points, slashes or a digit first; understood after OVERLAY alone
+  kFile,  ///< a name with points, slashes or a digit first; understood after OVERLAY alone
   kNumber,
   kTime,
   kDate,
-  kLabel,             ///< with its point
-  kColon, kOpen, kClose, kLess, kGreater, kEquals, kComma
+  kLabel,  ///< with its point
+  kColon,
+  kOpen,
+  kClose,
+  kLess,
+  kGreater,
+  kEquals,
+  kComma
 };
 
 struct Token {

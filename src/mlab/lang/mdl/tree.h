@@ -107,13 +107,28 @@ struct Group {
 };
 
 namespace statement {
-struct MissionName { Name name; };
-struct Scenario { Name name; };
-struct OverlayFile { Name file; };
-struct MissionArea { Number width, height; };
-struct LoadMap { Name file; };
-struct StartPlace { Name name; Number x, y; };
-struct Obstacle { Number x, y, radius; };
+struct MissionName {
+  Name name;
+};
+struct Scenario {
+  Name name;
+};
+struct OverlayFile {
+  Name file;
+};
+struct MissionArea {
+  Number width, height;
+};
+struct LoadMap {
+  Name file;
+};
+struct StartPlace {
+  Name name;
+  Number x, y;
+};
+struct Obstacle {
+  Number x, y, radius;
+};
 struct CreateObstacles {};
 struct NewRobot {
   Name name;
@@ -123,16 +138,22 @@ struct NewRobot {
   std::vector<Parameter> parameters;
   std::vector<std::string> comments_below;  ///< between the last parameter and the closing parenthesis
 };
-struct UnitDefinition { std::vector<Group> groups; };  ///< the first one holds the others
+struct UnitDefinition {
+  std::vector<Group> groups;
+};  ///< the first one holds the others
 struct Set {
   std::variant<mission::BooleanOption, mission::NumberOption> option;
   std::optional<bool> flag;      ///< as written; none means on
   std::optional<Number> number;  ///< of a number option
   text::Span option_span;
 };
-struct Print { bool robot_info = false; };
+struct Print {
+  bool robot_info = false;
+};
 struct Quit {};
-struct InjectTrack { bool is_red = true; };
+struct InjectTrack {
+  bool is_red = true;
+};
 struct UnitAction {
   Name unit;
   percept::Task task = percept::Task::kMoveTo;
@@ -149,8 +170,8 @@ struct Statement {
   text::Span span;  ///< of its first word
   std::variant<statement::MissionName, statement::Scenario, statement::OverlayFile, statement::MissionArea,
                statement::LoadMap, statement::StartPlace, statement::Obstacle, statement::CreateObstacles,
-               statement::NewRobot, statement::UnitDefinition, statement::Set, statement::Print, statement::Quit,
-               statement::InjectTrack, statement::UnitAction>
+               statement::NewRobot, statement::UnitDefinition, statement::Set, statement::Print,
+               statement::Quit, statement::InjectTrack, statement::UnitAction>
       what;
 };
 
@@ -170,9 +191,9 @@ struct Damage {
 /// A mission file, or a typed line, as it was written.
 struct Tree {
   text::SourcePtr source;
-  bool is_immediate = false;         ///< `typed` counts, the rest is empty
+  bool is_immediate = false;  ///< `typed` counts, the rest is empty
   std::vector<Statement> preamble;
-  Comments header;                   ///< around COMMAND LIST:
+  Comments header;  ///< around COMMAND LIST:
   std::vector<LabelledStep> steps;
   std::vector<Statement> typed;
   std::vector<std::string> comments_below;  ///< at the end of the file
