@@ -16,7 +16,7 @@ watch_log() {
 count_tests() {
   read -r passed failed skipped < <(awk -v status="$2" '
     /tests passed, [0-9]+ tests? failed out of [0-9]+/ { failed += $4; total += $NF; is_ctest = 1 }
-    /^No tests were found/ { is_ctest = 1 }
+    /^Test project / { is_ctest = 1 }
     /Not Run \(Disabled\)|\*\*\*Skipped/ { skipped++ }
     END {
       if (!is_ctest) print (status == 0), (status != 0), 0

@@ -1,0 +1,91 @@
+#include "layering.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace mlab::repo {
+namespace {
+
+using Modules = std::set<std::string, std::less<>>;
+
+/// Which modules each one may include by itself; what those may include follows. The picture in
+/// docs/architecture.md shows the same.
+const std::map<std::string, Modules, std::less<>> kArrows = {
+    {"base", {}},
+    {"geom", {"base"}},
+    {"text", {"base"}},
+    {"percept", {"geom"}},
+    {"flow", {"percept", "text"}},
+    {"schema", {"flow"}},
+    {"overlay", {"geom", "text"}},
+    {"mission", {"overlay", "percept"}},
+    {"sim", {"percept", "overlay"}},
+    {"lang/odl", {"text", "overlay"}},
+    {"lang/envchange", {"text", "overlay"}},
+    {"lang/mdl", {"text", "mission", "lang/odl"}},
+    {"lang/cnl", {"text", "flow"}},
+    {"robot", {"percept", "flow", "lang/cnl"}},
+    {"fleet", {"robot", "mission", "sim"}},
+};
+
+/// The module of a path such as `mlab/lang/odl/parser.h`; empty where it is none of ours.
+std::string module_of(std::string_view path) {
+  constexpr std::string_view kRoot = "mlab/";
+  if (!path.starts_with(kRoot)) return {};
+  path.remove_prefix(kRoot.size());
+  std::size_t end = path.find('/');
+  if (path.starts_with("lang/")) end = path.find('/', end + 1);
+  return end == std::string_view::npos ? std::string{} : std::string(path.substr(0, end));
+}
+
+/// All that a module may include, itself too.
+Modules reachable(const std::string& module) {
+  Modules found{module};
+  std::vector<std::string> open{module};
+  while (!open.empty()) {
+    const auto it = kArrows.find(open.back());
+    open.pop_back();
+    if (it == kArrows.end()) continue;
+    for (const auto& next : it->second) {
+      if (found.insert(next).second) open.push_back(next);
+    }
+  }
+  return found;
+}
+
+/// What stands between the quotes of an `#include "..."`; empty on every other line.
+std::string_view included(std::string_view line) {
+  constexpr std::string_view kInclude = "#include \"";
+  if (!line.starts_with(kInclude)) return {};
+  line.remove_prefix(kInclude.size());
+  return line.substr(0, line.find('"'));
+}
+
+}  // namespace
+
+Findings upward_includes(const Tree& tree) {
+  constexpr std::string_view kSources = "src/";
+  Findings findings;
+  for (const File& file : tree) {
+    if (!file.is_cpp() || !file.path.starts_with(kSources)) continue;
+    const std::string module = module_of(std::string_view(file.path).substr(kSources.size()));
+    if (module.empty() || module == "cli") continue;
+    if (!kArrows.contains(module)) {
+      findings.push_back(
+          {file.path, 1, "the module `" + module + "` has no place in tests/repo/layering.cc"});
+      continue;
+    }
+    const Modules allowed = reachable(module);
+    const auto lines = file.lines();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string target = module_of(included(lines[i]));
+      if (target.empty() || allowed.contains(target)) continue;
+      findings.push_back(
+          {file.path, i + 1, "`" + module + "` must not include `" + target + "`, which stands above it"});
+    }
+  }
+  return findings;
+}
+
+}  // namespace mlab::repo

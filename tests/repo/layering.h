@@ -1,0 +1,11 @@
+#pragma once
+
+#include "source_tree.h"
+
+namespace mlab::repo {
+
+/// The `#include` lines in `src/mlab` that point upwards: at a module which the including one must not know.
+/// Also names a module that the table of arrows does not have, so that a new one is placed on purpose.
+Findings upward_includes(const Tree& tree);
+
+}  // namespace mlab::repo

@@ -1,0 +1,44 @@
+#include "layering.h"
+
+#include <gtest/gtest.h>
+
+namespace mlab::repo {
+namespace {
+
+TEST(Layering, NoModuleIncludesOneAboveIt) {
+  EXPECT_EQ(upward_includes(read_tree(MLAB_SOURCE_DIR)), Findings{});
+}
+
+TEST(Layering, AnUpwardIncludeIsFoundAtItsLine) {
+  const Tree tree = {{"src/mlab/geom/pose.h",
+                      "#pragma once\n#include \"mlab/base/id.h\"\n#include \"mlab/flow/frame.h\"\n"}};
+  const Findings findings = upward_includes(tree);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0],
+            (Finding{"src/mlab/geom/pose.h", 3, "`geom` must not include `flow`, which stands above it"}));
+}
+
+TEST(Layering, ArrowsMayBeFollowedOverSeveralModules) {
+  const Tree tree = {
+      {"src/mlab/fleet/fleet.cc", "#include \"mlab/base/id.h\"\n#include \"mlab/lang/cnl/parser.h\"\n"}};
+  EXPECT_EQ(upward_includes(tree), Findings{});
+}
+
+TEST(Layering, LanguagesDoNotKnowEachOtherUnlessAnArrowSaysSo) {
+  const Tree tree = {{"src/mlab/lang/cnl/parser.cc", "#include \"mlab/lang/odl/parser.h\"\n"},
+                     {"src/mlab/lang/mdl/parser.cc", "#include \"mlab/lang/odl/parser.h\"\n"}};
+  const Findings findings = upward_includes(tree);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].path, "src/mlab/lang/cnl/parser.cc");
+}
+
+TEST(Layering, TheCommandMayIncludeEverything) {
+  EXPECT_EQ(upward_includes({{"src/mlab/cli/main.cc", "#include \"mlab/fleet/fleet.h\"\n"}}), Findings{});
+}
+
+TEST(Layering, AModuleWithoutAPlaceIsFound) {
+  EXPECT_EQ(upward_includes({{"src/mlab/misc/misc.h", "#pragma once\n"}}).size(), 1U);
+}
+
+}  // namespace
+}  // namespace mlab::repo

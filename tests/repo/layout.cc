@@ -1,0 +1,133 @@
+#include "layout.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mlab::repo {
+namespace {
+
+constexpr std::size_t kMaxLines = 600;
+constexpr std::size_t kMaxReadmeLines = 30;
+
+// In two pieces, so that this file does not find itself.
+constexpr std::array<std::string_view, 7> kMachineTraces = {
+    "/wo"
+    "rk/",
+    "/ro"
+    "ot/",
+    "/ho"
+    "me/",
+    "deb.debian"
+    ".org",
+    "snapshot.debian"
+    ".org",
+    "registry.npmjs"
+    ".org",
+    "py"
+    "pi.org",
+};
+
+bool is_source(const File& file) {
+  constexpr std::array<std::string_view, 8> kSuffixes = {".h",     ".cc",  ".cnl", ".sh",
+                                                         ".cmake", ".mdl", ".odl", ".txt"};
+  return std::ranges::any_of(kSuffixes, [&](std::string_view suffix) { return file.ends_with(suffix); });
+}
+
+bool is_module_header(const File& file) {
+  return file.ends_with(".h") && file.path.starts_with("src/mlab/");
+}
+
+/// The name of the type whose definition of several lines begins here; empty on every other line and on
+/// specialisations.
+std::string_view defined_type(std::string_view line) {
+  for (const std::string_view keyword : {"class ", "struct ", "enum class "}) {
+    if (!line.starts_with(keyword) || !line.ends_with('{')) continue;
+    line.remove_prefix(keyword.size());
+    const std::string_view name = line.substr(0, line.find_first_of(" {"));
+    return name.find_first_of("<:") == std::string_view::npos ? name : std::string_view{};
+  }
+  return {};
+}
+
+/// True where a comment stands above the type that `lines[first]` opens, or somewhere inside it.
+bool is_commented(const std::vector<std::string_view>& lines, std::size_t first) {
+  std::size_t above = first;
+  while (above > 0 && lines[above - 1].starts_with("template")) --above;
+  if (above > 0 && lines[above - 1].starts_with("//")) return true;
+  for (std::size_t i = first + 1; i < lines.size() && !lines[i].starts_with('}'); ++i) {
+    if (lines[i].find("//") != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Findings machine_traces(const Tree& tree) {
+  Findings findings;
+  for (const File& file : tree) {
+    const auto lines = file.lines();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const std::string_view trace : kMachineTraces) {
+        if (lines[i].find(trace) != std::string_view::npos) {
+          findings.push_back(
+              {file.path, i + 1, "names `" + std::string(trace) + "`, which is this machine's business"});
+        }
+      }
+    }
+  }
+  return findings;
+}
+
+Findings long_files(const Tree& tree) {
+  Findings findings;
+  for (const File& file : tree) {
+    const std::size_t count = file.lines().size();
+    if (is_source(file) && count > kMaxLines) {
+      findings.push_back({file.path, count, "has more than 600 lines; which idea should it give up?"});
+    }
+  }
+  return findings;
+}
+
+Findings uncommented_types(const Tree& tree) {
+  Findings findings;
+  for (const File& file : tree) {
+    if (!is_module_header(file)) continue;
+    const auto lines = file.lines();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string_view name = defined_type(lines[i]);
+      if (name.empty() || is_commented(lines, i)) continue;
+      findings.push_back({file.path, i + 1, "no comment says what `" + std::string(name) + "` is"});
+    }
+  }
+  return findings;
+}
+
+Findings modules_without_readme(const Tree& tree) {
+  Findings findings;
+  for (const File& file : tree) {
+    constexpr std::string_view kBuildFile = "/CMakeLists.txt";
+    if (!file.path.starts_with("src/mlab/") || !file.ends_with(kBuildFile)) continue;
+    const std::string path = file.path.substr(0, file.path.size() - kBuildFile.size()) + "/README.md";
+    const File* readme = find_file(tree, path);
+    if (readme == nullptr) {
+      findings.push_back(
+          {path, 1, "is missing: what the module is for, where to start reading, what it must not know"});
+    } else if (readme->lines().size() > kMaxReadmeLines) {
+      findings.push_back({path, kMaxReadmeLines + 1, "is longer than 30 lines"});
+    }
+  }
+  return findings;
+}
+
+Findings unguarded_headers(const Tree& tree) {
+  Findings findings;
+  for (const File& file : tree) {
+    if (file.ends_with(".h") && !file.text.starts_with("#pragma once\n")) {
+      findings.push_back({file.path, 1, "does not start with `#pragma once`"});
+    }
+  }
+  return findings;
+}
+
+}  // namespace mlab::repo

@@ -1,0 +1,69 @@
+#include "layout.h"
+
+#include <gtest/gtest.h>
+
+namespace mlab::repo {
+namespace {
+
+const Tree& project() {
+  static const Tree tree = read_tree(MLAB_SOURCE_DIR);
+  return tree;
+}
+
+TEST(Layout, TheProjectIsRead) {
+  EXPECT_NE(find_file(project(), "CMakeLists.txt"), nullptr);
+}
+
+TEST(Layout, NoFileNamesAMachineOrARegistry) {
+  EXPECT_EQ(machine_traces(project()), Findings{});
+}
+TEST(Layout, AMachinePathIsFoundAtItsLine) {
+  const Findings findings = machine_traces({{"docs/a.md", std::string("one\nsee /ho") + "me/ann/x\n"}});
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].line, 2U);
+}
+
+TEST(Layout, NoSourceIsPast600Lines) {
+  EXPECT_EQ(long_files(project()), Findings{});
+}
+TEST(Layout, ASourcePast600LinesIsFound) {
+  std::string text;
+  for (int i = 0; i < 600; ++i) text += "int x;\n";
+  EXPECT_EQ(long_files({{"src/mlab/a/a.cc", text}}), Findings{});
+  EXPECT_EQ(long_files({{"src/mlab/a/a.cc", text + "int y;\n"}}).size(), 1U);
+}
+
+TEST(Layout, EveryTypeInAHeaderHasAComment) {
+  EXPECT_EQ(uncommented_types(project()), Findings{});
+}
+TEST(Layout, ATypeWithoutACommentIsFound) {
+  const auto count = [](std::string text) {
+    return uncommented_types({{"src/mlab/a/a.h", std::move(text)}}).size();
+  };
+  EXPECT_EQ(count("struct Point {\n  double x = 0.0;\n};\n"), 1U);
+  EXPECT_EQ(count("\ntemplate <class T>\nclass List {\n};\n"), 1U);
+  EXPECT_EQ(count("enum class Kind {\n  kOne,\n};\n/// Of another.\n"), 1U);
+  EXPECT_EQ(count("/// A place [m].\nstruct Point {\n  double x = 0.0;\n};\n"), 0U);
+  EXPECT_EQ(count("struct Point {\n  double x = 0.0;  ///< [m]\n};\n"), 0U);
+  EXPECT_EQ(count("/// Many.\ntemplate <class T>\nclass List {\n};\n"), 0U);
+  EXPECT_EQ(count("struct Point;\nenum class Kind { kOne };\n"), 0U);
+}
+
+TEST(Layout, EveryModuleHasAReadme) {
+  EXPECT_EQ(modules_without_readme(project()), Findings{});
+}
+TEST(Layout, AModuleWithoutAReadmeIsFound) {
+  EXPECT_EQ(modules_without_readme({{"src/mlab/a/CMakeLists.txt", ""}}).size(), 1U);
+  EXPECT_EQ(modules_without_readme({{"src/mlab/a/CMakeLists.txt", ""}, {"src/mlab/a/README.md", "# a\n"}}),
+            Findings{});
+}
+
+TEST(Layout, EveryHeaderIsGuarded) {
+  EXPECT_EQ(unguarded_headers(project()), Findings{});
+}
+TEST(Layout, AnUnguardedHeaderIsFound) {
+  EXPECT_EQ(unguarded_headers({{"src/mlab/a/a.h", "int x;\n"}}).size(), 1U);
+}
+
+}  // namespace
+}  // namespace mlab::repo
