@@ -1,0 +1,48 @@
+#include "mlab/schema/route.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace mlab::schema {
+
+double route_length(std::span<const geom::Point> route) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < route.size(); ++i) sum += geom::distance(route[i - 1], route[i]);
+  return sum;
+}
+
+geom::Point route_point(std::span<const geom::Point> route, double way) {
+  if (route.empty()) return {};
+  if (!(way > 0.0)) return route.front();
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const geom::Offset along = route[i] - route[i - 1];
+    const double leg = geom::length(along);
+    if (way < leg) return route[i - 1] + along * (way / leg);
+    way -= leg;
+  }
+  return route.back();
+}
+
+double nearest_way(std::span<const geom::Point> route, geom::Point p, double from, double to) {
+  double best = from;
+  double best_distance = std::numeric_limits<double>::infinity();
+  double start = 0.0;
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const geom::Offset along = route[i] - route[i - 1];
+    const double leg = geom::length(along);
+    if (leg > 0.0 && start <= to && start + leg >= from) {
+      const double projected = geom::dot(p - route[i - 1], along) / leg;
+      const double way = std::clamp(projected, std::max(0.0, from - start), std::min(leg, to - start));
+      const double d = geom::distance(route[i - 1] + along * (way / leg), p);
+      if (d < best_distance) {
+        best_distance = d;
+        best = start + way;
+      }
+    }
+    start += leg;
+  }
+  return best;
+}
+
+}  // namespace mlab::schema
