@@ -15,13 +15,16 @@ struct SpeedLimits {
   bool is_cautious = false;
 };
 
-/// The velocity for a schema vector [m/s]. Too fast is made slower in the same direction. In cautious mode the lower
-/// limit holds only while some schema makes an absolute demand (its safety margin is broken), not for every vector
-/// that is too long. Zero for a vector that is not a number.
-constexpr bool is_absolute(double strength) { return strength >= kAbsolute; }
+/// The velocity for a schema vector [m/s]. Too fast is made slower in the same direction. In cautious mode
+/// the lower limit holds only while some schema makes an absolute demand (its safety margin is broken), not
+/// for every vector that is too long. Zero for a vector that is not a number.
+constexpr bool is_absolute(double strength) {
+  return strength >= kAbsolute;
+}
 inline geom::Vector velocity(geom::Vector v, SpeedLimits limits) {
   const double strength = geom::length(v);
-  const double limit = limits.is_cautious && is_absolute(strength) ? std::min(limits.cautious, limits.max) : limits.max;
+  const double limit =
+      limits.is_cautious && is_absolute(strength) ? std::min(limits.cautious, limits.max) : limits.max;
   const geom::Vector wanted{v.x * limits.base, v.y * limits.base, 0.0};
   const double speed = strength * limits.base;
   return speed <= limit ? wanted : geom::unit(v) * limit;

@@ -5,16 +5,16 @@
 
 namespace mlab::schema {
 
-/// Strength of a repulsion: kInfinity up to `inner`, then falling in a straight line from 1 to 0 at `outer`, 0 beyond.
-/// With outer <= inner there is no slope. 0 for a distance that is not a number.
+/// Strength of a repulsion: kInfinity up to `inner`, then falling in a straight line from 1 to 0 at `outer`,
+/// 0 beyond. With outer <= inner there is no slope. 0 for a distance that is not a number.
 /// @source  Arkin 1989, section IV
 constexpr double repulsion_strength(double distance, double inner, double outer) {
   if (distance <= inner) return kInfinity;
   return distance < outer ? (outer - distance) / (outer - inner) : 0.0;
 }
 
-/// The push away from something at `center` whose distance is `distance` (to its centre or to its edge, as the schema
-/// wants). Something exactly at the robot pushes along -x: back where the robot came from.
+/// The push away from something at `center` whose distance is `distance` (to its centre or to its edge, as
+/// the schema wants). Something exactly at the robot pushes along -x: back where the robot came from.
 inline geom::Vector repulsion(geom::Vector center, double distance, double inner, double outer) {
   const double strength = repulsion_strength(distance, inner, outer);
   if (strength <= 0.0) return {};

@@ -13,25 +13,28 @@ struct Reference {
 
 Reference locate(const percept::UnitPercept& unit, FormationReference reference) {
   switch (reference) {
-    case FormationReference::kLeader: return {unit.leader.position, 0};
-    case FormationReference::kNeighbor: return {unit.neighbor.position, unit.rank - 1};
-    case FormationReference::kUnitCenter: break;
+    case FormationReference::kLeader:
+      return {unit.leader.position, 0};
+    case FormationReference::kNeighbor:
+      return {unit.neighbor.position, unit.rank - 1};
+    case FormationReference::kUnitCenter:
+      break;
   }
   return {unit.center + unit.center_step, -1};
 }
 
 }  // namespace
 
-geom::Vector formation_offset(const percept::Percepts& percepts, percept::Formation formation,
-                              percept::FormationReference reference, double spacing, double heading) {
-  const percept::UnitPercept& unit = percepts.unit;
+geom::Vector formation_offset(const percept::UnitPercept& unit, const geom::Pose& pose,
+                              percept::Formation formation, percept::FormationReference reference,
+                              double spacing, double heading) {
   if (formation == percept::Formation::kNone || unit.size <= 1) return {};
   if (reference != FormationReference::kUnitCenter && unit.rank == 0) return {};
 
   const Reference from = locate(unit, reference);
   geom::Vector place = percept::station(formation, unit.rank, unit.size, spacing);
   if (from.rank >= 0) place -= percept::station(formation, from.rank, unit.size, spacing);
-  const geom::Vector offset = percepts.pose.to_robot(from.position) + geom::rotated(place, heading);
+  const geom::Vector offset = pose.to_robot(from.position) + geom::rotated(place, heading);
   if (formation != percept::Formation::kSweep) return offset;
   const geom::Vector ahead = geom::polar(1.0, heading);
   return ahead * geom::dot(offset, ahead);

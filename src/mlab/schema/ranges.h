@@ -10,7 +10,8 @@
 
 namespace mlab::schema {
 
-/// How near what a beam hit is: 0 at the ring's range and for a beam that hit nothing, 1 at the body's surface.
+/// How near what a beam hit is: 0 at the ring's range and for a beam that hit nothing, 1 at the body's
+/// surface.
 inline double proximity(const percept::RangeReading& beam, double range) {
   if (!beam.hit || !(range > 0.0)) return 0.0;
   return std::clamp(1.0 - static_cast<double>(beam.distance) / range, 0.0, 1.0);

@@ -11,8 +11,10 @@ TaskProgress task_progress(percept::Task task, const TaskMeasures& measures) {
   const TaskProgress arrival = within(measures.goal_distance, measures.success_radius);
   switch (task) {
     case percept::Task::kMoveTo:
-    case percept::Task::kSweepTo: return arrival;
-    case percept::Task::kFollow: return within(measures.route_remaining, measures.success_radius);
+    case percept::Task::kSweepTo:
+      return arrival;
+    case percept::Task::kFollow:
+      return within(measures.route_remaining, measures.success_radius);
     case percept::Task::kOccupy: {
       const TaskProgress place = within(measures.station_error, measures.slop);
       return {arrival.done && place.done, arrival.remaining + place.remaining};
@@ -20,8 +22,10 @@ TaskProgress task_progress(percept::Task task, const TaskMeasures& measures) {
     case percept::Task::kTeleoperate:
       return {measures.teleoperation_complete, measures.teleoperation_complete ? 0.0 : 1.0};
     case percept::Task::kStart:
-    case percept::Task::kStop: return {true, 0.0};
-    case percept::Task::kNone: break;
+    case percept::Task::kStop:
+      return {true, 0.0};
+    case percept::Task::kNone:
+      break;
   }
   return {};
 }

@@ -11,8 +11,8 @@ namespace mlab::schema {
 /// Adds up vectors among which some may be absolute demands (strength kAbsolute and more).
 ///
 /// The total is the plain sum, with one exception: where absolute demands cancel each other (two obstacles on
-/// opposite sides), nothing but rounding noise is left of them, millions of times smaller than they were and yet
-/// larger than any ordinary vector. Then the ordinary vectors alone decide.
+/// opposite sides), nothing but rounding noise is left of them, millions of times smaller than they were and
+/// yet larger than any ordinary vector. Then the ordinary vectors alone decide.
 class VectorSum {
  public:
   void add(geom::Vector v) {

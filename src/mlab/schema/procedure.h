@@ -1,0 +1,78 @@
+#pragma once
+
+// Everything that the bodies of CNL procedures are written against. Generated code includes this file and
+// uses the namespace mlab::schema.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "mlab/base/angle.h"
+#include "mlab/base/hash.h"
+#include "mlab/flow/behavior.h"
+#include "mlab/flow/lists.h"
+#include "mlab/flow/port_types.h"
+#include "mlab/geom/pose.h"
+#include "mlab/geom/vector.h"
+#include "mlab/percept/action.h"
+#include "mlab/percept/formation.h"
+#include "mlab/percept/percepts.h"
+#include "mlab/schema/constants.h"
+#include "mlab/schema/drive.h"
+#include "mlab/schema/field.h"
+#include "mlab/schema/formation_offset.h"
+#include "mlab/schema/historic.h"
+#include "mlab/schema/objects.h"
+#include "mlab/schema/ranges.h"
+#include "mlab/schema/route.h"
+#include "mlab/schema/sectors.h"
+#include "mlab/schema/stick.h"
+#include "mlab/schema/task_progress.h"
+#include "mlab/schema/vector_sum.h"
+
+namespace mlab::schema {
+
+// Places, directions, angles.
+using base::degrees;
+using base::radians;
+using base::wrap_angle;
+using geom::cross;
+using geom::direction;
+using geom::distance;
+using geom::dot;
+using geom::kZeroLength;
+using geom::length;
+using geom::Offset;
+using geom::Point;
+using geom::polar;
+using geom::Pose;
+using geom::rotated;
+using geom::unit;
+using geom::Vector;
+
+// What flows on wires.
+using flow::ObjectClasses;
+using flow::Objects;
+using flow::Obstacles;
+using flow::Ranges;
+using flow::Robots;
+using flow::Text;
+using percept::Formation;
+using percept::FormationReference;
+using percept::ObjectClass;
+using percept::ObjectReading;
+using percept::ObjectStyle;
+using percept::Obstacle;
+using percept::RangeReading;
+using percept::RobotReading;
+using percept::Task;
+
+// Perceiving and acting.
+using base::hash_text;
+using base::Random;
+using percept::Action;
+using percept::Percepts;
+using percept::Request;
+
+}  // namespace mlab::schema

@@ -1,0 +1,54 @@
+#include "mlab/schema/route.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mlab::schema {
+namespace {
+
+using geom::Point;
+
+const std::vector<Point> kCorner = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}};
+// A hairpin whose legs are 1 m apart.
+const std::vector<Point> kHairpin = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 1.0}, {0.0, 1.0}};
+
+TEST(Route, IsAsLongAsItsLegs) {
+  EXPECT_DOUBLE_EQ(route_length(kCorner), 20.0);
+  EXPECT_DOUBLE_EQ(route_length({}), 0.0);
+}
+
+TEST(Route, TellsPlacesByTheWayToThem) {
+  EXPECT_EQ(route_point(kCorner, 4.0), (Point{4.0, 0.0}));
+  EXPECT_EQ(route_point(kCorner, 10.0), (Point{10.0, 0.0}));
+  EXPECT_EQ(route_point(kCorner, 13.0), (Point{10.0, 3.0}));
+}
+
+TEST(Route, HoldsAtItsEnds) {
+  EXPECT_EQ(route_point(kCorner, -1.0), (Point{0.0, 0.0}));
+  EXPECT_EQ(route_point(kCorner, 99.0), (Point{10.0, 10.0}));
+}
+
+TEST(Route, FindsTheNearestPlace) {
+  EXPECT_DOUBLE_EQ(nearest_way(kCorner, {4.0, -3.0}, 0.0, 20.0), 4.0);
+  EXPECT_DOUBLE_EQ(nearest_way(kCorner, {12.0, 6.0}, 0.0, 20.0), 16.0);
+  EXPECT_DOUBLE_EQ(nearest_way(kCorner, {99.0, 99.0}, 0.0, 20.0), 20.0);
+}
+
+TEST(Route, LooksOnlyWhereItIsTold) {
+  EXPECT_DOUBLE_EQ(nearest_way(kHairpin, {3.0, 0.9}, 0.0, 5.0), 3.0);
+  EXPECT_DOUBLE_EQ(nearest_way(kHairpin, {3.0, 0.9}, 0.0, 21.0), 18.0);
+  EXPECT_DOUBLE_EQ(nearest_way(kHairpin, {3.0, 0.0}, 6.0, 9.0), 6.0);
+}
+
+TEST(Route, OfOnePointOrNoneStaysWhereItWas) {
+  const std::vector<Point> one = {{2.0, 3.0}};
+  EXPECT_EQ(route_point(one, 5.0), (Point{2.0, 3.0}));
+  EXPECT_DOUBLE_EQ(nearest_way(one, {9.0, 9.0}, 0.0, 5.0), 0.0);
+  EXPECT_DOUBLE_EQ(nearest_way({}, {9.0, 9.0}, 0.0, 5.0), 0.0);
+  const std::vector<Point> same = {{2.0, 3.0}, {2.0, 3.0}};
+  EXPECT_DOUBLE_EQ(nearest_way(same, {9.0, 9.0}, 0.0, 5.0), 0.0);
+}
+
+}  // namespace
+}  // namespace mlab::schema
