@@ -14,6 +14,7 @@ struct TaskMeasures {
   bool teleoperation_complete = false;
 };
 
+/// What task_progress says.
 struct TaskProgress {
   bool done = false;
   double remaining = 0.0;  ///< [m]; 0 where done. Teleoperation has no measure: 1 until it is done
