@@ -17,9 +17,11 @@ namespace mlab::flow {
 
 /// A procedure's view of a value of type T (see `view`).
 template <class T>
-using Seen = std::remove_cvref_t<decltype(view(std::declval<const T&>(), std::declval<const percept::Percepts&>()))>;
+using Seen =
+    std::remove_cvref_t<decltype(view(std::declval<const T&>(), std::declval<const percept::Percepts&>()))>;
 
-/// A list input as procedures see it: by position, in the order of the links; readings as views of this cycle.
+/// A list input as procedures see it: by position, in the order of the links; readings as views of this
+/// cycle.
 template <class T>
 class InputList {
  public:

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cnl/lexer.h"
 #include "mlab/lang/cnl/types.h"
 #include "mlab/lang/cnl/user_code.h"
 
@@ -60,7 +61,9 @@ class Checker {
     if (!is_new) {
       duplicate("duplicate-type", "type", type.name, at->second);
     } else if (!find_port_type(type.name.text) && !has_init) {
-      diagnostics_.error("undefined-type", type.name.place, fmt::format("nothing defines the type `{}`", type.name.text))
+      diagnostics_
+          .error("undefined-type", type.name.place,
+                 fmt::format("nothing defines the type `{}`", type.name.text))
           .hints.emplace_back("write its `struct` into `init ... iend`, or include a header there");
     }
   }
@@ -85,9 +88,11 @@ class Checker {
 
   void check_type(const Word& type) {
     if (find_port_type(type.text) || own_types_.contains(type.text)) return;
-    auto& diagnostic = diagnostics_.error("unknown-type", type.place, fmt::format("unknown type `{}`", type.text));
+    auto& diagnostic =
+        diagnostics_.error("unknown-type", type.place, fmt::format("unknown type `{}`", type.text));
     if (is_lost_historic_type(type.text)) {
-      diagnostic.hints.emplace_back("this historic type has no counterpart; declare your own with `type` and `init`");
+      diagnostic.hints.emplace_back(
+          "this historic type has no counterpart; declare your own with `type` and `init`");
       return;
     }
     std::vector<std::string> known = port_type_names();
@@ -106,9 +111,12 @@ class Checker {
       check_same_inputs(procedure, *external->second);
     }
     if (procedure.is_new_style) {
-      diagnostics_.error("new-style-procedure", procedure.name.place,
-                         fmt::format("`{}` is an `nprocedure`, which chooses by itself what it needs", procedure.name.text))
-          .hints.emplace_back("write a `sequence` or a `select`: they evaluate only what the active part needs");
+      diagnostics_
+          .error("new-style-procedure", procedure.name.place,
+                 fmt::format("`{}` is an `nprocedure`, which chooses by itself what it needs",
+                             procedure.name.text))
+          .hints.emplace_back(
+              "write a `sequence` or a `select`: they evaluate only what the active part needs");
       return;
     }
     check_aliases(procedure);
@@ -132,7 +140,8 @@ class Checker {
         diagnostics_.error("empty-range", input.range_place, "no value is in this range");
       }
       if (input.initial && input.is_list) {
-        diagnostics_.error("list-default", input.initial->place, "a list has no default: without links it is empty");
+        diagnostics_.error("list-default", input.initial->place,
+                           "a list has no default: without links it is empty");
       }
     }
   }
@@ -141,24 +150,30 @@ class Checker {
     const std::string& name = input.name.text;
     const bool is_type = find_port_type(name) != nullptr || own_types_.contains(name);
     if (name == "output") {
-      diagnostics_.error("reserved-name", input.name.place, "`output` is the value that the procedure gives, not an input");
-    } else if (name.find('-') != std::string::npos || is_cpp_keyword(name) || is_type) {
       diagnostics_.error("reserved-name", input.name.place,
-                         fmt::format("C++ code cannot use `{}` as the name of an input", name))
+                         "`output` is the value that the procedure gives, not an input");
+    } else if (name.find('-') != std::string::npos || is_cpp_keyword(name) || is_type) {
+      diagnostics_
+          .error("reserved-name", input.name.place,
+                 fmt::format("C++ code cannot use `{}` as the name of an input", name))
           .label = is_type ? "this is the name of a type" : "";
     }
   }
 
-  // The historic compiler lost inputs when the order differed; here inputs go by name, so only their set counts.
+  // The historic compiler lost inputs when the order differed; here inputs go by name, so only their set
+  // counts.
   void check_same_inputs(const Procedure& procedure, const Procedure& external) {
     const auto signature = [](const Procedure& p) {
       std::set<std::pair<std::string, std::string>> out;
       for (const InputDecl& input : p.inputs) out.emplace(input.name.text, input.type.text);
       return out;
     };
-    if (signature(procedure) == signature(external) && procedure.output_type.text == external.output_type.text) return;
-    diagnostics_.error("different-signature", procedure.name.place,
-                       fmt::format("`{}` differs from its `external` declaration", procedure.name.text))
+    if (signature(procedure) == signature(external) &&
+        procedure.output_type.text == external.output_type.text)
+      return;
+    diagnostics_
+        .error("different-signature", procedure.name.place,
+               fmt::format("`{}` differs from its `external` declaration", procedure.name.text))
         .notes.push_back({"declared here", external.name.place});
   }
 
@@ -169,8 +184,9 @@ class Checker {
         const auto [at, is_new] = names.emplace(port.name.text, port.name.place);
         if (!is_new) duplicate("duplicate-input", "input", port.name, at->second);
         if (port.input.text == "none" || find_input(procedure, port.input.text)) continue;
-        auto& diagnostic = diagnostics_.error("unknown-input", port.input.place,
-                                              fmt::format("`{}` has no input `{}`", procedure.name.text, port.input.text));
+        auto& diagnostic =
+            diagnostics_.error("unknown-input", port.input.place,
+                               fmt::format("`{}` has no input `{}`", procedure.name.text, port.input.text));
         add_nearest(diagnostic, port.input.text, input_names(procedure));
       }
     }
@@ -179,18 +195,22 @@ class Checker {
   void check_needs(const Procedure& procedure) {
     for (const NeedDecl& need : procedure.needs) {
       if (std::find(std::begin(kDevices), std::end(kDevices), need.device.text) == std::end(kDevices)) {
-        auto& diagnostic = diagnostics_.error("unknown-device", need.device.place, fmt::format("unknown sensor `{}`", need.device.text));
+        auto& diagnostic = diagnostics_.error("unknown-device", need.device.place,
+                                              fmt::format("unknown sensor `{}`", need.device.text));
         add_nearest(diagnostic, need.device.text, {std::begin(kDevices), std::end(kDevices)});
       }
       if (need.range.text.empty() || !is_name(need.range.text)) continue;
       const InputDecl* input = find_input(procedure, need.range.text);
       if (!input) {
-        auto& diagnostic = diagnostics_.error("unknown-input", need.range.place,
-                                              fmt::format("`{}` has no input `{}`", procedure.name.text, need.range.text));
+        auto& diagnostic =
+            diagnostics_.error("unknown-input", need.range.place,
+                               fmt::format("`{}` has no input `{}`", procedure.name.text, need.range.text));
         add_nearest(diagnostic, need.range.text, input_names(procedure));
-      } else if (const PortType* type = find_port_type(input->type.text); !type || type->name != "double" || input->is_list) {
-        diagnostics_.error("unknown-input", need.range.place,
-                           fmt::format("the range of a sensor is a `double`, and `{}` is none", need.range.text));
+      } else if (const PortType* type = find_port_type(input->type.text);
+                 !type || type->name != "double" || input->is_list) {
+        diagnostics_.error(
+            "unknown-input", need.range.place,
+            fmt::format("the range of a sensor is a `double`, and `{}` is none", need.range.text));
       }
     }
   }
@@ -209,33 +229,41 @@ class Checker {
       const auto [at, is_new] = names.emplace(variable.name, variable.place);
       if (!is_new) duplicate("duplicate-variable", "variable", {variable.name, variable.place}, at->second);
       if (variable.is_pointer && !variable.is_constant) {
-        diagnostics_.error("pointer-state", variable.place,
-                           fmt::format("the {} variable `{}` points at something", section, variable.name))
+        diagnostics_
+            .error("pointer-state", variable.place,
+                   fmt::format("the {} variable `{}` points at something", section, variable.name))
             .hints.emplace_back("state is copied byte by byte: keep values, or indices into an array");
       } else if (variable.holds_references) {
-        diagnostics_.error("pointer-state", variable.place,
-                           fmt::format("the lambda `{}` captures by reference", variable.name))
+        diagnostics_
+            .error("pointer-state", variable.place,
+                   fmt::format("the lambda `{}` captures by reference", variable.name))
             .hints.emplace_back("capture by value, with `[=]`: it outlives what it refers to");
       }
       check_hidden(procedure, variable);
     }
     if (section != "once") return;
     for (const UserCode::LocalType& type : code.local_types()) {
-      diagnostics_.error("type-in-once", type.place,
-                         fmt::format("`{}` in `once` declares something that `header` and `body` do not see", type.word))
+      diagnostics_
+          .error(
+              "type-in-once", type.place,
+              fmt::format("`{}` in `once` declares something that `header` and `body` do not see", type.word))
           .hints.emplace_back("types belong into `init ... iend`");
     }
   }
 
   void check_hidden(const Procedure& procedure, const UserCode::Variable& variable) {
     if (const InputDecl* input = find_input(procedure, variable.name)) {
-      diagnostics_.error("hidden-name", variable.place, fmt::format("`{}` is an input of this procedure", variable.name))
+      diagnostics_
+          .error("hidden-name", variable.place,
+                 fmt::format("`{}` is an input of this procedure", variable.name))
           .notes.push_back({"declared here", input->name.place});
       return;
     }
-    const bool is_context = std::find(std::begin(kContextNames), std::end(kContextNames), variable.name) != std::end(kContextNames);
-    const bool is_list_size = variable.name.ends_with("_num") &&
-                              find_input(procedure, variable.name.substr(0, variable.name.size() - 4)) != nullptr;
+    const bool is_context = std::find(std::begin(kContextNames), std::end(kContextNames), variable.name) !=
+                            std::end(kContextNames);
+    const bool is_list_size =
+        variable.name.ends_with("_num") &&
+        find_input(procedure, variable.name.substr(0, variable.name.size() - 4)) != nullptr;
     if (is_context || is_list_size || variable.name == "output") {
       diagnostics_.error("hidden-name", variable.place,
                          fmt::format("`{}` has a meaning of its own in every procedure", variable.name));
@@ -245,8 +273,10 @@ class Checker {
   void check_pure(const Procedure& procedure) {
     const auto impure = [&](const text::Place& place, std::string message) {
       diagnostics_.error("not-pure", place, std::move(message))
-          .notes.push_back({fmt::format("`{}` says that it is pure: no state, no randomness, neither percepts nor time",
-                                        procedure.name.text), procedure.pure.place});
+          .notes.push_back(
+              {fmt::format("`{}` says that it is pure: no state, no randomness, neither percepts nor time",
+                           procedure.name.text),
+               procedure.pure.place});
     };
     if (procedure.once) impure(procedure.name.place, "a pure procedure has no `once`");
     if (procedure.latency) impure(procedure.name.place, "a pure procedure has no latency");
@@ -270,7 +300,8 @@ class Checker {
         const std::string_view before = i > 0 ? tokens[i - 1].text : std::string_view();
         if (before == "." || before == "->" || before == "::") continue;
         // `double time = ...` declares a variable of its own: from there on the name is that variable's.
-        const bool declares = i > 0 && before != "return" && (tokens[i - 1].kind == CppToken::Kind::kWord || before == "&" || before == ">");
+        const bool declares = i > 0 && before != "return" &&
+                              (tokens[i - 1].kind == CppToken::Kind::kWord || before == "&" || before == ">");
         if (!declares) impure(code.place(tokens[i]), fmt::format("a pure procedure does not use `{}`", name));
         break;
       }
@@ -286,7 +317,9 @@ class Checker {
 
 }  // namespace
 
-void check_declarations(const Tree& tree, text::Diagnostics& diagnostics) { Checker(tree, diagnostics).run(); }
+void check_declarations(const Tree& tree, text::Diagnostics& diagnostics) {
+  Checker(tree, diagnostics).run();
+}
 
 bool uses_context(const Procedure& procedure, std::string_view name) {
   if (procedure.is_pure || find_input(procedure, name)) return false;

@@ -37,18 +37,22 @@ void CppWriter::line(std::string_view text) {
   append("\n");
 }
 
-void CppWriter::here() { append(fmt::format("#line {} {}\n", next_line_ + 1, cpp_string(name_))); }
+void CppWriter::here() {
+  append(fmt::format("#line {} {}\n", next_line_ + 1, cpp_string(name_)));
+}
 
 void CppWriter::at(const text::Place& place, std::string_view text) {
   const text::LineColumn at = place.source->line_column(place.span.begin);
-  append(fmt::format("#line {} {}\n{}{}\n", at.line, cpp_string(place.source->name()), std::string(at.column - 1, ' '), text));
+  append(fmt::format("#line {} {}\n{}{}\n", at.line, cpp_string(place.source->name()),
+                     std::string(at.column - 1, ' '), text));
   here();
 }
 
 void CppWriter::user_code(const Code& code) {
   const text::LineColumn at = code.place.source->line_column(code.place.span.begin);
   // Code that starts behind `header` on its line keeps its column.
-  append(fmt::format("#line {} {}\n{}", at.line, cpp_string(code.place.source->name()), std::string(at.column - 1, ' ')));
+  append(fmt::format("#line {} {}\n{}", at.line, cpp_string(code.place.source->name()),
+                     std::string(at.column - 1, ' ')));
   append(code.text());
   if (!code.text().ends_with('\n')) append("\n");
   here();

@@ -8,8 +8,8 @@
 
 namespace mlab::cnl {
 
-/// C++ text in the making, which knows its own line numbers: so that compilers speak of the author's file within the
-/// author's code, and of this text everywhere else.
+/// C++ text in the making, which knows its own line numbers: so that compilers speak of the author's file
+/// within the author's code, and of this text everywhere else.
 class CppWriter {
  public:
   explicit CppWriter(std::string name) : name_(std::move(name)) {}

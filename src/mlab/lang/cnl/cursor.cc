@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/text/shown.h"
+
 namespace mlab::cnl {
 namespace {
 
@@ -24,7 +26,8 @@ void append_words(std::string& out, std::string_view line) {
   out += line;
 }
 
-// What a constant means: no quotes, no parentheses; `{"text"}`, as historic networks write texts, is the text.
+// What a constant means: no quotes, no parentheses; `{"text"}`, as historic networks write texts, is the
+// text.
 std::string constant_text(Token::Kind kind, std::string_view text) {
   if (kind == Token::Kind::kNumber) return canonical_number(text);
   if (kind == Token::Kind::kString || kind == Token::Kind::kCharacter) {
@@ -75,10 +78,8 @@ void Cursor::lex(std::uint32_t offset) {
 // Tokens that no construct wants are spoken of once, here. True: read on behind it.
 bool Cursor::handle_odd_token() {
   if (token_.kind == Token::Kind::kUnknown) {
-    const std::string_view bytes = text().substr(0, kShownText);
-    const bool printable = std::all_of(bytes.begin(), bytes.end(), [](char c) { return c >= ' ' && c <= '~'; });
     error("unknown-character", here(),
-          printable ? fmt::format("`{}` starts nothing in CNL", bytes) : "these bytes start nothing in CNL");
+          fmt::format("`{}` starts nothing in CNL", text::shown(text(), kShownText)));
     return true;
   }
   if (token_.kind != Token::Kind::kDirective) return false;
@@ -108,9 +109,11 @@ bool Cursor::expect(std::string_view word, std::string_view why) {
   // A missing `;` belongs behind what should have had it, not at the next line.
   const bool behind = word == ";" && last_end_ > 0;
   const text::Place at = behind ? place({last_end_ - 1, last_end_}) : here();
-  const std::string found = at_end() ? "the end of the file" : fmt::format("`{}`", text().substr(0, kShownText));
-  error("syntax", at, behind ? fmt::format("expected `{}` {}", word, why)
-                             : fmt::format("expected `{}` {}, found {}", word, why, found))
+  const std::string found =
+      at_end() ? "the end of the file" : fmt::format("`{}`", text::shown(text(), kShownText));
+  error("syntax", at,
+        behind ? fmt::format("expected `{}` {}", word, why)
+               : fmt::format("expected `{}` {}, found {}", word, why, found))
       .label = behind ? "behind this" : "";
   return false;
 }
@@ -124,7 +127,8 @@ text::Diagnostic& Cursor::expected(std::string_view what) {
     return error("misplaced-include", here(), "`#include` stands between declarations, not within one");
   }
   if (at_end()) return error("syntax", here(), fmt::format("expected {}, found the end of the file", what));
-  return error("syntax", here(), fmt::format("expected {}, found `{}`", what, text().substr(0, kShownText)));
+  return error("syntax", here(),
+               fmt::format("expected {}, found `{}`", what, text::shown(text(), kShownText)));
 }
 
 std::optional<Word> Cursor::expect_name(std::string_view what) {
@@ -158,12 +162,18 @@ std::optional<flow::Source> Cursor::expect_source(std::string_view what) {
   flow::Source source;
   source.place = here();
   switch (token_.kind) {
-    case Token::Kind::kName: source.kind = flow::Source::Kind::kName; break;
+    case Token::Kind::kName:
+      source.kind = flow::Source::Kind::kName;
+      break;
     case Token::Kind::kNumber:
     case Token::Kind::kCharacter:
     case Token::Kind::kString:
-    case Token::Kind::kInitializer: source.kind = flow::Source::Kind::kConstant; break;
-    default: expected(what); return std::nullopt;
+    case Token::Kind::kInitializer:
+      source.kind = flow::Source::Kind::kConstant;
+      break;
+    default:
+      expected(what);
+      return std::nullopt;
   }
   source.text = constant_text(token_.kind, text());
   advance();
@@ -179,7 +189,8 @@ std::optional<double> Cursor::expect_number(std::string_view what) {
   double value = 0.0;
   const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), value);
   if (failure != std::errc() || !std::isfinite(value)) {
-    error("number-out-of-range", here(), fmt::format("`{}` is not a number that a double can hold", number.substr(0, kShownText)));
+    error("number-out-of-range", here(),
+          fmt::format("`{}` is not a number that a double can hold", text::shown(number, kShownText)));
     value = 0.0;
   }
   advance();
@@ -212,7 +223,9 @@ Cursor::Doc Cursor::doc_above() const {
     const std::string_view comment = source_->text(it->span);
     const std::string_view between = source_text().substr(it->span.end, below - it->span.end);
     const bool touches = std::count(between.begin(), between.end(), '\n') == 1 && trimmed(between).empty();
-    if (!comment.starts_with("///") || comment.starts_with("///<") || !touches || !lexer_.starts_line(it->span.begin)) break;
+    if (!comment.starts_with("///") || comment.starts_with("///<") || !touches ||
+        !lexer_.starts_line(it->span.begin))
+      break;
     lines.push_back(trimmed(comment.substr(3)));
     below = it->span.begin;
   }
@@ -256,7 +269,8 @@ std::uint32_t Cursor::code_start() const {
   return trimmed(rest).empty() ? lexer_.next_line(token_.span.end) : token_.span.end;
 }
 
-Cursor::RawLines Cursor::raw_lines(std::uint32_t begin, std::initializer_list<std::string_view> end_words) const {
+Cursor::RawLines Cursor::raw_lines(std::uint32_t begin,
+                                   std::initializer_list<std::string_view> end_words) const {
   const std::string_view all = source_text();
   std::uint32_t at = begin;
   while (at < all.size()) {
@@ -264,7 +278,8 @@ Cursor::RawLines Cursor::raw_lines(std::uint32_t begin, std::initializer_list<st
     const std::string_view word = trimmed(all.substr(at, end - at));
     if (std::find(end_words.begin(), end_words.end(), word) != end_words.end()) {
       const auto from = static_cast<std::uint32_t>(word.data() - all.data());
-      return {{place({begin, at})}, std::string(word), {from, from + static_cast<std::uint32_t>(word.size())}};
+      return {
+          {place({begin, at})}, std::string(word), {from, from + static_cast<std::uint32_t>(word.size())}};
     }
     at = lexer_.next_line(at);
   }

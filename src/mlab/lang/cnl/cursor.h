@@ -9,8 +9,8 @@
 
 namespace mlab::cnl {
 
-/// The parser's place in one file: the token it looks at, what it takes, and what it says when something else stands
-/// there. The functions that read one construct each stand in `*_parser.cc`.
+/// The parser's place in one file: the token it looks at, what it takes, and what it says when something else
+/// stands there. The functions that read one construct each stand in `*_parser.cc`.
 class Cursor {
  public:
   Cursor(text::SourcePtr source, text::Diagnostics& diagnostics, Layout& layout);
@@ -56,7 +56,8 @@ class Cursor {
     std::string source;
   };
   Doc doc_above() const;
-  /// The `///<` help right after the last token that was taken, on the same line, and the lines that continue it.
+  /// The `///<` help right after the last token that was taken, on the same line, and the lines that continue
+  /// it.
   std::string doc_behind() const;
 
   /// The token starts a line of the canonical layout.
@@ -66,7 +67,7 @@ class Cursor {
   /// The lines from `begin` on up to a line that holds nothing but one of the words.
   struct RawLines {
     Code code;
-    std::string end_word;      ///< empty: the file ended first
+    std::string end_word;  ///< empty: the file ended first
     text::Span end_span;
   };
   RawLines raw_lines(std::uint32_t begin, std::initializer_list<std::string_view> end_words) const;
@@ -102,8 +103,8 @@ void parse_operator(Cursor& cursor, Tree& tree);
 bool parse_range(Cursor& cursor, std::optional<double>& low, std::optional<double>& high, text::Place& place);
 
 /// Words at which reading goes on after an error.
-inline constexpr std::initializer_list<std::string_view> kDeclarationWords = {
-    "procedure", "nprocedure", "external", "init", "type", "module", "modulename",
-    "node", "public", "remote", "parameter", "sequence", "select", "delay"};
+inline const std::initializer_list<std::string_view> kDeclarationWords = {
+    "procedure", "nprocedure", "external", "init",      "type",     "module", "modulename",
+    "node",      "public",     "remote",   "parameter", "sequence", "select", "delay"};
 
 }  // namespace mlab::cnl

@@ -21,7 +21,9 @@ std::string identifier(std::string_view text) {
   return out;
 }
 
-void write_init(CppWriter& out, const Init& init) { out.user_code(init.code); }
+void write_init(CppWriter& out, const Init& init) {
+  out.user_code(init.code);
+}
 
 // A type of the author's own flows once it has a name, a size and nothing that points elsewhere.
 void write_type(CppWriter& out, const TypeDecl& type) {
@@ -31,8 +33,10 @@ void write_type(CppWriter& out, const TypeDecl& type) {
   out.at(type.name.place, fmt::format("::{}", type.name.text));
   out.line("> {");
   out.line("  static const mlab::flow::TypeInfo& info() {");
-  out.line(fmt::format("    static constexpr mlab::flow::TypeInfo kInfo{{.name = {}, .size = sizeof(::{}), .alignment = alignof(::{})}};",
-                       cpp_string(type.name.text), type.name.text, type.name.text));
+  out.line(
+      fmt::format("    static constexpr mlab::flow::TypeInfo kInfo{{.name = {}, .size = sizeof(::{}), "
+                  ".alignment = alignof(::{})}};",
+                  cpp_string(type.name.text), type.name.text, type.name.text));
   out.line("    return kInfo;");
   out.line("  }");
   out.line("};");
@@ -47,7 +51,8 @@ std::vector<const Procedure*> own_procedures(const Tree& tree) {
 void write_module_entry(CppWriter& out, std::string_view function) {
   out.line("");
   out.line("extern \"C\" const mlab::flow::Module* mlab_cnl_module_v1() {");
-  out.line(fmt::format("  static const mlab::flow::Module kModule = mlab::flow::make_module({}());", function));
+  out.line(
+      fmt::format("  static const mlab::flow::Module kModule = mlab::flow::make_module({}());", function));
   out.line("  return &kModule;");
   out.line("}");
 }
@@ -55,8 +60,10 @@ void write_module_entry(CppWriter& out, std::string_view function) {
 }  // namespace
 
 std::string stem_of(std::string_view cnl_file) {
-  if (const std::size_t slash = cnl_file.rfind('/'); slash != std::string_view::npos) cnl_file.remove_prefix(slash + 1);
-  if (const std::size_t dot = cnl_file.rfind('.'); dot != std::string_view::npos && dot > 0) cnl_file = cnl_file.substr(0, dot);
+  if (const std::size_t slash = cnl_file.rfind('/'); slash != std::string_view::npos)
+    cnl_file.remove_prefix(slash + 1);
+  if (const std::size_t dot = cnl_file.rfind('.'); dot != std::string_view::npos && dot > 0)
+    cnl_file = cnl_file.substr(0, dot);
   return identifier(cnl_file);
 }
 
@@ -68,7 +75,8 @@ std::string generate(const Tree& tree, const GenerateOptions& options) {
   out.line("#include \"mlab/flow/firing.h\"");
   if (options.is_module) out.line("#include \"mlab/flow/module.h\"");
   out.line("");
-  // Inputs come in again as parameters of the body; a procedure's own variables may have names of the library.
+  // Inputs come in again as parameters of the body; a procedure's own variables may have names of the
+  // library.
   out.line("#pragma GCC diagnostic ignored \"-Wshadow\"");
   visit_items(tree, [&](const Item& item) {
     if (const auto* init = std::get_if<Init>(&item)) write_init(out, *init);
@@ -98,7 +106,8 @@ std::string generate(const Tree& tree, const GenerateOptions& options) {
     out.line("  return {};");
   } else {
     out.line("  static const mlab::flow::Behavior* const kAll[] = {");
-    for (const std::string& space : spaces) out.line(fmt::format("      &mlab_cnl::{}::{}::behavior(),", stem, space));
+    for (const std::string& space : spaces)
+      out.line(fmt::format("      &mlab_cnl::{}::{}::behavior(),", stem, space));
     out.line("  };");
     out.line("  return kAll;");
   }
@@ -107,16 +116,17 @@ std::string generate(const Tree& tree, const GenerateOptions& options) {
   return std::move(out).text();
 }
 
-std::string generate_table(const std::vector<std::string>& cnl_files) {
-  std::string out = "// Made by cnlc: every procedure of the component library.\n#include <span>\n#include <vector>\n\n";
+std::string generate_table(const std::vector<std::string>& cnl_files, std::string_view name) {
+  std::string out =
+      "// Made by cnlc: all procedures of these files in one list.\n#include <span>\n#include <vector>\n\n";
   out += "#include \"mlab/flow/behavior.h\"\n\n";
   std::vector<std::string> functions;
   for (const std::string& file : cnl_files) functions.push_back(fmt::format("mlab_cnl_{}", stem_of(file)));
   for (const std::string& function : functions) {
     out += fmt::format("std::span<const mlab::flow::Behavior* const> {}();\n", function);
   }
-  out += "\nstd::span<const mlab::flow::Behavior* const> mlab_library_behaviors();\n";
-  out += "std::span<const mlab::flow::Behavior* const> mlab_library_behaviors() {\n";
+  out += fmt::format("\nstd::span<const mlab::flow::Behavior* const> {}();\n", name);
+  out += fmt::format("std::span<const mlab::flow::Behavior* const> {}() {{\n", name);
   out += "  static const std::vector<const mlab::flow::Behavior*> kAll = [] {\n";
   out += "    std::vector<const mlab::flow::Behavior*> all;\n";
   for (const std::string& function : functions) {

@@ -9,17 +9,17 @@
 namespace mlab::cnl {
 
 struct GenerateOptions {
-  std::string output_name;       ///< of the file that the text goes to, for `#line`
-  bool is_module = false;        ///< also what makes it a shared library that `flow/module.h` describes
+  std::string output_name;  ///< of the file that the text goes to, for `#line`
+  bool is_module = false;   ///< also what makes it a shared library that `flow/module.h` describes
 };
 
 /// C++ for the procedures of a file: one namespace with a `fire` function each, and the function
-/// `mlab_cnl_<stem>()` that gives their descriptors. The tree has passed `check_declarations` without an error.
-/// The same tree gives the same text, byte for byte.
+/// `mlab_cnl_<stem>()` that gives their descriptors. The tree has passed `check_declarations` without an
+/// error. The same tree gives the same text, byte for byte.
 std::string generate(const Tree& tree, const GenerateOptions& options);
 
-/// C++ for the function `mlab_library_behaviors()`, which gives the descriptors of all these files.
-std::string generate_table(const std::vector<std::string>& cnl_files);
+/// C++ for the function of that name, which gives the descriptors of all these files.
+std::string generate_table(const std::vector<std::string>& cnl_files, std::string_view function);
 
 /// `move_to_goal` for `a/move_to_goal.cnl`: what its functions are named after.
 std::string stem_of(std::string_view cnl_file);

@@ -5,11 +5,21 @@
 namespace mlab::cnl {
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_name_start(char c) { return is_letter(c) || c == '$' || c == '_'; }
-bool is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_name_start(char c) {
+  return is_letter(c) || c == '$' || c == '_';
+}
+bool is_name_part(char c) {
+  return is_letter(c) || is_digit(c) || c == '_' || c == '-';
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+}
 
 }  // namespace
 
@@ -124,10 +134,13 @@ Token Lexer::next(std::uint32_t offset, std::vector<Comment>* comments) const {
   }
   if (const std::uint32_t end = number_end(i); end > i) return make(Token::Kind::kNumber, i, end);
   switch (c) {
-    case '(': return parenthesis(i);
-    case '{': return initializer(i);
+    case '(':
+      return parenthesis(i);
+    case '{':
+      return initializer(i);
     case '"':
-    case '\'': return quoted(i);
+    case '\'':
+      return quoted(i);
     case '<':
     case '>':
     case ',':
@@ -136,7 +149,8 @@ Token Lexer::next(std::uint32_t offset, std::vector<Comment>* comments) const {
     case ':':
     case '[':
     case ']':
-    case ')': return make(Token::Kind::kPunctuation, i, i + 1);
+    case ')':
+      return make(Token::Kind::kPunctuation, i, i + 1);
     case '.':
       if (at(i + 1) == '.') return make(Token::Kind::kPunctuation, i, i + 2);
       break;
@@ -149,7 +163,8 @@ Token Lexer::next(std::uint32_t offset, std::vector<Comment>* comments) const {
     case '#':
       if (starts_line(i)) return make(Token::Kind::kDirective, i, line_end(i));
       break;
-    default: break;
+    default:
+      break;
   }
   std::uint32_t end = i + 1;
   while (end < text_.size() && !is_blank(text_[end]) && !is_name_part(text_[end]) &&

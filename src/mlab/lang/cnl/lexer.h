@@ -34,7 +34,8 @@ struct Comment {
   bool is_closed = true;
 };
 
-/// Cuts a source into tokens, one at a time and from any place, because user code in between is not cut at all.
+/// Cuts a source into tokens, one at a time and from any place, because user code in between is not cut at
+/// all.
 class Lexer {
  public:
   explicit Lexer(std::string_view text) : text_(text) {}

@@ -9,7 +9,7 @@ namespace mlab::cnl {
 namespace {
 
 // A node that forgot its `nend` must not swallow the next one.
-constexpr std::initializer_list<std::string_view> kAfterLinks = {"nend", "node", "sequence", "select", "delay"};
+const std::initializer_list<std::string_view> kAfterLinks = {"nend", "node", "sequence", "select", "delay"};
 
 // A source; `MODULE : NODE` is read whole and refused.
 std::optional<flow::Source> parse_link_source(Cursor& cursor) {
@@ -18,7 +18,9 @@ std::optional<flow::Source> parse_link_source(Cursor& cursor) {
   cursor.advance();
   const auto node = cursor.expect_name("the name of the node in that module");
   if (!node) return std::nullopt;
-  cursor.error("remote-node", source->place, fmt::format("`{}:{}` is a node of another robot", source->text, node->text))
+  cursor
+      .error("remote-node", source->place,
+             fmt::format("`{}:{}` is a node of another robot", source->text, node->text))
       .hints.emplace_back("robots tell each other things by notifications");
   source->text += ":" + node->text;
   return source;
@@ -170,7 +172,8 @@ void parse_select_body(Cursor& cursor, flow::Node& node) {
 
 // Behind the links of a delay: `value` first, and there.
 void order_delay(Cursor& cursor, flow::Node& node) {
-  const auto value = std::find_if(node.links.begin(), node.links.end(), [](const flow::Link& l) { return l.input == "value"; });
+  const auto value = std::find_if(node.links.begin(), node.links.end(),
+                                  [](const flow::Link& l) { return l.input == "value"; });
   if (value == node.links.end()) {
     cursor.error("missing-value", node.place, fmt::format("the delay `{}` has no `value = ...;`", node.name));
   } else {
@@ -179,7 +182,9 @@ void order_delay(Cursor& cursor, flow::Node& node) {
 }
 
 // May stay on one line where its author wrote it on one.
-void note_one_liner(Cursor& cursor, std::uint32_t begin) { cursor.layout().one_liners.push_back({begin, cursor.last_end()}); }
+void note_one_liner(Cursor& cursor, std::uint32_t begin) {
+  cursor.layout().one_liners.push_back({begin, cursor.last_end()});
+}
 
 }  // namespace
 
@@ -203,7 +208,8 @@ void parse_node(Cursor& cursor, Tree& tree) {
   }
   if (is_remote) {
     decl.remote_module = *name;
-    if (!cursor.expect(":", "after the module") || !(name = cursor.expect_name("the name of the node in that module"))) {
+    if (!cursor.expect(":", "after the module") ||
+        !(name = cursor.expect_name("the name of the node in that module"))) {
       cursor.skip_to(kDeclarationWords);
       return;
     }
@@ -243,7 +249,8 @@ void parse_operator(Cursor& cursor, Tree& tree) {
   cursor.advance();
   const auto name = cursor.expect_name(fmt::format("the name of the {}", word));
   std::optional<Word> type;
-  if (!name || !cursor.expect("of", "and the type of its output") || !(type = cursor.expect_name("the type of the output"))) {
+  if (!name || !cursor.expect("of", "and the type of its output") ||
+      !(type = cursor.expect_name("the type of the output"))) {
     cursor.skip_to({"nend", "node"});
     cursor.take("nend");
     return;
@@ -258,9 +265,15 @@ void parse_operator(Cursor& cursor, Tree& tree) {
   decl.description = take_description(cursor);
   cursor.expect("with", fmt::format("before the parts of the {}", word));
   switch (node.kind) {
-    case flow::Node::Kind::kSequence: parse_sequence_body(cursor, node); break;
-    case flow::Node::Kind::kSelect: parse_select_body(cursor, node); break;
-    default: parse_links(cursor, node); order_delay(cursor, node);
+    case flow::Node::Kind::kSequence:
+      parse_sequence_body(cursor, node);
+      break;
+    case flow::Node::Kind::kSelect:
+      parse_select_body(cursor, node);
+      break;
+    default:
+      parse_links(cursor, node);
+      order_delay(cursor, node);
   }
   if (cursor.is("nend")) cursor.line(0);
   finish_node(cursor, node);

@@ -26,8 +26,10 @@ void parse_include(Cursor& cursor, Tree& tree) {
     }
   } else {
     const std::uint32_t begin = cursor.token().span.begin;
-    const text::Span span{begin + static_cast<std::uint32_t>(open) + 1, begin + static_cast<std::uint32_t>(close)};
-    tree.items.emplace_back(Include{{std::string(line.substr(open + 1, close - open - 1)), cursor.place(span)}, nullptr});
+    const text::Span span{begin + static_cast<std::uint32_t>(open) + 1,
+                          begin + static_cast<std::uint32_t>(close)};
+    tree.items.emplace_back(
+        Include{{std::string(line.substr(open + 1, close - open - 1)), cursor.place(span)}, nullptr});
   }
   cursor.advance();
 }
@@ -72,15 +74,18 @@ Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics, Layout
     } else if (cursor.is_any(kDeclarationWords)) {
       parse_declaration(cursor, tree);
     } else {
-      cursor.expected("a declaration or a node").hints.emplace_back(
-          "declarations start with `procedure`, `external`, `init`, `type`, `module`; nodes with `node`, `parameter`, "
-          "`sequence`, `select`, `delay`");
+      cursor.expected("a declaration or a node")
+          .hints.emplace_back(
+              "declarations start with `procedure`, `external`, `init`, `type`, `module`; nodes with `node`, "
+              "`parameter`, "
+              "`sequence`, `select`, `delay`");
       cursor.advance();
       cursor.skip_to(kDeclarationWords);
     }
     if (cursor.token().span.begin == before) cursor.advance();
   }
-  const auto unclosed = std::find_if(found.comments.begin(), found.comments.end(), [](const Comment& c) { return !c.is_closed; });
+  const auto unclosed = std::find_if(found.comments.begin(), found.comments.end(),
+                                     [](const Comment& c) { return !c.is_closed; });
   if (unclosed != found.comments.end()) {
     diagnostics.warning("unclosed-comment", {source, {unclosed->span.begin, unclosed->span.begin + 2}},
                         "the comment is not closed; everything after it is left out");

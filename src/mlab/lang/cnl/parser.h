@@ -14,16 +14,17 @@ struct LineStart {
 
 /// What `parse` found besides the tree; the printer needs it.
 struct Layout {
-  std::vector<LineStart> lines;       ///< ascending
-  std::vector<text::Span> raw;        ///< user code between declarations, ascending
-  std::vector<Comment> comments;      ///< those outside of user code, ascending
-  std::vector<text::Span> one_liners; ///< `node ... nend` that may stay on one line
+  std::vector<LineStart> lines;        ///< ascending
+  std::vector<text::Span> raw;         ///< user code between declarations, ascending
+  std::vector<Comment> comments;       ///< those outside of user code, ascending
+  std::vector<text::Span> one_liners;  ///< `node ... nend` that may stay on one line
 };
 
 /// Reads one CNL file. Reads no other file: `Include::tree` stays empty.
 ///
 /// @return  the tree; after errors it lacks the declarations that could not be read
-/// @errors  `syntax`, `unclosed-*`, `missing-section`, `section-order`, `declaration-after-node`, ...: see the
+/// @errors  `syntax`, `unclosed-*`, `missing-section`, `section-order`, `declaration-after-node`, ...: see
+/// the
 ///          tests; after an error reading goes on at the next declaration, input or link
 Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics, Layout* layout = nullptr);
 

@@ -29,33 +29,42 @@ Argument input_argument(const InputDecl& input) {
   const std::string& name = input.name.text;
   if (input.is_list) {
     return {name, fmt::format("const mlab::flow::InputList<{}>&", type),
-            fmt::format("const auto {} = mlab::flow::take_list<{}>(call, next);", name, type)};
+            fmt::format("const auto {} = mlab::flow::take_list<{}>(mlab_call, mlab_next);", name, type)};
   }
-  const std::string made = fmt::format("[[maybe_unused]] decltype(auto) {} = mlab::flow::take<{}>(call, next);", name, type);
+  const std::string made = fmt::format(
+      "[[maybe_unused]] decltype(auto) {} = mlab::flow::take<{}>(mlab_call, mlab_next);", name, type);
   if (known && known->is_reading) return {name, fmt::format("const mlab::flow::Seen<{}>&", type), made};
   return {name, fmt::format("const {}{}", type, known && known->is_scalar ? "" : "&"), made};
 }
 
 Argument context_argument(std::string_view name) {
-  if (name == "percepts") return {"percepts", "const mlab::percept::Percepts&", "const auto& percepts = *call.cycle->percepts;"};
-  if (name == "action") return {"action", "mlab::percept::Action&", "auto& action = *call.cycle->action;"};
-  if (name == "random") return {"random", "mlab::base::Random&", "mlab::base::Random random = call.random();"};
-  if (name == "cycle") return {"cycle", "const std::uint64_t", "const std::uint64_t cycle = call.cycle->number;"};
-  if (name == "time") return {"time", "const double", "const double time = call.cycle->percepts->time;"};
-  return {"cycle_duration", "const double", "const double cycle_duration = call.cycle->percepts->cycle_duration;"};
+  if (name == "percepts")
+    return {"percepts", "const mlab::percept::Percepts&",
+            "const auto& percepts = *mlab_call.cycle->percepts;"};
+  if (name == "action")
+    return {"action", "mlab::percept::Action&", "auto& action = *mlab_call.cycle->action;"};
+  if (name == "random")
+    return {"random", "mlab::base::Random&", "mlab::base::Random random = mlab_call.random();"};
+  if (name == "cycle")
+    return {"cycle", "const std::uint64_t", "const std::uint64_t cycle = mlab_call.cycle->number;"};
+  if (name == "time") return {"time", "const double", "const double time = mlab_call.cycle->percepts->time;"};
+  return {"cycle_duration", "const double",
+          "const double cycle_duration = mlab_call.cycle->percepts->cycle_duration;"};
 }
 
 std::vector<Argument> arguments_of(const Procedure& procedure) {
   std::vector<Argument> out;
   if (!procedure.is_sink()) {
     const std::string type = cpp_type(procedure.output_type);
-    out.push_back({"output", type + "&", fmt::format("auto& output = call.at<{}>(call.output);", type)});
+    out.push_back(
+        {"output", type + "&", fmt::format("auto& output = mlab_call.at<{}>(mlab_call.output);", type)});
   }
   for (const InputDecl& input : procedure.inputs) {
     out.push_back(input_argument(input));
     if (!input.is_list) continue;
     const std::string count = input.name.text + "_num";
-    out.push_back({count, "const int", fmt::format("const int {} = static_cast<int>({}.size());", count, input.name.text)});
+    out.push_back({count, "const int",
+                   fmt::format("const int {} = static_cast<int>({}.size());", count, input.name.text)});
   }
   for (const std::string_view name : kContextNames) {
     if (uses_context(procedure, name)) out.push_back(context_argument(name));
@@ -96,7 +105,8 @@ class ProcedureCode {
       out += fmt::format("{}[[maybe_unused]] {} {}", out.empty() ? "" : ", ", type, name);
     };
     if (with_once) {
-      for (std::size_t i = 0; i < once_.size(); ++i) add(fmt::format("std::tuple_element_t<{}, Kept>", i), once_[i].name);
+      for (std::size_t i = 0; i < once_.size(); ++i)
+        add(fmt::format("std::tuple_element_t<{}, mlab_Kept>", i), once_[i].name);
     }
     for (const Argument& argument : arguments_) add(argument.parameter_type, argument.name);
     return out;
@@ -118,12 +128,14 @@ class ProcedureCode {
   void assert_copyable(const UserCode::Variable& variable, std::string_view section_word) {
     out_.line("static_assert(");
     out_.at(variable.place, fmt::format("mlab::flow::is_state<decltype({})>,", variable.name));
-    out_.line(fmt::format("{});", cpp_string(fmt::format("the {} variable `{}` cannot be copied byte by byte, as state has to be",
-                                                         section_word, variable.name))));
+    out_.line(fmt::format(
+        "{});",
+        cpp_string(fmt::format("the {} variable `{}` cannot be copied byte by byte, as state has to be",
+                               section_word, variable.name))));
   }
 
   void write_once() {
-    out_.line(fmt::format("auto once_section({}) {{", parameters(false)));
+    out_.line(fmt::format("auto mlab_once_section({}) {{", parameters(false)));
     out_.line("{");
     out_.user_code(*procedure_.once);
     std::string names;
@@ -131,20 +143,21 @@ class ProcedureCode {
       assert_copyable(variable, "once");
       names += (names.empty() ? "" : ", ") + variable.name;
     }
-    out_.line(fmt::format("return [{}](auto&& use) mutable {{ return use({}); }};", names, names));
+    out_.line(fmt::format("return [{}](auto&& mlab_use) mutable {{ return mlab_use({}); }};", names, names));
     out_.line("}");
     out_.line("}");
-    out_.line("using Once = mlab::flow::Result<decltype(once_section)>;");
-    out_.line("using Kept = decltype(std::declval<Once&>()(mlab::flow::tie));");
+    out_.line("using mlab_Once = mlab::flow::Result<decltype(mlab_once_section)>;");
+    out_.line("using mlab_Kept = decltype(std::declval<mlab_Once&>()(mlab::flow::tie));");
   }
 
   void write_header() {
-    out_.line(fmt::format("auto header_section({}) {{", parameters(has_once_)));
+    out_.line(fmt::format("auto mlab_header_section({}) {{", parameters(has_once_)));
     out_.line("{");
     out_.user_code(*procedure_.header);
     const UserCode header(*procedure_.header);
     for (const UserCode::Variable& variable : header.variables()) {
-      const bool is_kept = !variable.is_constant && procedure_.body && UserCode(*procedure_.body).mentions(variable.name);
+      const bool is_kept =
+          !variable.is_constant && procedure_.body && UserCode(*procedure_.body).mentions(variable.name);
       if (is_kept) assert_copyable(variable, "header");
     }
     out_.line(fmt::format("return [=]({}) mutable {{", parameters(has_once_)));
@@ -152,46 +165,52 @@ class ProcedureCode {
     out_.line("};");
     out_.line("}");
     out_.line("}");
-    out_.line("using Body = mlab::flow::Result<decltype(header_section)>;");
+    out_.line("using mlab_Body = mlab::flow::Result<decltype(mlab_header_section)>;");
     out_.line("static_assert(");
-    out_.at(procedure_.header->place, "mlab::flow::is_state<Body>,");
+    out_.at(procedure_.header->place, "mlab::flow::is_state<mlab_Body>,");
     out_.line("\"something that the header declares cannot be copied byte by byte, as state has to be\");");
   }
 
   void write_body() {
-    out_.line(fmt::format("void body_section({}) {{", parameters(has_once_)));
+    out_.line(fmt::format("void mlab_body_section({}) {{", parameters(has_once_)));
     section(procedure_.body);
     out_.line("}");
   }
 
   void write_state() {
-    out_.line("struct State {");
-    if (has_once_) out_.line("  mlab::flow::Slot<Once> once;");
-    if (has_header_) out_.line("  mlab::flow::Slot<Body> body;");
+    out_.line("struct mlab_State {");
+    if (has_once_) out_.line("  mlab::flow::Slot<mlab_Once> once;");
+    if (has_header_) out_.line("  mlab::flow::Slot<mlab_Body> body;");
     out_.line("};");
   }
 
   // The names of all arguments, behind the references to what `once` kept.
   std::string call_of(std::string_view function, bool with_once) const {
     if (!with_once) return fmt::format("{}({})", function, argument_names());
-    std::string names = "kept...";
+    std::string names = "mlab_kept...";
     for (const Argument& argument : arguments_) names += ", " + argument.name;
-    return fmt::format("state.once.get()([&](auto&... kept) {{ return {}({}); }})", function, names);
+    return fmt::format("mlab_state.once.get()([&](auto&... mlab_kept) {{ return {}({}); }})", function,
+                       names);
   }
 
   void write_fire() {
-    out_.line("void fire(mlab::flow::Call& call) {");
-    if (!procedure_.inputs.empty()) out_.line("  [[maybe_unused]] const std::uint32_t* next = call.inputs;");
+    out_.line("void fire(mlab::flow::Call& mlab_call) {");
+    if (!procedure_.inputs.empty())
+      out_.line("  [[maybe_unused]] const std::uint32_t* mlab_next = mlab_call.inputs;");
     for (const Argument& argument : arguments_) out_.line("  " + argument.made);
-    if (has_once_ || has_header_) out_.line("  State& state = call.at<State>(call.state);");
-    if (has_once_) out_.line(fmt::format("  if (call.is_first) state.once.put({});", call_of("once_section", false)));
+    if (has_once_ || has_header_)
+      out_.line("  mlab_State& mlab_state = mlab_call.at<mlab_State>(mlab_call.state);");
+    if (has_once_)
+      out_.line(fmt::format("  if (mlab_call.is_first) mlab_state.once.put({});",
+                            call_of("mlab_once_section", false)));
     if (has_header_) {
-      out_.line(fmt::format("  if (call.is_restart) state.body.put({});", call_of("header_section", has_once_)));
-      out_.line(fmt::format("  {};", call_of("state.body.get()", has_once_)));
+      out_.line(fmt::format("  if (mlab_call.is_restart) mlab_state.body.put({});",
+                            call_of("mlab_header_section", has_once_)));
+      out_.line(fmt::format("  {};", call_of("mlab_state.body.get()", has_once_)));
     } else {
-      out_.line(fmt::format("  {};", call_of("body_section", has_once_)));
+      out_.line(fmt::format("  {};", call_of("mlab_body_section", has_once_)));
     }
-    if (arguments_.empty() && !has_once_ && !has_header_) out_.line("  static_cast<void>(call);");
+    if (arguments_.empty() && !has_once_ && !has_header_) out_.line("  static_cast<void>(mlab_call);");
     out_.line("}");
   }
 
@@ -205,42 +224,43 @@ class ProcedureCode {
     field("help", cpp_string(procedure_.help));
     field("source", cpp_string(procedure_.source));
     const text::Place& place = procedure_.name.place;
-    field("file", cpp_string(fmt::format("{}:{}", base_name(place.source->name()), place.source->line_column(place.span.begin).line)));
-    if (!procedure_.is_sink()) {
-      field("output", fmt::format("&mlab::flow::type_info<{}>()", cpp_type(procedure_.output_type)));
-      field("output_unit", cpp_string(procedure_.output_unit.text));
-    }
-    if (!procedure_.inputs.empty()) field("inputs", "kInputs");
-    if (!procedure_.aliases.empty()) field("aliases", "kAliases");
-    if (!procedure_.needs.empty()) field("needs", "kNeeds");
-    if (procedure_.is_pure) field("is_pure", "true");
-    if (procedure_.latency) field("latency_cycles", fmt::format("{}", *procedure_.latency));
-    if (has_once_ || has_header_) {
-      field("state_size", "sizeof(State)");
-      field("state_alignment", "alignof(State)");
-    }
-    if (has_header_) field("has_header", "true");
+    field("file", cpp_string(fmt::format("{}:{}", base_name(place.source->name()),
+                                         place.source->line_column(place.span.begin).line)));
+    const std::string type = procedure_.is_sink() ? "" : cpp_type(procedure_.output_type);
+    const bool has_state = has_once_ || has_header_;
+    field("output", type.empty() ? "nullptr" : fmt::format("&mlab::flow::type_info<{}>()", type));
+    field("output_unit", cpp_string(procedure_.output_unit.text));
+    field("inputs", procedure_.inputs.empty() ? "{}" : "kInputs");
+    field("aliases", procedure_.aliases.empty() ? "{}" : "kAliases");
+    field("needs", procedure_.needs.empty() ? "{}" : "kNeeds");
+    field("is_pure", procedure_.is_pure ? "true" : "false");
+    field("latency_cycles", fmt::format("{}", procedure_.latency.value_or(0)));
+    field("state_size", has_state ? "sizeof(mlab_State)" : "0");
+    field("state_alignment", has_state ? "alignof(mlab_State)" : "1");
+    field("has_header", has_header_ ? "true" : "false");
     field("fire", "fire");
-    if (!procedure_.is_sink()) {
-      field("write_initial_output", fmt::format("mlab::flow::write_initial<{}>", cpp_type(procedure_.output_type)));
-    }
+    field("write_initial_output",
+          type.empty() ? "nullptr" : fmt::format("mlab::flow::write_initial<{}>", type));
     out_.line("  };");
     out_.line("  return kBehavior;");
     out_.line("}");
   }
 
-  void field(std::string_view name, std::string_view value) { out_.line(fmt::format("      .{} = {},", name, value)); }
+  void field(std::string_view name, std::string_view value) {
+    out_.line(fmt::format("      .{} = {},", name, value));
+  }
 
   void write_inputs() {
     if (procedure_.inputs.empty()) return;
     out_.line("  static const mlab::flow::Input kInputs[] = {");
     for (const InputDecl& input : procedure_.inputs) {
-      std::string text = fmt::format("      {{.name = {}, .type = &mlab::flow::type_info<{}>(), .unit = {}, .help = {}, .is_list = {}",
-                                     cpp_string(input.name.text), cpp_type(input.type), cpp_string(input.unit.text),
-                                     cpp_string(input.help), input.is_list);
+      std::string text = fmt::format(
+          "      {{.name = {}, .type = &mlab::flow::type_info<{}>(), .unit = {}, .help = {}, .is_list = {}",
+          cpp_string(input.name.text), cpp_type(input.type), cpp_string(input.unit.text),
+          cpp_string(input.help), input.is_list);
       text += fmt::format(", .default_text = {}", cpp_string(input.initial ? input.initial->text : ""));
-      if (input.low) text += fmt::format(", .min = {:.17g}", *input.low);
-      if (input.high) text += fmt::format(", .max = {:.17g}", *input.high);
+      text += fmt::format(", .min = {:.17g}, .max = {:.17g}", input.low.value_or(-1e300),
+                          input.high.value_or(1e300));
       out_.line(text + "},");
     }
     out_.line("  };");
@@ -268,18 +288,21 @@ class ProcedureCode {
       for (const AliasPort& port : alias.ports) {
         if (port.input.text == "none") ignored += cpp_string(port.name.text) + ", ";
       }
-      if (!ports.empty()) out_.line(fmt::format("  static constexpr mlab::flow::Alias::Port kPorts{}[] = {{{}}};", i, ports));
-      if (!ignored.empty()) out_.line(fmt::format("  static constexpr std::string_view kIgnored{}[] = {{{}}};", i, ignored));
+      if (!ports.empty())
+        out_.line(fmt::format("  static constexpr mlab::flow::Alias::Port kPorts{}[] = {{{}}};", i, ports));
+      if (!ignored.empty())
+        out_.line(fmt::format("  static constexpr std::string_view kIgnored{}[] = {{{}}};", i, ignored));
     }
     out_.line("  static const mlab::flow::Alias kAliases[] = {");
     for (std::size_t i = 0; i < procedure_.aliases.size(); ++i) {
       const AliasDecl& alias = procedure_.aliases[i];
       const auto ignores = [](const AliasPort& port) { return port.input.text == "none"; };
       const bool has_ignored = std::any_of(alias.ports.begin(), alias.ports.end(), ignores);
-      out_.line(fmt::format("      {{{}, {}, {}, {}}},", cpp_string(alias.name.text),
-                            procedure_.inputs.empty() ? std::string("{}") : fmt::format("kPorts{}", i),
-                            has_ignored ? fmt::format("kIgnored{}", i) : std::string("{}"),
-                            cpp_string(alias.output_unit.text.empty() ? procedure_.output_unit.text : alias.output_unit.text)));
+      out_.line(fmt::format(
+          "      {{{}, {}, {}, {}}},", cpp_string(alias.name.text),
+          procedure_.inputs.empty() ? std::string("{}") : fmt::format("kPorts{}", i),
+          has_ignored ? fmt::format("kIgnored{}", i) : std::string("{}"),
+          cpp_string(alias.output_unit.text.empty() ? procedure_.output_unit.text : alias.output_unit.text)));
     }
     out_.line("  };");
   }
@@ -310,6 +333,8 @@ class ProcedureCode {
 
 }  // namespace
 
-void write_procedure(CppWriter& out, const Procedure& procedure) { ProcedureCode(out, procedure).write(); }
+void write_procedure(CppWriter& out, const Procedure& procedure) {
+  ProcedureCode(out, procedure).write();
+}
 
 }  // namespace mlab::cnl

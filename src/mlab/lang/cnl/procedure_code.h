@@ -6,8 +6,8 @@
 
 namespace mlab::cnl {
 
-/// C++ of one procedure, without the namespace around it: its sections as functions, its `fire`, and the function
-/// `behavior()` with its descriptor.
+/// C++ of one procedure, without the namespace around it: its sections as functions, its `fire`, and the
+/// function `behavior()` with its descriptor.
 void write_procedure(CppWriter& out, const Procedure& procedure);
 
 }  // namespace mlab::cnl

@@ -7,7 +7,7 @@
 namespace mlab::cnl {
 namespace {
 
-constexpr std::initializer_list<std::string_view> kSectionWords = {"once", "header", "body", "pend"};
+const std::initializer_list<std::string_view> kSectionWords = {"once", "header", "body", "pend"};
 
 bool parse_alias_port(Cursor& cursor, AliasDecl& alias) {
   AliasPort port;
@@ -107,7 +107,8 @@ std::optional<InputDecl> parse_input(Cursor& cursor) {
   if (!name) return std::nullopt;
   input.name = *name;
   if (cursor.take("=")) {
-    if (!(input.initial = cursor.expect_source("the value that the input has when nothing is linked to it"))) {
+    if (!(input.initial =
+              cursor.expect_source("the value that the input has when nothing is linked to it"))) {
       return std::nullopt;
     }
   }
@@ -153,8 +154,9 @@ struct Sections {
   static int rank(std::string_view word) { return word == "once" ? 0 : word == "header" ? 1 : 2; }
 
   void missing(std::string_view word, text::Place at, std::string_view code) {
-    auto& diagnostic = cursor.error("missing-section", std::move(at),
-                                    fmt::format("the procedure `{}` has no `{}` section", procedure.name.text, word));
+    auto& diagnostic =
+        cursor.error("missing-section", std::move(at),
+                     fmt::format("the procedure `{}` has no `{}` section", procedure.name.text, word));
     diagnostic.label = fmt::format("`{}` has to come before this", word);
     hint_at_lost_word(diagnostic, code, word);
   }
@@ -236,13 +238,15 @@ bool parse_head(Cursor& cursor, Procedure& procedure) {
   if (!name) return false;
   procedure.name = *name;
   if (!parse_attributes(cursor, procedure)) return false;
-  if (procedure.is_pure || procedure.latency || !procedure.needs.empty() || !procedure.aliases.empty()) cursor.line(0);
+  if (procedure.is_pure || procedure.latency || !procedure.needs.empty() || !procedure.aliases.empty())
+    cursor.line(0);
   return cursor.expect("with", "before the inputs");
 }
 
 }  // namespace
 
-bool parse_range(Cursor& cursor, std::optional<double>& low, std::optional<double>& high, text::Place& place) {
+bool parse_range(Cursor& cursor, std::optional<double>& low, std::optional<double>& high,
+                 text::Place& place) {
   if (!cursor.is("in")) return true;
   const text::Span begin = cursor.token().span;
   cursor.advance();
@@ -274,7 +278,8 @@ void parse_procedure(Cursor& cursor, Tree& tree) {
   parse_inputs(cursor, procedure);
   if (procedure.is_external) {
     cursor.line(0);
-    if (!cursor.expect("pend", "after the inputs of an external procedure")) cursor.skip_to(kDeclarationWords);
+    if (!cursor.expect("pend", "after the inputs of an external procedure"))
+      cursor.skip_to(kDeclarationWords);
   } else if (!has_head) {
     Procedure ignored = procedure;
     if (cursor.is_any(kSectionWords)) parse_sections(cursor, ignored);
@@ -289,8 +294,8 @@ void parse_init(Cursor& cursor, Tree& tree) {
   const text::Place word = cursor.here();
   const auto lines = cursor.raw_lines(cursor.code_start(), {"iend"});
   if (lines.end_word.empty()) {
-    cursor.error("unclosed-init", word, "`init` has no `iend`").hints.emplace_back(
-        "`iend` counts only when it is alone on its line");
+    cursor.error("unclosed-init", word, "`init` has no `iend`")
+        .hints.emplace_back("`iend` counts only when it is alone on its line");
   }
   cursor.layout().raw.push_back(lines.code.place.span);
   cursor.layout().lines.push_back({lines.end_span.begin, 0});

@@ -65,7 +65,7 @@ struct Procedure {
   std::string help;
   std::string source;  ///< of the formula
   bool is_pure = false;
-  Word pure;     ///< the word, for messages
+  Word pure;  ///< the word, for messages
   std::optional<int> latency;
   std::vector<NeedDecl> needs;
   std::vector<AliasDecl> aliases;

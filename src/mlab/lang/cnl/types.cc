@@ -27,11 +27,20 @@ constexpr std::array kTypes = {
 };
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kHistoric = {{
-    {"boolean", "bool"},       {"float", "double"},          {"short", "int"},
-    {"long", "int"},           {"char", "int"},              {"signed", "int"},
-    {"unsigned", "int"},       {"robot_position", "Pose"},   {"obs_array", "Obstacles"},
-    {"ObjectList", "Objects"}, {"ObjectReading", "Object"},  {"OneObjectClass", "ObjectClasses"},
-    {"CNLString_t", "Text"},   {"gt_Formation", "Formation"},
+    {"boolean", "bool"},
+    {"float", "double"},
+    {"short", "int"},
+    {"long", "int"},
+    {"char", "int"},
+    {"signed", "int"},
+    {"unsigned", "int"},
+    {"robot_position", "Pose"},
+    {"obs_array", "Obstacles"},
+    {"ObjectList", "Objects"},
+    {"ObjectReading", "Object"},
+    {"OneObjectClass", "ObjectClasses"},
+    {"CNLString_t", "Text"},
+    {"gt_Formation", "Formation"},
 }};
 
 constexpr std::array<std::string_view, 6> kLost = {"type_pry",        "Reinforcer", "gt_Unit_Members",
@@ -40,9 +49,11 @@ constexpr std::array<std::string_view, 6> kLost = {"type_pry",        "Reinforce
 }  // namespace
 
 const PortType* find_port_type(std::string_view name) {
-  const auto historic = std::find_if(kHistoric.begin(), kHistoric.end(), [&](const auto& h) { return h.first == name; });
+  const auto historic =
+      std::find_if(kHistoric.begin(), kHistoric.end(), [&](const auto& h) { return h.first == name; });
   if (historic != kHistoric.end()) name = historic->second;
-  const auto found = std::find_if(kTypes.begin(), kTypes.end(), [&](const PortType& t) { return t.name == name; });
+  const auto found =
+      std::find_if(kTypes.begin(), kTypes.end(), [&](const PortType& t) { return t.name == name; });
   return found == kTypes.end() ? nullptr : &*found;
 }
 
@@ -53,6 +64,8 @@ std::vector<std::string> port_type_names() {
   return out;
 }
 
-bool is_lost_historic_type(std::string_view name) { return std::find(kLost.begin(), kLost.end(), name) != kLost.end(); }
+bool is_lost_historic_type(std::string_view name) {
+  return std::find(kLost.begin(), kLost.end(), name) != kLost.end();
+}
 
 }  // namespace mlab::cnl

@@ -8,8 +8,8 @@ namespace mlab::cnl {
 
 /// A type of values on wires that the language knows without a declaration.
 struct PortType {
-  std::string_view name;  ///< as new networks write it
-  std::string_view cpp;   ///< in generated code, within `using namespace mlab::schema`
+  std::string_view name;    ///< as new networks write it
+  std::string_view cpp;     ///< in generated code, within `using namespace mlab::schema`
   bool is_reading = false;  ///< procedures see a view of this cycle's readings, not the value itself
   bool is_scalar = false;   ///< passed by value
 };

@@ -11,45 +11,59 @@ namespace {
 using Kind = CppToken::Kind;
 
 bool is_word_start(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' || (static_cast<unsigned char>(c) & 0x80U) != 0;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' ||
+         (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word_part(char c) { return is_word_start(c) || is_digit(c); }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_word_part(char c) {
+  return is_word_start(c) || is_digit(c);
+}
 
 template <std::size_t N>
 bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-constexpr auto kKeywords = std::to_array<std::string_view>({
-    "alignas",   "alignof",     "and",          "and_eq",    "asm",          "auto",       "bitand",    "bitor",
-    "bool",      "break",       "case",         "catch",     "char",         "char8_t",    "char16_t",  "char32_t",
-    "class",     "compl",       "concept",      "const",     "consteval",    "constexpr",  "constinit", "const_cast",
-    "continue",  "co_await",    "co_return",    "co_yield",  "decltype",     "default",    "delete",    "do",
-    "double",    "dynamic_cast", "else",        "enum",      "explicit",     "export",     "extern",    "false",
-    "float",     "for",         "friend",       "goto",      "if",           "inline",     "int",       "long",
-    "mutable",   "namespace",   "new",          "noexcept",  "not",          "not_eq",     "nullptr",   "operator",
-    "or",        "or_eq",       "private",      "protected", "public",       "register",   "reinterpret_cast", "requires",
-    "return",    "short",       "signed",       "sizeof",    "static",       "static_assert", "static_cast", "struct",
-    "switch",    "template",    "this",         "thread_local", "throw",     "true",       "try",       "typedef",
-    "typeid",    "typename",    "union",        "unsigned",  "using",        "virtual",    "void",      "volatile",
-    "wchar_t",   "while",       "xor",          "xor_eq"});
+constexpr auto kKeywords = std::to_array<std::string_view>(
+    {"alignas",     "alignof",   "and",        "and_eq",    "asm",      "auto",         "bitand",
+     "bitor",       "bool",      "break",      "case",      "catch",    "char",         "char8_t",
+     "char16_t",    "char32_t",  "class",      "compl",     "concept",  "const",        "consteval",
+     "constexpr",   "constinit", "const_cast", "continue",  "co_await", "co_return",    "co_yield",
+     "decltype",    "default",   "delete",     "do",        "double",   "dynamic_cast", "else",
+     "enum",        "explicit",  "export",     "extern",    "false",    "float",        "for",
+     "friend",      "goto",      "if",         "inline",    "int",      "long",         "mutable",
+     "namespace",   "new",       "noexcept",   "not",       "not_eq",   "nullptr",      "operator",
+     "or",          "or_eq",     "private",    "protected", "public",   "register",     "reinterpret_cast",
+     "requires",    "return",    "short",      "signed",    "sizeof",   "static",       "static_assert",
+     "static_cast", "struct",    "switch",     "template",  "this",     "thread_local", "throw",
+     "true",        "try",       "typedef",    "typeid",    "typename", "union",        "unsigned",
+     "using",       "virtual",   "void",       "volatile",  "wchar_t",  "while",        "xor",
+     "xor_eq"});
 
-constexpr auto kStatementWords = std::to_array<std::string_view>({
-    "if", "for", "while", "switch", "do", "else", "try", "catch", "return", "goto", "break", "continue",
-    "case", "default", "static_assert", "delete", "throw", "asm", "operator", "new", "this", "sizeof", "co_return", "friend"});
-constexpr auto kBlockWords = std::to_array<std::string_view>({"if", "for", "while", "switch", "do", "else", "try", "catch", "{"});
-constexpr auto kSpecifiers = std::to_array<std::string_view>({"const",  "constexpr", "volatile", "inline", "static",
-                                                         "thread_local", "register", "constinit", "typename"});
-constexpr auto kBuiltinTypes = std::to_array<std::string_view>({"unsigned", "signed", "short", "long", "int",
-                                                            "char", "bool", "float", "double", "auto"});
-constexpr auto kTypeWords = std::to_array<std::string_view>({"struct", "class", "enum", "union", "using", "typedef"});
+constexpr auto kStatementWords = std::to_array<std::string_view>(
+    {"if",     "for",  "while",    "switch",   "do",   "else",    "try",           "catch",
+     "return", "goto", "break",    "continue", "case", "default", "static_assert", "delete",
+     "throw",  "asm",  "operator", "new",      "this", "sizeof",  "co_return",     "friend"});
+constexpr auto kBlockWords =
+    std::to_array<std::string_view>({"if", "for", "while", "switch", "do", "else", "try", "catch", "{"});
+constexpr auto kSpecifiers =
+    std::to_array<std::string_view>({"const", "constexpr", "volatile", "inline", "static", "thread_local",
+                                     "register", "constinit", "typename"});
+constexpr auto kBuiltinTypes = std::to_array<std::string_view>(
+    {"unsigned", "signed", "short", "long", "int", "char", "bool", "float", "double", "auto"});
+constexpr auto kTypeWords =
+    std::to_array<std::string_view>({"struct", "class", "enum", "union", "using", "typedef"});
 /// Small types that copy well and still point at something.
-constexpr auto kHiddenPointers = std::to_array<std::string_view>({"string_view", "span", "reference_wrapper"});
+constexpr auto kHiddenPointers =
+    std::to_array<std::string_view>({"string_view", "span", "reference_wrapper"});
 
 }  // namespace
 
-bool is_cpp_keyword(std::string_view word) { return is_one_of(word, kKeywords); }
+bool is_cpp_keyword(std::string_view word) {
+  return is_one_of(word, kKeywords);
+}
 
 UserCode::UserCode(const Code& code) : code_(code), text_(code.text()) {
   cut();
@@ -125,7 +139,8 @@ void UserCode::cut() {
       std::uint32_t end = i + 1;
       while (end < size && (is_word_part(text_[end]) || text_[end] == '.' ||
                             (text_[end] == '\'' && end + 1 < size && is_word_part(text_[end + 1])) ||
-                            ((text_[end] == '+' || text_[end] == '-') && (text_[end - 1] == 'e' || text_[end - 1] == 'E')))) {
+                            ((text_[end] == '+' || text_[end] == '-') &&
+                             (text_[end - 1] == 'e' || text_[end - 1] == 'E')))) {
         ++end;
       }
       add(Kind::kNumber, i, end);
@@ -137,7 +152,8 @@ void UserCode::cut() {
       i = end;
     } else {
       const std::string_view two = text_.substr(i, 2);
-      const std::uint32_t length = two == "::" || two == "->" || two == "<<" || two == "&&" || two == "||" || two == "==" ? 2 : 1;
+      const std::uint32_t length =
+          two == "::" || two == "->" || two == "<<" || two == "&&" || two == "||" || two == "==" ? 2 : 1;
       add(Kind::kPunctuation, i, i + length);
       i += length;
     }
@@ -175,12 +191,14 @@ void UserCode::check_balance(text::Diagnostics& diagnostics) const {
     } else if (closing != std::string_view::npos) {
       const char wanted = "([{"[closing];
       if (open.empty()) {
-        diagnostics.error("unbalanced-code", place(token), fmt::format("`{}` closes nothing in this section", token.text));
+        diagnostics.error("unbalanced-code", place(token),
+                          fmt::format("`{}` closes nothing in this section", token.text));
         return;
       }
       if (open.back()->text[0] != wanted) {
-        auto& diagnostic = diagnostics.error("unbalanced-code", place(token),
-                                             fmt::format("`{}` does not close `{}`", token.text, open.back()->text));
+        auto& diagnostic =
+            diagnostics.error("unbalanced-code", place(token),
+                              fmt::format("`{}` does not close `{}`", token.text, open.back()->text));
         diagnostic.notes.push_back({fmt::format("`{}` opened here", open.back()->text), place(*open.back())});
         return;
       }
@@ -199,14 +217,19 @@ void UserCode::check_static(text::Diagnostics& diagnostics) const {
     if (token.kind != Kind::kWord || (token.text != "static" && token.text != "thread_local")) continue;
     const bool constant = i + 1 < tokens_.size() && tokens_[i + 1].text == "constexpr";
     if (constant || (i > 0 && tokens_[i - 1].text == "constexpr")) continue;
-    auto& diagnostic = diagnostics.error("static-variable", place(token),
-                                         fmt::format("a `{}` variable would be shared by all robots", token.text));
-    diagnostic.hints.emplace_back("declare it in `header` (starts anew when the node does) or in `once` (kept for the whole run)");
-    if (token.text == "static") diagnostic.hints.emplace_back("a table that never changes may be `static constexpr`");
+    auto& diagnostic =
+        diagnostics.error("static-variable", place(token),
+                          fmt::format("a `{}` variable would be shared by all robots", token.text));
+    diagnostic.hints.emplace_back(
+        "declare it in `header` (starts anew when the node does) or in `once` (kept for the whole run)");
+    if (token.text == "static")
+      diagnostic.hints.emplace_back("a table that never changes may be `static constexpr`");
   }
 }
 
-std::size_t UserCode::close_of(std::size_t open) const { return closes_[open]; }
+std::size_t UserCode::close_of(std::size_t open) const {
+  return closes_[open];
+}
 
 void UserCode::find_variables() {
   std::size_t begin = 0;
@@ -230,7 +253,8 @@ void UserCode::read_statement(std::size_t begin, std::size_t end) {
   bool is_static = false;
   bool is_constexpr = false;
   std::size_t at = begin;
-  while (at < end && tokens_[at].text == "[" && at + 1 < end && tokens_[at + 1].text == "[") at = close_of(at) + 1;
+  while (at < end && tokens_[at].text == "[" && at + 1 < end && tokens_[at + 1].text == "[")
+    at = close_of(at) + 1;
   while (at < end && is_one_of(tokens_[at].text, kSpecifiers)) {
     is_static = is_static || tokens_[at].text == "static";
     is_constexpr = is_constexpr || tokens_[at].text == "constexpr";
@@ -263,7 +287,8 @@ std::size_t UserCode::read_type(std::size_t at, std::size_t end, bool& is_pointe
     while (at < end && (is_one_of(tokens_[at].text, kBuiltinTypes) || tokens_[at].text == "const")) ++at;
     return at;
   }
-  if (tokens_[at].text == "decltype" && at + 1 < end && tokens_[at + 1].text == "(") return close_of(at + 1) + 1;
+  if (tokens_[at].text == "decltype" && at + 1 < end && tokens_[at + 1].text == "(")
+    return close_of(at + 1) + 1;
   for (;;) {
     if (at < end && tokens_[at].text == "::") ++at;
     if (at >= end || tokens_[at].kind != Kind::kWord || is_cpp_keyword(tokens_[at].text)) return begin;
@@ -291,7 +316,8 @@ std::size_t UserCode::read_type(std::size_t at, std::size_t end, bool& is_pointe
 void UserCode::read_declarators(std::size_t at, std::size_t end, Variable common) {
   while (at < end) {
     Variable variable = common;
-    while (at < end && (tokens_[at].text == "*" || tokens_[at].text == "&" || tokens_[at].text == "&&" || tokens_[at].text == "const")) {
+    while (at < end && (tokens_[at].text == "*" || tokens_[at].text == "&" || tokens_[at].text == "&&" ||
+                        tokens_[at].text == "const")) {
       variable.is_pointer = variable.is_pointer || tokens_[at].text != "const";
       ++at;
     }
@@ -309,9 +335,11 @@ void UserCode::read_declarators(std::size_t at, std::size_t end, Variable common
     }
     const std::string_view next = at < end ? tokens_[at].text : std::string_view(";");
     if (next != ";" && next != "=" && next != "{" && next != "(" && next != ",") return;
-    if (next == "=" && at + 1 < end && tokens_[at + 1].text == "&") variable.is_pointer = true;  // auto p = &x;
+    if (next == "=" && at + 1 < end && tokens_[at + 1].text == "&")
+      variable.is_pointer = true;  // auto p = &x;
     while (at < end && tokens_[at].text != ",") {
-      if (tokens_[at].text == "[" && at + 1 < end && tokens_[at + 1].text == "&") variable.holds_references = true;
+      if (tokens_[at].text == "[" && at + 1 < end && tokens_[at + 1].text == "&")
+        variable.holds_references = true;
       const bool opens = tokens_[at].text == "(" || tokens_[at].text == "[" || tokens_[at].text == "{";
       at = opens ? close_of(at) + 1 : at + 1;
     }

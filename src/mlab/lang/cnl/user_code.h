@@ -34,8 +34,8 @@ class UserCode {
   struct Variable {
     std::string name;
     text::Place place;
-    bool is_pointer = false;    ///< pointer or reference, or something that is one inside (`std::span`)
-    bool is_constant = false;   ///< `static constexpr`: no state
+    bool is_pointer = false;        ///< pointer or reference, or something that is one inside (`std::span`)
+    bool is_constant = false;       ///< `static constexpr`: no state
     bool holds_references = false;  ///< starts as a lambda that captures by reference
   };
   const std::vector<Variable>& variables() const { return variables_; }
