@@ -58,6 +58,8 @@ struct MissionTime {
   };
   Kind kind = Kind::kSinceReached;
   double seconds = 0.0;
+
+  friend constexpr bool operator==(MissionTime, MissionTime) = default;
 };
 
 struct PhaseLine {
@@ -67,6 +69,8 @@ struct PhaseLine {
   std::optional<MissionTime> not_before;
   std::string acknowledge;  ///< text that the operator acknowledges; empty: none
   bool waits = false;       ///< hold at the line until it is acknowledged
+
+  friend bool operator==(const PhaseLine&, const PhaseLine&) = default;
 };
 
 /// `UNIT u ...`

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "mlab/geom/pose.h"
+#include "mlab/mission/mission.h"
+#include "mlab/percept/formation.h"
+
+namespace mlab::mission {
+
+/// The formation that the command gives: SWEEPTO sweeps unless a clause says otherwise.
+inline percept::Formation formation_of(const UnitCommand& command) {
+  if (command.task == percept::Task::kSweepTo && !command.has_formation) return percept::Formation::kSweep;
+  return command.formation;
+}
+
+/// Where the unit is sent: for FOLLOW the end of the route [m, world].
+inline geom::Point goal_of(const UnitCommand& command) {
+  const bool follows = command.task == percept::Task::kFollow && !command.route.empty();
+  return follows ? command.route.back() : command.goal;
+}
+
+}  // namespace mlab::mission

@@ -1,0 +1,222 @@
+#include "mlab/mission/dispatch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "mlab/mission/command.h"
+#include "mlab/mission/parts.h"
+#include "mlab/mission/step.h"
+#include "mlab/mission/wording.h"
+
+namespace mlab::mission {
+namespace {
+
+using percept::Task;
+
+// Those members that the plan in force knows.
+std::vector<base::RobotId> members_of(const State& state, std::uint32_t unit) {
+  std::vector<base::RobotId> members;
+  if (unit >= state.mission->units.size()) return members;
+  for (const base::RobotId id : state.mission->units[unit].members) {
+    if (find_robot(state, id) != nullptr) members.push_back(id);
+  }
+  return members;
+}
+
+void leave_order(Turn& turn, RobotState& robot) {
+  if (robot.sequence == 0) return;
+  if (turn.shrunk.empty() || turn.shrunk.back() != robot.sequence) turn.shrunk.push_back(robot.sequence);
+  robot.sequence = 0;
+}
+
+// The run takes its robots from whoever else in this step wanted them.
+void claim(Turn& turn, std::uint32_t run_index) {
+  State& s = turn.state;
+  Run& run = s.runs[run_index];
+  std::vector<base::RobotId> twice;
+  for (const base::RobotId id : run.needed) {
+    RobotState& robot = *find_robot(s, id);
+    if (robot.run != kNoRun) twice.push_back(id);
+    robot.run = run_index;
+    robot.done = robot.warned = false;
+    robot.remaining = robot.best = std::numeric_limits<double>::infinity();
+  }
+  run.missing = static_cast<std::uint32_t>(run.needed.size());
+  if (twice.empty()) return;
+  warn(turn, fmt::format("{}{} {} in two commands of this step; only the last one, `{}`, counts, the other "
+                         "can't be completed",
+                         step_prefix(s), robots_text(twice), twice.size() == 1 ? "is" : "are",
+                         s.commands[run.record].text));
+}
+
+void start_robots(Turn& turn, Run& run) {
+  std::vector<base::RobotId> alive;
+  double k = 0.0;
+  for (const base::RobotId id : run.needed) {
+    RobotState& robot = *find_robot(turn.state, id);
+    const geom::Pose pose{run.command->goal + run.command->start_step * k,
+                          turn.state.mission->overlay.heading};
+    k += 1.0;
+    if (robot.is_running) {
+      alive.push_back(id);
+      robot.done = true;
+      --run.missing;
+      continue;
+    }
+    leave_order(turn, robot);
+    robot.life = RobotState::Life::kStarted;
+    emit(turn, effect::Start{id, pose});
+  }
+  if (!alive.empty()) {
+    warn(turn, fmt::format("{}{} {} already and can't be started again", step_prefix(turn.state),
+                           robots_text(alive), alive.size() == 1 ? "runs" : "run"));
+  }
+}
+
+void stop_robots(Turn& turn, Run& run) {
+  for (const base::RobotId id : run.needed) {
+    RobotState& robot = *find_robot(turn.state, id);
+    stop_robot(turn, robot);
+    if (robot.is_running) continue;
+    robot.done = true;
+    --run.missing;
+  }
+}
+
+void order_robots(Turn& turn, Run& run) {
+  run.lines.resize(run.command->phase_lines.size());
+  for (PlannedPart& planned : plan_parts(turn.state, run)) {
+    Part part;
+    part.goal = planned.end;
+    part.halted = planned.halted;
+    part.sequence = give_order(turn, {.sequence = 0,
+                                      .members = std::move(planned.members),
+                                      .command = run.command,
+                                      .task = run.command->task,
+                                      .goal = planned.goal,
+                                      .halted = planned.halted});
+    run.parts.push_back(part);
+  }
+  if (run.command->task != Task::kTeleoperate) return;
+  run.phase = Run::Phase::kTeleoperation;
+  emit(turn, effect::OpenTeleoperation{run.unit});
+}
+
+struct Begin {
+  Turn& turn;
+  const std::shared_ptr<const void>& owner;
+  std::uint32_t record;
+
+  void operator()(const UnitCommand& command) const {
+    State& s = turn.state;
+    const auto index = static_cast<std::uint32_t>(s.runs.size());
+    Run& run = s.runs.emplace_back();
+    run.record = record;
+    run.unit = command.unit;
+    run.command = CommandRef{std::shared_ptr<const UnitCommand>(owner, &command)};
+    run.needed = members_of(s, command.unit);
+    claim(turn, index);
+    if (command.task == Task::kStart)
+      start_robots(turn, run);
+    else if (command.task == Task::kStop)
+      stop_robots(turn, run);
+    else
+      order_robots(turn, run);
+  }
+  void operator()(const SetBoolean& option) const { at_once(effect::Set{option}); }
+  void operator()(const SetNumber& option) const { at_once(effect::Set{option}); }
+  void operator()(const Print& print) const { at_once(effect::Print{print.robot_info}); }
+  void operator()(const Quit&) const {
+    end_command(turn, record, Outcome::kDone, {});
+    quit(turn);
+  }
+
+  template <class T>
+  void at_once(T effect) const {
+    emit(turn, std::move(effect));
+    end_command(turn, record, Outcome::kDone, {});
+  }
+};
+
+}  // namespace
+
+void begin_commands(Turn& turn, const std::vector<Command>& commands,
+                    const std::shared_ptr<const void>& owner) {
+  State& s = turn.state;
+  s.runs.reserve(commands.size());
+  for (const Command& command : commands) {
+    const auto record = static_cast<std::uint32_t>(s.commands.size());
+    s.commands.push_back(record_of(*s.mission, command, s.time));
+    ++s.steps.back().command_count;
+    tell(turn, effect::Tell::Kind::kCommandStarted, step_prefix(s) + s.commands.back().text, record);
+    std::visit(Begin{turn, owner, record}, command);
+    if (s.mode == State::Mode::kQuit) return;
+  }
+}
+
+std::uint32_t give_order(Turn& turn, Group group) {
+  State& s = turn.state;
+  group.sequence = ++s.last_sequence;
+  for (const base::RobotId id : group.members) {
+    RobotState& robot = *find_robot(s, id);
+    leave_order(turn, robot);
+    robot.sequence = group.sequence;
+    robot.done = false;
+    robot.remaining = robot.best = std::numeric_limits<double>::infinity();
+  }
+  emit(turn, order_of(group));
+  s.groups.push_back(std::move(group));
+  return s.last_sequence;
+}
+
+void set_halted(Turn& turn, Group& group, bool halted) {
+  if (group.halted == halted) return;
+  group.halted = halted;
+  emit(turn, order_of(group));
+}
+
+effect::Order order_of(const Group& group) {
+  const UnitCommand& c = *group.command;
+  percept::Order order;
+  order.sequence = group.sequence;
+  order.task = group.task;
+  order.goal = group.goal;
+  if (group.task == Task::kFollow) order.route = c.route;
+  order.formation = formation_of(c);
+  order.heading = c.heading.value_or(0.0);
+  order.has_heading = c.heading.has_value();
+  order.speed = c.speed;
+  order.halted = group.halted;
+  return {group.members, order, group.command.value};
+}
+
+void stop_robot(Turn& turn, RobotState& robot) {
+  leave_order(turn, robot);
+  if (robot.life == RobotState::Life::kStopped && !robot.is_running) return;
+  if (robot.life == RobotState::Life::kNotStarted && robot.seen == 0) return;
+  robot.life = RobotState::Life::kStopped;
+  emit(turn, effect::Stop{robot.id});
+}
+
+void repair_groups(Turn& turn) {
+  if (turn.shrunk.empty()) return;
+  State& s = turn.state;
+  std::ranges::sort(turn.shrunk);
+  turn.shrunk.erase(std::unique(turn.shrunk.begin(), turn.shrunk.end()), turn.shrunk.end());
+  for (const std::uint32_t sequence : turn.shrunk) {
+    Group* group = find_group(s, sequence);
+    if (group == nullptr) continue;
+    const auto left = [&](base::RobotId id) {
+      const RobotState* robot = find_robot(s, id);
+      return robot == nullptr || robot->sequence != sequence;
+    };
+    std::erase_if(group->members, left);
+    if (!group->members.empty()) emit(turn, order_of(*group));
+  }
+  std::erase_if(s.groups, [](const Group& group) { return group.members.empty(); });
+}
+
+}  // namespace mlab::mission

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "mlab/base/id.h"
+#include "mlab/geom/pose.h"
+#include "mlab/mission/mission.h"
+
+namespace mlab::mission {
+
+/// What a robot's program and body tell the executive each cycle.
+struct RobotReport {
+  base::RobotId id;
+  geom::Pose pose;             ///< [m, rad, world]
+  double radius = 0.2;         ///< of its body [m]
+  bool is_running = false;     ///< started, not stopped, no fault
+  std::uint32_t sequence = 0;  ///< of the order that `done` and `remaining` speak of
+  bool done = false;
+  double remaining = 0.0;  ///< [m]
+};
+
+namespace event {
+/// A control cycle has passed. `robots` holds all started robots; who is missing counts as lost.
+struct Cycle {
+  double time = 0.0;  ///< simulated or real seconds since the start of the run; time never runs backwards
+  std::vector<RobotReport> robots;
+};
+struct Execute {};  ///< start at the current step, or go on after a pause
+struct Pause {};
+struct Resume {};
+struct SingleStep {};  ///< running: abandon the step and start the next; else start one step
+struct Jump {
+  std::uint32_t step = 0;
+};  ///< start that step now (running), or go there (not running)
+struct Rewind {};  ///< abandon the step that runs, go to the first, don't start it
+struct Abort {};   ///< stop all robots, rewind
+/// Answer to a question (Proceed?, phase line). Without `proceed` it is an Abort.
+struct Answer {
+  std::uint32_t question = 0;
+  bool proceed = true;
+};
+/// A typed command, already resolved against the mission; several were joined by AND.
+struct Typed {
+  std::vector<Command> commands;
+};
+/// The plan was edited; the step that runs goes on if its label is still there.
+struct Edited {
+  std::shared_ptr<const Mission> mission;
+};
+/// The operator says that teleoperation of this unit is over.
+struct TeleoperationComplete {
+  std::uint32_t unit = 0;
+};
+}  // namespace event
+using Event = std::variant<event::Cycle, event::Execute, event::Pause, event::Resume, event::SingleStep,
+                           event::Jump, event::Rewind, event::Abort, event::Answer, event::Typed,
+                           event::Edited, event::TeleoperationComplete>;
+
+}  // namespace mlab::mission

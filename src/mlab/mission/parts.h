@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mlab/mission/turn.h"
+
+namespace mlab::mission {
+
+/// A part of a unit, as its command begins.
+struct PlannedPart {
+  std::vector<base::RobotId> members;  ///< in rank order, never empty
+  geom::Point goal;                    ///< of its first order [m, world]
+  geom::Point end;                     ///< its own place at the end [m, world]
+  bool halted = false;
+};
+
+/// Divides the unit as its command's technique needs it, and sets the run's technique and distance.
+///
+/// The parts are the unit's own parts, or else its two halves by rank. A unit of one robot, and a command
+/// that goes nowhere, travel: one part. Under BOUNDING-OVERWATCH the parts end side by side, under
+/// TRAVELING-OVERWATCH one behind the other, so that no part stands where another wants to be; the middle of
+/// all is the unit's goal.
+/// @return  empty for a unit without robots
+std::vector<PlannedPart> plan_parts(const State& state, Run& run);
+
+/// Mean position of those that report; nothing where none does [m, world].
+std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members);
+
+}  // namespace mlab::mission

@@ -1,0 +1,134 @@
+#include "mlab/mission/progress.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "mlab/mission/phase_line.h"
+#include "mlab/mission/question.h"
+#include "mlab/mission/step.h"
+#include "mlab/mission/technique.h"
+#include "mlab/mission/wording.h"
+
+namespace mlab::mission {
+namespace {
+
+using percept::Task;
+
+// Nearer to done by less than this is no progress [m].
+constexpr double kProgress = 0.01;
+
+void mark_done(State& state, RobotState& robot) {
+  Run& run = state.runs[robot.run];
+  robot.done = true;
+  --run.missing;
+  run.stalled = 0.0;
+}
+
+void take_order_report(State& state, RobotState& robot, const RobotReport& report) {
+  if (report.sequence != robot.sequence || robot.sequence == 0) return;
+  robot.remaining = report.remaining;
+  if (report.remaining < robot.best - kProgress) {
+    robot.best = report.remaining;
+    state.runs[robot.run].stalled = 0.0;
+  }
+  if (report.done) mark_done(state, robot);
+}
+
+void take_report(State& state, const RobotReport& report) {
+  RobotState* robot = find_robot(state, report.id);
+  if (robot == nullptr) return;
+  const bool was_in_sight = robot->seen != 0 && robot->seen + 1 == state.cycle;
+  robot->step = was_in_sight ? report.pose.position - robot->pose.position : geom::Offset{};
+  robot->pose = report.pose;
+  robot->radius = report.radius;
+  robot->is_running = report.is_running;
+  robot->reported = report.sequence;
+  robot->seen = state.cycle;
+  if (robot->run == kNoRun || robot->done) return;
+  switch (state.runs[robot->run].command->task) {
+    case Task::kStart:
+      if (report.is_running) mark_done(state, *robot);
+      break;
+    case Task::kStop:
+      if (!report.is_running) mark_done(state, *robot);
+      break;
+    default:
+      if (report.is_running) take_order_report(state, *robot, report);
+  }
+}
+
+// Robots that don't report, or say that they don't run. @return the ones to warn about
+std::vector<base::RobotId> look_for_silent_robots(State& state) {
+  std::vector<base::RobotId> silent;
+  for (RobotState& robot : state.robots) {
+    const bool seen = in_sight(state, robot);
+    if (seen && robot.is_running) continue;
+    if (!seen) robot.is_running = false;
+    if (robot.run == kNoRun || robot.done) continue;
+    const Task task = state.runs[robot.run].command->task;
+    if (task == Task::kStop) {
+      mark_done(state, robot);
+    } else if (task != Task::kStart && !robot.warned) {
+      robot.warned = true;
+      silent.push_back(robot.id);
+    }
+  }
+  return silent;
+}
+
+void warn_of_silent_robots(Turn& turn, const std::vector<base::RobotId>& silent) {
+  const State& s = turn.state;
+  for (std::uint32_t run = 0; run < s.runs.size(); ++run) {
+    std::vector<base::RobotId> of_run;
+    for (const base::RobotId id : silent) {
+      if (find_robot(s, id)->run == run) of_run.push_back(id);
+    }
+    if (of_run.empty()) continue;
+    warn(turn, fmt::format("{}{} {} running, but `{}` waits for {}", step_prefix(s), robots_text(of_run),
+                           of_run.size() == 1 ? "is not" : "are not", s.commands[s.runs[run].record].text,
+                           of_run.size() == 1 ? "it" : "them"));
+  }
+}
+
+void take_time(Turn& turn, double time) {
+  State& s = turn.state;
+  if (!(time > s.time) || !std::isfinite(time)) return;
+  turn.elapsed = time - s.time;
+  s.time = time;
+}
+
+// Fails the first command that made no progress for too long.
+void check_patience(Turn& turn) {
+  State& s = turn.state;
+  for (Run& run : s.runs) {
+    if (run.phase != Run::Phase::kRobots || run.missing == 0 || holds_at_line(run)) continue;
+    run.stalled += turn.elapsed;
+    if (s.options.patience <= 0.0 || run.stalled < s.options.patience) continue;
+    return fail(turn, run, fmt::format("no progress for {:.0f} s; {}", run.stalled, undone_text(s, run)));
+  }
+}
+
+}  // namespace
+
+void take_cycle(Turn& turn, const event::Cycle& cycle) {
+  State& s = turn.state;
+  ++s.cycle;
+  take_time(turn, cycle.time);
+  for (const RobotReport& report : cycle.robots) take_report(s, report);
+  const std::vector<base::RobotId> silent = look_for_silent_robots(s);
+  if (!silent.empty()) warn_of_silent_robots(turn, silent);
+  if (s.paused || s.mode != State::Mode::kRunning) return;
+  for (Run& run : s.runs) {
+    if (run.phase == Run::Phase::kRobots) steer_parts(turn, run);
+  }
+  watch_phase_lines(turn);
+  for (const Run& run : s.runs) apply_halts(turn, run);
+  expire_questions(turn);
+  go_on(turn);
+  check_patience(turn);
+}
+
+}  // namespace mlab::mission

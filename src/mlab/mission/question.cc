@@ -1,0 +1,99 @@
+#include "mlab/mission/question.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "mlab/mission/clock.h"
+#include "mlab/mission/step.h"
+#include "mlab/mission/wording.h"
+
+namespace mlab::mission {
+namespace {
+
+std::uint32_t index_of(const State& state, const Run& run) {
+  return static_cast<std::uint32_t>(&run - state.runs.data());
+}
+
+void ask(Turn& turn, const Run& run, std::string text, std::optional<std::uint32_t> phase_line,
+         std::optional<double> expires) {
+  State& s = turn.state;
+  const std::uint32_t id = ++s.last_question;
+  s.questions.push_back({.id = id, .run = index_of(s, run), .phase_line = phase_line, .expires = expires});
+  emit(turn, effect::Ask{id, std::move(text), expires, run.record});
+}
+
+void say_yes(Turn& turn, const Question& question) {
+  Run& run = turn.state.runs[question.run];
+  if (question.phase_line)
+    run.lines[*question.phase_line].acknowledged = true;
+  else
+    complete(turn, run);
+}
+
+}  // namespace
+
+void ask_to_proceed(Turn& turn, Run& run) {
+  State& s = turn.state;
+  std::optional<double> expires;
+  if (run.command->until) expires = run_time_of(*run.command->until, s.options, s.time);
+  if (expires && *expires <= s.time) return complete(turn, run);
+  std::string text = fmt::format("Unit \"{}\" is occupying {}. Proceed?", unit_name(*s.mission, run.unit),
+                                 run.command->place_name);
+  if (s.options.proceed_all) {
+    message(turn, text + " yes");
+    return complete(turn, run);
+  }
+  run.phase = Run::Phase::kProceed;
+  ask(turn, run, std::move(text), std::nullopt, expires);
+}
+
+void ask_to_acknowledge(Turn& turn, Run& run, std::uint32_t phase_line) {
+  State& s = turn.state;
+  const PhaseLine& line = run.command->phase_lines[phase_line];
+  std::string text = fmt::format("Unit \"{}\" is at phase line {}: {}. Acknowledge?",
+                                 unit_name(*s.mission, run.unit), line.name, line.acknowledge);
+  if (s.options.proceed_all) {
+    message(turn, text + " yes");
+    run.lines[phase_line].acknowledged = true;
+    return;
+  }
+  ask(turn, run, std::move(text), phase_line, std::nullopt);
+}
+
+void answer(Turn& turn, std::uint32_t question, bool proceed) {
+  auto& questions = turn.state.questions;
+  const auto at = std::ranges::find(questions, question, &Question::id);
+  if (at == questions.end()) return;
+  const Question found = *at;
+  questions.erase(at);
+  if (proceed)
+    say_yes(turn, found);
+  else
+    abort_mission(turn);
+}
+
+void expire_questions(Turn& turn) {
+  State& s = turn.state;
+  for (std::size_t i = 0; i < s.questions.size();) {
+    const Question question = s.questions[i];
+    if (!question.expires || *question.expires > s.time) {
+      ++i;
+      continue;
+    }
+    withdraw(turn, i);
+    message(turn, fmt::format("{}: it is {}, proceeds by itself",
+                              s.commands[s.runs[question.run].record].text, clock_text(s.time, s.options)));
+    say_yes(turn, question);
+  }
+}
+
+void withdraw(Turn& turn, std::size_t index) {
+  auto& questions = turn.state.questions;
+  emit(turn, effect::Withdraw{questions[index].id});
+  questions.erase(questions.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+}  // namespace mlab::mission

@@ -1,0 +1,29 @@
+#include "mlab/mission/state.h"
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+
+namespace mlab::mission {
+namespace {
+
+auto fields(const UnitCommand& c) {
+  return std::tie(c.unit, c.task, c.place_name, c.goal, c.route, c.start_step, c.formation, c.has_formation,
+                  c.technique, c.speed, c.heading, c.phase_lines, c.on_completion, c.until);
+}
+
+}  // namespace
+
+std::string_view name(Outcome outcome) {
+  constexpr std::array<std::string_view, 7> kNames = {"pending", "running",  "done",   "failed",
+                                                      "aborted", "replaced", "skipped"};
+  const auto index = static_cast<std::size_t>(outcome);
+  return index < kNames.size() ? kNames[index] : "";
+}
+
+bool operator==(const CommandRef& a, const CommandRef& b) {
+  if (a.value == b.value) return true;
+  return a.value != nullptr && b.value != nullptr && fields(*a.value) == fields(*b.value);
+}
+
+}  // namespace mlab::mission
