@@ -39,13 +39,17 @@ struct Order {
 struct Stop {
   base::RobotId robot;
 };
+/// An option of the console or the simulation changes.
 struct Set {
   std::variant<SetBoolean, SetNumber> option;
 };
+/// Print the robots, or all that the console knows.
 struct Print {
   bool robot_info = false;
 };
+/// The run ends, all robots with it.
 struct Quit {};
+/// All robots hold where they are, or go on.
 struct PauseRobots {
   bool paused = true;
 };
@@ -60,6 +64,7 @@ struct Ask {
 struct Withdraw {
   std::uint32_t question = 0;
 };
+/// The operator's stick steers this unit until he says that it is enough.
 struct OpenTeleoperation {
   std::uint32_t unit = 0;
 };

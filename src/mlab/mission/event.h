@@ -28,15 +28,20 @@ struct Cycle {
   double time = 0.0;  ///< simulated or real seconds since the start of the run; time never runs backwards
   std::vector<RobotReport> robots;
 };
-struct Execute {};  ///< start at the current step, or go on after a pause
+/// Start at the current step, or go on after a pause.
+struct Execute {};
 struct Pause {};
 struct Resume {};
-struct SingleStep {};  ///< running: abandon the step and start the next; else start one step
+/// Running: abandon the step and start the next. Else: start one step, and stop after it.
+struct SingleStep {};
+/// Running: start that step now. Else: go there.
 struct Jump {
   std::uint32_t step = 0;
-};  ///< start that step now (running), or go there (not running)
-struct Rewind {};  ///< abandon the step that runs, go to the first, don't start it
-struct Abort {};   ///< stop all robots, rewind
+};
+/// Abandon the step that runs, go to the first, don't start it.
+struct Rewind {};
+/// Stop all robots, rewind.
+struct Abort {};
 /// Answer to a question (Proceed?, phase line). Without `proceed` it is an Abort.
 struct Answer {
   std::uint32_t question = 0;

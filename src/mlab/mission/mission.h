@@ -92,6 +92,7 @@ struct UnitCommand {
   text::Place place;                 ///< of the unit's name
 };
 
+/// What SET switches on and off.
 enum class BooleanOption : std::uint8_t {
   kUseMilitaryStyle,
   kShowTrails,
@@ -103,6 +104,7 @@ enum class BooleanOption : std::uint8_t {
   kDebugScheduler,
   kScaleRobots
 };
+/// What SET gives a number.
 enum class NumberOption : std::uint8_t {
   kSeed,
   kRobotLength,
@@ -112,10 +114,12 @@ enum class NumberOption : std::uint8_t {
   kZoomFactor,
   kCycleDuration
 };
+/// `SET option ON`
 struct SetBoolean {
   BooleanOption option = BooleanOption::kShowTrails;
   bool value = true;
 };
+/// `SET option number`
 struct SetNumber {
   NumberOption option = NumberOption::kSeed;
   double value = 0.0;
