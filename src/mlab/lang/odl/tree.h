@@ -35,7 +35,7 @@ struct Statement {
   text::Span span;
   std::uint32_t first_token = 0;  ///< half-open range of Tree::tokens
   std::uint32_t end_token = 0;
-  NameSyntax name;  ///< also the file of LOAD-MAP, HEIGHTMAP, WAYPOINT-FILE; the colour of OBJECT
+  NameSyntax name;  ///< also the file of LOAD-MAP, HEIGHTMAP, WAYPOINT-FILE; the color of OBJECT
   std::vector<PointSyntax> points;  ///< of HALLWAY: its extents; of ORIGIN: the one point
   std::vector<PointSyntax> centerline;
   std::vector<NumberSyntax> numbers;  ///< those that are not coordinates, in file order

@@ -1,0 +1,391 @@
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/base/angle.h"
+#include "mlab/lang/odl/companions.h"
+#include "mlab/lang/odl/limits.h"
+#include "mlab/lang/odl/odl.h"
+#include "mlab/lang/odl/parser.h"
+#include "mlab/overlay/utm.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::odl {
+namespace {
+
+using overlay::MeasureKind;
+
+struct NamedFeature {
+  MeasureKind kind;
+  double default_size;  // [m]; 0 where the feature has none
+};
+
+NamedFeature named_feature(Keyword keyword) {
+  switch (keyword) {
+    case Keyword::kAa:
+      return {MeasureKind::kAssemblyArea, 50.0};
+    case Keyword::kAtk:
+      return {MeasureKind::kAttackPosition, 50.0};
+    case Keyword::kBp:
+      return {MeasureKind::kBattlePosition, 50.0};
+    case Keyword::kObj:
+      return {MeasureKind::kObjective, 50.0};
+    case Keyword::kPp:
+      return {MeasureKind::kPassagePoint, 10.0};
+    case Keyword::kAxis:
+      return {MeasureKind::kAxis, 100.0};
+    case Keyword::kGap:
+      return {MeasureKind::kGap, 40.0};
+    case Keyword::kBoundary:
+      return {MeasureKind::kBoundary, 0.0};
+    case Keyword::kLdlc:
+      return {MeasureKind::kLineOfDeparture, 0.0};
+    case Keyword::kPl:
+      return {MeasureKind::kPhaseLine, 0.0};
+    case Keyword::kWall:
+      return {MeasureKind::kWall, 1.0};
+    case Keyword::kRoom:
+      return {MeasureKind::kRoom, 0.0};
+    case Keyword::kDoor:
+      return {MeasureKind::kDoor, 0.0};
+    case Keyword::kHallway:
+      return {MeasureKind::kHallway, 0.0};
+    case Keyword::kRoad:
+      return {MeasureKind::kRoad, 10.0};
+    default:
+      return {MeasureKind::kStartPoint, 0.0};
+  }
+}
+
+// Applies statements to an overlay. Its own copy of the names makes the search for duplicates fast.
+class Applier {
+ public:
+  Applier(overlay::Overlay& into, text::Diagnostics& sink, Companions companions)
+      : into_(into), sink_(sink), companions_(companions) {
+    for (std::size_t i = 0; i < into.measures.size(); ++i)
+      by_name_.insert_or_assign(into.measures[i].name, i);
+  }
+
+  void apply(const Tree& tree) {
+    source_ = tree.source;
+    files_read_.insert(source_->name());
+    for (const Statement& statement : tree.statements) apply(statement);
+  }
+
+ private:
+  void apply(const Statement& s) {
+    switch (s.keyword) {
+      case Keyword::kNone:
+      case Keyword::kControlMeasures:
+        return;
+      case Keyword::kScenario:
+        into_.scenario = s.name.text;
+        return;
+      case Keyword::kSite:
+        into_.site = s.name.text;
+        return;
+      case Keyword::kOrigin:
+        return set_origin(s.points.front());
+      case Keyword::kGlobalRefPoint:
+        return set_global_reference(s);
+      case Keyword::kHeading:
+        return set_heading(s.numbers.front());
+      case Keyword::kMissionArea:
+        return set_area(s);
+      case Keyword::kLoadMap:
+        return load_map(s.name);
+      case Keyword::kSet:
+        return set_zoom(s.numbers.front());
+      case Keyword::kScale:
+        return set_scale(s.numbers.front());
+      case Keyword::kHeightmap:
+        return set_height_map(s);
+      case Keyword::kObstacle:
+        return add_obstacle(s);
+      case Keyword::kObject:
+        return add_object(s, s.style, s.name.text, 0.0);
+      case Keyword::kAttractor:
+        return add_object(s, overlay::ObjectStyle::kMovable, "orange", 0.2);
+      case Keyword::kBasket:
+        return add_object(s, overlay::ObjectStyle::kContainer, "green", 0.4);
+      case Keyword::kFlag:
+        return add_object(s, overlay::ObjectStyle::kMovable, "purple", 0.4);
+      case Keyword::kWaypointFile:
+        return include_waypoints(s.name);
+      default:
+        return add_measure(s);
+    }
+  }
+
+  text::Place place_of(text::Span span) const { return {source_, span}; }
+
+  // The number where it lies in the range; an error and nothing where not.
+  std::optional<double> in_range(const NumberSyntax& number, double low, double high, std::string_view what) {
+    if (number.value >= low && number.value <= high) return number.value;
+    const std::string_view written = source_->text(number.span);
+    const std::string range = low == -high ? fmt::format("at most {:g} from 0", high)
+                                           : fmt::format("between {:g} and {:g}", low, high);
+    sink_
+        .error("number-out-of-range", place_of(number.span),
+               fmt::format("`{}` is out of range", text::shown(written)))
+        .label = fmt::format("{} is {}", what, range);
+    return std::nullopt;
+  }
+
+  std::optional<double> above_zero(const NumberSyntax& number, std::string_view what) {
+    if (number.value > 0.0 && number.value <= kMaxCoordinate) return number.value;
+    const std::string_view written = source_->text(number.span);
+    sink_
+        .error("number-out-of-range", place_of(number.span),
+               fmt::format("`{}` is out of range", text::shown(written)))
+        .label = fmt::format("{} is above 0 and at most {:g}", what, kMaxCoordinate);
+    return std::nullopt;
+  }
+
+  // The statement's last number, or the default where there is none or it is negative.
+  std::optional<double> size(const Statement& s, double default_size) {
+    if (s.numbers.empty()) return default_size;
+    const std::optional<double> given =
+        in_range(s.numbers.front(), -kMaxCoordinate, kMaxCoordinate, "a size in metres");
+    return given && *given < 0.0 ? default_size : given;
+  }
+
+  // --- points ---
+
+  std::optional<overlay::GeoPoint> geo_point(const PointSyntax& p) {
+    const auto latitude =
+        in_range(p.y, -overlay::kMaxUtmLatitude, overlay::kMaxUtmLatitude, "a latitude in UTM");
+    const auto longitude = in_range(p.x, -360.0, 360.0, "a longitude");
+    if (!latitude || !longitude) return std::nullopt;
+    return overlay::GeoPoint{*latitude, *longitude};
+  }
+
+  std::optional<geom::Point> point(const PointSyntax& p) {
+    if (p.is_utm) return utm_point(p);
+    const auto x = in_range(p.x, -kMaxCoordinate, kMaxCoordinate, "a coordinate in metres");
+    const auto y = in_range(p.y, -kMaxCoordinate, kMaxCoordinate, "a coordinate in metres");
+    if (!x || !y) return std::nullopt;
+    return geom::Point{*x, *y} + into_.origin;
+  }
+
+  std::optional<geom::Point> utm_point(const PointSyntax& p) {
+    const std::optional<overlay::GeoPoint> place = geo_point(p);
+    if (!place) return std::nullopt;
+    if (!into_.utm_origin) {
+      warn_without_origin(p);
+      return geom::Point{} +
+             (overlay::utm_project(*place, overlay::utm_zone(place->longitude_deg)) - into_.origin);
+    }
+    const int zone = into_.utm_origin->zone;
+    if (std::abs(overlay::degrees_from_center(*place, zone)) > overlay::kMaxZoneDistance) {
+      sink_
+          .error("utm-too-far", place_of(p.x.span),
+                 fmt::format("`{}` is too far from `ORIGIN UTM` for one map", source_->text(p.x.span)))
+          .label = fmt::format("the origin lies in zone {}, whose middle is at {:g} degrees", zone,
+                               overlay::central_meridian_deg(zone));
+      return std::nullopt;
+    }
+    return geom::Point{} + (overlay::utm_project(*place, zone) - into_.utm_origin->offset);
+  }
+
+  void warn_without_origin(const PointSyntax& p) {
+    if (std::exchange(warned_of_utm_, true)) return;
+    sink_
+        .warning("utm-without-origin", place_of({p.x.span.begin, p.x.span.end}),
+                 "a UTM point without an `ORIGIN UTM` before it")
+        .label = "it lies hundreds of kilometres from the mission area";
+  }
+
+  std::optional<std::vector<geom::Point>> points(const std::vector<PointSyntax>& syntax) {
+    std::vector<geom::Point> out;
+    out.reserve(syntax.size());
+    for (const PointSyntax& p : syntax) {
+      const std::optional<geom::Point> at = point(p);
+      if (!at) return std::nullopt;
+      out.push_back(*at);
+    }
+    return out;
+  }
+
+  // --- information ---
+
+  void set_origin(const PointSyntax& p) {
+    if (p.is_utm) {
+      const std::optional<overlay::GeoPoint> place = geo_point(p);
+      if (!place) return;
+      const int zone = overlay::utm_zone(place->longitude_deg);
+      into_.utm_origin = overlay::UtmOrigin{zone, overlay::utm_project(*place, zone)};
+      into_.origin = {};
+      return;
+    }
+    into_.origin = {};
+    if (const std::optional<geom::Point> at = point(p)) {
+      into_.origin = *at - geom::Point{};
+      into_.utm_origin.reset();
+    }
+  }
+
+  void set_global_reference(const Statement& s) {
+    const auto latitude = in_range(s.numbers[0], -90.0, 90.0, "a latitude");
+    const auto longitude = in_range(s.numbers[1], -360.0, 360.0, "a longitude");
+    if (latitude && longitude) into_.global_reference = geom::Point{*latitude, *longitude};
+  }
+
+  void set_heading(const NumberSyntax& degrees) {
+    if (const auto heading = in_range(degrees, -kMaxCoordinate, kMaxCoordinate, "a heading in degrees")) {
+      into_.heading = base::radians(*heading);
+    }
+  }
+
+  void set_area(const Statement& s) {
+    const auto width = above_zero(s.numbers[0], "the width of the mission area");
+    const auto height = above_zero(s.numbers[1], "the height of the mission area");
+    if (width && height) into_.area = overlay::Area{*width, *height};
+  }
+
+  void set_zoom(const NumberSyntax& percent) {
+    if (const auto zoom = in_range(percent, 10.0, 400.0, "the zoom factor in per cent"))
+      into_.zoom_percent = zoom;
+  }
+
+  void set_scale(const NumberSyntax& number) {
+    if (const auto scale = above_zero(number, "the scale")) into_.scale = scale;
+  }
+
+  void set_height_map(const Statement& s) {
+    const auto columns = in_range(s.numbers[0], 1.0, kMaxHeightMapCells, "the width in cells");
+    const auto rows = in_range(s.numbers[1], 1.0, kMaxHeightMapCells, "the height in cells");
+    const auto sea = in_range(s.numbers[2], -kMaxCoordinate, kMaxCoordinate, "the sea level");
+    const auto scale = in_range(s.numbers[3], -kMaxCoordinate, kMaxCoordinate, "the z scale");
+    if (!columns || !rows || !sea || !scale) return;
+    const std::optional<std::string> found = companion(s.name);
+    if (!found && companions_ == Companions::kRead) {
+      sink_.warning("missing-height-map", place_of(s.name.span),
+                    fmt::format("there is no height map `{}`", text::shown(s.name.text, 200)));
+    }
+    into_.height_map =
+        overlay::HeightMap{found.value_or(s.name.text), static_cast<int>(std::lround(*columns)),
+                           static_cast<int>(std::lround(*rows)), *sea, *scale};
+  }
+
+  // --- files ---
+
+  std::optional<std::string> companion(const NameSyntax& name) const {
+    if (companions_ == Companions::kIgnore) return std::nullopt;
+    return find_companion(name.text, source_->name());
+  }
+
+  void load_map(const NameSyntax& name) {
+    if (companions_ == Companions::kRead) {
+      odl::load_map(name.text, source_->name(), place_of(name.span), into_, sink_);
+    } else {
+      into_.map_file = name.text;
+    }
+  }
+
+  // A waypoint file is features in this language. Each is read once, and none brings in another, so that
+  // files which name each other end.
+  void include_waypoints(const NameSyntax& name) {
+    if (companions_ == Companions::kIgnore) return;
+    if (is_included_) {
+      sink_.error("nested-waypoint-file", place_of(name.span), "a waypoint file names no other one");
+      return;
+    }
+    const std::optional<std::string> path = companion(name);
+    text::Result<text::SourcePtr> source =
+        path ? text::read_source(*path) : std::unexpected(text::Diagnostic{});
+    if (!source) {
+      sink_.warning("missing-waypoint-file", place_of(name.span),
+                    fmt::format("there is no waypoint file `{}`", text::shown(name.text, 200)));
+      return;
+    }
+    if (!files_read_.insert(*path).second) {
+      sink_.warning("repeated-waypoint-file", place_of(name.span),
+                    fmt::format("`{}` is read once", text::shown(*path, 200)));
+      return;
+    }
+    const text::SourcePtr including = std::exchange(source_, *source);
+    is_included_ = true;
+    const Tree tree = parse_features(source_, sink_);
+    for (const Statement& statement : tree.statements) apply(statement);
+    is_included_ = false;
+    source_ = including;
+  }
+
+  // --- features ---
+
+  void add_obstacle(const Statement& s) {
+    const std::optional<geom::Point> at = point(s.points.front());
+    const std::optional<double> radius = above_zero(s.numbers.front(), "the radius of an obstacle");
+    std::optional<double> height = 0.0;
+    if (s.numbers.size() > 1)
+      height = in_range(s.numbers[1], -kMaxCoordinate, kMaxCoordinate, "a height in metres");
+    if (!at || !radius || !height) return;
+    into_.obstacles.push_back({*at, *radius, std::max(*height, 0.0), place_of(s.span)});
+  }
+
+  void add_object(const Statement& s, overlay::ObjectStyle style, std::string color,
+                  double default_diameter) {
+    const std::optional<geom::Point> at = point(s.points.front());
+    const std::optional<double> diameter =
+        default_diameter > 0.0
+            ? size(s, default_diameter)
+            : in_range(s.numbers.front(), 0.0, kMaxCoordinate, "the diameter of an object");
+    if (!at || !diameter) return;
+    into_.objects.push_back({*at, *diameter, style, std::move(color), place_of(s.span)});
+  }
+
+  void add_measure(const Statement& s) {
+    const auto [kind, default_size] = named_feature(s.keyword);
+    overlay::ControlMeasure out;
+    out.kind = kind;
+    out.name = s.name.text;
+    out.shows_label = !s.name.has_star;
+    out.place = place_of(s.name.span);
+    auto vertices = points(s.points);
+    auto centerline = points(s.centerline);
+    const std::optional<double> given = kind == MeasureKind::kHallway
+                                            ? above_zero(s.numbers.front(), "the width of a hallway")
+                                            : size(s, default_size);
+    if (!vertices || !centerline || !given) return;
+    out.points = std::move(*vertices);
+    out.centerline = std::move(*centerline);
+    out.size = *given;
+    remember_name(out);
+    into_.measures.push_back(std::move(out));
+  }
+
+  void remember_name(const overlay::ControlMeasure& measure) {
+    const auto [entry, is_new] = by_name_.try_emplace(measure.name, into_.measures.size());
+    if (is_new || measure.name.empty()) return;
+    const overlay::ControlMeasure& earlier =
+        into_.measures[std::exchange(entry->second, into_.measures.size())];
+    text::Diagnostic& d =
+        sink_.warning("duplicate-name", measure.place,
+                      fmt::format("a second feature is called `{}`", text::shown(measure.name)));
+    d.label = "missions that name it mean this one";
+    d.notes.push_back({"the first one is here", earlier.place});
+  }
+
+  overlay::Overlay& into_;
+  text::Diagnostics& sink_;
+  Companions companions_;
+  text::SourcePtr source_;
+  std::unordered_map<std::string, std::size_t> by_name_;  // the last feature of each name
+  std::set<std::string> files_read_;
+  bool is_included_ = false;
+  bool warned_of_utm_ = false;
+};
+
+}  // namespace
+
+void apply(const Tree& tree, overlay::Overlay& into, text::Diagnostics& sink, Companions companions) {
+  Applier(into, sink, companions).apply(tree);
+}
+
+}  // namespace mlab::odl

@@ -1,0 +1,72 @@
+#include "mlab/lang/odl/companions.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/odl/map_info.h"
+#include "mlab/lang/odl/odl.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::odl {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> find_companion(std::string_view name, const std::string& near_path) {
+  if (name.empty() || name.find('\0') != std::string_view::npos) return std::nullopt;
+  for (const fs::path& folder : {fs::path(near_path).parent_path(), fs::path()}) {
+    const fs::path candidate = folder / fs::path(name);
+    std::error_code unreadable;
+    if (fs::is_regular_file(candidate, unreadable)) return candidate.lexically_normal().string();
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+text::Diagnostic& warn_missing(text::Diagnostics& sink, std::string kind, const text::Place& place,
+                               std::string_view what, std::string_view name) {
+  return sink.warning(std::move(kind), place,
+                      fmt::format("there is no {} `{}`", what, text::shown(name, 200)));
+}
+
+}  // namespace
+
+void load_map(const std::string& name, const std::string& near_path, const text::Place& place,
+              overlay::Overlay& into, text::Diagnostics& sink) {
+  into.map_file = name;
+  into.map_picture.reset();
+  const std::optional<std::string> path = find_companion(name, near_path);
+  if (!path) {
+    warn_missing(sink, "missing-map", place, "map-info file", name).label = "the background stays empty";
+    return;
+  }
+  into.map_file = *path;
+  const text::Result<text::SourcePtr> source = text::read_source(*path);
+  if (!source) {
+    text::Diagnostic& d = sink.warning("missing-map", place, source.error().message);
+    d.label = "the background stays empty";
+    return;
+  }
+  const std::optional<MapInfo> info = parse_map_info(*source, sink);
+  if (!info) return;
+  const std::optional<std::string> picture = find_companion(info->picture, *path);
+  if (!picture) warn_missing(sink, "missing-picture", place, "picture", info->picture);
+  into.map_picture =
+      overlay::MapPicture{picture.value_or(info->picture), {info->x, info->y}, info->width, info->height};
+  if (info->sets_area) into.area = overlay::Area{info->width, info->height};
+}
+
+bool load_overlay(const std::string& path, overlay::Overlay& into, text::Diagnostics& sink) {
+  const std::size_t errors_before = sink.error_count();
+  text::Result<text::SourcePtr> source = text::read_source(path);
+  if (!source) {
+    sink.report(std::move(source.error()));
+    return false;
+  }
+  apply(parse(*source, sink), into, sink);
+  return sink.error_count() == errors_before;
+}
+
+}  // namespace mlab::odl

@@ -1,0 +1,42 @@
+#include <algorithm>
+#include <memory>
+
+#include "mlab/lang/odl/lexer.h"
+#include "mlab/lang/odl/odl.h"
+
+namespace mlab::odl {
+namespace {
+
+// Mission files have these statements too.
+bool is_shared_with_missions(Keyword k) {
+  switch (k) {
+    case Keyword::kScenario:
+    case Keyword::kMissionArea:
+    case Keyword::kLoadMap:
+    case Keyword::kSet:
+    case Keyword::kSp:
+    case Keyword::kObstacle:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+// A header decides. Without one, the file is an overlay where its first line that says which language it is,
+// is one that only overlays have.
+bool looks_like_odl(std::string_view text) {
+  std::vector<Token> tokens;
+  std::vector<Comment> comments;
+  text::Diagnostics unread;
+  lex(std::make_shared<const text::Source>("", std::string(text)), tokens, comments, unread);
+  if (std::ranges::any_of(tokens, [](const Token& t) { return t.kind == TokenKind::kHeader; })) return true;
+  const auto tells = [](const Token& t) {
+    return t.starts_line && !is_shared_with_missions(t.keyword) && t.kind != TokenKind::kEnd;
+  };
+  const auto first = std::ranges::find_if(tokens, tells);
+  return first != tokens.end() && starts_statement(first->keyword);
+}
+
+}  // namespace mlab::odl

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace mlab::odl {
+
+/// A coordinate or size past this is a mistake, not a map: UTM northings end at ten million [m].
+inline constexpr double kMaxCoordinate = 1e8;
+/// More cells than this a height map does not have in either direction.
+inline constexpr double kMaxHeightMapCells = 100000;
+
+}  // namespace mlab::odl
