@@ -30,8 +30,10 @@ void append_words(std::string& out, std::string_view line) {
 // text.
 std::string constant_text(Token::Kind kind, std::string_view text) {
   if (kind == Token::Kind::kNumber) return canonical_number(text);
-  if (kind == Token::Kind::kString || kind == Token::Kind::kCharacter) {
-    return std::string(text.substr(1, text.size() - 2));
+  if (kind == Token::Kind::kString) return std::string(text.substr(1, text.size() - 2));
+  if (kind == Token::Kind::kCharacter) {
+    return text.size() == 3 ? fmt::format("{}", static_cast<int>(static_cast<unsigned char>(text[1])))
+                            : std::string(text);
   }
   if (kind == Token::Kind::kInitializer) {
     const std::string_view inner = trimmed(text.substr(1, text.size() - 2));
