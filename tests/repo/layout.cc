@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kMaxLines = 600;
 constexpr std::size_t kMaxReadmeLines = 30;
+constexpr std::size_t kMaxPlainLines = 5;
 
 // In two pieces, so that this file does not find itself.
 constexpr std::array<std::string_view, 7> kMachineTraces = {
@@ -49,15 +50,17 @@ std::string_view defined_type(std::string_view line) {
   return {};
 }
 
-/// True where a comment stands above the type that `lines[first]` opens, or somewhere inside it.
+/// True where a comment stands above the type that `lines[first]` opens, or somewhere inside it, or where it
+/// is so short that its fields say it all.
 bool is_commented(const std::vector<std::string_view>& lines, std::size_t first) {
   std::size_t above = first;
   while (above > 0 && lines[above - 1].starts_with("template")) --above;
   if (above > 0 && lines[above - 1].starts_with("//")) return true;
-  for (std::size_t i = first + 1; i < lines.size() && !lines[i].starts_with('}'); ++i) {
-    if (lines[i].find("//") != std::string_view::npos) return true;
+  std::size_t last = first + 1;
+  for (; last < lines.size() && !lines[last].starts_with('}'); ++last) {
+    if (lines[last].find("//") != std::string_view::npos) return true;
   }
-  return false;
+  return last - first <= kMaxPlainLines;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ Findings machine_traces(const Tree& tree);
 /// Sources past 600 lines. Each holds more than one idea.
 Findings long_files(const Tree& tree);
 
-/// Types in headers of `src/mlab`, of more than one line, that have a comment neither above nor inside.
+/// Types in headers of `src/mlab`, of more than a few lines, that have a comment neither above nor inside.
 Findings uncommented_types(const Tree& tree);
 
 /// Modules (folders of `src/mlab` with a CMakeLists.txt) without a README.md, or with one past 30 lines.

@@ -37,16 +37,17 @@ TEST(Layout, EveryTypeInAHeaderHasAComment) {
   EXPECT_EQ(uncommented_types(project()), Findings{});
 }
 TEST(Layout, ATypeWithoutACommentIsFound) {
+  const std::string body = "  int a;\n  int b;\n  int c;\n  int d;\n  int e;\n};\n";
   const auto count = [](std::string text) {
     return uncommented_types({{"src/mlab/a/a.h", std::move(text)}}).size();
   };
-  EXPECT_EQ(count("struct Point {\n  double x = 0.0;\n};\n"), 1U);
-  EXPECT_EQ(count("\ntemplate <class T>\nclass List {\n};\n"), 1U);
-  EXPECT_EQ(count("enum class Kind {\n  kOne,\n};\n/// Of another.\n"), 1U);
-  EXPECT_EQ(count("/// A place [m].\nstruct Point {\n  double x = 0.0;\n};\n"), 0U);
-  EXPECT_EQ(count("struct Point {\n  double x = 0.0;  ///< [m]\n};\n"), 0U);
-  EXPECT_EQ(count("/// Many.\ntemplate <class T>\nclass List {\n};\n"), 0U);
-  EXPECT_EQ(count("struct Point;\nenum class Kind { kOne };\n"), 0U);
+  EXPECT_EQ(count("struct Point {\n" + body), 1U);
+  EXPECT_EQ(count("\ntemplate <class T>\nclass List {\n" + body), 1U);
+  EXPECT_EQ(count("enum class Kind {\n" + body + "/// Of another.\n"), 1U);
+  EXPECT_EQ(count("/// A place [m].\nstruct Point {\n" + body), 0U);
+  EXPECT_EQ(count("struct Point {\n  double x = 0.0;  ///< [m]\n" + body), 0U);
+  EXPECT_EQ(count("/// Many.\ntemplate <class T>\nclass List {\n" + body), 0U);
+  EXPECT_EQ(count("struct Point;\nstruct Name {\n  int a;\n};\n"), 0U);
 }
 
 TEST(Layout, EveryModuleHasAReadme) {
