@@ -50,6 +50,8 @@ function(mlab_module name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(mlab_${name} ${scope} ${arg_LINK})
   target_compile_features(mlab_${name} INTERFACE cxx_std_23)
+  # Headers hold arithmetic too, so who uses them rounds the same way.
+  target_compile_options(mlab_${name} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
   add_library(mlab::${name} ALIAS mlab_${name})
 
   set_target_properties(mlab_${name} PROPERTIES EXPORT_NAME ${name})
