@@ -50,7 +50,7 @@ std::vector<const Procedure*> own_procedures(const Tree& tree) {
 
 void write_module_entry(CppWriter& out, std::string_view function) {
   out.line("");
-  out.line("extern \"C\" const mlab::flow::Module* mlab_cnl_module_v1() {");
+  out.line("extern \"C\" [[gnu::visibility(\"default\")]] const mlab::flow::Module* mlab_cnl_module_v1() {");
   out.line(
       fmt::format("  static const mlab::flow::Module kModule = mlab::flow::make_module({}());", function));
   out.line("  return &kModule;");

@@ -1,0 +1,150 @@
+#include "mlab/lang/cnl/compiler_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+
+namespace mlab::cnl {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> out;
+  for (std::string& word : words) out.push_back(word.data());
+  out.push_back(nullptr);
+  return out;
+}
+
+std::vector<std::string> plain_environment() {
+  std::vector<std::string> out = {"LC_ALL=C"};
+  for (char** entry = environ; entry && *entry; ++entry) {
+    const std::string_view text = *entry;
+    if (!text.starts_with("LC_ALL=") && !text.starts_with("GCC_COLORS=")) out.emplace_back(text);
+  }
+  return out;
+}
+
+// In the child, between fork and exec: nothing here may allocate or lock.
+[[noreturn]] void become(const char* program, char* const* words, char* const* environment, int out, int report,
+                         const ProcessLimits& limits) {
+  setpgid(0, 0);
+  const rlimit memory{limits.memory, limits.memory};
+  const rlimit cores{0, 0};
+  setrlimit(RLIMIT_AS, &memory);
+  setrlimit(RLIMIT_CORE, &cores);
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (nothing >= 0) dup2(nothing, 0);
+  dup2(out, 1);
+  dup2(out, 2);
+  execve(program, words, environment);
+  const int failure = errno;
+  if (write(report, &failure, sizeof failure) < 0) _exit(126);
+  _exit(127);
+}
+
+struct Pipe {
+  int read_end = -1;
+  int write_end = -1;
+
+  bool open() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return false;
+    read_end = ends[0];
+    write_end = ends[1];
+    return true;
+  }
+  static void close_end(int& end) {
+    if (end >= 0) ::close(end);
+    end = -1;
+  }
+  ~Pipe() {
+    close_end(read_end);
+    close_end(write_end);
+  }
+};
+
+// Reads until the writers are gone. False: the time was over first.
+bool read_all(int from, Clock::time_point deadline, std::size_t most, std::string& output) {
+  char block[1 << 14];
+  for (;;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return false;
+    pollfd waiting{from, POLLIN, 0};
+    const int ready = poll(&waiting, 1, static_cast<int>(left));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return false;
+    const ssize_t count = read(from, block, sizeof block);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return true;
+    const std::size_t room = most > output.size() ? most - output.size() : 0;
+    output.append(block, std::min(room, static_cast<std::size_t>(count)));
+  }
+}
+
+ProcessResult failed(int error) {
+  return {error == ENOENT ? ProcessResult::End::kNotFound : ProcessResult::End::kFailed, error,
+          std::generic_category().message(error)};
+}
+
+}  // namespace
+
+std::string find_program(const std::string& name) {
+  if (name.find('/') != std::string::npos) return access(name.c_str(), X_OK) == 0 ? name : "";
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path ? path : "/usr/bin:/bin";
+  while (!rest.empty()) {
+    const std::size_t colon = std::min(rest.find(':'), rest.size());
+    const std::string candidate = std::string(rest.substr(0, colon)) + "/" + name;
+    if (colon > 0 && access(candidate.c_str(), X_OK) == 0) return candidate;
+    rest.remove_prefix(std::min(colon + 1, rest.size()));
+  }
+  return "";
+}
+
+ProcessResult run_process(const std::vector<std::string>& words, const ProcessLimits& limits) {
+  const std::string program = find_program(words.at(0));
+  if (program.empty()) return failed(ENOENT);
+  Pipe output;
+  Pipe report;  // tells why exec failed; closed by exec itself
+  if (!output.open() || !report.open()) return failed(errno);
+  std::vector<std::string> own_words = words;
+  std::vector<std::string> environment = plain_environment();
+  const std::vector<char*> argument_pointers = pointers(own_words);
+  const std::vector<char*> environment_pointers = pointers(environment);
+  const pid_t child = fork();
+  if (child < 0) return failed(errno);
+  if (child == 0) {
+    become(program.c_str(), argument_pointers.data(), environment_pointers.data(), output.write_end, report.write_end, limits);
+  }
+  setpgid(child, child);  // in both processes: whoever comes first
+  Pipe::close_end(output.write_end);
+  Pipe::close_end(report.write_end);
+  int exec_error = 0;
+  const bool did_not_start = read(report.read_end, &exec_error, sizeof exec_error) == sizeof exec_error;
+  ProcessResult result;
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.time));
+  const bool in_time = read_all(output.read_end, deadline, limits.output, result.output);
+  if (!in_time) kill(-child, SIGKILL);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (did_not_start) return failed(exec_error);
+  result.end = !in_time              ? ProcessResult::End::kTimedOut
+               : WIFSIGNALED(status) ? ProcessResult::End::kSignalled
+                                     : ProcessResult::End::kExited;
+  result.status = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+  return result;
+}
+
+}  // namespace mlab::cnl

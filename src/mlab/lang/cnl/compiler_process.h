@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace mlab::cnl {
+
+/// What a program may use before it is stopped.
+struct ProcessLimits {
+  double time = 60.0;                            ///< by the clock on the wall [s]
+  std::size_t memory = std::size_t{3} << 30;     ///< of address space, each of its processes [bytes]
+  std::size_t output = std::size_t{1} << 20;     ///< what it prints beyond this is dropped [bytes]
+};
+
+struct ProcessResult {
+  enum class End {
+    kExited,
+    kNotFound,  ///< no such program
+    kFailed,    ///< could not be started; `output` says why
+    kTimedOut,
+    kSignalled,
+  };
+  End end = End::kFailed;
+  int status = 0;      ///< of its exit, or the signal
+  std::string output;  ///< standard output and standard error, as they came
+};
+
+/// Runs a program without a shell and waits for it. It gets no input, an environment with `LC_ALL=C`, and a process
+/// group of its own, which is killed as a whole where it takes too long.
+///
+/// @param words  the program, looked for in PATH where it has no slash, and its arguments
+ProcessResult run_process(const std::vector<std::string>& words, const ProcessLimits& limits);
+
+/// Where PATH has the program; empty: nowhere.
+std::string find_program(const std::string& name);
+
+}  // namespace mlab::cnl

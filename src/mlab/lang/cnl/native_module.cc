@@ -1,0 +1,242 @@
+#include "mlab/lang/cnl/native_module.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "mlab/base/hash.h"
+#include "mlab/flow/module.h"
+#include "mlab/lang/cnl/compiler_messages.h"
+#include "mlab/lang/cnl/generate.h"
+
+namespace mlab::cnl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string cache_folder(const NativeOptions& options) {
+  if (!options.cache_folder.empty()) return options.cache_folder;
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/') return std::string(cache) + "/mlab";
+  if (const char* home = std::getenv("HOME"); home && *home == '/') return std::string(home) + "/.cache/mlab";
+  std::error_code failure;
+  return (fs::temp_directory_path(failure) / fmt::format("mlab-{}", getuid())).string();
+}
+
+// Size and time of change: enough to see that a file is another one.
+std::string state_of(const std::string& path) {
+  std::error_code failure;
+  const auto size = fs::file_size(path, failure);
+  if (failure) return path + " is gone";
+  const auto time = fs::last_write_time(path, failure).time_since_epoch().count();
+  return fmt::format("{} {} {}", path, size, time);
+}
+
+std::uint64_t hash_of(const std::vector<std::string>& parts) {
+  std::uint64_t h = base::hash_text("");
+  for (const std::string& part : parts) h = base::combine_bits(h, base::hash_text(part));
+  return h;
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream out;
+  out << file.rdbuf();
+  return out.str();
+}
+
+/// One file's procedures on their way through the compiler.
+class NativeBuild {
+ public:
+  NativeBuild(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics)
+      : tree_(tree), options_(options), diagnostics_(diagnostics), folder_(cache_folder(options)) {
+    const std::string text_name = stem_of(tree.source->name()) + ".cnl.cc";
+    text_ = generate(tree, {text_name, true});
+    flags_ = {"-std=c++23", "-O2", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden", "-Wall", "-fno-diagnostics-show-caret",
+              "-fdiagnostics-color=never", "-fdiagnostics-column-unit=byte", "-fmax-errors=50"};
+    const fs::path beside = fs::path(tree.source->name()).parent_path();
+    flags_.push_back("-iquote" + (beside.empty() ? std::string(".") : beside.string()));
+    for (const std::string& folder : options.include_folders) flags_.push_back("-I" + folder);
+    std::vector<std::string> parts = flags_;
+    parts.push_back(text_);
+    parts.push_back(options.version);
+    parts.push_back(fmt::format("{}", flow::module_layout()));
+    parts.push_back(state_of(find_program(options.compiler)));
+    key_ = fmt::format("{}-{:016x}", stem_of(tree.source->name()), hash_of(parts));
+  }
+
+  bool check() {
+    const std::optional<std::string> text_file = write_text();
+    if (!text_file) return false;
+    std::vector<std::string> words = {"-fsyntax-only", *text_file};
+    const bool accepted = run_compiler(words);
+    remove(*text_file);
+    return accepted;
+  }
+
+  std::optional<NativeModule> load() {
+    NativeModule module;
+    module.file = library_path();
+    if (module.file.empty() || !fs::exists(module.file)) {
+      if (!compile()) return std::nullopt;
+      module.file = library_path();
+      module.was_compiled = true;
+    }
+    return open(std::move(module));
+  }
+
+ private:
+  std::string in_folder(const std::string& name) const { return folder_ + "/" + name; }
+
+  static void remove(const std::string& path) {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+
+  // Text for this process alone, so that two that build the same do not disturb each other.
+  std::optional<std::string> write_text() {
+    static std::atomic<unsigned> count{0};
+    std::error_code failure;
+    fs::create_directories(folder_, failure);
+    own_ = in_folder(fmt::format("{}.{}.{}", key_, getpid(), count++));
+    const std::string path = own_ + ".cc";
+    std::ofstream file(path, std::ios::binary);
+    file << text_;
+    file.close();
+    if (file) return path;
+    diagnostics_.error("cannot-write", {}, fmt::format("cannot write `{}`, which is needed to compile procedures", path))
+        .hints.emplace_back("set XDG_CACHE_HOME to a folder that can be written");
+    return std::nullopt;
+  }
+
+  bool run_compiler(const std::vector<std::string>& last_words) {
+    std::vector<std::string> words = {options_.compiler};
+    words.insert(words.end(), flags_.begin(), flags_.end());
+    words.insert(words.end(), last_words.begin(), last_words.end());
+    const ProcessResult result = run_process(words, options_.limits);
+    const text::Place place{tree_.source, {0, 0}};
+    switch (result.end) {
+      case ProcessResult::End::kNotFound: {
+        auto& diagnostic = diagnostics_.error(
+            "no-compiler", place, fmt::format("procedures need a C++ compiler, and there is no `{}`", options_.compiler));
+        diagnostic.hints.emplace_back("on Debian: apt-get install g++");
+        return false;
+      }
+      case ProcessResult::End::kTimedOut:
+        diagnostics_.error("compiler-limit", place, fmt::format("the C++ compiler took longer than {} s", options_.limits.time));
+        return false;
+      case ProcessResult::End::kFailed:
+        diagnostics_.error("compiler-failed", place, fmt::format("cannot start `{}`: {}", options_.compiler, result.output));
+        return false;
+      default: break;
+    }
+    const std::size_t errors = report_compiler_messages(result.output, tree_, diagnostics_);
+    if (result.end == ProcessResult::End::kExited && result.status == 0) return true;
+    if (errors == 0) report_failure(result, place);
+    return false;
+  }
+
+  // It failed without a word about a line of code.
+  void report_failure(const ProcessResult& result, const text::Place& place) {
+    const bool no_memory = result.output.find("out of memory") != std::string::npos ||
+                           result.output.find("memory exhausted") != std::string::npos ||
+                           result.output.find("Killed") != std::string::npos;
+    if (no_memory) {
+      diagnostics_.error("compiler-limit", place,
+                         fmt::format("the C++ compiler needed more than {} MB", options_.limits.memory >> 20));
+      return;
+    }
+    auto& diagnostic = diagnostics_.error("compiler-failed", place, "the C++ compiler failed");
+    diagnostic.label = result.output.substr(0, result.output.find('\n'));
+  }
+
+  // The library's name ends with the state of everything it was made from; what that is, the first compilation said.
+  std::string library_path() const {
+    std::istringstream words(read_text(in_folder(key_ + ".d")));
+    std::vector<std::string> states;
+    std::string word;
+    while (words >> word) {
+      if (word != "\\" && !word.ends_with(':')) states.push_back(state_of(word));
+    }
+    return states.empty() ? "" : in_folder(fmt::format("{}-{:016x}.so", key_, hash_of(states)));
+  }
+
+  bool compile() {
+    const std::optional<std::string> text_file = write_text();
+    if (!text_file) return false;
+    const std::string library = own_ + ".so";
+    const std::string dependencies = own_ + ".d";
+    const bool accepted = run_compiler({"-shared", *text_file, "-o", library, "-MMD", "-MF", dependencies, "-MT", "x"});
+    bool done = accepted;
+    if (accepted) {
+      drop_own_text(dependencies, *text_file);
+      std::error_code failure;
+      fs::rename(dependencies, in_folder(key_ + ".d"), failure);
+      if (!failure) fs::rename(library, library_path(), failure);
+      done = !failure;
+      if (failure) diagnostics_.error("cannot-write", {}, fmt::format("cannot write into `{}`: {}", folder_, failure.message()));
+    }
+    for (const std::string& path : {*text_file, library, dependencies}) remove(path);
+    return done;
+  }
+
+  // The generated text is in the key already, and its file is about to go.
+  static void drop_own_text(const std::string& dependencies, const std::string& text_file) {
+    std::string text = read_text(dependencies);
+    if (const std::size_t at = text.find(text_file); at != std::string::npos) text.erase(at, text_file.size());
+    std::ofstream(dependencies, std::ios::binary) << text;
+  }
+
+  std::optional<NativeModule> open(NativeModule module) {
+    const text::Place place{tree_.source, {0, 0}};
+    const auto refused = [&](const std::string& why) {
+      diagnostics_.error("cannot-load", place, fmt::format("cannot load the compiled procedures: {}", why));
+      return std::nullopt;
+    };
+    void* library = dlopen(module.file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    if (!library) return refused(dlerror());
+    const auto entry = reinterpret_cast<flow::ModuleEntry>(dlsym(library, flow::kModuleEntry));
+    if (!entry) return refused(fmt::format("`{}` has no `{}`", module.file, flow::kModuleEntry));
+    const flow::Module& content = *entry();
+    if (content.abi != flow::kModuleAbi || content.layout != flow::module_layout()) {
+      return refused("they were made with headers of another version");
+    }
+    module.behaviors.assign(content.behaviors, content.behaviors + content.behavior_count);
+    return module;
+  }
+
+  const Tree& tree_;
+  const NativeOptions& options_;
+  text::Diagnostics& diagnostics_;
+  std::string folder_;
+  std::string text_;
+  std::vector<std::string> flags_;
+  std::string key_;  ///< names what it is made from: text, compiler, version
+  std::string own_;  ///< path of the files of this compilation, without their ends
+};
+
+}  // namespace
+
+bool has_procedures(const Tree& tree) {
+  const std::vector<const Procedure*> all = items_of<Procedure>(tree);
+  return std::any_of(all.begin(), all.end(), [](const Procedure* p) { return !p->is_external; });
+}
+
+bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics) {
+  return !has_procedures(tree) || NativeBuild(tree, options, diagnostics).check();
+}
+
+std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics) {
+  if (!has_procedures(tree)) return NativeModule{};
+  return NativeBuild(tree, options, diagnostics).load();
+}
+
+}  // namespace mlab::cnl

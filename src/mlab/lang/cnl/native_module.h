@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mlab/flow/behavior.h"
+#include "mlab/lang/cnl/compiler_process.h"
+#include "mlab/lang/cnl/tree.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cnl {
+
+/// How procedures that a mission brings along become code.
+struct NativeOptions {
+  std::vector<std::string> include_folders;  ///< where `mlab/...` headers are
+  std::string compiler = "g++";
+  std::string cache_folder;  ///< empty: `$XDG_CACHE_HOME/mlab`, or `~/.cache/mlab`
+  std::string version;       ///< of this program; libraries of another one are not used again
+  ProcessLimits limits;
+};
+
+/// True where the file has procedures of its own, which only a C++ compiler can make run.
+bool has_procedures(const Tree& tree);
+
+/// Compiles the procedures of a file for their errors only. The tree has passed `check_declarations`.
+///
+/// @return  whether the compiler accepts them
+/// @errors  `cpp-error`, `cpp-warning`, `state-not-copyable` at the author's places; `no-compiler`, `compiler-limit`,
+///          `compiler-failed`
+bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics);
+
+struct NativeModule {
+  std::vector<const flow::Behavior*> behaviors;  ///< live as long as the process
+  std::string file;                              ///< the shared library
+  bool was_compiled = false;                     ///< false: the cache had it
+};
+
+/// Compiles the procedures of a file into a shared library, or takes it from the cache, and loads it. The host exports
+/// the symbols of `flow`, `percept` and `schema` (ENABLE_EXPORTS, whole archives).
+///
+/// @errors  those of `check_native`; `cannot-write` for the cache; `cannot-load`
+std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics);
+
+}  // namespace mlab::cnl
