@@ -219,7 +219,22 @@ class Checker {
     for (const UserCode& code : codes_of(procedure)) code.check(diagnostics_);
     if (procedure.once) check_state(procedure, UserCode(*procedure.once), "once");
     if (procedure.header) check_state(procedure, UserCode(*procedure.header), "header");
+    for (const auto* section : {&procedure.once, &procedure.header}) {
+      if (*section) check_returns(UserCode(**section));
+    }
     if (procedure.is_pure) check_pure(procedure);
+  }
+
+  // A header goes over into the body; it has no caller to return to. (Lambdas in it return values.)
+  void check_returns(const UserCode& code) {
+    const auto& tokens = code.tokens();
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+      if (tokens[i].text != "return" || tokens[i + 1].text != ";") continue;
+      diagnostics_
+          .error("return-in-header", code.place(tokens[i]),
+                 "`return;` stands in `body`, not in `once` or `header`")
+          .hints.emplace_back("`body` runs behind them in any case; put what depends into an `if`");
+    }
   }
 
   // What `once` and `header` declare is kept in the frame, which is copied byte by byte.

@@ -32,7 +32,8 @@ struct Line {
   std::string_view file;
   std::uint32_t line = 0;
   std::uint32_t column = 0;
-  std::string_view level;  ///< `error`, `fatal error`, `warning`, `note`, or empty: `required from here` and the like
+  std::string_view
+      level;  ///< `error`, `fatal error`, `warning`, `note`, or empty: `required from here` and the like
   std::string_view text;
 };
 
@@ -45,7 +46,8 @@ bool take_number(std::string_view& text, std::uint32_t& number) {
 
 std::optional<Line> read_line(std::string_view text) {
   // The first `:digits:digits: ` ends the name of the file, which may hold colons itself.
-  for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':', colon + 1)) {
+  for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
+       colon = text.find(':', colon + 1)) {
     Line out;
     std::string_view rest = text.substr(colon + 1);
     if (!take_number(rest, out.line) || !rest.starts_with(':')) continue;
@@ -77,7 +79,8 @@ text::Place place_of(const Line& line, const Sources& sources) {
   const std::string_view words = source->line(line.line);
   if (words.data() == nullptr) return {source, {0, 0}};
   const auto start = static_cast<std::uint32_t>(words.data() - source->text().data());
-  const auto from = static_cast<std::uint32_t>(std::min<std::size_t>(line.column > 0 ? line.column - 1 : 0, words.size()));
+  const auto from =
+      static_cast<std::uint32_t>(std::min<std::size_t>(line.column > 0 ? line.column - 1 : 0, words.size()));
   std::uint32_t to = from;
   while (to < words.size() && is_word(words[to])) ++to;
   return {source, {start + from, start + std::max(to, from + 1)}};
@@ -91,8 +94,11 @@ std::string elsewhere(const Line& line) {
 
 text::Diagnostic to_diagnostic(const Line& line) {
   text::Diagnostic out;
-  out.severity = line.level == "warning" ? text::Severity::kWarning : text::Severity::kError;
-  out.kind = line.level == "warning" ? "cpp-warning" : "cpp-error";
+  out.kind = "cpp-error";
+  if (line.level == "warning") {
+    out.severity = text::Severity::kWarning;
+    out.kind = "cpp-warning";
+  }
   std::string_view message = line.text;
   constexpr std::string_view kAssertion = "static assertion failed: ";
   if (message.starts_with(kAssertion)) {
@@ -104,52 +110,86 @@ text::Diagnostic to_diagnostic(const Line& line) {
     }
   }
   out.message = text::shown(message, kLongestMessage);
-  if (message.find("read-only") != std::string_view::npos) out.hints.emplace_back("inputs of a procedure are read-only");
+  if (message.find("read-only") != std::string_view::npos)
+    out.hints.emplace_back("inputs of a procedure are read-only");
   return out;
+}
+
+/// Reads the messages one by one; each begins with an error or a warning, and notes belong to it.
+class MessageReader {
+ public:
+  explicit MessageReader(const Tree& tree) { collect_sources(tree, sources_); }
+
+  void read(std::string_view output) {
+    while (!output.empty()) {
+      const std::size_t end = std::min(output.find('\n'), output.size());
+      if (const std::optional<Line> line = read_line(output.substr(0, end))) take(*line);
+      output.remove_prefix(std::min(end + 1, output.size()));
+    }
+  }
+
+  const std::vector<text::Diagnostic>& messages() const { return messages_; }
+
+ private:
+  void take(const Line& line) {
+    const text::Place place = place_of(line, sources_);
+    if (line.level.empty() || line.level == "note") {
+      const bool mends_last = place.source && !messages_.empty() && !messages_.back().place.source;
+      if (mends_last) messages_.back().place = place;
+      if (line.level.empty()) {
+        if (place.source) led_here_ = place;
+      } else if (place.source && !mends_last && !messages_.empty() &&
+                 messages_.back().notes.size() < kMaxNotes) {
+        messages_.back().notes.push_back({text::shown(line.text, kLongestMessage), place});
+      }
+      return;
+    }
+    messages_.push_back(to_diagnostic(line));
+    messages_.back().place = place.source ? place : led_here_;
+    if (!place.source) messages_.back().label = fmt::format("g++ says so of {}", elsewhere(line));
+    led_here_ = {};
+  }
+
+  static constexpr std::size_t kMaxNotes = 5;
+
+  Sources sources_;
+  std::vector<text::Diagnostic> messages_;
+  text::Place led_here_;  ///< the last of the author's places in the lines before a message
+};
+
+bool is_error(const text::Diagnostic& message) {
+  return message.severity == text::Severity::kError;
+}
+
+// What follows from another message and says nothing new to the author.
+bool follows(const text::Diagnostic& message, const std::vector<text::Diagnostic>& before) {
+  if (message.message.starts_with("something that the header declares")) {
+    return std::any_of(before.begin(), before.end(),
+                       [](const auto& b) { return b.kind == "state-not-copyable"; });
+  }
+  return std::any_of(before.begin(), before.end(), [&](const auto& b) {
+    return b.message == message.message && b.place.source == message.place.source &&
+           b.place.span == message.place.span;
+  });
 }
 
 }  // namespace
 
-std::size_t report_compiler_messages(std::string_view output, const Tree& tree, text::Diagnostics& diagnostics) {
-  Sources sources;
-  collect_sources(tree, sources);
+std::size_t report_compiler_messages(std::string_view output, const Tree& tree,
+                                     text::Diagnostics& diagnostics) {
+  MessageReader reader(tree);
+  reader.read(output);
+  // Errors in generated text or in headers follow from those in the author's text, where there are any.
+  const bool has_own = std::any_of(reader.messages().begin(), reader.messages().end(),
+                                   [](const auto& m) { return is_error(m) && m.place.source != nullptr; });
   std::size_t errors = 0;
-  std::optional<text::Diagnostic> open;
-  std::string open_elsewhere;     // where g++ said it, when that is not the author's file
-  text::Place led_here;           // the last of the author's places in the lines before a message
-  const auto flush = [&] {
-    if (!open) return;
-    if (!open_elsewhere.empty()) open->label = fmt::format("g++ says so of {}", open_elsewhere);
-    const bool is_new = diagnostics.items().empty() || diagnostics.items().back().message != open->message ||
-                        !(diagnostics.items().back().place.span == open->place.span);
-    if (is_new) diagnostics.report(std::move(*open));
-    open.reset();
-  };
-  while (!output.empty()) {
-    const std::size_t end = std::min(output.find('\n'), output.size());
-    const std::optional<Line> line = read_line(output.substr(0, end));
-    output.remove_prefix(std::min(end + 1, output.size()));
-    if (!line) {
-      // "In file included from" and "In function" begin a new message.
-      continue;
-    }
-    const text::Place place = place_of(*line, sources);
-    if (line->level.empty()) {
-      if (place.source && open && !open->place.source) open->place = place;
-      led_here = place.source ? place : led_here;
-    } else if (line->level == "note") {
-      if (open && place.source && open->notes.size() < 5) open->notes.push_back({text::shown(line->text, kLongestMessage), place});
-      if (open && place.source && !open->place.source) open->place = place;
-    } else {
-      flush();
-      open = to_diagnostic(*line);
-      open->place = place.source ? place : led_here;
-      open_elsewhere = place.source ? "" : elsewhere(*line);
-      led_here = {};
-      if (open->severity == text::Severity::kError) ++errors;
-    }
+  std::vector<text::Diagnostic> said;
+  for (const text::Diagnostic& message : reader.messages()) {
+    if (is_error(message)) ++errors;
+    if ((!message.place.source && (has_own || !is_error(message))) || follows(message, said)) continue;
+    said.push_back(message);
+    diagnostics.report(message);
   }
-  flush();
   return errors;
 }
 

@@ -36,8 +36,8 @@ std::vector<std::string> plain_environment() {
 }
 
 // In the child, between fork and exec: nothing here may allocate or lock.
-[[noreturn]] void become(const char* program, char* const* words, char* const* environment, int out, int report,
-                         const ProcessLimits& limits) {
+[[noreturn]] void become(const char* program, char* const* words, char* const* environment, int out,
+                         int report, const ProcessLimits& limits) {
   setpgid(0, 0);
   const rlimit memory{limits.memory, limits.memory};
   const rlimit cores{0, 0};
@@ -125,7 +125,8 @@ ProcessResult run_process(const std::vector<std::string>& words, const ProcessLi
   const pid_t child = fork();
   if (child < 0) return failed(errno);
   if (child == 0) {
-    become(program.c_str(), argument_pointers.data(), environment_pointers.data(), output.write_end, report.write_end, limits);
+    become(program.c_str(), argument_pointers.data(), environment_pointers.data(), output.write_end,
+           report.write_end, limits);
   }
   setpgid(child, child);  // in both processes: whoever comes first
   Pipe::close_end(output.write_end);
@@ -133,7 +134,8 @@ ProcessResult run_process(const std::vector<std::string>& words, const ProcessLi
   int exec_error = 0;
   const bool did_not_start = read(report.read_end, &exec_error, sizeof exec_error) == sizeof exec_error;
   ProcessResult result;
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.time));
+  const auto deadline =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.time));
   const bool in_time = read_all(output.read_end, deadline, limits.output, result.output);
   if (!in_time) kill(-child, SIGKILL);
   int status = 0;

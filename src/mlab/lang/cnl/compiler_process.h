@@ -8,9 +8,9 @@ namespace mlab::cnl {
 
 /// What a program may use before it is stopped.
 struct ProcessLimits {
-  double time = 60.0;                            ///< by the clock on the wall [s]
-  std::size_t memory = std::size_t{3} << 30;     ///< of address space, each of its processes [bytes]
-  std::size_t output = std::size_t{1} << 20;     ///< what it prints beyond this is dropped [bytes]
+  double time = 60.0;                         ///< by the clock on the wall [s]
+  std::size_t memory = std::size_t{3} << 30;  ///< of address space, each of its processes [bytes]
+  std::size_t output = std::size_t{1} << 20;  ///< what it prints beyond this is dropped [bytes]
 };
 
 struct ProcessResult {
@@ -26,8 +26,8 @@ struct ProcessResult {
   std::string output;  ///< standard output and standard error, as they came
 };
 
-/// Runs a program without a shell and waits for it. It gets no input, an environment with `LC_ALL=C`, and a process
-/// group of its own, which is killed as a whole where it takes too long.
+/// Runs a program without a shell and waits for it. It gets no input, an environment with `LC_ALL=C`, and a
+/// process group of its own, which is killed as a whole where it takes too long.
 ///
 /// @param words  the program, looked for in PATH where it has no slash, and its arguments
 ProcessResult run_process(const std::vector<std::string>& words, const ProcessLimits& limits);

@@ -108,6 +108,11 @@ bool Cursor::take(std::string_view word) {
 
 bool Cursor::expect(std::string_view word, std::string_view why) {
   if (take(word)) return true;
+  if (is(Token::Kind::kUnclosed)) {
+    expected(fmt::format("`{}` {}", word, why));
+    advance();
+    return false;
+  }
   // A missing `;` belongs behind what should have had it, not at the next line.
   const bool behind = word == ";" && last_end_ > 0;
   const text::Place at = behind ? place({last_end_ - 1, last_end_}) : here();
@@ -150,7 +155,10 @@ Word Cursor::take_unit() {
   const std::size_t close = source_text().substr(0, end).find(']', begin);
   if (close == std::string_view::npos) {
     error("unclosed-text", here(), "the unit is not closed with `]` on its line");
-    resume(end);
+    // The word behind the bracket was meant to be the unit.
+    const std::size_t first = source_text().find_first_not_of(" \t", begin);
+    resume(
+        static_cast<std::uint32_t>(std::min<std::size_t>(source_text().find_first_of(" \t\n", first), end)));
     return {};
   }
   const auto stop = static_cast<std::uint32_t>(close);

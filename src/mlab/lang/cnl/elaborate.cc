@@ -95,7 +95,7 @@ class Elaborator {
     if (parameter.type != type) {
       diagnostics_
           .error("bad-database-node", node.place,
-                 fmt::format("`{}` is a {} here and a {} elsewhere", text::shown(parameter.name), type,
+                 fmt::format("`{}` is `{}` here and `{}` elsewhere", text::shown(parameter.name), type,
                              parameter.type))
           .notes.push_back({"first used here", parameter.place});
       return;

@@ -40,6 +40,14 @@ void write_type(CppWriter& out, const TypeDecl& type) {
   out.line("    return kInfo;");
   out.line("  }");
   out.line("};");
+  out.line("namespace mlab_cnl {");
+  out.line("static_assert(");
+  out.at(type.name.place, fmt::format("is_state<::{}>,", type.name.text));
+  out.line(fmt::format(
+      "{});", cpp_string(fmt::format(
+                  "values of the type `{}` cannot be copied byte by byte, as values on wires have to be",
+                  type.name.text))));
+  out.line("}");
 }
 
 std::vector<const Procedure*> own_procedures(const Tree& tree) {
@@ -78,6 +86,8 @@ std::string generate(const Tree& tree, const GenerateOptions& options) {
   // Inputs come in again as parameters of the body; a procedure's own variables may have names of the
   // library.
   out.line("#pragma GCC diagnostic ignored \"-Wshadow\"");
+  // Short, so that compilers name the place of what they check and not one beside it.
+  out.line("namespace mlab_cnl { using mlab::flow::is_state; }");
   visit_items(tree, [&](const Item& item) {
     if (const auto* init = std::get_if<Init>(&item)) write_init(out, *init);
   });

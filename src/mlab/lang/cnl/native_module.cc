@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 
 std::string cache_folder(const NativeOptions& options) {
   if (!options.cache_folder.empty()) return options.cache_folder;
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/') return std::string(cache) + "/mlab";
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
+    return std::string(cache) + "/mlab";
   if (const char* home = std::getenv("HOME"); home && *home == '/') return std::string(home) + "/.cache/mlab";
   std::error_code failure;
   return (fs::temp_directory_path(failure) / fmt::format("mlab-{}", getuid())).string();
@@ -60,8 +61,16 @@ class NativeBuild {
       : tree_(tree), options_(options), diagnostics_(diagnostics), folder_(cache_folder(options)) {
     const std::string text_name = stem_of(tree.source->name()) + ".cnl.cc";
     text_ = generate(tree, {text_name, true});
-    flags_ = {"-std=c++23", "-O2", "-fPIC", "-ffp-contract=off", "-fvisibility=hidden", "-Wall", "-fno-diagnostics-show-caret",
-              "-fdiagnostics-color=never", "-fdiagnostics-column-unit=byte", "-fmax-errors=50"};
+    flags_ = {"-std=c++23",
+              "-O2",
+              "-fPIC",
+              "-ffp-contract=off",
+              "-fvisibility=hidden",
+              "-Wall",
+              "-fno-diagnostics-show-caret",
+              "-fdiagnostics-color=never",
+              "-fdiagnostics-column-unit=byte",
+              "-fmax-errors=50"};
     const fs::path beside = fs::path(tree.source->name()).parent_path();
     flags_.push_back("-iquote" + (beside.empty() ? std::string(".") : beside.string()));
     for (const std::string& folder : options.include_folders) flags_.push_back("-I" + folder);
@@ -112,7 +121,9 @@ class NativeBuild {
     file << text_;
     file.close();
     if (file) return path;
-    diagnostics_.error("cannot-write", {}, fmt::format("cannot write `{}`, which is needed to compile procedures", path))
+    diagnostics_
+        .error("cannot-write", {},
+               fmt::format("cannot write `{}`, which is needed to compile procedures", path))
         .hints.emplace_back("set XDG_CACHE_HOME to a folder that can be written");
     return std::nullopt;
   }
@@ -126,17 +137,21 @@ class NativeBuild {
     switch (result.end) {
       case ProcessResult::End::kNotFound: {
         auto& diagnostic = diagnostics_.error(
-            "no-compiler", place, fmt::format("procedures need a C++ compiler, and there is no `{}`", options_.compiler));
+            "no-compiler", place,
+            fmt::format("procedures need a C++ compiler, and there is no `{}`", options_.compiler));
         diagnostic.hints.emplace_back("on Debian: apt-get install g++");
         return false;
       }
       case ProcessResult::End::kTimedOut:
-        diagnostics_.error("compiler-limit", place, fmt::format("the C++ compiler took longer than {} s", options_.limits.time));
+        diagnostics_.error("compiler-limit", place,
+                           fmt::format("the C++ compiler took longer than {} s", options_.limits.time));
         return false;
       case ProcessResult::End::kFailed:
-        diagnostics_.error("compiler-failed", place, fmt::format("cannot start `{}`: {}", options_.compiler, result.output));
+        diagnostics_.error("compiler-failed", place,
+                           fmt::format("cannot start `{}`: {}", options_.compiler, result.output));
         return false;
-      default: break;
+      default:
+        break;
     }
     const std::size_t errors = report_compiler_messages(result.output, tree_, diagnostics_);
     if (result.end == ProcessResult::End::kExited && result.status == 0) return true;
@@ -150,15 +165,17 @@ class NativeBuild {
                            result.output.find("memory exhausted") != std::string::npos ||
                            result.output.find("Killed") != std::string::npos;
     if (no_memory) {
-      diagnostics_.error("compiler-limit", place,
-                         fmt::format("the C++ compiler needed more than {} MB", options_.limits.memory >> 20));
+      diagnostics_.error(
+          "compiler-limit", place,
+          fmt::format("the C++ compiler needed more than {} MB", options_.limits.memory >> 20));
       return;
     }
     auto& diagnostic = diagnostics_.error("compiler-failed", place, "the C++ compiler failed");
     diagnostic.label = result.output.substr(0, result.output.find('\n'));
   }
 
-  // The library's name ends with the state of everything it was made from; what that is, the first compilation said.
+  // The library's name ends with the state of everything it was made from; what that is, the first
+  // compilation said.
   std::string library_path() const {
     std::istringstream words(read_text(in_folder(key_ + ".d")));
     std::vector<std::string> states;
@@ -174,7 +191,8 @@ class NativeBuild {
     if (!text_file) return false;
     const std::string library = own_ + ".so";
     const std::string dependencies = own_ + ".d";
-    const bool accepted = run_compiler({"-shared", *text_file, "-o", library, "-MMD", "-MF", dependencies, "-MT", "x"});
+    const bool accepted =
+        run_compiler({"-shared", *text_file, "-o", library, "-MMD", "-MF", dependencies, "-MT", "x"});
     bool done = accepted;
     if (accepted) {
       drop_own_text(dependencies, *text_file);
@@ -182,7 +200,9 @@ class NativeBuild {
       fs::rename(dependencies, in_folder(key_ + ".d"), failure);
       if (!failure) fs::rename(library, library_path(), failure);
       done = !failure;
-      if (failure) diagnostics_.error("cannot-write", {}, fmt::format("cannot write into `{}`: {}", folder_, failure.message()));
+      if (failure)
+        diagnostics_.error("cannot-write", {},
+                           fmt::format("cannot write into `{}`: {}", folder_, failure.message()));
     }
     for (const std::string& path : {*text_file, library, dependencies}) remove(path);
     return done;
@@ -191,7 +211,8 @@ class NativeBuild {
   // The generated text is in the key already, and its file is about to go.
   static void drop_own_text(const std::string& dependencies, const std::string& text_file) {
     std::string text = read_text(dependencies);
-    if (const std::size_t at = text.find(text_file); at != std::string::npos) text.erase(at, text_file.size());
+    if (const std::size_t at = text.find(text_file); at != std::string::npos)
+      text.erase(at, text_file.size());
     std::ofstream(dependencies, std::ios::binary) << text;
   }
 
@@ -234,7 +255,8 @@ bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnost
   return !has_procedures(tree) || NativeBuild(tree, options, diagnostics).check();
 }
 
-std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics) {
+std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options,
+                                        text::Diagnostics& diagnostics) {
   if (!has_procedures(tree)) return NativeModule{};
   return NativeBuild(tree, options, diagnostics).load();
 }

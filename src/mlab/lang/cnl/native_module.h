@@ -26,7 +26,8 @@ bool has_procedures(const Tree& tree);
 /// Compiles the procedures of a file for their errors only. The tree has passed `check_declarations`.
 ///
 /// @return  whether the compiler accepts them
-/// @errors  `cpp-error`, `cpp-warning`, `state-not-copyable` at the author's places; `no-compiler`, `compiler-limit`,
+/// @errors  `cpp-error`, `cpp-warning`, `state-not-copyable` at the author's places; `no-compiler`,
+/// `compiler-limit`,
 ///          `compiler-failed`
 bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics);
 
@@ -36,10 +37,11 @@ struct NativeModule {
   bool was_compiled = false;                     ///< false: the cache had it
 };
 
-/// Compiles the procedures of a file into a shared library, or takes it from the cache, and loads it. The host exports
-/// the symbols of `flow`, `percept` and `schema` (ENABLE_EXPORTS, whole archives).
+/// Compiles the procedures of a file into a shared library, or takes it from the cache, and loads it. The
+/// host exports the symbols of `flow`, `percept` and `schema` (ENABLE_EXPORTS, whole archives).
 ///
 /// @errors  those of `check_native`; `cannot-write` for the cache; `cannot-load`
-std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics);
+std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options,
+                                        text::Diagnostics& diagnostics);
 
 }  // namespace mlab::cnl

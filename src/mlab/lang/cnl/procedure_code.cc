@@ -127,7 +127,7 @@ class ProcedureCode {
   // State is copied byte by byte. Says so at the variable, in words of this language.
   void assert_copyable(const UserCode::Variable& variable, std::string_view section_word) {
     out_.line("static_assert(");
-    out_.at(variable.place, fmt::format("mlab::flow::is_state<decltype({})>,", variable.name));
+    out_.at(variable.place, fmt::format("is_state<decltype({})>,", variable.name));
     out_.line(fmt::format(
         "{});",
         cpp_string(fmt::format("the {} variable `{}` cannot be copied byte by byte, as state has to be",
@@ -167,7 +167,7 @@ class ProcedureCode {
     out_.line("}");
     out_.line("using mlab_Body = mlab::flow::Result<decltype(mlab_header_section)>;");
     out_.line("static_assert(");
-    out_.at(procedure_.header->place, "mlab::flow::is_state<mlab_Body>,");
+    out_.at(procedure_.header->place, "is_state<mlab_Body>,");
     out_.line("\"something that the header declares cannot be copied byte by byte, as state has to be\");");
   }
 

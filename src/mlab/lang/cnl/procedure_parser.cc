@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -153,7 +154,10 @@ struct Sections {
   }
   static int rank(std::string_view word) { return word == "once" ? 0 : word == "header" ? 1 : 2; }
 
+  bool said_missing = false;
+
   void missing(std::string_view word, text::Place at, std::string_view code) {
+    if (std::exchange(said_missing, true)) return;
     auto& diagnostic =
         cursor.error("missing-section", std::move(at),
                      fmt::format("the procedure `{}` has no `{}` section", procedure.name.text, word));
