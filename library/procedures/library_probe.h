@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdlib>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include "mlab/flow/library.h"
+#include "mlab/flow/port_types.h"
+#include "mlab/flow/probe.h"
+#include "mlab/library/library.h"
+
+namespace mlab::library_test {
+
+/// The component library, made once.
+inline const flow::Library& library() {
+  static const flow::Library kLibrary = [] {
+    flow::Library library;
+    flow::add_port_types(library);
+    library.add(mlab_library_behaviors());
+    return library;
+  }();
+  return kLibrary;
+}
+
+/// The behavior of that name or historic name. Ends the test program where there is none.
+inline const flow::Behavior& behavior(std::string_view name) {
+  const flow::Behavior* found = library().find(name).behavior;
+  if (found == nullptr) {
+    fmt::print(stderr, "no behavior `{}` in the library\n", name);
+    std::abort();
+  }
+  return *found;
+}
+
+/// A probe of that behavior.
+inline flow::BehaviorProbe probe(std::string_view name) {
+  return flow::BehaviorProbe(behavior(name));
+}
+
+/// On wires: the first `count` readings of the cycle.
+template <class List>
+List all(std::size_t count) {
+  List list;
+  for (std::size_t i = 0; i < count; ++i) list.add(i);
+  return list;
+}
+
+}  // namespace mlab::library_test

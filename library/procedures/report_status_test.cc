@@ -1,0 +1,95 @@
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "library_probe.h"
+
+namespace mlab::library_test {
+namespace {
+
+using geom::Vector;
+using percept::Task;
+
+flow::BehaviorProbe reporter(Task task) {
+  flow::BehaviorProbe p = probe("ReportStatus");
+  p.percepts.order.task = task;
+  p.percepts.order.sequence = 3;
+  return p;
+}
+
+TEST(ReportStatus, TellsHowFarAMoveToIs) {
+  flow::BehaviorProbe p = reporter(Task::kMoveTo);
+  p.set("unit_goal", Vector{30.0, 40.0}).set("offset", Vector{99.0, 0.0}).step();
+  EXPECT_EQ(p.action.status.sequence, 3U);
+  EXPECT_FALSE(p.action.status.done);
+  EXPECT_DOUBLE_EQ(p.action.status.remaining, 40.0);
+  p.set("unit_goal", Vector{6.0, 8.0}).step();
+  EXPECT_TRUE(p.action.status.done);
+  EXPECT_DOUBLE_EQ(p.action.status.remaining, 0.0);
+}
+
+TEST(ReportStatus, StaysDoneThoughTheRobotDriftsAway) {
+  flow::BehaviorProbe p = reporter(Task::kMoveTo);
+  p.set("unit_goal", Vector{}).step();
+  p.set("unit_goal", Vector{500.0, 0.0}).step();
+  EXPECT_TRUE(p.action.status.done);
+  EXPECT_DOUBLE_EQ(p.action.status.remaining, 0.0);
+}
+
+TEST(ReportStatus, BeginsAnewWithTheNextCommand) {
+  flow::BehaviorProbe p = reporter(Task::kMoveTo);
+  p.set("unit_goal", Vector{}).step();
+  p.percepts.order.sequence = 4;
+  p.set("unit_goal", Vector{500.0, 0.0}).step();
+  EXPECT_EQ(p.action.status.sequence, 4U);
+  EXPECT_FALSE(p.action.status.done);
+}
+
+TEST(ReportStatus, WantsTheStationOfAnOccupy) {
+  flow::BehaviorProbe p = reporter(Task::kOccupy);
+  p.set("offset", Vector{0.0, 12.0}).step();
+  EXPECT_FALSE(p.action.status.done);
+  EXPECT_DOUBLE_EQ(p.action.status.remaining, 2.0);
+  p.set("offset", Vector{0.0, 10.0}).step();
+  EXPECT_TRUE(p.action.status.done);
+}
+
+TEST(ReportStatus, IsDoneWithATeleoperationWhenTheOperatorSaysSo) {
+  flow::BehaviorProbe p = reporter(Task::kTeleoperate);
+  p.step();
+  EXPECT_FALSE(p.action.status.done);
+  p.set("teleoperation_complete", true).step();
+  EXPECT_TRUE(p.action.status.done);
+}
+
+TEST(ReportStatus, HasNothingToTellWithoutACommand) {
+  flow::BehaviorProbe p = reporter(Task::kNone);
+  p.percepts.order.sequence = 0;
+  p.step();
+  EXPECT_EQ(p.action.status.sequence, 0U);
+  EXPECT_FALSE(p.action.status.done);
+}
+
+TEST(ReportFlags, TakesTheFlagOfTheCommand) {
+  const std::pair<Task, const char*> kFlags[] = {{Task::kMoveTo, "move_to_done"},
+                                                 {Task::kSweepTo, "move_to_done"},
+                                                 {Task::kFollow, "follow_done"},
+                                                 {Task::kOccupy, "occupy_done"},
+                                                 {Task::kTeleoperate, "teleoperate_done"}};
+  for (const auto& [task, flag] : kFlags) {
+    flow::BehaviorProbe p = probe("PUT_STATUS");
+    p.percepts.order.sequence = 1;
+    p.percepts.order.task = task;
+    p.percepts.order.goal = {3.0, 4.0};
+    p.step();
+    EXPECT_FALSE(p.action.status.done);
+    EXPECT_DOUBLE_EQ(p.action.status.remaining, 5.0);
+    p.set(flag, true).step();
+    EXPECT_TRUE(p.action.status.done);
+    p.set(flag, false).step();
+    EXPECT_TRUE(p.action.status.done);
+  }
+}
+
+}  // namespace
+}  // namespace mlab::library_test
