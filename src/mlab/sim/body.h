@@ -4,6 +4,7 @@
 
 #include "mlab/base/id.h"
 #include "mlab/geom/pose.h"
+#include "mlab/percept/percepts.h"
 
 namespace mlab::sim {
 
@@ -56,7 +57,13 @@ struct BodySetup {
   geom::Pose pose;
   base::RobotId robot;     ///< tells the robot's requests and random streams apart; unique
   std::uint32_t unit = 0;  ///< bodies of the same unit see each other as mates; 0: of no unit
+  percept::ObjectClass seen_as =
+      percept::ObjectClass::kFriendlyRobot;  ///< in lists of objects, by its colour
 };
+
+/// A body that pushes against a thing again within this time after it last did so is still in the same
+/// contact [s].
+inline constexpr double kSameContact = 1.0;
 
 /// Where a body came to stand.
 struct Placement {

@@ -41,7 +41,8 @@ class SenseBuffer {
     double radius;
   };
   std::vector<Seen> seen_;
-  std::vector<double> beams_;
+  std::vector<double> beams_;         ///< distances from the body's centre [m]
+  std::vector<std::uint32_t> walls_;  ///< near ones, each once
   std::vector<percept::Obstacle> obstacles_;
   std::vector<percept::RobotReading> robots_;
   std::vector<percept::ObjectReading> objects_;

@@ -59,7 +59,6 @@ class Simulator {
   /// How often the body met something solid or another body. Meeting the same thing again within kSameContact
   /// after the last push against it is still the same contact; the edge of the mission area is none.
   std::uint32_t contacts(BodyIndex body) const;
-  static constexpr double kSameContact = 1.0;  ///< [s]
   /// What the body carries; 0: nothing.
   base::ObjectId carried(BodyIndex body) const;
   /// Changes the unit, as for BodySetup::unit.

@@ -55,4 +55,7 @@ inline constexpr double kAreaMargin = 0.5;
 /// file order. Coordinates that are not finite or beyond World::kFarthest are left out.
 World world_of(const overlay::Overlay& overlay);
 
+/// Takes out what has coordinates or radii that are not finite, negative or beyond World::kFarthest.
+void keep_usable(World& world);
+
 }  // namespace mlab::sim

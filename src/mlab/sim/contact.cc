@@ -1,0 +1,371 @@
+#include "mlab/sim/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mlab/sim/sweep.h"
+
+namespace mlab::sim {
+namespace {
+
+using geom::Offset;
+using geom::Point;
+
+constexpr std::size_t kPiece = 256;
+constexpr int kRounds = 4;
+/// How often neighbours that touch tell each other how far they slide.
+constexpr int kSlidePasses = 3;
+/// After so many passes, bodies that would still have to stop earlier stay where they are, which ends it.
+constexpr int kStopPasses = 64;
+/// What is left of a motion counts from here on [m].
+constexpr double kLeastRest = 1e-9;
+/// Pushing less than this against a thing is no contact [m a cycle].
+constexpr double kLeastPush = 1e-6;
+
+Box swept_box(const Bodies& bodies, std::uint32_t body, Offset motion, double reach) {
+  const Point from = bodies.position(body);
+  const Point to = from + motion;
+  return Box::spanned(from.x, from.y, to.x, to.y, reach);
+}
+
+const Box& area_of(const Bodies& bodies, const ContactSolver::Surroundings& s, std::uint32_t body) {
+  return bodies.held[body] ? s.area : kWholeWorld;
+}
+
+/// The half-plane that keeps a body off something at `nearest`; only where it touches it.
+void add_blocker(Blockers& blockers, Point body, Point nearest, double radius, double going_away,
+                 Thing thing) {
+  const Offset toward = nearest - body;
+  const double distance = length(toward);
+  const double gap = distance - radius - kSkin;
+  if (gap > kTouch || distance <= 0.0) return;
+  blockers.add({toward * (1.0 / distance), gap + going_away, thing});
+}
+
+void add_static_blockers(Blockers& blockers, const Statics& statics, Point body, double radius) {
+  const Box box = Box::around(body.x, body.y, radius + kSkin + kTouch);
+  statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
+    add_blocker(blockers, body, disc.center, radius + disc.radius, 0.0, thing_of_disc(index));
+  });
+  statics.wall_grid().visit(box, [&](std::uint32_t index) {
+    const Wall& wall = statics.walls()[index];
+    add_blocker(blockers, body, nearest_point(wall.segment, body), radius, 0.0, thing_of_wall(wall.group));
+  });
+}
+
+void add_edges(Blockers& blockers, const Box& area, Point body, double way) {
+  const auto add = [&](Offset toward, double gap) {
+    if (gap < way) blockers.add({toward, std::max(0.0, gap), kNoThing});
+  };
+  add({1, 0}, area.x1 - body.x);
+  add({-1, 0}, body.x - area.x0);
+  add({0, 1}, area.y1 - body.y);
+  add({0, -1}, body.y - area.y0);
+}
+
+}  // namespace
+
+void ContactSolver::Busy::meet(Thing thing) {
+  if (thing == kNoThing || std::find(met.begin(), met.begin() + met_count, thing) != met.begin() + met_count)
+    return;
+  if (met_count < met.size()) met[met_count++] = thing;
+}
+
+void ContactSolver::resize(std::size_t count) {
+  motion_.resize(count);
+  way_.resize(count);
+  until_.resize(count, 1.0);
+  near_count_.resize(count);
+  is_busy_.resize(count);
+  changed_.resize(count);
+  near_.resize(count);
+}
+
+void ContactSolver::move(Bodies& bodies, const Surroundings& s, Workers& workers) {
+  sort_by_speed(bodies);
+  collect_busy(bodies, s, workers);
+  if (busy_.empty()) return;
+  for (int round = 0; round < kRounds; ++round) {
+    if (!run_round(bodies, s, workers)) break;
+  }
+  for (const Busy& busy : busy_) {
+    const std::uint32_t i = busy.body;
+    Momentum& momentum = bodies.momentum[i];
+    const Offset gone = (bodies.position(i) - busy.start) * (1.0 / s.dt);
+    const double square = dot(momentum.velocity, momentum.velocity);
+    momentum.speed *= square > 0.0 ? std::clamp(dot(gone, momentum.velocity) / square, 0.0, 1.0) : 0.0;
+    momentum.velocity = gone;
+  }
+  count_contacts(bodies, s);
+}
+
+/// Bodies that go far would make every question to the grid as wide as their way is long, so they are kept in
+/// a list that everybody looks through.
+void ContactSolver::sort_by_speed(const Bodies& bodies) {
+  double widest = 0.0;
+  for (std::size_t i = 0; i < bodies.count(); ++i) widest = std::max(widest, bodies.radius[i]);
+  slow_limit_ = 2.0 * widest + 0.5;
+  slow_way_ = 0.0;
+  fast_.clear();
+  for (std::uint32_t i = 0; i < bodies.count(); ++i) {
+    way_[i] = length(motion_[i]);
+    if (way_[i] > slow_limit_) {
+      fast_.push_back({i, bodies.x[i], bodies.y[i]});
+    } else {
+      slow_way_ = std::max(slow_way_, way_[i]);
+    }
+  }
+}
+
+template <class Visit>
+void ContactSolver::search_near(const Bodies& bodies, const Surroundings& s, std::uint32_t body, Point start,
+                                Visit&& visit) const {
+  // No body can do more in all rounds together than the length of its motion, so who is farther away than
+  // both lengths can't be met.
+  const double own = way_[body] + bodies.radius[body] + kSkin + kTouch;
+  const auto consider = [&](double x, double y, std::uint32_t other, double way) {
+    const double reach = own + bodies.radius[other] + way;
+    const double dx = x - start.x;
+    const double dy = y - start.y;
+    if (dx * dx + dy * dy <= reach * reach && other != body) visit(other);
+  };
+  const double widest = own + slow_way_ + s.grid.max_radius();
+  s.grid.visit(Box::around(start.x, start.y, widest), [&](const PointGrid::Item& item) {
+    const double dx = item.x - start.x;
+    const double dy = item.y - start.y;
+    if (dx * dx + dy * dy > widest * widest || way_[item.id] > slow_limit_) return;
+    consider(item.x, item.y, item.id, way_[item.id]);
+  });
+  for (const Fast& fast : fast_) consider(fast.x, fast.y, fast.body, way_[fast.body]);
+}
+
+template <class Visit>
+void ContactSolver::for_each_near(const Bodies& bodies, const Surroundings& s, const Busy& busy,
+                                  Visit&& visit) const {
+  const std::uint8_t count = near_count_[busy.body];
+  if (count == kTooMany) return search_near(bodies, s, busy.body, busy.start, visit);
+  for (std::uint8_t k = 0; k < count; ++k) visit(near_[busy.body].body[k]);
+}
+
+/// True where a body may meet anything on its way, or the edge of the area. Fills its list of near bodies.
+bool ContactSolver::has_company(const Bodies& bodies, const Surroundings& s, std::uint32_t body) {
+  const Point start = bodies.position(body);
+  std::uint8_t& count = near_count_[body];
+  count = 0;
+  search_near(bodies, s, body, start, [&](std::uint32_t other) {
+    if (count == kTooMany) return;
+    if (count == kNear) {
+      count = kTooMany;
+    } else {
+      near_[body].body[count++] = other;
+    }
+  });
+  const Point end = start + motion_[body];
+  if (!is_inside(area_of(bodies, s, body), end)) return true;
+  bool is_near = count > 0;
+  const double reach = way_[body] + bodies.radius[body] + kSkin + kTouch;
+  const Box box = swept_box(bodies, body, motion_[body], bodies.radius[body] + kSkin + kTouch);
+  s.statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) {
+    is_near = is_near || distance(disc.center, start) <= reach + disc.radius;
+  });
+  s.statics.wall_grid().visit(box, [&](std::uint32_t index) {
+    is_near = is_near || distance(nearest_point(s.statics.walls()[index].segment, start), start) <= reach;
+  });
+  return is_near;
+}
+
+/// Bodies that nothing is near to move at once; the others are collected. Who moves here is in nobody's list,
+/// and others are looked for where they stood at the beginning, so the order makes no difference.
+void ContactSolver::collect_busy(Bodies& bodies, const Surroundings& s, Workers& workers) {
+  workers.run(bodies.count(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) {
+      is_busy_[i] = 0;
+      if (way_[i] <= 0.0) continue;
+      if (has_company(bodies, s, static_cast<std::uint32_t>(i))) {
+        is_busy_[i] = 1;
+        continue;
+      }
+      bodies.x[i] += motion_[i].x;
+      bodies.y[i] += motion_[i].y;
+      bodies.distance[i] += way_[i];
+    }
+  });
+  busy_.clear();
+  for (std::uint32_t i = 0; i < bodies.count(); ++i) {
+    if (!is_busy_[i]) continue;
+    Busy& busy = busy_.emplace_back();
+    busy.body = i;
+    busy.start = bodies.position(i);
+    busy.wanted = motion_[i];
+  }
+}
+
+/// @return true where something is left for another round
+bool ContactSolver::run_round(Bodies& bodies, const Surroundings& s, Workers& workers) {
+  slide_all(bodies, s, workers);
+  workers.run(busy_.size(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t k = begin; k < end; ++k) stop_at_statics(bodies, s, busy_[k]);
+  });
+  for (const Busy& busy : busy_) until_[busy.body] = busy.until;
+  stop_at_bodies(bodies, s, workers);
+  bool is_unfinished = false;
+  for (Busy& busy : busy_) is_unfinished = advance(bodies, s, busy) || is_unfinished;
+  return is_unfinished;
+}
+
+void ContactSolver::slide_all(const Bodies& bodies, const Surroundings& s, Workers& workers) {
+  for (int pass = 0; pass < kSlidePasses; ++pass) {
+    const bool is_first = pass == 0;
+    workers.run(busy_.size(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t k = begin; k < end; ++k) {
+        Busy& busy = busy_[k];
+        if (busy.is_moving && (is_first || busy.touches_bodies)) slide_one(bodies, s, busy, is_first);
+      }
+    });
+    bool is_settled = true;
+    for (const Busy& busy : busy_) {
+      if (!busy.is_moving) continue;
+      is_settled = is_settled && (!busy.touches_bodies || motion_[busy.body] == busy.slid);
+      motion_[busy.body] = busy.slid;
+    }
+    if (is_settled) return;
+  }
+}
+
+void ContactSolver::slide_one(const Bodies& bodies, const Surroundings& s, Busy& busy, bool is_first) {
+  const std::uint32_t i = busy.body;
+  const Point here = bodies.position(i);
+  Blockers blockers;
+  add_static_blockers(blockers, s.statics, here, bodies.radius[i]);
+  add_edges(blockers, area_of(bodies, s, i), here, length(busy.wanted));
+  busy.touches_bodies = false;
+  for_each_near(bodies, s, busy, [&](std::uint32_t other) {
+    const Offset between = bodies.position(other) - here;
+    const double gap = length(between) - bodies.radius[i] - bodies.radius[other] - kSkin;
+    if (gap > kTouch || length(between) <= 0.0) return;
+    busy.touches_bodies = true;
+    const double away = std::max(0.0, dot(motion_[other], between) / length(between));
+    add_blocker(blockers, here, bodies.position(other), bodies.radius[i] + bodies.radius[other], away,
+                thing_of_body(other));
+  });
+  busy.slid = slide(busy.wanted, blockers);
+  if (!is_first) return;
+  for (const Blocker& blocker : blockers) {
+    if (dot(busy.wanted, blocker.toward) - blocker.gap > kLeastPush) busy.meet(blocker.thing);
+  }
+}
+
+void ContactSolver::stop_at_statics(const Bodies& bodies, const Surroundings& s, Busy& busy) {
+  busy.until = 1.0;
+  busy.stopped_by = kNoThing;
+  if (!busy.is_moving) return;
+  const std::uint32_t i = busy.body;
+  const Offset motion = motion_[i];
+  const Point from = bodies.position(i);
+  const double radius = bodies.radius[i] + kSkin;
+  const auto stop = [&](double time, Thing thing) {
+    if (time > busy.until || time > 1.0 || (time == busy.until && thing >= busy.stopped_by)) return;
+    busy.until = time;
+    busy.stopped_by = thing;
+  };
+  const Box box = swept_box(bodies, i, motion, radius + kTouch);
+  s.statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
+    stop(meets_disc(from - disc.center, motion, disc.radius + radius), thing_of_disc(index));
+  });
+  s.statics.wall_grid().visit(box, [&](std::uint32_t index) {
+    const Wall& wall = s.statics.walls()[index];
+    stop(meets_wall(wall.segment, from, motion, radius), thing_of_wall(wall.group));
+  });
+  const Box& area = area_of(bodies, s, i);
+  const auto stop_at_edge = [&](double speed, double gap) {
+    if (speed > 0.0 && gap < speed * busy.until) stop(std::max(0.0, gap) / speed, kNoThing);
+  };
+  stop_at_edge(motion.x, area.x1 - from.x);
+  stop_at_edge(-motion.x, from.x - area.x0);
+  stop_at_edge(motion.y, area.y1 - from.y);
+  stop_at_edge(-motion.y, from.y - area.y0);
+}
+
+/// Passes over all busy bodies, each against where the pass before made its neighbours stop, until none has
+/// to stop earlier. Then no two of them meet before both stand.
+void ContactSolver::stop_at_bodies(const Bodies& bodies, const Surroundings& s, Workers& workers) {
+  for (const Busy& busy : busy_) changed_[busy.body] = 1;
+  for (int pass = 0;; ++pass) {
+    const bool gives_up = pass >= kStopPasses;
+    workers.run(busy_.size(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (busy_[k].is_moving && near_count_[busy_[k].body] > 0) stop_one(bodies, s, busy_[k], gives_up);
+      }
+    });
+    bool is_settled = true;
+    for (const Busy& busy : busy_) {
+      changed_[busy.body] = busy.until < until_[busy.body] ? 1 : 0;
+      is_settled = is_settled && !changed_[busy.body];
+      until_[busy.body] = busy.until;
+    }
+    if (is_settled) return;
+  }
+}
+
+void ContactSolver::stop_one(const Bodies& bodies, const Surroundings& s, Busy& busy, bool gives_up) const {
+  const std::uint32_t i = busy.body;
+  const Mover self{bodies.position(i), motion_[i], until_[i]};
+  for_each_near(bodies, s, busy, [&](std::uint32_t other) {
+    if (!changed_[i] && !changed_[other]) return;
+    const Mover neighbor{bodies.position(other), motion_[other], until_[other]};
+    const double time = meet(self, neighbor, bodies.radius[i] + bodies.radius[other] + kSkin);
+    if (time >= self.until || (time == busy.until && thing_of_body(other) >= busy.stopped_by)) return;
+    if (time > busy.until) return;
+    // Who is only run into from behind goes on; it gets no nearer by that.
+    const Offset between =
+        neighbor.from + neighbor.motion * std::min(time, neighbor.until) - (self.from + self.motion * time);
+    if (dot(self.motion, between) <= 0.0) return;
+    busy.until = gives_up ? 0.0 : time;
+    busy.stopped_by = thing_of_body(other);
+  });
+}
+
+/// @return true where something of the motion is left for the next round
+bool ContactSolver::advance(Bodies& bodies, const Surroundings& s, Busy& busy) {
+  const std::uint32_t i = busy.body;
+  if (!busy.is_moving) return false;
+  const Offset step = motion_[i] * busy.until;
+  bodies.x[i] += step.x;
+  bodies.y[i] += step.y;
+  bodies.distance[i] += length(step);
+  const Box& area = area_of(bodies, s, i);
+  bodies.x[i] = std::clamp(bodies.x[i], area.x0, area.x1);
+  bodies.y[i] = std::clamp(bodies.y[i], area.y0, area.y1);
+  if (busy.until < 1.0) busy.meet(busy.stopped_by);
+  busy.wanted = busy.wanted * (1.0 - busy.until);
+  busy.is_moving = busy.until < 1.0 && length(busy.wanted) > kLeastRest;
+  motion_[i] = busy.is_moving ? busy.wanted : Offset{};
+  until_[i] = 1.0;
+  changed_[i] = 0;
+  return busy.is_moving;
+}
+
+void ContactSolver::count_contacts(Bodies& bodies, const Surroundings& s) {
+  const auto count = [&](std::uint32_t body, Thing thing) {
+    Touched& touched = bodies.touched[body];
+    std::size_t oldest = 0;
+    for (std::size_t k = 0; k < touched.thing.size(); ++k) {
+      if (touched.thing[k] == thing && touched.until[k] >= s.time) {
+        touched.until[k] = s.time + kSameContact;
+        return;
+      }
+      if (touched.until[k] < touched.until[oldest]) oldest = k;
+    }
+    touched.thing[oldest] = thing;
+    touched.until[oldest] = s.time + kSameContact;
+    ++bodies.contacts[body];
+  };
+  for (const Busy& busy : busy_) {
+    for (std::uint8_t k = 0; k < busy.met_count; ++k) {
+      count(busy.body, busy.met[k]);
+      if (is_body(busy.met[k])) count(busy.met[k], thing_of_body(busy.body));
+    }
+  }
+}
+
+}  // namespace mlab::sim

@@ -1,0 +1,112 @@
+#include "mlab/sim/objects.h"
+
+#include <algorithm>
+
+namespace mlab::sim {
+namespace {
+
+using percept::ObjectStyle;
+using percept::Request;
+
+bool is_in_sight(const Object& object) {
+  return object.carrier.value == 0 && object.basket.value == 0;
+}
+
+}  // namespace
+
+double edge_distance(const Bodies& bodies, std::uint32_t body, const Object& object) {
+  return distance(bodies.position(body), object.center) - bodies.radius[body] - object.radius;
+}
+
+Object* Objects::find(base::ObjectId id) {
+  const auto found = std::find_if(list_.begin(), list_.end(), [id](const Object& o) { return o.id == id; });
+  return found == list_.end() ? nullptr : &*found;
+}
+
+void Objects::carry_out(const percept::Action& action, Bodies& bodies, std::uint32_t body) {
+  const int count = std::min<int>(action.request_count, percept::Action::kMaxRequests);
+  for (int i = 0; i < count; ++i) {
+    const Request& request = action.requests[static_cast<std::size_t>(i)];
+    switch (request.kind) {
+      case Request::Kind::kPickUp:
+        pick_up(request, bodies, body);
+        break;
+      case Request::Kind::kDrop:
+        drop(bodies, body);
+        break;
+      case Request::Kind::kDropInBasket:
+        drop_in_basket(request, bodies, body);
+        break;
+      case Request::Kind::kNotify:
+      case Request::Kind::kProceed:
+        break;  // none of the world's business
+    }
+  }
+}
+
+void Objects::pick_up(const Request& request, Bodies& bodies, std::uint32_t body) {
+  if (bodies.carried[body] != 0) return;
+  Object* const object = find(request.object);
+  if (object == nullptr || object->style != ObjectStyle::kMovable || !is_in_sight(*object)) return;
+  if (!(edge_distance(bodies, body, *object) <= request.reach)) return;
+  object->carrier = bodies.robot[body];
+  object->center = bodies.position(body);
+  bodies.carried[body] = static_cast<std::uint32_t>(object - list_.data()) + 1;
+  is_stale_ = true;
+}
+
+void Objects::drop(Bodies& bodies, std::uint32_t body) {
+  if (bodies.carried[body] == 0) return;
+  Object& object = list_[bodies.carried[body] - 1];
+  object.carrier = {};
+  object.center = bodies.position(body);
+  bodies.carried[body] = 0;
+  is_stale_ = true;
+}
+
+void Objects::drop_in_basket(const Request& request, Bodies& bodies, std::uint32_t body) {
+  if (bodies.carried[body] == 0) return;
+  const Object* basket = nullptr;
+  for (const Object& object : list_) {
+    if (object.style != ObjectStyle::kContainer || !(edge_distance(bodies, body, object) <= request.reach))
+      continue;
+    if (request.object.value != 0 ? object.id == request.object
+                                  : basket == nullptr || edge_distance(bodies, body, object) <
+                                                             edge_distance(bodies, body, *basket)) {
+      basket = &object;
+    }
+  }
+  if (basket == nullptr) return;
+  Object& object = list_[bodies.carried[body] - 1];
+  object.carrier = {};
+  object.basket = basket->id;
+  object.center = basket->center;
+  bodies.carried[body] = 0;
+  is_stale_ = true;
+}
+
+void Objects::follow(const Bodies& bodies) {
+  for (std::uint32_t body = 0; body < bodies.count(); ++body) {
+    if (bodies.carried[body] != 0) list_[bodies.carried[body] - 1].center = bodies.position(body);
+  }
+}
+
+std::uint32_t Objects::count_in(base::ObjectId container) const {
+  return static_cast<std::uint32_t>(std::count_if(list_.begin(), list_.end(), [&](const Object& o) {
+    return container.value != 0 && o.basket == container;
+  }));
+}
+
+void Objects::refresh() {
+  if (!is_stale_) return;
+  std::vector<PointGrid::Item> visible;
+  for (std::uint32_t index = 0; index < list_.size(); ++index) {
+    const Object& object = list_[index];
+    if (!is_in_sight(object)) continue;
+    visible.push_back({object.center.x, object.center.y, rounded_up(object.radius), index});
+  }
+  grid_.build(visible, 0.1);
+  is_stale_ = false;
+}
+
+}  // namespace mlab::sim

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mlab/percept/action.h"
+#include "mlab/sim/bodies.h"
+#include "mlab/sim/point_grid.h"
+#include "mlab/sim/world.h"
+
+namespace mlab::sim {
+
+/// The objects of the world, and what robots do with them.
+class Objects {
+ public:
+  explicit Objects(std::vector<Object> objects) : list_(std::move(objects)) {}
+
+  std::span<const Object> list() const { return list_; }
+  /// Carries out the requests of one body that concern objects. Who asks first gets the object.
+  void carry_out(const percept::Action& action, Bodies& bodies, std::uint32_t body);
+  /// Puts down what the body carries, where it stands.
+  void drop(Bodies& bodies, std::uint32_t body);
+  /// Carried objects go where their carriers went.
+  void follow(const Bodies& bodies);
+  std::uint32_t count_in(base::ObjectId container) const;
+
+  /// Sorts those that can be seen into the grid; to be called before visit_visible.
+  void refresh();
+  /// Calls visit(index, object) for all visible objects with their centre in the box, and some others.
+  template <class Visit>
+  void visit_visible(const Box& box, Visit&& visit) const {
+    grid_.visit(box, [&](const PointGrid::Item& item) { visit(item.id, list_[item.id]); });
+  }
+
+ private:
+  void pick_up(const percept::Request& request, Bodies& bodies, std::uint32_t body);
+  void drop_in_basket(const percept::Request& request, Bodies& bodies, std::uint32_t body);
+  Object* find(base::ObjectId id);
+
+  std::vector<Object> list_;
+  PointGrid grid_;
+  bool is_stale_ = true;
+};
+
+/// From the surface of a body to that of an object [m]; less than 0 where they overlap.
+double edge_distance(const Bodies& bodies, std::uint32_t body, const Object& object);
+
+}  // namespace mlab::sim

@@ -1,0 +1,82 @@
+#include "mlab/sim/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mlab::sim {
+namespace {
+
+using geom::Point;
+
+/// Rounding that a place may lack [m].
+constexpr double kTolerance = 1e-9;
+constexpr double kLeastStep = 0.05;
+constexpr double kRelativeStep = 0.02;
+
+}  // namespace
+
+void Placer::rebuild(const Bodies& bodies) {
+  widest_ = 0.0;
+  for (const double radius : bodies.radius) widest_ = std::max(widest_, radius);
+  cells_.resize(2 * bodies.count() + 64, std::max(0.5, 2.0 * widest_));
+  first_.assign(cells_.size(), kEnd);
+  next_.clear();
+  for (std::uint32_t body = 0; body < bodies.count(); ++body) add(bodies, body);
+}
+
+void Placer::add(const Bodies& bodies, std::uint32_t body) {
+  if (body >= cells_.size()) return rebuild(bodies);
+  next_.resize(std::max<std::size_t>(next_.size(), body + 1), kEnd);
+  if (!bodies.present[body]) return;
+  widest_ = std::max(widest_, bodies.radius[body]);
+  const std::uint32_t place = cells_.place(bodies.x[body], bodies.y[body]);
+  next_[body] = first_[place];
+  first_[place] = body;
+}
+
+bool Placer::is_free(const Bodies& bodies, const Statics& statics, Point place, double radius,
+                     std::uint32_t except) const {
+  bool is_free = true;
+  cells_.for_each_run(
+      Box::around(place.x, place.y, radius + widest_), [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t cell = first; cell <= last; ++cell) {
+          for (std::uint32_t body = first_[cell]; body != kEnd; body = next_[body]) {
+            is_free = is_free && (body == except || distance(bodies.position(body), place) >=
+                                                        radius + bodies.radius[body] - kTolerance);
+          }
+        }
+      });
+  if (!is_free) return false;
+  const Box box = Box::around(place.x, place.y, radius);
+  statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) {
+    is_free = is_free && distance(disc.center, place) >= radius + disc.radius - kTolerance;
+  });
+  statics.wall_grid().visit(box, [&](std::uint32_t index) {
+    const double gap = distance(nearest_point(statics.walls()[index].segment, place), place) - radius;
+    is_free = is_free && gap >= -kTolerance && gap + radius > 0.0;
+  });
+  return is_free;
+}
+
+std::optional<Point> Placer::nearest_free(const Bodies& bodies, const Statics& statics, Point wanted,
+                                          double radius, const Box& area, std::uint32_t except) const {
+  const auto is_good = [&](Point p) {
+    return p.x >= area.x0 && p.x <= area.x1 && p.y >= area.y0 && p.y <= area.y1 &&
+           is_free(bodies, statics, p, radius, except);
+  };
+  if (is_good(wanted)) return wanted;
+  const double least = std::max(kLeastStep, radius / 2);
+  for (double away = least; away <= kFarthestMove; away += std::max(least, kRelativeStep * away)) {
+    const double step = std::max(least, kRelativeStep * away);
+    const int count = std::max(8, static_cast<int>(std::ceil(2.0 * std::numbers::pi * away / step)));
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / count;
+      const Point p = wanted + geom::Offset{away * std::cos(angle), away * std::sin(angle)};
+      if (is_good(p)) return p;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace mlab::sim

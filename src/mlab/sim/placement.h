@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mlab/sim/bodies.h"
+#include "mlab/sim/point_grid.h"
+#include "mlab/sim/statics.h"
+
+namespace mlab::sim {
+
+/// Tells free places from taken ones while bodies are added one by one.
+class Placer {
+ public:
+  /// Forgets everything and takes in all bodies that are present.
+  void rebuild(const Bodies& bodies);
+  void add(const Bodies& bodies, std::uint32_t body);
+
+  /// True where a disc would overlap nothing solid and no body but `except`. Touching is free.
+  bool is_free(const Bodies& bodies, const Statics& statics, geom::Point place, double radius,
+               std::uint32_t except = ~0U) const;
+  /// The free place nearest to the wanted one, to 2 % of the way there or half a radius; always the same one.
+  /// @param area  that the place must be in
+  /// @return  nothing where none is free within kFarthestMove
+  std::optional<geom::Point> nearest_free(const Bodies& bodies, const Statics& statics, geom::Point wanted,
+                                          double radius, const Box& area, std::uint32_t except = ~0U) const;
+  static constexpr double kFarthestMove = 1e4;  ///< [m]
+
+ private:
+  static constexpr std::uint32_t kEnd = ~0U;
+
+  TorusCells cells_;
+  std::vector<std::uint32_t> first_;  ///< by place: the body added last there
+  std::vector<std::uint32_t> next_;   ///< by body: the one added before it at the same place
+  double widest_ = 0.0;               ///< radius [m]
+};
+
+}  // namespace mlab::sim

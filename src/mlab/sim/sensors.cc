@@ -1,0 +1,228 @@
+#include "mlab/sim/sensors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mlab/base/angle.h"
+#include "mlab/base/random.h"
+
+namespace mlab::sim {
+namespace {
+
+using geom::Point;
+using geom::Vector;
+
+/// Walls are told to behaviors by what these rays hit.
+/// @source  the historic simulator: 16 rays, each hit an obstacle of 0.1 m
+constexpr int kWallRays = 16;
+constexpr double kWallHitRadius = 0.1;
+
+const RingBeams& wall_rays() {
+  static const RingBeams rays({.count = kWallRays, .range = 1.0}, 0.0);
+  return rays;
+}
+
+double square_distance(Point a, Point b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
+
+}  // namespace
+
+void SenseBuffer::reserve(std::size_t obstacles, std::size_t robots, std::size_t objects, std::size_t beams) {
+  seen_.reserve(std::max({obstacles, robots, objects}));
+  beams_.reserve(std::max<std::size_t>(beams, kWallRays));
+  walls_.reserve(obstacles);
+  obstacles_.reserve(obstacles);
+  robots_.reserve(robots);
+  objects_.reserve(objects);
+  ranges_.reserve(beams);
+}
+
+Sensors::Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer)
+    : scene_(scene),
+      body_(body),
+      here_(scene.bodies.position(body)),
+      ahead_(scene.bodies.ahead[body]),
+      buffer_(buffer) {}
+
+Vector Sensors::to_robot(Point point) const {
+  const geom::Offset o = point - here_;
+  return {ahead_.x * o.x + ahead_.y * o.y, ahead_.x * o.y - ahead_.y * o.x, 0.0};
+}
+
+void Sensors::see(double distance, std::uint32_t id, Point center, double radius) {
+  const Vector v = to_robot(center);
+  buffer_.seen_.push_back({distance, id, v.x, v.y, radius});
+}
+
+void Sensors::sort_seen() {
+  std::sort(buffer_.seen_.begin(), buffer_.seen_.end(),
+            [](const SenseBuffer::Seen& a, const SenseBuffer::Seen& b) {
+              return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+            });
+}
+
+/// The walls that may be within reach, each once.
+void Sensors::collect_walls(double reach) {
+  std::vector<std::uint32_t>& walls = buffer_.walls_;
+  walls.clear();
+  scene_.statics.wall_grid().visit(Box::around(here_.x, here_.y, reach), [&](std::uint32_t index) {
+    if (walls.empty() || walls.back() != index) walls.push_back(index);
+  });
+  if (walls.size() < 2) return;
+  std::sort(walls.begin(), walls.end());
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+}
+
+void Sensors::sense_obstacles(double range, percept::Percepts& out) {
+  buffer_.seen_.clear();
+  scene_.statics.visit_discs(Box::around(here_.x, here_.y, range),
+                             [&](std::uint32_t index, const Disc& disc) {
+                               const double reach = range + disc.radius;
+                               const double square = square_distance(here_, disc.center);
+                               if (square <= reach * reach)
+                                 see(std::sqrt(square) - disc.radius, index, disc.center, disc.radius);
+                             });
+  collect_walls(range);
+  if (!buffer_.walls_.empty()) {
+    buffer_.beams_.assign(kWallRays, range);
+    for (const std::uint32_t index : buffer_.walls_) {
+      const geom::Segment& wall = scene_.statics.walls()[index].segment;
+      wall_rays().see_wall(to_robot(wall.a), to_robot(wall.b), range, buffer_.beams_);
+    }
+    const auto first_id = static_cast<std::uint32_t>(scene_.statics.discs().size());
+    for (std::uint32_t ray = 0; ray < kWallRays; ++ray) {
+      const double distance = buffer_.beams_[ray];
+      if (!(distance < range)) continue;
+      const Vector hit = wall_rays().axis(ray) * distance;
+      buffer_.seen_.push_back({distance - kWallHitRadius, first_id + ray, hit.x, hit.y, kWallHitRadius});
+    }
+  }
+  sort_seen();
+  buffer_.obstacles_.clear();
+  for (const auto& seen : buffer_.seen_) buffer_.obstacles_.push_back({{seen.x, seen.y, 0.0}, seen.radius});
+  out.obstacles = buffer_.obstacles_;
+}
+
+/// All robots in sight within range, in no order.
+void Sensors::collect_robots(double range) {
+  const Bodies& bodies = scene_.bodies;
+  const bool may_be_hidden = !scene_.statics.walls().empty();
+  buffer_.seen_.clear();
+  scene_.grid.visit(Box::around(here_.x, here_.y, range), [&](const PointGrid::Item& item) {
+    const Point place{item.x, item.y};
+    const double square = square_distance(here_, place);
+    if (square > range * range || item.id == body_) return;
+    if (may_be_hidden && !scene_.statics.in_sight(here_, place)) return;
+    see(std::sqrt(square), item.id, place, bodies.radius[item.id]);
+  });
+}
+
+void Sensors::sense_robots(double range, std::uint32_t most, percept::Percepts& out) {
+  const Bodies& bodies = scene_.bodies;
+  // Where only the nearest are wanted, look near first.
+  double reach = most > 0 ? std::min(range, scene_.grid.cell()) : range;
+  collect_robots(reach);
+  while (reach < range && buffer_.seen_.size() < most) {
+    reach = std::min(range, 2.0 * reach);
+    collect_robots(reach);
+  }
+  sort_seen();
+  if (most > 0 && buffer_.seen_.size() > most) buffer_.seen_.resize(most);
+  buffer_.robots_.clear();
+  for (const auto& seen : buffer_.seen_) {
+    buffer_.robots_.push_back(
+        {.id = bodies.robot[seen.id],
+         .center = {seen.x, seen.y, 0.0},
+         .heading = base::wrap_angle(bodies.heading[seen.id] - bodies.heading[body_]),
+         .radius = seen.radius,
+         .is_unit_mate = bodies.unit[body_] != 0 && bodies.unit[body_] == bodies.unit[seen.id]});
+  }
+  out.robots = buffer_.robots_;
+}
+
+void Sensors::sense_objects(double range, percept::Percepts& out) {
+  const Bodies& bodies = scene_.bodies;
+  collect_robots(range);
+  for (auto& seen : buffer_.seen_) {
+    seen.distance -= seen.radius;
+    seen.id += kRobotObjectBase;
+  }
+  const auto look = [&](std::uint32_t id, Point center, double radius) {
+    const double square = square_distance(here_, center);
+    if (square <= range * range && scene_.statics.in_sight(here_, center)) {
+      see(std::sqrt(square) - radius, id, center, radius);
+    }
+  };
+  const Box box = Box::around(here_.x, here_.y, range);
+  scene_.objects.visit_visible(
+      box, [&](std::uint32_t index, const Object& o) { look(index, o.center, o.radius); });
+  scene_.statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
+    look(kDiscObjectBase + index, disc.center, disc.radius);
+  });
+  sort_seen();
+  buffer_.objects_.clear();
+  for (const auto& seen : buffer_.seen_) {
+    percept::ObjectReading reading{.id = {seen.id}, .center = {seen.x, seen.y, 0.0}, .radius = seen.radius};
+    if (seen.id >= kDiscObjectBase) {
+      reading.object_class = percept::ObjectClass::kRock;
+    } else if (seen.id >= kRobotObjectBase) {
+      const std::uint32_t other = seen.id - kRobotObjectBase;
+      reading.object_class = bodies.seen_as[other];
+      reading.id = {kRobotObjectBase + bodies.robot[other].value};
+    } else {
+      const Object& object = scene_.objects.list()[seen.id];
+      reading.id = object.id;
+      reading.object_class = object.object_class;
+      reading.style = object.style;
+    }
+    buffer_.objects_.push_back(reading);
+  }
+  out.objects = buffer_.objects_;
+}
+
+void Sensors::sense_ranges(percept::Percepts& out) {
+  const Bodies& bodies = scene_.bodies;
+  const Kind& kind = scene_.kinds[bodies.kind[body_]];
+  const RangeRing& ring = kind.spec.ring;
+  const RingBeams& beams = kind.beams;
+  const double reach = beams.reach();
+  out.range_limit = ring.range;
+  buffer_.beams_.assign(beams.count(), reach);
+  const std::span<double> distances = buffer_.beams_;
+
+  const double most = reach + scene_.grid.max_radius();
+  scene_.grid.visit(Box::around(here_.x, here_.y, most), [&](const PointGrid::Item& item) {
+    if (square_distance(here_, {item.x, item.y}) >= most * most || item.id == body_) return;
+    beams.see_disc(to_robot({item.x, item.y}), bodies.radius[item.id], reach, distances);
+  });
+  scene_.statics.visit_discs(Box::around(here_.x, here_.y, reach), [&](std::uint32_t, const Disc& disc) {
+    const double limit = reach + disc.radius;
+    if (square_distance(here_, disc.center) >= limit * limit) return;
+    beams.see_disc(to_robot(disc.center), disc.radius, reach, distances);
+  });
+  collect_walls(reach);
+  for (const std::uint32_t index : buffer_.walls_) {
+    const geom::Segment& wall = scene_.statics.walls()[index].segment;
+    beams.see_wall(to_robot(wall.a), to_robot(wall.b), reach, distances);
+  }
+
+  const bool is_noisy = ring.noise > 0.0 || ring.dropout > 0.0;
+  const double radius = bodies.radius[body_];
+  buffer_.ranges_.resize(beams.count());
+  for (std::size_t beam = 0; beam < beams.count(); ++beam) {
+    double distance = std::max(0.0, distances[beam] - radius);
+    bool hit = distances[beam] < reach;
+    if (hit && is_noisy) {
+      base::Random random = base::Random::of(scene_.seed, bodies.robot[body_].value,
+                                             base::hash_text("range ring") + beam, scene_.cycle);
+      hit = !(random.uniform() < ring.dropout);
+      distance = std::max(0.0, distance + ring.noise * random.normal());
+      hit = hit && distance < ring.range;
+    }
+    buffer_.ranges_[beam] = {beams.angle(beam), static_cast<float>(hit ? distance : ring.range), hit};
+  }
+  out.ranges = buffer_.ranges_;
+}
+
+}  // namespace mlab::sim

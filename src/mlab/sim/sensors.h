@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mlab/percept/percepts.h"
+#include "mlab/sim/bodies.h"
+#include "mlab/sim/objects.h"
+#include "mlab/sim/range_ring.h"
+#include "mlab/sim/sensing.h"
+#include "mlab/sim/statics.h"
+
+namespace mlab::sim {
+
+/// What bodies of one spec have in common, prepared.
+struct Kind {
+  BodySpec spec;
+  RingBeams beams;
+};
+
+/// What one body perceives of the others and of the world. Refers to what is sensed; holds nothing itself.
+class Sensors {
+ public:
+  struct Scene {
+    const Bodies& bodies;
+    const PointGrid& grid;  ///< of the bodies, where they stand now
+    const Statics& statics;
+    const Objects& objects;
+    const std::vector<Kind>& kinds;
+    std::uint64_t seed;
+    std::uint64_t cycle;
+  };
+  Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer);
+
+  void sense_obstacles(double range, percept::Percepts& out);
+  void sense_robots(double range, std::uint32_t most, percept::Percepts& out);
+  void sense_objects(double range, percept::Percepts& out);
+  void sense_ranges(percept::Percepts& out);
+
+ private:
+  geom::Vector to_robot(geom::Point point) const;
+  void collect_walls(double reach);
+  void collect_robots(double range);
+  void see(double distance, std::uint32_t id, geom::Point center, double radius);
+  void sort_seen();
+
+  const Scene& scene_;
+  std::uint32_t body_;
+  geom::Point here_;
+  geom::Offset ahead_;
+  SenseBuffer& buffer_;
+};
+
+}  // namespace mlab::sim

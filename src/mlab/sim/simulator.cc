@@ -1,0 +1,374 @@
+#include "mlab/sim/simulator.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "mlab/sim/contact.h"
+#include "mlab/sim/objects.h"
+#include "mlab/sim/placement.h"
+#include "mlab/sim/sensors.h"
+
+namespace mlab::sim {
+namespace {
+
+using geom::Offset;
+using geom::Point;
+
+constexpr std::size_t kPiece = 256;
+/// Nobody goes farther in one cycle [m].
+constexpr double kLongestStep = 1e6;
+/// Nothing is sensed farther away [m]: twice the way across the largest world.
+constexpr double kLongestRange = 6e8;
+
+double usable_range(double range) {
+  return range > 0.0 ? std::min(range, kLongestRange) : 0.0;
+}
+
+BodySpec usable(BodySpec spec) {
+  spec.radius = spec.radius >= 0.0 ? std::min(spec.radius, 1e4) : 0.0;
+  spec.ring.range = usable_range(spec.ring.range);
+  return spec;
+}
+
+class Stopwatch {
+ public:
+  /// Seconds since it was made or last asked.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - last_;
+    last_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+/// What a snapshot holds.
+class Simulator::State {
+ public:
+  Bodies bodies;
+  Objects objects;
+  std::shared_ptr<const Statics> statics;
+  double time = 0.0;
+  std::uint64_t cycle = 0;
+};
+
+struct Simulator::Parts {
+  Parts(World world, SimulatorSettings chosen)
+      : settings(chosen),
+        workers(chosen.threads),
+        area{world.area_low.x + kAreaMargin, world.area_low.y + kAreaMargin, world.area_high.x - kAreaMargin,
+             world.area_high.y - kAreaMargin},
+        state{{},
+              Objects(std::move(world.objects)),
+              std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls))} {}
+
+  /// Sorts bodies and objects anew where they moved since. Whichever thread comes first does it.
+  void refresh();
+  std::uint32_t kind_of(const BodySpec& spec);
+  void want(const percept::Action& action, std::uint32_t body, double dt);
+
+  SimulatorSettings settings;
+  Workers workers;
+  Box area;  ///< where the centres of held bodies may be
+  State state;
+  std::vector<Kind> kinds;
+  std::vector<std::uint32_t> by_robot;  ///< body indices in the order of robot ids
+  PointGrid grid;
+  std::vector<PointGrid::Item> items;
+  std::atomic<bool> is_stale{true};
+  std::mutex refreshing;
+  Placer placer;
+  bool is_placer_stale = true;
+  ContactSolver contact;
+  StepTimes times;
+};
+
+void Simulator::Parts::refresh() {
+  if (!is_stale.load(std::memory_order_acquire)) return;
+  const std::scoped_lock lock(refreshing);
+  if (!is_stale.load(std::memory_order_relaxed)) return;
+  const Bodies& bodies = state.bodies;
+  items.clear();
+  items.reserve(bodies.count());
+  double widest = 0.0;
+  for (std::uint32_t i = 0; i < bodies.count(); ++i) {
+    if (!bodies.present[i]) continue;
+    items.push_back({bodies.x[i], bodies.y[i], rounded_up(bodies.radius[i]), i});
+    widest = std::max(widest, bodies.radius[i]);
+  }
+  grid.build(items, std::max(0.05, 2.0 * widest));
+  state.objects.refresh();
+  is_stale.store(false, std::memory_order_release);
+}
+
+std::uint32_t Simulator::Parts::kind_of(const BodySpec& spec) {
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return kind.spec == spec; });
+  if (found == kinds.end()) {
+    kinds.push_back({spec, RingBeams(spec.ring, spec.radius)});
+    return static_cast<std::uint32_t>(kinds.size() - 1);
+  }
+  return static_cast<std::uint32_t>(found - kinds.begin());
+}
+
+/// What the body would do if nothing were in its way.
+void Simulator::Parts::want(const percept::Action& action, std::uint32_t body, double dt) {
+  Bodies& bodies = state.bodies;
+  Offset& motion = contact.motions()[body];
+  motion = {};
+  if (!bodies.present[body]) return;
+  const Kinematics& kinematics = kinds[bodies.kind[body]].spec.kinematics;
+  const WantedMotion wanted =
+      drive(kinematics, action, bodies.heading[body], bodies.ahead[body], bodies.momentum[body], dt);
+  motion = wanted.step;
+  const double way = length(motion);
+  if (!(way <= kLongestStep)) motion = std::isfinite(way) ? motion * (kLongestStep / way) : Offset{};
+  bodies.momentum[body] = wanted.momentum;
+  if (wanted.heading != bodies.heading[body]) {
+    bodies.heading[body] = wanted.heading;
+    bodies.ahead[body] = {std::cos(wanted.heading), std::sin(wanted.heading)};
+  }
+}
+
+Simulator::Simulator(World world, SimulatorSettings settings) {
+  keep_usable(world);
+  parts_ = std::make_unique<Parts>(std::move(world), settings);
+}
+Simulator::~Simulator() = default;
+
+std::optional<Placement> Simulator::add_body(const BodySetup& setup) {
+  Parts& p = *parts_;
+  Bodies& bodies = p.state.bodies;
+  const BodySpec spec = usable(setup.spec);
+  geom::Pose pose = setup.pose;
+  if (!std::isfinite(pose.heading)) pose.heading = 0.0;
+  if (!is_inside(kWholeWorld, pose.position)) return std::nullopt;
+  const bool is_held = is_inside(p.area, pose.position);
+  if (p.is_placer_stale) p.placer.rebuild(bodies);
+  p.is_placer_stale = false;
+  const auto place = p.placer.nearest_free(bodies, *p.state.statics, pose.position, spec.radius,
+                                           is_held ? p.area : kWholeWorld);
+  if (!place) return std::nullopt;
+  const auto index = static_cast<std::uint32_t>(bodies.count());
+  bodies.x.push_back(place->x);
+  bodies.y.push_back(place->y);
+  bodies.heading.push_back(pose.heading);
+  bodies.ahead.push_back({std::cos(pose.heading), std::sin(pose.heading)});
+  bodies.radius.push_back(spec.radius);
+  bodies.momentum.emplace_back();
+  bodies.distance.push_back(0.0);
+  bodies.contacts.push_back(0);
+  bodies.touched.emplace_back();
+  bodies.kind.push_back(p.kind_of(spec));
+  bodies.robot.push_back(setup.robot);
+  bodies.unit.push_back(setup.unit);
+  bodies.seen_as.push_back(setup.seen_as);
+  bodies.carried.push_back(0);
+  bodies.present.push_back(1);
+  bodies.held.push_back(is_held ? 1 : 0);
+  p.placer.add(bodies, index);
+  p.is_stale = true;
+  const bool moved = !(*place == pose.position);
+  return Placement{{index}, {*place, pose.heading}, moved};
+}
+
+void Simulator::remove_body(BodyIndex body) {
+  Parts& p = *parts_;
+  p.state.objects.drop(p.state.bodies, body.value);
+  p.state.bodies.present[body.value] = 0;
+  p.state.bodies.momentum[body.value] = {};
+  p.is_stale = true;
+  p.is_placer_stale = true;
+}
+
+std::size_t Simulator::body_count() const {
+  return parts_->state.bodies.count();
+}
+bool Simulator::is_present(BodyIndex body) const {
+  return parts_->state.bodies.present[body.value] != 0;
+}
+geom::Pose Simulator::pose(BodyIndex body) const {
+  const Bodies& bodies = parts_->state.bodies;
+  return {bodies.position(body.value), bodies.heading[body.value]};
+}
+base::RobotId Simulator::robot(BodyIndex body) const {
+  return parts_->state.bodies.robot[body.value];
+}
+const BodySpec& Simulator::spec(BodyIndex body) const {
+  return parts_->kinds[parts_->state.bodies.kind[body.value]].spec;
+}
+Offset Simulator::velocity(BodyIndex body) const {
+  return parts_->state.bodies.momentum[body.value].velocity;
+}
+double Simulator::distance_driven(BodyIndex body) const {
+  return parts_->state.bodies.distance[body.value];
+}
+std::uint32_t Simulator::contacts(BodyIndex body) const {
+  return parts_->state.bodies.contacts[body.value];
+}
+base::ObjectId Simulator::carried(BodyIndex body) const {
+  const std::uint32_t carried = parts_->state.bodies.carried[body.value];
+  return carried == 0 ? base::ObjectId{} : objects()[carried - 1].id;
+}
+void Simulator::set_unit(BodyIndex body, std::uint32_t unit) {
+  parts_->state.bodies.unit[body.value] = unit;
+}
+
+void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buffer,
+                      percept::Percepts& out) const {
+  parts_->refresh();
+  const State& state = parts_->state;
+  const Bodies& bodies = state.bodies;
+  const std::uint32_t i = body.value;
+  out.pose = pose(body);
+  out.time = state.time;
+  out.obstacles = {};
+  out.robots = {};
+  out.objects = {};
+  out.ranges = {};
+  out.range_limit = 0.0;
+  const std::uint32_t carried = bodies.carried[i];
+  out.carried = carried == 0 ? base::ObjectId{} : state.objects.list()[carried - 1].id;
+  out.carried_class =
+      carried == 0 ? percept::ObjectClass::kUnknown : state.objects.list()[carried - 1].object_class;
+  const Sensors::Scene scene{bodies,        parts_->grid,          *state.statics, state.objects,
+                             parts_->kinds, parts_->settings.seed, state.cycle};
+  Sensors sensors(scene, i, buffer);
+  if (needs.obstacle_range > 0.0) sensors.sense_obstacles(usable_range(needs.obstacle_range), out);
+  if (needs.robot_range > 0.0) sensors.sense_robots(usable_range(needs.robot_range), needs.max_robots, out);
+  if (needs.object_range > 0.0) sensors.sense_objects(usable_range(needs.object_range), out);
+  if (needs.ranges) sensors.sense_ranges(out);
+}
+
+void Simulator::step(std::span<const percept::Action> actions, double dt) {
+  Parts& p = *parts_;
+  Bodies& bodies = p.state.bodies;
+  Stopwatch watch;
+  p.refresh();
+  p.contact.resize(bodies.count());
+  std::atomic<bool> has_requests = false;
+  p.workers.run(bodies.count(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+    bool any = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      const percept::Action& action = i < actions.size() ? actions[i] : percept::Action{};
+      p.want(action, static_cast<std::uint32_t>(i), dt);
+      any = any || action.request_count > 0;
+    }
+    if (any) has_requests = true;
+  });
+  p.times.move += watch.lap();
+
+  p.contact.move(bodies, {*p.state.statics, p.grid, p.area, p.state.time + dt, dt}, p.workers);
+  p.times.contact += watch.lap();
+
+  p.state.objects.follow(bodies);
+  if (has_requests) {
+    p.by_robot.resize(bodies.count());
+    for (std::uint32_t i = 0; i < bodies.count(); ++i) p.by_robot[i] = i;
+    std::sort(p.by_robot.begin(), p.by_robot.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return bodies.robot[a] != bodies.robot[b] ? bodies.robot[a] < bodies.robot[b] : a < b;
+    });
+    for (const std::uint32_t i : p.by_robot) {
+      if (bodies.present[i] && i < actions.size()) p.state.objects.carry_out(actions[i], bodies, i);
+    }
+  }
+  p.state.time += dt;
+  ++p.state.cycle;
+  p.is_stale = true;
+  p.is_placer_stale = true;
+  p.refresh();
+  p.times.move += watch.lap();
+}
+
+double Simulator::time() const {
+  return parts_->state.time;
+}
+std::uint64_t Simulator::cycle() const {
+  return parts_->state.cycle;
+}
+StepTimes Simulator::step_times() const {
+  return parts_->times;
+}
+Workers& Simulator::workers() const {
+  return parts_->workers;
+}
+
+std::span<const Disc> Simulator::discs() const {
+  return parts_->state.statics->discs();
+}
+std::span<const Wall> Simulator::walls() const {
+  return parts_->state.statics->walls();
+}
+std::span<const Object> Simulator::objects() const {
+  return parts_->state.objects.list();
+}
+std::uint32_t Simulator::basket_count(base::ObjectId container) const {
+  return parts_->state.objects.count_in(container);
+}
+
+std::vector<Placement> Simulator::add_obstacles(std::span<const Disc> discs) {
+  Parts& p = *parts_;
+  World world;
+  world.discs.assign(this->discs().begin(), this->discs().end());
+  world.walls.assign(walls().begin(), walls().end());
+  world.discs.insert(world.discs.end(), discs.begin(), discs.end());
+  keep_usable(world);
+  p.state.statics = std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls));
+  std::vector<Placement> moved;
+  Bodies& bodies = p.state.bodies;
+  p.placer.rebuild(bodies);
+  for (std::uint32_t i = 0; i < bodies.count(); ++i) {
+    if (!bodies.present[i]) continue;
+    const Point here = bodies.position(i);
+    const auto place = p.placer.nearest_free(bodies, *p.state.statics, here, bodies.radius[i],
+                                             bodies.held[i] ? p.area : kWholeWorld, i);
+    if (!place || *place == here) continue;
+    bodies.x[i] = place->x;
+    bodies.y[i] = place->y;
+    p.placer.rebuild(bodies);
+    moved.push_back({{i}, pose({i}), true});
+  }
+  p.state.objects.follow(bodies);
+  p.is_stale = true;
+  return moved;
+}
+
+std::size_t Simulator::remove_obstacles(const std::function<bool(const Disc&)>& is_gone) {
+  Parts& p = *parts_;
+  std::vector<Disc> discs(this->discs().begin(), this->discs().end());
+  const std::size_t count = std::erase_if(discs, is_gone);
+  if (count == 0) return 0;
+  p.state.statics =
+      std::make_shared<const Statics>(std::move(discs), std::vector<Wall>(walls().begin(), walls().end()));
+  return count;
+}
+
+bool Simulator::is_free(Point place, double radius) const {
+  Parts& p = *parts_;
+  if (p.is_placer_stale) p.placer.rebuild(p.state.bodies);
+  p.is_placer_stale = false;
+  return p.placer.is_free(p.state.bodies, *p.state.statics, place, radius);
+}
+
+bool Simulator::in_sight(Point a, Point b) const {
+  return parts_->state.statics->in_sight(a, b);
+}
+
+std::shared_ptr<const Simulator::State> Simulator::snapshot() const {
+  return std::make_shared<const State>(parts_->state);
+}
+
+void Simulator::restore(const State& state) {
+  parts_->state = state;
+  parts_->is_stale = true;
+  parts_->is_placer_stale = true;
+}
+
+}  // namespace mlab::sim

@@ -1,0 +1,67 @@
+#include "mlab/sim/slide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mlab::sim {
+namespace {
+
+using geom::Offset;
+
+bool is_allowed(Offset motion, const Blockers& blockers, double tolerance) {
+  return std::all_of(blockers.begin(), blockers.end(),
+                     [&](const Blocker& b) { return dot(motion, b.toward) <= b.gap + tolerance; });
+}
+
+/// Keeps the allowed motion that is nearest to the wanted one.
+struct Nearest {
+  Offset wanted;
+  const Blockers& blockers;
+  double tolerance;
+  Offset best;
+  double best_distance = HUGE_VAL;
+
+  void consider(Offset motion) {
+    const double distance = length(motion - wanted);
+    if (distance < best_distance && is_allowed(motion, blockers, tolerance)) {
+      best = motion;
+      best_distance = distance;
+    }
+  }
+};
+
+}  // namespace
+
+void Blockers::add(const Blocker& blocker) {
+  const auto is_nearer = [](const Blocker& a, const Blocker& b) {
+    return a.gap != b.gap ? a.gap < b.gap : a.thing < b.thing;
+  };
+  Blocker moving = blocker;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (list_[i].gap == blocker.gap && list_[i].toward == blocker.toward) return;
+  }
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (is_nearer(moving, list_[i])) std::swap(moving, list_[i]);
+  }
+  if (count_ < kMost) list_[count_++] = moving;
+}
+
+Offset slide(Offset wanted, const Blockers& blockers) {
+  const double tolerance = 1e-12 + 4e-15 * length(wanted);
+  if (is_allowed(wanted, blockers, tolerance)) return wanted;
+  Nearest nearest{wanted, blockers, tolerance, {}};
+  for (const Blocker& b : blockers) nearest.consider(wanted - b.toward * (dot(wanted, b.toward) - b.gap));
+  if (nearest.best_distance < HUGE_VAL) return nearest.best;
+  for (const Blocker* a = blockers.begin(); a != blockers.end(); ++a) {
+    for (const Blocker* b = a + 1; b != blockers.end(); ++b) {
+      const double area = cross(a->toward, b->toward);
+      if (std::abs(area) < 1e-9) continue;
+      nearest.consider({(a->gap * b->toward.y - b->gap * a->toward.y) / area,
+                        (b->gap * a->toward.x - a->gap * b->toward.x) / area});
+    }
+  }
+  return nearest.best;
+}
+
+}  // namespace mlab::sim

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "mlab/geom/pose.h"
+
+namespace mlab::sim {
+
+/// A half-plane that a motion must not leave: dot(motion, toward) <= gap.
+struct Blocker {
+  geom::Offset toward;      ///< unit vector, from the body to what is in the way
+  double gap = 0.0;         ///< how far the body may go that way; less than 0: it should back off [m]
+  std::uint32_t thing = 0;  ///< what it is, for telling contacts apart
+};
+
+/// What a body touches. Only the nearest are kept where there are too many; the sweep keeps the others out.
+class Blockers {
+ public:
+  static constexpr std::size_t kMost = 10;
+  void add(const Blocker& blocker);
+  void clear() { count_ = 0; }
+  bool empty() const { return count_ == 0; }
+  const Blocker* begin() const { return list_.data(); }
+  const Blocker* end() const { return list_.data() + count_; }
+
+ private:
+  std::array<Blocker, kMost> list_;  ///< by gap, then by thing
+  std::size_t count_ = 0;
+};
+
+/// The motion nearest to the wanted one that no blocker forbids: what a body that is pushed against things
+/// does when it slides without friction. Zero where there is none.
+geom::Offset slide(geom::Offset wanted, const Blockers& blockers);
+
+}  // namespace mlab::sim

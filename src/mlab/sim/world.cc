@@ -1,0 +1,108 @@
+#include "mlab/sim/world.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+namespace mlab::sim {
+namespace {
+
+using percept::ObjectClass;
+using percept::ObjectStyle;
+
+bool is_usable(geom::Point p) {
+  return std::abs(p.x) <= World::kFarthest && std::abs(p.y) <= World::kFarthest;  // false for NaN
+}
+bool is_usable(double radius) {
+  return radius >= 0.0 && radius <= World::kFarthest;
+}
+
+/// @source  the historic table of object classes by colour
+ObjectClass class_of(std::string color) {
+  std::erase_if(color, [](char c) { return c == ' ' || c == '-' || c == '_'; });
+  std::transform(color.begin(), color.end(), color.begin(), [](unsigned char c) { return std::tolower(c); });
+  static constexpr struct {
+    const char* color;
+    ObjectClass object_class;
+  } kClasses[] = {
+      {"orange", ObjectClass::kMine},
+      {"red", ObjectClass::kEnemyRobot},
+      {"purple", ObjectClass::kFlag},
+      {"green", ObjectClass::kBasket},
+      {"black", ObjectClass::kRock},
+      {"darkseagreen", ObjectClass::kTree},
+      {"white", ObjectClass::kHomeBase},
+      {"brown", ObjectClass::kUnknown},
+      {"lightblue", ObjectClass::kHidingPlace},
+      {"yellow", ObjectClass::kYellowMarker},
+      {"blue", ObjectClass::kFriendlyRobot},
+  };
+  for (const auto& entry : kClasses) {
+    if (color == entry.color) return entry.object_class;
+  }
+  return ObjectClass::kUnknown;
+}
+
+ObjectStyle style_of(overlay::ObjectStyle style) {
+  switch (style) {
+    case overlay::ObjectStyle::kMovable:
+      return ObjectStyle::kMovable;
+    case overlay::ObjectStyle::kContainer:
+      return ObjectStyle::kContainer;
+    case overlay::ObjectStyle::kFixed:
+      break;
+  }
+  return ObjectStyle::kFixed;
+}
+
+void add_walls(World& world, const std::vector<geom::Point>& points, bool is_closed, std::uint32_t group) {
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    world.walls.push_back({{points[i], points[i + 1]}, group});
+  if (is_closed && points.size() > 2) world.walls.push_back({{points.back(), points.front()}, group});
+}
+
+}  // namespace
+
+World world_of(const overlay::Overlay& overlay) {
+  World world;
+  const overlay::Area area = overlay.mission_area();
+  world.area_low = {0.0, 0.0};
+  world.area_high = {area.width, area.height};
+  for (const overlay::ObstacleDisc& disc : overlay.obstacles)
+    world.discs.push_back({disc.center, disc.radius});
+  std::uint32_t group = 0;
+  for (const overlay::ControlMeasure& measure : overlay.measures) {
+    if (measure.kind == overlay::MeasureKind::kWall) {
+      add_walls(world, measure.points, false, group++);
+    } else if (zone_kind(measure) == overlay::ZoneKind::kWeather) {
+      add_walls(world, measure.points, true, group++);
+    }
+  }
+  std::uint32_t id = 0;
+  for (const overlay::WorldObject& object : overlay.objects) {
+    Object& added = world.objects.emplace_back();
+    added.id = {++id};
+    added.object_class = class_of(object.color);
+    added.style = style_of(object.style);
+    added.center = object.center;
+    added.radius = object.diameter / 2;
+  }
+  keep_usable(world);
+  return world;
+}
+
+void keep_usable(World& world) {
+  std::erase_if(world.discs, [](const Disc& d) { return !is_usable(d.center) || !is_usable(d.radius); });
+  std::erase_if(world.walls,
+                [](const Wall& w) { return !is_usable(w.segment.a) || !is_usable(w.segment.b); });
+  std::erase_if(world.objects, [](const Object& o) { return !is_usable(o.center) || !is_usable(o.radius); });
+  const auto limited = [](geom::Point& p, double otherwise) {
+    p.x = std::isnan(p.x) ? otherwise : std::clamp(p.x, -World::kFarthest, World::kFarthest);
+    p.y = std::isnan(p.y) ? otherwise : std::clamp(p.y, -World::kFarthest, World::kFarthest);
+  };
+  limited(world.area_low, -World::kFarthest);
+  limited(world.area_high, World::kFarthest);
+}
+
+}  // namespace mlab::sim
