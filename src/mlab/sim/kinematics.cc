@@ -11,8 +11,11 @@ namespace {
 
 using geom::Offset;
 
+/// Faster than this is as fast as this [m/s, rad/s].
+constexpr double kFastest = 1e9;
+
 double finite_or_zero(double value) {
-  return std::isfinite(value) ? value : 0.0;
+  return std::isfinite(value) ? std::clamp(value, -kFastest, kFastest) : 0.0;
 }
 
 /// `value` within +-limit, where there is a limit.

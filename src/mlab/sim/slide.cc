@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace mlab::sim {
@@ -31,6 +32,24 @@ struct Nearest {
   }
 };
 
+std::optional<Offset> nearest_allowed(Offset wanted, const Blockers& blockers) {
+  const double tolerance = 1e-12 + 4e-15 * length(wanted);
+  if (is_allowed(wanted, blockers, tolerance)) return wanted;
+  Nearest nearest{wanted, blockers, tolerance, {}};
+  for (const Blocker& b : blockers) nearest.consider(wanted - b.toward * (dot(wanted, b.toward) - b.gap));
+  if (nearest.best_distance < HUGE_VAL) return nearest.best;
+  for (const Blocker* a = blockers.begin(); a != blockers.end(); ++a) {
+    for (const Blocker* b = a + 1; b != blockers.end(); ++b) {
+      const double area = cross(a->toward, b->toward);
+      if (std::abs(area) < 1e-9) continue;
+      nearest.consider({(a->gap * b->toward.y - b->gap * a->toward.y) / area,
+                        (b->gap * a->toward.x - a->gap * b->toward.x) / area});
+    }
+  }
+  if (nearest.best_distance < HUGE_VAL) return nearest.best;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void Blockers::add(const Blocker& blocker) {
@@ -47,21 +66,15 @@ void Blockers::add(const Blocker& blocker) {
   if (count_ < kMost) list_[count_++] = moving;
 }
 
+Blockers Blockers::without_backing_off() const {
+  Blockers relaxed = *this;
+  for (std::size_t i = 0; i < count_; ++i) relaxed.list_[i].gap = std::max(0.0, list_[i].gap);
+  return relaxed;
+}
+
 Offset slide(Offset wanted, const Blockers& blockers) {
-  const double tolerance = 1e-12 + 4e-15 * length(wanted);
-  if (is_allowed(wanted, blockers, tolerance)) return wanted;
-  Nearest nearest{wanted, blockers, tolerance, {}};
-  for (const Blocker& b : blockers) nearest.consider(wanted - b.toward * (dot(wanted, b.toward) - b.gap));
-  if (nearest.best_distance < HUGE_VAL) return nearest.best;
-  for (const Blocker* a = blockers.begin(); a != blockers.end(); ++a) {
-    for (const Blocker* b = a + 1; b != blockers.end(); ++b) {
-      const double area = cross(a->toward, b->toward);
-      if (std::abs(area) < 1e-9) continue;
-      nearest.consider({(a->gap * b->toward.y - b->gap * a->toward.y) / area,
-                        (b->gap * a->toward.x - a->gap * b->toward.x) / area});
-    }
-  }
-  return nearest.best;
+  const std::optional<Offset> slid = nearest_allowed(wanted, blockers);
+  return slid ? *slid : nearest_allowed(wanted, blockers.without_backing_off()).value_or(Offset{});
 }
 
 }  // namespace mlab::sim

@@ -19,8 +19,8 @@ class Blockers {
  public:
   static constexpr std::size_t kMost = 10;
   void add(const Blocker& blocker);
-  void clear() { count_ = 0; }
-  bool empty() const { return count_ == 0; }
+  /// The same, but nobody has to back off.
+  Blockers without_backing_off() const;
   const Blocker* begin() const { return list_.data(); }
   const Blocker* end() const { return list_.data() + count_; }
 

@@ -8,20 +8,28 @@ namespace mlab::sim {
 using geom::Offset;
 using geom::Point;
 
+namespace {
+
+/// A body may start inside the skin; then it may stay as near as it is, but come no nearer, rounding aside.
+double nearest_allowed(double radius, double start) {
+  return std::min(radius - kSlack, start - 1e-11);
+}
+
+}  // namespace
+
 double meets_disc(Offset relative, Offset motion, double radius) {
   const double approach = -dot(relative, motion);
   if (!(approach > 0.0)) return kNever;
   const double way = length(motion);
   const double start = length(relative);
-  // A body may start inside the skin; then it may stay where it is, but come no nearer.
-  const double nearest_allowed = std::min(radius - kSlack, start);
+  const double nearest = nearest_allowed(radius, start);
   // The distance from the line of motion: by the cross product, which stays exact however long the motion is.
   const double aside = std::abs(cross(relative, motion)) / way;
-  if (aside >= nearest_allowed) return kNever;
+  if (aside >= nearest) return kNever;
   const double to_foot = approach / way;  // way to the point of the line that is nearest to the centre
   if (to_foot > way) {
     const Offset end = relative + motion;
-    if (length(end) >= nearest_allowed) return kNever;
+    if (length(end) >= nearest) return kNever;
   }
   if (start <= radius || aside >= radius) return 0.0;
   const double contact = to_foot - std::sqrt((radius - aside) * (radius + aside));
@@ -54,7 +62,7 @@ double meets_wall(const geom::Segment& wall, Point from, Offset motion, double r
   } else if (foot < 0.0 || foot > wall_length * wall_length) {
     return first;
   }
-  if (enter > leave || side + speed * leave >= std::min(radius - kSlack, side)) return first;
+  if (enter > leave || side + speed * leave >= nearest_allowed(radius, side)) return first;
   first = std::min(first, std::max(enter, (side - radius) / -speed));
   return first;
 }
