@@ -12,21 +12,26 @@ constexpr double kSparse = 1.05;
 constexpr int kMostHalvings = 40;
 constexpr std::size_t kSamples = 256;
 
-/// How wide the coordinates spread, a few that lie far outside left out: twice the distance between the
-/// quartiles of a sample, which for evenly spread ones is all of it [m].
+/// How wide items spread, told by at most kSamples of them.
 template <class Coordinate>
-double spread(std::span<const PointGrid::Item> items, Coordinate coordinate) {
+double spread_of(std::span<const PointGrid::Item> items, Coordinate coordinate) {
   std::array<double, kSamples> sample;
   const std::size_t count = std::min(kSamples, items.size());
   for (std::size_t i = 0; i < count; ++i) sample[i] = coordinate(items[i * items.size() / count]);
-  const auto quartile = [&](std::size_t rank) {
-    std::nth_element(sample.begin(), sample.begin() + rank, sample.begin() + count);
-    return sample[rank];
-  };
-  return count < 2 ? 0.0 : 2.0 * (quartile(count * 3 / 4) - quartile(count / 4));
+  return spread({sample.data(), count});
 }
 
 }  // namespace
+
+double spread(std::span<double> coordinates) {
+  if (coordinates.size() < 2) return 0.0;
+  const auto quartile = [&](std::size_t rank) {
+    std::nth_element(coordinates.begin(), coordinates.begin() + static_cast<std::ptrdiff_t>(rank),
+                     coordinates.end());
+    return coordinates[rank];
+  };
+  return 2.0 * (quartile(coordinates.size() * 3 / 4) - quartile(coordinates.size() / 4));
+}
 
 std::size_t PointGrid::sort(std::span<const Item> items) {
   starts_.assign(cells_.size() + 1, 0);
@@ -51,8 +56,9 @@ void PointGrid::build(std::span<const Item> items, double smallest_cell) {
   max_radius_ = 0.0;
   for (const Item& item : items) max_radius_ = std::max(max_radius_, static_cast<double>(item.radius));
   cells_.resize(items.size(), 1.0);
-  const double covering = std::max(spread(items, [](const Item& item) { return item.x; }) / cells_.columns(),
-                                   spread(items, [](const Item& item) { return item.y; }) / cells_.rows());
+  const double covering =
+      std::max(spread_of(items, [](const Item& item) { return item.x; }) / cells_.columns(),
+               spread_of(items, [](const Item& item) { return item.y; }) / cells_.rows());
   for (;;) {
     const double cell = std::max(smallest_cell, std::ldexp(covering, -halvings_));
     cells_.resize(items.size(), cell);

@@ -123,6 +123,10 @@ class PointGrid {
   double max_radius_ = 0.0;
 };
 
+/// How wide coordinates spread, a few that lie far outside left out: twice the distance between their
+/// quartiles, which for evenly spread ones is all of it [m]. Puts them into another order.
+double spread(std::span<double> coordinates);
+
 /// The float that is at least `value`.
 inline float rounded_up(double value) {
   const auto nearest = static_cast<float>(value);

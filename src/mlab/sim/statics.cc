@@ -9,6 +9,9 @@ namespace {
 constexpr double kSizeClass = 4.0;
 constexpr double kSmallestClass = 0.05;
 
+/// A table of walls has about so many entries, even for a single wall.
+constexpr std::size_t kLeastEntries = 16384;
+
 int size_class(double radius) {
   return static_cast<int>(
       std::ceil(std::log(std::max(radius, kSmallestClass) / kSmallestClass) / std::log(kSizeClass)));
@@ -20,9 +23,18 @@ void WallGrid::build(std::span<const Wall> walls) {
   indices_.clear();
   if (walls.empty()) return;
   double total_length = 0.0;
-  for (const Wall& wall : walls) total_length += distance(wall.segment.a, wall.segment.b);
-  const std::size_t budget = 1024 + 4 * walls.size();  // entries, roughly; so memory doesn't grow with length
-  cells_.resize(budget, std::max(total_length / static_cast<double>(budget), 0.01));
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Wall& wall : walls) {
+    total_length += distance(wall.segment.a, wall.segment.b);
+    x.insert(x.end(), {wall.segment.a.x, wall.segment.b.x});
+    y.insert(y.end(), {wall.segment.a.y, wall.segment.b.y});
+  }
+  // Entries, roughly: memory grows with the number of walls, not with their length.
+  const std::size_t budget = kLeastEntries + 4 * walls.size();
+  cells_.resize(budget, 1.0);
+  cells_.resize(budget, std::max({0.01, total_length / static_cast<double>(budget),
+                                  spread(x) / cells_.columns(), spread(y) / cells_.rows()}));
 
   starts_.assign(cells_.size() + 1, 0);
   const auto for_each_entry = [&](auto&& entry) {
