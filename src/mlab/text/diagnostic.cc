@@ -40,20 +40,29 @@ std::vector<std::string> characters(std::string_view line) {
   return out;
 }
 
+// The part of the line around the carets. Only bytes near them are looked at: a line may be the whole of a
+// large file.
 Excerpt excerpt(const Source& source, Span span) {
-  const LineColumn at = source.line_column(span.begin);
-  const LineColumn end = source.line_column(span.end);
-  const std::vector<std::string> line = characters(source.line(at.line));
-  const std::size_t first = at.column - 1;
-  const std::size_t last = end.line == at.line ? end.column - 1 : line.size();
-  const std::size_t from = first > kShownColumns * 3 / 4 ? first - kShownColumns / 2 : 0;
+  constexpr std::size_t kReach = 4 * kShownColumns;  // bytes; a character has at most four
+  const std::string_view line = source.line(source.line_column(span.begin).line);
+  const std::size_t begin = std::min<std::size_t>(
+      span.begin -
+          std::min<std::size_t>(span.begin, static_cast<std::size_t>(line.data() - source.text().data())),
+      line.size());
+  const std::size_t end = std::clamp<std::size_t>(begin + (span.end - span.begin), begin, line.size());
+  const std::size_t window = begin - std::min(begin, kReach);
+  const std::vector<std::string> before = characters(line.substr(window, begin - window));
+  const std::vector<std::string> after = characters(line.substr(begin, kReach));
+  const std::size_t from = before.size() > kShownColumns * 3 / 4 ? before.size() - kShownColumns / 2 : 0;
+  const std::size_t room = kShownColumns - (before.size() - from);
   Excerpt out;
-  if (from > 0) out.text = "...";
-  out.caret = out.text.size() + first - from;
-  for (std::size_t i = from; i < line.size() && i < from + kShownColumns; ++i) out.text += line[i];
-  if (line.size() > from + kShownColumns) out.text += "...";
-  const std::size_t shown_end = std::min(last, from + kShownColumns);
-  out.carets = shown_end > first ? shown_end - first : 1;
+  if (from > 0 || window > 0) out.text = "...";
+  out.caret = out.text.size() + before.size() - from;
+  for (std::size_t i = from; i < before.size(); ++i) out.text += before[i];
+  for (std::size_t i = 0; i < after.size() && i < room; ++i) out.text += after[i];
+  if (after.size() > room || begin + kReach < line.size()) out.text += "...";
+  const std::size_t marked = characters(line.substr(begin, std::min(end - begin, kReach))).size();
+  out.carets = std::clamp<std::size_t>(marked, 1, room);
   return out;
 }
 

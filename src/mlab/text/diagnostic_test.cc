@@ -1,5 +1,6 @@
 #include "mlab/text/diagnostic.h"
 
+#include <chrono>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,26 @@ TEST(Render, CutsALongLineAroundTheCarets) {
   const std::string out = render(sink);
   EXPECT_LT(out.size(), 400U);
   EXPECT_NE(out.find('Y'), std::string::npos);
+}
+
+TEST(Render, CountsCharactersNotBytesInALongLine) {
+  std::string text;
+  for (int i = 0; i < 200; ++i) text += "\xc3\xa4";
+  const auto source = std::make_shared<const Source>("a", text + "Y" + text);
+  Diagnostics sink;
+  sink.error("k", {source, {400, 401}}, "m");
+  const std::string out = render(sink);
+  EXPECT_NE(out.find("a:1:201: "), std::string::npos) << out;
+  EXPECT_NE(out.find("\n      | " + std::string(53, ' ') + "^\n"), std::string::npos) << out;
+}
+
+TEST(Render, IsQuickForALineOfMegabytes) {
+  const auto source = std::make_shared<const Source>("a", std::string(2 << 20, '\xff'));
+  Diagnostics sink;
+  for (std::uint32_t i = 0; i < 100; ++i) sink.error("k", {source, {i * 20000, i * 20000 + 1000}}, "m");
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_LT(render(sink).size(), 200000U);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
 }
 
 TEST(Diagnostics, KeepsTheFirstHundredErrorsAndCountsTheRest) {

@@ -86,11 +86,16 @@ class Parser {
 
   // `what` is missing; it should stand where the next token is.
   bool fail_expected(std::string kind, std::string_view what) {
+    if (is_full()) return fail(std::move(kind), {}, "");
     const bool is_elsewhere = peek().starts_line || peek().kind == TokenKind::kEnd;
     const text::Place place = is_elsewhere ? behind_last() : place_of(peek().span);
     return fail(std::move(kind), place, fmt::format("expected {}, found {}", what, what_stands_here()),
                 usage());
   }
+
+  // More errors are only counted, so nobody needs their text: it would take most of the time of a file full
+  // of them.
+  bool is_full() const { return sink_.error_count() >= text::Diagnostics::kMaxErrors; }
 
   std::string usage() const { return rule_ ? fmt::format("the whole is `{}`", rule_->usage) : ""; }
 
@@ -150,8 +155,9 @@ class Parser {
 
   bool fail_unknown_statement() {
     rule_ = nullptr;
+    if (is_full()) return fail("unknown-statement", {}, "");
     const Token token = peek();
-    const bool is_header = token.kind == TokenKind::kWord && find_keyword_pair(token);
+    const bool is_header = token.kind == TokenKind::kWord && is_broken_header(token);
     fail("unknown-statement", place_of(token.span),
          fmt::format("expected a statement, found `{}`", text::shown(text_of(token))));
     if (is_header) {
@@ -179,7 +185,7 @@ class Parser {
   }
 
   // `CONTROL MEASURES` without its colon, or `CONTROL-MEASURES:`.
-  bool find_keyword_pair(const Token& token) const {
+  bool is_broken_header(const Token& token) const {
     const auto is = [&](const Token& t, std::string_view word) {
       return std::ranges::equal(text_of(t), word, [](char a, char b) { return (a & ~0x20) == (b & ~0x20); });
     };
@@ -265,6 +271,7 @@ class Parser {
     Token& token = tree_.tokens[at_];
     if (!is_name(token) && !(may_be_file && token.kind == TokenKind::kFile)) {
       fail_expected("expected-name", may_be_file ? "the name of a file" : "a name");
+      if (is_full()) return false;
       const bool is_odd_name = token.kind == TokenKind::kFile || token.kind == TokenKind::kNumber;
       if (is_odd_name && !token.starts_line)
         failure_->hints.emplace_back("a name that is no plain word stands in quotes");
