@@ -2,15 +2,29 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mlab/mission/toy_fleet.h"
 
 namespace mlab::mission {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the test's own vocabulary
+using percept::Formation;
+using percept::Task;
 
-// The first steps of a small scouting mission: two robots start, move, split and stop.
-std::shared_ptr<const Mission> scouting() {
+// All orders that were given, without those that only repeat a sequence.
+std::vector<effect::Order> new_orders(const ToyFleet& fleet) {
+  std::vector<effect::Order> orders;
+  for (const Effect& effect : fleet.all_effects()) {
+    const auto* order = std::get_if<effect::Order>(&effect);
+    const auto same = [&](const effect::Order& o) { return o.order.sequence == order->order.sequence; };
+    if (order != nullptr && std::ranges::none_of(orders, same)) orders.push_back(*order);
+  }
+  return orders;
+}
+
+TEST(Executive, CarriesOutAMissionStepByStep) {
   MissionMaker m;
   const auto first = m.unit("scouts-1", 1);
   const auto second = m.unit("scouts-2", 1);
@@ -19,11 +33,7 @@ std::shared_ptr<const Mission> scouting() {
   m.step({move_to(scouts, "ATK-AP1", {200, 110})});
   m.step({move_to(first, "ATK-BP1", {300, 150}), move_to(second, "ATK-BP2", {220, 60})});
   m.step({stop(scouts)});
-  return m.make();
-}
-
-TEST(Executive, CarriesOutAMissionStepByStep) {
-  ToyFleet fleet(scouting());
+  ToyFleet fleet(m.make());
   fleet.send(event::Execute{});
   ASSERT_TRUE(fleet.run());
   EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
@@ -47,6 +57,244 @@ step 3: unit scouts STOP done
 step 3 done
 mission done
 )");
+  EXPECT_LE(geom::distance(fleet.position(1), {300, 150}), ToyFleet::kSuccess);
+  EXPECT_FALSE(fleet.robot(1).report.is_running);
+}
+
+TEST(Executive, StartsRobotsOneStepApartWithTheHeadingOfTheOverlay) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 3);
+  m.mission().overlay.heading = 1.5;
+  m.step({start(unit, {610, 120}, {5, 20})});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  EXPECT_EQ(fleet.robot(1).report.pose, (geom::Pose{{610, 120}, 1.5}));
+  EXPECT_EQ(fleet.robot(3).report.pose, (geom::Pose{{620, 160}, 1.5}));
+  EXPECT_EQ(fleet.state().outcome, Outcome::kRunning) << "they have not reported yet";
+  fleet.cycle();
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+}
+
+TEST(Executive, WarnsOfAStartOfRobotsThatRunAndLeavesThemWhereTheyAre) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  m.step({start(unit, {10, 10})}).step({start(unit, {500, 500})});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  EXPECT_TRUE(fleet.has_told("step 1: robots 1 and 2 run already and can't be started again"));
+  EXPECT_EQ(fleet.position(1), (geom::Point{10, 10}));
+}
+
+TEST(Executive, StartsStoppedRobotsAgain) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 1);
+  m.step({start(unit, {10, 10})}).step({stop(unit)}).step({start(unit, {50, 50})});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  EXPECT_EQ(fleet.position(1), (geom::Point{50, 50}));
+}
+
+TEST(Executive, DoesSetAndPrintAtOnceAndGoesOn) {
+  MissionMaker m;
+  m.step({SetBoolean{BooleanOption::kShowTrails, true}, Print{true}}).step({SetNumber{NumberOption::kCycleDuration, 0.5}});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  EXPECT_EQ(fleet.count<effect::Set>(), 2);
+  EXPECT_EQ(fleet.count<effect::Print>(), 1);
+  EXPECT_TRUE(fleet.has_told("step 0: SET SHOW-TRAILS ON"));
+  EXPECT_TRUE(fleet.has_told("step 1: SET CYCLE-DURATION 0.5 done"));
+}
+
+TEST(Executive, QuitsAndDoesNothingAfterwards) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 1);
+  m.step({start(unit), Quit{}, Print{}}).step({stop(unit)});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  EXPECT_EQ(fleet.count<effect::Quit>(), 1);
+  EXPECT_EQ(fleet.count<effect::Print>(), 0);
+  EXPECT_EQ(fleet.state().mode, State::Mode::kQuit);
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  const State before = fleet.state();
+  fleet.send(event::Execute{});
+  fleet.cycle();
+  EXPECT_EQ(fleet.state(), before);
+  EXPECT_TRUE(fleet.last_effects().empty());
+}
+
+TEST(Executive, RewindsAfterTheLastStepAndLeavesTheRobotsTheirLastCommand) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  m.step({start(unit)}).step({move_to(unit, "A", {50, 0})});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  EXPECT_EQ(fleet.state().step, 0U);
+  ASSERT_EQ(standing_orders(fleet.state()).size(), 1U);
+  EXPECT_EQ(standing_orders(fleet.state())[0].order.goal, (geom::Point{50, 0}));
+  EXPECT_EQ(fleet.count<effect::Stop>(), 0);
+}
+
+TEST(Executive, OrdersSayWhatTheCommandSays) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  UnitCommand move = move_to(unit, "A", {50, 0});
+  move.formation = Formation::kWedge;
+  move.has_formation = true;
+  move.speed = 3.0;
+  move.heading = 0.5;
+  m.step({start(unit)}).step({move});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  const auto orders = new_orders(fleet);
+  ASSERT_EQ(orders.size(), 1U);
+  EXPECT_EQ(orders[0].members, (std::vector<base::RobotId>{{1}, {2}}));
+  EXPECT_EQ(orders[0].order.task, Task::kMoveTo);
+  EXPECT_EQ(orders[0].order.formation, Formation::kWedge);
+  EXPECT_EQ(orders[0].order.speed, 3.0);
+  EXPECT_TRUE(orders[0].order.has_heading);
+  EXPECT_EQ(orders[0].order.heading, 0.5);
+  EXPECT_FALSE(orders[0].order.halted);
+  EXPECT_TRUE(fleet.has_told("step 1: unit u MOVETO A (Wedge)"));
+}
+
+TEST(Executive, FollowsARouteToItsEnd) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  UnitCommand follow = command(unit, Task::kFollow, "AXIS-Blue", {1, 1});
+  follow.route = {{20, 0}, {20, 50}, {80, 50}};
+  m.step({start(unit, {}, {})}).step({follow});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  bool was_at_corner = false;
+  while (fleet.state().mode == State::Mode::kRunning && fleet.time() < 100) {
+    fleet.cycle();
+    was_at_corner = was_at_corner || geom::distance(fleet.position(1), {20, 50}) < 2.0;
+  }
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  EXPECT_TRUE(was_at_corner);
+  EXPECT_EQ(new_orders(fleet).at(0).order.goal, (geom::Point{80, 50}));
+  EXPECT_LE(geom::distance(fleet.position(1), {80, 50}), 2.0);
+}
+
+TEST(Executive, SweepsInASweepUnlessAClauseSaysOtherwise) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  UnitCommand in_line = command(unit, Task::kSweepTo, "B", {90, 0});
+  in_line.formation = Formation::kLine;
+  in_line.has_formation = true;
+  m.step({start(unit)}).step({command(unit, Task::kSweepTo, "A", {50, 0})}).step({in_line});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  const auto orders = new_orders(fleet);
+  ASSERT_EQ(orders.size(), 2U);
+  EXPECT_EQ(orders[0].order.formation, Formation::kSweep);
+  EXPECT_EQ(orders[1].order.formation, Formation::kLine);
+}
+
+TEST(Executive, TellsTheCompletionMessage) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 1);
+  UnitCommand move = move_to(unit, "A", {50, 0});
+  move.on_completion = "in place";
+  m.step({start(unit)}).step({move});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  EXPECT_TRUE(fleet.has_told("u: in place\n"));
+}
+
+TEST(Executive, LatchesDoneForEachRobotAndOrder) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  m.step({start(unit)}).step({move_to(unit, "A", {50, 0})});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  fleet.cycle();
+  const auto report = [&](std::uint32_t sequence, bool first, bool second) {
+    event::Cycle cycle{.time = fleet.time() + 1.0, .robots = {}};
+    for (const auto& [id, body] : fleet.robots()) {
+      RobotReport r = body.report;
+      r.sequence = sequence;
+      r.done = id == 1 ? first : second;
+      r.remaining = 5.0;
+      cycle.robots.push_back(r);
+    }
+    fleet.send(cycle);
+  };
+  const std::uint32_t sequence = fleet.state().last_sequence;
+  report(sequence - 1, true, true);  // done with something else
+  report(sequence, true, false);
+  report(sequence, false, false);  // drifts away, and back
+  EXPECT_EQ(fleet.state().outcome, Outcome::kRunning);
+  report(sequence, false, true);
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+}
+
+TEST(Executive, TellsTheRobotsThatAreLeftWhoTheirMatesAre) {
+  MissionMaker m;
+  const auto first = m.unit("a", 2);
+  const auto second = m.unit("b", 2);
+  const auto both = m.unit("ab", {first, second});
+  m.step({start(both)}).step({move_to(both, "A", {50, 0})}).step({move_to(first, "B", {200, 0})});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  ASSERT_EQ(fleet.state().outcome, Outcome::kDone);
+  const auto& order = fleet.robot(3).order;
+  EXPECT_EQ(order.order.goal, (geom::Point{50, 0})) << "its last command stands";
+  EXPECT_EQ(order.members, (std::vector<base::RobotId>{{3}, {4}}));
+  EXPECT_EQ(standing_orders(fleet.state()).size(), 2U);
+}
+
+TEST(Executive, KeepsAHistoryOfStepsAndCommands) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 1);
+  UnitCommand place = occupy(unit, "AA-AA1", {50, 0});
+  place.formation = Formation::kColumn;
+  m.step("1", {start(unit)}).step("2a", {place, SetBoolean{}});
+  ToyFleet fleet(m.make(), {.proceed_all = true});
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  const State& s = fleet.state();
+  ASSERT_EQ(s.steps.size(), 2U);
+  EXPECT_EQ(s.steps[1].label, "2a");
+  EXPECT_EQ(s.steps[1].outcome, Outcome::kDone);
+  EXPECT_EQ(s.steps[1].first_command, 1U);
+  EXPECT_EQ(s.steps[1].command_count, 2U);
+  EXPECT_NEAR(s.steps[1].end - s.steps[1].start, 9.8, 0.3);
+  ASSERT_EQ(s.commands.size(), 3U);
+  EXPECT_EQ(s.commands[1].text, "unit u OCCUPY AA-AA1 (Column)");
+  EXPECT_EQ(s.commands[1].unit, "u");
+  EXPECT_EQ(s.commands[1].task, "OCCUPY");
+  EXPECT_EQ(s.commands[1].place, "AA-AA1");
+  EXPECT_EQ(s.commands[1].formation, "Column");
+  EXPECT_EQ(s.commands[1].outcome, Outcome::kDone);
+  EXPECT_EQ(s.commands[1].end, s.steps[1].end);
+  EXPECT_EQ(s.commands[2].task, "SET");
+  EXPECT_EQ(s.commands[2].end, s.steps[1].start);
+}
+
+TEST(Executive, EndsAMissionWithoutStepsAtOnce) {
+  ToyFleet fleet(MissionMaker().make());
+  fleet.send(event::Execute{});
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  EXPECT_TRUE(fleet.has_told("mission done"));
+}
+
+TEST(Executive, NamesAnUnnamedUnitByItsRobots) {
+  MissionMaker m;
+  const auto unit = m.unit("", 2);
+  m.step({start(unit)});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  EXPECT_TRUE(fleet.has_told("step 0: unit of robots 1 and 2 START StartPlace"));
 }
 
 }  // namespace

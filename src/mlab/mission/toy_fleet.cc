@@ -79,6 +79,11 @@ void ToyFleet::send(const Event& event) {
   all_effects_.insert(all_effects_.end(), last_effects_.begin(), last_effects_.end());
 }
 
+void ToyFleet::answer(std::uint32_t question, bool proceed) {
+  questions_.erase(question);
+  send(event::Answer{question, proceed});
+}
+
 void ToyFleet::cycle() {
   time_ += kCycle;
   // All look at the same moment: first everybody decides, then everybody has moved.

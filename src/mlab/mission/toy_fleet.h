@@ -61,6 +61,7 @@ class ToyFleet {
 
   /// Hands the event to the executive and carries out what it wants.
   void send(const Event& event);
+  void answer(std::uint32_t question, bool proceed = true);
   void cycle();
   /// Cycles until nothing runs or the time is up. @return true where nothing runs
   bool run(double seconds = 3600.0);

@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include "mlab/mission/executive.h"
+#include "mlab/mission/toy_fleet.h"
+
+namespace mlab::mission {
+namespace {
+
+using namespace testing;  // NOLINT(google-build-using-namespace): the test's own vocabulary
+
+class Patience : public ::testing::Test {
+ protected:
+  Patience() {
+    a_ = maker_.unit("a", 2);
+    b_ = maker_.unit("b", 1);
+    maker_.step({start(a_, {0, 0}, {0, 10}), start(b_, {0, 50})});
+  }
+  // The unit a to (100, 5), together with whatever else is wanted.
+  ToyFleet& run(double seconds, std::vector<Command> more = {}) {
+    more.insert(more.begin(), move_to(a_, "A", {100, 5}));
+    maker_.step(std::move(more)).step({stop(b_)});
+    fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 60.0});
+    fleet_->send(event::Execute{});
+    fleet_->run_cycles(2);
+    disturb_(*fleet_);
+    fleet_->run(seconds);
+    return *fleet_;
+  }
+
+  MissionMaker maker_;
+  std::uint32_t a_ = 0;
+  std::uint32_t b_ = 0;
+  std::function<void(ToyFleet&)> disturb_ = [](ToyFleet&) {};
+  std::unique_ptr<ToyFleet> fleet_;
+};
+
+TEST_F(Patience, FailsACommandWithoutProgressAndSaysWhoIsWhereAndWhy) {
+  disturb_ = [](ToyFleet& fleet) { fleet.robot(1).is_stuck = fleet.robot(2).is_stuck = true; };
+  ToyFleet& fleet = run(100.0, {move_to(b_, "B", {2000, 50})});
+  EXPECT_NEAR(fleet.time(), 60.0, 1.0);
+  EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
+  EXPECT_EQ(fleet.state().mode, State::Mode::kIdle);
+  EXPECT_EQ(fleet.state().step, 1U) << "Execute tries the step again";
+  EXPECT_TRUE(fleet.has_told("step 1: unit a MOVETO A failed: no progress for 60 s; robot 1 at (0.5, 0.0), 99.5 m to go: "
+                             "no progress; robot 2 at (0.5, 10.0), 99.5 m to go: no progress"))
+      << fleet.transcript();
+  EXPECT_TRUE(fleet.has_told("step 1: unit b MOVETO B aborted"));
+  EXPECT_TRUE(fleet.has_told("step 1 failed\nmission failed at step 1"));
+  EXPECT_EQ(fleet.state().steps[1].outcome, Outcome::kFailed);
+  EXPECT_EQ(fleet.state().commands[2].outcome, Outcome::kFailed);
+  EXPECT_NE(fleet.state().commands[2].message.find("no progress for 60 s"), std::string::npos);
+}
+
+TEST_F(Patience, LastsWhileAnyRobotComesNearer) {
+  disturb_ = [](ToyFleet& fleet) {
+    fleet.robot(1).is_stuck = true;  // the other one drags their centre to the goal, slowly
+    for (const std::uint32_t id : {1U, 2U}) fleet.robot(id).order.order.speed = 0.5;
+  };
+  EXPECT_EQ(run(1000.0).state().outcome, Outcome::kDone);
+}
+
+TEST_F(Patience, CountsOnlyMoreThanACentimetreAsProgress) {
+  disturb_ = [](ToyFleet& fleet) {
+    for (const std::uint32_t id : {1U, 2U}) fleet.robot(id).order.order.speed = 0.0001;
+  };
+  EXPECT_EQ(run(1000.0).state().outcome, Outcome::kFailed);
+}
+
+TEST_F(Patience, NamesALostRobotAtOnceAndFailsLater) {
+  disturb_ = [](ToyFleet& fleet) { fleet.robot(2).reports = false; };
+  ToyFleet& fleet = run(5.0);
+  EXPECT_TRUE(fleet.has_told("step 1: robot 2 is not running, but `unit a MOVETO A` waits for it")) << fleet.transcript();
+  fleet.run(200.0);
+  EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
+  EXPECT_TRUE(fleet.has_told("lost, it no longer reports")) << fleet.transcript();
+  EXPECT_FALSE(fleet.has_told("; robot 1")) << "it is done";
+}
+
+TEST_F(Patience, NamesAFault) {
+  disturb_ = [](ToyFleet& fleet) { fleet.robot(2).report.is_running = false; };
+  EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: not running, stopped by a fault")) << fleet_->transcript();
+}
+
+TEST_F(Patience, NamesRobotsThatWereNeverStarted) {
+  const auto c = maker_.unit("c", 3);
+  ToyFleet& fleet = run(200.0, {move_to(c, "C", {5, 5})});
+  EXPECT_TRUE(fleet.has_told("step 1: robots 4, 5 and 6 are not running, but `unit c MOVETO C` waits for them"));
+  EXPECT_TRUE(fleet.has_told("unit c MOVETO C failed: no progress for 60 s; robot 4: not started; robot 5")) << fleet.transcript();
+}
+
+TEST_F(Patience, NamesRobotsThatWereStopped) {
+  maker_.step({stop(b_)}).step({move_to(b_, "B", {1, 1})});
+  fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 60.0});
+  fleet_->send(event::Execute{});
+  fleet_->run(100.0);
+  EXPECT_TRUE(fleet_->has_told("robot 3 at (0.0, 50.0): stopped")) << fleet_->transcript();
+}
+
+TEST_F(Patience, NamesRobotsThatDoNotStart) {
+  fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 60.0});
+  fleet_->robot(2).starts = false;
+  fleet_->send(event::Execute{});
+  fleet_->run(100.0);
+  EXPECT_TRUE(fleet_->has_told("step 0: unit a START StartPlace failed: no progress for 60 s; robot 2: does not start"))
+      << fleet_->transcript();
+}
+
+TEST_F(Patience, NamesARobotThatIsInTwoCommandsOfOneStep) {
+  const auto both = maker_.unit("both", {a_, b_});
+  ToyFleet& fleet = run(200.0, {move_to(both, "B", {10, 50})});
+  EXPECT_TRUE(fleet.has_told("step 1: robots 1 and 2 are in two commands of this step; only the last one, "
+                             "`unit both MOVETO B`, counts, the other can't be completed"));
+  EXPECT_TRUE(fleet.has_told("taken by another command of the same step, `unit both MOVETO B`")) << fleet.transcript();
+  EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
+}
+
+TEST_F(Patience, NamesARobotThatDoesNotTakeUpItsOrder) {
+  disturb_ = [](ToyFleet& fleet) {
+    fleet.robot(2).order.order.sequence = 0;
+    fleet.robot(2).report.sequence = 0;
+  };
+  EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: it has not taken up the order")) << fleet_->transcript();
+}
+
+TEST_F(Patience, DoesNotRunDuringAPause) {
+  disturb_ = [](ToyFleet& fleet) { fleet.send(event::Pause{}); };
+  ToyFleet& fleet = run(500.0);
+  EXPECT_EQ(fleet.state().outcome, Outcome::kRunning);
+  fleet.send(event::Resume{});
+  EXPECT_TRUE(fleet.run(100.0));
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+}
+
+TEST_F(Patience, OfZeroNeverEnds) {
+  maker_.step({move_to(a_, "A", {100, 5})});
+  ToyFleet fleet(maker_.make(), {.patience = 0.0});
+  fleet.robot(1).is_stuck = fleet.robot(2).is_stuck = true;
+  fleet.send(event::Execute{});
+  EXPECT_FALSE(fleet.run(2000.0));
+}
+
+TEST_F(Patience, CountsTheRobotsThatAreTooManyToName) {
+  MissionMaker m;
+  const auto all = m.unit("all", 1000);
+  m.step({move_to(all, "A", {1, 1})});
+  ToyFleet fleet(m.make(), {.patience = 1.0});
+  fleet.send(event::Execute{});
+  fleet.run(10.0);
+  EXPECT_TRUE(fleet.has_told("robots 1, 2, 3, 4, 5, 6, 7, 8 and 992 more are not running"));
+  EXPECT_TRUE(fleet.has_told("; robot 8: not started; and 992 more")) << fleet.transcript();
+}
+
+}  // namespace
+}  // namespace mlab::mission
