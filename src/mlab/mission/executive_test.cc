@@ -98,7 +98,8 @@ TEST(Executive, StartsStoppedRobotsAgain) {
 
 TEST(Executive, DoesSetAndPrintAtOnceAndGoesOn) {
   MissionMaker m;
-  m.step({SetBoolean{BooleanOption::kShowTrails, true}, Print{true}}).step({SetNumber{NumberOption::kCycleDuration, 0.5}});
+  m.step({SetBoolean{BooleanOption::kShowTrails, true}, Print{true}})
+      .step({SetNumber{NumberOption::kCycleDuration, 0.5}});
   ToyFleet fleet(m.make());
   fleet.send(event::Execute{});
   EXPECT_EQ(fleet.state().outcome, Outcome::kDone);

@@ -111,6 +111,7 @@ void handle(Turn& turn, const event::Execute&) {
   if (!is_running(s)) return start_at(turn, s.step);
   s.single = false;
   if (s.typed) s.goes_on = true;
+  go_on(turn);
 }
 
 void handle(Turn& turn, const event::Pause&) {
@@ -118,6 +119,7 @@ void handle(Turn& turn, const event::Pause&) {
 }
 void handle(Turn& turn, const event::Resume&) {
   set_paused(turn, false);
+  go_on(turn);  // robots may have got done in the meantime
 }
 
 void handle(Turn& turn, const event::SingleStep&) {

@@ -228,7 +228,8 @@ TEST_F(Operator, AnEditedPlanGoesOnWithTheStepOfTheSameLabel) {
   start_and_reach(1);
   MissionMaker edited = maker_;
   auto& steps = edited.mission().steps;
-  steps.insert(steps.begin() + 1, Step{.label = "0a", .commands = {move_to(both_, "Z", {1, 1})}, .place = {}});
+  steps.insert(steps.begin() + 1,
+               Step{.label = "0a", .commands = {move_to(both_, "Z", {1, 1})}, .place = {}});
   std::get<UnitCommand>(steps[3].commands[0]).goal = {200, 50};
   fleet_->send(event::Edited{edited.make()});
   EXPECT_EQ(state().step, 2U);

@@ -41,8 +41,9 @@ TEST_F(Patience, FailsACommandWithoutProgressAndSaysWhoIsWhereAndWhy) {
   EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
   EXPECT_EQ(fleet.state().mode, State::Mode::kIdle);
   EXPECT_EQ(fleet.state().step, 1U) << "Execute tries the step again";
-  EXPECT_TRUE(fleet.has_told("step 1: unit a MOVETO A failed: no progress for 60 s; robot 1 at (0.5, 0.0), 99.5 m to go: "
-                             "no progress; robot 2 at (0.5, 10.0), 99.5 m to go: no progress"))
+  EXPECT_TRUE(fleet.has_told(
+      "step 1: unit a MOVETO A failed: no progress for 60 s; robot 1 at (0.5, 0.0), 99.5 m to go: "
+      "no progress; robot 2 at (0.5, 10.0), 99.5 m to go: no progress"))
       << fleet.transcript();
   EXPECT_TRUE(fleet.has_told("step 1: unit b MOVETO B aborted"));
   EXPECT_TRUE(fleet.has_told("step 1 failed\nmission failed at step 1"));
@@ -69,7 +70,8 @@ TEST_F(Patience, CountsOnlyMoreThanACentimetreAsProgress) {
 TEST_F(Patience, NamesALostRobotAtOnceAndFailsLater) {
   disturb_ = [](ToyFleet& fleet) { fleet.robot(2).reports = false; };
   ToyFleet& fleet = run(5.0);
-  EXPECT_TRUE(fleet.has_told("step 1: robot 2 is not running, but `unit a MOVETO A` waits for it")) << fleet.transcript();
+  EXPECT_TRUE(fleet.has_told("step 1: robot 2 is not running, but `unit a MOVETO A` waits for it"))
+      << fleet.transcript();
   fleet.run(200.0);
   EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
   EXPECT_TRUE(fleet.has_told("lost, it no longer reports")) << fleet.transcript();
@@ -78,14 +80,17 @@ TEST_F(Patience, NamesALostRobotAtOnceAndFailsLater) {
 
 TEST_F(Patience, NamesAFault) {
   disturb_ = [](ToyFleet& fleet) { fleet.robot(2).report.is_running = false; };
-  EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: not running, stopped by a fault")) << fleet_->transcript();
+  EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: not running, stopped by a fault"))
+      << fleet_->transcript();
 }
 
 TEST_F(Patience, NamesRobotsThatWereNeverStarted) {
   const auto c = maker_.unit("c", 3);
   ToyFleet& fleet = run(200.0, {move_to(c, "C", {5, 5})});
-  EXPECT_TRUE(fleet.has_told("step 1: robots 4, 5 and 6 are not running, but `unit c MOVETO C` waits for them"));
-  EXPECT_TRUE(fleet.has_told("unit c MOVETO C failed: no progress for 60 s; robot 4: not started; robot 5")) << fleet.transcript();
+  EXPECT_TRUE(
+      fleet.has_told("step 1: robots 4, 5 and 6 are not running, but `unit c MOVETO C` waits for them"));
+  EXPECT_TRUE(fleet.has_told("unit c MOVETO C failed: no progress for 60 s; robot 4: not started; robot 5"))
+      << fleet.transcript();
 }
 
 TEST_F(Patience, NamesRobotsThatWereStopped) {
@@ -101,16 +106,19 @@ TEST_F(Patience, NamesRobotsThatDoNotStart) {
   fleet_->robot(2).starts = false;
   fleet_->send(event::Execute{});
   fleet_->run(100.0);
-  EXPECT_TRUE(fleet_->has_told("step 0: unit a START StartPlace failed: no progress for 60 s; robot 2: does not start"))
+  EXPECT_TRUE(fleet_->has_told(
+      "step 0: unit a START StartPlace failed: no progress for 60 s; robot 2: does not start"))
       << fleet_->transcript();
 }
 
 TEST_F(Patience, NamesARobotThatIsInTwoCommandsOfOneStep) {
   const auto both = maker_.unit("both", {a_, b_});
   ToyFleet& fleet = run(200.0, {move_to(both, "B", {10, 50})});
-  EXPECT_TRUE(fleet.has_told("step 1: robots 1 and 2 are in two commands of this step; only the last one, "
-                             "`unit both MOVETO B`, counts, the other can't be completed"));
-  EXPECT_TRUE(fleet.has_told("taken by another command of the same step, `unit both MOVETO B`")) << fleet.transcript();
+  EXPECT_TRUE(
+      fleet.has_told("step 1: robots 1 and 2 are in two commands of this step; only the last one, "
+                     "`unit both MOVETO B`, counts, the other can't be completed"));
+  EXPECT_TRUE(fleet.has_told("taken by another command of the same step, `unit both MOVETO B`"))
+      << fleet.transcript();
   EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
 }
 
@@ -119,7 +127,8 @@ TEST_F(Patience, NamesARobotThatDoesNotTakeUpItsOrder) {
     fleet.robot(2).order.order.sequence = 0;
     fleet.robot(2).report.sequence = 0;
   };
-  EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: it has not taken up the order")) << fleet_->transcript();
+  EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: it has not taken up the order"))
+      << fleet_->transcript();
 }
 
 TEST_F(Patience, DoesNotRunDuringAPause) {

@@ -27,14 +27,17 @@ PhaseLine line_at(double x) {
   return line;
 }
 
-double foremost(const ToyFleet& fleet) { return fleet.position(1).x; }
+double foremost(const ToyFleet& fleet) {
+  return fleet.position(1).x;
+}
 
 TEST(PhaseLine, CrossingIsToldAndTheUnitGoesOn) {
   PhaseLine line = line_at(100);
   line.acknowledge = "crossing red";
   ToyFleet fleet(advance_across({line}));
   fleet.send(event::Execute{});
-  ASSERT_TRUE(fleet.run_until([&] { return fleet.has_told("unit scouts is at phase line PL-Red: crossing red"); }));
+  ASSERT_TRUE(
+      fleet.run_until([&] { return fleet.has_told("unit scouts is at phase line PL-Red: crossing red"); }));
   EXPECT_NEAR(foremost(fleet), 98.0, 1.1) << "just before the line";
   EXPECT_TRUE(fleet.run());
   EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
@@ -49,7 +52,8 @@ TEST(PhaseLine, HoldsTheWholeUnitBeforeItUntilItIsAcknowledged) {
   ToyFleet fleet(advance_across({line}), {.patience = 20.0});
   fleet.send(event::Execute{});
   ASSERT_TRUE(fleet.run_until([&] { return !fleet.questions().empty(); }));
-  EXPECT_EQ(fleet.questions().at(1).text, "Unit \"scouts\" is at phase line PL-Red: crossing red. Acknowledge?");
+  EXPECT_EQ(fleet.questions().at(1).text,
+            "Unit \"scouts\" is at phase line PL-Red: crossing red. Acknowledge?");
   const std::uint32_t sequence = fleet.robot(1).order.order.sequence;
   EXPECT_TRUE(fleet.robot(1).order.order.halted);
   EXPECT_TRUE(fleet.robot(3).order.order.halted);
@@ -73,7 +77,8 @@ TEST(PhaseLine, HoldsTheUnitUntilItsTimeHasCome) {
   line.not_before = MissionTime{MissionTime::Kind::kOfDay, 12 * 3600 + 60.0};
   ToyFleet fleet(advance_across({line}), {.epoch_seconds = 12 * 3600.0});
   fleet.send(event::Execute{});
-  ASSERT_TRUE(fleet.run_until([&] { return fleet.has_told("unit scouts holds, waiting for 12:01:00 at phase line PL-Red"); }));
+  ASSERT_TRUE(fleet.run_until(
+      [&] { return fleet.has_told("unit scouts holds, waiting for 12:01:00 at phase line PL-Red"); }));
   EXPECT_LT(fleet.time(), 20.0);
   EXPECT_FALSE(awaits_only_operator(fleet.state()));
   ASSERT_TRUE(fleet.run_until([&] { return foremost(fleet) > 100.0; }));

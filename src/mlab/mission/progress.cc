@@ -29,7 +29,7 @@ void mark_done(State& state, RobotState& robot) {
 
 void take_order_report(State& state, RobotState& robot, const RobotReport& report) {
   if (report.sequence != robot.sequence || robot.sequence == 0) return;
-  robot.remaining = report.remaining;
+  if (std::isfinite(report.remaining)) robot.remaining = report.remaining;
   if (report.remaining < robot.best - kProgress) {
     robot.best = report.remaining;
     state.runs[robot.run].stalled = 0.0;
@@ -37,12 +37,20 @@ void take_order_report(State& state, RobotState& robot, const RobotReport& repor
   if (report.done) mark_done(state, robot);
 }
 
+// A pose that is no number leaves the robot where it was.
+void take_pose(const State& state, RobotState& robot, const geom::Pose& pose) {
+  const bool was_in_sight = robot.seen != 0 && robot.seen + 1 == state.cycle;
+  robot.step = {};
+  if (!std::isfinite(pose.position.x) || !std::isfinite(pose.position.y) || !std::isfinite(pose.heading))
+    return;
+  if (was_in_sight) robot.step = pose.position - robot.pose.position;
+  robot.pose = pose;
+}
+
 void take_report(State& state, const RobotReport& report) {
   RobotState* robot = find_robot(state, report.id);
   if (robot == nullptr) return;
-  const bool was_in_sight = robot->seen != 0 && robot->seen + 1 == state.cycle;
-  robot->step = was_in_sight ? report.pose.position - robot->pose.position : geom::Offset{};
-  robot->pose = report.pose;
+  take_pose(state, *robot, report.pose);
   robot->radius = report.radius;
   robot->is_running = report.is_running;
   robot->reported = report.sequence;

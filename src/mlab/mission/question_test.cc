@@ -23,7 +23,9 @@ std::shared_ptr<const Mission> occupation(std::optional<MissionTime> until = {})
 }
 
 // 12:00:00 UTC on 1995-01-17, in a zone five hours west.
-ExecutiveOptions at_noon() { return {.epoch_seconds = 790344000.0, .zone_offset = -5.0 * 3600.0}; }
+ExecutiveOptions at_noon() {
+  return {.epoch_seconds = 790344000.0, .zone_offset = -5.0 * 3600.0};
+}
 
 TEST(Question, EachUnitInPlaceAsksAndTheStepWaitsForBothAnswers) {
   ToyFleet fleet(occupation());
@@ -106,8 +108,9 @@ TEST(Question, AnswersItselfAtATimeOfDayOfTheMissionClock) {
 }
 
 TEST(Question, IsNotAskedWhenTheTimeIsPast) {
-  for (const MissionTime past : {MissionTime{MissionTime::Kind::kOfDay, 3600.0}, MissionTime{MissionTime::Kind::kAbsolute, 1000.0},
-                                 MissionTime{MissionTime::Kind::kSinceStart, 5.0}}) {
+  for (const MissionTime past :
+       {MissionTime{MissionTime::Kind::kOfDay, 3600.0}, MissionTime{MissionTime::Kind::kAbsolute, 1000.0},
+        MissionTime{MissionTime::Kind::kSinceStart, 5.0}}) {
     ToyFleet fleet(occupation(past), at_noon());
     fleet.send(event::Execute{});
     ASSERT_TRUE(fleet.run(20.0));

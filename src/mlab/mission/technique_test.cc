@@ -13,7 +13,8 @@ namespace {
 using namespace testing;  // NOLINT(google-build-using-namespace): the test's own vocabulary
 
 // The unit starts in a row at x = 50 and goes to the goal in the given technique.
-std::shared_ptr<const Mission> leg(MissionMaker m, std::uint32_t unit, Technique technique, geom::Point goal = {650, 250}) {
+std::shared_ptr<const Mission> leg(MissionMaker m, std::uint32_t unit, Technique technique,
+                                   geom::Point goal = {650, 250}) {
   UnitCommand move = move_to(unit, "A", goal);
   move.technique = technique;
   m.step({start(unit, {50, 200}, {0, 20})}).step({move});
@@ -29,7 +30,9 @@ std::shared_ptr<const Mission> two_teams(Technique technique, geom::Point goal =
   return leg(m, unit, technique, goal);
 }
 
-bool moves(ToyFleet& fleet, std::uint32_t id) { return geom::length(fleet.robot(id).step) > 0.0; }
+bool moves(ToyFleet& fleet, std::uint32_t id) {
+  return geom::length(fleet.robot(id).step) > 0.0;
+}
 
 // Runs the command of step 1 to its end and looks at every cycle of it.
 void watch_leg(ToyFleet& fleet, const std::function<void()>& look) {
@@ -138,7 +141,8 @@ TEST(BoundingOverwatch, NamesTheHaltedPartWhenTheOtherIsStuck) {
   fleet.run(200.0);
   EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
   EXPECT_TRUE(fleet.has_told("m to go: no progress; robot 2")) << fleet.transcript();
-  EXPECT_TRUE(fleet.has_told("m to go: halted while another part of the unit moves; robot 4")) << fleet.transcript();
+  EXPECT_TRUE(fleet.has_told("m to go: halted while another part of the unit moves; robot 4"))
+      << fleet.transcript();
 }
 
 TEST(TravelingOverwatch, LeadsWithOnePartAndLetsTheOtherFollowAtADistance) {
@@ -250,7 +254,8 @@ TEST(Technique, LeavesOutPlacesThatAnObstacleOrAWallTakes) {
       measure.points = {{600, 270}, {700, 270}};
       m.mission().overlay.measures.push_back(measure);
     } else {
-      m.mission().overlay.obstacles.push_back({.center = {650, 275}, .radius = 5.0, .height = 0.0, .place = {}});
+      m.mission().overlay.obstacles.push_back(
+          {.center = {650, 275}, .radius = 5.0, .height = 0.0, .place = {}});
     }
     ToyFleet fleet(leg(m, unit, Technique::kBoundingOverwatch), {.proceed_all = true});
     watch_leg(fleet, [] {});

@@ -131,6 +131,7 @@ void ToyFleet::apply(const Effect& effect) {
   if (const auto* begin = std::get_if<effect::Start>(&effect)) {
     Body& body = bodies_[begin->robot.value];
     if (!body.starts) return;
+    body.report.id = begin->robot;
     body.in_world = body.report.is_running = true;
     body.report.pose = begin->pose;
     body.report.sequence = 0;
