@@ -16,6 +16,7 @@ struct Request {
   base::ObjectId object;           ///< what is picked up, or the basket
   double reach = 0.0;              ///< farthest edge distance at which it may be taken [m]
   std::uint64_t notification = 0;  ///< base::hash_text of the name that others wait for
+  bool to_self = false;            ///< a notification for this robot alone, not for all
 };
 
 /// How far a robot is with its order.
