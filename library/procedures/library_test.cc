@@ -133,7 +133,7 @@ TEST(Library, AnswersToTheHistoricNames) {
                                                         {"OR", "Or"},
                                                         {"NOR", "Nor"},
                                                         {"NOT", "Not"},
-                                                        {"NOTIFY", "Notify"},
+                                                        {"NOTIFY", "NotifySelf"},
                                                         {"NOTIFY_ROBOTS", "Notify"},
                                                         {"NOTIFIED_ONCE", "NotifiedOnce"},
                                                         {"PICKUP_OBJECT", "PickUp"},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,19 @@ TEST(Notify, TellsOnceEachTimeItStarts) {
   p.skip();
   p.step();
   EXPECT_EQ(p.action.request_count, 1);
+}
+
+TEST(Notify, ReachesAllRobotsAndNotifySelfOnlyThisOne) {
+  for (const auto& [name, to_self] : {std::pair("NOTIFY_ROBOTS", false), std::pair("NOTIFY", true)}) {
+    flow::BehaviorProbe p = probe(name);
+    p.set_text("message", "Enemy found.");
+    p.step();
+    ASSERT_EQ(p.action.request_count, 1);
+    EXPECT_EQ(p.action.requests[0].to_self, to_self);
+    EXPECT_EQ(p.action.requests[0].notification, base::hash_text("Enemy found."));
+    p.step();
+    EXPECT_EQ(p.action.request_count, 0);
+  }
 }
 
 TEST(NotifiedOnce, HearsItsOwnMessageOnly) {

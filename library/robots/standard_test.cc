@@ -9,13 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "mlab/flow/program.h"
-#include "mlab/lang/cnl/check.h"
-#include "mlab/lang/cnl/elaborate.h"
-#include "mlab/lang/cnl/parser.h"
 #include "mlab/library/library.h"
-#include "mlab/schema/constants.h"
 
-#include "../procedures/library_probe.h"
+#include "network.h"
 
 namespace mlab::library_test {
 namespace {
@@ -32,14 +28,7 @@ constexpr double kNorth = std::numbers::pi / 2.0;
 const flow::Program& standard() {
   static const std::shared_ptr<const flow::Program> kProgram = [] {
     const library::Robot robot = *library::find_robot("standard");
-    const auto source = std::make_shared<text::Source>(std::string(robot.file), std::string(robot.text));
-    text::Diagnostics diagnostics;
-    const cnl::Tree tree = cnl::parse(source, diagnostics);
-    cnl::check_declarations(tree, diagnostics);
-    const flow::Network network = cnl::elaborate(tree, diagnostics);
-    auto program = flow::build_program(network, library(), diagnostics);
-    EXPECT_TRUE(diagnostics.items().empty()) << text::render(diagnostics);
-    return program;
+    return program_of(robot.file, robot.text);
   }();
   return *kProgram;
 }
