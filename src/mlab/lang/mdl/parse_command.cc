@@ -89,9 +89,9 @@ statement::UnitAction Parser::unit_action() {
   if (out.task == Task::kNone) {
     const std::vector<std::string> known = {"START",   "MOVETO",      "OCCUPY", "FOLLOW",
                                             "SWEEPTO", "TELEOPERATE", "STOP"};
-    auto& error = fail(
-        "unknown-command", token().span,
-        fmt::format("expected what unit {} shall do, found {}", quoted(out.unit.text), describe(token())));
+    auto& error = fail("unknown-command", token().span,
+                       fmt::format("expected what unit {} shall do, found {}", in_backticks(out.unit.text),
+                                   describe(token())));
     const std::string near = text::nearest_name(written(token()).substr(0, 40), known);
     error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
                                        : fmt::format("did you mean `{}`?", near));
@@ -111,7 +111,7 @@ Location Parser::location(std::string_view command) {
     out.x = number("the x coordinate");
     if (at(TokenKind::kLabel) && token().first_on_line) {
       fail("one-coordinate", out.x.span,
-           fmt::format("a place has two coordinates, here is only {}", quoted(out.x.text)))
+           fmt::format("a place has two coordinates, here is only {}", in_backticks(out.x.text)))
           .hints.emplace_back("a place whose name looks like a number stands in quotes");
     }
     out.y = number("the y coordinate");
@@ -133,7 +133,7 @@ void Parser::start_step(statement::UnitAction& action) {
       !at(TokenKind::kNumber) && !at(TokenKind::kTime) && !(at(TokenKind::kLabel) && !token().first_on_line);
   if (!stuck_ && is_alone) {
     fail("one-offset", x.span,
-         fmt::format("START takes two offsets or none, here is only {}", quoted(x.text)))
+         fmt::format("START takes two offsets or none, here is only {}", in_backticks(x.text)))
         .hints.push_back(fmt::format(
             "write `0 {}` for robots in a row to the north, `{} 0` for one to the east", x.text, x.text));
     return;
@@ -159,7 +159,8 @@ void Parser::refuse_clause(Task task, text::Span span, std::string_view said) {
   for (std::size_t i = 0; i < kClauseNames.size(); ++i) {
     if (takes_clause(task, i)) allowed.emplace_back(kClauseNames[i]);
   }
-  complain("clause-not-allowed", span, fmt::format("{} does not take {}", command_word(task), quoted(said)))
+  complain("clause-not-allowed", span,
+           fmt::format("{} does not take {}", command_word(task), in_backticks(said)))
       .hints.push_back(allowed.empty() ? "it takes no clauses"
                                        : fmt::format("it takes {}", listed(allowed, " and ")));
 }
@@ -256,7 +257,7 @@ std::optional<Moment> Parser::time_and_date() {
     out.time = mark();
   } else {
     fail("date-without-time", out.date->span,
-         fmt::format("the date {} needs a time of day", quoted(out.date->text)))
+         fmt::format("the date {} needs a time of day", in_backticks(out.date->text)))
         .hints.push_back(fmt::format("write `12:00 {}`", out.date->text));
   }
   return out;

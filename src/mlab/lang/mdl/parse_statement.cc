@@ -194,7 +194,7 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
 // Something stands where a statement should begin.
 void Parser::refuse_statement(Section section, Damage& damage) {
   const Token t = token();
-  const std::string said = quoted(written(t));
+  const std::string said = in_backticks(written(t));
   const bool is_preamble_word = starts_statement(t);
   if (section == Section::kPreamble) damage = {true, true, true};
   if (section == Section::kTyped && t.kind == TokenKind::kLabel) {
@@ -298,7 +298,7 @@ Parameter Parser::parameter() {
   if (is_timeout && !out.key.quoted) out.key.text = "timeout";
   if (!stuck_ && !take(TokenKind::kEquals)) {
     fail("unexpected-token", token().span,
-         fmt::format("expected `=` behind {}, found {}", quoted(out.key.text), describe(token())));
+         fmt::format("expected `=` behind {}, found {}", in_backticks(out.key.text), describe(token())));
   }
   if (stuck_) return out;
   const Token t = token();
@@ -408,7 +408,7 @@ statement::Set Parser::set(Section section) {
   out.option_span = t.span;
   if (section == Section::kStep && !found->in_steps) {
     fail("not-in-steps", t.span,
-         fmt::format("{} is set before `COMMAND LIST:`, not in a step", quoted(spelling(t.word))));
+         fmt::format("{} is set before `COMMAND LIST:`, not in a step", in_backticks(spelling(t.word))));
     return out;
   }
   advance();

@@ -44,8 +44,8 @@ bool Parser::is_reserved(const Token& t) const {
 
 std::string Parser::describe(const Token& t) const {
   if (t.kind == TokenKind::kEnd) return "the end of the text";
-  if (t.kind == TokenKind::kLabel) return "the step label " + quoted(written(t));
-  return quoted(written(t));
+  if (t.kind == TokenKind::kLabel) return "the step label " + in_backticks(written(t));
+  return in_backticks(written(t));
 }
 
 text::Diagnostic& Parser::fail(std::string kind, text::Span span, std::string message) {
@@ -99,7 +99,7 @@ Name Parser::name(std::string_view what) {
   if (is_reserved(t) && !(t.first_on_line && (starts_statement(t) || at(Word::kAnd)))) return take_name();
   if (t.kind == TokenKind::kFile) {
     fail("unquoted-name", t.span,
-         fmt::format("{} cannot stand as {} without quotes", quoted(written(t)), what))
+         fmt::format("{} cannot stand as {} without quotes", in_backticks(written(t)), what))
         .hints.push_back(fmt::format("write `\"{}\"`", written(t).substr(0, 80)));
     return {};
   }
@@ -112,7 +112,7 @@ Number Parser::number_of(const Token& t) {
   const char* end = out.text.data() + out.text.size();
   if (std::from_chars(out.text.data(), end, out.value).ec != std::errc{} || !std::isfinite(out.value)) {
     complain("number-out-of-range", t.span,
-             fmt::format("{} is beyond what a number can hold", quoted(out.text)));
+             fmt::format("{} is beyond what a number can hold", in_backticks(out.text)));
     out.value = 0.0;
   }
   return out;
@@ -129,10 +129,11 @@ Number Parser::number(std::string_view what) {
   if (t.kind == TokenKind::kLabel && !t.first_on_line) {
     const std::string_view digits = written(t).substr(0, written(t).size() - 1);
     fail("label-as-number", t.span,
-         fmt::format("expected {}, found the step label {}", what, quoted(written(t))))
+         fmt::format("expected {}, found the step label {}", what, in_backticks(written(t))))
         .hints.push_back(fmt::format("a number does not end with a point: write `{}`", digits.substr(0, 40)));
   } else if (t.kind == TokenKind::kTime && written(t).starts_with('+')) {
-    fail("time-as-number", t.span, fmt::format("expected {}, found the time {}", what, quoted(written(t))))
+    fail("time-as-number", t.span,
+         fmt::format("expected {}, found the time {}", what, in_backticks(written(t))))
         .hints.emplace_back("a number has no `+` before it");
   } else {
     fail_expected(what);
@@ -273,21 +274,22 @@ void Parser::step_label(LabelledStep& step) {
     advance();
   } else if (t.kind == TokenKind::kNumber) {
     complain("label-without-point", t.span,
-             fmt::format("the step label {} has no point behind it", quoted(text)))
+             fmt::format("the step label {} has no point behind it", in_backticks(text)))
         .hints.push_back(fmt::format("write `{}.`", text.substr(0, 40)));
     advance();
   } else if (t.kind == TokenKind::kFile && text[0] >= '0' && text[0] <= '9' &&
              text.find('.') != std::string_view::npos) {
     const std::size_t point = text.find('.');
     fail("label-without-blank", t.span,
-         fmt::format("no blank stands behind the step label {}", quoted(text.substr(0, point + 1))))
+         fmt::format("no blank stands behind the step label {}", in_backticks(text.substr(0, point + 1))))
         .hints.push_back(fmt::format("write `{}. {}`", text.substr(0, std::min<std::size_t>(point, 40)),
                                      text.substr(point + 1, 40)));
   } else if (starts_statement(t) && !at(Word::kUnit) && !at(Word::kSet) && !at(Word::kPrint)) {
     Damage ignored;
     refuse_statement(Section::kStep, ignored);
   } else if (at(Word::kUnit) || at(Word::kQuit) || at(Word::kSet) || at(Word::kPrint)) {
-    complain("missing-label", t.span, fmt::format("expected a step label, as `1.`, before {}", quoted(text)));
+    complain("missing-label", t.span,
+             fmt::format("expected a step label, as `1.`, before {}", in_backticks(text)));
   } else {
     fail_expected("a step label, as `1.`");
   }
@@ -313,7 +315,7 @@ void Parser::step_commands(LabelledStep& step) {
     const bool at_command = at(Word::kUnit) || at(Word::kQuit) || at(Word::kSet) || at(Word::kPrint);
     if (!stuck_ && at_command) {
       complain("missing-and", token().span,
-               fmt::format("expected `AND` or a step label before {}", quoted(written(token()))));
+               fmt::format("expected `AND` or a step label before {}", in_backticks(written(token()))));
       continue;
     }
     if (!stuck_ && !at_end() && !at(Word::kAnd) && !at(TokenKind::kLabel)) {

@@ -10,7 +10,7 @@
 namespace mlab::mdl {
 
 /// What an author wrote, in backticks, fit for one line of a message.
-inline std::string quoted(std::string_view text) {
+inline std::string in_backticks(std::string_view text) {
   return "`" + text::shown(text) + "`";
 }
 

@@ -1,0 +1,229 @@
+#include "mlab/lang/mdl/commands.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/base/angle.h"
+#include "mlab/lang/mdl/mission_time.h"
+#include "mlab/lang/mdl/options.h"
+#include "mlab/lang/mdl/quoted.h"
+#include "mlab/lang/mdl/token.h"
+
+namespace mlab::mdl {
+namespace {
+
+constexpr double kMinutesOfDay = 24.0 * 60.0;
+constexpr std::size_t kMaxPhaseLines = 50;  // of one command
+// Of all FOLLOW commands and phase lines together; each has points of its own.
+constexpr std::size_t kMaxPoints = 4'000'000;
+
+// A place's name as one writes it in a mission.
+std::string reference(const overlay::ControlMeasure& measure, bool with_prefix) {
+  const std::string name =
+      (with_prefix ? std::string(overlay::keyword(measure.kind)) + "-" : "") + measure.name;
+  const auto is_plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-';
+  };
+  const bool starts_with_letter =
+      !name.empty() && !(name[0] >= '0' && name[0] <= '9') && name[0] != '-' && name[0] != '_';
+  return starts_with_letter && std::ranges::all_of(name, is_plain) ? name : "\"" + name + "\"";
+}
+
+}  // namespace
+
+CommandReader::CommandReader(Scope scope, text::SourcePtr source, text::Diagnostics& diagnostics)
+    : scope_(std::move(scope)), source_(std::move(source)), diagnostics_(diagnostics) {}
+
+std::optional<mission::Command> CommandReader::read(const Statement& statement) {
+  if (const auto* action = std::get_if<statement::UnitAction>(&statement.what)) return unit_command(*action);
+  if (const auto* set = std::get_if<statement::Set>(&statement.what)) {
+    return read_set(*set, scope_.mission.options, scope_.mission.overlay.mission_area(), source_,
+                    diagnostics_);
+  }
+  if (const auto* print = std::get_if<statement::Print>(&statement.what))
+    return mission::Print{print->robot_info};
+  if (std::holds_alternative<statement::Quit>(statement.what)) return mission::Quit{};
+  return std::nullopt;
+}
+
+std::optional<mission::Command> CommandReader::unit_command(const statement::UnitAction& action) {
+  const std::size_t errors = diagnostics_.error_count();
+  const std::optional<std::uint32_t> unit = scope_.roster.find_unit(action.unit);
+  mission::UnitCommand out;
+  out.unit = unit.value_or(0);
+  out.task = action.task;
+  out.place = place(action.unit.span);
+  if (action.location) read_location(action, out);
+  if (action.step_x) out.start_step = {action.step_x->value, action.step_y->value};
+  std::array<const Clause*, std::variant_size_v<decltype(Clause::what)>> seen{};
+  for (const Clause& clause : action.clauses) {
+    const Clause*& before = seen.at(clause.what.index());
+    // Several phase lines are all kept.
+    if (before != nullptr && !std::holds_alternative<clause::PhaseLine>(clause.what)) {
+      diagnostics_
+          .warning("repeated-clause", place(clause.span), "this clause takes the place of an earlier one")
+          .notes.push_back({"the earlier one is here", place(before->span)});
+    }
+    before = &clause;
+    read_clause(clause, out);
+  }
+  if (!unit || diagnostics_.error_count() > errors) return std::nullopt;
+  return out;
+}
+
+void CommandReader::read_location(const statement::UnitAction& action, mission::UnitCommand& out) {
+  const Location& location = *action.location;
+  const bool follows = action.task == percept::Task::kFollow;
+  if (!location.name) {
+    out.place_name = location.x.text + " " + location.y.text;
+    out.goal = geom::Point{location.x.value, location.y.value} + scope_.mission.overlay.origin;
+    if (follows) {
+      diagnostics_.error("not-a-line", place(location.span),
+                         "FOLLOW takes the name of a line, found coordinates");
+    }
+    return;
+  }
+  out.place_name = location.name->text;
+  const overlay::ControlMeasure* found = find_place(*location.name);
+  if (found == nullptr) return;
+  out.goal = found->center();
+  if (follows) read_route(action, *found, out);
+}
+
+void CommandReader::read_route(const statement::UnitAction& action, const overlay::ControlMeasure& line,
+                               mission::UnitCommand& out) {
+  const auto& points = line.kind == overlay::MeasureKind::kHallway && line.centerline.size() > 1
+                           ? line.centerline
+                           : line.points;
+  if (line.is_line() && points.size() > 1) {
+    out.goal = points.back();
+    if (may_copy(points.size(), action.location->span)) out.route = points;
+    return;
+  }
+  const std::string name = in_backticks(action.location->name->text);
+  auto& error = diagnostics_.error(
+      "not-a-line", place(action.location->span),
+      line.is_line()
+          ? fmt::format("FOLLOW takes a line, {} has a single point", name)
+          : fmt::format("FOLLOW takes a line, {} is of the kind {}", name, overlay::keyword(line.kind)));
+  error.hints.emplace_back("lines are AXIS, BOUNDARY, DOOR, GAP, HALLWAY, LDLC, PL, ROAD, ROOM and WALL");
+  error.notes.push_back({fmt::format("{} is declared here", name), line.place});
+}
+
+bool CommandReader::may_copy(std::size_t points, text::Span span) {
+  points_ += points;
+  if (points_ <= kMaxPoints) return true;
+  diagnostics_.error("too-many-points", place(span),
+                     fmt::format("the lines of all commands together have more than {} points", kMaxPoints));
+  return false;
+}
+
+void CommandReader::read_clause(const Clause& clause, mission::UnitCommand& out) {
+  if (const auto* formation = std::get_if<clause::Formation>(&clause.what)) {
+    out.formation = formation->formation;
+    out.has_formation = true;
+  } else if (const auto* technique = std::get_if<clause::Technique>(&clause.what)) {
+    out.technique = technique->technique;
+  } else if (const auto* speed = std::get_if<clause::Speed>(&clause.what)) {
+    out.speed = std::max(0.0, speed->speed.value);
+    if (speed->speed.value < 0.0) {
+      diagnostics_.warning("negative-speed", place(speed->speed.span),
+                           "a speed is not negative; the robots keep their own");
+    }
+  } else if (const auto* heading = std::get_if<clause::Heading>(&clause.what)) {
+    const double degrees = heading->degrees.value;
+    if (degrees < -360.0 || degrees > 360.0) {
+      diagnostics_.error("number-out-of-range", place(heading->degrees.span),
+                         fmt::format("a heading goes from -360 to 360 degrees, found {}",
+                                     in_backticks(heading->degrees.text)));
+    }
+    out.heading = base::wrap_angle(base::radians(degrees));
+  } else if (const auto* line = std::get_if<clause::PhaseLine>(&clause.what)) {
+    read_phase_line(*line, clause.span, out);
+  } else if (const auto* message = std::get_if<clause::OnCompletion>(&clause.what)) {
+    out.on_completion = message->message.text;
+  } else if (const auto* until = std::get_if<clause::Until>(&clause.what)) {
+    out.until = read_time(until->moment);
+  }
+}
+
+void CommandReader::read_phase_line(const clause::PhaseLine& clause, text::Span span,
+                                    mission::UnitCommand& out) {
+  if (out.phase_lines.size() == kMaxPhaseLines) {
+    diagnostics_.error("too-many-phase-lines", place(span),
+                       fmt::format("a command has at most {} phase lines", kMaxPhaseLines));
+    return;
+  }
+  mission::PhaseLine line;
+  line.name = clause.line.text;
+  const overlay::ControlMeasure* found = find_place(clause.line);
+  if (found != nullptr && may_copy(found->points.size(), clause.line.span)) {
+    line.points = found->points;
+    if (line.points.size() == 1) line.radius = found->size / 2.0;
+  }
+  if (clause.moment) line.not_before = read_time(*clause.moment);
+  if (clause.acknowledge) line.acknowledge = clause.acknowledge->text;
+  line.waits = clause.waits;
+  const auto same = std::ranges::find(out.phase_lines, line.name, &mission::PhaseLine::name);
+  if (same == out.phase_lines.end()) {
+    out.phase_lines.push_back(std::move(line));
+    return;
+  }
+  diagnostics_.warning(
+      "repeated-clause", place(span),
+      fmt::format("phase line {} is named a second time, which replaces the first", in_backticks(line.name)));
+  *same = std::move(line);
+}
+
+std::optional<mission::MissionTime> CommandReader::read_time(const Moment& moment) {
+  const TimeReading reading = read_moment(moment);
+  if (!reading.time) {
+    diagnostics_.error(
+        "bad-time", place(reading.span),
+        fmt::format("{}, found {}", reading.problem, in_backticks(source_->text(reading.span))));
+    return std::nullopt;
+  }
+  if (moment.number && !moment.is_timeout && moment.number->value < 0.0) {
+    diagnostics_
+        .warning("negative-until", place(moment.span),
+                 fmt::format("this means {:g} seconds after the unit is in place", -moment.number->value))
+        .hints.push_back(fmt::format("write `UNTIL TIMEOUT {:g}`", -moment.number->value));
+  } else if (moment.number && !moment.is_timeout && moment.number->value >= kMinutesOfDay) {
+    diagnostics_.warning(
+        "until-past-midnight", place(moment.span),
+        fmt::format("{} minutes after midnight is another day", in_backticks(moment.number->text)));
+  }
+  return reading.time;
+}
+
+const overlay::ControlMeasure* CommandReader::find_place(const Name& name) {
+  const overlay::ControlMeasure* found = scope_.places.find(name.text);
+  if (found != nullptr || scope_.damage.places) return found;
+  auto& error = diagnostics_.error("unknown-control-measure", place(name.span),
+                                   fmt::format("unknown control measure {}", in_backticks(name.text)));
+  if (diagnostics_.error_count() > text::Diagnostics::kMaxErrors) return nullptr;
+  if (scope_.overlays.empty()) error.label = "the mission has no overlay";
+  if (scope_.overlays.size() == 1)
+    error.label = fmt::format("not in overlay {}", in_backticks(scope_.overlays.front()));
+  if (scope_.overlays.size() > 1)
+    error.label = fmt::format("in none of the {} overlays", scope_.overlays.size());
+  if (!name.quoted && find_keyword(name.text) != nullptr) {
+    error.hints.emplace_back("this is a word of the language; the name of a place is expected here");
+    return nullptr;
+  }
+  if (name.text.size() > kLongestNameForHints) return nullptr;
+  const std::string near = overlay::nearest_measure_name(scope_.mission.overlay, name.text);
+  if (near.empty()) return nullptr;
+  const overlay::ControlMeasure* meant = scope_.places.find(near);
+  if (meant == nullptr) return nullptr;
+  const bool with_prefix = overlay::spellings(name.text)[1] != name.text;
+  const std::string better = in_backticks(reference(*meant, with_prefix));
+  error.hints.push_back(fmt::format("did you mean {}?", better));
+  error.notes.push_back({fmt::format("{} declared here", better), meant->place});
+  return nullptr;
+}
+
+}  // namespace mlab::mdl

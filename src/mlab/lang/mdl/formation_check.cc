@@ -1,0 +1,167 @@
+#include "mlab/lang/mdl/formation_check.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/quoted.h"
+
+namespace mlab::mdl {
+namespace {
+
+// A formation of more robots is checked as if it had this many: it doesn't get smaller.
+constexpr int kRobotsLookedAt = 200;
+constexpr double kDefaultSpacing = 50.0;    // formation_spacing [m]
+constexpr double kDefaultBodyRadius = 0.2;  // robot_radius [m]
+constexpr double kShortestLeg = 1e-6;       // below it there is no direction [m]
+
+bool has_stations(percept::Formation formation) {
+  return formation != percept::Formation::kNone && formation != percept::Formation::kSweep;
+}
+
+// The first members tell for the others: units of different types are small.
+std::size_t looked_at(const mission::Unit& unit) {
+  return std::min<std::size_t>(unit.members.size(), kRobotsLookedAt);
+}
+
+std::string described(const mission::Unit& unit, percept::Formation formation) {
+  return fmt::format("{} robots in {}", unit.members.size(), percept::name(formation));
+}
+
+}  // namespace
+
+double number_parameter(const mission::RobotType& type, std::string_view key, double otherwise) {
+  double out = otherwise;
+  for (const mission::RobotParameter& p : type.parameters) {
+    if (p.key != key) continue;
+    double value = 0.0;
+    const char* end = p.value.data() + p.value.size();
+    const auto read = std::from_chars(p.value.data(), end, value);
+    out = read.ec == std::errc{} && read.ptr == end && std::isfinite(value) ? value : otherwise;
+  }
+  return out;
+}
+
+bool leads_through(geom::Segment way, const overlay::ControlMeasure& gap) {
+  if (gap.points.size() != 2) return false;
+  const geom::Offset axis = gap.points[1] - gap.points[0];
+  const double length = geom::length(axis);
+  if (length <= 0.0) return false;
+  const geom::Offset ahead = axis * (1.0 / length);
+  // Along and across the gap. The way's part inside the rectangle between the rails is [from, to].
+  const auto in_gap = [&](geom::Point p) {
+    const geom::Offset o = p - gap.points[0];
+    return geom::Offset{geom::dot(o, ahead), geom::cross(ahead, o)};
+  };
+  const geom::Offset begin = in_gap(way.a);
+  const geom::Offset step = in_gap(way.b) - begin;
+  double from = 0.0;
+  double to = 1.0;
+  const auto clip = [&](double at, double change, double low, double high) {
+    if (change == 0.0) {
+      if (at < low || at > high) from = 2.0;
+      return;
+    }
+    const double a = (low - at) / change;
+    const double b = (high - at) / change;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  };
+  clip(begin.x, step.x, 0.0, length);
+  clip(begin.y, step.y, -gap.size / 2.0, gap.size / 2.0);
+  return from <= to && std::abs(step.x) >= std::abs(step.y);
+}
+
+FormationCheck::FormationCheck(const mission::Mission& mission, text::Diagnostics& diagnostics)
+    : mission_(mission), diagnostics_(diagnostics) {
+  for (const overlay::ControlMeasure& measure : mission.overlay.measures) {
+    if (measure.kind == overlay::MeasureKind::kGap) gaps_.push_back(&measure);
+  }
+  for (const mission::RobotType& type : mission.types) {
+    spacing_of_type_.push_back(number_parameter(type, "formation_spacing", kDefaultSpacing));
+    radius_of_type_.push_back(number_parameter(type, "robot_radius", kDefaultBodyRadius));
+  }
+  for (const mission::Robot& robot : mission.robots) type_of_robot_[robot.id.value] = robot.type;
+}
+
+const std::vector<geom::Offset>& FormationCheck::stations(percept::Formation formation, int count) {
+  const auto [entry, is_new] = stations_.try_emplace({formation, count});
+  for (int rank = 0; is_new && rank < count; ++rank) {
+    const geom::Vector v = percept::station(formation, rank, count, 1.0);
+    entry->second.push_back({v.x, v.y});
+  }
+  return entry->second;
+}
+
+double FormationCheck::spacing_of(const mission::Unit& unit) {
+  double out = 0.0;
+  for (std::size_t i = 0; i < looked_at(unit); ++i) {
+    out = std::max(out, spacing_of_type_[type_of_robot_.at(unit.members[i].value)]);
+  }
+  return out;
+}
+
+Extent FormationCheck::extent(const mission::UnitCommand& command, double heading) {
+  const mission::Unit& unit = mission_.units[command.unit];
+  const double spacing = spacing_of(unit);
+  double radius = 0.0;
+  for (std::size_t i = 0; i < looked_at(unit); ++i) {
+    radius = std::max(radius, radius_of_type_[type_of_robot_.at(unit.members[i].value)]);
+  }
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
+  Extent out;
+  for (const geom::Offset station : stations(command.formation, static_cast<int>(looked_at(unit)))) {
+    const double x = (station.x * c - station.y * s) * spacing;
+    const double y = (station.x * s + station.y * c) * spacing;
+    out = {std::min(out.min_x, x), std::max(out.max_x, x), std::min(out.min_y, y), std::max(out.max_y, y)};
+  }
+  return {out.min_x - radius, out.max_x + radius, out.min_y - radius, out.max_y + radius};
+}
+
+void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segment leg) {
+  const mission::Unit& unit = mission_.units[command.unit];
+  if (!has_stations(command.formation) || unit.members.size() < 2) return;
+  const geom::Offset way = leg.b - leg.a;
+  const bool has_way = geom::length(way) > kShortestLeg;
+  const double heading = command.heading.value_or(has_way ? geom::direction(way) : 0.0);
+  const Extent needed = extent(command, heading);
+  const overlay::Area area = mission_.overlay.mission_area();
+  if (needed.width() > area.width || needed.height() > area.height) {
+    diagnostics_
+        .warning("formation-larger-than-area", command.place,
+                 fmt::format("{} need {:.6g} by {:.6g} m, the mission area has {:.6g} by {:.6g} m",
+                             described(unit, command.formation), needed.width(), needed.height(), area.width,
+                             area.height))
+        .hints.emplace_back(
+            "neighbours stand `formation_spacing` apart, a parameter of NEW-ROBOT (50 m where it is not "
+            "given)");
+    return;
+  }
+  if (!has_way) return;
+  for (const overlay::ControlMeasure* gap : gaps_) {
+    if (leads_through(leg, *gap)) check_gap(command, leg, heading, *gap);
+  }
+}
+
+void FormationCheck::check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,
+                               const overlay::ControlMeasure& gap) {
+  // Seen along the way, the formation's heading is turned by what a HEADING clause turns it.
+  const Extent needed = extent(command, heading - geom::direction(leg.b - leg.a));
+  if (needed.height() <= gap.size) return;
+  const mission::Unit& unit = mission_.units[command.unit];
+  auto& warning =
+      diagnostics_.warning("formation-wider-than-gap", command.place,
+                           fmt::format("{} are {:.6g} m wide, the gap {} on the way to {} has {:.6g} m",
+                                       described(unit, command.formation), needed.height(),
+                                       in_backticks(gap.name), in_backticks(command.place_name), gap.size));
+  warning.notes.push_back({fmt::format("{} declared here", in_backticks(gap.name)), gap.place});
+  if (command.formation != percept::Formation::kColumn)
+    warning.hints.emplace_back("a Column is as narrow as one robot");
+}
+
+}  // namespace mlab::mdl

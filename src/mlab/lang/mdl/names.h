@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "mlab/lang/mdl/tree.h"
+#include "mlab/mission/mission.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::mdl {
+
+/// The control measures of an overlay by name, for many references. Sees the overlay as it was when it was
+/// made.
+class PlaceIndex {
+ public:
+  explicit PlaceIndex(const overlay::Overlay& overlay);
+  /// What overlay::find_measure would find.
+  const overlay::ControlMeasure* find(std::string_view reference) const;
+
+ private:
+  const overlay::Overlay& overlay_;
+  std::unordered_map<std::string_view, std::uint32_t> by_name_;  // only asked, never walked through
+};
+
+/// Defines robots types, robots and units in a mission, and finds them again.
+class Roster {
+ public:
+  /// @param mission  what is defined in it already counts; outlives this
+  Roster(mission::Mission& mission, text::SourcePtr source, const Damage& damage,
+         text::Diagnostics& diagnostics);
+
+  void define_type(const statement::NewRobot& statement);
+  void define_unit(const statement::UnitDefinition& statement);
+  /// Reports an unknown unit, with the name that may have been meant.
+  std::optional<std::uint32_t> find_unit(const Name& name);
+  /// A type of this name is defined further below, at this place: said where it is missed above.
+  void announce_type(const Name& name);
+
+ private:
+  text::Place place(text::Span span) const { return {source_, span}; }
+  std::optional<std::uint32_t> find_type(const Name& name);
+  base::RobotId create_robot(std::uint32_t type, text::Place place);
+  std::optional<std::uint32_t> wished_id(const mission::RobotType& type);
+
+  mission::Mission& mission_;
+  text::SourcePtr source_;
+  const Damage& damage_;
+  text::Diagnostics& diagnostics_;
+  std::unordered_map<std::string, std::uint32_t> types_;  // by name in small letters
+  std::vector<std::optional<std::uint32_t>> wished_ids_;  // one for each type
+  std::unordered_map<std::string, std::uint32_t> units_;
+  std::unordered_map<std::string, text::Span> announced_;
+  std::unordered_map<std::uint32_t, std::uint32_t> taken_ids_;  // index into Mission::robots
+  std::uint32_t last_id_ = 0;
+};
+
+/// Messages about the things of a mission that could name thousands of candidates look at no more than this
+/// many.
+inline constexpr std::size_t kNamesForHints = 2000;
+/// A longer name is a slip of another kind than a spelling mistake.
+inline constexpr std::size_t kLongestNameForHints = 100;
+
+}  // namespace mlab::mdl

@@ -1,0 +1,133 @@
+#include "mlab/lang/mdl/options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/quoted.h"
+
+namespace mlab::mdl {
+namespace {
+
+using mission::BooleanOption;
+using mission::NumberOption;
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+  std::string_view unit;
+};
+
+double shorter_side(overlay::Area area) {
+  return std::min(area.width, area.height);
+}
+
+Range range_of(NumberOption option, const mission::Options& options, overlay::Area area) {
+  const double side = shorter_side(area);
+  switch (option) {
+    case NumberOption::kSeed:
+      return {-3.4e38, 3.4e38, ""};
+    case NumberOption::kRobotLength:
+      return options.scale_robots ? Range{0.0, side / 5.0, " metres, a fifth of the mission area"}
+                                  : Range{0.0, 100.0, " pixels"};
+    case NumberOption::kObstacleCoverage:
+      return {0.0, 30.0, " per cent of the mission area"};
+    case NumberOption::kMinObstacleRadius:
+    case NumberOption::kMaxObstacleRadius:
+      return {side / 1000.0, side / 5.0, " metres, a fifth of the mission area"};
+    case NumberOption::kZoomFactor:
+      return {10.0, 400.0, " per cent"};
+    case NumberOption::kCycleDuration:
+      return {0.01, 1.0, " seconds"};
+  }
+  return {};
+}
+
+bool* flag_of(BooleanOption option, mission::Options& options) {
+  switch (option) {
+    case BooleanOption::kUseMilitaryStyle:
+      return &options.use_military_style;
+    case BooleanOption::kShowTrails:
+      return &options.show_trails;
+    case BooleanOption::kHighlightRepellingObstacles:
+      return &options.highlight_repelling_obstacles;
+    case BooleanOption::kShowMovementVectors:
+      return &options.show_movement_vectors;
+    case BooleanOption::kShowColormap:
+      return &options.show_colormap;
+    case BooleanOption::kDebugRobots:
+      return &options.debug_robots;
+    case BooleanOption::kDebugSimulator:
+      return &options.debug_simulator;
+    case BooleanOption::kDebugScheduler:
+      return &options.debug_scheduler;
+    case BooleanOption::kScaleRobots:
+      return &options.scale_robots;
+  }
+  return &options.scale_robots;
+}
+
+void apply_number(mission::SetNumber set, mission::Options& options) {
+  switch (set.option) {
+    case NumberOption::kSeed:
+      options.seed = set.value;
+      break;
+    case NumberOption::kRobotLength:
+      options.robot_length = set.value;
+      break;
+    case NumberOption::kObstacleCoverage:
+      options.obstacle_coverage = set.value;
+      break;
+    case NumberOption::kMinObstacleRadius:
+      options.min_obstacle_radius = set.value;
+      break;
+    case NumberOption::kMaxObstacleRadius:
+      options.max_obstacle_radius = set.value;
+      break;
+    case NumberOption::kZoomFactor:
+      options.zoom_percent = set.value;
+      break;
+    case NumberOption::kCycleDuration:
+      options.cycle_duration = set.value;
+      break;
+  }
+}
+
+}  // namespace
+
+std::optional<mission::Command> read_set(const statement::Set& set, const mission::Options& options,
+                                         overlay::Area area, const text::SourcePtr& source,
+                                         text::Diagnostics& diagnostics) {
+  if (const auto* flag = std::get_if<BooleanOption>(&set.option)) {
+    return mission::SetBoolean{*flag, set.flag.value_or(true)};
+  }
+  const NumberOption option = std::get<NumberOption>(set.option);
+  const Range range = range_of(option, options, area);
+  double value = set.number->value;
+  if (value < range.low || value > range.high) {
+    diagnostics.error("number-out-of-range", {source, set.number->span},
+                      fmt::format("{} goes from {:g} to {:g}{}, found {}", source->text(set.option_span),
+                                  range.low, range.high, range.unit, in_backticks(set.number->text)));
+    return std::nullopt;
+  }
+  // Historic seeds went through a 32-bit number with a point, so 945816565 always meant 945816576.
+  if (option == NumberOption::kSeed) value = std::round(static_cast<float>(value));
+  return mission::SetNumber{option, value};
+}
+
+void apply_set(const mission::Command& command, mission::Options& options) {
+  if (const auto* flag = std::get_if<mission::SetBoolean>(&command))
+    *flag_of(flag->option, options) = flag->value;
+  if (const auto* number = std::get_if<mission::SetNumber>(&command)) apply_number(*number, options);
+}
+
+void reset_for_area(overlay::Area area, mission::Options& options) {
+  const double side = shorter_side(area);
+  options.min_obstacle_radius = std::clamp(2.0, side / 1000.0, side / 5.0);
+  options.max_obstacle_radius = std::clamp(10.0, side / 1000.0, side / 5.0);
+  options.zoom_percent = 100.0;
+  options.robot_length = 0.0;
+}
+
+}  // namespace mlab::mdl

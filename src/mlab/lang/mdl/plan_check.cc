@@ -1,0 +1,265 @@
+#include "mlab/lang/mdl/plan_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/formation_check.h"
+#include "mlab/lang/mdl/quoted.h"
+
+namespace mlab::mdl {
+namespace {
+
+using mission::UnitCommand;
+using percept::Task;
+
+constexpr double kDefaultBodyRadius = 0.2;  // robot_radius [m]
+// Robots looked at over the whole mission, and pairs of robot and obstacle: some tenths of a second.
+constexpr std::uint64_t kMaxRobotVisits = 20'000'000;
+constexpr std::uint64_t kMaxObstacleVisits = 50'000'000;
+
+// How many robots are in the state that a command meets; the first of them.
+struct Met {
+  std::size_t count = 0;
+  base::RobotId first;
+  void add(base::RobotId id) {
+    if (count++ == 0) first = id;
+  }
+};
+
+class PlanCheck {
+ public:
+  PlanCheck(const mission::Mission& mission, text::Diagnostics& diagnostics)
+      : mission_(mission),
+        diagnostics_(diagnostics),
+        formations_(mission, diagnostics),
+        robots_(mission.robots.size()) {
+    for (std::uint32_t i = 0; i < mission.robots.size(); ++i) index_of_[mission.robots[i].id.value] = i;
+  }
+
+  void run() {
+    for (const mission::Step& step : mission_.steps) {
+      check_label(step);
+      if (quits_) {
+        diagnostics_.warning("unreachable-step", step.place,
+                             "this step comes after QUIT and is never carried out");
+        return;
+      }
+      commands(step.commands);
+    }
+  }
+
+  void commands(const std::vector<mission::Command>& commands) {
+    ++step_;
+    for (const mission::Command& command : commands) {
+      if (std::holds_alternative<mission::Quit>(command)) quits_ = true;
+      const auto* unit_command = std::get_if<UnitCommand>(&command);
+      if (unit_command == nullptr || !may_visit(*unit_command)) continue;
+      check_two_commands(*unit_command);
+      if (only_two_commands_) continue;
+      check_life(*unit_command);
+      check_way(*unit_command);
+    }
+  }
+
+  void look_only_for_two_commands() { only_two_commands_ = true; }
+
+ private:
+  enum class Life : std::uint8_t { kAbsent, kStarted, kStopped };
+  struct RobotState {
+    Life life = Life::kAbsent;
+    bool has_place = false;
+    geom::Point place;
+    std::uint32_t step = 0;  // the last one with a command for it
+    const UnitCommand* command = nullptr;
+  };
+
+  RobotState& state(base::RobotId id) { return robots_[index_of_.at(id.value)]; }
+  const mission::Unit& unit_of(const UnitCommand& c) const { return mission_.units[c.unit]; }
+
+  bool may_visit(const UnitCommand& c) {
+    visits_ += unit_of(c).members.size();
+    return visits_ < kMaxRobotVisits;
+  }
+
+  void check_label(const mission::Step& step) {
+    const auto [entry, is_new] = labels_.try_emplace(step.label, &step);
+    if (is_new) return;
+    diagnostics_
+        .warning("duplicate-label", step.place,
+                 fmt::format("there is a step {} already", in_backticks(step.label + ".")))
+        .notes.push_back({"the first one is here", entry->second->place});
+  }
+
+  void check_two_commands(const UnitCommand& c) {
+    Met busy;
+    const UnitCommand* other = nullptr;
+    for (const base::RobotId id : unit_of(c).members) {
+      RobotState& robot = state(id);
+      if (robot.step == step_ && busy.count++ == 0) {
+        busy.first = id;
+        other = robot.command;
+      }
+      robot.step = step_;
+      robot.command = &c;
+    }
+    if (other == nullptr) return;
+    diagnostics_
+        .warning("robot-in-two-commands", c.place,
+                 busy.count == 1
+                     ? fmt::format("robot {} has another command in the same step", busy.first.value)
+                     : fmt::format("{} robots, of them robot {}, have another command in the same step",
+                                   busy.count, busy.first.value))
+        .notes.push_back({"the other command is here", other->place});
+  }
+
+  void check_life(const UnitCommand& c) {
+    Met absent;
+    Met started;
+    Met stopped;
+    for (const base::RobotId id : unit_of(c).members) {
+      RobotState& robot = state(id);
+      (robot.life == Life::kAbsent ? absent : robot.life == Life::kStarted ? started : stopped).add(id);
+      if (c.task == Task::kStart) robot.life = Life::kStarted;
+      if (c.task == Task::kStop) robot.life = Life::kStopped;
+    }
+    const std::string unit = in_backticks(unit_of(c).name);
+    if (c.task == Task::kStart) {
+      if (started.count > 0) warn_once("already-started", c, fmt::format("unit {} is started already", unit));
+    } else if (absent.count > 0) {
+      warn_once("not-started", c, fmt::format("unit {} gets a command before it is started", unit));
+    } else if (stopped.count > 0) {
+      warn_once("after-stop", c, fmt::format("unit {} gets a command after it was stopped", unit));
+    }
+  }
+
+  void warn_once(const char* kind, const UnitCommand& c, std::string message) {
+    if (warned_.insert({kind, c.unit}).second) diagnostics_.warning(kind, c.place, std::move(message));
+  }
+
+  void check_way(const UnitCommand& c) {
+    if (c.task == Task::kStop) return;
+    if (c.task == Task::kStart) {
+      check_start(c);
+    } else if (c.task == Task::kFollow) {
+      for (std::size_t i = 0; i + 1 < c.route.size() && visits_++ < kMaxRobotVisits; ++i) {
+        formations_.check_leg(c, {c.route[i], c.route[i + 1]});
+      }
+    } else if (c.task != Task::kTeleoperate) {
+      check_goal(c);
+      const RobotState& first = state(unit_of(c).members.front());
+      formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
+    }
+    for (const base::RobotId id : unit_of(c).members) {
+      RobotState& robot = state(id);
+      robot.place = c.goal;
+      robot.has_place = true;
+    }
+  }
+
+  bool is_outside(geom::Point p) const {
+    const overlay::Area area = mission_.overlay.mission_area();
+    return p.x < 0.0 || p.y < 0.0 || p.x > area.width || p.y > area.height;
+  }
+
+  void check_goal(const UnitCommand& c) {
+    if (!is_outside(c.goal)) return;
+    const overlay::Area area = mission_.overlay.mission_area();
+    diagnostics_.warning(
+        "goal-outside-area", c.place,
+        fmt::format("{} is at {:g} {:g}, outside the mission area of {:g} by {:g} m",
+                    in_backticks(c.place_name), c.goal.x, c.goal.y, area.width, area.height));
+  }
+
+  void check_start(const UnitCommand& c) {
+    const std::vector<base::RobotId>& members = unit_of(c).members;
+    const double spacing = geom::length(c.start_step);
+    if (members.size() > 1 && spacing < 2.0 * body_radius(members.front())) {
+      diagnostics_
+          .warning(
+              "start-on-one-spot", c.place,
+              fmt::format("the {} robots of {} start {:g} m apart and will be moved to where there is room",
+                          members.size(), in_backticks(unit_of(c).name), spacing))
+          .hints.push_back(
+              fmt::format("write `START {} 0 20` for a row to the north, 20 m apart", c.place_name));
+    }
+    const overlay::Area area = mission_.overlay.mission_area();
+    Met outside;
+    Met inside;
+    const overlay::ObstacleDisc* obstacle = nullptr;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const geom::Point p = c.goal + c.start_step * static_cast<double>(k);
+      if (is_outside(p)) outside.add(members[k]);
+      const overlay::ObstacleDisc* hit = obstacle_at(p, body_radius(members[k]));
+      if (hit == nullptr) continue;
+      if (obstacle == nullptr) obstacle = hit;
+      inside.add(members[k]);
+    }
+    if (outside.count > 0) {
+      diagnostics_.warning(
+          "start-outside-area", c.place,
+          fmt::format("{} of {} robots start outside the mission area of {:g} by {:g} m, first robot {}",
+                      outside.count, members.size(), area.width, area.height, outside.first.value));
+    }
+    if (inside.count > 0) {
+      auto& warning = diagnostics_.warning(
+          "start-in-obstacle", c.place,
+          fmt::format("{} of {} robots start in an obstacle and will be moved, first robot {}", inside.count,
+                      members.size(), inside.first.value));
+      if (obstacle->place.source) warning.notes.push_back({"the obstacle is here", obstacle->place});
+    }
+  }
+
+  double body_radius(base::RobotId id) const {
+    const std::uint32_t type = mission_.robots[index_of_.at(id.value)].type;
+    while (radius_of_type_.size() <= type) {
+      radius_of_type_.push_back(
+          number_parameter(mission_.types[radius_of_type_.size()], "robot_radius", kDefaultBodyRadius));
+    }
+    return radius_of_type_[type];
+  }
+
+  const overlay::ObstacleDisc* obstacle_at(geom::Point p, double radius) {
+    obstacle_visits_ += mission_.overlay.obstacles.size();
+    if (obstacle_visits_ > kMaxObstacleVisits) return nullptr;
+    for (const overlay::ObstacleDisc& obstacle : mission_.overlay.obstacles) {
+      if (geom::distance(p, obstacle.center) < obstacle.radius + radius) return &obstacle;
+    }
+    return nullptr;
+  }
+
+  const mission::Mission& mission_;
+  text::Diagnostics& diagnostics_;
+  FormationCheck formations_;
+  std::vector<RobotState> robots_;
+  std::unordered_map<std::uint32_t, std::uint32_t> index_of_;  // by robot's number
+  std::map<std::string, const mission::Step*> labels_;
+  std::set<std::pair<std::string_view, std::uint32_t>> warned_;
+  mutable std::vector<double> radius_of_type_;
+  std::uint64_t visits_ = 0;
+  std::uint64_t obstacle_visits_ = 0;
+  std::uint32_t step_ = 0;
+  bool quits_ = false;
+  bool only_two_commands_ = false;
+};
+
+}  // namespace
+
+void check_plan(const mission::Mission& mission, text::Diagnostics& diagnostics) {
+  PlanCheck(mission, diagnostics).run();
+}
+
+void check_commands_of_one_step(const std::vector<mission::Command>& commands,
+                                const mission::Mission& mission, text::Diagnostics& diagnostics) {
+  PlanCheck check(mission, diagnostics);
+  check.look_only_for_two_commands();
+  check.commands(commands);
+}
+
+}  // namespace mlab::mdl

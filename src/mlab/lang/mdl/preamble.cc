@@ -1,0 +1,244 @@
+#include "mlab/lang/mdl/preamble.h"
+
+#include <array>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/options.h"
+#include "mlab/lang/mdl/quoted.h"
+#include "mlab/lang/odl/odl.h"
+#include "mlab/overlay/random_obstacles.h"
+
+namespace mlab::mdl {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Files are read one by one, so a mission that names endless many must not keep the machine busy.
+constexpr std::size_t kMaxOverlays = 100;
+constexpr std::size_t kMaxMaps = 100;
+
+bool is_file(const fs::path& path) {
+  std::error_code unreadable;
+  return fs::is_regular_file(path, unreadable);
+}
+
+}  // namespace
+
+Preamble::Preamble(mission::Mission& mission, Roster& roster, Damage& damage, std::string folder,
+                   const LoadOptions& options, text::Diagnostics& diagnostics)
+    : mission_(mission),
+      roster_(roster),
+      damage_(damage),
+      folder_(std::move(folder)),
+      options_(options),
+      diagnostics_(diagnostics) {}
+
+void Preamble::run(const Tree& tree) {
+  source_ = tree.source;
+  for (const Statement& statement : tree.preamble) {
+    if (const auto* robot = std::get_if<statement::NewRobot>(&statement.what))
+      roster_.announce_type(robot->name);
+  }
+  for (const Statement& statement : tree.preamble) execute(statement);
+  create_requested_obstacles();
+}
+
+void Preamble::execute(const Statement& statement) {
+  if (const auto* name = std::get_if<statement::MissionName>(&statement.what)) {
+    mission_.name = name->name.text;
+  } else if (const auto* scenario = std::get_if<statement::Scenario>(&statement.what)) {
+    mission_.scenario = scenario->name.text;
+  } else if (const auto* overlay = std::get_if<statement::OverlayFile>(&statement.what)) {
+    load_overlay(overlay->file);
+  } else if (const auto* area = std::get_if<statement::MissionArea>(&statement.what)) {
+    set_area(*area);
+  } else if (const auto* map = std::get_if<statement::LoadMap>(&statement.what)) {
+    load_map(map->file);
+  } else if (const auto* start = std::get_if<statement::StartPlace>(&statement.what)) {
+    add_start_place(*start);
+  } else if (const auto* obstacle = std::get_if<statement::Obstacle>(&statement.what)) {
+    add_obstacle(*obstacle);
+  } else if (std::holds_alternative<statement::CreateObstacles>(statement.what)) {
+    request_obstacles(statement.span);
+  } else if (const auto* robot = std::get_if<statement::NewRobot>(&statement.what)) {
+    roster_.define_type(*robot);
+  } else if (const auto* unit = std::get_if<statement::UnitDefinition>(&statement.what)) {
+    roster_.define_unit(*unit);
+  } else if (const auto* set = std::get_if<statement::Set>(&statement.what)) {
+    const auto command =
+        read_set(*set, mission_.options, mission_.overlay.mission_area(), source_, diagnostics_);
+    if (command) apply_set(*command, mission_.options);
+  } else if (const auto* print = std::get_if<statement::Print>(&statement.what)) {
+    mission_.prints.push_back({print->robot_info});
+  }
+}
+
+template <class Change>
+void Preamble::with_overlay_changes(Change change) {
+  overlay::Overlay& overlay = mission_.overlay;
+  const std::optional<overlay::Area> area = std::exchange(overlay.area, std::nullopt);
+  const std::optional<double> zoom = std::exchange(overlay.zoom_percent, std::nullopt);
+  const std::string scenario = std::exchange(overlay.scenario, "");
+  change();
+  if (overlay.area) {
+    reset_for_area(*overlay.area, mission_.options);
+  } else {
+    overlay.area = area;
+  }
+  if (overlay.zoom_percent) {
+    mission_.options.zoom_percent = *overlay.zoom_percent;
+  } else {
+    overlay.zoom_percent = zoom;
+  }
+  if (overlay.scenario.empty()) {
+    overlay.scenario = scenario;
+  } else {
+    mission_.scenario = overlay.scenario;
+  }
+}
+
+void Preamble::load_overlay(const Name& file) {
+  if (overlays_.size() == kMaxOverlays) {
+    diagnostics_.error("too-many-overlays", place(file.span),
+                       fmt::format("a mission has at most {} overlays", kMaxOverlays));
+  }
+  overlays_.push_back(file.text);
+  if (overlays_.size() > kMaxOverlays) return;
+  const std::optional<std::string> path = find_overlay(file);
+  if (!path) {
+    report_missing_overlay(file);
+    damage_.places = true;
+    return;
+  }
+  with_overlay_changes([&] {
+    if (!odl::load_overlay(*path, mission_.overlay, diagnostics_)) damage_.places = true;
+  });
+}
+
+std::optional<std::string> Preamble::find_overlay(const Name& file) {
+  if (file.text.empty() || file.text.find('\0') != std::string::npos) return std::nullopt;
+  std::vector<std::string> folders = {folder_, ""};
+  folders.insert(folders.end(), options_.overlay_folders.begin(), options_.overlay_folders.end());
+  for (const std::string& folder : folders) {
+    const fs::path path = fs::path(folder) / file.text;
+    if (is_file(path)) return path.lexically_normal().string();
+  }
+  return std::nullopt;
+}
+
+// Old missions name files by suffixes that their overlays no longer have, so the other one is tried for a
+// hint.
+void Preamble::report_missing_overlay(const Name& file) {
+  auto& error = diagnostics_.error("missing-overlay", place(file.span),
+                                   fmt::format("there is no overlay {}", in_backticks(file.text)));
+  error.label = "neither beside the mission nor in the current folder";
+  for (const char* suffix : {".odl", ".ovl"}) {
+    Name other = file;
+    other.text = fs::path(file.text).replace_extension(suffix).string();
+    if (find_overlay(other)) error.hints.push_back(fmt::format("there is {}", in_backticks(other.text)));
+  }
+}
+
+void Preamble::load_map(const Name& file) {
+  if (maps_++ == kMaxMaps) {
+    diagnostics_.error("too-many-maps", place(file.span),
+                       fmt::format("a mission loads at most {} maps", kMaxMaps));
+  }
+  if (maps_ > kMaxMaps) return;
+  const std::string mission_file = (fs::path(folder_) / "mission").string();
+  with_overlay_changes(
+      [&] { odl::load_map(file.text, mission_file, place(file.span), mission_.overlay, diagnostics_); });
+}
+
+void Preamble::set_area(const statement::MissionArea& area) {
+  for (const Number* side : {&area.width, &area.height}) {
+    if (side->value > 0.0) continue;
+    diagnostics_.error("number-out-of-range", place(side->span),
+                       fmt::format("a side of the mission area is longer than 0 metres, found {}",
+                                   in_backticks(side->text)));
+    return;
+  }
+  mission_.overlay.area = overlay::Area{area.width.value, area.height.value};
+  reset_for_area(*mission_.overlay.area, mission_.options);
+}
+
+void Preamble::add_start_place(const statement::StartPlace& start) {
+  overlay::ControlMeasure measure;
+  measure.kind = overlay::MeasureKind::kStartPoint;
+  measure.name = start.name.text;
+  measure.shows_label = !measure.name.ends_with('*');
+  if (!measure.shows_label) measure.name.pop_back();
+  measure.points = {geom::Point{start.x.value, start.y.value} + mission_.overlay.origin};
+  measure.place = place(start.name.span);
+  mission_.overlay.measures.push_back(std::move(measure));
+}
+
+void Preamble::add_obstacle(const statement::Obstacle& obstacle) {
+  if (const auto read = read_obstacle(obstacle, mission_.overlay.origin, source_, diagnostics_)) {
+    mission_.overlay.obstacles.push_back(*read);
+  }
+}
+
+void Preamble::request_obstacles(text::Span span) {
+  std::vector<overlay::ObstacleDisc>& before = mission_.overlay.obstacles;
+  if (!before.empty()) {
+    diagnostics_
+        .warning("obstacles-removed", place(span),
+                 fmt::format("CREATE-OBSTACLES removes the {} obstacles that were placed before it",
+                             before.size()))
+        .notes.push_back({"the first one is here", before.front().place});
+  }
+  before.clear();
+  request_ = Request{mission_.options, mission_.overlay.mission_area(), span};
+}
+
+void Preamble::create_requested_obstacles() {
+  if (!request_ || diagnostics_.has_errors()) return;
+  std::vector<overlay::ObstacleDisc> created =
+      create_obstacles(request_->options, request_->area, options_.seed, place(request_->span), diagnostics_);
+  std::vector<overlay::ObstacleDisc>& placed = mission_.overlay.obstacles;
+  placed.insert(placed.begin(), created.begin(), created.end());
+}
+
+std::vector<overlay::ObstacleDisc> create_obstacles(const mission::Options& options, overlay::Area area,
+                                                    std::uint64_t seed, const text::Place& place,
+                                                    text::Diagnostics& diagnostics) {
+  const overlay::ObstacleField field{options.obstacle_coverage, options.min_obstacle_radius,
+                                     options.max_obstacle_radius};
+  if (field.min_radius > field.max_radius) {
+    diagnostics.warning(
+        "radii-exchanged", place,
+        fmt::format("MIN-OBSTACLE-RADIUS {:g} is more than MAX-OBSTACLE-RADIUS {:g}; they change places",
+                    field.min_radius, field.max_radius));
+  }
+  const std::uint32_t used_seed =
+      options.seed ? overlay::obstacle_seed(*options.seed) : static_cast<std::uint32_t>(seed);
+  overlay::CreatedObstacles created = overlay::create_obstacles(area, field, used_seed);
+  if (!created.is_complete) {
+    diagnostics.warning(
+        "obstacles-left-out", place,
+        fmt::format("after {} obstacles no room was found for more", created.obstacles.size()));
+  }
+  for (overlay::ObstacleDisc& obstacle : created.obstacles) obstacle.place = place;
+  return std::move(created.obstacles);
+}
+
+std::optional<overlay::ObstacleDisc> read_obstacle(const statement::Obstacle& obstacle, geom::Offset origin,
+                                                   const text::SourcePtr& source,
+                                                   text::Diagnostics& diagnostics) {
+  const text::Place all{source, {obstacle.x.span.begin, obstacle.radius.span.end}};
+  if (!(obstacle.radius.value > 0.0)) {
+    diagnostics.error("number-out-of-range", {source, obstacle.radius.span},
+                      fmt::format("an obstacle's radius is more than 0 metres, found {}",
+                                  in_backticks(obstacle.radius.text)));
+    return std::nullopt;
+  }
+  return overlay::ObstacleDisc{geom::Point{obstacle.x.value, obstacle.y.value} + origin,
+                               obstacle.radius.value, 0.0, all};
+}
+
+}  // namespace mlab::mdl
