@@ -205,7 +205,9 @@ const overlay::ControlMeasure* CommandReader::find_place(const Name& name) {
   auto& error = diagnostics_.error("unknown-control-measure", place(name.span),
                                    fmt::format("unknown control measure {}", in_backticks(name.text)));
   if (diagnostics_.error_count() > text::Diagnostics::kMaxErrors) return nullptr;
-  if (scope_.overlays.empty()) error.label = "the mission has no overlay";
+  if (scope_.overlays.empty()) {
+    error.label = scope_.mission.overlay.measures.empty() ? "the mission has no overlay" : "not on the map";
+  }
   if (scope_.overlays.size() == 1)
     error.label = fmt::format("not in overlay {}", in_backticks(scope_.overlays.front()));
   if (scope_.overlays.size() > 1)

@@ -89,12 +89,7 @@ statement::UnitAction Parser::unit_action() {
   if (out.task == Task::kNone) {
     const std::vector<std::string> known = {"START",   "MOVETO",      "OCCUPY", "FOLLOW",
                                             "SWEEPTO", "TELEOPERATE", "STOP"};
-    auto& error = fail("unknown-command", token().span,
-                       fmt::format("expected what unit {} shall do, found {}", in_backticks(out.unit.text),
-                                   describe(token())));
-    const std::string near = text::nearest_name(written(token()).substr(0, 40), known);
-    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
-                                       : fmt::format("did you mean `{}`?", near));
+    fail_unknown("unknown-command", fmt::format("what unit {} shall do", in_backticks(out.unit.text)), known);
     return out;
   }
   advance();
@@ -180,11 +175,7 @@ std::optional<Clause> Parser::parsed_clause(Task task) {
       std::vector<std::string> known;
       for (int i = 0; i < percept::kFormationCount; ++i)
         known.emplace_back(percept::name(static_cast<percept::Formation>(i)));
-      auto& error = fail("unknown-formation", token().span,
-                         fmt::format("expected a formation, found {}", describe(token())));
-      const std::string near = text::nearest_name(written(token()).substr(0, 40), known);
-      error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
-                                         : fmt::format("did you mean `{}`?", near));
+      fail_unknown("unknown-formation", "a formation", known);
     }
     out.what = clause::Formation{static_cast<percept::Formation>(token().value)};
     advance();

@@ -107,6 +107,11 @@ bool is_action(Word word) {
          word == Word::kSweepTo || word == Word::kOccupy || word == Word::kFollow || word == Word::kStop;
 }
 
+bool is_overlay_word(std::string_view text) {
+  return std::ranges::any_of(kOverlayWords,
+                             [&](std::string_view word) { return equal_without_case(word, text); });
+}
+
 bool has_program(const Statement& statement) {
   const auto* robot = std::get_if<statement::NewRobot>(&statement.what);
   return robot != nullptr && robot->program.span.end > robot->program.span.begin;
@@ -191,6 +196,17 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
   }
 }
 
+// A word that begins something in a step or in an overlay.
+bool Parser::is_known_elsewhere(const Token& t) const {
+  if (t.kind == TokenKind::kWord)
+    return is_action(t.word) || t.word == Word::kQuit || t.word == Word::kHeightMap;
+  return t.kind == TokenKind::kName && is_overlay_word(written(t));
+}
+
+std::string Parser::near_statement(std::string_view word) {
+  return text::nearest_name(word.substr(0, 40), statement_words(Section::kPreamble));
+}
+
 // Something stands where a statement should begin.
 void Parser::refuse_statement(Section section, Damage& damage) {
   const Token t = token();
@@ -206,9 +222,7 @@ void Parser::refuse_statement(Section section, Damage& damage) {
   } else if (section == Section::kPreamble && t.kind == TokenKind::kWord &&
              (is_action(t.word) || t.word == Word::kQuit)) {
     fail("not-in-preamble", t.span, fmt::format("{} belongs into a step behind `COMMAND LIST:`", said));
-  } else if (std::ranges::any_of(kOverlayWords, [&](std::string_view word) {
-               return equal_without_case(word, written(t));
-             })) {
+  } else if (is_overlay_word(written(t))) {
     fail("not-in-missions", t.span, fmt::format("{} belongs into an overlay, not into a mission", said));
   } else {
     auto& error = fail("unknown-statement", t.span,
@@ -217,7 +231,8 @@ void Parser::refuse_statement(Section section, Damage& damage) {
     const std::string near = text::nearest_name(written(t).substr(0, 40), statement_words(section));
     if (!near.empty()) {
       error.hints.push_back(fmt::format("did you mean `{}`?", near));
-    } else if (section == Section::kPreamble && !t.first_on_line && next_ > 0) {
+    } else if (section == Section::kPreamble && !t.first_on_line && next_ > 0 &&
+               tokens_.tokens[next_ - 1].kind == TokenKind::kName) {
       error.hints.emplace_back("a name of several words stands in quotes");
     } else {
       error.hints.push_back("known are " + listed(statement_words(section), " and "));
@@ -398,10 +413,7 @@ statement::Set Parser::set(Section section) {
   if (t.kind != TokenKind::kWord || found == kOptions.end()) {
     std::vector<std::string> known;
     for (const OptionWord& option : kOptions) known.emplace_back(spelling(option.word));
-    auto& error = fail("unknown-option", t.span, fmt::format("expected an option, found {}", describe(t)));
-    const std::string near = text::nearest_name(written(t).substr(0, 40), known);
-    error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
-                                       : fmt::format("did you mean `{}`?", near));
+    fail_unknown("unknown-option", "an option", known);
     return out;
   }
   out.option = found->option;

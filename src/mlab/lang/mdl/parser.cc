@@ -53,9 +53,27 @@ text::Diagnostic& Parser::fail(std::string kind, text::Span span, std::string me
   return complain(std::move(kind), span, std::move(message));
 }
 
+// What is missing at the end of a line is missed there, not at whatever the next line begins with.
 text::Diagnostic& Parser::fail_expected(std::string_view what) {
+  const Token& t = token();
+  if ((t.first_on_line || t.kind == TokenKind::kEnd) && next_ > 0) {
+    const Token& before = tokens_.tokens[next_ - 1];
+    return fail("unexpected-token", {before.span.end, before.span.end},
+                fmt::format("expected {} behind {}", what, describe(before)));
+  }
   return fail("unexpected-token", token().span,
               fmt::format("expected {}, found {}", what, describe(token())));
+}
+
+void Parser::fail_unknown(std::string kind, std::string_view what, std::span<const std::string> known) {
+  if (stuck_) return;
+  const Token t = token();
+  const bool is_missing = t.first_on_line || t.kind == TokenKind::kEnd;
+  text::Diagnostic& error = fail_expected(what);
+  if (!is_missing) error.kind = std::move(kind);
+  const std::string near = is_missing ? "" : text::nearest_name(written(t).substr(0, 40), known);
+  error.hints.push_back(near.empty() ? "known are " + listed(known, " and ")
+                                     : fmt::format("did you mean `{}`?", near));
 }
 
 text::Diagnostic& Parser::complain(std::string kind, text::Span span, std::string message) {
@@ -111,8 +129,8 @@ Number Parser::number_of(const Token& t) {
   Number out{0.0, std::string(written(t)), t.span};
   const char* end = out.text.data() + out.text.size();
   if (std::from_chars(out.text.data(), end, out.value).ec != std::errc{} || !std::isfinite(out.value)) {
-    complain("number-out-of-range", t.span,
-             fmt::format("{} is beyond what a number can hold", in_backticks(out.text)));
+    fail("number-out-of-range", t.span,
+         fmt::format("{} is beyond what a number can hold", in_backticks(out.text)));
     out.value = 0.0;
   }
   return out;
@@ -158,17 +176,50 @@ bool Parser::looks_like_header() const {
          equal_without_case(written(token(1)), "LIST");
 }
 
-void Parser::recover_in_preamble() {
+// A misspelt statement, or one that belongs elsewhere: worth a message of its own.
+bool Parser::resembles_statement() {
+  const Token& t = token();
+  if (t.kind == TokenKind::kWord) return is_known_elsewhere(t);
+  if (t.kind != TokenKind::kName || token(1).kind == TokenKind::kEquals || comparisons_left_ <= 0)
+    return false;
+  --comparisons_left_;
+  return is_known_elsewhere(t) || !near_statement(written(t)).empty();
+}
+
+// `first`: where the statement with the error begins; it is left behind in any case.
+void Parser::recover_in_preamble(std::size_t first) {
   stuck_ = false;
-  while (!at_end() && !at(TokenKind::kCommandList) &&
-         !(token().first_on_line && (starts_statement(token()) || looks_like_header()))) {
-    advance();
-  }
+  if (next_ == first) advance();
+  const auto can_go_on = [&] {
+    const Token& t = token();
+    if (t.kind == TokenKind::kEnd || t.kind == TokenKind::kCommandList) return true;
+    return t.first_on_line && (starts_statement(t) || looks_like_header() || resembles_statement());
+  };
+  while (!can_go_on()) advance();
+}
+
+// A label, or what was meant as one.
+bool Parser::begins_step() const {
+  const Token& t = token();
+  if (!t.first_on_line || at_end()) return false;
+  const bool is_digit_first = written(t)[0] >= '0' && written(t)[0] <= '9';
+  const bool before_command = token(1).kind == TokenKind::kWord && !token(1).first_on_line &&
+                              (token(1).word == Word::kUnit || token(1).word == Word::kQuit);
+  return t.kind == TokenKind::kLabel || (t.kind == TokenKind::kNumber && before_command) ||
+         (t.kind == TokenKind::kFile && is_digit_first && written(t).contains('.'));
 }
 
 void Parser::recover_in_steps() {
   stuck_ = false;
-  while (!at_end() && !at(Word::kAnd) && !(at(TokenKind::kLabel) && token().first_on_line)) advance();
+  while (!at_end() && !at(Word::kAnd) && !begins_step()) advance();
+}
+
+// The step's first token was reported and understood as nothing.
+void Parser::leave_broken_step() {
+  stuck_ = false;
+  do {
+    advance();
+  } while (!at_end() && !begins_step());
 }
 
 void Parser::recover_in_typed() {
@@ -204,13 +255,14 @@ void Parser::preamble(Tree& tree) {
   const bool is_empty = at(TokenKind::kCommandList);
   while (!at_end() && !at(TokenKind::kCommandList) && !looks_like_header() &&
          !(at(TokenKind::kLabel) && token().first_on_line)) {
+    const std::size_t first = next_;
     Comments comments;
     collect_comments(last_comments(tree), comments);
     if (std::optional<Statement> parsed = parsed_statement(Section::kPreamble, tree.damage)) {
       parsed->comments = std::move(comments);
       tree.preamble.push_back(std::move(*parsed));
     }
-    if (stuck_) recover_in_preamble();
+    if (stuck_) recover_in_preamble(first);
   }
   if (is_empty) {
     complain("empty-preamble", token().span, "nothing stands before `COMMAND LIST:`")
@@ -252,7 +304,7 @@ void Parser::steps(Tree& tree) {
   while (!at_end()) {
     const std::size_t before = next_;
     step(tree);
-    if (next_ == before) advance();
+    if (next_ == before) leave_broken_step();
   }
 }
 

@@ -45,6 +45,8 @@ class Parser {
   /// Reports and gets stuck; says nothing where it is stuck already.
   text::Diagnostic& fail(std::string kind, text::Span span, std::string message);
   text::Diagnostic& fail_expected(std::string_view what);
+  /// The same, with the words that would be understood as a hint.
+  void fail_unknown(std::string kind, std::string_view what, std::span<const std::string> known);
   /// Reports and goes on.
   text::Diagnostic& complain(std::string kind, text::Span span, std::string message);
   /// Hands the comments before the next token to the construct that begins there; one that stands behind the
@@ -67,9 +69,12 @@ class Parser {
   void typed(Tree& tree);
   void remaining_comments(Tree& tree);
   bool starts_statement(const Token& t) const;
+  bool resembles_statement();
   bool looks_like_header() const;
-  void recover_in_preamble();
+  void recover_in_preamble(std::size_t first);
+  bool begins_step() const;
   void recover_in_steps();
+  void leave_broken_step();
   void recover_in_typed();
   Comments* last_comments(Tree& tree);
 
@@ -77,6 +82,8 @@ class Parser {
   std::optional<Statement> parsed_statement(Section section, Damage& damage);
   void statement_by_word(Section section, Statement& out, Damage& damage);
   void refuse_statement(Section section, Damage& damage);
+  bool is_known_elsewhere(const Token& t) const;
+  static std::string near_statement(std::string_view word);
   statement::OverlayFile overlay_file();
   statement::NewRobot new_robot();
   std::optional<Name> color_or_host();
@@ -108,7 +115,8 @@ class Parser {
   std::size_t next_ = 0;
   std::size_t next_comment_ = 0;
   bool stuck_ = false;
-  text::Diagnostic unsaid_;  // takes what is said of an error that follows from one before
+  int comparisons_left_ = 2000;  // of words with those of the language, while looking for a place to go on
+  text::Diagnostic unsaid_;      // takes what is said of an error that follows from one before
 };
 
 }  // namespace mlab::mdl

@@ -188,8 +188,10 @@ void Preamble::request_obstacles(text::Span span) {
   if (!before.empty()) {
     diagnostics_
         .warning("obstacles-removed", place(span),
-                 fmt::format("CREATE-OBSTACLES removes the {} obstacles that were placed before it",
-                             before.size()))
+                 before.size() == 1
+                     ? "CREATE-OBSTACLES removes the obstacle that was placed before it"
+                     : fmt::format("CREATE-OBSTACLES removes the {} obstacles that were placed before it",
+                                   before.size()))
         .notes.push_back({"the first one is here", before.front().place});
   }
   before.clear();

@@ -1,0 +1,62 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/text/testing/golden.h"
+
+namespace mlab::mdl {
+namespace {
+
+namespace golden = text::testing;
+const std::filesystem::path kFolder = std::filesystem::path(MLAB_SOURCE_DIR) / "src/mlab/lang/mdl";
+
+// Goldens name overlays beside them, so the tests run in their folder.
+class MdlGolden : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::current_path(kFolder / "testdata"); }
+  void TearDown() override { std::filesystem::current_path(before_); }
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+TEST_F(MdlGolden, MissionsGetTheDiagnosticsThatStandAtTheirEnd) {
+  for (const auto& path : golden::golden_files(".", ".mdl")) {
+    golden::check_golden(path, "--", [](const text::SourcePtr& source) {
+      text::Diagnostics sink;
+      const auto mission = check_mission(source, "", sink);
+      EXPECT_EQ(mission == nullptr, sink.has_errors());
+      return text::render(sink);
+    });
+  }
+}
+
+TEST_F(MdlGolden, TypedCommandsGetTheDiagnosticsThatStandBelowThem) {
+  text::Diagnostics none;
+  const auto mission = load_mission("good.mdl", none);
+  ASSERT_NE(mission, nullptr);
+  for (const auto& path : golden::golden_files(".", ".typed")) {
+    golden::check_golden(path, "--", [&](const text::SourcePtr& source) {
+      text::Diagnostics sink;
+      const auto typed = parse_immediate(std::string(source->text()), *mission, sink);
+      EXPECT_EQ(!typed.has_value(), sink.has_errors());
+      return text::render(sink);
+    });
+  }
+}
+
+TEST_F(MdlGolden, EveryKindOfDiagnosticHasOne) {
+  auto files = golden::golden_files(".", ".mdl");
+  for (auto& path : golden::golden_files(".", ".typed")) files.push_back(path);
+  const auto said =
+      golden::kinds_said_in(kFolder, {"error(", "warning(", "fail(", "complain(", "warn_once("});
+  EXPECT_GT(said.size(), 50U);
+  auto shown = golden::kinds_expected_in(files);
+  shown.insert("too-many-points");  // takes an overlay of megabytes: see limits_test.cc
+  for (const std::string& kind : said) EXPECT_TRUE(shown.contains(kind)) << kind;
+}
+
+}  // namespace
+}  // namespace mlab::mdl
