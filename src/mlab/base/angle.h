@@ -15,6 +15,7 @@ constexpr double degrees(double angle) {
 
 /// The same direction in (-pi, pi] [rad].
 inline double wrap_angle(double angle) {
+  if (angle > -std::numbers::pi && angle <= std::numbers::pi) return angle;  // std::remainder takes its time
   const double wrapped = std::remainder(angle, 2.0 * std::numbers::pi);
   return wrapped <= -std::numbers::pi ? wrapped + 2.0 * std::numbers::pi : wrapped;
 }

@@ -25,6 +25,9 @@ inline constexpr Thing kNoThing = 3U << 30;
 constexpr bool is_body(Thing thing) {
   return (thing >> 30) == 0;
 }
+constexpr bool is_disc(Thing thing) {
+  return (thing >> 30) == 1;
+}
 
 /// The last things that a body met, so that the same contact isn't counted twice.
 struct Touched {

@@ -47,8 +47,7 @@ void add_static_blockers(Blockers& blockers, const Statics& statics, Point body,
   statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
     add_blocker(blockers, body, disc.center, radius + disc.radius, 0.0, thing_of_disc(index));
   });
-  statics.wall_grid().visit(box, [&](std::uint32_t index) {
-    const Wall& wall = statics.walls()[index];
+  statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
     add_blocker(blockers, body, nearest_point(wall.segment, body), radius, 0.0, thing_of_wall(wall.group));
   });
 }
@@ -79,6 +78,8 @@ void ContactSolver::resize(std::size_t count) {
   is_busy_.resize(count);
   changed_.resize(count);
   near_.resize(count);
+  busy_.reserve(count);
+  fast_.reserve(count);
 }
 
 void ContactSolver::move(Bodies& bodies, const Surroundings& s, Workers& workers) {
@@ -143,7 +144,10 @@ template <class Visit>
 void ContactSolver::for_each_near(const Bodies& bodies, const Surroundings& s, const Busy& busy,
                                   Visit&& visit) const {
   const std::uint8_t count = near_count_[busy.body];
-  if (count == kTooMany) return search_near(bodies, s, busy.body, busy.start, visit);
+  if (count == kTooMany) {
+    search_near(bodies, s, busy.body, busy.start, visit);
+    return;
+  }
   for (std::uint8_t k = 0; k < count; ++k) visit(near_[busy.body].body[k]);
 }
 
@@ -168,8 +172,8 @@ bool ContactSolver::has_company(const Bodies& bodies, const Surroundings& s, std
   s.statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) {
     is_near = is_near || distance(disc.center, start) <= reach + disc.radius;
   });
-  s.statics.wall_grid().visit(box, [&](std::uint32_t index) {
-    is_near = is_near || distance(nearest_point(s.statics.walls()[index].segment, start), start) <= reach;
+  s.statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
+    is_near = is_near || distance(nearest_point(wall.segment, start), start) <= reach;
   });
   return is_near;
 }
@@ -272,8 +276,7 @@ void ContactSolver::stop_at_statics(const Bodies& bodies, const Surroundings& s,
   s.statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
     stop(meets_disc(from - disc.center, motion, disc.radius + radius), thing_of_disc(index));
   });
-  s.statics.wall_grid().visit(box, [&](std::uint32_t index) {
-    const Wall& wall = s.statics.walls()[index];
+  s.statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
     stop(meets_wall(wall.segment, from, motion, radius), thing_of_wall(wall.group));
   });
   const Box& area = area_of(bodies, s, i);

@@ -99,13 +99,14 @@ std::uint32_t Objects::count_in(base::ObjectId container) const {
 
 void Objects::refresh() {
   if (!is_stale_) return;
-  std::vector<PointGrid::Item> visible;
+  visible_.clear();
+  visible_.reserve(list_.size());
   for (std::uint32_t index = 0; index < list_.size(); ++index) {
     const Object& object = list_[index];
     if (!is_in_sight(object)) continue;
-    visible.push_back({object.center.x, object.center.y, rounded_up(object.radius), index});
+    visible_.push_back({object.center.x, object.center.y, rounded_up(object.radius), index});
   }
-  grid_.build(visible, 0.1);
+  grid_.build(visible_, 0.1);
   is_stale_ = false;
 }
 

@@ -40,6 +40,7 @@ class Objects {
 
   std::vector<Object> list_;
   PointGrid grid_;
+  std::vector<PointGrid::Item> visible_;  ///< while the grid is built
   bool is_stale_ = true;
 };
 

@@ -52,8 +52,8 @@ bool Placer::is_free(const Bodies& bodies, const Statics& statics, Point place, 
   statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) {
     is_free = is_free && distance(disc.center, place) >= radius + disc.radius - kTolerance;
   });
-  statics.wall_grid().visit(box, [&](std::uint32_t index) {
-    const double gap = distance(nearest_point(statics.walls()[index].segment, place), place) - radius;
+  statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
+    const double gap = distance(nearest_point(wall.segment, place), place) - radius;
     is_free = is_free && gap >= -kTolerance && gap + radius > 0.0;
   });
   return is_free;

@@ -46,7 +46,10 @@ class TorusCells {
   double columns() const { return static_cast<double>(columns_); }
   double rows() const { return static_cast<double>(rows_); }
   std::int64_t index(double coordinate) const {
-    return static_cast<std::int64_t>(std::floor(coordinate * per_metre_));
+    // Without the call that std::floor is on processors of the oldest kind.
+    const double cells = coordinate * per_metre_;
+    const auto towards_zero = static_cast<std::int64_t>(cells);
+    return towards_zero - (cells < static_cast<double>(towards_zero) ? 1 : 0);
   }
   std::uint32_t place(double x, double y) const { return place(index(x), index(y)); }
 
@@ -62,14 +65,20 @@ class TorusCells {
   /// The same for the cells x0 .. x1 of one row of the endless grid.
   template <class Row>
   void for_each_run_of_row(std::int64_t y, std::int64_t x0, std::int64_t x1, Row&& row) const {
-    const std::uint32_t base = static_cast<std::uint32_t>((y & (rows_ - 1)) << column_bits_);
+    const auto base = static_cast<std::uint32_t>((y & (rows_ - 1)) << column_bits_);
     const auto last_column = static_cast<std::uint32_t>(columns_ - 1);
-    if (x1 - x0 >= columns_ - 1) return row(base, base + last_column);
+    if (x1 - x0 >= columns_ - 1) {
+      row(base, base + last_column);
+      return;
+    }
     const auto a = static_cast<std::uint32_t>(x0 & (columns_ - 1));
     const auto b = static_cast<std::uint32_t>(x1 & (columns_ - 1));
-    if (a <= b) return row(base + a, base + b);
-    row(base + a, base + last_column);
-    row(base, base + b);
+    if (a <= b) {
+      row(base + a, base + b);
+    } else {
+      row(base + a, base + last_column);
+      row(base, base + b);
+    }
   }
 
  private:

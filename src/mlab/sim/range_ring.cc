@@ -54,7 +54,7 @@ void RingBeams::see_disc(Vector center, double radius, double reach, std::span<d
   if (square >= farthest * farthest) return;
   const double distance = std::sqrt(square);
   if (distance <= radius) {
-    std::fill(distances.begin(), distances.end(), 0.0);
+    std::ranges::fill(distances, 0.0);
     return;
   }
   const double direction = std::atan2(center.y, center.x);
@@ -66,7 +66,10 @@ void RingBeams::see_disc(Vector center, double radius, double reach, std::span<d
   };
   const double half_angle = std::asin(radius / distance) + half_width_;
   for_each_beam(direction, half_angle, [&](std::size_t beam) {
-    if (half_width_ <= 0.0) return look_along(axes_[beam], beam);
+    if (half_width_ <= 0.0) {
+      look_along(axes_[beam], beam);
+      return;
+    }
     const double to_left = left_edges_[beam].x * center.y - left_edges_[beam].y * center.x;
     const double to_right = right_edges_[beam].x * center.y - right_edges_[beam].y * center.x;
     if (to_left <= 0.0 && to_right >= 0.0) {  // the centre lies in the cone
@@ -96,7 +99,10 @@ void RingBeams::see_wall(Vector a, Vector b, double reach, std::span<double> dis
     if (hit >= 0.0 && share >= -1e-9 && share <= 1.0 + 1e-9) distances[beam] = std::min(distances[beam], hit);
   };
   for_each_beam(middle, std::abs(turn) / 2 + half_width_, [&](std::size_t beam) {
-    if (half_width_ <= 0.0) return look_along(axes_[beam], beam);
+    if (half_width_ <= 0.0) {
+      look_along(axes_[beam], beam);
+      return;
+    }
     const Vector left{left_edges_[beam].x, left_edges_[beam].y};
     const Vector right{right_edges_[beam].x, right_edges_[beam].y};
     for (const Vector point : {foot, a, b}) {

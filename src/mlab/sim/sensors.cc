@@ -56,22 +56,22 @@ void Sensors::see(double distance, std::uint32_t id, Point center, double radius
 }
 
 void Sensors::sort_seen() {
-  std::sort(buffer_.seen_.begin(), buffer_.seen_.end(),
-            [](const SenseBuffer::Seen& a, const SenseBuffer::Seen& b) {
-              return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
-            });
+  std::ranges::sort(buffer_.seen_, [](const SenseBuffer::Seen& a, const SenseBuffer::Seen& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+  });
 }
 
 /// The walls that may be within reach, each once.
 void Sensors::collect_walls(double reach) {
   std::vector<std::uint32_t>& walls = buffer_.walls_;
   walls.clear();
-  scene_.statics.wall_grid().visit(Box::around(here_.x, here_.y, reach), [&](std::uint32_t index) {
+  scene_.statics.visit_walls(Box::around(here_.x, here_.y, reach), [&](std::uint32_t index, const Wall&) {
     if (walls.empty() || walls.back() != index) walls.push_back(index);
   });
   if (walls.size() < 2) return;
-  std::sort(walls.begin(), walls.end());
-  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+  std::ranges::sort(walls);
+  const auto doubles = std::ranges::unique(walls);
+  walls.erase(doubles.begin(), doubles.end());
 }
 
 void Sensors::sense_obstacles(double range, percept::Percepts& out) {

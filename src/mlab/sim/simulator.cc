@@ -33,6 +33,20 @@ BodySpec usable(BodySpec spec) {
   return spec;
 }
 
+/// Contacts with discs that have become others are over.
+void forget_changed(Bodies& bodies, std::span<const Disc> before, std::span<const Disc> now) {
+  const auto is_same = [&](Thing thing) {
+    const std::uint32_t disc = thing - thing_of_disc(0);
+    return disc < before.size() && disc < now.size() && before[disc].center == now[disc].center &&
+           before[disc].radius == now[disc].radius;
+  };
+  for (Touched& touched : bodies.touched) {
+    for (std::size_t k = 0; k < touched.thing.size(); ++k) {
+      if (is_disc(touched.thing[k]) && !is_same(touched.thing[k])) touched.until[k] = -1;
+    }
+  }
+}
+
 class Stopwatch {
  public:
   /// Seconds since it was made or last asked.
@@ -109,8 +123,7 @@ void Simulator::Parts::refresh() {
 }
 
 std::uint32_t Simulator::Parts::kind_of(const BodySpec& spec) {
-  const auto found =
-      std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return kind.spec == spec; });
+  const auto found = std::ranges::find_if(kinds, [&](const Kind& kind) { return kind.spec == spec; });
   if (found == kinds.end()) {
     kinds.push_back({spec, RingBeams(spec.ring, spec.radius)});
     return static_cast<std::uint32_t>(kinds.size() - 1);
@@ -272,7 +285,7 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   if (has_requests) {
     p.by_robot.resize(bodies.count());
     for (std::uint32_t i = 0; i < bodies.count(); ++i) p.by_robot[i] = i;
-    std::sort(p.by_robot.begin(), p.by_robot.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::ranges::sort(p.by_robot, [&](std::uint32_t a, std::uint32_t b) {
       return bodies.robot[a] != bodies.robot[b] ? bodies.robot[a] < bodies.robot[b] : a < b;
     });
     for (const std::uint32_t i : p.by_robot) {
@@ -313,22 +326,23 @@ std::uint32_t Simulator::basket_count(base::ObjectId container) const {
   return parts_->state.objects.count_in(container);
 }
 
-std::vector<Placement> Simulator::add_obstacles(std::span<const Disc> discs) {
+std::vector<Placement> Simulator::set_obstacles(std::span<const Disc> discs) {
   Parts& p = *parts_;
   World world;
-  world.discs.assign(this->discs().begin(), this->discs().end());
+  world.discs.assign(discs.begin(), discs.end());
   world.walls.assign(walls().begin(), walls().end());
-  world.discs.insert(world.discs.end(), discs.begin(), discs.end());
   keep_usable(world);
+  forget_changed(p.state.bodies, this->discs(), world.discs);
   p.state.statics = std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls));
   std::vector<Placement> moved;
   Bodies& bodies = p.state.bodies;
   p.placer.rebuild(bodies);
+  p.is_placer_stale = false;
   for (std::uint32_t i = 0; i < bodies.count(); ++i) {
     if (!bodies.present[i]) continue;
     const Point here = bodies.position(i);
-    const auto place = p.placer.nearest_free(bodies, *p.state.statics, here, bodies.radius[i],
-                                             bodies.held[i] ? p.area : kWholeWorld, i);
+    const Box& area = bodies.held[i] ? p.area : kWholeWorld;
+    const auto place = p.placer.nearest_free(bodies, *p.state.statics, here, bodies.radius[i], area, i);
     if (!place || *place == here) continue;
     bodies.x[i] = place->x;
     bodies.y[i] = place->y;
@@ -340,13 +354,16 @@ std::vector<Placement> Simulator::add_obstacles(std::span<const Disc> discs) {
   return moved;
 }
 
+std::vector<Placement> Simulator::add_obstacles(std::span<const Disc> discs) {
+  std::vector<Disc> all(this->discs().begin(), this->discs().end());
+  all.insert(all.end(), discs.begin(), discs.end());
+  return set_obstacles(all);
+}
+
 std::size_t Simulator::remove_obstacles(const std::function<bool(const Disc&)>& is_gone) {
-  Parts& p = *parts_;
-  std::vector<Disc> discs(this->discs().begin(), this->discs().end());
-  const std::size_t count = std::erase_if(discs, is_gone);
-  if (count == 0) return 0;
-  p.state.statics =
-      std::make_shared<const Statics>(std::move(discs), std::vector<Wall>(walls().begin(), walls().end()));
+  std::vector<Disc> all(discs().begin(), discs().end());
+  const std::size_t count = std::erase_if(all, is_gone);
+  if (count > 0) set_obstacles(all);
   return count;
 }
 

@@ -90,7 +90,10 @@ class Simulator {
   std::span<const Object> objects() const;  ///< in the order of the world
   /// How many objects lie in a container.
   std::uint32_t basket_count(base::ObjectId container) const;
-  /// Adds obstacles while running. @return the bodies that stood there, and where they were moved
+  /// Other discs than before, while running.
+  /// @return the bodies that stood where there is one now, and where they were moved
+  std::vector<Placement> set_obstacles(std::span<const Disc> discs);
+  /// More discs; returns as set_obstacles does.
   std::vector<Placement> add_obstacles(std::span<const Disc> discs);
   /// Removes all discs for which `is_gone` is true. @return how many
   std::size_t remove_obstacles(const std::function<bool(const Disc&)>& is_gone);

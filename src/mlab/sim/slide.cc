@@ -36,7 +36,10 @@ std::optional<Offset> nearest_allowed(Offset wanted, const Blockers& blockers) {
   const double tolerance = 1e-12 + 4e-15 * length(wanted);
   if (is_allowed(wanted, blockers, tolerance)) return wanted;
   Nearest nearest{wanted, blockers, tolerance, {}};
-  for (const Blocker& b : blockers) nearest.consider(wanted - b.toward * (dot(wanted, b.toward) - b.gap));
+  for (const Blocker& b : blockers) {
+    const double excess = dot(wanted, b.toward) - b.gap;
+    if (excess > 0.0) nearest.consider(wanted - b.toward * excess);
+  }
   if (nearest.best_distance < HUGE_VAL) return nearest.best;
   for (const Blocker* a = blockers.begin(); a != blockers.end(); ++a) {
     for (const Blocker* b = a + 1; b != blockers.end(); ++b) {

@@ -5,42 +5,59 @@
 namespace mlab::sim {
 namespace {
 
-/// Discs whose radii differ by no more than this factor share a grid.
-constexpr double kSizeClass = 4.0;
-constexpr double kSmallestClass = 0.05;
-
+/// Discs whose radii, and walls whose lengths, differ by no more than this factor share a grid.
+constexpr double kDiscClass = 4.0;
+constexpr double kWallClass = 64.0;
+constexpr double kSmallest = 0.05;  // what is smaller counts as this size [m]
 /// A table of walls has about so many entries, even for a single wall.
 constexpr std::size_t kLeastEntries = 16384;
 
-int size_class(double radius) {
-  return static_cast<int>(
-      std::ceil(std::log(std::max(radius, kSmallestClass) / kSmallestClass) / std::log(kSizeClass)));
+std::size_t size_class(double size, double factor) {
+  return static_cast<std::size_t>(
+      std::ceil(std::log(std::max(size, kSmallest) / kSmallest) / std::log(factor)));
 }
+
+/// Puts what is of the same size class together.
+template <class Item>
+class SizeClasses {
+ public:
+  void add(std::size_t size_class, const Item& item) {
+    if (size_class >= classes_.size()) classes_.resize(size_class + 1);
+    classes_[size_class].push_back(item);
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (const std::vector<Item>& items : classes_) {
+      if (!items.empty()) visit(items);
+    }
+  }
+
+ private:
+  std::vector<std::vector<Item>> classes_;
+};
 
 }  // namespace
 
-void WallGrid::build(std::span<const Wall> walls) {
-  indices_.clear();
-  if (walls.empty()) return;
+WallGrid::WallGrid(std::span<const Item> items) {
   double total_length = 0.0;
   std::vector<double> x;
   std::vector<double> y;
-  for (const Wall& wall : walls) {
-    total_length += distance(wall.segment.a, wall.segment.b);
-    x.insert(x.end(), {wall.segment.a.x, wall.segment.b.x});
-    y.insert(y.end(), {wall.segment.a.y, wall.segment.b.y});
+  for (const auto& [segment, index] : items) {
+    total_length += distance(segment.a, segment.b);
+    x.insert(x.end(), {segment.a.x, segment.b.x});
+    y.insert(y.end(), {segment.a.y, segment.b.y});
   }
   // Entries, roughly: memory grows with the number of walls, not with their length.
-  const std::size_t budget = kLeastEntries + 4 * walls.size();
+  const std::size_t budget = kLeastEntries + 4 * items.size();
   cells_.resize(budget, 1.0);
   cells_.resize(budget, std::max({0.01, total_length / static_cast<double>(budget),
                                   spread(x) / cells_.columns(), spread(y) / cells_.rows()}));
 
   starts_.assign(cells_.size() + 1, 0);
   const auto for_each_entry = [&](auto&& entry) {
-    for (std::uint32_t index = 0; index < walls.size(); ++index) {
-      for_each_run_along(walls[index].segment, HUGE_VAL, [&](std::uint32_t first, std::uint32_t last) {
-        for (std::uint32_t place = first; place <= last; ++place) entry(place, index);
+    for (const Item& item : items) {
+      for_each_run_along(item.segment, HUGE_VAL, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t place = first; place <= last; ++place) entry(place, item.index);
       });
     }
   };
@@ -53,26 +70,31 @@ void WallGrid::build(std::span<const Wall> walls) {
 
 Statics::Statics(std::vector<Disc> discs, std::vector<Wall> walls)
     : discs_(std::move(discs)), walls_(std::move(walls)) {
-  std::vector<std::vector<PointGrid::Item>> by_size;
+  SizeClasses<PointGrid::Item> disc_classes;
   for (std::uint32_t index = 0; index < discs_.size(); ++index) {
     const Disc& disc = discs_[index];
-    const auto size = static_cast<std::size_t>(size_class(disc.radius));
-    if (size >= by_size.size()) by_size.resize(size + 1);
-    by_size[size].push_back({disc.center.x, disc.center.y, rounded_up(disc.radius), index});
+    disc_classes.add(size_class(disc.radius, kDiscClass),
+                     {disc.center.x, disc.center.y, rounded_up(disc.radius), index});
   }
-  for (const auto& items : by_size) {
-    if (items.empty()) continue;
+  disc_classes.for_each([&](const std::vector<PointGrid::Item>& items) {
     disc_grids_.emplace_back();
     disc_grids_.back().build(items, 0.01);
+  });
+  SizeClasses<WallGrid::Item> wall_classes;
+  for (std::uint32_t index = 0; index < walls_.size(); ++index) {
+    const geom::Segment& segment = walls_[index].segment;
+    wall_classes.add(size_class(distance(segment.a, segment.b), kWallClass), {segment, index});
   }
-  wall_grid_.build(walls_);
+  wall_classes.for_each([&](const std::vector<WallGrid::Item>& items) { wall_grids_.emplace_back(items); });
 }
 
 bool Statics::in_sight(geom::Point a, geom::Point b) const {
+  const geom::Segment line{a, b};
   bool is_free = true;
-  wall_grid_.visit_line({a, b}, [&](std::uint32_t index) {
-    is_free = is_free && !intersects(geom::Segment{a, b}, walls_[index].segment);
-  });
+  for (const WallGrid& grid : wall_grids_) {
+    grid.visit_line(
+        line, [&](std::uint32_t index) { is_free = is_free && !intersects(line, walls_[index].segment); });
+  }
   return is_free;
 }
 

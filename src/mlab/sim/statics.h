@@ -13,21 +13,24 @@ namespace mlab::sim {
 /// Nothing is ever outside.
 inline constexpr Box kWholeWorld{-World::kFarthest, -World::kFarthest, World::kFarthest, World::kFarthest};
 
-/// Walls sorted into the cells that they touch.
+/// Walls of about the same length, sorted into the cells that they touch.
 class WallGrid {
  public:
-  void build(std::span<const Wall> walls);
+  struct Item {
+    geom::Segment segment;
+    std::uint32_t index;  ///< what visitors are told
+  };
+
+  explicit WallGrid(std::span<const Item> items);
   /// Calls visit(index) for all walls that touch the box, and some others. One may come several times.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
-    if (indices_.empty()) return;
     cells_.for_each_run(box,
                         [&](std::uint32_t first, std::uint32_t last) { visit_places(first, last, visit); });
   }
   /// The same for all walls that touch the line.
   template <class Visit>
   void visit_line(const geom::Segment& line, Visit&& visit) const {
-    if (indices_.empty()) return;
     for_each_run_along(line, 2.0 * cells_.rows(),
                        [&](std::uint32_t first, std::uint32_t last) { visit_places(first, last, visit); });
   }
@@ -63,16 +66,22 @@ class Statics {
                  [&](const PointGrid::Item& item) { visit(item.id, discs_[item.id]); });
     }
   }
-  const WallGrid& wall_grid() const { return wall_grid_; }
+  /// Calls visit(index, wall) for all walls that touch the box, and some others. One may come several times.
+  template <class Visit>
+  void visit_walls(const Box& box, Visit&& visit) const {
+    for (const WallGrid& grid : wall_grids_) {
+      grid.visit(box, [&](std::uint32_t index) { visit(index, walls_[index]); });
+    }
+  }
   /// True where no wall has a point in common with the line.
   bool in_sight(geom::Point a, geom::Point b) const;
 
  private:
   std::vector<Disc> discs_;
   std::vector<Wall> walls_;
-  /// One for discs of about the same size each, so that a single huge one doesn't widen every question.
+  /// One for things of about the same size each, so that a single huge one makes no difference to the others.
   std::vector<PointGrid> disc_grids_;
-  WallGrid wall_grid_;
+  std::vector<WallGrid> wall_grids_;
 };
 
 template <class Run>
@@ -86,7 +95,8 @@ void WallGrid::for_each_run_along(const geom::Segment& line, double most_rows, R
   const std::int64_t y1 = cells_.index(high.y + margin);
   const double slope = high.y > low.y ? (high.x - low.x) / (high.y - low.y) : 0.0;
   if (y1 == y0 || static_cast<double>(y1 - y0) >= most_rows) {
-    return cells_.for_each_run(Box::spanned(low.x, low.y, high.x, high.y, margin), run);
+    cells_.for_each_run(Box::spanned(low.x, low.y, high.x, high.y, margin), run);
+    return;
   }
   for (std::int64_t y = y0; y <= y1; ++y) {
     const double bottom = std::clamp(static_cast<double>(y) * cells_.cell() - margin, low.y, high.y);

@@ -63,7 +63,9 @@ double meets_wall(const geom::Segment& wall, Point from, Offset motion, double r
     return first;
   }
   if (enter > leave || side + speed * leave >= nearest_allowed(radius, side)) return first;
-  first = std::min(first, std::max(enter, (side - radius) / -speed));
+  const double touch = (side - radius) / -speed;
+  if (touch < enter && side + speed * enter <= 0.0) return first;  // it has passed beyond the wall's end
+  first = std::min(first, std::max(enter, touch));
   return first;
 }
 

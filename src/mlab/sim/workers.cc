@@ -31,7 +31,10 @@ Workers::~Workers() = default;
 
 void Workers::run_erased(std::size_t count, std::size_t piece, void* callee, Erased call) {
   if (count == 0) return;
-  if (!arena_ || count <= piece) return call(callee, 0, count, 0);
+  if (!arena_ || count <= piece) {
+    call(callee, 0, count, 0);
+    return;
+  }
   arena_->arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, piece),

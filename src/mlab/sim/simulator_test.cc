@@ -1,0 +1,367 @@
+#include "mlab/sim/simulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mlab/base/count_allocations.h"
+#include "mlab/base/random.h"
+#include "mlab/sim/bench_scenario.h"
+
+namespace mlab::sim {
+namespace {
+
+using geom::Point;
+using percept::Action;
+using percept::ObjectStyle;
+using percept::Request;
+
+BodyIndex add(Simulator& simulator, geom::Pose pose, std::uint32_t robot, const BodySpec& spec = {}) {
+  const auto placed = simulator.add_body({.spec = spec, .pose = pose, .robot = {robot}, .unit = 0});
+  EXPECT_TRUE(placed.has_value());
+  return placed->body;
+}
+
+Object object(std::uint32_t id, Point center, ObjectStyle style) {
+  Object o;
+  o.id = {id};
+  o.center = center;
+  o.radius = 0.1;
+  o.style = style;
+  return o;
+}
+
+/// A crowd in a room with walls, discs and things to carry, whose robots go by what they sense.
+struct Crowd {
+  explicit Crowd(int threads, std::uint32_t robots = 800)
+      : simulator(world(), {.seed = 5, .threads = threads}) {
+    BodySpec spec = bench_body(1.0);
+    spec.ring.noise = 0.05;
+    spec.ring.dropout = 0.05;
+    base::Random random(3);
+    for (std::uint32_t i = 0; i < robots; ++i) {
+      spec.kinematics.drive = static_cast<Drive>(i % 3);
+      simulator.add_body({.spec = spec,
+                          .pose = {{random.uniform(-14, 14), random.uniform(-14, 14)}, random.angle()},
+                          .robot = {robots - i},
+                          .unit = i % 7});
+    }
+    buffers.resize(static_cast<std::size_t>(threads));
+    for (SenseBuffer& buffer : buffers) buffer.reserve(256, 256, 256, 24);
+    actions.resize(robots);
+  }
+
+  static World world() {
+    World world;
+    const Point corners[] = {{-15, -15}, {15, -15}, {15, 15}, {-15, 15}};
+    for (std::uint32_t i = 0; i < 4; ++i) world.walls.push_back({{corners[i], corners[(i + 1) % 4]}, i});
+    world.walls.push_back({{{-5, -5}, {5, 4}}, 9});
+    base::Random random(4);
+    for (int i = 0; i < 20; ++i) {
+      world.discs.push_back({{random.uniform(-14, 14), random.uniform(-14, 14)}, random.uniform(0.1, 1.0)});
+    }
+    for (std::uint32_t i = 1; i <= 50; ++i) {
+      const Point place{random.uniform(-14, 14), random.uniform(-14, 14)};
+      world.objects.push_back(
+          object(i, place, i % 10 == 0 ? ObjectStyle::kContainer : ObjectStyle::kMovable));
+    }
+    return world;
+  }
+
+  void cycle() {
+    simulator.workers().run(actions.size(), 16, [&](std::size_t begin, std::size_t end, int worker) {
+      for (std::size_t i = begin; i < end; ++i) {
+        percept::Percepts percepts;
+        const BodyIndex body{static_cast<std::uint32_t>(i)};
+        simulator.sense(body, {.obstacle_range = 3, .robot_range = 3, .object_range = 2, .ranges = true},
+                        buffers[static_cast<std::size_t>(worker)], percepts);
+        actions[i] = decide(percepts);
+      }
+    });
+    simulator.step(actions, 0.1);
+  }
+  static Action decide(const percept::Percepts& percepts) {
+    Action action;
+    action.drives = true;
+    action.velocity = {1.5, 0.0, 0.0};
+    for (const auto& reading : percepts.ranges) {
+      if (reading.hit) action.velocity += geom::polar(reading.distance - 1.0, reading.angle);
+    }
+    for (const auto& robot : percepts.robots) action.velocity += geom::unit(robot.center) * 0.05;
+    for (const auto& seen : percepts.objects) {
+      if (seen.id.value < kRobotObjectBase) action.ask({.object = seen.id, .reach = 1.0});
+    }
+    if (percepts.carried.value != 0)
+      action.ask({.kind = Request::Kind::kDropInBasket, .object = {}, .reach = 0.5});
+    return action;
+  }
+  /// Everything that can be asked for, as numbers.
+  std::vector<double> all() const {
+    std::vector<double> values;
+    for (std::uint32_t i = 0; i < simulator.body_count(); ++i) {
+      const geom::Pose pose = simulator.pose({i});
+      const geom::Offset velocity = simulator.velocity({i});
+      for (const double v : {pose.position.x, pose.position.y, pose.heading, velocity.x, velocity.y,
+                             simulator.distance_driven({i}), static_cast<double>(simulator.contacts({i})),
+                             static_cast<double>(simulator.carried({i}).value)}) {
+        values.push_back(v);
+      }
+    }
+    for (const Object& o : simulator.objects()) {
+      for (const double v : {o.center.x, o.center.y, 1.0 * o.carrier.value, 1.0 * o.basket.value})
+        values.push_back(v);
+    }
+    return values;
+  }
+
+  Simulator simulator;
+  std::vector<SenseBuffer> buffers;
+  std::vector<Action> actions;
+};
+
+TEST(Simulator, GivesTheSameBitForBitForAnyNumberOfThreads) {
+  Crowd one(1);
+  Crowd two(2);
+  Crowd seven(7);
+  for (int i = 0; i < 40; ++i) {
+    one.cycle();
+    two.cycle();
+    seven.cycle();
+  }
+  const std::vector<double> expected = one.all();
+  EXPECT_EQ(two.all(), expected);
+  EXPECT_EQ(seven.all(), expected);
+  // The crowd did something worth comparing.
+  std::uint32_t contacts = 0;
+  for (std::uint32_t i = 0; i < one.simulator.body_count(); ++i) contacts += one.simulator.contacts({i});
+  EXPECT_GT(contacts, 20U);
+  EXPECT_TRUE(
+      std::ranges::any_of(one.simulator.objects(), [](const Object& o) { return o.carrier.value != 0; }));
+}
+
+TEST(Simulator, GoesOnFromASnapshotAsItDidTheFirstTime) {
+  Crowd crowd(2, 200);
+  for (int i = 0; i < 10; ++i) crowd.cycle();
+  const auto snapshot = crowd.simulator.snapshot();
+  for (int i = 0; i < 20; ++i) crowd.cycle();
+  const std::vector<double> expected = crowd.all();
+  crowd.simulator.set_obstacles({});
+  add(crowd.simulator, {{0, 0}, 0.0}, 999);
+  crowd.simulator.restore(*snapshot);
+  EXPECT_EQ(crowd.simulator.body_count(), 200U);
+  EXPECT_EQ(crowd.simulator.cycle(), 10U);
+  for (int i = 0; i < 20; ++i) crowd.cycle();
+  EXPECT_EQ(crowd.all(), expected);
+}
+
+TEST(Simulator, TakesNothingFromTheHeapOnceItRuns) {
+  Crowd crowd(1, 300);
+  for (int i = 0; i < 50; ++i) crowd.cycle();
+  const std::size_t before = base::allocation_count();
+  EXPECT_GT(before, 0U);
+  for (int i = 0; i < 200; ++i) crowd.cycle();
+  EXPECT_EQ(base::allocation_count() - before, 0U);
+}
+
+TEST(Simulator, MovesARobotThatStartsWhereSomethingIsToTheNearestFreePlace) {
+  World world;
+  world.discs.push_back({{0, 0}, 1.0});
+  Simulator simulator(world);
+  const auto placed = simulator.add_body({.spec = {}, .pose = {{0.9, 0}, 0.0}, .robot = {1}, .unit = 0});
+  ASSERT_TRUE(placed);
+  EXPECT_TRUE(placed->moved);
+  EXPECT_GE(length(placed->pose.position - Point{}), 1.2);
+  EXPECT_LE(distance(placed->pose.position, {0.9, 0}), 0.45);
+  Simulator again(world);
+  EXPECT_EQ(again.add_body({.spec = {}, .pose = {{0.9, 0}, 0.0}, .robot = {1}, .unit = 0})->pose,
+            placed->pose);
+}
+
+TEST(Simulator, PutsManyRobotsAtOnePlaceSideBySide) {
+  Simulator simulator({});
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const auto placed = simulator.add_body({.spec = {}, .pose = {{5, 5}, 0.0}, .robot = {i + 1}, .unit = 0});
+    ASSERT_TRUE(placed);
+    ASSERT_EQ(placed->moved, i > 0);
+    for (std::uint32_t j = 0; j < i; ++j) {
+      ASSERT_GE(distance(simulator.pose({j}).position, placed->pose.position), 0.4 - 1e-8);
+    }
+    ASSERT_LT(distance(placed->pose.position, {5, 5}), 6.0);  // packed well: 300 discs of 0.2 m take 3.5 m
+  }
+}
+
+TEST(Simulator, RobotsThatExactlyTouchAreNotMoved) {
+  Simulator simulator({});
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    EXPECT_FALSE(
+        simulator.add_body({.spec = {}, .pose = {{0.4 * i, 0.0}, 0.0}, .robot = {i + 1}, .unit = 0})->moved);
+  }
+}
+
+TEST(Simulator, SaysWhereNoPlaceIsFree) {
+  World world;
+  world.discs.push_back({{0, 0}, 3e4});
+  Simulator simulator(world);
+  EXPECT_FALSE(simulator.add_body({.spec = {}, .pose = {}, .robot = {1}, .unit = 0}));
+  EXPECT_FALSE(simulator.add_body({.spec = {}, .pose = {{NAN, 0}, 0.0}, .robot = {1}, .unit = 0}));
+  EXPECT_EQ(simulator.body_count(), 0U);
+}
+
+TEST(Simulator, AnObstacleThatComesMovesTheRobotThatStandsThere) {
+  Simulator simulator({});
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0}, 1);
+  add(simulator, {{50, 0}, 0.0}, 2);
+  const Disc disc{{0.3, 0}, 1.0};
+  const auto moved = simulator.add_obstacles({&disc, 1});
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_EQ(moved[0].body, body);
+  EXPECT_GE(distance(simulator.pose(body).position, disc.center), 1.2 - 1e-8);
+  EXPECT_EQ(simulator.remove_obstacles([](const Disc& d) { return d.radius == 1.0; }), 1U);
+  EXPECT_TRUE(simulator.discs().empty());
+}
+
+TEST(Simulator, ARemovedRobotIsInNobodysWay) {
+  Simulator simulator({});
+  const BodyIndex a = add(simulator, {{0, 0}, 0.0}, 1);
+  const BodyIndex b = add(simulator, {{1, 0}, 0.0}, 2);
+  simulator.remove_body(b);
+  std::vector<Action> actions(2);
+  actions[0].drives = true;
+  actions[0].velocity = {1, 0, 0};
+  for (int i = 0; i < 30; ++i) simulator.step(actions, 0.1);
+  EXPECT_NEAR(simulator.pose(a).position.x, 3.0, 1e-9);
+  EXPECT_EQ(simulator.contacts(a), 0U);
+  EXPECT_FALSE(simulator.is_present(b));
+  EXPECT_TRUE(simulator.is_free({1, 0}, 0.2));
+}
+
+TEST(Simulator, WorksFarFromTheOriginAsNearIt) {
+  std::vector<double> ends;
+  for (const Point origin : {Point{0, 0}, Point{4194304, -4194304}}) {
+    World world;
+    world.area_low = origin;
+    world.area_high = origin + geom::Offset{1000, 1000};
+    world.discs.push_back({origin + geom::Offset{20, 10.25}, 1.0});
+    Simulator simulator(world);
+    const BodyIndex body = add(simulator, {origin + geom::Offset{10, 10}, 0.0}, 1);
+    std::vector<Action> actions(1);
+    actions[0].drives = true;
+    actions[0].spins = true;
+    actions[0].velocity = {1, 0, 0};
+    for (int i = 0; i < 200; ++i) simulator.step(actions, 0.1);
+    EXPECT_EQ(simulator.contacts(body), 1U);
+    ends.push_back(simulator.pose(body).position.x - origin.x);
+  }
+  EXPECT_NEAR(ends[0], ends[1], 1e-3);
+}
+
+TEST(Simulator, ManyWallsCostNoMoreThanThoseNearby) {
+  base::Random random(1);
+  World world;
+  for (std::uint32_t i = 0; i < 10000; ++i) {
+    const Point p{random.uniform(0, 1000), random.uniform(0, 1000)};
+    world.walls.push_back({{p, p + geom::Offset{random.uniform(-5, 5), random.uniform(-5, 5)}}, i});
+  }
+  world.walls.push_back({{{-1e7, -1e7}, {1e7, -1e7}}, 0});
+  Simulator simulator(world);
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    add(simulator, {{random.uniform(0, 1000), random.uniform(0, 1000)}, 0.0}, i + 1, bench_body(5.0));
+  }
+  SenseBuffer buffer;
+  percept::Percepts percepts;
+  // A count of what is looked at would be better than a clock; the bound is generous: it takes some
+  // milliseconds.
+  const std::clock_t begin = std::clock();
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    simulator.sense({i}, {.obstacle_range = 50, .robot_range = 500, .ranges = true}, buffer, percepts);
+  }
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 1.0);
+}
+
+TEST(Objects, ArePickedUpWithinReachCarriedAndDropped) {
+  World world;
+  world.objects = {object(1, {1.0, 0}, ObjectStyle::kMovable), object(2, {0, 1}, ObjectStyle::kFixed)};
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0}, 1);
+  std::vector<Action> actions(1);
+  const auto step = [&](std::initializer_list<Request> requests, double speed = 0.0) {
+    actions[0] = {};
+    actions[0].drives = true;
+    actions[0].velocity = {speed, 0, 0};
+    for (const Request& request : requests) actions[0].ask(request);
+    simulator.step(actions, 0.1);
+  };
+  step({{.kind = Request::Kind::kPickUp, .object = {1}, .reach = 0.69}});
+  EXPECT_EQ(simulator.carried(body).value, 0U);
+  step({{.kind = Request::Kind::kPickUp, .object = {2}, .reach = 5.0}});
+  EXPECT_EQ(simulator.carried(body).value, 0U);
+  step({{.kind = Request::Kind::kPickUp, .object = {1}, .reach = 0.71}});
+  EXPECT_EQ(simulator.carried(body).value, 1U);
+  SenseBuffer buffer;
+  percept::Percepts percepts;
+  simulator.sense(body, {.object_range = 10}, buffer, percepts);
+  EXPECT_EQ(percepts.carried.value, 1U);
+  ASSERT_EQ(percepts.objects.size(), 1U);
+  EXPECT_EQ(percepts.objects[0].id.value, 2U);
+  step({}, 20.0);
+  EXPECT_EQ(simulator.objects()[0].center, (Point{2, 0}));
+  step({{.kind = Request::Kind::kDrop, .object = {}}}, 10.0);
+  EXPECT_EQ(simulator.carried(body).value, 0U);
+  EXPECT_EQ(simulator.objects()[0].center, (Point{3, 0}));
+}
+
+TEST(Objects, GoToTheRobotWithTheLowestIdWhereTwoAsk) {
+  World world;
+  world.objects = {object(1, {0, 0}, ObjectStyle::kMovable)};
+  Simulator simulator(world);
+  const BodyIndex late = add(simulator, {{1, 0}, 0.0}, 7);
+  const BodyIndex early = add(simulator, {{-1, 0}, 0.0}, 3);
+  std::vector<Action> actions(2);
+  for (Action& action : actions) action.ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 2.0});
+  simulator.step(actions, 0.1);
+  EXPECT_EQ(simulator.carried(early).value, 1U);
+  EXPECT_EQ(simulator.carried(late).value, 0U);
+}
+
+TEST(Objects, InABasketAreCountedAndOutOfSight) {
+  World world;
+  world.objects = {object(1, {0.3, 0}, ObjectStyle::kMovable), object(2, {1, 0}, ObjectStyle::kContainer),
+                   object(3, {-1.5, 0}, ObjectStyle::kContainer)};
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0}, 1);
+  std::vector<Action> actions(1);
+  actions[0].ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 1.0});
+  actions[0].ask({.kind = Request::Kind::kDropInBasket, .object = {}, .reach = 0.5});  // too far
+  simulator.step(actions, 0.1);
+  EXPECT_EQ(simulator.carried(body).value, 1U);
+  actions[0] = {};
+  actions[0].ask({.kind = Request::Kind::kDropInBasket, .object = {}, .reach = 2.0});  // the nearest
+  simulator.step(actions, 0.1);
+  EXPECT_EQ(simulator.carried(body).value, 0U);
+  EXPECT_EQ(simulator.basket_count({2}), 1U);
+  EXPECT_EQ(simulator.basket_count({3}), 0U);
+  actions[0] = {};
+  actions[0].ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 5.0});
+  simulator.step(actions, 0.1);
+  EXPECT_EQ(simulator.carried(body).value, 0U);
+}
+
+TEST(Objects, OfARemovedRobotStayWhereItStood) {
+  World world;
+  world.objects = {object(1, {0.3, 0}, ObjectStyle::kMovable)};
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0}, 1);
+  std::vector<Action> actions(1);
+  actions[0].ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 1.0});
+  simulator.step(actions, 0.1);
+  simulator.remove_body(body);
+  EXPECT_EQ(simulator.objects()[0].carrier.value, 0U);
+  EXPECT_EQ(simulator.objects()[0].center, (Point{0, 0}));
+}
+
+}  // namespace
+}  // namespace mlab::sim
