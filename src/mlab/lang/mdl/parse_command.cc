@@ -104,7 +104,7 @@ Location Parser::location(std::string_view command) {
   if (stuck_) return out;
   if (at(TokenKind::kNumber)) {
     out.x = number("the x coordinate");
-    if (at(TokenKind::kLabel) && token().first_on_line) {
+    if (at(TokenKind::kLabel) && !at_misread_number()) {
       fail("one-coordinate", out.x.span,
            fmt::format("a place has two coordinates, here is only {}", in_backticks(out.x.text)))
           .hints.emplace_back("a place whose name looks like a number stands in quotes");
@@ -120,12 +120,10 @@ Location Parser::location(std::string_view command) {
 
 // START's way from one robot to the next.
 void Parser::start_step(statement::UnitAction& action) {
-  const bool follows =
-      at(TokenKind::kNumber) || (at(TokenKind::kLabel) && !token().first_on_line) || at(TokenKind::kTime);
+  const bool follows = at(TokenKind::kNumber) || at_misread_number() || at(TokenKind::kTime);
   if (stuck_ || !follows) return;
   const Number x = number("the x offset");
-  const bool is_alone =
-      !at(TokenKind::kNumber) && !at(TokenKind::kTime) && !(at(TokenKind::kLabel) && !token().first_on_line);
+  const bool is_alone = !at(TokenKind::kNumber) && !at(TokenKind::kTime) && !at_misread_number();
   if (!stuck_ && is_alone) {
     fail("one-offset", x.span,
          fmt::format("START takes two offsets or none, here is only {}", in_backticks(x.text)))

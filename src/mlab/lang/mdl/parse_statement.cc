@@ -290,6 +290,9 @@ void Parser::parameter_list(statement::NewRobot& robot) {
       fail("trailing-comma", tokens_.tokens[next_ - 1].span, "a comma stands behind the last parameter");
       return;
     }
+    while (robot.parameters.empty() && !comments.above.empty() && comments.above.front().empty()) {
+      comments.above.erase(comments.above.begin());
+    }
     Parameter read = parameter();
     if (stuck_) return;
     read.comments = std::move(comments);

@@ -136,6 +136,15 @@ Number Parser::number_of(const Token& t) {
   return out;
 }
 
+// `20.` where no step begins: its author meant a number.
+bool Parser::at_misread_number() const {
+  const Token& next = token(1);
+  const bool before_command =
+      next.kind == TokenKind::kWord && (next.word == Word::kUnit || next.word == Word::kSet ||
+                                        next.word == Word::kPrint || next.word == Word::kQuit);
+  return at(TokenKind::kLabel) && !token().first_on_line && !before_command;
+}
+
 Number Parser::number(std::string_view what) {
   if (stuck_) return {};
   const Token& t = token();
@@ -144,7 +153,7 @@ Number Parser::number(std::string_view what) {
     advance();
     return out;
   }
-  if (t.kind == TokenKind::kLabel && !t.first_on_line) {
+  if (at_misread_number()) {
     const std::string_view digits = written(t).substr(0, written(t).size() - 1);
     fail("label-as-number", t.span,
          fmt::format("expected {}, found the step label {}", what, in_backticks(written(t))))

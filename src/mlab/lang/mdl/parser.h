@@ -56,6 +56,7 @@ class Parser {
   // parser.cc: what all statements are made of
   Name name(std::string_view what);
   Number number(std::string_view what);
+  bool at_misread_number() const;
   Number number_of(const Token& t);
   Name take_name();
 

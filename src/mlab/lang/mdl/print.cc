@@ -235,7 +235,7 @@ class Printer {
     blank_line();
     line("COMMAND LIST:", tree.header.after);
     blank_line();
-    std::size_t label_columns = 0;
+    std::size_t label_columns = 2;  // so that most missions are written alike
     for (const LabelledStep& s : tree.steps) {
       label_columns = std::max(label_columns, std::min(s.label.text.size(), kMaxLabelColumns));
     }
@@ -262,7 +262,7 @@ class Printer {
 
   void step(const LabelledStep& step, std::size_t label_columns) {
     above(step.comments, "  ");
-    const std::string label = fmt::format("  {:>{}}. ", step.label.text, label_columns);
+    const std::string label = fmt::format(" {:>{}}. ", step.label.text, label_columns);
     const std::string indent(label.size(), ' ');
     for (const Statement& command : step.commands) {
       const bool is_first = &command == &step.commands.front();
