@@ -1,6 +1,6 @@
 #include "mlab/text/diagnostic.h"
 
-#include <chrono>
+#include <ctime>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -62,9 +62,9 @@ TEST(Render, IsQuickForALineOfMegabytes) {
   const auto source = std::make_shared<const Source>("a", std::string(2 << 20, '\xff'));
   Diagnostics sink;
   for (std::uint32_t i = 0; i < 100; ++i) sink.error("k", {source, {i * 20000, i * 20000 + 1000}}, "m");
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   EXPECT_LT(render(sink).size(), 200000U);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
 }
 
 TEST(Diagnostics, KeepsTheFirstHundredErrorsAndCountsTheRest) {

@@ -1,6 +1,5 @@
 #include "mlab/lang/odl/odl.h"
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
