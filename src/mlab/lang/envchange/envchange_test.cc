@@ -69,6 +69,17 @@ TEST(EnvironmentChangeFile, MayBeEmpty) {
   EXPECT_TRUE(events(" // nothing\r\n").empty());
 }
 
+TEST(EnvironmentChangeFile, ParsesAsItsPageShowsIt) {
+  const std::string page = golden::read_all(std::filesystem::path(MLAB_SOURCE_DIR) / "docs/languages/odl.md");
+  const std::string fence = "\n```env\n";
+  const std::size_t begin = page.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t end = page.find("\n```", begin + fence.size());
+  const auto e = events(page.substr(begin + fence.size(), end - begin - fence.size()));
+  ASSERT_EQ(e.size(), 2U);
+  EXPECT_EQ(e[1].changes.size(), 2U);
+}
+
 TEST(EnvironmentChangeFile, ThatIsMissingSaysSo) {
   text::Diagnostics sink;
   EXPECT_FALSE(load("/nonexistent/a.env", {}, sink));
