@@ -141,8 +141,8 @@ class Parser {
 
   bool obstacle() { return take(TokenKind::kObstacle) || fail_expected("expected-keyword", "`OBSTACLE`"); }
 
-  static bool push(overlay::EnvironmentEvent& event, overlay::EnvironmentChange change) {
-    event.changes.push_back(std::move(change));
+  static bool push(overlay::EnvironmentEvent& event, const overlay::EnvironmentChange& change) {
+    event.changes.push_back(change);
     return true;
   }
 

@@ -90,35 +90,49 @@ class Applier {
         into_.site = s.name.text;
         return;
       case Keyword::kOrigin:
-        return set_origin(s.points.front());
+        set_origin(s.points.front());
+        return;
       case Keyword::kGlobalRefPoint:
-        return set_global_reference(s);
+        set_global_reference(s);
+        return;
       case Keyword::kHeading:
-        return set_heading(s.numbers.front());
+        set_heading(s.numbers.front());
+        return;
       case Keyword::kMissionArea:
-        return set_area(s);
+        set_area(s);
+        return;
       case Keyword::kLoadMap:
-        return load_map(s.name);
+        load_map(s.name);
+        return;
       case Keyword::kSet:
-        return set_zoom(s.numbers.front());
+        set_zoom(s.numbers.front());
+        return;
       case Keyword::kScale:
-        return set_scale(s.numbers.front());
+        set_scale(s.numbers.front());
+        return;
       case Keyword::kHeightmap:
-        return set_height_map(s);
+        set_height_map(s);
+        return;
       case Keyword::kObstacle:
-        return add_obstacle(s);
+        add_obstacle(s);
+        return;
       case Keyword::kObject:
-        return add_object(s, s.style, s.name.text, 0.0);
+        add_object(s, s.style, s.name.text, 0.0);
+        return;
       case Keyword::kAttractor:
-        return add_object(s, overlay::ObjectStyle::kMovable, "orange", 0.2);
+        add_object(s, overlay::ObjectStyle::kMovable, "orange", 0.2);
+        return;
       case Keyword::kBasket:
-        return add_object(s, overlay::ObjectStyle::kContainer, "green", 0.4);
+        add_object(s, overlay::ObjectStyle::kContainer, "green", 0.4);
+        return;
       case Keyword::kFlag:
-        return add_object(s, overlay::ObjectStyle::kMovable, "purple", 0.4);
+        add_object(s, overlay::ObjectStyle::kMovable, "purple", 0.4);
+        return;
       case Keyword::kWaypointFile:
-        return include_waypoints(s.name);
+        include_waypoints(s.name);
+        return;
       default:
-        return add_measure(s);
+        add_measure(s);
     }
   }
 

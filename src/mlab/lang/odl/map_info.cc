@@ -50,7 +50,7 @@ bool read_numbers(const Line& line, std::vector<double>& out, text::Diagnostics&
     const text::Span span{static_cast<std::uint32_t>(line.place.span.begin + begin),
                           static_cast<std::uint32_t>(line.place.span.begin + end)};
     if (!is_number(word) || out.size() == 5) {
-      const auto what = out.size() == 5 ? "the end of the line" : "a number";
+      const auto* what = out.size() == 5 ? "the end of the line" : "a number";
       sink.error("map-info-syntax", {line.place.source, span},
                  fmt::format("expected {}, found `{}`", what, text::shown(word)));
       return false;
@@ -89,8 +89,8 @@ std::optional<MapInfo> parse_map_info(const text::SourcePtr& source, text::Diagn
     return std::nullopt;
   }
   const double to_metres = numbers.size() == 5 ? numbers[4] / kPixelsPerScaledMetre : 1.0;
-  const MapInfo out{std::string(lines[0].text), numbers[0],         numbers[1], numbers[2] * to_metres,
-                    numbers[3] * to_metres,     numbers.size() == 5};
+  MapInfo out{std::string(lines[0].text), numbers[0],         numbers[1], numbers[2] * to_metres,
+              numbers[3] * to_metres,     numbers.size() == 5};
   if (!(out.width > 0.0 && out.height > 0.0)) {
     sink.error("number-out-of-range", lines[1].place, "a picture's width, height and scale are above 0");
     return std::nullopt;

@@ -31,7 +31,7 @@ Loaded load(const std::string& text, Overlay before = {}) {
 
 // What the features of a whole overlay become; fails where that has anything to say.
 Overlay features(const std::string& text) {
-  Loaded out = load("SITE x\nCONTROL MEASURES:\n" + text);
+  const Loaded out = load("SITE x\nCONTROL MEASURES:\n" + text);
   EXPECT_EQ(text::render(out.sink), "");
   return out.overlay;
 }
@@ -52,12 +52,12 @@ TEST(OdlInformation, IsStored) {
   EXPECT_EQ(o.zoom_percent, 50.0);
   EXPECT_EQ(o.global_reference, (geom::Point{33.5, -84.0}));
   EXPECT_EQ(o.map_file, "a.mapinfo");
-  ASSERT_TRUE(o.height_map);
-  EXPECT_EQ(o.height_map->file, "a.hm");
-  EXPECT_EQ(o.height_map->columns, 80);
-  EXPECT_EQ(o.height_map->rows, 60);
-  EXPECT_EQ(o.height_map->sea_level, 160.0);
-  EXPECT_EQ(o.height_map->z_scale, 1.5);
+  const overlay::HeightMap height_map = o.height_map.value_or(overlay::HeightMap{});
+  EXPECT_EQ(height_map.file, "a.hm");
+  EXPECT_EQ(height_map.columns, 80);
+  EXPECT_EQ(height_map.rows, 60);
+  EXPECT_EQ(height_map.sea_level, 160.0);
+  EXPECT_EQ(height_map.z_scale, 1.5);
 }
 
 TEST(OdlInformation, DefaultsToAThousandMetresSquare) {
@@ -239,10 +239,10 @@ TEST(LoadOverlay, BringsInWaypointFilesAndPicturesThatLieBesideIt) {
   EXPECT_EQ(l.overlay.measures[1].name, "Waypoint #1");
   EXPECT_EQ(l.overlay.measures[1].points[0], (geom::Point{105, 6}));
   EXPECT_EQ(l.overlay.map_file, (folder / "a.mapinfo").string());
-  ASSERT_TRUE(l.overlay.map_picture);
-  EXPECT_EQ(l.overlay.map_picture->file, (folder / "a.pgm").string());
-  EXPECT_EQ(l.overlay.map_picture->lower_left, (geom::Point{10, 20}));
-  EXPECT_DOUBLE_EQ(l.overlay.map_picture->width, 50.0);
+  const overlay::MapPicture picture = l.overlay.map_picture.value_or(overlay::MapPicture{});
+  EXPECT_EQ(picture.file, (folder / "a.pgm").string());
+  EXPECT_EQ(picture.lower_left, (geom::Point{10, 20}));
+  EXPECT_DOUBLE_EQ(picture.width, 50.0);
   EXPECT_DOUBLE_EQ(l.overlay.mission_area().height, 100.0);
 }
 

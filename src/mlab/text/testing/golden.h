@@ -34,7 +34,7 @@ inline std::vector<std::filesystem::path> golden_files(const std::filesystem::pa
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == extension) out.push_back(entry.path());
   }
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
   return out;
 }
 
@@ -58,7 +58,7 @@ inline void check_golden(const std::filesystem::path& path, std::string_view com
     block += line.empty() ? std::string(comment) + "\n" : std::string(comment) + " " + line + "\n";
     at = line_end + 1;
   }
-  if (std::getenv("MLAB_UPDATE_GOLDEN") != nullptr) {
+  if (std::getenv("MLAB_UPDATE_GOLDEN") != nullptr) {  // NOLINT(concurrency-mt-unsafe): nobody sets it here
     std::ofstream(path, std::ios::binary) << all.substr(0, end) << block;
     return;
   }
