@@ -123,9 +123,9 @@ bool looks_like_cnl(std::string_view text) {
     const std::string_view word = text.substr(token.span.begin, token.span.end - token.span.begin);
     const bool is_word = token.kind == Token::Kind::kName;
     if (is_word &&
-        (before == "procedure" || before == "nprocedure" || before == "node" || before == "modulename"))
+        (before == "procedure" || before == "nprocedure" || before == "node"))
       return true;
-    if (before == "type" && word == "<") return true;
+    if ((before == "type" && word == "<") || (before == "modulename" && word == "=")) return true;
     if (before == "parameter" && is_word) return true;
     if (word == "init" && lexer.starts_line(token.span.begin) &&
         text.find("\niend") != std::string_view::npos)

@@ -227,10 +227,11 @@ void parse_node(Cursor& cursor, Tree& tree) {
   decl.node.behavior_place = behavior->place;
   if (!is_remote) {
     decl.description = take_description(cursor);
-    cursor.expect("with", "before the links of the node");
+    const bool is_whole = cursor.expect("with", "before the links of the node");
     parse_links(cursor, decl.node);
     if (cursor.is("nend") && !decl.node.links.empty()) cursor.line(0);
-    finish_node(cursor, decl.node);
+    if (is_whole || cursor.is("nend")) finish_node(cursor, decl.node);
+    if (!is_whole) return;
     note_one_liner(cursor, begin);
   }
   tree.items.emplace_back(std::move(decl));

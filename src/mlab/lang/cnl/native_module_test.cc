@@ -1,0 +1,190 @@
+#include "mlab/lang/cnl/native_module.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mlab/flow/program.h"
+#include "mlab/lang/cnl/check.h"
+#include "mlab/lang/cnl/elaborate.h"
+#include "mlab/lang/cnl/load.h"
+
+namespace mlab::cnl {
+namespace {
+
+namespace fs = std::filesystem;
+
+class NativeModuleTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              ("mlab_native_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    options_.include_folders = {std::string(MLAB_SOURCE_DIR) + "/src"};
+    options_.cache_folder = (folder_ / "cache").string();
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Tree tree(const std::string& text) {
+    const std::string path = (folder_ / "mine.cnl").string();
+    std::ofstream(path) << text;
+    Tree out = load(*text::read_source(path), sink_);
+    check_declarations(out, sink_);
+    EXPECT_FALSE(sink_.has_errors()) << text::render(sink_);
+    return out;
+  }
+  std::string first_kind() const { return sink_.items().empty() ? "" : sink_.items()[0].kind; }
+
+  fs::path folder_;
+  NativeOptions options_;
+  text::Diagnostics sink_;
+};
+
+constexpr const char* kSpeed = R"(procedure void Speed with
+  double [m/s] v = 1;
+header
+  int n = 0;
+body
+  action.velocity.x = v * ++n;
+pend
+node drive is Speed with v = 2; nend
+)";
+
+TEST_F(NativeModuleTest, RunsProceduresThatAMissionBringsAlong) {
+  const Tree mine = tree(kSpeed);
+  const auto module = load_native(mine, options_, sink_);
+  ASSERT_TRUE(module) << text::render(sink_);
+  EXPECT_TRUE(module->was_compiled);
+  flow::Library library;
+  library.add(module->behaviors);
+  const auto program = flow::build_program(elaborate(mine, sink_), library, sink_);
+  ASSERT_TRUE(program) << text::render(sink_);
+  flow::Frame frame = program->make_frame();
+  percept::Percepts percepts;
+  percept::Action action;
+  for (int i = 0; i < 3; ++i) program->step(frame.data(), percepts, action, 1, 1);
+  EXPECT_EQ(action.velocity.x, 6.0);
+}
+
+TEST_F(NativeModuleTest, TakesWhatDidNotChangeFromTheCache) {
+  ASSERT_TRUE(load_native(tree(kSpeed), options_, sink_));
+  const auto again = load_native(tree(kSpeed), options_, sink_);
+  ASSERT_TRUE(again);
+  EXPECT_FALSE(again->was_compiled);
+  const auto changed = load_native(tree(std::string(kSpeed) + "// other text\n"), options_, sink_);
+  ASSERT_TRUE(changed);
+  EXPECT_FALSE(changed->was_compiled) << "a comment between declarations does not reach the compiler";
+  options_.version = "another";
+  const auto other_version = load_native(tree(kSpeed), options_, sink_);
+  ASSERT_TRUE(other_version);
+  EXPECT_TRUE(other_version->was_compiled);
+}
+
+TEST_F(NativeModuleTest, CompilesAnewWhenAHeaderThatItIncludesHasChanged) {
+  const char* text = "init\n#include \"gain.h\"\niend\nprocedure double Gain with\nheader\nbody\n  output = kGain;\npend\n";
+  std::ofstream(folder_ / "gain.h") << "inline constexpr double kGain = 1;\n";
+  const auto first = load_native(tree(text), options_, sink_);
+  ASSERT_TRUE(first) << text::render(sink_);
+  std::ofstream(folder_ / "gain.h") << "inline constexpr double kGain = 22;\n";
+  const auto second = load_native(tree(text), options_, sink_);
+  ASSERT_TRUE(second);
+  EXPECT_TRUE(second->was_compiled);
+  EXPECT_NE(second->file, first->file);
+  double value = 0.0;
+  percept::Percepts percepts;
+  flow::Cycle cycle{&percepts, nullptr, 1, 0, 0};
+  flow::Call call;
+  call.cycle = &cycle;
+  call.frame = reinterpret_cast<std::byte*>(&value);
+  second->behaviors.at(0)->fire(call);
+  EXPECT_EQ(value, 22.0);
+}
+
+TEST_F(NativeModuleTest, LeavesNothingButTheLibraryInTheCache) {
+  ASSERT_TRUE(load_native(tree(kSpeed), options_, sink_));
+  EXPECT_TRUE(check_native(tree(kSpeed), options_, sink_));
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(options_.cache_folder)) {
+    ++files;
+    EXPECT_TRUE(entry.path().extension() == ".so" || entry.path().extension() == ".d") << entry.path();
+  }
+  EXPECT_EQ(files, 2U);
+}
+
+TEST_F(NativeModuleTest, AModuleNamedLikeAFileOfTheLibraryHasItsOwnProcedures) {
+  // This program has a function mlab_cnl_state() of its own.
+  const std::string path = (folder_ / "state.cnl").string();
+  std::ofstream(path) << "procedure int Alone with\nheader\nbody\n  output = 1;\npend\n";
+  const Tree state = load(*text::read_source(path), sink_);
+  const auto module = load_native(state, options_, sink_);
+  ASSERT_TRUE(module) << text::render(sink_);
+  ASSERT_EQ(module->behaviors.size(), 1U);
+  EXPECT_EQ(module->behaviors[0]->name, "Alone");
+}
+
+TEST_F(NativeModuleTest, SaysWhatToInstallWhereThereIsNoCompiler) {
+  options_.compiler = "no-such-compiler";
+  EXPECT_FALSE(check_native(tree(kSpeed), options_, sink_));
+  EXPECT_EQ(first_kind(), "no-compiler");
+  EXPECT_NE(text::render(sink_).find("apt-get install g++"), std::string::npos);
+}
+
+TEST_F(NativeModuleTest, StopsACompilerThatTakesTooLong) {
+  const std::string slow = (folder_ / "slow").string();
+  std::ofstream(slow) << "#!/bin/sh\nsleep 60 & wait\n";
+  fs::permissions(slow, fs::perms::owner_all);
+  options_.compiler = slow;
+  options_.limits.time = 0.2;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(check_native(tree(kSpeed), options_, sink_));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  EXPECT_EQ(first_kind(), "compiler-limit");
+}
+
+TEST_F(NativeModuleTest, StopsACompilerThatWantsTooMuchMemory) {
+  options_.limits.memory = std::size_t{48} << 20;
+  EXPECT_FALSE(check_native(tree(kSpeed), options_, sink_));
+  EXPECT_TRUE(first_kind() == "compiler-limit" || first_kind() == "compiler-failed") << text::render(sink_);
+}
+
+TEST_F(NativeModuleTest, SaysWhenTheCompilerFailsWithoutAWord) {
+  const std::string broken = (folder_ / "broken").string();
+  std::ofstream(broken) << "#!/bin/sh\necho 'cannot find the parts of me'\nexit 3\n";
+  fs::permissions(broken, fs::perms::owner_all);
+  options_.compiler = broken;
+  EXPECT_FALSE(load_native(tree(kSpeed), options_, sink_));
+  EXPECT_EQ(first_kind(), "compiler-failed");
+  EXPECT_EQ(sink_.items()[0].label, "cannot find the parts of me");
+}
+
+TEST_F(NativeModuleTest, SaysWhenTheCacheCannotBeWritten) {
+  std::ofstream(folder_ / "file") << "x";
+  options_.cache_folder = (folder_ / "file" / "cache").string();
+  EXPECT_FALSE(load_native(tree(kSpeed), options_, sink_));
+  EXPECT_EQ(first_kind(), "cannot-write");
+}
+
+TEST_F(NativeModuleTest, SaysWhenALibraryCannotBeLoaded) {
+  const char* text = "init\nint nobody_defines_this();\niend\nprocedure int A with\nheader\nbody\n"
+                     "  output = nobody_defines_this();\npend\n";
+  EXPECT_FALSE(load_native(tree(text), options_, sink_));
+  EXPECT_EQ(first_kind(), "cannot-load");
+  EXPECT_NE(text::render(sink_).find("nobody_defines_this"), std::string::npos);
+}
+
+TEST_F(NativeModuleTest, AFileWithoutProceduresNeedsNoCompiler) {
+  options_.compiler = "no-such-compiler";
+  const Tree network = tree("external procedure int A with pend\nnode a is A with nend\n");
+  EXPECT_FALSE(has_procedures(network));
+  EXPECT_TRUE(check_native(network, options_, sink_));
+  EXPECT_TRUE(load_native(network, options_, sink_));
+}
+
+}  // namespace
+}  // namespace mlab::cnl
