@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -18,14 +19,24 @@ namespace {
 
 constexpr std::string_view kDevices[] = {"obstacles", "robots", "objects", "ranges"};
 
-// All the code of a procedure that is there.
-std::vector<UserCode> codes_of(const Procedure& procedure) {
-  std::vector<UserCode> out;
-  for (const auto* section : {&procedure.once, &procedure.header, &procedure.body}) {
-    if (*section) out.emplace_back(**section);
+/// The sections of a procedure, cut into words once.
+struct Sections {
+  std::optional<UserCode> once;
+  std::optional<UserCode> header;
+  std::optional<UserCode> body;
+
+  explicit Sections(const Procedure& procedure) {
+    if (procedure.once) once.emplace(*procedure.once);
+    if (procedure.header) header.emplace(*procedure.header);
+    if (procedure.body) body.emplace(*procedure.body);
   }
-  return out;
-}
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    for (const auto* section : {&once, &header, &body}) {
+      if (*section) visit(**section);
+    }
+  }
+};
 
 const InputDecl* find_input(const Procedure& procedure, std::string_view name) {
   const auto found = std::find_if(procedure.inputs.begin(), procedure.inputs.end(),
@@ -216,13 +227,13 @@ class Checker {
   }
 
   void check_code(const Procedure& procedure) {
-    for (const UserCode& code : codes_of(procedure)) code.check(diagnostics_);
-    if (procedure.once) check_state(procedure, UserCode(*procedure.once), "once");
-    if (procedure.header) check_state(procedure, UserCode(*procedure.header), "header");
-    for (const auto* section : {&procedure.once, &procedure.header}) {
-      if (*section) check_returns(UserCode(**section));
-    }
-    if (procedure.is_pure) check_pure(procedure);
+    const Sections sections(procedure);
+    sections.visit([&](const UserCode& code) { code.check(diagnostics_); });
+    if (sections.once) check_state(procedure, *sections.once, "once");
+    if (sections.header) check_state(procedure, *sections.header, "header");
+    if (sections.once) check_returns(*sections.once);
+    if (sections.header) check_returns(*sections.header);
+    if (procedure.is_pure) check_pure(procedure, sections);
   }
 
   // A header goes over into the body; it has no caller to return to. (Lambdas in it return values.)
@@ -285,7 +296,7 @@ class Checker {
     }
   }
 
-  void check_pure(const Procedure& procedure) {
+  void check_pure(const Procedure& procedure, const Sections& sections) {
     const auto impure = [&](const text::Place& place, std::string message) {
       diagnostics_.error("not-pure", place, std::move(message))
           .notes.push_back(
@@ -296,13 +307,12 @@ class Checker {
     if (procedure.once) impure(procedure.name.place, "a pure procedure has no `once`");
     if (procedure.latency) impure(procedure.name.place, "a pure procedure has no latency");
     if (!procedure.needs.empty()) impure(procedure.needs[0].device.place, "a pure procedure reads no sensor");
-    if (procedure.header) {
-      const UserCode header(*procedure.header);
-      for (const UserCode::Variable& variable : header.variables()) {
+    if (sections.header) {
+      for (const UserCode::Variable& variable : sections.header->variables()) {
         if (!variable.is_constant) impure(variable.place, fmt::format("`{}` is state", variable.name));
       }
     }
-    for (const UserCode& code : codes_of(procedure)) check_pure_code(procedure, code, impure);
+    sections.visit([&](const UserCode& code) { check_pure_code(procedure, code, impure); });
   }
 
   template <class Report>
@@ -336,10 +346,16 @@ void check_declarations(const Tree& tree, text::Diagnostics& diagnostics) {
   Checker(tree, diagnostics).run();
 }
 
-bool uses_context(const Procedure& procedure, std::string_view name) {
-  if (procedure.is_pure || find_input(procedure, name)) return false;
-  const std::vector<UserCode> codes = codes_of(procedure);
-  return std::any_of(codes.begin(), codes.end(), [&](const UserCode& code) { return code.mentions(name); });
+std::vector<std::string_view> used_context(const Procedure& procedure) {
+  std::vector<std::string_view> out;
+  if (procedure.is_pure) return out;
+  const Sections sections(procedure);
+  for (const std::string_view name : kContextNames) {
+    bool is_used = false;
+    sections.visit([&](const UserCode& code) { is_used = is_used || code.mentions(name); });
+    if (is_used && !find_input(procedure, name)) out.push_back(name);
+  }
+  return out;
 }
 
 }  // namespace mlab::cnl

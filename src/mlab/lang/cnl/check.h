@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "mlab/lang/cnl/tree.h"
 #include "mlab/text/diagnostic.h"
@@ -15,7 +16,7 @@ void check_declarations(const Tree& tree, text::Diagnostics& diagnostics);
 /// The inputs and context names (`percepts`, `random`, ...) that the code of a procedure can use.
 inline constexpr std::string_view kContextNames[] = {"percepts", "action", "random",
                                                      "cycle",    "time",   "cycle_duration"};
-/// True where the procedure's code uses this name of the context: it is then handed in.
-bool uses_context(const Procedure& procedure, std::string_view name);
+/// Those of them that the code of a procedure uses, in this order: they are handed in.
+std::vector<std::string_view> used_context(const Procedure& procedure);
 
 }  // namespace mlab::cnl

@@ -40,7 +40,8 @@ TEST(Elaborate, HistoricDatabaseNodesAreParametersWithTwoNames) {
 }
 
 TEST(Elaborate, PublicNodesAreWatchedAndRemoteOnesLeftOut) {
-  const flow::Network n = network("public node a is A with nend\nnode b is B with nend\nremote node m:c is C\n", 1);
+  const flow::Network n =
+      network("public node a is A with nend\nnode b is B with nend\nremote node m:c is C\n", 1);
   ASSERT_EQ(n.nodes.size(), 2U);
   EXPECT_TRUE(n.nodes[0].is_public);
   EXPECT_FALSE(n.nodes[1].is_public);

@@ -7,13 +7,16 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "mlab/lang/cnl/elaborate.h"
-#include "mlab/lang/cnl/parser.h"
+#include "mlab/lang/cnl/testing/meaning.h"
 
 namespace mlab::cnl {
 namespace {
 
-text::SourcePtr source(std::string text) { return std::make_shared<const text::Source>("a.cnl", std::move(text)); }
+using testing::meaning;
+
+text::SourcePtr source(std::string text) {
+  return std::make_shared<const text::Source>("a.cnl", std::move(text));
+}
 
 std::string formatted(const std::string& text) {
   text::Diagnostics sink;
@@ -22,93 +25,36 @@ std::string formatted(const std::string& text) {
   return out.value_or("");
 }
 
-// Everything that a tree says, without its places.
-std::string meaning(const std::string& text) {
-  text::Diagnostics sink;
-  const Tree tree = parse(source(text), sink);
-  std::string out = std::to_string(sink.error_count()) + "\n";
-  const auto say = [&](const std::string& word) { out += word + "|"; };
-  const auto say_source = [&](const flow::Source& s) { say(s.text + (s.kind == flow::Source::Kind::kName ? "@" : "")); };
-  const auto say_code = [&](const std::optional<Code>& code) {
-    if (!code) return say("-");
-    std::string_view lines = code->text();
-    lines.remove_prefix(std::min(lines.find_first_not_of(" \t\r\n"), lines.size()));
-    say(std::string(lines.substr(0, lines.find_last_not_of(" \t\r\n") + 1)));
-  };
-  for (const Item& item : tree.items) {
-    say(std::to_string(item.index()));
-    if (const auto* p = std::get_if<Procedure>(&item)) {
-      for (const Word& w : {p->output_type, p->output_unit, p->name}) say(w.text);
-      say(p->help + p->source + std::to_string(p->latency.value_or(0)) + (p->is_pure ? "pure" : ""));
-      for (const auto& i : p->inputs) {
-        say(i.type.text + i.unit.text + i.name.text + i.help + std::to_string(i.low.value_or(0)));
-        if (i.initial) say_source(*i.initial);
-      }
-      for (const auto& a : p->aliases) {
-        say(a.name.text + a.output_unit.text);
-        for (const auto& port : a.ports) say(port.name.text + port.unit.text + port.input.text);
-      }
-      for (const auto& n : p->needs) say(n.device.text + n.range.text);
-      say_code(p->once);
-      say_code(p->header);
-      say_code(p->body);
-    } else if (const auto* i = std::get_if<Init>(&item)) {
-      say_code(i->code);
-    } else if (const auto* c = std::get_if<Include>(&item)) {
-      say(c->path.text);
-    } else if (const auto* n = std::get_if<NodeDecl>(&item)) {
-      say(n->node.name + n->node.behavior + n->description);
-      for (const auto& link : n->node.links) {
-        say(link.input);
-        say_source(link.source);
-      }
-      for (const auto& state : n->node.states) {
-        say(state.name + (state.is_start ? "start" : ""));
-        say_source(state.member);
-        for (const auto& t : state.transitions) {
-          say(t.target + (t.is_negated ? "not" : "") + (t.restarts ? "restart" : ""));
-          say_source(t.trigger);
-        }
-      }
-      for (const auto& c2 : n->node.cases) {
-        for (const auto v : c2.values) say(std::to_string(v));
-        say_source(c2.member);
-      }
-    } else if (const auto* q = std::get_if<ParameterDecl>(&item)) {
-      say(q->parameter.name + q->parameter.type + q->parameter.unit + q->parameter.help + std::to_string(q->parameter.max));
-      say_source(q->parameter.initial);
-    }
-    out += "\n";
-  }
-  return out;
-}
-
 TEST(Format, LaysOutDeclarationsAndLeavesCodeAlone) {
-  EXPECT_EQ(formatted("/// Help.\nprocedure  Vector [ m ]A pure alias OLD(x=goal,y = none) with Vector goal; // one\n"
-                      "double[m]radius=5 in 0..1e6 ; ///< two\nheader   int n=0;\n\n   odd (  indent );\n body\n\toutput=goal ;  \n"
-                      "pend   \n\n\nnode a is A|to the goal|with goal={1,2} ;nend\n\n\n\n// the end"),
-            "/// Help.\n"
-            "procedure Vector [ m ] A\n"
-            "  pure\n"
-            "  alias OLD (x = goal, y = none)\n"
-            "with\n"
-            "  Vector goal;                      // one\n"
-            "  double [m] radius = 5 in 0..1e6;  ///< two\n"
-            "header\n"
-            "  int n=0;\n\n   odd (  indent );\n"
-            "body\n"
-            "\toutput=goal ;  \n"
-            "pend\n\n"
-            "node a is A |to the goal| with goal = {1,2}; nend\n"
-            "\n"
-            "// the end\n");
+  EXPECT_EQ(
+      formatted(
+          "/// Help.\nprocedure  Vector [ m ]A pure alias OLD(x=goal,y = none) with Vector goal; // one\n"
+          "double[m]radius=5 in 0..1e6 ; ///< two\nheader   int n=0;\n\n   odd (  indent );\n "
+          "body\n\toutput=goal ;  \n"
+          "pend   \n\n\nnode a is A|to the goal|with goal={1,2} ;nend\n\n\n\n// the end"),
+      "/// Help.\n"
+      "procedure Vector [ m ] A\n"
+      "  pure\n"
+      "  alias OLD (x = goal, y = none)\n"
+      "with\n"
+      "  Vector goal;                        // one\n"
+      "  double [m] radius = 5 in 0 .. 1e6;  ///< two\n"
+      "header\n"
+      "  int n=0;\n\n   odd (  indent );\n"
+      "body\n"
+      "\toutput=goal ;  \n"
+      "pend\n\n"
+      "node a is A |to the goal| with goal = {1,2}; nend\n"
+      "\n"
+      "// the end\n");
 }
 
 TEST(Format, KeepsANodeOnOneLineOnlyWhereItsAuthorDidAndItFits) {
   EXPECT_EQ(formatted("node a is A with x=1; y=2; nend"), "node a is A with x = 1; y = 2; nend\n");
   EXPECT_EQ(formatted("node a is A with x=1;\ny=2; nend"), "node a is A with\n  x = 1;\n  y = 2;\nnend\n");
   EXPECT_EQ(formatted("node a is A with\nnend"), "node a is A with nend\n");
-  EXPECT_EQ(formatted("node a is A with x=1; /* why */ y=2; nend"), "node a is A with\n  x = 1; /* why */\n  y = 2;\nnend\n");
+  EXPECT_EQ(formatted("node a is A with x=1; /* why */ y=2; nend"),
+            "node a is A with\n  x = 1; /* why */\n  y = 2;\nnend\n");
   std::string links;
   for (int i = 0; i < 30; ++i) links += " input = 1;";
   const std::string out = formatted("node a is A with" + links + " nend");
@@ -116,20 +62,23 @@ TEST(Format, KeepsANodeOnOneLineOnlyWhereItsAuthorDidAndItFits) {
 }
 
 TEST(Format, LaysOutOperatorsAndParameters) {
-  EXPECT_EQ(formatted("parameter double[m/s]speed=5 in 0 .. 9;///< how fast\n"
-                      "sequence job of Vector with start state A is a; when not t goto B restart; final state B is {0,0};nend\n"
-                      "select s of Vector by task with case 1,2:a;otherwise:b;nend delay d of Vector with value=s;nend"),
-            "parameter double [m/s] speed = 5 in 0 .. 9;  ///< how fast\n"
-            "sequence job of Vector with\n"
-            "  start state A is a;\n"
-            "    when not t goto B restart;\n"
-            "  final state B is {0,0};\n"
-            "nend\n"
-            "select s of Vector by task with\n"
-            "  case 1, 2: a;\n"
-            "  otherwise: b;\n"
-            "nend\n"
-            "delay d of Vector with value = s; nend\n");
+  EXPECT_EQ(
+      formatted(
+          "parameter double[m/s]speed=5 in 0 .. 9;///< how fast\n"
+          "sequence job of Vector with start state A is a; when not t goto B restart; final state B is "
+          "{0,0};nend\n"
+          "select s of Vector by task with case 1,2:a;otherwise:b;nend delay d of Vector with value=s;nend"),
+      "parameter double [m/s] speed = 5 in 0 .. 9;  ///< how fast\n"
+      "sequence job of Vector with\n"
+      "  start state A is a;\n"
+      "    when not t goto B restart;\n"
+      "  final state B is {0,0};\n"
+      "nend\n"
+      "select s of Vector by task with\n"
+      "  case 1, 2: a;\n"
+      "  otherwise: b;\n"
+      "nend\n"
+      "delay d of Vector with value = s; nend\n");
 }
 
 TEST(Format, RefusesWhatCannotBeRead) {
@@ -148,7 +97,7 @@ TEST(Format, PrintsTheLibraryStablyAndKeepsItsMeaning) {
       const std::string text((*text::read_source(entry.path().string()))->text());
       const std::string once = formatted(text);
       EXPECT_EQ(formatted(once), once) << entry.path();
-      EXPECT_EQ(meaning(once), meaning(text)) << entry.path();
+      EXPECT_EQ(meaning(source(once)), meaning(source(text))) << entry.path();
     }
   }
   EXPECT_GT(files, 20U);
@@ -156,8 +105,10 @@ TEST(Format, PrintsTheLibraryStablyAndKeepsItsMeaning) {
 
 // Source text out of pieces that fit together, with white space and comments in between.
 std::string random_space() {
-  static const std::vector<std::string> kSpaces = {" ", "\n", "\t", "  \n\n\n ", " // note\n", " /* block */ ", "\n/* a\n b */\n", "\n/// doc\n"};
-  return *rc::gen::weightedOneOf<std::string>({{6, rc::gen::just<std::string>(" ")}, {2, rc::gen::elementOf(kSpaces)}});
+  static const std::vector<std::string> kSpaces = {
+      " ", "\n", "\t", "  \n\n\n ", " // note\n", " /* block */ ", "\n/* a\n b */\n", "\n/// doc\n"};
+  return *rc::gen::weightedOneOf<std::string>(
+      {{6, rc::gen::just<std::string>(" ")}, {2, rc::gen::elementOf(kSpaces)}});
 }
 std::string joined(const std::vector<std::string>& tokens) {
   std::string out;
@@ -167,16 +118,35 @@ std::string joined(const std::vector<std::string>& tokens) {
 std::string random_item() {
   static const std::vector<std::vector<std::string>> kItems = {
       {"node", "a", "is", "B", "with", "nend"},
-      {"public", "node", "a", "is", "B", "|text|", "with", "x", "=", "(.5)", ";", "y", "=", "{1, 2}", ";", "nend"},
+      {"public", "node", "a", "is", "B", "|text|", "with", "x", "=", "(.5)", ";", "y", "=", "{1, 2}", ";",
+       "nend"},
       {"parameter", "double", "[m/s]", "p", "=", "5", "in", "0", "..", "10", ";"},
       {"type", "<", "bool", ",", "\"boolean\"", ">", ";"},
       {"modulename", "=", "robot", ";"},
       {"external", "procedure", "int", "E", "with", "int", "x", ";", "pend"},
-      {"procedure", "Vector", "[m]", "P", "pure", "alias", "OLD", "[deg]", "(", "a", "[deg]", "=", "x", ",", "b", "=", "none", ")", "senses",
-       "robots", "within", "x", "with", "list", "int", "x", ";", "double", "[m]", "y", "=", "5", "in", "0", "..", "1", ";",
-       "\nheader\n  int n; // c\n\nbody\n  f(\"}\");\n pend\n"},
-      {"sequence", "s", "of", "Vector", "with", "start", "state", "A", "is", "a", ";", "when", "not", "t", "goto", "A", "restart", ";", "nend"},
-      {"select", "s", "of", "Vector", "by", "t", "with", "case", "1", ",", "2", ":", "a", ";", "otherwise", ":", "b", ";", "nend"},
+      {"procedure", "Vector",
+       "[m]",       "P",
+       "pure",      "alias",
+       "OLD",       "[deg]",
+       "(",         "a",
+       "[deg]",     "=",
+       "x",         ",",
+       "b",         "=",
+       "none",      ")",
+       "senses",    "robots",
+       "within",    "x",
+       "with",      "list",
+       "int",       "x",
+       ";",         "double",
+       "[m]",       "y",
+       "=",         "5",
+       "in",        "0",
+       "..",        "1",
+       ";",         "\nheader\n  int n; // c\n\nbody\n  f(\"}\");\n pend\n"},
+      {"sequence", "s", "of", "Vector", "with", "start", "state", "A", "is", "a", ";", "when", "not", "t",
+       "goto", "A", "restart", ";", "nend"},
+      {"select", "s", "of", "Vector", "by", "t", "with", "case", "1", ",", "2", ":", "a", ";", "otherwise",
+       ":", "b", ";", "nend"},
       {"delay", "d", "of", "Vector", "with", "value", "=", "a", ";", "nend"},
       {"init\n#include <vector>\n  struct X { };\niend\n"},
       {"\n#include \"other.cnl\"\n"},
@@ -195,7 +165,7 @@ RC_GTEST_PROP(Format, MeansTheSameAndIsStable, ()) {
   const auto twice = format(source(*once), again);
   RC_ASSERT(twice.has_value());
   RC_ASSERT(*twice == *once);
-  RC_ASSERT(meaning(*once) == meaning(text));
+  RC_ASSERT(meaning(source(*once)) == meaning(source(text)));
 }
 
 }  // namespace

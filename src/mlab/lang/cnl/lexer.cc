@@ -46,15 +46,15 @@ std::uint32_t Lexer::skip_blank(std::uint32_t i, std::vector<Comment>* comments)
   for (;;) {
     while (i < text_.size() && is_blank(text_[i])) ++i;
     if (at(i) != '/' || (at(i + 1) != '/' && at(i + 1) != '*')) return i;
-    const bool is_line = at(i + 1) == '/';
-    std::uint32_t end = line_end(i);
+    std::uint32_t end = 0;
     bool closed = true;
-    if (!is_line) {
+    if (at(i + 1) == '/') {
+      end = line_end(i);
+      if (text_[end - 1] == '\r') --end;
+    } else {
       const std::size_t close = text_.find("*/", i + 2);
       closed = close != std::string_view::npos;
       end = static_cast<std::uint32_t>(closed ? close + 2 : text_.size());
-    } else if (end > i && text_[end - 1] == '\r') {
-      --end;
     }
     if (comments) comments->push_back({{i, end}, closed});
     i = end;
@@ -93,9 +93,8 @@ Token Lexer::parenthesis(std::uint32_t begin) const {
 }
 
 Token Lexer::initializer(std::uint32_t begin) const {
-  const std::uint32_t end = line_end(begin);
   int depth = 0;
-  for (std::uint32_t i = begin; i < end; ++i) {
+  for (std::uint32_t i = begin; i < text_.size() && text_[i] != '\n'; ++i) {
     const char c = text_[i];
     if (c == '"' || c == '\'') {
       const Token inner = quoted(i);
@@ -107,20 +106,21 @@ Token Lexer::initializer(std::uint32_t begin) const {
       return make(Token::Kind::kInitializer, begin, i + 1);
     }
   }
-  return make(Token::Kind::kUnclosed, begin, end);
+  return make(Token::Kind::kUnclosed, begin, line_end(begin));
 }
 
+// Looks no farther than it has to: a line may hold a million of them.
 Token Lexer::quoted(std::uint32_t begin) const {
-  const std::uint32_t end = line_end(begin);
   const char quote = text_[begin];
-  for (std::uint32_t i = begin + 1; i < end; ++i) {
-    if (text_[i] == '\\' && i + 1 < end) {
+  std::uint32_t i = begin + 1;
+  for (; i < text_.size() && text_[i] != '\n'; ++i) {
+    if (text_[i] == '\\' && at(i + 1) != '\n' && i + 1 < text_.size()) {
       ++i;
     } else if (text_[i] == quote) {
       return make(quote == '"' ? Token::Kind::kString : Token::Kind::kCharacter, begin, i + 1);
     }
   }
-  return make(Token::Kind::kUnclosed, begin, end);
+  return make(Token::Kind::kUnclosed, begin, i);
 }
 
 Token Lexer::next(std::uint32_t offset, std::vector<Comment>* comments) const {
@@ -155,10 +155,11 @@ Token Lexer::next(std::uint32_t offset, std::vector<Comment>* comments) const {
       if (at(i + 1) == '.') return make(Token::Kind::kPunctuation, i, i + 2);
       break;
     case '|': {
-      const std::uint32_t end = line_end(i);
-      const std::size_t close = text_.find('|', i + 1);
-      if (close < end) return make(Token::Kind::kDescription, i, static_cast<std::uint32_t>(close) + 1);
-      return make(Token::Kind::kUnclosed, i, end);
+      const std::size_t close = text_.find_first_of("|\n", i + 1);
+      if (close != std::string_view::npos && text_[close] == '|') {
+        return make(Token::Kind::kDescription, i, static_cast<std::uint32_t>(close) + 1);
+      }
+      return make(Token::Kind::kUnclosed, i, line_end(i));
     }
     case '#':
       if (starts_line(i)) return make(Token::Kind::kDirective, i, line_end(i));

@@ -1,4 +1,4 @@
-#include <chrono>
+#include <ctime>
 #include <memory>
 #include <random>
 #include <string>
@@ -40,60 +40,170 @@ std::string repeated(const std::string& piece) {
   return out;
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
+constexpr double kLimit = 20.0;  // what sanitizers and missing optimisation may cost
+#else
+constexpr double kLimit = 1.0;
+#endif
+
+// Of this process, so that a busy machine does not count [s].
 double seconds(const std::string& text) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   read_all(text);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 TEST(Limits, AMegabyteOfAnyOnePieceIsAnsweredWithinASecond) {
-  const std::vector<std::string> pieces = {
-      "a", "-", "$", "(", ")", "{", "}", "[", "]", "<", "|", "\"", "'", "/*", "//", "/", "#", "\n", "\r", " ", "\t", "0", ".", "..", "1e",
-      "\\", "\xff", std::string(1, '\0'), "///\n", "///< x\n", "#include \"a\"\n", "# \n", "procedure ", "node ", "nend ", "pend\n", "pend ",
-      "header\n", "body\n", "init\n", "iend\n", "with ", "list ", "int x;\n", "node a is B with nend\n", "node a is B with x = 1;\n", "x = 1;\n",
-      "procedure int A with\n", "procedure int A with\nheader\nbody\npend\n", "procedure int A with\nheader\n", "public ", "remote ",
-      "remote node a:b is c\n", "sequence s of V with\n", "start state A is b;\n", "when a goto b;\n", "select s of V by t with case 1: a;\n", "case ",
-      "delay d of V with nend\n", "parameter int a = 1;\n", "type <a, \"b\">;\n", "module a;\n", "modulename = a;\n",
-      "node n is DATABASE_INT with key = {\"k\"}; initial = 1; nend\n", "external procedure int A with pend\n", "alias A (", "[m] ", "in 0 .. 1 "};
-  for (const std::string& piece : pieces) EXPECT_LT(seconds(repeated(piece)), 1.0) << "repeated: " << piece;
+  const std::vector<std::string> pieces = {"a",
+                                           "-",
+                                           "$",
+                                           "(",
+                                           ")",
+                                           "{",
+                                           "}",
+                                           "[",
+                                           "]",
+                                           "<",
+                                           "|",
+                                           "\"",
+                                           "'",
+                                           "/*",
+                                           "//",
+                                           "/",
+                                           "#",
+                                           "\n",
+                                           "\r",
+                                           " ",
+                                           "\t",
+                                           "0",
+                                           ".",
+                                           "..",
+                                           "1e",
+                                           "\\",
+                                           "\xff",
+                                           std::string(1, '\0'),
+                                           "///\n",
+                                           "///< x\n",
+                                           "#include \"a\"\n",
+                                           "# \n",
+                                           "procedure ",
+                                           "node ",
+                                           "nend ",
+                                           "pend\n",
+                                           "pend ",
+                                           "header\n",
+                                           "body\n",
+                                           "init\n",
+                                           "iend\n",
+                                           "with ",
+                                           "list ",
+                                           "int x;\n",
+                                           "node a is B with nend\n",
+                                           "node a is B with x = 1;\n",
+                                           "x = 1;\n",
+                                           "procedure int A with\n",
+                                           "procedure int A with\nheader\nbody\npend\n",
+                                           "procedure int A with\nheader\n",
+                                           "public ",
+                                           "remote ",
+                                           "remote node a:b is c\n",
+                                           "sequence s of V with\n",
+                                           "start state A is b;\n",
+                                           "when a goto b;\n",
+                                           "select s of V by t with case 1: a;\n",
+                                           "case ",
+                                           "delay d of V with nend\n",
+                                           "parameter int a = 1;\n",
+                                           "type <a, \"b\">;\n",
+                                           "module a;\n",
+                                           "modulename = a;\n",
+                                           "node n is DATABASE_INT with key = {\"k\"}; initial = 1; nend\n",
+                                           "external procedure int A with pend\n",
+                                           "alias A (",
+                                           "[m] ",
+                                           "in 0 .. 1 "};
+  for (const std::string& piece : pieces)
+    EXPECT_LT(seconds(repeated(piece)), kLimit) << "repeated: " << piece;
 }
 
 TEST(Limits, AMegabyteOfCppWithinAProcedureIsAnsweredWithinASecond) {
-  const std::vector<std::string> pieces = {
-      "{", "}", "(", "[", "<", "a<", "int x;\n", "int x = {1};\n", "\"", "'", "R\"(", "R\"", "#\\\n", "/*", "auto [a] = b;\n", "static ", "a::",
-      "struct {} x;\n", "int a, b;\n", "int a,", "random ", "x", ";", "if (a) {} ", "[[", "x.", "return;\n", "{}"};
+  const std::vector<std::string> pieces = {"{",
+                                           "}",
+                                           "(",
+                                           "[",
+                                           "<",
+                                           "a<",
+                                           "int x;\n",
+                                           "int x = {1};\n",
+                                           "\"",
+                                           "'",
+                                           "R\"(",
+                                           "R\"",
+                                           "#\\\n",
+                                           "/*",
+                                           "auto [a] = b;\n",
+                                           "static ",
+                                           "a::",
+                                           "struct {} x;\n",
+                                           "int a, b;\n",
+                                           "int a,",
+                                           "random ",
+                                           "x",
+                                           ";",
+                                           "if (a) {} ",
+                                           "[[",
+                                           "x.",
+                                           "return;\n",
+                                           "{}"};
   for (const std::string& piece : pieces) {
     const std::string code = repeated(piece);
-    EXPECT_LT(seconds("procedure int A with\nonce\n" + code + "\nheader\nbody\npend\n"), 1.0) << "repeated: " << piece;
-    EXPECT_LT(seconds("procedure int A pure with\nheader\n" + code + "\nbody\n" + "x" + "\npend\n"), 1.0) << "repeated: " << piece;
+    EXPECT_LT(seconds("procedure int A with\nonce\n" + code + "\nheader\nbody\npend\n"), kLimit)
+        << "repeated: " << piece;
+    EXPECT_LT(seconds("procedure int A pure with\nheader\n" + code + "\nbody\n" + "x" + "\npend\n"), kLimit)
+        << "repeated: " << piece;
   }
 }
 
 TEST(Limits, ManyInputsInOneProcedureAreAnsweredWithinASecond) {
   std::string inputs = "procedure int A with\n";
-  for (int i = 0; inputs.size() < kSize; ++i) inputs += "  double [m] input_" + std::to_string(i) + " = 5 in 0 .. 10;  ///< help\n";
-  EXPECT_LT(seconds(inputs + "header\nbody\npend\n"), 1.0);
+  for (int i = 0; inputs.size() < kSize; ++i)
+    inputs += "  double [m] input_" + std::to_string(i) + " = 5 in 0 .. 10;  ///< help\n";
+  EXPECT_LT(seconds(inputs + "header\nbody\npend\n"), kLimit);
 }
 
 TEST(Limits, AMegabyteOfRandomBytesIsAnsweredWithinASecond) {
   std::mt19937_64 random(7);
   for (int round = 0; round < 4; ++round) {
     std::string text(kSize, ' ');
-    for (char& c : text) c = static_cast<char>(random() % (round % 2 == 0 ? 256 : 96) + (round % 2 == 0 ? 0 : 32));
-    EXPECT_LT(seconds(text), 1.0);
+    for (char& c : text)
+      c = static_cast<char>(random() % (round % 2 == 0 ? 256 : 96) + (round % 2 == 0 ? 0 : 32));
+    EXPECT_LT(seconds(text), kLimit);
   }
 }
 
 // Words of the language in any order.
 RC_GTEST_PROP(Limits, AnyOrderOfWordsGetsAnAnswer, ()) {
-  static const std::vector<std::string> kWords = {
-      "procedure ", "external ", "node ", "is ", "with ", "nend ", "\npend\n", "\nheader\n", "\nbody\n", "\nonce\n", "init\n", "\niend\n", "list ",
-      "int ", "Vector ", "a ", "B ", "; ", "= ", "5 ", "{1} ", "\"x\" ", "[m] ", "( ", ") ", "alias ", "senses ", "robots within ", "pure ",
-      "latency ", "in ", ".. ", "sequence ", "select ", "delay ", "of ", "by ", "start ", "state ", "when ", "goto ", "case ", ": ", "otherwise ",
-      "parameter ", "|d| ", "<", "> ", ", ", "type ", "module ", "#include \"q\"\n", "/// x\n", "///< y\n", "/* ", "*/ ", "// z\n", "remote ", "public ",
-      "'c' ", "\n", "{ ", "} ", "int x = 1; ", "static ", "struct "};
+  static const std::vector<std::string> kWords = {"procedure ", "external ", "node ",    "is ",
+                                                  "with ",      "nend ",     "\npend\n", "\nheader\n",
+                                                  "\nbody\n",   "\nonce\n",  "init\n",   "\niend\n",
+                                                  "list ",      "int ",      "Vector ",  "a ",
+                                                  "B ",         "; ",        "= ",       "5 ",
+                                                  "{1} ",       "\"x\" ",    "[m] ",     "( ",
+                                                  ") ",         "alias ",    "senses ",  "robots within ",
+                                                  "pure ",      "latency ",  "in ",      ".. ",
+                                                  "sequence ",  "select ",   "delay ",   "of ",
+                                                  "by ",        "start ",    "state ",   "when ",
+                                                  "goto ",      "case ",     ": ",       "otherwise ",
+                                                  "parameter ", "|d| ",      "<",        "> ",
+                                                  ", ",         "type ",     "module ",  "#include \"q\"\n",
+                                                  "/// x\n",    "///< y\n",  "/* ",      "*/ ",
+                                                  "// z\n",     "remote ",   "public ",  "'c' ",
+                                                  "\n",         "{ ",        "} ",       "int x = 1; ",
+                                                  "static ",    "struct "};
   std::string text;
-  for (const std::string& word : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(kWords))) text += word;
+  for (const std::string& word :
+       *rc::gen::resize(400, rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(kWords))))
+    text += word;
   read_all(text);
 }
 

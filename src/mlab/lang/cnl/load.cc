@@ -122,9 +122,7 @@ bool looks_like_cnl(std::string_view text) {
   for (Token token = lexer.next(0); token.kind != Token::Kind::kEnd; token = lexer.next(token.span.end)) {
     const std::string_view word = text.substr(token.span.begin, token.span.end - token.span.begin);
     const bool is_word = token.kind == Token::Kind::kName;
-    if (is_word &&
-        (before == "procedure" || before == "nprocedure" || before == "node"))
-      return true;
+    if (is_word && (before == "procedure" || before == "nprocedure" || before == "node")) return true;
     if ((before == "type" && word == "<") || (before == "modulename" && word == "=")) return true;
     if (before == "parameter" && is_word) return true;
     if (word == "init" && lexer.starts_line(token.span.begin) &&

@@ -23,7 +23,9 @@ class LoadTest : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-  Tree read(const std::string& name) { return load(*text::read_source((folder_ / name).string()), sink_, &files_); }
+  Tree read(const std::string& name) {
+    return load(*text::read_source((folder_ / name).string()), sink_, &files_);
+  }
   static std::string names(const Tree& tree) {
     std::string out;
     for (const Procedure* procedure : items_of<Procedure>(tree)) out += procedure->name.text + " ";
@@ -36,7 +38,9 @@ class LoadTest : public ::testing::Test {
   std::vector<std::string> files_;
 };
 
-std::string procedure(const std::string& name) { return "procedure int " + name + " with\nheader\nbody\npend\n"; }
+std::string procedure(const std::string& name) {
+  return "procedure int " + name + " with\nheader\nbody\npend\n";
+}
 
 TEST_F(LoadTest, IncludedFilesStandInThePlaceOfTheirInclude) {
   write("main.cnl", "#include \"part/first.cnl\"\n" + procedure("B") + "#include \"nodes.cnl\"\n");

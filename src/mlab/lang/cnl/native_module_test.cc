@@ -87,7 +87,8 @@ TEST_F(NativeModuleTest, TakesWhatDidNotChangeFromTheCache) {
 }
 
 TEST_F(NativeModuleTest, CompilesAnewWhenAHeaderThatItIncludesHasChanged) {
-  const char* text = "init\n#include \"gain.h\"\niend\nprocedure double Gain with\nheader\nbody\n  output = kGain;\npend\n";
+  const char* text =
+      "init\n#include \"gain.h\"\niend\nprocedure double Gain with\nheader\nbody\n  output = kGain;\npend\n";
   std::ofstream(folder_ / "gain.h") << "inline constexpr double kGain = 1;\n";
   const auto first = load_native(tree(text), options_, sink_);
   ASSERT_TRUE(first) << text::render(sink_);
@@ -171,8 +172,9 @@ TEST_F(NativeModuleTest, SaysWhenTheCacheCannotBeWritten) {
 }
 
 TEST_F(NativeModuleTest, SaysWhenALibraryCannotBeLoaded) {
-  const char* text = "init\nint nobody_defines_this();\niend\nprocedure int A with\nheader\nbody\n"
-                     "  output = nobody_defines_this();\npend\n";
+  const char* text =
+      "init\nint nobody_defines_this();\niend\nprocedure int A with\nheader\nbody\n"
+      "  output = nobody_defines_this();\npend\n";
   EXPECT_FALSE(load_native(tree(text), options_, sink_));
   EXPECT_EQ(first_kind(), "cannot-load");
   EXPECT_NE(text::render(sink_).find("nobody_defines_this"), std::string::npos);

@@ -77,8 +77,9 @@ pend
 }
 
 TEST(ParseProcedure, SectionWordsCountOnlyAloneOnTheirLine) {
-  const Parsed p("procedure int A with int x; once int header = 1; // header\n"
-                 "\t header \t\r\n  body(x); pend\n  // body\nbody\r\n  header;\n\tpend\t\n");
+  const Parsed p(
+      "procedure int A with int x; once int header = 1; // header\n"
+      "\t header \t\r\n  body(x); pend\n  // body\nbody\r\n  header;\n\tpend\t\n");
   const auto& procedure = p.only<Procedure>();
   EXPECT_EQ(p.sink.items().size(), 0U) << text::render(p.sink);
   EXPECT_EQ(procedure.once->text(), " int header = 1; // header\n");
@@ -87,15 +88,17 @@ TEST(ParseProcedure, SectionWordsCountOnlyAloneOnTheirLine) {
 }
 
 TEST(ParseProcedure, PlacesDoNotDriftBehindSections) {
-  const Parsed p("procedure int A with\nheader\nbody\npend\nprocedure int B with\nheader\nbody\npend\nwrong\n");
+  const Parsed p(
+      "procedure int A with\nheader\nbody\npend\nprocedure int B with\nheader\nbody\npend\nwrong\n");
   ASSERT_EQ(p.sink.items().size(), 1U);
   const auto& place = p.sink.items()[0].place;
   EXPECT_EQ(place.source->line_column(place.span.begin).line, 9U);
 }
 
 TEST(ParseProcedure, WordsOfTheLanguageMayBeNames) {
-  const Parsed p("procedure int list with\n  int list;\n  int with;\n  list int node;\nheader\nbody\npend\n"
-                 "node parameter is list with\n  list = 1;\n  with = 2;\nnend\n");
+  const Parsed p(
+      "procedure int list with\n  int list;\n  int with;\n  list int node;\nheader\nbody\npend\n"
+      "node parameter is list with\n  list = 1;\n  with = 2;\nnend\n");
   EXPECT_EQ(p.sink.items().size(), 0U) << text::render(p.sink);
   EXPECT_EQ(p.only<Procedure>().inputs.size(), 3U);
   EXPECT_EQ(p.only<NodeDecl>().node.links.size(), 2U);
@@ -160,7 +163,9 @@ TEST(ParseParameter, ReadsUnitRangeAndHelp) {
 }
 
 TEST(Parse, GoesOnBehindEveryError) {
-  const Parsed p("procedure int A with\n  int ;\n  int x;\nheader\nbody\npend\nnode a is with\nnode b is A with\n  x = ;\n  x = 1;\nnend\n");
+  const Parsed p(
+      "procedure int A with\n  int ;\n  int x;\nheader\nbody\npend\nnode a is with\nnode b is A with\n  x = "
+      ";\n  x = 1;\nnend\n");
   EXPECT_GE(p.sink.error_count(), 3U);
   EXPECT_EQ(p.only<Procedure>().inputs.size(), 1U);
   EXPECT_EQ(p.only<NodeDecl>().node.links.size(), 1U);

@@ -66,9 +66,7 @@ std::vector<Argument> arguments_of(const Procedure& procedure) {
     out.push_back({count, "const int",
                    fmt::format("const int {} = static_cast<int>({}.size());", count, input.name.text)});
   }
-  for (const std::string_view name : kContextNames) {
-    if (uses_context(procedure, name)) out.push_back(context_argument(name));
-  }
+  for (const std::string_view name : used_context(procedure)) out.push_back(context_argument(name));
   return out;
 }
 
@@ -155,9 +153,9 @@ class ProcedureCode {
     out_.line("{");
     out_.user_code(*procedure_.header);
     const UserCode header(*procedure_.header);
+    const UserCode body(*procedure_.body);
     for (const UserCode::Variable& variable : header.variables()) {
-      const bool is_kept =
-          !variable.is_constant && procedure_.body && UserCode(*procedure_.body).mentions(variable.name);
+      const bool is_kept = !variable.is_constant && body.mentions(variable.name);
       if (is_kept) assert_copyable(variable, "header");
     }
     out_.line(fmt::format("return [=]({}) mutable {{", parameters(has_once_)));

@@ -79,7 +79,8 @@ TEST(CompiledProcedure, OnceVariablesPersistWhenTheHeaderStartsAnew) {
   EXPECT_EQ(robot.value<geom::Vector>("active"), (geom::Vector{5 + 100 + 3, 3, 5}));
   robot.set("part", "2");
   robot.step();
-  EXPECT_EQ(robot.value<geom::Vector>("active"), (geom::Vector{101, 1, 3})) << "the other node has a state of its own";
+  EXPECT_EQ(robot.value<geom::Vector>("active"), (geom::Vector{101, 1, 3}))
+      << "the other node has a state of its own";
   robot.set("part", "1");
   robot.step();
   EXPECT_EQ(robot.value<geom::Vector>("active"), (geom::Vector{5 + 200 + 4, 1, 6}));
@@ -139,8 +140,9 @@ TEST(CompiledProcedure, ACopyOfTheFrameGoesOnFromThere) {
 
 TEST(CompiledDescriptor, TellsWhatTheAuthorWrote) {
   const flow::Behavior& counters = behavior("Counters");
-  EXPECT_EQ(counters.help, "How often it ran: in the whole run, since it last started, and the second entry of a table kept "
-                           "for the whole run.");
+  EXPECT_EQ(counters.help,
+            "How often it ran: in the whole run, since it last started, and the second entry of a table kept "
+            "for the whole run.");
   EXPECT_EQ(counters.file, "state.cnl:12");
   EXPECT_EQ(counters.output->name, "Vector");
   ASSERT_EQ(counters.inputs.size(), 1U);

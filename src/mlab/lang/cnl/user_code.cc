@@ -260,7 +260,9 @@ void UserCode::read_statement(std::size_t begin, std::size_t end) {
     is_constexpr = is_constexpr || tokens_[at].text == "constexpr";
     ++at;
   }
-  if (at >= end || (tokens_[at].kind != Kind::kWord && tokens_[at].text != "::") || is_one_of(tokens_[at].text, kStatementWords)) return;
+  if (at >= end || (tokens_[at].kind != Kind::kWord && tokens_[at].text != "::") ||
+      is_one_of(tokens_[at].text, kStatementWords))
+    return;
   common.is_constant = is_static && is_constexpr;
   const std::string_view first = tokens_[at].text;
   if (is_one_of(first, kTypeWords)) {

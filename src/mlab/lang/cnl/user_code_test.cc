@@ -17,7 +17,8 @@ std::string names(const std::string& text) {
   std::string out;
   const UserCode read = code(text);
   for (const UserCode::Variable& v : read.variables()) {
-    out += v.name + (v.is_pointer ? "*" : "") + (v.is_constant ? "!" : "") + (v.holds_references ? "&" : "") + " ";
+    out += v.name + (v.is_pointer ? "*" : "") + (v.is_constant ? "!" : "") + (v.holds_references ? "&" : "") +
+           " ";
   }
   return out;
 }
@@ -35,16 +36,21 @@ TEST(UserCodeVariables, ReadsWhatDeclaresAVariable) {
 
 TEST(UserCodeVariables, PassesOverWhatIsNone) {
   EXPECT_EQ(names("n = 5; f(x); a.b = 2; ++n; p->q(); return; x < y; std::cout << n << m;"), "");
-  EXPECT_EQ(names("if (int k = f()) { int inside; } else { int other; } for (int i = 0; i < 3; ++i) int j;"), "");
+  EXPECT_EQ(names("if (int k = f()) { int inside; } else { int other; } for (int i = 0; i < 3; ++i) int j;"),
+            "");
   EXPECT_EQ(names("{ int scoped; } using namespace std; // int comment;\n/* int block; */"), "");
   EXPECT_EQ(names("#define X int macro;\nX;\n#define Y \\\n int more;\n const char c = ';'; int z;"), "c z ");
   EXPECT_EQ(names("f(\"int text;\", R\"(int raw; \" )\"); int end = 1'000;"), "end ");
 }
 
 TEST(UserCodeVariables, SeesPointersReferencesAndWhatHidesThem) {
-  EXPECT_EQ(names("int* p; int *q, r; int& s = x; auto&& t = f(); const char* u = \"\";"), "p* q* r s* t* u* ");
-  EXPECT_EQ(names("std::string_view v; std::span<int> w; std::array<int*, 2> x; auto y = &n;"), "v* w* x* y* ");
-  EXPECT_EQ(names("auto f = [&](int i) { return i; }; auto g = [&n] { return n; }; auto h = [=] { return 1; };"), "f& g& h ");
+  EXPECT_EQ(names("int* p; int *q, r; int& s = x; auto&& t = f(); const char* u = \"\";"),
+            "p* q* r s* t* u* ");
+  EXPECT_EQ(names("std::string_view v; std::span<int> w; std::array<int*, 2> x; auto y = &n;"),
+            "v* w* x* y* ");
+  EXPECT_EQ(
+      names("auto f = [&](int i) { return i; }; auto g = [&n] { return n; }; auto h = [=] { return 1; };"),
+      "f& g& h ");
 }
 
 TEST(UserCode, KnowsWhichNamesItUses) {
