@@ -60,7 +60,7 @@ void start_robots(Turn& turn, Run& run) {
     const geom::Pose pose{run.command->goal + run.command->start_step * k,
                           turn.state.mission->overlay.heading};
     k += 1.0;
-    if (robot.is_running) {
+    if (robot.is_running && robot.life != RobotState::Life::kStopped) {
       alive.push_back(id);
       robot.done = true;
       --run.missing;
@@ -205,7 +205,8 @@ void repair_groups(Turn& turn) {
   if (turn.shrunk.empty()) return;
   State& s = turn.state;
   std::ranges::sort(turn.shrunk);
-  turn.shrunk.erase(std::unique(turn.shrunk.begin(), turn.shrunk.end()), turn.shrunk.end());
+  const auto repeated = std::ranges::unique(turn.shrunk);
+  turn.shrunk.erase(repeated.begin(), repeated.end());
   for (const std::uint32_t sequence : turn.shrunk) {
     Group* group = find_group(s, sequence);
     if (group == nullptr) continue;

@@ -51,7 +51,7 @@ State initial_state(std::shared_ptr<const Mission> mission, const ExecutiveOptio
 Advance advance(State state, const Event& event) {
   Advance result{std::move(state), {}};
   if (result.state.mode == State::Mode::kQuit) return result;
-  Turn turn{.state = result.state, .effects = result.effects};
+  Turn turn{.state = result.state, .effects = result.effects, .elapsed = 0.0, .shrunk = {}};
   std::visit(Handle{turn}, event);
   repair_groups(turn);
   return result;

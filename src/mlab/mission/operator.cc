@@ -27,7 +27,10 @@ void set_paused(Turn& turn, bool paused) {
 void start_at(Turn& turn, std::size_t step) {
   State& s = turn.state;
   s.outcome = Outcome::kRunning;
-  if (step >= s.mission->steps.size()) return end_mission(turn, Outcome::kDone, "mission done");
+  if (step >= s.mission->steps.size()) {
+    end_mission(turn, Outcome::kDone, "mission done");
+    return;
+  }
   begin_step(turn, static_cast<std::uint32_t>(step));
   go_on(turn);
 }
@@ -58,7 +61,10 @@ bool knows_units(const Mission& mission, const std::vector<Command>& commands) {
 
 // A typed command that needs no robots, beside whatever runs.
 void act_now(Turn& turn, const Command& command) {
-  if (std::holds_alternative<Quit>(command)) return quit(turn);
+  if (std::holds_alternative<Quit>(command)) {
+    quit(turn);
+    return;
+  }
   message(turn, "typed: " + command_text(*turn.state.mission, command));
   if (const auto* boolean = std::get_if<SetBoolean>(&command))
     emit(turn, effect::Set{*boolean});
@@ -108,7 +114,10 @@ void rename_units(State& state, const Mission& edited) {
 void handle(Turn& turn, const event::Execute&) {
   State& s = turn.state;
   set_paused(turn, false);
-  if (!is_running(s)) return start_at(turn, s.step);
+  if (!is_running(s)) {
+    start_at(turn, s.step);
+    return;
+  }
   s.single = false;
   if (s.typed) s.goes_on = true;
   go_on(turn);
@@ -126,7 +135,8 @@ void handle(Turn& turn, const event::SingleStep&) {
   State& s = turn.state;
   if (!is_running(s)) {
     s.single = true;
-    return start_at(turn, s.step);
+    start_at(turn, s.step);
+    return;
   }
   const std::size_t next = s.typed ? s.step : s.step + 1;
   abandon_step(turn, Outcome::kSkipped);
@@ -135,7 +145,10 @@ void handle(Turn& turn, const event::SingleStep&) {
 
 void handle(Turn& turn, const event::Jump& event) {
   State& s = turn.state;
-  if (event.step >= s.mission->steps.size()) return warn(turn, "there is no such step to go to");
+  if (event.step >= s.mission->steps.size()) {
+    warn(turn, "there is no such step to go to");
+    return;
+  }
   if (!is_running(s)) {
     s.step = event.step;
     return;
@@ -163,7 +176,10 @@ void handle(Turn& turn, const event::Answer& event) {
 
 void handle(Turn& turn, const event::Typed& event) {
   State& s = turn.state;
-  if (!knows_units(*s.mission, event.commands)) return warn(turn, "typed: no such unit");
+  if (!knows_units(*s.mission, event.commands)) {
+    warn(turn, "typed: no such unit");
+    return;
+  }
   if (!moves_units(event.commands)) {
     for (const Command& command : event.commands) {
       if (s.mode != State::Mode::kQuit) act_now(turn, command);
@@ -173,7 +189,7 @@ void handle(Turn& turn, const event::Typed& event) {
   const bool in_plan = is_running(s) && !s.typed;
   const bool goes_on = is_running(s) && (in_plan ? !s.single : s.goes_on);
   abandon_step(turn, Outcome::kReplaced, robots_in(*s.mission, event.commands));
-  if (in_plan) ++s.step;
+  if (in_plan && ++s.step >= s.mission->steps.size() && !goes_on) s.step = 0;
   s.single = false;
   s.goes_on = goes_on;
   begin_typed(turn, event.commands);

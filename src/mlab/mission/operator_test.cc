@@ -134,10 +134,9 @@ TEST_F(Operator, AbortsUnpausesStopsAllAndRewinds) {
   EXPECT_EQ(state().steps.back().outcome, Outcome::kAborted);
 }
 
-TEST_F(Operator, RunsTheMissionAgainAfterAnAbort) {
+TEST_F(Operator, RunsTheMissionAgainRightAfterAnAbort) {
   start_and_reach(2);
   fleet_->send(event::Abort{});
-  fleet_->run_cycles(3);
   fleet_->send(event::Execute{});
   ASSERT_TRUE(fleet_->run());
   EXPECT_EQ(state().outcome, Outcome::kDone);
@@ -176,6 +175,14 @@ TEST_F(Operator, ATypedCommandOutsideARunLeavesThePlanWhereItIs) {
   EXPECT_EQ(state().step, 1U);
   EXPECT_EQ(state().outcome, Outcome::kRunning);
   EXPECT_LE(geom::distance(fleet_->position(1), {50, 100}), 2.0);
+}
+
+TEST_F(Operator, ATypedCommandInPlaceOfTheLastSingleStepRewinds) {
+  fleet_->send(event::Jump{3});
+  fleet_->send(event::SingleStep{});
+  fleet_->send(event::Typed{{start(both_)}});
+  ASSERT_TRUE(fleet_->run());
+  EXPECT_EQ(state().step, 0U);
 }
 
 TEST_F(Operator, ATypedOccupyAsksItsOwnQuestion) {

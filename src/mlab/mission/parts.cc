@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -150,14 +149,19 @@ void place_parts(const State& state, const Leg& leg, geom::Offset direction,
   }
 }
 
+std::vector<std::size_t> in_order(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[i] = i;
+  return order;
+}
+
 std::vector<std::size_t> from_left(const State& state, const Leg& leg,
                                    const std::vector<PlannedPart>& parts) {
   std::vector<double> left(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     left[i] = geom::cross(leg.axis, centre(state, parts[i].members).value_or(leg.start) - leg.start);
   }
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order = in_order(parts.size());
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return left[a] > left[b]; });
   return order;
 }
@@ -170,8 +174,7 @@ void plan_places(const State& state, Run& run, std::vector<PlannedPart>& parts) 
   for (const PlannedPart& part : parts) {
     half_extents.push_back(half_extent(formation_of(*run.command), part.members.size(), spacing, !bounds));
   }
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order = in_order(parts.size());
   if (bounds) order = from_left(state, leg, parts);
   const geom::Offset left{-leg.axis.y, leg.axis.x};
   place_parts(state, leg, bounds ? left : leg.axis, spread(parts, order, half_extents, spacing), spacing,

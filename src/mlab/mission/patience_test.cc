@@ -125,10 +125,18 @@ TEST_F(Patience, NamesARobotThatIsInTwoCommandsOfOneStep) {
 TEST_F(Patience, NamesARobotThatDoesNotTakeUpItsOrder) {
   disturb_ = [](ToyFleet& fleet) {
     fleet.robot(2).order.order.sequence = 0;
-    fleet.robot(2).report.sequence = 0;
+    fleet.robot(2).report.sequence = 77;
   };
   EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: it has not taken up the order"))
       << fleet_->transcript();
+}
+
+TEST_F(Patience, NamesARobotWhoseProgramTellsNothing) {
+  disturb_ = [](ToyFleet& fleet) {
+    fleet.robot(2).order.order.sequence = 0;
+    fleet.robot(2).report.sequence = 0;
+  };
+  EXPECT_TRUE(run(200.0).has_told("its program does not report on orders")) << fleet_->transcript();
 }
 
 TEST_F(Patience, DoesNotRunDuringAPause) {

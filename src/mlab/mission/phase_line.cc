@@ -50,7 +50,7 @@ bool may_pass(const State& state, const PhaseLine& said, const LineState& line) 
 }
 
 void reach(Turn& turn, Run& run, std::uint32_t index) {
-  State& s = turn.state;
+  const State& s = turn.state;
   const PhaseLine& said = run.command->phase_lines[index];
   if (said.not_before) run.lines[index].not_before = run_time_of(*said.not_before, s.options, s.time);
   std::string text = fmt::format("unit {} is at phase line {}", unit_name(*s.mission, run.unit), said.name);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "mlab/mission/phase_line.h"
@@ -89,15 +90,13 @@ std::vector<base::RobotId> look_for_silent_robots(State& state) {
 
 void warn_of_silent_robots(Turn& turn, const std::vector<base::RobotId>& silent) {
   const State& s = turn.state;
-  for (std::uint32_t run = 0; run < s.runs.size(); ++run) {
-    std::vector<base::RobotId> of_run;
-    for (const base::RobotId id : silent) {
-      if (find_robot(s, id)->run == run) of_run.push_back(id);
-    }
-    if (of_run.empty()) continue;
-    warn(turn, fmt::format("{}{} {} running, but `{}` waits for {}", step_prefix(s), robots_text(of_run),
-                           of_run.size() == 1 ? "is not" : "are not", s.commands[s.runs[run].record].text,
-                           of_run.size() == 1 ? "it" : "them"));
+  std::map<std::uint32_t, std::vector<base::RobotId>> by_run;
+  for (const base::RobotId id : silent) by_run[find_robot(s, id)->run].push_back(id);
+  for (const auto& [run, robots] : by_run) {
+    const bool one = robots.size() == 1;
+    warn(turn,
+         fmt::format("{}{} {} running, but `{}` waits for {}", step_prefix(s), robots_text(robots),
+                     one ? "is not" : "are not", s.commands[s.runs[run].record].text, one ? "it" : "them"));
   }
 }
 

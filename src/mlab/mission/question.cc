@@ -36,22 +36,27 @@ void say_yes(Turn& turn, const Question& question) {
 }  // namespace
 
 void ask_to_proceed(Turn& turn, Run& run) {
-  State& s = turn.state;
+  const State& s = turn.state;
+  const std::optional<MissionTime>& until = run.command->until;
   std::optional<double> expires;
-  if (run.command->until) expires = run_time_of(*run.command->until, s.options, s.time);
-  if (expires && *expires <= s.time) return complete(turn, run);
+  if (until) expires = run_time_of(*until, s.options, s.time);
+  if (expires && *expires <= s.time) {
+    complete(turn, run);
+    return;
+  }
   std::string text = fmt::format("Unit \"{}\" is occupying {}. Proceed?", unit_name(*s.mission, run.unit),
                                  run.command->place_name);
   if (s.options.proceed_all) {
     message(turn, text + " yes");
-    return complete(turn, run);
+    complete(turn, run);
+    return;
   }
   run.phase = Run::Phase::kProceed;
   ask(turn, run, std::move(text), std::nullopt, expires);
 }
 
 void ask_to_acknowledge(Turn& turn, Run& run, std::uint32_t phase_line) {
-  State& s = turn.state;
+  const State& s = turn.state;
   const PhaseLine& line = run.command->phase_lines[phase_line];
   std::string text = fmt::format("Unit \"{}\" is at phase line {}: {}. Acknowledge?",
                                  unit_name(*s.mission, run.unit), line.name, line.acknowledge);

@@ -60,7 +60,10 @@ void begin_next(Turn& turn) {
   }
   s.goes_on = false;
   if (!was_typed) ++s.step;
-  if (s.step >= s.mission->steps.size()) return end_mission_done(turn);
+  if (s.step >= s.mission->steps.size()) {
+    end_mission_done(turn);
+    return;
+  }
   if (std::exchange(s.single, false))
     s.mode = State::Mode::kIdle;
   else
@@ -74,7 +77,8 @@ void settle(Turn& turn, Run& run) {
     if (!robots_done)
       message(turn,
               fmt::format("{}: nobody steers, taken as complete", turn.state.commands[run.record].text));
-    return complete(turn, run);
+    complete(turn, run);
+    return;
   }
   if (run.phase != Run::Phase::kRobots || !robots_done || holds_at_line(run)) return;
   if (run.command->task == percept::Task::kOccupy)

@@ -16,8 +16,8 @@ namespace mlab::mission {
 struct Turn {
   State& state;
   std::vector<Effect>& effects;
-  double elapsed = 0.0;                    ///< since the cycle before; 0 for other events [s]
-  std::vector<std::uint32_t> shrunk = {};  ///< sequences of groups that lost robots to another order
+  double elapsed = 0.0;               ///< since the cycle before; 0 for other events [s]
+  std::vector<std::uint32_t> shrunk;  ///< sequences of groups that lost robots to another order
 };
 
 template <class T>

@@ -113,6 +113,7 @@ std::string reason(const State& state, const Run& run, const RobotState& robot) 
   if (robot.seen == 0) return starts ? "does not start" : "not started";
   if (!in_sight(state, robot)) return "lost, it no longer reports";
   if (!robot.is_running) return starts ? "does not start" : "not running, stopped by a fault";
+  if (robot.reported == 0) return "its program does not report on orders";
   if (robot.reported != robot.sequence) return "it has not taken up the order";
   const Group* group = find_group(state, robot.sequence);
   if (group != nullptr && group->halted) return "halted while another part of the unit moves";
