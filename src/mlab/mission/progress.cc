@@ -114,7 +114,8 @@ void check_patience(Turn& turn) {
     if (run.phase != Run::Phase::kRobots || run.missing == 0 || holds_at_line(run)) continue;
     run.stalled += turn.elapsed;
     if (s.options.patience <= 0.0 || run.stalled < s.options.patience) continue;
-    return fail(turn, run, fmt::format("no progress for {:.0f} s; {}", run.stalled, undone_text(s, run)));
+    fail(turn, run, fmt::format("no progress for {:.0f} s; {}", run.stalled, undone_text(s, run)));
+    return;
   }
 }
 
