@@ -323,6 +323,19 @@ std::optional<double> Program::number(const std::byte* frame, const Port& port) 
   }
 }
 
+std::vector<Contribution> Program::contributions(const std::byte* frame) const {
+  std::vector<Contribution> out;
+  const auto now = static_cast<std::uint32_t>(cycle(frame));
+  for (const MixtureCode& mixture : mixtures_) {
+    if (now == 0 || at<std::uint32_t>(frame, mixture.stamp) != now) continue;
+    for (const MixtureCode::Member& member : mixture.members) {
+      out.push_back({mixture.path, member.path,
+                     at<geom::Vector>(frame, member.value) * at<double>(frame, member.gain)});
+    }
+  }
+  return out;
+}
+
 std::vector<std::string> Program::active_states(const std::byte* frame) const {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < sequences_.size(); ++i) {

@@ -45,10 +45,19 @@ struct Needs {
   void add(const Needs& other);
 };
 
+/// What one member adds to a weighted sum in the cycle that ran last.
+struct Contribution {
+  std::string sum;        ///< path of the node that adds
+  std::string member;     ///< path of the node that is added
+  geom::Vector weighted;  ///< gain times value [share of full strength, robot frame]
+};
+
 /// A network made ready to run: operations in order and a port table. Immutable, shared by all robots of a
 /// kind; the values are in a Frame for each robot. `step` uses no heap, no strings, no locks.
 class Program {
  public:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
   /// One operation of the cycle. The order within a block is the order of execution.
   struct Instruction {
     enum class Kind : std::uint8_t { kFire, kSequence, kSelect, kDelay, kStartAsync };
@@ -122,8 +131,16 @@ class Program {
     std::uint32_t range_offset = kNone;  ///< of a double
     double range = 0.0;
   };
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-
+  struct MixtureCode {
+    std::string path;
+    std::uint32_t stamp = kNone;
+    struct Member {
+      std::string path;
+      std::uint32_t value = 0;
+      std::uint32_t gain = 0;
+    };
+    std::vector<Member> members;
+  };
   const std::string& name() const { return name_; }
   /// All ports in the order in which the network declares them.
   const std::vector<Port>& ports() const { return ports_; }
@@ -133,6 +150,8 @@ class Program {
   /// How many nodes there are to evaluate, and how many operations remain after sharing.
   std::size_t node_count() const { return node_count_; }
   std::size_t instruction_count() const { return instructions_.size(); }
+  /// Some behavior of it is asynchronous.
+  bool has_asynchronous() const { return !asyncs_.empty(); }
 
   /// A robot's values before its first cycle.
   Frame make_frame() const { return initial_; }
@@ -166,6 +185,10 @@ class Program {
   /// others.
   static std::optional<double> number(const std::byte* frame, const Port& port);
 
+  /// What moved the robot: the members of all weighted sums that were evaluated in the last cycle. A weighted
+  /// sum is any behavior with a list of vectors and, after it, a list of gains.
+  std::vector<Contribution> contributions(const std::byte* frame) const;
+
   /// The active states of all sequences, `sequence.state` each, in the network's order.
   std::vector<std::string> active_states(const std::byte* frame) const;
 
@@ -194,6 +217,7 @@ class Program {
   std::vector<DelayCode> delays_;
   std::vector<AsyncCode> asyncs_;
   std::vector<NeedCode> needs_;
+  std::vector<MixtureCode> mixtures_;
   bool needs_are_fixed_ = false;
   std::size_t node_count_ = 0;
   Frame initial_;

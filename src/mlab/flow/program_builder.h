@@ -123,6 +123,9 @@ class ProgramBuilder {
   std::uint32_t emit_inputs(const Op& op);
   void emit_needs(const Op& op);
   void assign_stamps();
+  bool is_mixture(const Op& op) const;
+  void emit_mixtures();
+  std::string path_of(const Ref& ref) const;
 
   const Network& network_;
   const Library& library_;

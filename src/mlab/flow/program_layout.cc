@@ -101,6 +101,7 @@ void ProgramBuilder::lay_out() {
   program_->needs_are_fixed_ = program_->sequences_.empty() && program_->selects_.empty();
   program_->node_count_ = network_.nodes.size();
   assign_stamps();
+  emit_mixtures();
   for (std::uint32_t i = 0; i < ops_.size(); ++i) {
     if (op_ports_[i] != kNone)
       program_->ports_[op_ports_[i]].offset = offset_of({Ref::Kind::kOp, i, nullptr, "", ""});
@@ -278,6 +279,31 @@ void ProgramBuilder::emit_needs(const Op& op) {
   }
 }
 
+bool ProgramBuilder::is_mixture(const Op& op) const {
+  if (op.behavior == nullptr || op.behavior->inputs.size() < 2 || op.node == nullptr) return false;
+  const Input& values = op.behavior->inputs[0];
+  const Input& gains = op.behavior->inputs[1];
+  return values.is_list && gains.is_list && values.type->kind == TypeKind::kVector &&
+         gains.type->kind == TypeKind::kReal;
+}
+
+std::string ProgramBuilder::path_of(const Ref& ref) const {
+  return ref.kind == Ref::Kind::kSlot ? program_->ports_[slots_[ref.index].port].path : ops_[ref.index].path;
+}
+
+void ProgramBuilder::emit_mixtures() {
+  for (const Op& op : ops_) {
+    if (op.blocks == 0 || !is_mixture(op)) continue;
+    Program::MixtureCode code{op.path, op.stamp, {}};
+    const std::size_t count = std::min(op.inputs[0].size(), op.inputs[1].size());
+    for (std::size_t i = 0; i < count; ++i) {
+      code.members.push_back(
+          {path_of(op.inputs[0][i]), offset_of(op.inputs[0][i]), offset_of(op.inputs[1][i])});
+    }
+    program_->mixtures_.push_back(std::move(code));
+  }
+}
+
 // Only now is it known which operations stand in several blocks.
 void ProgramBuilder::assign_stamps() {
   for (Op& op : ops_) {
@@ -286,7 +312,8 @@ void ProgramBuilder::assign_stamps() {
     const bool is_operator = op.kind == Instruction::Kind::kSequence ||
                              op.kind == Instruction::Kind::kDelay ||
                              op.kind == Instruction::Kind::kStartAsync;
-    if (op.blocks > 0 && (op.blocks > 1 || keeps_state || is_operator)) op.stamp = allocate(4, 4);
+    if (op.blocks > 0 && (op.blocks > 1 || keeps_state || is_operator || is_mixture(op)))
+      op.stamp = allocate(4, 4);
   }
   for (std::size_t i = 0; i < program_->instructions_.size(); ++i) {
     const Op& op = ops_[instruction_ops_[i]];

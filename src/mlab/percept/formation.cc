@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -35,6 +36,12 @@ geom::Vector column(int rank, int count, double s) {
   return {(count - 1) * s / 2.0 - place * s, 0.0, 0.0};
 }
 
+// Sum of the rows of all ranks where rank r stands in row (r + 1) / 2.
+double row_sum(int count) {
+  const double n = count;
+  return std::floor(n * n / 4.0);
+}
+
 // A V with its point ahead: the pair of rank r stands r/2 behind and r/2 beside the leader.
 geom::Vector vee(int rank, int count, double s, double first_side) {
   const auto at = [&](int r) -> geom::Vector {
@@ -42,8 +49,9 @@ geom::Vector vee(int rank, int count, double s, double first_side) {
     const double side = r % 2 == 1 ? first_side : -first_side;
     return {-row * s / 2.0, side * row * s / 2.0, 0.0};
   };
-  geom::Vector mean;
-  for (int r = 0; r < count; ++r) mean += at(r) * (1.0 / count);
+  // Rows are filled in pairs; with an even number of robots the last one stands alone on the first side.
+  const geom::Vector mean{-row_sum(count) * s / 2.0 / count, count % 2 == 0 ? first_side * s / 4.0 : 0.0,
+                          0.0};
   return at(rank) - mean;
 }
 
@@ -80,8 +88,9 @@ geom::Vector diamond(int rank, int count, double s) {
     const double out = walked <= side_length ? along : 2.0 * half_diagonal - along;
     return {half_diagonal - along, side * out, 0.0};
   };
-  geom::Vector mean;
-  for (int r = 0; r < count; ++r) mean += at(r) * (1.0 / count);
+  // Pairs stand opposite each other, and who stands alone stands in the rear corner: sideways all is
+  // balanced.
+  const geom::Vector mean{half_diagonal - row_sum(count) * s / std::numbers::sqrt2 / count, 0.0, 0.0};
   return at(rank) - mean;
 }
 
