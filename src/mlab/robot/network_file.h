@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mlab/flow/program.h"
+#include "mlab/robot/robot_program.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::robot {
+
+/// Builds the program of a robot that is written in CNL. Procedures that the file brings itself are compiled
+/// and loaded.
+///
+/// @param path   as the mission writes it at `place`; relative to the mission's folder
+/// @return  null where there were errors
+std::shared_ptr<const flow::Program> load_network(const std::string& path, const text::Place& place,
+                                                  const ProgramSources& sources, text::Diagnostics& sink);
+
+/// Checks a CNL file as `mlab check` does: declarations, the C++ of its procedures, and its network where it
+/// has one.
+void check_network(const text::SourcePtr& source, const ProgramSources& sources, text::Diagnostics& sink);
+
+}  // namespace mlab::robot

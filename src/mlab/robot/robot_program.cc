@@ -1,0 +1,100 @@
+#include "mlab/robot/robot_program.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/cnl/elaborate.h"
+#include "mlab/lang/cnl/load.h"
+#include "mlab/library/library.h"
+#include "mlab/robot/network_file.h"
+
+namespace mlab::robot {
+namespace {
+
+std::string last_part(const std::string& program) {
+  return std::filesystem::path(program).filename().string();
+}
+
+// Parameters that may be named in the mission: named by the network, not the constants inside of it.
+std::vector<std::string> parameter_names(const flow::Program& program) {
+  std::vector<std::string> out;
+  for (const flow::Port& port : program.ports()) {
+    if (port.role == flow::Port::Role::kParameter) out.push_back(port.path);
+  }
+  return out;
+}
+
+void set_parameters(std::span<const Setting> settings, const std::vector<std::string>& known_keys,
+                    RobotProgram& robot, text::Diagnostics& sink) {
+  for (const Setting& parameter : settings) {
+    if (std::find(known_keys.begin(), known_keys.end(), parameter.key) != known_keys.end()) continue;
+    const flow::Port* port = robot.program->find(parameter.key);
+    if (port == nullptr || port->role == flow::Port::Role::kOutput) {
+      std::vector<std::string> names = parameter_names(*robot.program);
+      names.insert(names.end(), known_keys.begin(), known_keys.end());
+      text::Diagnostic& d =
+          sink.warning("unknown-parameter", parameter.place,
+                       fmt::format("program `{}` has no parameter `{}`", robot.name, parameter.key));
+      const std::string nearest = text::nearest_name(parameter.key, names);
+      if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+      continue;
+    }
+    if (const auto problem = robot.program->set(robot.initial.data(), *port, parameter.value)) {
+      sink.error("bad-parameter", parameter.place, *problem);
+    }
+  }
+}
+
+// What is wrong in it is our own mistake, and every run would show it.
+std::shared_ptr<const flow::Program> library_program(const library::Robot& known, text::Diagnostics& sink) {
+  const auto source = std::make_shared<const text::Source>(std::string(known.file), std::string(known.text));
+  const cnl::Tree tree = cnl::load(source, sink);
+  flow::Network network = cnl::elaborate(tree, sink);
+  network.name = known.name;
+  return flow::build_program(network, component_library(), sink);
+}
+
+}  // namespace
+
+const flow::Library& component_library() {
+  static const flow::Library kLibrary = [] {
+    flow::Library library;
+    library.add(mlab_library_behaviors());
+    return library;
+  }();
+  return kLibrary;
+}
+
+std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
+                                         std::span<const Setting> settings, const ProgramSources& sources,
+                                         const std::vector<std::string>& known_keys,
+                                         text::Diagnostics& sink) {
+  const std::size_t errors_before = sink.error_count();
+  RobotProgram robot;
+  robot.name = name;
+  if (const auto known = library::find_robot(last_part(name))) {
+    robot.program = library_program(*known, sink);
+  } else if (last_part(name).ends_with(".cnl")) {
+    robot.program = load_network(name, place, sources, sink);
+  } else {
+    text::Diagnostic& d = sink.warning("unknown-program", place,
+                                       fmt::format("nothing here answers to the robot program `{}`", name));
+    d.label = "robots of this type stand parked";
+    d.hints.push_back(
+        "`robot` is the standard robot; a network of behaviors is named by its file: `mine.cnl`");
+    return robot;
+  }
+  if (!robot.program) return std::nullopt;
+  robot.initial = robot.program->make_frame();
+  set_parameters(settings, known_keys, robot, sink);
+  if (sink.error_count() > errors_before) return std::nullopt;
+  return robot;
+}
+
+}  // namespace mlab::robot

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mlab/flow/frame.h"
+#include "mlab/flow/library.h"
+#include "mlab/flow/program.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::robot {
+
+/// A parameter of a robot type, as the mission sets it.
+struct Setting {
+  std::string key;
+  std::string value;
+  text::Place place;  ///< of the key
+};
+
+/// The program of one robot type, with the type's parameters set. Shared by all robots of the type.
+struct RobotProgram {
+  std::string name;  ///< as the mission writes it
+  std::shared_ptr<const flow::Program>
+      program;          ///< null: nothing here answers to the name; such a robot stands parked
+  flow::Frame initial;  ///< values before the first cycle
+};
+
+/// What finding a program may use.
+struct ProgramSources {
+  std::string folder;  ///< of the mission; relative names start here
+  std::string
+      include_root;     ///< where "mlab/schema/procedure.h" is found, for procedures of the mission's own
+  std::string version;  ///< of this program: code compiled for another one is not used again
+};
+
+/// Finds and builds the program of a robot type and sets its parameters.
+///
+/// A program is told by the last part of its name: `robot`, `mlab-2.0-robot` and `tmr_robot-1998` mean the
+/// standard robot; `x.cnl` is compiled. Nothing else is ever executed: an unknown name is a warning and gives
+/// a parked robot. A parameter that the program does not have is a warning with the nearest name; one with a
+/// value that it can't take is an error.
+/// @param name   as the mission writes it, at `place`
+/// @param known_keys  parameter names that somebody else takes (the vehicle)
+/// @return  nothing where there were errors
+std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
+                                         std::span<const Setting> settings, const ProgramSources& sources,
+                                         const std::vector<std::string>& known_keys, text::Diagnostics& sink);
+
+/// The component library: all behaviors that come with missionlab.
+const flow::Library& component_library();
+
+}  // namespace mlab::robot
