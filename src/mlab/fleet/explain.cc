@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "mlab/base/angle.h"
+#include "mlab/fleet/mission_run.h"
+
+namespace mlab::fleet {
+namespace {
+
+// What adds less than this to the motion is left out [share of full strength].
+constexpr double kWorthTelling = 0.02;
+constexpr double kNear = 50.0;  // [m]
+
+std::string direction_word(geom::Vector v) {
+  const double angle = base::degrees(geom::direction(v));
+  if (std::abs(angle) <= 22.5) return "ahead";
+  if (std::abs(angle) >= 157.5) return "back";
+  const char* side = angle > 0 ? "left" : "right";
+  if (std::abs(angle) < 67.5) return fmt::format("ahead {}", side);
+  if (std::abs(angle) > 112.5) return fmt::format("back {}", side);
+  return side;
+}
+
+std::string compass_word(geom::Offset o) {
+  constexpr const char* kWords[] = {"east", "north-east", "north", "north-west",
+                                    "west", "south-west", "south", "south-east"};
+  const auto sector = static_cast<int>(std::lround(geom::direction(o) / (std::numbers::pi / 4.0)));
+  return kWords[(sector + 8) % 8];
+}
+
+}  // namespace
+
+std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
+  std::vector<std::string> out;
+  const geom::Pose pose = fleet_->pose(robot);
+  const std::string who =
+      fmt::format("robot {} at ({:.1f}, {:.1f})", robot.id.value, pose.position.x, pose.position.y);
+  if (robot.life == RobotLife::kParked) {
+    return {
+        fmt::format("{} stands parked: nothing here answers to its program `{}`", who, robot.program->name)};
+  }
+  if (robot.life == RobotLife::kFaulted) return {fmt::format("{} stands: fault at `{}`", who, robot.fault)};
+  if (robot.life != RobotLife::kRunning) return {fmt::format("{} is {}", who, name(robot.life))};
+
+  std::string motion;
+  for (const flow::Contribution& part : robot.program->program->contributions(robot.frame.data())) {
+    const double strength = geom::length(part.weighted);
+    if (strength < kWorthTelling) continue;
+    const std::string size = strength > 1e6 ? "absolute" : fmt::format("{:.2f}", strength);
+    motion += fmt::format("{}{} {} {}", motion.empty() ? "" : ", ", part.member, size,
+                          direction_word(part.weighted));
+  }
+  if (motion.empty()) motion = "nothing moves it";
+  out.push_back(fmt::format("{}: {}", who, motion));
+
+  const sim::Disc* nearest = nullptr;
+  double nearest_gap = kNear;
+  for (const sim::Disc& disc : simulator_->discs()) {
+    const double gap = geom::distance(disc.center, pose.position) - disc.radius - robot.body_spec.radius;
+    if (gap < nearest_gap) {
+      nearest_gap = gap;
+      nearest = &disc;
+    }
+  }
+  if (nearest != nullptr) {
+    out.push_back(fmt::format("  obstacle of radius {:.1f} m at ({:.1f}, {:.1f}), {:.1f} m away to the {}",
+                              nearest->radius, nearest->center.x, nearest->center.y, nearest_gap,
+                              compass_word(nearest->center - pose.position)));
+  }
+  double wall_distance = kNear;
+  geom::Point wall_point;
+  for (const sim::Wall& wall : simulator_->walls()) {
+    const geom::Point p = geom::nearest_point(wall.segment, pose.position);
+    if (geom::distance(p, pose.position) < wall_distance) {
+      wall_distance = geom::distance(p, pose.position);
+      wall_point = p;
+    }
+  }
+  if (wall_distance < kNear) {
+    out.push_back(fmt::format("  wall {:.1f} m away to the {}", wall_distance,
+                              compass_word(wall_point - pose.position)));
+  }
+  for (const FleetRobot& other : fleet_->robots()) {
+    if (&other == &robot || other.life == RobotLife::kNotStarted) continue;
+    const geom::Offset to = fleet_->pose(other).position - pose.position;
+    if (geom::length(to) < 5.0 * (robot.body_spec.radius + other.body_spec.radius)) {
+      out.push_back(fmt::format("  robot {} {:.1f} m away to the {}", other.id.value, geom::length(to),
+                                compass_word(to)));
+    }
+  }
+  return out;
+}
+
+}  // namespace mlab::fleet

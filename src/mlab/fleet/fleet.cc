@@ -1,0 +1,289 @@
+#include "mlab/fleet/fleet.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace mlab::fleet {
+namespace {
+
+constexpr std::size_t kRobotsPerPiece = 32;
+// Reading the clock costs as much as sensing does: only every so often is a robot's time taken, and counted
+// so often.
+constexpr std::uint64_t kTimedEvery = 16;
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double parameter(const robot::RobotProgram& program, std::string_view name, double otherwise) {
+  if (!program.program) return otherwise;
+  const flow::Port* port = program.program->find(name);
+  if (port == nullptr) return otherwise;
+  return flow::Program::number(program.initial.data(), *port).value_or(otherwise);
+}
+
+}  // namespace
+
+std::string_view name(RobotLife life) {
+  constexpr std::array<std::string_view, 5> kNames = {"not started", "running", "parked", "stopped", "fault"};
+  return kNames[static_cast<std::size_t>(life)];
+}
+
+Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
+             const std::vector<sim::BodySpec>& bodies, sim::Simulator& simulator, std::uint64_t seed)
+    : simulator_(simulator), seed_(seed), workers_(static_cast<std::size_t>(simulator.workers().count())) {
+  bool has_asynchronous = false;
+  for (const mission::Robot& declared : mission.robots) {
+    FleetRobot robot;
+    robot.id = declared.id;
+    robot.type = mission.types[declared.type].name;
+    robot.program = &programs[declared.type];
+    robot.body_spec = bodies[declared.type];
+    if (robot.program->program) {
+      robot.frame = robot.program->initial;
+      has_asynchronous |= robot.program->program->has_asynchronous();
+    }
+    robots_.push_back(std::move(robot));
+  }
+  std::sort(robots_.begin(), robots_.end(),
+            [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });
+  poses_.resize(robots_.size());
+  if (has_asynchronous) async_ = std::make_unique<flow::AsyncRunner>(1);
+}
+
+const FleetRobot* Fleet::find(base::RobotId id) const {
+  const auto at =
+      std::lower_bound(robots_.begin(), robots_.end(), id,
+                       [](const FleetRobot& robot, base::RobotId wanted) { return robot.id < wanted; });
+  return at != robots_.end() && at->id == id ? &*at : nullptr;
+}
+
+std::optional<sim::Placement> Fleet::start(base::RobotId id, geom::Pose pose) {
+  const FleetRobot* found = find(id);
+  if (found == nullptr || found->life == RobotLife::kRunning || found->life == RobotLife::kParked)
+    return std::nullopt;
+  const std::size_t index = index_of(*found);
+  FleetRobot& robot = robots_[index];
+  if (robot.life != RobotLife::kNotStarted) simulator_.remove_body(robot.body);  // started anew
+  const std::optional<sim::Placement> placement = simulator_.add_body({robot.body_spec, pose, id, 0});
+  if (!placement) return std::nullopt;
+  robot.body = placement->body;
+  robot.start = placement->pose;
+  robot.life = robot.program->program ? RobotLife::kRunning : RobotLife::kParked;
+  robot.frame = robot.program->initial;
+  robot.fault.clear();
+  poses_[index] = placement->pose;
+  actions_.resize(simulator_.body_count());
+  return placement;
+}
+
+void Fleet::leave_group(std::uint32_t index) {
+  FleetRobot& robot = robots_[index];
+  if (robot.group == FleetRobot::kNoGroup) return;
+  Group& group = groups_[robot.group];
+  std::erase(group.members, index);
+  if (group.members.empty()) {
+    group = {};
+    free_groups_.push_back(robot.group);
+  } else {
+    for (std::size_t rank = 0; rank < group.members.size(); ++rank) {
+      robots_[group.members[rank]].rank = static_cast<std::uint32_t>(rank);
+    }
+  }
+  robot.group = FleetRobot::kNoGroup;
+}
+
+void Fleet::order(const mission::effect::Order& effect) {
+  Group group;
+  group.order = effect.order;
+  group.command = effect.command;
+  for (const base::RobotId id : effect.members) {
+    if (const FleetRobot* robot = find(id))
+      group.members.push_back(static_cast<std::uint32_t>(index_of(*robot)));
+  }
+  if (group.members.empty()) return;
+  const FleetRobot& leader = robots_[group.members.front()];
+  // A formation goes on looking where it looked, whichever order it gets next.
+  if (leader.group != FleetRobot::kNoGroup) {
+    const Group& before = groups_[leader.group];
+    group.formation_heading = before.formation_heading;
+    if (before.members == group.members) {
+      group.center = before.center;
+      group.has_center = before.has_center;
+    }
+  } else {
+    group.formation_heading = leader.start.heading;
+  }
+  group.spacing = parameter(*leader.program, "formation_spacing", group.spacing);
+  group.slop = parameter(*leader.program, "formation_slop", group.slop);
+  group.heading_trigger = parameter(*leader.program, "formation_default_trigger", group.heading_trigger);
+
+  // All members may come out of one group: dissolve it at once, not one by one.
+  std::vector<std::uint32_t> touched;
+  for (const std::uint32_t member : group.members) {
+    FleetRobot& robot = robots_[member];
+    if (robot.group != FleetRobot::kNoGroup && (touched.empty() || touched.back() != robot.group))
+      touched.push_back(robot.group);
+    if (robot.group != FleetRobot::kNoGroup) robot.rank = FleetRobot::kLeaving;
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const std::uint32_t old : touched) {
+    std::erase_if(groups_[old].members,
+                  [&](std::uint32_t member) { return robots_[member].rank == FleetRobot::kLeaving; });
+    if (groups_[old].members.empty()) {
+      groups_[old] = {};
+      free_groups_.push_back(old);
+    }
+    for (std::size_t rank = 0; rank < groups_[old].members.size(); ++rank) {
+      robots_[groups_[old].members[rank]].rank = static_cast<std::uint32_t>(rank);
+    }
+  }
+  std::uint32_t slot = static_cast<std::uint32_t>(groups_.size());
+  if (!free_groups_.empty()) {
+    slot = free_groups_.back();
+    free_groups_.pop_back();
+  } else {
+    groups_.emplace_back();
+  }
+  for (std::size_t rank = 0; rank < group.members.size(); ++rank) {
+    FleetRobot& robot = robots_[group.members[rank]];
+    robot.group = slot;
+    robot.rank = static_cast<std::uint32_t>(rank);
+    if (robot.life == RobotLife::kRunning || robot.life == RobotLife::kParked)
+      simulator_.set_unit(robot.body, slot + 1);
+  }
+  groups_[slot] = std::move(group);
+}
+
+void Fleet::stop(base::RobotId id) {
+  const FleetRobot* found = find(id);
+  if (found == nullptr || found->life == RobotLife::kNotStarted) return;
+  const auto index = static_cast<std::uint32_t>(index_of(*found));
+  leave_group(index);
+  robots_[index].life = RobotLife::kStopped;
+  robots_[index].action = {};
+}
+
+void Fleet::set_joystick(base::RobotId id, const percept::Joystick& joystick) {
+  if (const FleetRobot* found = find(id)) robots_[index_of(*found)].joystick = joystick;
+}
+
+const Group* Fleet::group(const FleetRobot& robot) const {
+  return robot.group == FleetRobot::kNoGroup ? nullptr : &groups_[robot.group];
+}
+
+double Fleet::station_error(const FleetRobot& robot) const {
+  return robot.group == FleetRobot::kNoGroup ? 0.0
+                                             : fleet::station_error(groups_[robot.group], robot.rank, poses_);
+}
+
+void Fleet::update_poses() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (robots_[i].life != RobotLife::kNotStarted) poses_[i] = simulator_.pose(robots_[i].body);
+  }
+}
+
+void Fleet::step(double dt) {
+  update_poses();
+  for (Group& group : groups_) update_group(group, poses_);
+  simulator_.workers().run(robots_.size(), kRobotsPerPiece,
+                           [&](std::size_t begin, std::size_t end, int worker) {
+                             for (std::size_t i = begin; i < end; ++i) {
+                               if (robots_[i].life == RobotLife::kRunning)
+                                 run_program(robots_[i], dt, workers_[static_cast<std::size_t>(worker)]);
+                             }
+                           });
+  for (percept::Action& action : actions_) action = {};
+  for (FleetRobot& robot : robots_) {
+    robot.notifications.clear();
+    if (robot.life == RobotLife::kFaulted && robot.action.drives) {
+      robot.action = {};
+      new_faults_.push_back(robot.id);
+    }
+    if (robot.life == RobotLife::kRunning) actions_[robot.body.value] = robot.action;
+  }
+  pass_notifications();
+  simulator_.step(actions_, dt);
+  update_poses();
+  times_ = {};
+  for (const Worker& worker : workers_) {
+    times_.sense += worker.sense;
+    times_.behave += worker.behave;
+  }
+}
+
+void Fleet::run_program(FleetRobot& robot, double dt, Worker& worker) {
+  const flow::Program& program = *robot.program->program;
+  const bool is_timed = worker.steps++ % kTimedEvery == 0;
+  const double t0 = is_timed ? seconds() : 0.0;
+  percept::Percepts percepts;
+  percepts.cycle_duration = dt;
+  const flow::Needs needs = program.needs(robot.frame.data());
+  simulator_.sense(robot.body, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges}, worker.buffer,
+                   percepts);
+  if (robot.group != FleetRobot::kNoGroup) {
+    percepts.order = groups_[robot.group].order;
+    percepts.unit = unit_percept(groups_[robot.group], robot.rank, poses_);
+  } else {
+    percepts.unit.center = percepts.pose.position;
+    percepts.unit.leader = percepts.unit.neighbor = percepts.pose;
+  }
+  percepts.joystick = robot.joystick;
+  percepts.notifications = robot.notifications;
+  const double t1 = is_timed ? seconds() : 0.0;
+  robot.action = {};
+  program.step(robot.frame.data(), percepts, robot.action, seed_, robot.id.value, async_.get());
+  const geom::Vector v = robot.action.velocity;
+  if (!std::isfinite(v.x + v.y + v.z + robot.action.spin)) {
+    const flow::Port* port = program.find_fault(robot.frame.data());
+    robot.fault = port == nullptr ? "its action" : port->path;
+    robot.life = RobotLife::kFaulted;
+    robot.action.drives = true;  // tells step() that this fault is new
+  }
+  if (is_timed) {
+    worker.sense += (t1 - t0) * kTimedEvery;
+    worker.behave += (seconds() - t1) * kTimedEvery;
+  }
+}
+
+void Fleet::pass_notifications() {
+  std::vector<std::uint64_t> names;
+  for (const FleetRobot& robot : robots_) {
+    for (std::uint8_t i = 0; i < robot.action.request_count; ++i) {
+      const percept::Request& request = robot.action.requests[i];
+      if (request.kind == percept::Request::Kind::kNotify) names.push_back(request.notification);
+    }
+  }
+  if (names.empty()) return;
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  for (FleetRobot& robot : robots_) robot.notifications = names;
+}
+
+void Fleet::report(std::vector<mission::RobotReport>& out) const {
+  out.clear();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const FleetRobot& robot = robots_[i];
+    if (robot.life == RobotLife::kNotStarted) continue;
+    mission::RobotReport report;
+    report.id = robot.id;
+    report.pose = poses_[i];
+    report.radius = robot.body_spec.radius;
+    report.is_running = robot.life == RobotLife::kRunning || robot.life == RobotLife::kParked;
+    report.sequence = robot.action.status.sequence;
+    report.done = robot.action.status.done;
+    report.remaining = robot.action.status.remaining;
+    out.push_back(report);
+  }
+}
+
+std::vector<base::RobotId> Fleet::take_new_faults() {
+  return std::exchange(new_faults_, {});
+}
+
+}  // namespace mlab::fleet

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/fleet/group.h"
+#include "mlab/flow/async_runner.h"
+#include "mlab/mission/effect.h"
+#include "mlab/mission/event.h"
+#include "mlab/mission/mission.h"
+#include "mlab/percept/action.h"
+#include "mlab/robot/robot_program.h"
+#include "mlab/sim/simulator.h"
+
+namespace mlab::fleet {
+
+/// What became of a robot.
+enum class RobotLife : std::uint8_t {
+  kNotStarted,  ///< no START yet
+  kRunning,
+  kParked,   ///< stands in the world, but nothing here answers to its program's name
+  kStopped,  ///< by STOP or abort; it keeps standing
+  kFaulted,  ///< its program put out something that is no number; it stands, the others go on
+};
+std::string_view name(RobotLife life);
+
+/// One robot of the run.
+struct FleetRobot {
+  base::RobotId id;
+  std::string type;  ///< name of its robot type
+  const robot::RobotProgram* program = nullptr;
+  sim::BodySpec body_spec;
+  RobotLife life = RobotLife::kNotStarted;
+  sim::BodyIndex body;  ///< meaningful once started
+  flow::Frame frame;
+  std::uint32_t group = kNoGroup;
+  std::uint32_t rank = 0;
+  percept::Action action;  ///< of the last cycle
+  percept::Joystick joystick;
+  std::vector<std::uint64_t> notifications;  ///< to be seen in the next cycle, ascending
+  geom::Pose start;
+  std::string fault;  ///< path of the port that went wrong; empty: none
+
+  static constexpr std::uint32_t kNoGroup = 0xffffffffU;
+  static constexpr std::uint32_t kLeaving = 0xffffffffU;  ///< a rank while orders change hands
+};
+
+/// The robots of a run in this process: steps their programs against the simulator, all by the same seed.
+///
+/// Per cycle: `step` computes what units have in common, senses, runs every program, moves all bodies, and
+/// passes on notifications. Results are the same for any number of threads.
+class Fleet {
+ public:
+  /// @param programs  by index of the mission's robot types; outlive the fleet
+  Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
+        const std::vector<sim::BodySpec>& bodies, sim::Simulator& simulator, std::uint64_t seed);
+
+  /// Brings a robot into the world. @return where it stands; nothing where it is alive already, or no place
+  /// is free
+  std::optional<sim::Placement> start(base::RobotId robot, geom::Pose pose);
+  void order(const mission::effect::Order& order);
+  /// Ends the robot's program; its body keeps standing.
+  void stop(base::RobotId robot);
+  void set_joystick(base::RobotId robot, const percept::Joystick& joystick);
+
+  /// One control cycle of all robots [s].
+  void step(double dt);
+
+  const std::vector<FleetRobot>& robots() const { return robots_; }
+  const FleetRobot* find(base::RobotId id) const;
+  geom::Pose pose(const FleetRobot& robot) const { return poses_[index_of(robot)]; }
+  /// The group under whose order the robot is; null without an order.
+  const Group* group(const FleetRobot& robot) const;
+  /// Distance of the robot from its station [m]; 0 without a formation.
+  double station_error(const FleetRobot& robot) const;
+  /// What the executive wants to know of every started robot, by id. Fills `out`.
+  void report(std::vector<mission::RobotReport>& out) const;
+
+  /// Robots that faulted since the last call, to be told once.
+  std::vector<base::RobotId> take_new_faults();
+
+  /// Seconds of wall clock spent so far, summed over all cycles.
+  struct Times {
+    double sense = 0.0;  ///< with one thread exactly; with several, by the first worker's share
+    double behave = 0.0;
+  };
+  Times times() const { return times_; }
+
+ private:
+  struct Worker {
+    sim::SenseBuffer buffer;
+    double sense = 0.0;
+    double behave = 0.0;
+    std::uint64_t steps = 0;
+  };
+  std::size_t index_of(const FleetRobot& robot) const {
+    return static_cast<std::size_t>(&robot - robots_.data());
+  }
+  void leave_group(std::uint32_t robot);
+  void update_poses();
+  void run_program(FleetRobot& robot, double dt, Worker& worker);
+  void pass_notifications();
+
+  sim::Simulator& simulator_;
+  std::uint64_t seed_;
+  std::vector<FleetRobot> robots_;  // by id, ascending
+  std::vector<geom::Pose> poses_;   // at the start of the cycle
+  std::vector<Group> groups_;       // slots are used again
+  std::vector<std::uint32_t> free_groups_;
+  std::vector<percept::Action> actions_;  // by body
+  std::vector<Worker> workers_;
+  std::unique_ptr<flow::AsyncRunner> async_;
+  std::vector<base::RobotId> new_faults_;
+  Times times_;
+};
+
+}  // namespace mlab::fleet

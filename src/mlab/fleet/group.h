@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mlab/geom/pose.h"
+#include "mlab/mission/mission.h"
+#include "mlab/percept/percepts.h"
+
+namespace mlab::fleet {
+
+/// Robots under one order, and what they know in common: computed once per cycle, the same for all of them.
+struct Group {
+  percept::Order order;
+  std::shared_ptr<const mission::UnitCommand> command;  ///< keeps the route alive
+  std::vector<std::uint32_t> members;                   ///< indices of robots in the fleet, in rank order
+  geom::Point center;                                   ///< [m, world]
+  geom::Offset center_step;                             ///< in the last cycle [m]
+  double formation_heading = 0.0;                       ///< [rad, world]
+  double spacing = 50.0;                                ///< between neighbours [m]
+  double slop = 10.0;                                   ///< station error that counts as out of formation [m]
+  double heading_trigger = 100.0;  ///< nearer to the goal the formation no longer turns [m]
+  bool has_center = false;
+};
+
+/// Updates centre, its step and the formation heading from where the members are.
+void update_group(Group& group, const std::vector<geom::Pose>& poses);
+
+/// What the member of this rank knows of its group.
+percept::UnitPercept unit_percept(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses);
+
+/// How far the member of this rank is from its station, measured from the unit's centre [m]; in a sweep only
+/// along the heading. Zero where there is no formation to keep.
+double station_error(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses);
+
+}  // namespace mlab::fleet

@@ -1,0 +1,207 @@
+#include "mlab/fleet/mission_run.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "mlab/fleet/vehicle.h"
+
+namespace mlab::fleet {
+
+using mission::effect::Tell;
+
+namespace {
+
+std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& type,
+                                                   const robot::ProgramSources& sources,
+                                                   text::Diagnostics& sink) {
+  std::vector<robot::Setting> settings;
+  for (const mission::RobotParameter& parameter : type.parameters)
+    settings.push_back({parameter.key, parameter.value, parameter.place});
+  return robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink);
+}
+
+}  // namespace
+
+MissionRun::MissionRun(std::shared_ptr<const mission::Mission> mission, RunSettings settings)
+    : settings_(std::move(settings)),
+      state_(mission::initial_state(std::move(mission), settings_.executive)) {}
+
+std::unique_ptr<MissionRun> MissionRun::create(std::shared_ptr<const mission::Mission> mission,
+                                               const robot::ProgramSources& sources,
+                                               const RunSettings& settings, text::Diagnostics& sink) {
+  std::unique_ptr<MissionRun> run(new MissionRun(std::move(mission), settings));
+  const mission::Mission& plan = *run->state_.mission;
+  std::vector<sim::BodySpec> bodies;
+  std::vector<bool> is_used(plan.types.size(), false);
+  for (const mission::Robot& robot : plan.robots) is_used[robot.type] = true;
+  const std::size_t errors_before = sink.error_count();
+  for (std::size_t i = 0; i < plan.types.size(); ++i) {
+    bodies.push_back(body_of(plan.types[i], sink));
+    // A type that nobody uses costs nothing, but what is wrong in it is said all the same; ROBOT alone has no
+    // author.
+    std::optional<robot::RobotProgram> program;
+    if (is_used[i] || plan.types[i].place.source) program = load_program_of(plan.types[i], sources, sink);
+    run->programs_.push_back(program ? std::move(*program)
+                                     : robot::RobotProgram{plan.types[i].program, nullptr, {}});
+  }
+  if (sink.error_count() > errors_before) return nullptr;
+  run->dt_ = plan.options.cycle_duration.value_or(run->dt_);
+  run->metrics_.resize(plan.units.size());
+  run->simulator_ = std::make_unique<sim::Simulator>(sim::world_of(plan.overlay),
+                                                     sim::SimulatorSettings{settings.seed, settings.threads});
+  run->fleet_ = std::make_unique<Fleet>(plan, run->programs_, bodies, *run->simulator_, settings.seed);
+  return run;
+}
+
+void MissionRun::post(const mission::Event& event) {
+  mission::Advance advanced = mission::advance(std::move(state_), event);
+  state_ = std::move(advanced.state);
+  for (const mission::Effect& effect : advanced.effects) apply(effect);
+}
+
+void MissionRun::apply(const mission::Effect& effect) {
+  if (const auto* start = std::get_if<mission::effect::Start>(&effect)) start_robot(*start);
+  if (const auto* order = std::get_if<mission::effect::Order>(&effect)) fleet_->order(*order);
+  if (const auto* stop = std::get_if<mission::effect::Stop>(&effect)) fleet_->stop(stop->robot);
+  if (const auto* set = std::get_if<mission::effect::Set>(&effect)) {
+    const auto* number = std::get_if<mission::SetNumber>(&set->option);
+    if (number != nullptr && number->option == mission::NumberOption::kCycleDuration) dt_ = number->value;
+  }
+  if (observer_) observer_(effect);
+  const auto* told = std::get_if<Tell>(&effect);
+  if (told != nullptr && told->kind == Tell::Kind::kCommandEnded) explain_failures(told->command);
+}
+
+void MissionRun::start_robot(const mission::effect::Start& start) {
+  const FleetRobot* robot = fleet_->find(start.robot);
+  const bool is_alive =
+      robot != nullptr && (robot->life == RobotLife::kRunning || robot->life == RobotLife::kParked);
+  const std::optional<sim::Placement> placement = fleet_->start(start.robot, start.pose);
+  if (!placement) {
+    tell(Tell::Kind::kWarning,
+         fmt::format("robot {} {}", start.robot.value,
+                     is_alive ? "is started already" : "can't start: there is no free place near"));
+  } else if (placement->moved) {
+    const geom::Point to = placement->pose.position;
+    tell(Tell::Kind::kWarning,
+         fmt::format("robot {} starts at ({:.2f}, {:.2f}): its place ({:.2f}, {:.2f}) is taken",
+                     start.robot.value, to.x, to.y, start.pose.position.x, start.pose.position.y));
+  }
+}
+
+void MissionRun::tell(Tell::Kind kind, std::string text) {
+  Tell told;
+  told.kind = kind;
+  told.text = std::move(text);
+  if (observer_) observer_(told);
+}
+
+bool MissionRun::is_over() const {
+  return state_.mode == mission::State::Mode::kQuit ||
+         (state_.mode == mission::State::Mode::kIdle && state_.outcome != mission::Outcome::kPending);
+}
+
+std::size_t MissionRun::steps_done() const {
+  return state_.mode == mission::State::Mode::kRunning ? state_.step : state_.mission->steps.size();
+}
+
+MissionRun::Progress MissionRun::step() {
+  report_.time = time();
+  if (cycle_ == 0 || !state_.paused) {
+    fleet_->report(report_.robots);
+    post(report_);
+  }
+  if (is_over()) return Progress::kOver;
+  if (state_.paused || (settings_.stands_still_for_operator && mission::awaits_only_operator(state_)))
+    return Progress::kWaits;
+  ++cycle_;
+  change_environment();
+  fleet_->step(dt_);
+  for (const base::RobotId id : fleet_->take_new_faults()) {
+    tell(Tell::Kind::kWarning,
+         fmt::format("robot {} stands: its program put out something that is no number, first at `{}`",
+                     id.value, fleet_->find(id)->fault));
+  }
+  measure();
+  return Progress::kStepped;
+}
+
+void MissionRun::change_environment() {
+  for (const overlay::EnvironmentEvent& event : settings_.environment.events) {
+    const std::uint64_t due = overlay::executions(event, time());
+    for (std::uint64_t n = overlay::executions(event, time() - dt_); n < due; ++n) happen(event, n);
+  }
+}
+
+void MissionRun::happen(const overlay::EnvironmentEvent& event, std::uint64_t execution) {
+  std::vector<overlay::ObstacleDisc> before;
+  for (const sim::Disc& disc : simulator_->discs()) before.push_back({disc.center, disc.radius, 0.0, {}});
+  std::vector<overlay::ObstacleDisc> after = before;
+  std::vector<overlay::ObstacleDisc> bodies;
+  for (const FleetRobot& robot : fleet_->robots()) {
+    if (robot.life != RobotLife::kNotStarted)
+      bodies.push_back({fleet_->pose(robot).position, robot.body_spec.radius, 0.0, {}});
+  }
+  if (!overlay::apply(event, execution, settings_.seed, bodies, after)) {
+    tell(Tell::Kind::kWarning, "the environment has no room for as many obstacles as its file wants");
+  }
+  // Only what really comes or goes is touched, so that robots and grids are left alone otherwise.
+  const auto less = [](const overlay::ObstacleDisc& a, const overlay::ObstacleDisc& b) {
+    return std::tuple(a.center.x, a.center.y, a.radius) < std::tuple(b.center.x, b.center.y, b.radius);
+  };
+  std::sort(before.begin(), before.end(), less);
+  std::sort(after.begin(), after.end(), less);
+  std::vector<sim::Disc> added;
+  for (const overlay::ObstacleDisc& disc : after) {
+    if (!std::binary_search(before.begin(), before.end(), disc, less))
+      added.push_back({disc.center, disc.radius});
+  }
+  simulator_->remove_obstacles([&](const sim::Disc& disc) {
+    return !std::binary_search(after.begin(), after.end(),
+                               overlay::ObstacleDisc{disc.center, disc.radius, 0.0, {}}, less);
+  });
+  for (const sim::Placement& moved : simulator_->add_obstacles(added)) {
+    tell(Tell::Kind::kWarning, fmt::format("robot {} was moved: an obstacle appeared where it stood",
+                                           simulator_->robot(moved.body).value));
+  }
+}
+
+void MissionRun::measure() {
+  for (const FleetRobot& robot : fleet_->robots()) {
+    if (robot.life != RobotLife::kRunning) continue;
+    ++robot_cycles_;
+    const Group* group = fleet_->group(robot);
+    if (group == nullptr || !group->command || group->order.formation == percept::Formation::kNone ||
+        group->members.size() < 2)
+      continue;
+    if (group->command->unit >= metrics_.size()) metrics_.resize(state_.mission->units.size());
+    UnitMetrics& metrics = metrics_[group->command->unit];
+    const double error = fleet_->station_error(robot);
+    metrics.error_sum += error;
+    metrics.max_error = std::max(metrics.max_error, error);
+    ++metrics.samples;
+    if (error > group->slop) ++metrics.out_of_formation;
+  }
+}
+
+void MissionRun::explain_failures(std::uint32_t command) {
+  if (command >= state_.commands.size() || state_.commands[command].outcome != mission::Outcome::kFailed) return;
+  constexpr int kMostRobots = 8;
+  int said = 0;
+  for (const mission::Unit& unit : state_.mission->units) {
+    if (unit.name != state_.commands[command].unit) continue;
+    for (const base::RobotId id : unit.members) {
+      const FleetRobot* robot = fleet_->find(id);
+      if (robot == nullptr || robot->action.status.done || said >= kMostRobots) continue;
+      ++said;
+      for (std::string& line : explain(*robot)) tell(Tell::Kind::kMessage, std::move(line));
+    }
+    return;
+  }
+}
+
+}  // namespace mlab::fleet

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mlab/fleet/fleet.h"
+#include "mlab/mission/executive.h"
+#include "mlab/mission/mission.h"
+#include "mlab/overlay/environment_change.h"
+#include "mlab/robot/robot_program.h"
+#include "mlab/sim/simulator.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::fleet {
+
+struct RunSettings {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  mission::ExecutiveOptions executive;
+  overlay::EnvironmentChanges environment;  ///< what changes in the world, and when
+  bool stands_still_for_operator = true;    ///< time does not pass while nothing but an answer is awaited
+};
+
+/// How well a unit kept its formations.
+struct UnitMetrics {
+  double error_sum = 0.0;              ///< over robots and cycles [m]
+  double max_error = 0.0;              ///< [m]
+  std::uint64_t samples = 0;           ///< robot-cycles in which there was a formation to keep
+  std::uint64_t out_of_formation = 0;  ///< of these, farther from the station than the robot's formation_slop
+
+  double mean_error() const { return samples == 0 ? 0.0 : error_sum / static_cast<double>(samples); }
+  double out_share() const {
+    return samples == 0 ? 0.0 : static_cast<double>(out_of_formation) / static_cast<double>(samples);
+  }
+};
+
+/// A mission that is carried out in simulation: executive, robots and world, one control cycle at a time.
+class MissionRun {
+ public:
+  /// Everything that the mission names is made ready: programs built, bodies and world set up; nothing is
+  /// started.
+  /// @return null where there were errors, all in `sink`
+  static std::unique_ptr<MissionRun> create(std::shared_ptr<const mission::Mission> mission,
+                                            const robot::ProgramSources& sources, const RunSettings& settings,
+                                            text::Diagnostics& sink);
+
+  /// Called for everything that the executive wants told, asked, shown or set, when it happens.
+  using Observer = std::function<void(const mission::Effect&)>;
+  void set_observer(Observer observer) { observer_ = std::move(observer); }
+
+  /// What the operator does: Execute, Pause, Answer, a typed command, ...
+  void post(const mission::Event& event);
+
+  enum class Progress : std::uint8_t {
+    kStepped,  ///< a cycle went by
+    kWaits,    ///< paused, or only the operator can move things on: no time passed
+    kOver,     ///< the mission has ended; more steps would only let the robots go on with their last orders
+  };
+  /// One control cycle.
+  Progress step();
+
+  bool is_over() const;
+  double time() const { return static_cast<double>(cycle_) * dt_; }  ///< simulated [s]
+  std::uint64_t cycle() const { return cycle_; }
+  double cycle_duration() const { return dt_; }  ///< [s]
+  std::uint64_t seed() const { return settings_.seed; }
+  const mission::Mission& mission() const { return *state_.mission; }
+  const mission::State& state() const { return state_; }
+  const Fleet& fleet() const { return *fleet_; }
+  const sim::Simulator& simulator() const { return *simulator_; }
+  /// By unit of the mission.
+  const std::vector<UnitMetrics>& unit_metrics() const { return metrics_; }
+  /// Cycles run by all robots together.
+  std::uint64_t robot_cycles() const { return robot_cycles_; }
+  /// How many steps of the mission are done, and how many there are.
+  std::size_t steps_done() const;
+
+  /// What holds a robot where it is: what pulls and pushes it, and what is near. Several sentences, for a
+  /// person.
+  std::vector<std::string> explain(const FleetRobot& robot) const;
+
+ private:
+  MissionRun(std::shared_ptr<const mission::Mission> mission, RunSettings settings);
+
+  void apply(const mission::Effect& effect);
+  void start_robot(const mission::effect::Start& start);
+  void change_environment();
+  void happen(const overlay::EnvironmentEvent& event, std::uint64_t execution);
+  void measure();
+  void tell(mission::effect::Tell::Kind kind, std::string text);
+  void explain_failures(std::uint32_t command);
+
+  RunSettings settings_;
+  mission::State state_;
+  std::vector<robot::RobotProgram> programs_;
+  std::unique_ptr<sim::Simulator> simulator_;
+  std::unique_ptr<Fleet> fleet_;
+  Observer observer_;
+  double dt_ = 0.1;
+  std::uint64_t cycle_ = 0;
+  std::uint64_t robot_cycles_ = 0;
+  std::vector<UnitMetrics> metrics_;
+  mission::event::Cycle report_;
+};
+
+}  // namespace mlab::fleet

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mlab/mission/mission.h"
+#include "mlab/sim/body.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::fleet {
+
+/// The body that a robot type has in simulation, from its NEW-ROBOT parameters:
+///
+/// | key | default | meaning |
+/// |---|---|---|
+/// | robot_type | HOLONOMIC | HOLONOMIC, DIFFERENTIAL, CAR; historic: SIMULATION, MRV2, DRV1, HSERVER
+/// (holonomic), NO_HOLONOMIC (car) | | robot_radius | 0.2 | of the body [m] | | max_acceleration,
+/// max_turn_rate, max_turn_acceleration | 0: no limit | [m/s^2], [deg/s], [deg/s^2] | | axle, max_wheel_speed
+/// | 0.4, 0 | differential drive [m], [m/s] | | wheelbase, max_steer | 1.25, 75 | car [m], [deg] | |
+/// ring_count, ring_range, ring_beam_width, ring_noise, ring_dropout | 0, 5, 0, 0, 0 | range sensors: number,
+/// [m], [deg], [m], share |
+///
+/// @errors  a value of one of these keys that is no number or out of range
+sim::BodySpec body_of(const mission::RobotType& type, text::Diagnostics& sink);
+
+/// All keys that are not the program's: those of `body_of`, and the historic ones of hardware that simulation
+/// ignores.
+const std::vector<std::string>& vehicle_keys();
+
+}  // namespace mlab::fleet
