@@ -1,0 +1,145 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/language.h"
+#include "mlab/fleet/mission_run.h"
+#include "mlab/lang/envchange/envchange.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/lang/odl/odl.h"
+#include "mlab/robot/network_file.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Checked {
+  std::string file;
+  std::optional<Language> language;
+  text::Diagnostics sink;
+};
+
+std::string folder_of(const std::string& path) {
+  return std::filesystem::path(path).parent_path().string();
+}
+
+// A mission is right when everything that a run needs can be made ready: overlays, programs, parameters,
+// bodies.
+void check_mission(const text::SourcePtr& source, text::Diagnostics& sink) {
+  const auto mission = mdl::check_mission(source, folder_of(source->name()), sink, {1, overlay_folders()});
+  if (!mission) return;
+  fleet::MissionRun::create(mission, program_sources(folder_of(source->name())), {}, sink);
+}
+
+void check_source(const text::SourcePtr& source, Checked& out) {
+  out.language = language_of(*source);
+  if (!out.language) {
+    out.sink.error("unknown-language", {source, {0, 0}}, "this is no mission, overlay or network").hints = {
+        "the name may say it: .mdl, .odl, .cnl"};
+    return;
+  }
+  switch (*out.language) {
+    case Language::kMission:
+      check_mission(source, out.sink);
+      break;
+    case Language::kOverlay: {
+      overlay::Overlay overlay;
+      const odl::Tree tree = odl::parse(source, out.sink);
+      odl::apply(tree, overlay, out.sink);
+      break;
+    }
+    case Language::kNetwork:
+      robot::check_network(source, program_sources(folder_of(source->name())), out.sink);
+      break;
+    case Language::kEnvironment:
+      envchange::parse(source, {}, out.sink);
+      break;
+  }
+}
+
+Json place_json(const text::Place& place) {
+  if (!place.source) return nullptr;
+  const text::LineColumn begin = place.source->line_column(place.span.begin);
+  const text::LineColumn end = place.source->line_column(place.span.end);
+  return {{"file", place.source->name()},
+          {"line", begin.line},
+          {"column", begin.column},
+          {"end_line", end.line},
+          {"end_column", end.column}};
+}
+
+Json diagnostic_json(const text::Diagnostic& d) {
+  Json out;
+  out["level"] = d.severity == text::Severity::kError ? "error" : "warning";
+  out["kind"] = d.kind;
+  out["message"] = d.message;
+  out["place"] = place_json(d.place);
+  out["label"] = d.label;
+  out["hints"] = d.hints;
+  out["notes"] = Json::array();
+  for (const text::Note& note : d.notes)
+    out["notes"].push_back({{"message", note.message}, {"place", place_json(note.place)}});
+  return out;
+}
+
+Json checked_json(const Checked& checked) {
+  Json out;
+  out["file"] = checked.file;
+  out["language"] = checked.language ? Json(name(*checked.language)) : Json(nullptr);
+  out["errors"] = checked.sink.error_count();
+  out["warnings"] = checked.sink.warning_count();
+  out["diagnostics"] = Json::array();
+  for (const text::Diagnostic& d : checked.sink.items()) out["diagnostics"].push_back(diagnostic_json(d));
+  return out;
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  Json files = Json::array();
+  for (const std::string& file : options.files) {
+    Checked checked;
+    checked.file = file;
+    if (text::Result<text::SourcePtr> source = text::read_source(file)) {
+      check_source(*source, checked);
+    } else {
+      checked.sink.report(source.error());
+    }
+    errors += checked.sink.error_count();
+    warnings += checked.sink.warning_count();
+    if (options.format == "json") {
+      files.push_back(checked_json(checked));
+      continue;
+    }
+    fmt::print(stderr, "{}", text::render(checked.sink));
+    fmt::print("{}: {}", file, checked.language ? name(*checked.language) : "unreadable");
+    if (checked.sink.items().empty()) {
+      fmt::print(", ok\n");
+    } else {
+      fmt::print(", {}, {}\n", counted(checked.sink.error_count(), "error"),
+                 counted(checked.sink.warning_count(), "warning"));
+    }
+  }
+  if (options.format == "json") {
+    const Json out = {{"version", 1}, {"files", files}};
+    fmt::print("{}\n", out.dump(2, ' ', false, Json::error_handler_t::replace));
+  }
+  if (errors > 0) return kBadInput;
+  return options.strict && warnings > 0 ? kFailed : kDone;
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mlab::cli {
+
+/// Exit status of the command: done as asked; it ran, but the mission failed or a check found a problem in
+/// the run; bad input or usage.
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kBadInput = 2;
+
+struct RunOptions {
+  std::string mission;
+  bool headless = false;
+  bool proceed = false;
+  bool strict = false;
+  bool quiet = false;
+  bool allow_native = false;
+  std::string speed;  ///< `real`, `max` or a number; empty: the default of the surface
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::string report;           ///< file; empty: none
+  std::string environment;      ///< environment-change file; empty: none
+  std::string start_time;       ///< of the mission clock; empty: now
+  double patience = 600.0;      ///< [s]
+  std::optional<double> limit;  ///< simulated seconds after which the run is ended
+};
+int run(const RunOptions& options);
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string format = "text";  ///< or `json`
+  bool strict = false;
+};
+int check(const CheckOptions& options);
+
+struct FormatOptions {
+  std::vector<std::string> files;
+  bool check_only = false;
+};
+int format(const FormatOptions& options);
+
+struct DescribeOptions {
+  std::string name;  ///< empty: all
+  std::string format = "text";
+};
+int describe(const DescribeOptions& options);
+
+struct BenchOptions {
+  std::uint32_t robots = 1000;
+  int threads = 1;
+  std::string control = "schemas";
+  std::string positions;  ///< CSV; empty: generated
+  std::string json;       ///< file; empty: none
+  double range = 1.0;     ///< of the sensors [m]
+  std::uint64_t seed = 1;
+  std::uint32_t cycles = 0;  ///< timed ones; 0: as the scenario says
+};
+int bench(const BenchOptions& options);
+
+}  // namespace mlab::cli

@@ -1,0 +1,65 @@
+#include "mlab/cli/files.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "mlab/cli/version.h"
+
+namespace mlab::cli {
+namespace fs = std::filesystem;
+
+bool is_writable(const std::string& path) {
+  std::error_code error;
+  if (fs::exists(path, error)) return !fs::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0;
+  const fs::path folder = fs::path(path).parent_path();
+  return ::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+}
+
+bool write_file(const std::string& path, const std::string& text) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {  // /dev/stdout, a pipe
+    std::ofstream file(path, std::ios::binary);
+    return static_cast<bool>(file.write(text.data(), static_cast<std::streamsize>(text.size())).flush());
+  }
+  const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
+  const fs::path fresh = target.string() + ".new";
+  {
+    std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
+    if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush()) {
+      fs::remove(fresh, error);
+      return false;
+    }
+  }
+  if (fs::exists(target, error)) fs::permissions(fresh, fs::status(target).permissions(), error);
+  fs::rename(fresh, target, error);
+  return !error;
+}
+
+namespace {
+
+std::string include_root() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = self.parent_path().parent_path() / "include";
+  for (const fs::path& root : {installed, fs::path(MLAB_SOURCE_INCLUDE)}) {
+    if (fs::exists(root / "mlab" / "schema" / "procedure.h", error)) return root.string();
+  }
+  return "";
+}
+
+}  // namespace
+
+robot::ProgramSources program_sources(const std::string& folder) {
+  return {folder, include_root(), kVersion};
+}
+
+std::vector<std::string> overlay_folders() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  return {(self.parent_path().parent_path() / "share" / "mlab" / "overlays").string()};
+}
+
+}  // namespace mlab::cli

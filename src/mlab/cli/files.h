@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mlab/robot/robot_program.h"
+
+namespace mlab::cli {
+
+/// True where the file exists and may be written, or could be made.
+bool is_writable(const std::string& path);
+/// Writes the whole file, or leaves what was there: the text goes to a new file beside it, which then takes
+/// its name.
+bool write_file(const std::string& path, const std::string& text);
+
+/// Where robot programs come from that a file in `folder` names. The headers for procedures that it brings
+/// are those of the installation, or of the source tree that mlab was built from.
+robot::ProgramSources program_sources(const std::string& folder);
+/// Where overlays are looked for after the mission's own folder.
+std::vector<std::string> overlay_folders();
+
+}  // namespace mlab::cli

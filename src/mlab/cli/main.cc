@@ -1,0 +1,150 @@
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include "mlab/cli/commands.h"
+#include "mlab/cli/version.h"
+
+namespace mlab::cli {
+namespace {
+
+int hardware_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void add_run(CLI::App& app, RunOptions& o) {
+  CLI::App* c = app.add_subcommand("run", "Carry out a mission in simulation.");
+  c->add_option("mission", o.mission, "the mission file (.mdl)")->required()->type_name("MISSION");
+  c->add_flag("--headless", o.headless, "no console: print the steps as they happen");
+  c->add_flag("--proceed", o.proceed, "answer every Proceed? with yes");
+  c->add_option("--speed", o.speed, "real, N times real time, or max (headless: max)")
+      ->type_name("real|N|max");
+  c->add_option("--seed", o.seed, "of everything random in the run")->capture_default_str()->type_name("N");
+  c->add_option("--threads", o.threads,
+                "how many threads step the robots; the result is the same for any number")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  c->add_option("--report", o.report, "write what happened to a JSON file (docs/report.md)")
+      ->type_name("FILE.json");
+  c->add_option("--environment", o.environment, "change the world while the mission runs, as this file says")
+      ->type_name("FILE");
+  c->add_option("--start-time", o.start_time,
+                "what the mission's clock shows at the start: \"YYYY-MM-DD HH:MM[:SS]\" (default: now)")
+      ->type_name("TIME");
+  c->add_option("--patience", o.patience,
+                "simulated seconds without progress after which a command has failed")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
+  c->add_option("--limit", o.limit, "end the run after so many simulated seconds")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
+  c->add_flag("--strict", o.strict, "warnings keep the mission from running (exit status 1)");
+  c->add_flag("--quiet", o.quiet, "print only the summary");
+  c->add_flag("--allow-native", o.allow_native, "let the mission name executables as robot programs");
+}
+
+void add_check(CLI::App& app, CheckOptions& o) {
+  CLI::App* c = app.add_subcommand("check", "Parse and check files of missions, overlays and networks.");
+  c->add_option("files", o.files, "files; the language is told by name or content")
+      ->required()
+      ->type_name("FILE");
+  c->add_option("--format", o.format, "how problems are printed")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"text", "json"}));
+  c->add_flag("--strict", o.strict, "warnings count as problems (exit status 1)");
+}
+
+void add_fmt(CLI::App& app, FormatOptions& o) {
+  CLI::App* c = app.add_subcommand("fmt", "Rewrite files in the canonical layout, comments kept.");
+  c->add_option("files", o.files, "files to rewrite in place")->required()->type_name("FILE");
+  c->add_flag("--check", o.check_only,
+              "change nothing; exit status 1 where a file is not in the canonical layout");
+}
+
+void add_describe(CLI::App& app, DescribeOptions& o) {
+  CLI::App* c = app.add_subcommand("describe", "Show the component library, or one component of it.");
+  c->add_option("name", o.name,
+                "a component, by its own name or a historic one; or `robot`, the standard robot")
+      ->type_name("NAME");
+  c->add_option("--format", o.format, "text, json, or markdown")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"text", "json", "markdown"}));
+}
+
+void add_bench(CLI::App& app, BenchOptions& o) {
+  CLI::App* c =
+      app.add_subcommand("bench", "Measure the simulator and the behavior runtime (docs/performance.md).");
+  c->add_option("--robots", o.robots, "how many")
+      ->capture_default_str()
+      ->check(CLI::Range(1U, 1'000'000U))
+      ->type_name("N");
+  c->add_option("--threads", o.threads, "how many threads")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256))
+      ->type_name("T");
+  c->add_option("--control", o.control, "what steers the robots")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"diffusion", "schemas"}));
+  c->add_option("--positions", o.positions,
+                "read obstacles and robots from a CSV file instead of generating them")
+      ->type_name("FILE");
+  c->add_option("--range", o.range, "of the range sensors [m]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 100.0))
+      ->type_name("M");
+  c->add_option("--seed", o.seed, "of the generator and the behaviors")
+      ->capture_default_str()
+      ->type_name("N");
+  c->add_option("--cycles", o.cycles, "timed cycles (default: by the number of robots)")->type_name("N");
+  c->add_option("--json", o.json, "write the figures to a file")->type_name("FILE");
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("Specify, check and carry out missions of teams of robots.", "mlab");
+  app.set_version_flag("--version", fmt::format("mlab {}", kVersion));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 done as asked; 1 it ran, but the mission failed or a check found a problem; 2 bad "
+      "input or usage.\n"
+      "Documentation: docs/README.md");
+  RunOptions run_options;
+  run_options.threads = std::min(hardware_threads(), 8);
+  CheckOptions check_options;
+  FormatOptions format_options;
+  DescribeOptions describe_options;
+  BenchOptions bench_options;
+  add_run(app, run_options);
+  add_check(app, check_options);
+  add_fmt(app, format_options);
+  add_describe(app, describe_options);
+  add_bench(app, bench_options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kDone : kBadInput;
+  }
+  if (app.got_subcommand("run")) return run(run_options);
+  if (app.got_subcommand("check")) return check(check_options);
+  if (app.got_subcommand("fmt")) return format(format_options);
+  if (app.got_subcommand("describe")) return describe(describe_options);
+  return bench(bench_options);
+}
+
+}  // namespace
+}  // namespace mlab::cli
+
+int main(int argc, char** argv) {
+  try {
+    return mlab::cli::parse_and_run(argc, argv);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "mlab: {}\n", e.what());
+    return mlab::cli::kFailed;
+  }
+}

@@ -1,0 +1,118 @@
+#include "mlab/cli/run_screen.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/clock.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::cli {
+namespace {
+
+constexpr double kRedrawSeconds = 0.1;
+constexpr int kBarWidth = 24;
+constexpr std::size_t kMostRobots = 12;
+
+using mission::effect::Tell;
+
+constexpr std::size_t kMostCharacters = 300;  // of a line that a mission's author had a hand in
+
+// The commands say which step they belong to, so a line for the step itself would only repeat them.
+bool is_worth_a_line(Tell::Kind kind, bool quiet) {
+  if (quiet) return kind == Tell::Kind::kWarning;
+  return kind != Tell::Kind::kStepStarted && kind != Tell::Kind::kStepEnded;
+}
+
+}  // namespace
+
+RunScreen::RunScreen(bool quiet) : quiet_(quiet), is_terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+void RunScreen::line(const std::string& text) {
+  clear_progress();
+  fmt::print("{}\n", text);
+  std::fflush(stdout);
+}
+
+void RunScreen::clear_progress() {
+  if (!has_bar_) return;
+  fmt::print("\r\x1b[K");
+  std::fflush(stdout);
+  has_bar_ = false;
+}
+
+void RunScreen::show_start(const fleet::MissionRun& run) {
+  if (quiet_) return;
+  const mission::Mission& mission = run.mission();
+  line(fmt::format("{}: {} robot{}, {} step{}, seed {}, cycle {} s",
+                   mission.name.empty() ? "mission" : text::shown(mission.name), mission.robots.size(),
+                   mission.robots.size() == 1 ? "" : "s", mission.steps.size(),
+                   mission.steps.size() == 1 ? "" : "s", run.seed(), run.cycle_duration()));
+}
+
+void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect) {
+  const auto* told = std::get_if<Tell>(&effect);
+  if (told == nullptr) return;
+  if (!is_worth_a_line(told->kind, quiet_)) return;
+  line(fmt::format("[{:9.1f} s] {}{}", run.time(), told->kind == Tell::Kind::kWarning ? "warning: " : "",
+                   text::shown(told->text, kMostCharacters)));
+}
+
+void RunScreen::show_progress(const fleet::MissionRun& run) {
+  if (!is_terminal_ || quiet_) return;
+  const double now = steady_seconds();
+  if (now - last_drawn_ < kRedrawSeconds) return;
+  if (last_drawn_ > 0.0) {
+    const double rate = (run.time() - last_cycles_) / (now - last_drawn_);
+    rate_ = rate_ == 0.0 ? rate : 0.8 * rate_ + 0.2 * rate;
+  }
+  last_drawn_ = now;
+  last_cycles_ = run.time();
+  const std::size_t total = std::max<std::size_t>(run.mission().steps.size(), 1);
+  const std::size_t done = std::min(run.steps_done(), total);
+  const auto filled = static_cast<std::size_t>(kBarWidth) * done / total;
+  fmt::print("\r\x1b[K[{}{}] step {} of {}   {:.0f} s simulated   {:.0f} x real time",
+             std::string(filled, '#'), std::string(kBarWidth - filled, '.'), std::min(done + 1, total), total,
+             run.time(), rate_);
+  std::fflush(stdout);
+  has_bar_ = true;
+}
+
+void RunScreen::show_summary(const fleet::MissionRun& run, const std::string& outcome, double wall_seconds) {
+  clear_progress();
+  fmt::print("\n{} after {:.1f} s simulated, {:.2f} s real ({:.0f} robot-cycles per second)\n", outcome,
+             run.time(), wall_seconds,
+             wall_seconds > 0.0 ? static_cast<double>(run.robot_cycles()) / wall_seconds : 0.0);
+  std::size_t shown_robots = 0;
+  std::uint64_t contacts = 0;
+  for (const fleet::FleetRobot& robot : run.fleet().robots()) {
+    const bool was_started = robot.life != fleet::RobotLife::kNotStarted;
+    if (was_started) contacts += run.simulator().contacts(robot.body);
+    if (shown_robots++ >= kMostRobots) continue;
+    if (!was_started) {
+      fmt::print("  robot {}: not started\n", robot.id.value);
+      continue;
+    }
+    const geom::Point at = run.fleet().pose(robot).position;
+    fmt::print("  robot {}: {:>8} at ({:.1f}, {:.1f}), drove {:.1f} m, {} collisions\n", robot.id.value,
+               name(robot.life), at.x, at.y, run.simulator().distance_driven(robot.body),
+               run.simulator().contacts(robot.body));
+  }
+  if (shown_robots > kMostRobots)
+    fmt::print("  ... and {} more; {} collisions in all\n", shown_robots - kMostRobots, contacts);
+  for (std::size_t i = 0; i < run.mission().units.size() && i < run.unit_metrics().size(); ++i) {
+    const fleet::UnitMetrics& metrics = run.unit_metrics()[i];
+    if (metrics.samples == 0) continue;
+    fmt::print(
+        "  unit {}: formation error {:.1f} m on average, {:.1f} m at most, out of formation {:.0f} % of the "
+        "time\n",
+        text::shown(run.mission().units[i].name), metrics.mean_error(), metrics.max_error,
+        100.0 * metrics.out_share());
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace mlab::cli
