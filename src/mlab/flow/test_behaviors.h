@@ -178,9 +178,9 @@ inline Node node(std::string node_name, std::string behavior,
 
 /// A program and one robot's frame, stepped together.
 struct Runner {
+  text::Diagnostics sink;  // first, because building the program fills it
   std::shared_ptr<const Program> program;
   Frame frame;
-  text::Diagnostics sink;
   percept::Percepts percepts;
   percept::Action action;
 
