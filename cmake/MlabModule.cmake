@@ -62,9 +62,13 @@ function(mlab_module name)
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} FILES_MATCHING PATTERN "*.h")
 
   if(MLAB_TESTS AND arg_TESTS)
-    mlab_test(mlab_${name}_test SOURCES ${arg_TESTS} LINK mlab_${name} ${arg_TEST_LINK})
-    add_dependencies(unit_tests mlab_${name}_test)
+    set(label "")
     if(name IN_LIST MLAB_THREADED_MODULES)
+      set(label LABEL threads)
+    endif()
+    mlab_test(mlab_${name}_test SOURCES ${arg_TESTS} LINK mlab_${name} ${arg_TEST_LINK} ${label})
+    add_dependencies(unit_tests mlab_${name}_test)
+    if(label)
       add_dependencies(threaded_tests mlab_${name}_test)
     endif()
   endif()
@@ -73,7 +77,7 @@ endfunction()
 # mlab_test(NAME SOURCES file... [LINK target...] [LABEL label])
 #
 # A GoogleTest program, each of its tests one test of ctest. LABEL: `repo` (rules of the source tree), `e2e` (missions
-# and command line); without, it is a unit test.
+# and command line); without, or with `threads` (which the thread sanitizer sees too), they are unit tests.
 function(mlab_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
