@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   const int wanted = std::atoi(what);
   mlab::sim::BenchScenario scenario;
   if (wanted > 0) {
-    scenario = mlab::sim::make_bench_scenario(static_cast<std::uint32_t>(wanted), 1);
+    scenario = mlab::sim::make_bench_scenario(static_cast<std::uint32_t>(wanted));
   } else {
     const auto source = mlab::text::read_source(what);
     auto read = source ? mlab::sim::read_bench_scenario(*source) : std::unexpected(source.error());

@@ -18,8 +18,12 @@ struct BenchScenario {
   std::vector<geom::Pose> robots;
 };
 
+/// With these positions, 1,000 robots under the diffusion control measure what is usual for the scenario:
+/// hits, their distance and the way travelled differ by some per cent from one draw of positions to the next.
+inline constexpr std::uint64_t kBenchSeed = 27;
+
 /// @param robots  >= 1
-BenchScenario make_bench_scenario(std::uint32_t robots, std::uint64_t seed);
+BenchScenario make_bench_scenario(std::uint32_t robots, std::uint64_t seed = kBenchSeed);
 
 /// Reads positions as CSV: a line `# side_m,SIDE`, lines `obstacle,X,Y,RADIUS` and `robot,X,Y,HEADING` in
 /// metres and radians.

@@ -1,0 +1,110 @@
+#include "mlab/sim/point_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mlab/base/random.h"
+
+namespace mlab::sim {
+namespace {
+
+using Item = PointGrid::Item;
+
+/// The ids that a question to the grid comes to, sorted; and how many of them there were no need to look at.
+struct Answer {
+  Answer(const PointGrid& grid, const std::vector<Item>& items, const Box& box) {
+    grid.visit(box, [&](const Item& item) { seen.push_back(item.id); });
+    std::ranges::sort(seen);
+    for (const Item& item : items) {
+      if (is_inside(box, item)) wanted.push_back(item.id);
+    }
+  }
+  bool is_right() const {
+    return std::ranges::includes(seen, wanted) && std::ranges::adjacent_find(seen) == seen.end();
+  }
+  std::vector<std::uint32_t> seen, wanted;
+};
+
+std::vector<Item> scattered(std::uint32_t count, base::Random& random, double size, double x = 0,
+                            double y = 0) {
+  std::vector<Item> items;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    items.push_back({x + random.uniform(-size, size), y + random.uniform(-size, size), 0.5F, i});
+  }
+  return items;
+}
+
+TEST(PointGrid, FindsWhateverIsInABoxEachOnce) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    base::Random random(seed);
+    const double size = std::pow(10.0, random.uniform(-2.0, 7.0));
+    std::vector<Item> items = scattered(1 + static_cast<std::uint32_t>(random.below(500)), random, size);
+    if (seed % 3 == 0) items[0].x = 9e7;
+    if (seed % 4 == 0) {
+      for (Item& item : items) item.y = items[0].y;
+    }
+    PointGrid grid;
+    grid.build(items, 0.01);
+    for (int i = 0; i < 30; ++i) {
+      const double reach = size * std::pow(10.0, random.uniform(-4.0, 1.0));
+      const Box box = Box::around(random.uniform(-size, size), random.uniform(-size, size), reach);
+      ASSERT_TRUE(Answer(grid, items, box).is_right()) << "seed " << seed;
+    }
+  }
+}
+
+TEST(PointGrid, LooksAtFewThatAreNotWantedHoweverTheyAreSpread) {
+  base::Random random(1);
+  std::vector<std::vector<Item>> worlds;
+  worlds.push_back(scattered(10000, random, 500));
+  worlds.push_back(scattered(10000, random, 500, 4e6, -4e6));
+  std::vector<Item> two_crowds = scattered(5000, random, 50);
+  for (const Item& item : scattered(5000, random, 50, 1e5, 1e5)) {
+    two_crowds.push_back({item.x, item.y, 0.5F, item.id + 5000});
+  }
+  worlds.push_back(two_crowds);
+  std::vector<Item> outlier = scattered(10000, random, 500);
+  outlier[17].x = 1e8;
+  worlds.push_back(outlier);
+  for (const std::vector<Item>& items : worlds) {
+    PointGrid grid;
+    grid.build(items, 0.5);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < items.size(); i += 10) {
+      const Answer answer(grid, items, Box::around(items[i].x, items[i].y, 0.5));
+      ASSERT_TRUE(answer.is_right());
+      seen += answer.seen.size();
+    }
+    EXPECT_LT(static_cast<double>(seen) / (static_cast<double>(items.size()) / 10), 20.0);
+  }
+}
+
+TEST(PointGrid, AllAtOnePlaceIsNoTrouble) {
+  std::vector<Item> items;
+  for (std::uint32_t i = 0; i < 1000; ++i) items.push_back({3, 4, 0.0F, i});
+  PointGrid grid;
+  grid.build(items, 0.01);
+  EXPECT_EQ(Answer(grid, items, Box::around(3, 4, 0.1)).seen.size(), 1000U);
+}
+
+TEST(PointGrid, CanBeEmptyAndFilledAgain) {
+  PointGrid grid;
+  grid.build({}, 1.0);
+  EXPECT_TRUE(Answer(grid, {}, Box::around(0, 0, 1e6)).seen.empty());
+  const std::vector<Item> items = {{1, 1, 0.0F, 0}};
+  grid.build(items, 1.0);
+  EXPECT_EQ(Answer(grid, items, Box::around(0, 0, 2)).seen.size(), 1U);
+}
+
+TEST(RoundedUp, IsNeverLess) {
+  for (const double value : {0.1, 1.0 / 3, 1e-300, 123456789.123}) {
+    EXPECT_GE(static_cast<double>(rounded_up(value)), value);
+  }
+}
+
+}  // namespace
+}  // namespace mlab::sim

@@ -1,0 +1,96 @@
+#include "mlab/sim/world.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace mlab::sim {
+namespace {
+
+using overlay::ControlMeasure;
+using overlay::MeasureKind;
+
+ControlMeasure measure(MeasureKind kind, std::string name, std::vector<geom::Point> points) {
+  ControlMeasure m;
+  m.kind = kind;
+  m.name = std::move(name);
+  m.points = std::move(points);
+  return m;
+}
+
+TEST(World, TakesObstaclesAndTheAreaFromTheOverlay) {
+  overlay::Overlay overlay;
+  overlay.area = overlay::Area{300, 200};
+  overlay.obstacles.push_back({.center = {10, 20}, .radius = 3, .height = 0, .place = {}});
+  const World world = world_of(overlay);
+  ASSERT_EQ(world.discs.size(), 1U);
+  EXPECT_EQ(world.discs[0].center, (geom::Point{10, 20}));
+  EXPECT_EQ(world.discs[0].radius, 3);
+  EXPECT_EQ(world.area_high, (geom::Point{300, 200}));
+}
+
+TEST(World, WallsAreSolidAndBoundariesGapsAndRoomsAreNot) {
+  overlay::Overlay overlay;
+  const std::vector<geom::Point> line = {{0, 0}, {5, 0}, {5, 5}};
+  for (const MeasureKind kind :
+       {MeasureKind::kWall, MeasureKind::kBoundary, MeasureKind::kGap, MeasureKind::kRoom, MeasureKind::kDoor,
+        MeasureKind::kHallway, MeasureKind::kRoad, MeasureKind::kAxis}) {
+    overlay.measures.push_back(measure(kind, "", line));
+  }
+  overlay.measures.push_back(measure(MeasureKind::kWall, "", {{9, 9}, {8, 8}}));
+  const World world = world_of(overlay);
+  ASSERT_EQ(world.walls.size(), 3U);
+  EXPECT_EQ(world.walls[0].group, world.walls[1].group);
+  EXPECT_NE(world.walls[1].group, world.walls[2].group);
+  EXPECT_EQ(world.walls[2].segment.a, (geom::Point{9, 9}));
+}
+
+TEST(World, AWeatherZoneIsAClosedWallAndANoFlyZoneConcernsNobodyOnTheGround) {
+  overlay::Overlay overlay;
+  const std::vector<geom::Point> line = {{0, 0}, {5, 0}, {5, 5}};
+  overlay.measures.push_back(measure(MeasureKind::kBoundary, "Storm-WeatherZone", line));
+  overlay.measures.push_back(measure(MeasureKind::kBoundary, "NoFlyZone1", line));
+  overlay.measures.push_back(measure(MeasureKind::kBoundary, "NoCommZone", line));
+  EXPECT_EQ(world_of(overlay).walls.size(), 3U);
+}
+
+TEST(World, ObjectsHaveAClassByTheirColour) {
+  overlay::Overlay overlay;
+  overlay.objects.push_back({.center = {1, 2},
+                             .diameter = 0.4,
+                             .style = overlay::ObjectStyle::kContainer,
+                             .color = "Green",
+                             .place = {}});
+  overlay.objects.push_back({.center = {3, 4},
+                             .diameter = 5,
+                             .style = overlay::ObjectStyle::kFixed,
+                             .color = "dark sea green",
+                             .place = {}});
+  overlay.objects.push_back({.center = {3, 4},
+                             .diameter = 5,
+                             .style = overlay::ObjectStyle::kMovable,
+                             .color = "mauve",
+                             .place = {}});
+  const World world = world_of(overlay);
+  ASSERT_EQ(world.objects.size(), 3U);
+  EXPECT_EQ(world.objects[0].id.value, 1U);
+  EXPECT_EQ(world.objects[0].object_class, percept::ObjectClass::kBasket);
+  EXPECT_EQ(world.objects[0].style, percept::ObjectStyle::kContainer);
+  EXPECT_EQ(world.objects[0].radius, 0.2);
+  EXPECT_EQ(world.objects[1].object_class, percept::ObjectClass::kTree);
+  EXPECT_EQ(world.objects[2].object_class, percept::ObjectClass::kUnknown);
+}
+
+TEST(World, WhatIsNotANumberOrTooFarAwayIsLeftOut) {
+  World world;
+  world.discs = {{{0, 0}, 1}, {{NAN, 0}, 1}, {{0, 0}, -1}, {{0, 2e8}, 1}, {{0, 0}, INFINITY}};
+  world.walls = {{{{0, 0}, {1, 1}}, 0}, {{{0, 0}, {INFINITY, 1}}, 0}};
+  world.area_high = {NAN, INFINITY};
+  keep_usable(world);
+  EXPECT_EQ(world.discs.size(), 1U);
+  EXPECT_EQ(world.walls.size(), 1U);
+  EXPECT_EQ(world.area_high, (geom::Point{World::kFarthest, World::kFarthest}));
+}
+
+}  // namespace
+}  // namespace mlab::sim
