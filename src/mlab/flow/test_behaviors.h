@@ -116,6 +116,7 @@ inline const Behavior& sum() {
 /// Sinks: make a value be evaluated, and show it as the action's forward speed.
 inline void fire_show(Call& call) {
   call.cycle->action->velocity.x = call.at<double>(call.inputs[0]);
+  call.cycle->action->drives = true;
 }
 inline const Behavior& show() {
   static const Input kInputs[] = {{"value", &type_info<double>(), "", "", false, "", -1e300, 1e300}};

@@ -1,0 +1,135 @@
+#include "mlab/fleet/fleet.h"
+
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "mlab/base/count_allocations.h"
+#include "mlab/flow/test_behaviors.h"
+
+namespace mlab::fleet {
+namespace {
+
+// A mission of `count` robots of one type, and a program that drives at the speed `speed`.
+struct TestFleet {
+  mission::Mission mission;
+  std::vector<robot::RobotProgram> programs;
+  sim::Simulator simulator;
+  Fleet fleet;
+
+  explicit TestFleet(std::uint32_t count, int threads = 1)
+      : mission(mission_of(count)),
+        programs(program()),
+        simulator(sim::World{}, {1, threads}),
+        fleet(mission, programs, {sim::BodySpec{}}, simulator, 1) {
+    for (std::uint32_t i = 1; i <= count; ++i) fleet.start({i}, {{0.0, 10.0 * i}, 0.0});
+  }
+
+  static mission::Mission mission_of(std::uint32_t count) {
+    mission::Mission out;
+    out.types.emplace_back();
+    for (std::uint32_t i = 1; i <= count; ++i) out.robots.push_back({{i}, 0, {}});
+    return out;
+  }
+  // Drives at twice the parameter `speed`.
+  static std::vector<robot::RobotProgram> program() {
+    using flow::test::constant;
+    using flow::test::node;
+    const auto from = [](const char* path) { return flow::test::name(path); };
+    flow::Network network;
+    network.parameters.push_back({"speed", "double", "", "", {}, constant("1"), -1e308, 1e308, {}});
+    network.nodes.push_back(node("twice", "Add", {{"a", from("speed")}, {"b", from("speed")}}));
+    network.nodes.push_back(node("sink", "Show", {{"value", from("twice")}}));
+    text::Diagnostics sink;
+    robot::RobotProgram out;
+    out.name = "test";
+    out.program = flow::build_program(network, flow::test::library(), sink);
+    out.initial = out.program->make_frame();
+    std::vector<robot::RobotProgram> all;
+    all.push_back(std::move(out));
+    return all;
+  }
+  void set_speed(std::uint32_t robot, double speed) {
+    auto& frame = const_cast<FleetRobot&>(*fleet.find({robot})).frame;
+    std::memcpy(frame.data() + programs[0].program->find("speed")->offset, &speed, sizeof speed);
+  }
+};
+
+TEST(Fleet, DrivesEveryRobotByItsProgram) {
+  TestFleet t(2);
+  t.fleet.step(0.1);
+  EXPECT_NEAR(t.fleet.pose(*t.fleet.find({1})).position.x, 0.2, 1e-12);
+  EXPECT_NEAR(t.fleet.pose(*t.fleet.find({2})).position.x, 0.2, 1e-12);
+}
+
+TEST(Fleet, ARobotWhoseProgramGoesWrongStandsAndTheOthersGoOn) {
+  TestFleet t(3);
+  t.set_speed(2, 1e308);  // twice that is infinite
+  t.fleet.step(0.1);
+  t.fleet.step(0.1);
+  EXPECT_EQ(t.fleet.find({2})->life, RobotLife::kFaulted);
+  EXPECT_EQ(t.fleet.find({2})->fault, "twice");
+  EXPECT_EQ(t.fleet.pose(*t.fleet.find({2})).position.x, 0.0);
+  EXPECT_NEAR(t.fleet.pose(*t.fleet.find({3})).position.x, 0.4, 1e-12);
+  EXPECT_EQ(t.fleet.take_new_faults(), (std::vector<base::RobotId>{{2}}));
+  EXPECT_TRUE(t.fleet.take_new_faults().empty()) << "told once";
+}
+
+TEST(Fleet, AStoppedRobotKeepsStanding) {
+  TestFleet t(1);
+  t.fleet.stop({1});
+  t.fleet.step(0.1);
+  EXPECT_EQ(t.fleet.find({1})->life, RobotLife::kStopped);
+  EXPECT_EQ(t.fleet.pose(*t.fleet.find({1})).position.x, 0.0);
+}
+
+TEST(Fleet, ReportsWhatTheExecutiveNeeds) {
+  TestFleet t(2);
+  t.fleet.stop({2});
+  std::vector<mission::RobotReport> reports;
+  t.fleet.report(reports);
+  ASSERT_EQ(reports.size(), 2U);
+  EXPECT_TRUE(reports[0].is_running);
+  EXPECT_FALSE(reports[1].is_running);
+}
+
+TEST(Fleet, AnOrderTakesRobotsOverFromAnotherGroup) {
+  TestFleet t(4);
+  mission::effect::Order order;
+  order.members = {{1}, {2}, {3}, {4}};
+  order.order.sequence = 1;
+  t.fleet.order(order);
+  order.members = {{3}, {1}};
+  order.order.sequence = 2;
+  t.fleet.order(order);
+  EXPECT_EQ(t.fleet.group(*t.fleet.find({3}))->members, (std::vector<std::uint32_t>{2, 0}));
+  EXPECT_EQ(t.fleet.find({3})->rank, 0U);
+  EXPECT_EQ(t.fleet.find({1})->rank, 1U);
+  EXPECT_EQ(t.fleet.group(*t.fleet.find({4}))->members, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(t.fleet.find({4})->rank, 1U);
+  EXPECT_EQ(t.fleet.group(*t.fleet.find({4}))->order.sequence, 1U);
+}
+
+TEST(Fleet, UsesNoHeapInTheCycle) {
+  TestFleet t(20);
+  for (int i = 0; i < 5; ++i) t.fleet.step(0.1);
+  const std::size_t before = base::allocation_count();
+  for (int i = 0; i < 50; ++i) t.fleet.step(0.1);
+  EXPECT_EQ(base::allocation_count(), before);
+}
+
+TEST(Fleet, StepsTheSameWithOneThreadAndWithEight) {
+  TestFleet one(50, 1);
+  TestFleet eight(50, 8);
+  for (int i = 0; i < 20; ++i) {
+    one.fleet.step(0.1);
+    eight.fleet.step(0.1);
+  }
+  for (const FleetRobot& robot : one.fleet.robots()) {
+    EXPECT_EQ(one.fleet.pose(robot), eight.fleet.pose(*eight.fleet.find(robot.id)));
+    EXPECT_EQ(robot.frame, eight.fleet.find(robot.id)->frame);
+  }
+}
+
+}  // namespace
+}  // namespace mlab::fleet

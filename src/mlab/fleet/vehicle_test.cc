@@ -1,0 +1,60 @@
+#include "mlab/fleet/vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include "mlab/base/angle.h"
+
+namespace mlab::fleet {
+namespace {
+
+mission::RobotType type_with(std::vector<mission::RobotParameter> parameters) {
+  mission::RobotType type;
+  type.parameters = std::move(parameters);
+  return type;
+}
+
+TEST(BodyOf, IsASmallHolonomicDiscWithoutParameters) {
+  text::Diagnostics sink;
+  const sim::BodySpec body = body_of(type_with({}), sink);
+  EXPECT_EQ(body.radius, 0.2);
+  EXPECT_EQ(body.kinematics.drive, sim::Drive::kHolonomic);
+  EXPECT_EQ(body.ring.count, 0);
+  EXPECT_TRUE(sink.items().empty());
+}
+
+TEST(BodyOf, TakesDriveLimitsAndRing) {
+  text::Diagnostics sink;
+  const sim::BodySpec body = body_of(type_with({{"robot_type", "differential", {}},
+                                                {"robot_radius", "0.5", {}},
+                                                {"max_turn_rate", "90", {}},
+                                                {"ring_count", "24", {}},
+                                                {"ring_range", "3", {}}}),
+                                     sink);
+  EXPECT_EQ(body.kinematics.drive, sim::Drive::kDifferential);
+  EXPECT_EQ(body.radius, 0.5);
+  EXPECT_DOUBLE_EQ(body.kinematics.max_turn_rate, base::radians(90));
+  EXPECT_EQ(body.ring.count, 24);
+  EXPECT_EQ(body.ring.range, 3.0);
+}
+
+TEST(BodyOf, SimulatesHistoricRobotTypesAsHolonomicWithoutAWord) {
+  text::Diagnostics sink;
+  for (const char* historic : {"SIMULATION", "MRV2", "DRV1", "HSERVER"}) {
+    EXPECT_EQ(body_of(type_with({{"robot_type", historic, {}}}), sink).kinematics.drive,
+              sim::Drive::kHolonomic);
+  }
+  EXPECT_TRUE(sink.items().empty());
+  body_of(type_with({{"robot_type", "HUMMER", {}}}), sink);
+  EXPECT_EQ(sink.warning_count(), 1U);
+}
+
+TEST(BodyOf, RefusesAValueThatIsNoNumberOrOutOfRange) {
+  for (const char* value : {"wide", "-1", "nan", "1e9", ""}) {
+    text::Diagnostics sink;
+    body_of(type_with({{"robot_radius", value, {}}}), sink);
+    EXPECT_EQ(sink.error_count(), 1U) << value;
+  }
+}
+
+}  // namespace
+}  // namespace mlab::fleet

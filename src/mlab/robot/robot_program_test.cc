@@ -1,0 +1,80 @@
+#include "mlab/robot/robot_program.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace mlab::robot {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<RobotProgram> load(const std::string& name, const std::vector<Setting>& settings,
+                                 text::Diagnostics& sink, const ProgramSources& sources = {}) {
+  return load_program(name, {}, settings, sources, {"robot_type"}, sink);
+}
+
+double parameter(const RobotProgram& robot, const char* name) {
+  return flow::Program::number(robot.initial.data(), *robot.program->find(name)).value_or(-1.0);
+}
+
+TEST(LoadProgram, KnowsTheStandardRobotByItsHistoricNames) {
+  for (const char* name : {"robot", "mlab-2.0-robot", "../bin/tmr_robot-1998"}) {
+    text::Diagnostics sink;
+    const auto robot = load(name, {}, sink);
+    ASSERT_TRUE(robot) << text::render(sink);
+    EXPECT_TRUE(robot->program);
+    EXPECT_TRUE(sink.items().empty()) << text::render(sink);
+  }
+}
+
+TEST(LoadProgram, SetsParametersAndLeavesTheOthersAtTheirDefaults) {
+  text::Diagnostics sink;
+  const auto robot = load("robot", {{"base_velocity", "0.1", {}}, {"robot_type", "MRV2", {}}}, sink);
+  ASSERT_TRUE(robot);
+  EXPECT_DOUBLE_EQ(parameter(*robot, "base_velocity"), 0.1);
+  EXPECT_DOUBLE_EQ(parameter(*robot, "max_velocity"), 7.0);
+  EXPECT_TRUE(sink.items().empty()) << "the vehicle's keys are not the program's business";
+}
+
+TEST(LoadProgram, WarnsAboutAnUnknownParameterWithTheNearestName) {
+  text::Diagnostics sink;
+  const auto robot = load("robot", {{"base_velocty", "0.1", {}}}, sink);
+  ASSERT_TRUE(robot);
+  ASSERT_EQ(sink.warning_count(), 1U);
+  EXPECT_EQ(sink.items()[0].hints, (std::vector<std::string>{"did you mean `base_velocity`?"}));
+}
+
+TEST(LoadProgram, RefusesAValueThatAParameterCannotTake) {
+  text::Diagnostics sink;
+  EXPECT_FALSE(load("robot", {{"base_velocity", "fast", {}}}, sink));
+  EXPECT_FALSE(load("robot", {{"base_velocity", "-3", {}}}, sink));
+  EXPECT_EQ(sink.error_count(), 2U);
+}
+
+TEST(LoadProgram, ParksARobotWhoseProgramNobodyKnows) {
+  text::Diagnostics sink;
+  const auto robot = load("./forager", {}, sink);
+  ASSERT_TRUE(robot);
+  EXPECT_FALSE(robot->program);
+  EXPECT_EQ(sink.warning_count(), 1U);
+  EXPECT_EQ(sink.error_count(), 0U);
+}
+
+TEST(LoadProgram, BuildsANetworkFromAFileBesideTheMission) {
+  const fs::path folder = fs::path(testing::TempDir()) / "mlab_robot_program_test";
+  fs::create_directories(folder);
+  std::ofstream(folder / "runner.cnl")
+      << "parameter double pace = 1;\nnode ahead is MoveForward with amount = pace; nend\n"
+         "node wheels is Drive with v = ahead; nend\n";
+  text::Diagnostics sink;
+  const auto robot = load("runner.cnl", {{"pace", "2", {}}}, sink, {folder.string(), "", ""});
+  ASSERT_TRUE(robot) << text::render(sink);
+  EXPECT_DOUBLE_EQ(parameter(*robot, "pace"), 2.0);
+  EXPECT_FALSE(load("missing.cnl", {}, sink, {folder.string(), "", ""}));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace mlab::robot
