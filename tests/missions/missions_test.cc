@@ -1,0 +1,170 @@
+// Every mission of the project arrives, with twenty seeds, without a contact, as its expected.json says.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "mlab/fleet/mission_run.h"
+#include "mlab/fleet/report.h"
+#include "mlab/lang/mdl/mdl.h"
+
+namespace mlab {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr std::uint64_t kSeeds = 20;
+const fs::path kMissions = fs::path(MLAB_SOURCE_DIR) / "missions";
+const fs::path kCorpus = fs::path(MLAB_SOURCE_DIR) / ".." / "shared" / "corpus" / "missions";
+
+// With the standard clock, all questions answered with yes.
+std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads) {
+  text::Diagnostics sink;
+  const auto mission = mdl::load_mission(file.string(), sink, {seed, {}});
+  if (!mission) {
+    ADD_FAILURE() << text::render(sink);
+    return nullptr;
+  }
+  fleet::RunSettings settings;
+  settings.seed = seed;
+  settings.threads = threads;
+  settings.executive.proceed_all = true;
+  auto run = fleet::MissionRun::create(mission, {file.parent_path().string(), "", ""}, settings, sink);
+  EXPECT_TRUE(run) << text::render(sink);
+  return run;
+}
+
+void carry_out(fleet::MissionRun& run, double most_seconds) {
+  run.post(mission::event::Execute{});
+  while (run.time() < most_seconds && run.step() == fleet::MissionRun::Progress::kStepped) {
+  }
+}
+
+Json read_json(const fs::path& file) {
+  std::ifstream stream(file);
+  return Json::parse(stream, nullptr, false);
+}
+
+geom::Point center_of(const fleet::MissionRun& run, const std::string& unit_name) {
+  geom::Offset sum;
+  std::size_t count = 0;
+  for (const mission::Unit& unit : run.mission().units) {
+    if (unit.name != unit_name) continue;
+    for (const base::RobotId id : unit.members) {
+      sum = sum + (run.fleet().pose(*run.fleet().find(id)).position - geom::Point{});
+      ++count;
+    }
+  }
+  return geom::Point{} + sum * (1.0 / static_cast<double>(count));
+}
+
+class Mission : public testing::TestWithParam<std::string> {};
+
+TEST_P(Mission, ArrivesWithTwentySeedsWithoutAContact) {
+  const fs::path folder = kMissions / GetParam();
+  const Json expected = read_json(folder / "expected.json");
+  ASSERT_TRUE(expected.is_object()) << "no readable expected.json in " << folder;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto run = prepare(folder / (GetParam() + ".mdl"), seed, 1);
+    ASSERT_TRUE(run);
+    carry_out(*run, expected["at_most_s"]);
+    EXPECT_EQ(fleet::outcome_name(*run, true), expected["outcome"]);
+    EXPECT_EQ(run->state().steps.size(), expected["steps"]);
+    for (const fleet::FleetRobot& robot : run->fleet().robots()) {
+      ASSERT_NE(robot.life, fleet::RobotLife::kNotStarted);
+      EXPECT_EQ(run->simulator().contacts(robot.body), 0U) << "robot " << robot.id.value;
+    }
+    for (const auto& [unit, place] : expected["units_end"].items()) {
+      const geom::Point center = center_of(*run, unit);
+      const geom::Point wanted{place["x_m"], place["y_m"]};
+      EXPECT_LE(geom::distance(center, wanted), place["within_m"])
+          << unit << " at " << center.x << ", " << center.y;
+    }
+  }
+}
+
+TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
+  const auto report_with = [&](int threads) {
+    const auto run = prepare(kMissions / GetParam() / (GetParam() + ".mdl"), 7, threads);
+    carry_out(*run, 3600.0);
+    Json report = Json::parse(fleet::report_json(*run, {}, false));
+    report.erase("performance");
+    return report.dump();
+  };
+  const std::string one = report_with(1);
+  EXPECT_EQ(one, report_with(1));
+  EXPECT_EQ(one, report_with(2));
+  EXPECT_EQ(one, report_with(8));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
+                         testing::Values("demo_c", "robot_lab", "formations", "squeeze", "split_rejoin"),
+                         [](const auto& test) { return test.param; });
+
+TEST(Missions, EveryFolderIsTried) {
+  std::vector<std::string> folders;
+  for (const auto& entry : fs::directory_iterator(kMissions)) {
+    if (entry.is_directory()) folders.push_back(entry.path().filename().string());
+  }
+  std::sort(folders.begin(), folders.end());
+  EXPECT_EQ(folders,
+            (std::vector<std::string>{"demo_c", "formations", "robot_lab", "split_rejoin", "squeeze"}));
+}
+
+TEST(DemoC, RunsItsStepsInTheOrderOfTheReport) {
+  const auto run = prepare(kMissions / "demo_c" / "demo_c.mdl", 1, 1);
+  std::vector<std::string> asked;
+  run->set_observer([&](const mission::Effect& effect) {
+    const auto* told = std::get_if<mission::effect::Tell>(&effect);
+    if (told != nullptr && told->kind == mission::effect::Tell::Kind::kCommandStarted)
+      asked.push_back(told->text);
+  });
+  carry_out(*run, 3600.0);
+  ASSERT_EQ(asked.size(), 14U);
+  EXPECT_EQ(asked[0], "step 0: unit scouts START AA-AA1");
+  EXPECT_EQ(asked[3], "step 3: unit scouts OCCUPY ATK-AP1 (Diamond)");
+  EXPECT_EQ(asked[7], "step 7: unit scouts-1 MOVETO ATK-BP1");
+  EXPECT_EQ(asked[8], "step 7: unit scouts-2 MOVETO ATK-BP2");
+  EXPECT_EQ(asked[13], "step 11: unit scouts STOP");
+}
+
+TEST(DemoC, DifferentSeedsGiveDifferentRuns) {
+  const auto path_of = [&](std::uint64_t seed) {
+    const auto run = prepare(kMissions / "demo_c" / "demo_c.mdl", seed, 1);
+    carry_out(*run, 3600.0);
+    return run->simulator().distance_driven(run->fleet().robots().front().body);
+  };
+  EXPECT_NE(path_of(1), path_of(2));
+}
+
+// The historic operator had to help these two by joystick. They arrive, or say where they are stuck and why.
+TEST(HistoricMissions, ArriveOrSayWhereTheyAreStuck) {
+  if (!fs::exists(kCorpus)) GTEST_SKIP() << "the historic files are not beside the project";
+  for (const auto& entry : fs::directory_iterator(kCorpus)) {
+    if (entry.path().extension() == ".ovl") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    const auto run = prepare(entry.path(), 1, 1);
+    ASSERT_TRUE(run);
+    std::string said;
+    run->set_observer([&](const mission::Effect& effect) {
+      if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) said += told->text + "\n";
+    });
+    carry_out(*run, 20'000.0);
+    const std::string outcome = fleet::outcome_name(*run, true);
+    if (outcome == "done") continue;
+    EXPECT_EQ(outcome, "failed");
+    EXPECT_NE(said.find("no progress"), std::string::npos) << said;
+    EXPECT_NE(said.find("from_obstacles"), std::string::npos) << "what holds the robots is said";
+  }
+}
+
+}  // namespace
+}  // namespace mlab
