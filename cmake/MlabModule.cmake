@@ -3,7 +3,8 @@
 find_program(MLAB_MOLD mold)
 find_program(MLAB_CCACHE ccache)
 if(MLAB_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${MLAB_CCACHE})
+  # Paths count from the clone's own folder, so that clones share what they compiled.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${MLAB_CCACHE})
 endif()
 if(MLAB_MOLD)
   add_link_options(-fuse-ld=mold)

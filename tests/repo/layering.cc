@@ -25,7 +25,8 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"lang/envchange", {"text", "overlay"}},
     {"lang/mdl", {"text", "mission", "lang/odl"}},
     {"lang/cnl", {"text", "flow"}},
-    {"robot", {"percept", "flow", "lang/cnl"}},
+    {"library", {"schema"}},
+    {"robot", {"percept", "flow", "lang/cnl", "library"}},
     {"fleet", {"robot", "mission", "sim"}},
 };
 

@@ -11,11 +11,9 @@ constexpr std::size_t kMaxReadmeLines = 30;
 constexpr std::size_t kMaxPlainLines = 5;
 
 // In two pieces, so that this file does not find itself.
-constexpr std::array<std::string_view, 7> kMachineTraces = {
+constexpr std::array<std::string_view, 6> kMachineTraces = {
     "/wo"
     "rk/",
-    "/ro"
-    "ot/",
     "/ho"
     "me/",
     "deb.debian"
