@@ -216,13 +216,18 @@ class Lexer {
     }
   }
 
-  bool starts_something(char c) const {
-    return c == '\n' || is_blank(c) || is_alphanumeric(c) ||
-           std::string_view("+-/.\":()<>=,").find(c) != std::string_view::npos;
+  // Signs are part of something only before a digit; `--` begins a comment.
+  bool may_start_something(std::size_t i) const {
+    const char c = text_[i];
+    const char next = peek(i + 1);
+    if (c == '+') return is_digit(next);
+    if (c == '-') return is_digit(next) || next == '.' || next == '-';
+    return c == '\n' || is_blank(c) || is_alphanumeric(c) || std::string_view("/.\":()<>=,").contains(c);
   }
 
   void skip_characters() {
-    const std::size_t length = 1 + run_length(at_ + 1, [&](char c) { return !starts_something(c); });
+    std::size_t length = 1;
+    while (at_ + length < text_.size() && !may_start_something(at_ + length)) ++length;
     diagnostics_.warning(
         "skipped-characters", {source_, span(length)},
         length == 1

@@ -21,8 +21,8 @@ using percept::Task;
 
 constexpr double kDefaultBodyRadius = 0.2;  // robot_radius [m]
 // Robots looked at over the whole mission, and pairs of robot and obstacle: some tenths of a second.
-constexpr std::uint64_t kMaxRobotVisits = 20'000'000;
-constexpr std::uint64_t kMaxObstacleVisits = 50'000'000;
+constexpr std::uint64_t kMaxRobotVisits = 5'000'000;
+constexpr std::uint64_t kMaxObstacleVisits = 20'000'000;
 
 // How many robots are in the state that a command meets; the first of them.
 struct Met {
