@@ -57,6 +57,7 @@ std::optional<mission::Command> CommandReader::unit_command(const statement::Uni
   out.task = action.task;
   out.place = place(action.unit.span);
   if (action.location) read_location(action, out);
+  if (action.step_x) check_lengths({&*action.step_x, &*action.step_y}, "an offset", source_, diagnostics_);
   if (action.step_x) out.start_step = {action.step_x->value, action.step_y->value};
   std::array<const Clause*, std::variant_size_v<decltype(Clause::what)>> seen{};
   for (const Clause& clause : action.clauses) {
@@ -78,6 +79,7 @@ void CommandReader::read_location(const statement::UnitAction& action, mission::
   const Location& location = *action.location;
   const bool follows = action.task == percept::Task::kFollow;
   if (!location.name) {
+    check_lengths({&location.x, &location.y}, "a coordinate", source_, diagnostics_);
     out.place_name = location.x.text + " " + location.y.text;
     out.goal = geom::Point{location.x.value, location.y.value} + scope_.mission.overlay.origin;
     if (follows) {

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/lang/odl/limits.h"
 
 namespace mlab::mdl {
 namespace {
@@ -114,6 +115,17 @@ std::optional<mission::Command> read_set(const statement::Set& set, const missio
   // Historic seeds went through a 32-bit number with a point, so 945816565 always meant 945816576.
   if (option == NumberOption::kSeed) value = std::round(static_cast<float>(value));
   return mission::SetNumber{option, value};
+}
+
+bool check_lengths(std::initializer_list<const Number*> lengths, std::string_view what,
+                   const text::SourcePtr& source, text::Diagnostics& diagnostics) {
+  const auto* wrong = std::ranges::find_if(
+      lengths, [](const Number* length) { return std::abs(length->value) > odl::kMaxCoordinate; });
+  if (wrong == lengths.end()) return true;
+  diagnostics.error("number-out-of-range", {source, (*wrong)->span},
+                    fmt::format("{} goes to {:g} metres at most, found {}", what, odl::kMaxCoordinate,
+                                in_backticks((*wrong)->text)));
+  return false;
 }
 
 void apply_set(const mission::Command& command, mission::Options& options) {

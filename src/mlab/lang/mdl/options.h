@@ -1,5 +1,9 @@
 #pragma once
 
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+
 #include "mlab/lang/mdl/tree.h"
 #include "mlab/mission/mission.h"
 #include "mlab/text/diagnostic.h"
@@ -14,6 +18,13 @@ namespace mlab::mdl {
 std::optional<mission::Command> read_set(const statement::Set& set, const mission::Options& options,
                                          overlay::Area area, const text::SourcePtr& source,
                                          text::Diagnostics& diagnostics);
+
+/// Reports a coordinate or length that no map has.
+///
+/// @param what  as the message begins: `a coordinate`
+/// @return  whether all of them are good
+bool check_lengths(std::initializer_list<const Number*> lengths, std::string_view what,
+                   const text::SourcePtr& source, text::Diagnostics& diagnostics);
 
 /// Puts the value of a SET command into the options; any other command changes nothing.
 void apply_set(const mission::Command& command, mission::Options& options);

@@ -162,11 +162,14 @@ void Preamble::set_area(const statement::MissionArea& area) {
                                    in_backticks(side->text)));
     return;
   }
+  if (!check_lengths({&area.width, &area.height}, "a side of the mission area", source_, diagnostics_))
+    return;
   mission_.overlay.area = overlay::Area{area.width.value, area.height.value};
   reset_for_area(*mission_.overlay.area, mission_.options);
 }
 
 void Preamble::add_start_place(const statement::StartPlace& start) {
+  if (!check_lengths({&start.x, &start.y}, "a coordinate", source_, diagnostics_)) return;
   overlay::ControlMeasure measure;
   measure.kind = overlay::MeasureKind::kStartPoint;
   measure.name = start.name.text;
@@ -239,6 +242,8 @@ std::optional<overlay::ObstacleDisc> read_obstacle(const statement::Obstacle& ob
                                   in_backticks(obstacle.radius.text)));
     return std::nullopt;
   }
+  if (!check_lengths({&obstacle.x, &obstacle.y}, "a coordinate", source, diagnostics)) return std::nullopt;
+  if (!check_lengths({&obstacle.radius}, "a radius", source, diagnostics)) return std::nullopt;
   return overlay::ObstacleDisc{geom::Point{obstacle.x.value, obstacle.y.value} + origin,
                                obstacle.radius.value, 0.0, all};
 }
