@@ -5,8 +5,8 @@
 namespace mlab::overlay {
 namespace {
 
-EnvironmentEvent event(EnvironmentChange change) {
-  return {0.0, 0.0, {std::move(change)}, {}};
+EnvironmentEvent event(const EnvironmentChange& change) {
+  return {0.0, 0.0, {change}, {}};
 }
 std::vector<ObstacleDisc> discs(std::initializer_list<geom::Point> centers) {
   std::vector<ObstacleDisc> out;

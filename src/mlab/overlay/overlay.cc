@@ -95,7 +95,7 @@ std::array<std::string, 5> spellings(std::string_view reference) {
   std::string raised = lowered;
   raised[0] = upper(raised[0]);
   std::string capitals = raised;
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(), upper);
+  std::ranges::transform(capitals, capitals.begin(), upper);
   return {std::string(reference), bare, lowered, raised, capitals};
 }
 

@@ -85,6 +85,7 @@ struct Area {
   double height = 1000.0;
 };
 
+/// Heights of the ground, a byte for each cell, row by row (HEIGHTMAP). Cells below the sea level are water.
 struct HeightMap {
   std::string file;
   int columns = 0;

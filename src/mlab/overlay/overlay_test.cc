@@ -64,7 +64,7 @@ TEST(FindMeasure, PrefersTheExactNameToOneAfterAPrefix) {
 }
 
 TEST(FindMeasure, TakesTheLastOfEqualNames) {
-  Overlay o = with({{MeasureKind::kPassagePoint, "x"}, {MeasureKind::kAssemblyArea, "x"}});
+  const Overlay o = with({{MeasureKind::kPassagePoint, "x"}, {MeasureKind::kAssemblyArea, "x"}});
   EXPECT_EQ(find_measure(o, "x")->kind, MeasureKind::kAssemblyArea);
 }
 

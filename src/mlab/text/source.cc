@@ -14,7 +14,7 @@ Source::Source(std::string name, std::string text) : name_(std::move(name)), tex
 
 LineColumn Source::line_column(std::uint32_t offset) const {
   offset = std::min(offset, static_cast<std::uint32_t>(text_.size()));
-  const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  const auto next = std::ranges::upper_bound(line_starts_, offset);
   const std::uint32_t start = *(next - 1);
   const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
   const auto before = std::count_if(text_.begin() + start, text_.begin() + offset, is_first_byte);

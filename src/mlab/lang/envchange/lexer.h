@@ -7,6 +7,7 @@
 
 namespace mlab::envchange {
 
+/// The keywords, and what else there is.
 enum class TokenKind : std::uint8_t {
   kStepCount,
   kAdd,

@@ -79,9 +79,14 @@ class Parser {
   // ---
 
   bool fail(std::string kind, text::Place place, std::string message, std::string hint = "") {
-    failure_ = {text::Severity::kError, std::move(kind), std::move(message), std::move(place), {}, {}, {}};
-    if (!hint.empty()) failure_->hints.push_back(std::move(hint));
+    failure_ = text::Diagnostic{
+        text::Severity::kError, std::move(kind), std::move(message), std::move(place), {}, {}, {}};
+    if (!hint.empty()) add_hint(std::move(hint));
     return false;
+  }
+
+  void add_hint(std::string hint) {
+    if (failure_) failure_->hints.push_back(std::move(hint));
   }
 
   // `what` is missing; it should stand where the next token is.
@@ -161,15 +166,15 @@ class Parser {
     fail("unknown-statement", place_of(token.span),
          fmt::format("expected a statement, found `{}`", text::shown(text_of(token))));
     if (is_header) {
-      failure_->hints = {"the header is `CONTROL MEASURES:`, the colon attached"};
+      add_hint("the header is `CONTROL MEASURES:`, the colon attached");
       said_header_is_missing_ = true;
     } else if (token.starts_line) {
       const std::string near = nearest_statement(token);
-      if (!near.empty()) failure_->hints.push_back(fmt::format("did you mean `{}`?", near));
+      if (!near.empty()) add_hint(fmt::format("did you mean `{}`?", near));
     } else if (!tree_.statements.empty() && tree_.statements.back().keyword != Keyword::kNone) {
       const Rule& before = rule_of(tree_.statements.back().keyword);
       if (!before.usage.empty()) {
-        failure_->hints.push_back(fmt::format("the statement before it is `{}`", before.usage));
+        add_hint(fmt::format("the statement before it is `{}`", before.usage));
       }
     }
     return false;
@@ -273,8 +278,7 @@ class Parser {
       fail_expected("expected-name", may_be_file ? "the name of a file" : "a name");
       if (is_full()) return false;
       const bool is_odd_name = token.kind == TokenKind::kFile || token.kind == TokenKind::kNumber;
-      if (is_odd_name && !token.starts_line)
-        failure_->hints.emplace_back("a name that is no plain word stands in quotes");
+      if (is_odd_name && !token.starts_line) add_hint("a name that is no plain word stands in quotes");
       return false;
     }
     token.keyword = Keyword::kNone;
