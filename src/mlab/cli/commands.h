@@ -24,6 +24,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   std::string report;           ///< file; empty: none
+  std::string plot;             ///< SVG file; empty: none
   std::string environment;      ///< environment-change file; empty: none
   std::string start_time;       ///< of the mission clock; empty: now
   double patience = 600.0;      ///< [s]

@@ -32,6 +32,8 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->type_name("N");
   c->add_option("--report", o.report, "write what happened to a JSON file (docs/report.md)")
       ->type_name("FILE.json");
+  c->add_option("--plot", o.plot, "draw the map and the robots' ways as an SVG picture")
+      ->type_name("FILE.svg");
   c->add_option("--environment", o.environment, "change the world while the mission runs, as this file says")
       ->type_name("FILE");
   c->add_option("--start-time", o.start_time,

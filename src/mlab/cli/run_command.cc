@@ -19,6 +19,7 @@
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/plot.h"
 #include "mlab/cli/run_screen.h"
 #include "mlab/cli/version.h"
 #include "mlab/fleet/mission_run.h"
@@ -102,7 +103,10 @@ class TerminalOperator {
       if (!asked_.empty()) fmt::print("\n");
       return false;
     }
-    if (kind == Answers::Kind::kLine) take(line);
+    if (kind == Answers::Kind::kLine) {
+      if (isatty(STDIN_FILENO) == 0) fmt::print("{}\n", text::shown(line));
+      take(line);
+    }
     return true;
   }
 
@@ -175,8 +179,10 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
     return std::nullopt;
   }
   out.clock = *clock;
-  if (!options.report.empty() && !is_writable(options.report)) {
-    usage_error(fmt::format("--report {}: the file can't be written", options.report));
+  for (const auto& [option, file] :
+       {std::pair("--report", options.report), std::pair("--plot", options.plot)}) {
+    if (file.empty() || is_writable(file)) continue;
+    usage_error(fmt::format("{} {}: the file can't be written", option, file));
     return std::nullopt;
   }
   text::Diagnostics sink;
@@ -211,7 +217,8 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
 }
 
 // Steps until the mission has ended or somebody ends it. True where it was interrupted.
-bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen, TerminalOperator& person) {
+bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen, TerminalOperator& person,
+               Plot& plot) {
   fleet::MissionRun& run = *prepared.run;
   const double began = steady_seconds();
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
@@ -224,6 +231,7 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
     const fleet::MissionRun::Progress progress = run.step();
     if (progress == fleet::MissionRun::Progress::kOver) return false;
     screen.show_progress(run);
+    if (!options.plot.empty()) plot.note(run);
     const bool waits = progress == fleet::MissionRun::Progress::kWaits;
     if (person.is_needed()) {
       const double before = steady_seconds();
@@ -246,6 +254,16 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
   return true;
 }
 
+// Writes what a run has left behind, and says where.
+bool deliver(const char* what, const std::string& file, const std::string& text) {
+  if (!write_file(file, text)) {
+    fmt::print(stderr, "mlab run: the {} {} could not be written\n", what, file);
+    return false;
+  }
+  fmt::print("{}: {}\n", what, file);
+  return true;
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -257,6 +275,7 @@ int run(const RunOptions& options) {
   fleet::MissionRun& run = *prepared->run;
   RunScreen screen(options.quiet);
   TerminalOperator person(run, screen);
+  Plot plot;
   run.set_observer([&](const mission::Effect& effect) {
     screen.show(run, effect);
     person.see(effect);
@@ -271,19 +290,16 @@ int run(const RunOptions& options) {
   screen.show_start(run);
   const double began = steady_seconds();
   const double cpu_began = cpu_seconds();
-  const bool interrupted = carry_out(*prepared, options, screen, person);
+  const bool interrupted = carry_out(*prepared, options, screen, person, plot);
   performance.wall_seconds = steady_seconds() - began;
   performance.cpu_seconds = cpu_seconds() - cpu_began;
 
   const std::string outcome = fleet::outcome_name(run, interrupted);
   screen.show_summary(run, outcome, performance.wall_seconds);
-  if (!options.report.empty()) {
-    if (!write_file(options.report, fleet::report_json(run, performance, interrupted))) {
-      fmt::print(stderr, "mlab run: the report {} could not be written\n", options.report);
-      return kFailed;
-    }
-    fmt::print("report: {}\n", options.report);
-  }
+  if (!options.report.empty() &&
+      !deliver("report", options.report, fleet::report_json(run, performance, interrupted)))
+    return kFailed;
+  if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
   return outcome == "done" ? kDone : kFailed;
 }
 

@@ -53,7 +53,12 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
     motion += fmt::format("{}{} {} {}", motion.empty() ? "" : ", ", part.member, size,
                           direction_word(part.weighted));
   }
-  if (motion.empty()) motion = "nothing moves it";
+  if (motion.empty()) {
+    const geom::Vector v = robot.action.velocity;
+    const double speed = geom::length(v);
+    motion = speed > 0.0 ? fmt::format("its program drives it at {:.2f} m/s {}", speed, direction_word(v))
+                         : "nothing moves it";
+  }
   out.push_back(fmt::format("{}: {}", who, motion));
 
   const sim::Disc* nearest = nullptr;

@@ -1,0 +1,163 @@
+#include "mlab/cli/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "mlab/base/angle.h"
+
+namespace mlab::cli {
+namespace {
+
+constexpr double kPictureWidth = 960.0;  // [px]
+constexpr double kBorder = 16.0;
+
+// From the world (metres, y up) to the picture (pixels, y down).
+struct View {
+  geom::Point low;
+  geom::Point high;
+  double scale = 1.0;  // [px/m]
+
+  double x(geom::Point p) const { return kBorder + (p.x - low.x) * scale; }
+  double y(geom::Point p) const { return kBorder + (high.y - p.y) * scale; }
+  double width() const { return 2 * kBorder + (high.x - low.x) * scale; }
+  double height() const { return 2 * kBorder + (high.y - low.y) * scale; }
+};
+
+// The mission area, or less of it where nothing but emptiness would be shown.
+View view_of(const fleet::MissionRun& run, const std::vector<std::vector<geom::Point>>& ways) {
+  View view;
+  const overlay::Area area = run.mission().overlay.mission_area();
+  view.high = {area.width, area.height};
+  for (const auto& way : ways) {
+    for (const geom::Point p : way) {
+      view.low = {std::min(view.low.x, p.x), std::min(view.low.y, p.y)};
+      view.high = {std::max(view.high.x, p.x), std::max(view.high.y, p.y)};
+    }
+  }
+  view.scale = (kPictureWidth - 2 * kBorder) / std::max(1e-6, view.high.x - view.low.x);
+  return view;
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+std::string points_of(const View& view, const std::vector<geom::Point>& points) {
+  std::string out;
+  for (const geom::Point p : points)
+    out += fmt::format("{}{:.1f},{:.1f}", out.empty() ? "" : " ", view.x(p), view.y(p));
+  return out;
+}
+
+std::string label(const View& view, geom::Point at, double below, std::string_view text) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label\">{}</text>\n", view.x(at),
+                     view.y(at) + below, escaped(text));
+}
+
+bool is_area(overlay::MeasureKind kind) {
+  using enum overlay::MeasureKind;
+  return kind == kAssemblyArea || kind == kAttackPosition || kind == kBattlePosition || kind == kObjective ||
+         kind == kPassagePoint || kind == kStartPoint;
+}
+
+std::string measure_svg(const View& view, const overlay::ControlMeasure& measure) {
+  std::string out;
+  const bool is_solid = measure.kind == overlay::MeasureKind::kWall;
+  if (is_area(measure.kind) && measure.points.size() == 1) {
+    out = fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"place\"/>\n",
+                      view.x(measure.points[0]), view.y(measure.points[0]),
+                      std::max(3.0, measure.size / 2.0 * view.scale));
+  } else {
+    const char* shape = is_area(measure.kind) ? "polygon" : "polyline";
+    const char* look = is_area(measure.kind) ? "place" : is_solid ? "wall" : "line";
+    double width = is_solid ? 2.0 : 1.0;
+    if (measure.kind == overlay::MeasureKind::kAxis || measure.kind == overlay::MeasureKind::kRoad) {
+      look = "lane";
+      width = std::max(1.0, measure.size * view.scale);
+    }
+    out = fmt::format("<{} points=\"{}\" class=\"{}\" stroke-width=\"{:.1f}\"/>\n", shape,
+                      points_of(view, measure.points), look, width);
+  }
+  if (!measure.shows_label || measure.name.empty()) return out;
+  const bool is_small =
+      is_area(measure.kind) && measure.points.size() == 1 && measure.size * view.scale < 40.0;
+  return out + label(view, is_area(measure.kind) ? measure.center() : measure.points.front(),
+                     is_small ? 16.0 : 4.0, measure.name);
+}
+
+constexpr std::string_view kStyle =
+    "<style>svg{background:#fff}.place{fill:#f1f5f9;stroke:#475569}.line{fill:none;stroke:#94a3b8;stroke-"
+    "dasharray:6 4}"
+    ".lane{fill:none;stroke:#e2e8f0}.wall{fill:none;stroke:#0f172a}.rock{fill:#334155}"
+    ".label{font:12px "
+    "sans-serif;fill:#334155;text-anchor:middle}.way{fill:none;stroke-width:1.5;stroke-opacity:.8}</style>\n";
+constexpr std::string_view kColors[] = {"#2563eb", "#dc2626", "#059669", "#d97706",
+                                        "#7c3aed", "#0891b2", "#be185d", "#4d7c0f"};
+
+}  // namespace
+
+void Plot::note(const fleet::MissionRun& run) {
+  if (run.time() < next_) return;
+  next_ = run.time() + kEvery;
+  const auto& robots = run.fleet().robots();
+  ways_.resize(std::min(robots.size(), kMost));
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    if (robots[i].life != fleet::RobotLife::kNotStarted)
+      ways_[i].push_back(run.fleet().pose(robots[i]).position);
+  }
+}
+
+std::string Plot::svg(const fleet::MissionRun& run) const {
+  const View view = view_of(run, ways_);
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\">\n",
+      view.width(), view.height());
+  out += kStyle;
+  out += fmt::format("<title>{}</title>\n", escaped(run.mission().name));
+  for (const overlay::ControlMeasure& measure : run.mission().overlay.measures) {
+    if (!measure.points.empty()) out += measure_svg(view, measure);
+  }
+  for (const sim::Disc& disc : run.simulator().discs()) {
+    out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"rock\"/>\n",
+                       view.x(disc.center), view.y(disc.center), std::max(1.0, disc.radius * view.scale));
+  }
+  const auto& robots = run.fleet().robots();
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    const std::string_view color = kColors[i % std::size(kColors)];
+    out += fmt::format("<polyline points=\"{}\" class=\"way\" stroke=\"{}\"/>\n", points_of(view, ways_[i]),
+                       color);
+    if (robots[i].life == fleet::RobotLife::kNotStarted) continue;
+    const geom::Pose pose = run.fleet().pose(robots[i]);
+    // A robot is drawn long enough to be seen: a rectangle with one pointed end.
+    out += fmt::format(
+        "<path d=\"M-7,-4 H2 L8,0 L2,4 H-7 Z\" fill=\"{}\" transform=\"translate({:.1f} {:.1f}) "
+        "rotate({:.1f})\"/>\n",
+        color, view.x(pose.position), view.y(pose.position), -base::degrees(pose.heading));
+  }
+  return out + "</svg>\n";
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mlab/fleet/mission_run.h"
+
+namespace mlab::cli {
+
+/// Draws a run as a picture: the overlay, what is solid, the robots' ways and where they ended.
+class Plot {
+ public:
+  /// Notes where the robots are; call it after each cycle. Every `kEvery` seconds a point is kept.
+  void note(const fleet::MissionRun& run);
+  /// The picture as SVG. A file of its own: it needs no other, and no fonts but the viewer's.
+  std::string svg(const fleet::MissionRun& run) const;
+
+ private:
+  static constexpr double kEvery = 1.0;      // [s]
+  static constexpr std::size_t kMost = 200;  // robots that have a way drawn
+
+  double next_ = 0.0;
+  std::vector<std::vector<geom::Point>> ways_;
+};
+
+}  // namespace mlab::cli
