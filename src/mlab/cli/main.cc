@@ -49,7 +49,8 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->type_name("SECONDS");
   c->add_flag("--strict", o.strict, "warnings keep the mission from running (exit status 1)");
   c->add_flag("--quiet", o.quiet, "print only the summary");
-  c->add_flag("--allow-native", o.allow_native, "let the mission name executables as robot programs");
+  c->add_flag("--allow-native", o.allow_native,
+              "accepted for scripts; this version runs no executables as robot programs");
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {

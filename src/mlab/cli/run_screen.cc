@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <variant>
+#include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "mlab/base/angle.h"
 #include "mlab/cli/clock.h"
 #include "mlab/text/shown.h"
 
@@ -54,11 +57,36 @@ void RunScreen::show_start(const fleet::MissionRun& run) {
 }
 
 void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect) {
+  if (const auto* print = std::get_if<mission::effect::Print>(&effect))
+    print->robot_info ? show_robots(run) : show_database(run);
   const auto* told = std::get_if<Tell>(&effect);
   if (told == nullptr) return;
   if (!is_worth_a_line(told->kind, quiet_)) return;
   line(fmt::format("[{:9.1f} s] {}{}", run.time(), told->kind == Tell::Kind::kWarning ? "warning: " : "",
                    text::shown(told->text, kMostCharacters)));
+}
+
+void RunScreen::show_database(const fleet::MissionRun& run) {
+  for (const overlay::ControlMeasure& measure : run.mission().overlay.measures) {
+    const geom::Point at = measure.center();
+    line(fmt::format("  {:<10} {:<20} at ({:.2f}, {:.2f})", keyword(measure.kind), text::shown(measure.name),
+                     at.x, at.y));
+  }
+  for (const mission::Unit& unit : run.mission().units) {
+    if (unit.name.empty()) continue;
+    std::vector<std::uint32_t> ids;
+    for (const base::RobotId id : unit.members) ids.push_back(id.value);
+    line(fmt::format("  {:<10} {:<20} robots {}", "UNIT", text::shown(unit.name), fmt::join(ids, " ")));
+  }
+}
+
+void RunScreen::show_robots(const fleet::MissionRun& run) {
+  for (const fleet::FleetRobot& robot : run.fleet().robots()) {
+    const geom::Pose pose = run.fleet().pose(robot);
+    line(fmt::format("  robot {:<6} {:<16} {:<12} at ({:.2f}, {:.2f}) heading {:.1f} deg", robot.id.value,
+                     text::shown(robot.type), name(robot.life), pose.position.x, pose.position.y,
+                     base::degrees(pose.heading)));
+  }
 }
 
 void RunScreen::show_progress(const fleet::MissionRun& run) {

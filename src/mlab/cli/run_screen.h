@@ -21,6 +21,9 @@ class RunScreen {
   void line(const std::string& text);
   /// The bar disappears.
   void clear_progress();
+  /// PRINT: the places and units of the mission, or its robots.
+  void show_database(const fleet::MissionRun& run);
+  void show_robots(const fleet::MissionRun& run);
   void show_summary(const fleet::MissionRun& run, const std::string& outcome, double wall_seconds);
 
  private:

@@ -58,6 +58,8 @@ std::unique_ptr<MissionRun> MissionRun::create(std::shared_ptr<const mission::Mi
 }
 
 void MissionRun::post(const mission::Event& event) {
+  if (const auto* answer = std::get_if<mission::event::Answer>(&event))
+    answers_.push_back({cycle_, answer->question, answer->proceed});
   mission::Advance advanced = mission::advance(std::move(state_), event);
   state_ = std::move(advanced.state);
   for (const mission::Effect& effect : advanced.effects) apply(effect);
@@ -69,7 +71,11 @@ void MissionRun::apply(const mission::Effect& effect) {
   if (const auto* stop = std::get_if<mission::effect::Stop>(&effect)) fleet_->stop(stop->robot);
   if (const auto* set = std::get_if<mission::effect::Set>(&effect)) {
     const auto* number = std::get_if<mission::SetNumber>(&set->option);
-    if (number != nullptr && number->option == mission::NumberOption::kCycleDuration) dt_ = number->value;
+    if (number != nullptr && number->option == mission::NumberOption::kCycleDuration) {
+      start_of_duration_ = time();
+      first_of_duration_ = cycle_;
+      dt_ = number->value;
+    }
   }
   if (observer_) observer_(effect);
   const auto* told = std::get_if<Tell>(&effect);
@@ -189,7 +195,8 @@ void MissionRun::measure() {
 }
 
 void MissionRun::explain_failures(std::uint32_t command) {
-  if (command >= state_.commands.size() || state_.commands[command].outcome != mission::Outcome::kFailed) return;
+  if (command >= state_.commands.size() || state_.commands[command].outcome != mission::Outcome::kFailed)
+    return;
   constexpr int kMostRobots = 8;
   int said = 0;
   for (const mission::Unit& unit : state_.mission->units) {

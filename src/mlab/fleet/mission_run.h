@@ -37,6 +37,13 @@ struct UnitMetrics {
   }
 };
 
+/// An operator's answer, with the cycle in which it was given.
+struct AnswerRecord {
+  std::uint64_t cycle = 0;
+  std::uint32_t question = 0;
+  bool proceed = false;
+};
+
 /// A mission that is carried out in simulation: executive, robots and world, one control cycle at a time.
 class MissionRun {
  public:
@@ -63,7 +70,9 @@ class MissionRun {
   Progress step();
 
   bool is_over() const;
-  double time() const { return static_cast<double>(cycle_) * dt_; }  ///< simulated [s]
+  /// Simulated [s]. Counted in cycles, so that it does not drift; SET CYCLE-DURATION changes the length of
+  /// later ones.
+  double time() const { return start_of_duration_ + static_cast<double>(cycle_ - first_of_duration_) * dt_; }
   std::uint64_t cycle() const { return cycle_; }
   double cycle_duration() const { return dt_; }  ///< [s]
   std::uint64_t seed() const { return settings_.seed; }
@@ -71,6 +80,8 @@ class MissionRun {
   const mission::State& state() const { return state_; }
   const Fleet& fleet() const { return *fleet_; }
   const sim::Simulator& simulator() const { return *simulator_; }
+  /// What the operator answered so far.
+  const std::vector<AnswerRecord>& answers() const { return answers_; }
   /// By unit of the mission.
   const std::vector<UnitMetrics>& unit_metrics() const { return metrics_; }
   /// Cycles run by all robots together.
@@ -99,10 +110,13 @@ class MissionRun {
   std::unique_ptr<sim::Simulator> simulator_;
   std::unique_ptr<Fleet> fleet_;
   Observer observer_;
-  double dt_ = 0.1;
+  double dt_ = 0.1;                      // cycle duration [s],
+  double start_of_duration_ = 0.0;       // in force since this time [s]
+  std::uint64_t first_of_duration_ = 0;  // and this cycle
   std::uint64_t cycle_ = 0;
   std::uint64_t robot_cycles_ = 0;
   std::vector<UnitMetrics> metrics_;
+  std::vector<AnswerRecord> answers_;
   mission::event::Cycle report_;
 };
 

@@ -125,6 +125,11 @@ std::string report_json(const MissionRun& run, const Performance& performance, b
                     {"cycle_duration_s", run.cycle_duration()},
                     {"cycles", run.cycle()},
                     {"simulated_s", rounded(run.time())}};
+  out["mission"]["answers"] = Json::array();
+  for (const AnswerRecord& answer : run.answers()) {
+    out["mission"]["answers"].push_back(
+        {{"cycle", answer.cycle}, {"question", answer.question}, {"proceed", answer.proceed}});
+  }
   out["seed"] = run.seed();
   out["outcome"] = outcome_name(run, interrupted);
   out["steps"] = steps_json(run.state());
