@@ -84,6 +84,7 @@ bool is_area(overlay::MeasureKind kind) {
 
 std::string measure_svg(const View& view, const overlay::ControlMeasure& measure) {
   std::string out;
+  double width_px = 1.0;
   const bool is_solid = measure.kind == overlay::MeasureKind::kWall;
   if (is_area(measure.kind) && measure.points.size() == 1) {
     out = fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"place\"/>\n",
@@ -92,19 +93,23 @@ std::string measure_svg(const View& view, const overlay::ControlMeasure& measure
   } else {
     const char* shape = is_area(measure.kind) ? "polygon" : "polyline";
     const char* look = is_area(measure.kind) ? "place" : is_solid ? "wall" : "line";
-    double width = is_solid ? 2.0 : 1.0;
+    width_px = is_solid ? 2.0 : 1.0;
     if (measure.kind == overlay::MeasureKind::kAxis || measure.kind == overlay::MeasureKind::kRoad) {
       look = "lane";
-      width = std::max(1.0, measure.size * view.scale);
+      width_px = std::max(1.0, measure.size * view.scale);
     }
     out = fmt::format("<{} points=\"{}\" class=\"{}\" stroke-width=\"{:.1f}\"/>\n", shape,
-                      points_of(view, measure.points), look, width);
+                      points_of(view, measure.points), look, width_px);
   }
   if (!measure.shows_label || measure.name.empty()) return out;
-  const bool is_small =
-      is_area(measure.kind) && measure.points.size() == 1 && measure.size * view.scale < 40.0;
-  return out + label(view, is_area(measure.kind) ? measure.center() : measure.points.front(),
-                     is_small ? 16.0 : 4.0, measure.name);
+  if (!is_area(measure.kind)) {
+    // Half way along, above the line: ends are where other things begin.
+    const geom::Point middle =
+        measure.points.front() + (measure.points.back() - measure.points.front()) * 0.5;
+    return out + label(view, middle, -6.0 - width_px / 2.0, measure.name);
+  }
+  const bool is_small = measure.points.size() == 1 && measure.size * view.scale < 40.0;
+  return out + label(view, measure.center(), is_small ? 16.0 : 4.0, measure.name);
 }
 
 constexpr std::string_view kStyle =
