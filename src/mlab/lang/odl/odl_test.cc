@@ -208,6 +208,21 @@ TEST(OdlUtm, HasNoSeamWhereTwoZonesMeet) {
   EXPECT_NEAR(geom::length(at - geom::Point{}), 170.8, 0.5);
 }
 
+TEST(OdlParser, ReadsTheOverlayOfTheReport) {
+  const Loaded l = load(
+      "SCENARIO \"example1\"\nSITE \"Robot Lab, MARC 362\"\nCONTROL MEASURES:\n\n"
+      "Boundary \"MARC 362\" 0 0 10.7 0 10.7 6.1 1.7 6.1 1.7 3.4 0 3.4 0 0\nGap Door 10.5 1.8 10.9 1.8 1.5\n"
+      "PP DoorWay 9.0 2.4 0.4\nPP Middle 5.0 3.0 0.4\n");
+  EXPECT_EQ(text::render(l.sink), "");
+  ASSERT_EQ(l.overlay.measures.size(), 4U);
+  EXPECT_EQ(l.overlay.measures[0].points.size(), 7U);
+  EXPECT_EQ(l.overlay.measures[1].name, "Door");
+  EXPECT_EQ(l.overlay.measures[1].size, 1.5);
+  const overlay::ControlMeasure* door_way = overlay::find_measure(l.overlay, "PP-DoorWay");
+  ASSERT_NE(door_way, nullptr);
+  EXPECT_EQ(door_way->center(), (geom::Point{9.0, 2.4}));
+}
+
 TEST(OdlParser, KeepsWhatStandsBesideBrokenStatements) {
   const Loaded l = load("SITE x\nCONTROL MEASURES:\nPP a 1\nPP b 3 4\nBONDARY c 1 2\nPP d 5 6 -- end");
   EXPECT_EQ(l.sink.error_count(), 2U);
