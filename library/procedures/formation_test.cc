@@ -75,6 +75,13 @@ TEST_F(FormationHeading, StartsAsTheUnitLooks) {
   EXPECT_NEAR(at({1.0, 0.0}), 0.75, 1e-12);
 }
 
+TEST_F(FormationHeading, IsThatOfTheUnitWhenTheRobotComesIntoAnother) {
+  at({0.0, 100.0});
+  p_.percepts.unit.size = 4;
+  p_.percepts.unit.formation_heading = 1.0;
+  EXPECT_NEAR(at({1.0, 0.0}), 1.0, 1e-12);
+}
+
 TEST_F(FormationHeading, FollowsADeflectedStick) {
   p_.set("stick", Vector{0.0, -1.0}).set("stick_magnitude", 0.5);
   EXPECT_NEAR(at({500.0, 0.0}), -kNorth, 1e-12);

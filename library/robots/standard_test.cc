@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <memory>
@@ -26,11 +27,11 @@ constexpr double kNorth = std::numbers::pi / 2.0;
 
 // The standard robot as a program.
 const flow::Program& standard() {
-  static const std::shared_ptr<const flow::Program> kProgram = [] {
-    const library::Robot robot = *library::find_robot("standard");
+  static const std::shared_ptr<const flow::Program> program = [] {
+    const library::Robot robot = library::find_robot("standard").value_or(library::Robot{});
     return program_of(robot.file, robot.text);
   }();
-  return *kProgram;
+  return *program;
 }
 
 // One standard robot with its percepts, and what it did last.
@@ -45,8 +46,7 @@ struct Robot {
     const flow::Port* port = standard().find(parameter);
     EXPECT_NE(port, nullptr) << parameter;
     if (port != nullptr) {
-      const auto problem = standard().set(frame.data(), *port, value);
-      EXPECT_FALSE(problem.has_value()) << *problem;
+      EXPECT_EQ(standard().set(frame.data(), *port, value).value_or(""), "");
     }
     return *this;
   }
@@ -241,10 +241,7 @@ class Team {
   }
 
   bool is_done() const {
-    for (const Robot& robot : robots) {
-      if (!robot.action.status.done) return false;
-    }
-    return true;
+    return std::ranges::all_of(robots, [](const Robot& robot) { return robot.action.status.done; });
   }
 
   // Runs until all are done; @return whether they were done in time.

@@ -79,7 +79,9 @@ void BehaviorProbe::step() {
     for (const auto& value : input) size += aligned(value.size());
   }
   Frame frame(size);
-  std::memcpy(frame.data(), output_and_state_.data(), output_and_state_.size());
+  if (output_and_state_.size() > 0) {
+    std::memcpy(frame.data(), output_and_state_.data(), output_and_state_.size());
+  }
   std::vector<std::uint32_t> words;
   std::size_t offset = output_and_state_.size();
   for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -102,7 +104,9 @@ void BehaviorProbe::step() {
             0};
   behavior_.fire(call);
   last_fired_ = cycle_;
-  std::memcpy(output_and_state_.data(), frame.data(), output_and_state_.size());
+  if (output_and_state_.size() > 0) {
+    std::memcpy(output_and_state_.data(), frame.data(), output_and_state_.size());
+  }
   percepts.time += percepts.cycle_duration;
 }
 

@@ -13,6 +13,8 @@
 
 namespace mlab::schema {
 
+// NOLINTBEGIN(readability-identifier-naming): these are names that others gave.
+
 inline constexpr double GT_INFINITY = kInfinity;
 inline constexpr int INT_INFINITY = 10'000'000;
 inline constexpr double EPS_ZERO = geom::kZeroLength;
@@ -130,5 +132,7 @@ inline geom::Vector rotate_z(const geom::Vector& v, double angle_deg) {
 inline geom::Vector& rotate_z(geom::Vector& v, double angle_deg) {
   return v = rotate_z(static_cast<const geom::Vector&>(v), angle_deg);
 }
+
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace mlab::schema
