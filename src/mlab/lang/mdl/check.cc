@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "mlab/lang/mdl/commands.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/names.h"
 #include "mlab/lang/mdl/plan_check.h"
 #include "mlab/lang/mdl/preamble.h"
+#include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/mdl/tree.h"
 
 namespace mlab::mdl {
@@ -17,6 +22,19 @@ mission::RobotType predefined_type() {
   out.name = "ROBOT";
   out.program = "robot";
   return out;
+}
+
+// Overlays warn of equal names among their own features; this is for the start places of the mission.
+void check_names(const mission::Mission& mission, text::Diagnostics& diagnostics) {
+  std::unordered_map<std::string_view, const overlay::ControlMeasure*> first;
+  for (const overlay::ControlMeasure& measure : mission.overlay.measures) {
+    const auto [entry, is_new] = first.try_emplace(measure.name, &measure);
+    if (is_new || measure.name.empty() || measure.place.source != mission.source) continue;
+    diagnostics
+        .warning("duplicate-name", measure.place,
+                 fmt::format("there is another place {}; commands mean this one", in_backticks(measure.name)))
+        .notes.push_back({"the first one is here", entry->second->place});
+  }
 }
 
 std::vector<mission::Step> read_steps(const Tree& tree, CommandReader& reader) {
@@ -56,6 +74,7 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   mission->steps = read_steps(tree, reader);
   if (diagnostics.error_count() > errors) return nullptr;
   std::ranges::sort(mission->robots, {}, &mission::Robot::id);
+  check_names(*mission, diagnostics);
   check_plan(*mission, diagnostics);
   return mission;
 }

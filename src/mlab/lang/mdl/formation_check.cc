@@ -15,9 +15,10 @@ namespace {
 
 // A formation of more robots is checked as if it had this many: it doesn't get smaller.
 constexpr int kRobotsLookedAt = 200;
-constexpr double kDefaultSpacing = 50.0;    // formation_spacing [m]
-constexpr double kDefaultBodyRadius = 0.2;  // robot_radius [m]
-constexpr double kShortestLeg = 1e-6;       // below it there is no direction [m]
+constexpr std::uint64_t kMaxGapVisits = 10'000'000;  // legs times gaps of the whole mission
+constexpr double kDefaultSpacing = 50.0;             // formation_spacing [m]
+constexpr double kDefaultBodyRadius = 0.2;           // robot_radius [m]
+constexpr double kShortestLeg = 1e-6;                // below it there is no direction [m]
 
 bool has_stations(percept::Formation formation) {
   return formation != percept::Formation::kNone && formation != percept::Formation::kSweep;
@@ -143,6 +144,8 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
     return;
   }
   if (!has_way) return;
+  gap_visits_ += gaps_.size();
+  if (gap_visits_ > kMaxGapVisits) return;
   for (const overlay::ControlMeasure* gap : gaps_) {
     if (leads_through(leg, *gap)) check_gap(command, leg, heading, *gap);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -39,6 +40,7 @@ class FormationCheck {
   std::vector<double> spacing_of_type_;
   std::vector<double> radius_of_type_;
   std::map<std::uint32_t, std::uint32_t> type_of_robot_;
+  std::uint64_t gap_visits_ = 0;
   std::map<std::pair<percept::Formation, int>, std::vector<geom::Offset>> stations_;  // at spacing 1
 };
 

@@ -134,6 +134,17 @@ void apply_set(const mission::Command& command, mission::Options& options) {
   if (const auto* number = std::get_if<mission::SetNumber>(&command)) apply_number(*number, options);
 }
 
+bool sets_nothing_new(const mission::Command& command, const mission::Options& options) {
+  mission::Options now = options;
+  if (const auto* flag = std::get_if<mission::SetBoolean>(&command)) {
+    return *flag_of(flag->option, now) == flag->value;
+  }
+  // Of the numbers only this one can be set in a step.
+  const auto* number = std::get_if<mission::SetNumber>(&command);
+  return number != nullptr && number->option == NumberOption::kCycleDuration &&
+         options.cycle_duration == number->value;
+}
+
 void reset_for_area(overlay::Area area, mission::Options& options) {
   const double side = shorter_side(area);
   options.min_obstacle_radius = std::clamp(2.0, side / 1000.0, side / 5.0);

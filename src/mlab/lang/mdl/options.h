@@ -29,6 +29,9 @@ bool check_lengths(std::initializer_list<const Number*> lengths, std::string_vie
 /// Puts the value of a SET command into the options; any other command changes nothing.
 void apply_set(const mission::Command& command, mission::Options& options);
 
+/// Whether a command is a SET that sets what is set already.
+bool sets_nothing_new(const mission::Command& command, const mission::Options& options);
+
 /// What follows from a new mission area: some options go back to what fits it.
 void reset_for_area(overlay::Area area, mission::Options& options);
 

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/mdl/formation_check.h"
+#include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/quoted.h"
 
 namespace mlab::mdl {
@@ -51,6 +52,7 @@ class PlanCheck {
                              "this step comes after QUIT and is never carried out");
         return;
       }
+      check_effect(step);
       commands(step.commands);
     }
   }
@@ -95,6 +97,16 @@ class PlanCheck {
         .warning("duplicate-label", step.place,
                  fmt::format("there is a step {} already", in_backticks(step.label + ".")))
         .notes.push_back({"the first one is here", entry->second->place});
+  }
+
+  void check_effect(const mission::Step& step) {
+    bool has_effect = false;
+    for (const mission::Command& command : step.commands) {
+      has_effect |= !sets_nothing_new(command, options_);
+      apply_set(command, options_);
+    }
+    if (has_effect) return;
+    diagnostics_.warning("step-without-effect", step.place, "this step sets what is set already");
   }
 
   void check_two_commands(const UnitCommand& c) {
@@ -242,6 +254,7 @@ class PlanCheck {
   std::map<std::string, const mission::Step*> labels_;
   std::set<std::pair<std::string_view, std::uint32_t>> warned_;
   mutable std::vector<double> radius_of_type_;
+  mission::Options options_ = mission_.options;  // in force at this point of the plan
   std::uint64_t visits_ = 0;
   std::uint64_t obstacle_visits_ = 0;
   std::uint32_t step_ = 0;

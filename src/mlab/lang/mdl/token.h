@@ -133,7 +133,7 @@ struct Keyword {
 /// Null where the text is no reserved word. Letter case does not count.
 const Keyword* find_keyword(std::string_view text);
 /// How the canonical layout writes the word.
-std::string_view spelling(Word word);
+std::string_view spelling(Word which);
 
 bool equal_without_case(std::string_view a, std::string_view b);
 std::string lower_case(std::string_view text);
