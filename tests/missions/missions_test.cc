@@ -106,7 +106,8 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
-                         testing::Values("demo_c", "robot_lab", "formations", "squeeze", "split_rejoin"),
+                         testing::Values("demo_c", "robot_lab", "formations", "patrol", "squeeze",
+                                         "split_rejoin"),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {
@@ -115,8 +116,8 @@ TEST(Missions, EveryFolderIsTried) {
     if (entry.is_directory()) folders.push_back(entry.path().filename().string());
   }
   std::sort(folders.begin(), folders.end());
-  EXPECT_EQ(folders,
-            (std::vector<std::string>{"demo_c", "formations", "robot_lab", "split_rejoin", "squeeze"}));
+  EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "formations", "patrol", "robot_lab", "split_rejoin",
+                                               "squeeze"}));
 }
 
 TEST(DemoC, RunsItsStepsInTheOrderOfTheReport) {
