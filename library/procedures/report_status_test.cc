@@ -71,11 +71,11 @@ TEST(ReportStatus, HasNothingToTellWithoutACommand) {
 }
 
 TEST(ReportFlags, TakesTheFlagOfTheCommand) {
-  const std::pair<Task, const char*> kFlags[] = {{Task::kMoveTo, "move_to_done"},
-                                                 {Task::kSweepTo, "move_to_done"},
-                                                 {Task::kFollow, "follow_done"},
-                                                 {Task::kOccupy, "occupy_done"},
-                                                 {Task::kTeleoperate, "teleoperate_done"}};
+  constexpr std::pair<Task, const char*> kFlags[] = {{Task::kMoveTo, "move_to_done"},
+                                                     {Task::kSweepTo, "move_to_done"},
+                                                     {Task::kFollow, "follow_done"},
+                                                     {Task::kOccupy, "occupy_done"},
+                                                     {Task::kTeleoperate, "teleoperate_done"}};
   for (const auto& [task, flag] : kFlags) {
     flow::BehaviorProbe p = probe("PUT_STATUS");
     p.percepts.order.sequence = 1;

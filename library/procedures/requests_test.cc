@@ -83,7 +83,7 @@ TEST(Notify, ReachesAllRobotsAndNotifySelfOnlyThisOne) {
 
 TEST(NotifiedOnce, HearsItsOwnMessageOnly) {
   std::vector<std::uint64_t> arrived = {base::hash_text("a"), base::hash_text("b"), base::hash_text("c")};
-  std::sort(arrived.begin(), arrived.end());
+  std::ranges::sort(arrived);
   flow::BehaviorProbe p = probe("NotifiedOnce");
   p.percepts.notifications = arrived;
   p.set_text("message", "b").step();
