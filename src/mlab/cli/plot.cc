@@ -101,15 +101,24 @@ std::string measure_svg(const View& view, const overlay::ControlMeasure& measure
     out = fmt::format("<{} points=\"{}\" class=\"{}\" stroke-width=\"{:.1f}\"/>\n", shape,
                       points_of(view, measure.points), look, width_px);
   }
-  if (!measure.shows_label || measure.name.empty()) return out;
-  if (!is_area(measure.kind)) {
-    // Half way along, above the line: ends are where other things begin.
-    const geom::Point middle =
-        measure.points.front() + (measure.points.back() - measure.points.front()) * 0.5;
-    return out + label(view, middle, -6.0 - width_px / 2.0, measure.name);
+  return out;
+}
+
+std::string measure_label(const View& view, const overlay::ControlMeasure& measure) {
+  using enum overlay::MeasureKind;
+  if (!measure.shows_label || measure.name.empty()) return "";
+  if (is_area(measure.kind)) {
+    const bool is_small = measure.points.size() == 1 && measure.size * view.scale < 40.0;
+    return label(view, measure.center(), is_small ? 16.0 : 4.0, measure.name);
   }
-  const bool is_small = measure.points.size() == 1 && measure.size * view.scale < 40.0;
-  return out + label(view, measure.center(), is_small ? 16.0 : 4.0, measure.name);
+  const geom::Point first = measure.points.front();
+  const geom::Point last = measure.points.back();
+  if (measure.kind == kPhaseLine || measure.kind == kLineOfDeparture) {
+    return label(view, first.y < last.y ? first : last, 14.0, measure.name);  // at the lower end
+  }
+  const double half_width =
+      measure.kind == kAxis || measure.kind == kRoad ? measure.size * view.scale / 2.0 : 0.0;
+  return label(view, first + (last - first) * 0.5, -6.0 - half_width, measure.name);
 }
 
 constexpr std::string_view kStyle =
@@ -161,6 +170,9 @@ std::string Plot::svg(const fleet::MissionRun& run) const {
         "<path d=\"M-7,-4 H2 L8,0 L2,4 H-7 Z\" fill=\"{}\" transform=\"translate({:.1f} {:.1f}) "
         "rotate({:.1f})\"/>\n",
         color, view.x(pose.position), view.y(pose.position), -base::degrees(pose.heading));
+  }
+  for (const overlay::ControlMeasure& measure : run.mission().overlay.measures) {
+    if (!measure.points.empty()) out += measure_label(view, measure);
   }
   return out + "</svg>\n";
 }
