@@ -87,7 +87,7 @@ bool Cursor::handle_odd_token() {
   if (token_.kind != Token::Kind::kDirective) return false;
   const std::string_view word = trimmed(text().substr(1));
   if (word.starts_with("include")) return false;
-  layout_.lines.push_back({token_.span.begin, 0});
+  layout_.lines.push_back({token_.span.begin, 0, false});
   if (!word.empty() && !(word[0] >= '0' && word[0] <= '9') && !word.starts_with("line")) {
     warning("ignored-directive", here(), "a `#` line outside of user code means nothing here")
         .hints.emplace_back("what it guards is read all the same; C++ that needs it belongs into `init`");
@@ -269,8 +269,8 @@ std::string Cursor::doc_behind() const {
   return help;
 }
 
-void Cursor::line(int indent) {
-  if (!at_end()) layout_.lines.push_back({token_.span.begin, indent});
+void Cursor::line(int indent, bool is_optional) {
+  if (!at_end()) layout_.lines.push_back({token_.span.begin, indent, is_optional});
 }
 
 std::uint32_t Cursor::code_start() const {

@@ -61,7 +61,7 @@ class Cursor {
   std::string doc_behind() const;
 
   /// The token starts a line of the canonical layout.
-  void line(int indent);
+  void line(int indent, bool is_optional = false);
   Layout& layout() { return layout_; }
 
   /// The lines from `begin` on up to a line that holds nothing but one of the words.

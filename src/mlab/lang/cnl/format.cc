@@ -89,9 +89,17 @@ class Formatter {
     while (next_line_ < layout_.lines.size() && layout_.lines[next_line_].offset < offset) ++next_line_;
     int indent = kNoLine;
     for (std::size_t i = next_line_; i < layout_.lines.size() && layout_.lines[i].offset == offset; ++i) {
-      indent = layout_.lines[i].indent;
+      if (!layout_.lines[i].is_optional || is_broken_before(offset)) indent = layout_.lines[i].indent;
     }
     return indent;
+  }
+
+  // For a line that need not start: its author broke it here, or what comes before is long enough.
+  bool is_broken_before(std::uint32_t offset) const {
+    constexpr std::size_t kLongEnough = 80;
+    const std::string_view gap = text_.substr(end_, offset > end_ ? offset - end_ : 0);
+    return gap.find('\n') != std::string_view::npos || must_break_ ||
+           out_.size() - (out_.rfind('\n') + 1) > kLongEnough;
   }
 
   // Ends the line, and keeps one of the blank lines that stood there.

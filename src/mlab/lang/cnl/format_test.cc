@@ -54,11 +54,13 @@ TEST(Format, KeepsANodeOnOneLineOnlyWhereItsAuthorDidAndItFits) {
   EXPECT_EQ(formatted("node a is A with x=1;\ny=2; nend"), "node a is A with\n  x = 1;\n  y = 2;\nnend\n");
   EXPECT_EQ(formatted("node a is A with\nnend"), "node a is A with nend\n");
   EXPECT_EQ(formatted("node a is A with x=1; /* why */ y=2; nend"),
-            "node a is A with\n  x = 1; /* why */\n  y = 2;\nnend\n");
+            "node a is A with\n  x = 1; /* why */ y = 2;\nnend\n");
+  EXPECT_EQ(formatted("node a is A with\nv = b;  gain = 1;\nv = c;  gain = 2;\nnend"),
+            "node a is A with\n  v = b; gain = 1;\n  v = c; gain = 2;\nnend\n");
   std::string links;
   for (int i = 0; i < 30; ++i) links += " input = 1;";
   const std::string out = formatted("node a is A with" + links + " nend");
-  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 32);
+  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 2 + 30 / 8 + 1) << out;
 }
 
 TEST(Format, LaysOutOperatorsAndParameters) {

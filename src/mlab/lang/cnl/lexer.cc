@@ -43,6 +43,7 @@ bool Lexer::starts_line(std::uint32_t offset) const {
 }
 
 std::uint32_t Lexer::skip_blank(std::uint32_t i, std::vector<Comment>* comments) const {
+  if (i == 0 && text_.starts_with("\xef\xbb\xbf")) i = 3;  // a byte order mark
   for (;;) {
     while (i < text_.size() && is_blank(text_[i])) ++i;
     if (at(i) != '/' || (at(i + 1) != '/' && at(i + 1) != '*')) return i;

@@ -27,7 +27,7 @@ std::optional<flow::Source> parse_link_source(Cursor& cursor) {
 }
 
 void parse_link(Cursor& cursor, flow::Node& node) {
-  cursor.line(2);
+  cursor.line(2, !node.links.empty());  // links that pair by position may share a line
   flow::Link link;
   const auto input = cursor.expect_name("an input of the node, or `nend`");
   if (!input || !cursor.expect("=", "after the input")) {

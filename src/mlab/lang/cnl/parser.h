@@ -10,6 +10,7 @@ namespace mlab::cnl {
 struct LineStart {
   std::uint32_t offset = 0;
   int indent = 0;
+  bool is_optional = false;  ///< stays behind what comes before where its author wrote it there
 };
 
 /// What `parse` found besides the tree; the printer needs it.

@@ -162,6 +162,12 @@ TEST(ParseParameter, ReadsUnitRangeAndHelp) {
   EXPECT_EQ(parameter.help, "speed");
 }
 
+TEST(Parse, PassesOverAByteOrderMark) {
+  const Parsed p("\xef\xbb\xbfnode a is A with nend\r\n");
+  EXPECT_EQ(p.sink.items().size(), 0U) << text::render(p.sink);
+  EXPECT_EQ(p.only<NodeDecl>().node.name, "a");
+}
+
 TEST(Parse, GoesOnBehindEveryError) {
   const Parsed p(
       "procedure int A with\n  int ;\n  int x;\nheader\nbody\npend\nnode a is with\nnode b is A with\n  x = "

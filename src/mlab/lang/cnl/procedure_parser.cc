@@ -182,7 +182,7 @@ struct Sections {
       } else {
         slot(word) = lines.code;
       }
-      cursor.layout().lines.push_back({word_span.begin, 0});
+      cursor.layout().lines.push_back({word_span.begin, 0, false});
       cursor.layout().raw.push_back(lines.code.place.span);
       last = rank(word);
       last_code = lines.code.text();
@@ -199,7 +199,7 @@ struct Sections {
         } else if (!procedure.body) {
           missing("body", cursor.place(lines.end_span), last_code);
         }
-        cursor.layout().lines.push_back({lines.end_span.begin, 0});
+        cursor.layout().lines.push_back({lines.end_span.begin, 0, false});
         cursor.resume(lines.end_span.end);
         return;
       }
@@ -302,7 +302,7 @@ void parse_init(Cursor& cursor, Tree& tree) {
         .hints.emplace_back("`iend` counts only when it is alone on its line");
   }
   cursor.layout().raw.push_back(lines.code.place.span);
-  cursor.layout().lines.push_back({lines.end_span.begin, 0});
+  cursor.layout().lines.push_back({lines.end_span.begin, 0, false});
   tree.items.emplace_back(Init{lines.code});
   cursor.resume(lines.end_span.end);
 }
