@@ -39,8 +39,8 @@ struct Sections {
 };
 
 const InputDecl* find_input(const Procedure& procedure, std::string_view name) {
-  const auto found = std::find_if(procedure.inputs.begin(), procedure.inputs.end(),
-                                  [&](const InputDecl& input) { return input.name.text == name; });
+  const auto found =
+      std::ranges::find_if(procedure.inputs, [&](const InputDecl& input) { return input.name.text == name; });
   return found == procedure.inputs.end() ? nullptr : &*found;
 }
 
@@ -205,7 +205,7 @@ class Checker {
 
   void check_needs(const Procedure& procedure) {
     for (const NeedDecl& need : procedure.needs) {
-      if (std::find(std::begin(kDevices), std::end(kDevices), need.device.text) == std::end(kDevices)) {
+      if (std::ranges::find(kDevices, need.device.text) == std::end(kDevices)) {
         auto& diagnostic = diagnostics_.error("unknown-device", need.device.place,
                                               fmt::format("unknown sensor `{}`", need.device.text));
         add_nearest(diagnostic, need.device.text, {std::begin(kDevices), std::end(kDevices)});
@@ -285,8 +285,7 @@ class Checker {
           .notes.push_back({"declared here", input->name.place});
       return;
     }
-    const bool is_context = std::find(std::begin(kContextNames), std::end(kContextNames), variable.name) !=
-                            std::end(kContextNames);
+    const bool is_context = std::ranges::find(kContextNames, variable.name) != std::end(kContextNames);
     const bool is_list_size =
         variable.name.ends_with("_num") &&
         find_input(procedure, variable.name.substr(0, variable.name.size() - 4)) != nullptr;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include <fmt/core.h>
@@ -69,7 +70,7 @@ bool Cursor::is(std::string_view word) const {
 }
 
 bool Cursor::is_any(std::initializer_list<std::string_view> words) const {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return is(word); });
+  return std::ranges::any_of(words, [&](std::string_view word) { return is(word); });
 }
 
 void Cursor::lex(std::uint32_t offset) {
@@ -146,6 +147,12 @@ std::optional<Word> Cursor::expect_name(std::string_view what) {
   Word word{std::string(text()), here()};
   advance();
   return word;
+}
+
+bool Cursor::read_name(Word& out, std::string_view what) {
+  const std::optional<Word> name = expect_name(what);
+  if (name) out = *name;
+  return name.has_value();
 }
 
 Word Cursor::take_unit() {
@@ -228,26 +235,27 @@ void Cursor::skip_to(std::initializer_list<std::string_view> words) {
 Cursor::Doc Cursor::doc_above() const {
   std::vector<std::string_view> lines;
   std::uint32_t below = token_.span.begin;
-  for (auto it = layout_.comments.rbegin(); it != layout_.comments.rend(); ++it) {
-    if (it->span.begin >= below) continue;
-    const std::string_view comment = source_->text(it->span);
-    const std::string_view between = source_text().substr(it->span.end, below - it->span.end);
+  for (const Comment& above : std::views::reverse(layout_.comments)) {
+    if (above.span.begin >= below) continue;
+    const std::string_view comment = source_->text(above.span);
+    const std::string_view between = source_text().substr(above.span.end, below - above.span.end);
     const bool touches = std::count(between.begin(), between.end(), '\n') == 1 && trimmed(between).empty();
     if (!comment.starts_with("///") || comment.starts_with("///<") || !touches ||
-        !lexer_.starts_line(it->span.begin))
+        !lexer_.starts_line(above.span.begin)) {
       break;
+    }
     lines.push_back(trimmed(comment.substr(3)));
-    below = it->span.begin;
+    below = above.span.begin;
   }
   Doc doc;
   std::string* into = &doc.help;
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    if (line->starts_with("@source")) {
+  for (const std::string_view line : std::views::reverse(lines)) {
+    if (line.starts_with("@source")) {
       into = &doc.source;
-      append_words(*into, trimmed(line->substr(7)));
+      append_words(*into, trimmed(line.substr(7)));
     } else {
-      if (line->empty()) into = &doc.help;
-      append_words(*into, *line);
+      if (line.empty()) into = &doc.help;
+      append_words(*into, line);
     }
   }
   return doc;
@@ -256,8 +264,8 @@ Cursor::Doc Cursor::doc_above() const {
 std::string Cursor::doc_behind() const {
   std::string help;
   std::uint32_t end = last_end_;
-  const auto first = std::partition_point(layout_.comments.begin(), layout_.comments.end(),
-                                          [&](const Comment& c) { return c.span.begin < last_end_; });
+  const auto first = std::ranges::partition_point(layout_.comments,
+                                                  [&](const Comment& c) { return c.span.begin < last_end_; });
   for (auto it = first; it != layout_.comments.end(); ++it) {
     const std::string_view between = source_text().substr(end, it->span.begin - end);
     const auto newlines = std::count(between.begin(), between.end(), '\n');
@@ -286,7 +294,7 @@ Cursor::RawLines Cursor::raw_lines(std::uint32_t begin,
   while (at < all.size()) {
     const std::uint32_t end = lexer_.line_end(at);
     const std::string_view word = trimmed(all.substr(at, end - at));
-    if (std::find(end_words.begin(), end_words.end(), word) != end_words.end()) {
+    if (std::ranges::find(end_words, word) != end_words.end()) {
       const auto from = static_cast<std::uint32_t>(word.data() - all.data());
       return {
           {place({begin, at})}, std::string(word), {from, from + static_cast<std::uint32_t>(word.size())}};

@@ -51,13 +51,13 @@ class Lexer {
   bool starts_line(std::uint32_t offset) const;
 
  private:
-  std::uint32_t skip_blank(std::uint32_t at, std::vector<Comment>* comments) const;
+  std::uint32_t skip_blank(std::uint32_t i, std::vector<Comment>* comments) const;
   Token make(Token::Kind kind, std::uint32_t begin, std::uint32_t end) const { return {kind, {begin, end}}; }
   Token number(std::uint32_t begin) const;
   Token parenthesis(std::uint32_t begin) const;
   Token initializer(std::uint32_t begin) const;
   Token quoted(std::uint32_t begin) const;
-  std::uint32_t number_end(std::uint32_t at) const;
+  std::uint32_t number_end(std::uint32_t i) const;
   char at(std::uint32_t i) const { return i < text_.size() ? text_[i] : '\0'; }
 
   std::string_view text_;

@@ -47,7 +47,7 @@ class Loader {
     }
     const std::string path = (fs::path(from).parent_path() / include.path.text).string();
     const std::string key = normal(path);
-    if (std::find(open_.begin(), open_.end(), key) != open_.end()) {
+    if (std::ranges::find(open_, key) != open_.end()) {
       diagnostics_.error("include-cycle", include.path.place,
                          fmt::format("`{}` includes itself", text::shown(include.path.text)));
       return;

@@ -172,8 +172,7 @@ void parse_select_body(Cursor& cursor, flow::Node& node) {
 
 // Behind the links of a delay: `value` first, and there.
 void order_delay(Cursor& cursor, flow::Node& node) {
-  const auto value = std::find_if(node.links.begin(), node.links.end(),
-                                  [](const flow::Link& l) { return l.input == "value"; });
+  const auto value = std::ranges::find_if(node.links, [](const flow::Link& l) { return l.input == "value"; });
   if (value == node.links.end()) {
     cursor.error("missing-value", node.place, fmt::format("the delay `{}` has no `value = ...;`", node.name));
   } else {
@@ -200,31 +199,31 @@ void parse_node(Cursor& cursor, Tree& tree) {
     cursor.error("remote-node", first, "a `remote node` is a node of another robot")
         .hints.emplace_back("robots tell each other things by notifications");
   }
-  std::optional<Word> name;
+  Word name;
   if (!cursor.expect("node", decl.is_public ? "after `public`" : "after `remote`") ||
-      !(name = cursor.expect_name("the name of the node"))) {
+      !cursor.read_name(name, "the name of the node")) {
     cursor.skip_to(kDeclarationWords);
     return;
   }
   if (is_remote) {
-    decl.remote_module = *name;
+    decl.remote_module = name;
     if (!cursor.expect(":", "after the module") ||
-        !(name = cursor.expect_name("the name of the node in that module"))) {
+        !cursor.read_name(name, "the name of the node in that module")) {
       cursor.skip_to(kDeclarationWords);
       return;
     }
   }
-  decl.node.name = name->text;
-  decl.node.place = name->place;
-  std::optional<Word> behavior;
+  decl.node.name = name.text;
+  decl.node.place = name.place;
+  Word behavior;
   if (!cursor.expect("is", "after the name of the node") ||
-      !(behavior = cursor.expect_name("the procedure that the node is an instance of"))) {
+      !cursor.read_name(behavior, "the procedure that the node is an instance of")) {
     cursor.skip_to({"nend", "node"});
     cursor.take("nend");
     return;
   }
-  decl.node.behavior = behavior->text;
-  decl.node.behavior_place = behavior->place;
+  decl.node.behavior = behavior.text;
+  decl.node.behavior_place = behavior.place;
   if (!is_remote) {
     decl.description = take_description(cursor);
     const bool is_whole = cursor.expect("with", "before the links of the node");
@@ -248,18 +247,19 @@ void parse_operator(Cursor& cursor, Tree& tree) {
                                     : flow::Node::Kind::kDelay;
   const std::string word(cursor.text());
   cursor.advance();
-  const auto name = cursor.expect_name(fmt::format("the name of the {}", word));
-  std::optional<Word> type;
-  if (!name || !cursor.expect("of", "and the type of its output") ||
-      !(type = cursor.expect_name("the type of the output"))) {
+  Word name;
+  Word type;
+  if (!cursor.read_name(name, fmt::format("the name of the {}", word)) ||
+      !cursor.expect("of", "and the type of its output") ||
+      !cursor.read_name(type, "the type of the output")) {
     cursor.skip_to({"nend", "node"});
     cursor.take("nend");
     return;
   }
-  node.name = name->text;
-  node.place = name->place;
-  node.behavior = type->text;
-  node.behavior_place = type->place;
+  node.name = name.text;
+  node.place = name.place;
+  node.behavior = type.text;
+  node.behavior_place = type.place;
   if (node.kind == flow::Node::Kind::kSelect && cursor.expect("by", "and what selects")) {
     if (auto selector = cursor.expect_source("the node that selects")) node.selector = std::move(*selector);
   }

@@ -84,8 +84,7 @@ Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics, Layout
     }
     if (cursor.token().span.begin == before) cursor.advance();
   }
-  const auto unclosed = std::find_if(found.comments.begin(), found.comments.end(),
-                                     [](const Comment& c) { return !c.is_closed; });
+  const auto unclosed = std::ranges::find_if(found.comments, [](const Comment& c) { return !c.is_closed; });
   if (unclosed != found.comments.end()) {
     diagnostics.warning("unclosed-comment", {source, {unclosed->span.begin, unclosed->span.begin + 2}},
                         "the comment is not closed; everything after it is left out");

@@ -108,10 +108,8 @@ std::optional<InputDecl> parse_input(Cursor& cursor) {
   if (!name) return std::nullopt;
   input.name = *name;
   if (cursor.take("=")) {
-    if (!(input.initial =
-              cursor.expect_source("the value that the input has when nothing is linked to it"))) {
-      return std::nullopt;
-    }
+    input.initial = cursor.expect_source("the value that the input has when nothing is linked to it");
+    if (!input.initial) return std::nullopt;
   }
   if (!parse_range(cursor, input.low, input.high, input.range_place)) return std::nullopt;
   if (!cursor.expect(";", "after the input")) return input;
@@ -312,9 +310,7 @@ void parse_type(Cursor& cursor, Tree& tree) {
   cursor.line(0);
   cursor.advance();
   TypeDecl type;
-  std::optional<Word> name;
-  if (cursor.expect("<", "after `type`") && (name = cursor.expect_name("the name of the type"))) {
-    type.name = *name;
+  if (cursor.expect("<", "after `type`") && cursor.read_name(type.name, "the name of the type")) {
     if (cursor.take(",")) {
       if (!cursor.is(Token::Kind::kString)) {
         cursor.expected("the format of the type, a text in quotes");

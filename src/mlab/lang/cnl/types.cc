@@ -49,12 +49,10 @@ constexpr std::array<std::string_view, 6> kLost = {"type_pry",        "Reinforce
 }  // namespace
 
 const PortType* find_port_type(std::string_view name) {
-  const auto historic =
-      std::find_if(kHistoric.begin(), kHistoric.end(), [&](const auto& h) { return h.first == name; });
+  const auto* const historic = std::ranges::find(kHistoric, name, [](const auto& h) { return h.first; });
   if (historic != kHistoric.end()) name = historic->second;
-  const auto found =
-      std::find_if(kTypes.begin(), kTypes.end(), [&](const PortType& t) { return t.name == name; });
-  return found == kTypes.end() ? nullptr : &*found;
+  const auto* const found = std::ranges::find(kTypes, name, &PortType::name);
+  return found == kTypes.end() ? nullptr : found;
 }
 
 std::vector<std::string> port_type_names() {
@@ -65,7 +63,7 @@ std::vector<std::string> port_type_names() {
 }
 
 bool is_lost_historic_type(std::string_view name) {
-  return std::find(kLost.begin(), kLost.end(), name) != kLost.end();
+  return std::ranges::find(kLost, name) != kLost.end();
 }
 
 }  // namespace mlab::cnl

@@ -21,9 +21,9 @@ bool is_word_part(char c) {
   return is_word_start(c) || is_digit(c);
 }
 
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+template <std::size_t kCount>
+bool is_one_of(std::string_view word, const std::array<std::string_view, kCount>& words) {
+  return std::ranges::find(words, word) != words.end();
 }
 
 constexpr auto kKeywords = std::to_array<std::string_view>(
@@ -98,6 +98,17 @@ std::uint32_t UserCode::skip_text(std::uint32_t at) const {
   return static_cast<std::uint32_t>(std::min<std::size_t>(at, text_.size()));
 }
 
+// The end of the line of a `#`, and of the lines that it goes on in.
+std::uint32_t UserCode::directive_end(std::uint32_t at) const {
+  for (;;) {
+    const std::size_t end = text_.find('\n', at);
+    if (end == std::string_view::npos) return static_cast<std::uint32_t>(text_.size());
+    at = static_cast<std::uint32_t>(end);
+    if (text_[end - 1] != '\\') return at;
+    ++at;
+  }
+}
+
 void UserCode::cut() {
   const std::uint32_t base = code_.place.span.begin;
   const auto size = static_cast<std::uint32_t>(text_.size());
@@ -119,9 +130,7 @@ void UserCode::cut() {
       i = close == std::string_view::npos ? size : static_cast<std::uint32_t>(close) + 2;
     } else if (c == '#' && starts_line(i)) {
       has_directives_ = true;
-      do {
-        i = static_cast<std::uint32_t>(std::min<std::size_t>(text_.find('\n', i), size));
-      } while (i > 0 && i < size && text_[i - 1] == '\\' && ++i < size);
+      i = directive_end(i);
     } else if (c == 'R' && text_.substr(i, 2) == "R\"") {
       const std::size_t open = text_.find('(', i);
       const std::string close = open == std::string_view::npos || open - i > 18
@@ -315,7 +324,7 @@ std::size_t UserCode::read_type(std::size_t at, std::size_t end, bool& is_pointe
   return at;
 }
 
-void UserCode::read_declarators(std::size_t at, std::size_t end, Variable common) {
+void UserCode::read_declarators(std::size_t at, std::size_t end, const Variable& common) {
   while (at < end) {
     Variable variable = common;
     while (at < end && (tokens_[at].text == "*" || tokens_[at].text == "&" || tokens_[at].text == "&&" ||

@@ -52,13 +52,14 @@ class UserCode {
  private:
   void cut();
   std::uint32_t skip_text(std::uint32_t at) const;
+  std::uint32_t directive_end(std::uint32_t at) const;
   void check_balance(text::Diagnostics& diagnostics) const;
   void check_static(text::Diagnostics& diagnostics) const;
   std::size_t close_of(std::size_t open) const;
   void find_variables();
   void read_statement(std::size_t begin, std::size_t end);
   std::size_t read_type(std::size_t at, std::size_t end, bool& is_pointer) const;
-  void read_declarators(std::size_t at, std::size_t end, Variable common);
+  void read_declarators(std::size_t at, std::size_t end, const Variable& common);
 
   Code code_;
   std::string_view text_;
