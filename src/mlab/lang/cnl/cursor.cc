@@ -73,6 +73,10 @@ bool Cursor::is_any(std::initializer_list<std::string_view> words) const {
   return std::ranges::any_of(words, [&](std::string_view word) { return is(word); });
 }
 
+bool Cursor::is_before(std::string_view word) const {
+  return source_->text(lexer_.next(token_.span.end).span) == word;
+}
+
 void Cursor::lex(std::uint32_t offset) {
   token_ = lexer_.next(offset, &layout_.comments);
   while (handle_odd_token()) token_ = lexer_.next(token_.span.end, &layout_.comments);

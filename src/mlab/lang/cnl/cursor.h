@@ -22,6 +22,8 @@ class Cursor {
   /// True at this name or punctuation.
   bool is(std::string_view word) const;
   bool is_any(std::initializer_list<std::string_view> words) const;
+  /// True where the token after this one is this word.
+  bool is_before(std::string_view word) const;
   /// Offset one past the last token that was taken.
   std::uint32_t last_end() const { return last_end_; }
   std::string_view source_text() const { return source_->text(); }

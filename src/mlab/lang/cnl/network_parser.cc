@@ -61,7 +61,8 @@ std::string take_description(Cursor& cursor) {
 }
 
 void parse_links(Cursor& cursor, flow::Node& node) {
-  while (!cursor.at_end() && !cursor.is_any(kAfterLinks)) parse_link(cursor, node);
+  // An input may be called `delay`.
+  while (!cursor.at_end() && (!cursor.is_any(kAfterLinks) || cursor.is_before("="))) parse_link(cursor, node);
 }
 
 // `when [not] TRIGGER goto STATE [restart];`

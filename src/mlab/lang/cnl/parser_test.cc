@@ -98,10 +98,10 @@ TEST(ParseProcedure, PlacesDoNotDriftBehindSections) {
 TEST(ParseProcedure, WordsOfTheLanguageMayBeNames) {
   const Parsed p(
       "procedure int list with\n  int list;\n  int with;\n  list int node;\nheader\nbody\npend\n"
-      "node parameter is list with\n  list = 1;\n  with = 2;\nnend\n");
+      "node parameter is list with\n  list = 1;\n  with = 2;\n  delay = 3;\n  node = 4;\nnend\n");
   EXPECT_EQ(p.sink.items().size(), 0U) << text::render(p.sink);
   EXPECT_EQ(p.only<Procedure>().inputs.size(), 3U);
-  EXPECT_EQ(p.only<NodeDecl>().node.links.size(), 2U);
+  EXPECT_EQ(p.only<NodeDecl>().node.links.size(), 4U);
 }
 
 TEST(ParseNode, ReadsEveryKindOfSource) {
