@@ -11,8 +11,9 @@
 
 namespace mlab::flow {
 
-/// One construction of a program: names are resolved and checked here (program_builder.cc), then the
-/// operations are laid out in a frame and put in order (program_layout.cc). Used by build_program only.
+/// One construction of a program: names are resolved and checked (program_builder.cc, program_operators.cc),
+/// then the operations are laid out in a frame and put in order (program_layout.cc). Used by build_program
+/// only.
 class ProgramBuilder {
  public:
   ProgramBuilder(const Network& network, const Library& library, text::Diagnostics& sink)

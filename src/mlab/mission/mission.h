@@ -167,7 +167,7 @@ struct Mission {
   std::vector<Robot> robots;     ///< by id, ascending
   std::vector<Unit> units;
   Options options;
-  std::vector<Print> prints;     ///< of the preamble: to be printed once when the mission is loaded
+  std::vector<Print> prints;  ///< of the preamble: to be printed once when the mission is loaded
   std::vector<Step> steps;
   text::SourcePtr source;
 };
