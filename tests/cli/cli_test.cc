@@ -1,0 +1,269 @@
+// The built command as its users meet it: what it prints where, its exit status, the files that it writes.
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace mlab {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const std::string kMissions = std::string(MLAB_SOURCE_DIR) + "/missions/";
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return (std::ostringstream() << stream.rdbuf()).str();
+}
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+// A folder of its own for each test, gone afterwards.
+class Command : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              ("mlab_cli_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  // `before` stands before the command: what is piped into it, `timeout`.
+  Outcome mlab(const std::string& arguments, const std::string& before = "") const {
+    const std::string line = "cd '" + folder_.string() + "' && XDG_CACHE_HOME='" +
+                             (folder_ / "cache").string() + "' && export XDG_CACHE_HOME && " + before + " '" +
+                             MLAB_COMMAND + "' " + arguments + " > out.txt 2> err.txt" +
+                             (before.empty() ? " < /dev/null" : "");
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder_ / "out.txt"),
+            text_of(folder_ / "err.txt")};
+  }
+
+  fs::path folder_;
+};
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+constexpr const char* kMap = "SITE Test\nCONTROL MEASURES:\nPP Here 100 100\nPP There 160 100\n";
+constexpr const char* kMission =
+    "MISSION NAME Test\nOVERLAY map.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u "
+    "MOVETO There\n";
+
+TEST_F(Command, HelpIsAnsweredOnStandardOutputWithStatusZero) {
+  for (const char* arguments : {"--help", "run --help", "check --help", "fmt --help", "describe --help",
+                                "bench --help", "--version"}) {
+    const Outcome o = mlab(arguments);
+    EXPECT_EQ(o.status, 0) << arguments;
+    EXPECT_FALSE(o.out.empty()) << arguments;
+    EXPECT_TRUE(o.err.empty()) << arguments;
+  }
+}
+
+TEST_F(Command, WrongUsageIsStatusTwoOnStandardError) {
+  for (const char* arguments :
+       {"", "walk", "run", "run a.mdl --speed fast", "run a.mdl --threads 0", "run a.mdl --start-time noon",
+        "check", "bench --robots 0", "describe Nonsense", "run missing.mdl --headless", "check missing.mdl",
+        "fmt missing.odl"}) {
+    const Outcome o = mlab(arguments);
+    EXPECT_EQ(o.status, 2) << arguments;
+    EXPECT_FALSE(o.err.empty()) << arguments;
+  }
+}
+
+TEST_F(Command, RunWritesAReportWithTheKeysOfItsSchema) {
+  write("map.odl", kMap);
+  write("m.mdl", kMission);
+  const Outcome o = mlab("run m.mdl --headless --proceed --report r.json --plot p.svg");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.out, "step 1: unit u MOVETO There done")) << o.out;
+  const Json report = Json::parse(text_of(folder_ / "r.json"));
+  for (const char* key : {"version", "mission", "seed", "outcome", "steps", "robots", "units", "performance"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  EXPECT_EQ(report.size(), 8U);
+  EXPECT_EQ(report["outcome"], "done");
+  EXPECT_EQ(report["steps"].size(), 2U);
+  EXPECT_EQ(report["robots"][0]["collisions"], 0);
+  EXPECT_NEAR(report["robots"][0]["distance_m"], 50.0, 15.0);
+  EXPECT_TRUE(has(text_of(folder_ / "p.svg"), "</svg>"));
+}
+
+TEST_F(Command, TheSameSeedGivesTheSameReport) {
+  const auto report = [&](const std::string& more) {
+    EXPECT_EQ(
+        mlab("run " + kMissions + "demo_c/demo_c.mdl --headless --proceed --quiet --report r.json " + more)
+            .status,
+        0);
+    Json out = Json::parse(text_of(folder_ / "r.json"));
+    out.erase("performance");
+    return out.dump();
+  };
+  const std::string one = report("--seed 5 --threads 1");
+  EXPECT_EQ(one, report("--seed 5 --threads 2"));
+  EXPECT_NE(one, report("--seed 6 --threads 2"));
+}
+
+TEST_F(Command, AsksWhetherAUnitMayProceedAndTakesTheAnswers) {
+  write("map.odl", kMap);
+  write("m.mdl", std::string(kMission) + "2. UNIT u OCCUPY There\n3. UNIT u STOP\n");
+  const Outcome yes = mlab("run m.mdl --headless --report r.json", "echo y |");
+  EXPECT_EQ(yes.status, 0) << yes.out << yes.err;
+  EXPECT_TRUE(has(yes.out, "Proceed? [y/n]"));
+  EXPECT_EQ(Json::parse(text_of(folder_ / "r.json"))["mission"]["answers"].size(), 1U);
+  const Outcome no = mlab("run m.mdl --headless", "echo n |");
+  EXPECT_EQ(no.status, 1);
+  EXPECT_TRUE(has(no.out, "aborted"));
+  const Outcome nobody = mlab("run m.mdl --headless");
+  EXPECT_EQ(nobody.status, 1);
+  EXPECT_TRUE(has(nobody.out, "--proceed")) << "says how to go on without an operator";
+}
+
+TEST_F(Command, AnInterruptEndsTheRunWithAReport) {
+  write("map.odl", kMap);
+  write("m.mdl", kMission);
+  const Outcome o = mlab("run m.mdl --headless --proceed --speed 0.1 --report r.json", "timeout -s INT 2");
+  const Json report = Json::parse(text_of(folder_ / "r.json"), nullptr, false);
+  ASSERT_TRUE(report.is_object()) << o.out << o.err;
+  EXPECT_EQ(report["outcome"], "interrupted");
+  EXPECT_EQ(report["steps"][1]["outcome"], "running");
+}
+
+TEST_F(Command, AUnitThatGetsNowhereFailsTheMissionAndIsNamed) {
+  write("map.odl", std::string(kMap) + "WALL w 130 0 130 200\n");
+  write("m.mdl", kMission);
+  const Outcome o = mlab("run m.mdl --headless --proceed --patience 20");
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.out, "no progress for 20 s; robot 1 at (")) << o.out;
+  EXPECT_TRUE(has(o.out, "from_obstacles")) << o.out;
+}
+
+TEST_F(Command, MistakesAreReportedWithFileLineAndColumn) {
+  write("map.odl", kMap);
+  write("m.mdl",
+        "OVERLAY map.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Hree\n1. UNIT v MOVETO There\n");
+  const Outcome o = mlab("check m.mdl");
+  EXPECT_EQ(o.status, 2);
+  EXPECT_TRUE(has(o.err, "m.mdl:4:17: error:")) << o.err;
+  EXPECT_TRUE(has(o.err, "did you mean `Here`?")) << o.err;
+  EXPECT_TRUE(has(o.err, "m.mdl:5:9: error:")) << o.err;
+  EXPECT_EQ(mlab("run m.mdl --headless --report r.json").status, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "r.json")) << "nothing is written for a mission that can't be run";
+}
+
+TEST_F(Command, CheckAnswersToolsInJson) {
+  write("map.odl", std::string(kMap) + "PP Broken 1\n");
+  const Outcome o = mlab("check --format json map.odl");
+  EXPECT_EQ(o.status, 2);
+  const Json answer = Json::parse(o.out);
+  EXPECT_EQ(answer["files"][0]["language"], "overlay");
+  EXPECT_EQ(answer["files"][0]["diagnostics"][0]["place"]["line"], 5);
+}
+
+TEST_F(Command, StrictTurnsWarningsIntoStatusOne) {
+  write("map.odl", kMap);
+  write("m.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT r \"robot\" blue (base_velocty = 1)\nUNIT <u> r\nCOMMAND LIST:\n0. UNIT "
+        "u START Here\n");
+  const Outcome lenient = mlab("check m.mdl");
+  EXPECT_EQ(lenient.status, 0);
+  EXPECT_TRUE(has(lenient.err, "did you mean `base_velocity`?")) << lenient.err;
+  EXPECT_EQ(mlab("check --strict m.mdl").status, 1);
+  EXPECT_EQ(mlab("run --headless --strict m.mdl").status, 1);
+}
+
+TEST_F(Command, NeverExecutesWhatAMissionNames) {
+  write("map.odl", kMap);
+  write("evil", "#!/bin/sh\ntouch executed\n");
+  fs::permissions(folder_ / "evil", fs::perms::owner_all);
+  write("m.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT e \"./evil\"\nUNIT <u> e\nCOMMAND LIST:\n0. UNIT u START Here\n");
+  const Outcome o = mlab("run m.mdl --headless --proceed --allow-native");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.err, "parked")) << o.err;
+  EXPECT_FALSE(fs::exists(folder_ / "executed"));
+}
+
+TEST_F(Command, FmtRewritesOnlyWhatIsNotInTheCanonicalLayout) {
+  write("map.odl", "SITE   Test CONTROL MEASURES: PP Here 1 2 -- note\n");
+  EXPECT_EQ(mlab("fmt --check map.odl").status, 1);
+  EXPECT_EQ(text_of(folder_ / "map.odl"), "SITE   Test CONTROL MEASURES: PP Here 1 2 -- note\n");
+  EXPECT_EQ(mlab("fmt map.odl").status, 0);
+  const std::string once = text_of(folder_ / "map.odl");
+  EXPECT_TRUE(has(once, "-- note"));
+  EXPECT_EQ(mlab("fmt --check map.odl").status, 0);
+  write("broken.odl", "CONTROL\n");
+  EXPECT_EQ(mlab("fmt broken.odl").status, 2);
+  EXPECT_EQ(text_of(folder_ / "broken.odl"), "CONTROL\n");
+}
+
+TEST_F(Command, CompilesLoadsAndRunsABehaviorOfTheMissionsOwn) {
+  const std::string good =
+      "/// Straight on.\nprocedure Vector GoOn\nwith\n  double pace = 1;\nheader\nbody\n  output = "
+      "Vector{pace, 0};\npend\n"
+      "parameter double pace = 1;\nnode on is GoOn with pace = pace; nend\n"
+      "node wheels is Drive with v = on; base_velocity = 1; max_velocity = 9; nend\n";
+  write("map.odl", kMap);
+  write("mine.cnl", good);
+  write("m.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT mine \"mine.cnl\" (pace = 3)\nUNIT <u> mine\nCOMMAND LIST:\n0. UNIT u "
+        "START Here\n1. UNIT u MOVETO There\n");
+  const Outcome o = mlab("run m.mdl --headless --proceed --patience 10 --report r.json");
+  EXPECT_EQ(o.status, 1) << "it reports on no order, so the command fails\n" << o.err;
+  EXPECT_NEAR(Json::parse(text_of(folder_ / "r.json"))["robots"][0]["distance_m"], 30.0, 1.0);
+
+  std::string bad = good;
+  bad.replace(bad.find("Vector{pace"), 11, "Vector{pcae");
+  write("mine.cnl", bad);
+  const Outcome wrong = mlab("run m.mdl --headless --proceed");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(has(wrong.err, "mine.cnl:7:19: error:")) << wrong.err;
+}
+
+TEST_F(Command, DescribesTheLibraryAndItsComponents) {
+  EXPECT_TRUE(has(mlab("describe").out, "MoveToGoal"));
+  const Outcome one = mlab("describe MOVE_TO_GOAL");
+  EXPECT_EQ(one.status, 0);
+  EXPECT_TRUE(has(one.out, "success_radius"));
+  EXPECT_TRUE(Json::parse(mlab("describe --format json").out)["components"].size() > 50U);
+  EXPECT_TRUE(has(mlab("describe robot").out, "formation_spacing"));
+  EXPECT_TRUE(has(mlab("describe MoveToGaol").err, "did you mean"));
+}
+
+TEST_F(Command, BenchWritesTheFiguresThatOthersCompare) {
+  ASSERT_EQ(mlab("bench --robots 100 --cycles 20 --json b.json").status, 0);
+  const Json figures = Json::parse(text_of(folder_ / "b.json"));
+  for (const char* key : {"robot_cycles_per_second", "bytes_per_robot", "hit_share", "mean_hit_distance_m",
+                          "mean_displacement_m", "seconds"}) {
+    EXPECT_TRUE(figures.contains(key)) << key;
+  }
+}
+
+TEST_F(Command, TheBenchmarkScenarioMeetsItsCheckValues) {
+  ASSERT_EQ(mlab("bench --robots 1000 --control diffusion --json b.json").status, 0);
+  const Json figures = Json::parse(text_of(folder_ / "b.json"));
+  // 5.6 to 5.8 per cent, 0.70 to 0.72 m, 2.95 to 3.07 m with other positions of the same kind.
+  // its spread.
+  EXPECT_NEAR(figures["hit_share"], 0.057, 0.004);
+  EXPECT_NEAR(figures["mean_hit_distance_m"], 0.71, 0.015);
+  EXPECT_NEAR(figures["mean_displacement_m"], 3.01, 0.09);
+}
+
+}  // namespace
+}  // namespace mlab
