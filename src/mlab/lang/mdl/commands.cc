@@ -57,8 +57,8 @@ std::optional<mission::Command> CommandReader::unit_command(const statement::Uni
   out.task = action.task;
   out.place = place(action.unit.span);
   if (action.location) read_location(action, out);
-  if (action.step_x) check_lengths({&*action.step_x, &*action.step_y}, "an offset", source_, diagnostics_);
-  if (action.step_x) out.start_step = {action.step_x->value, action.step_y->value};
+  if (action.step) check_lengths({&action.step->x, &action.step->y}, "an offset", source_, diagnostics_);
+  if (action.step) out.start_step = {action.step->x.value, action.step->y.value};
   std::array<const Clause*, std::variant_size_v<decltype(Clause::what)>> seen{};
   for (const Clause& clause : action.clauses) {
     const Clause*& before = seen.at(clause.what.index());

@@ -2,7 +2,9 @@
 
 #include <charconv>
 #include <chrono>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -18,7 +20,8 @@ std::vector<int> fields(std::string_view text, char separator) {
   while (true) {
     const std::size_t end = std::min(text.find(separator), text.size());
     int value = 0;
-    if (std::from_chars(text.data(), text.data() + end, value).ec != std::errc{}) value = -1;
+    const std::string field(text.substr(0, end));
+    if (std::from_chars(field.data(), field.data() + field.size(), value).ec != std::errc{}) value = -1;
     out.push_back(value);
     if (end == text.size()) return out;
     text.remove_prefix(end + 1);
@@ -50,50 +53,61 @@ std::optional<double> seconds_of(const std::vector<int>& parts, double largest_u
   return seconds;
 }
 
-TimeReading read_timeout(const Moment& moment) {
-  if (moment.number) {
-    if (moment.number->value < 0.0) return bad("a time-out is not negative", moment.number->span);
-    return good(Kind::kSinceReached, moment.number->value);
-  }
-  const std::vector<int> parts = fields(digits(*moment.time), ':');
+constexpr const char* kMinutes = "minutes and seconds go from 00 to 59";
+
+TimeReading read_timeout(const Mark& time) {
+  const std::vector<int> parts = fields(digits(time), ':');
   const double largest_unit = parts.size() == 3 ? 3600.0 : parts.size() == 2 ? 60.0 : 1.0;
   const std::optional<double> seconds = seconds_of(parts, largest_unit);
-  if (!seconds) return bad("minutes and seconds go from 00 to 59", moment.time->span);
-  return good(Kind::kSinceReached, *seconds);
+  return seconds ? good(Kind::kSinceReached, *seconds) : bad(kMinutes, time.span);
 }
 
-TimeReading read_relative(const Moment& moment) {
-  if (moment.date) return bad("a date needs a time of day, not a time from the start", moment.time->span);
-  const std::vector<int> parts = fields(digits(*moment.time), ':');
+TimeReading read_relative(const Mark& time) {
+  const std::vector<int> parts = fields(digits(time), ':');
   const std::optional<double> seconds = seconds_of(parts, parts.size() == 1 ? 60.0 : 3600.0);
-  if (!seconds) return bad("minutes and seconds go from 00 to 59", moment.time->span);
-  return good(Kind::kSinceStart, *seconds);
+  return seconds ? good(Kind::kSinceStart, *seconds) : bad(kMinutes, time.span);
 }
 
-TimeReading read_clock(const Moment& moment) {
-  const std::vector<int> clock = fields(digits(*moment.time), ':');
+TimeReading read_time_of_day(const Mark& time) {
+  const std::vector<int> clock = fields(digits(time), ':');
   const std::optional<double> seconds = seconds_of(clock, 3600.0);
-  if (!seconds || clock[0] > 23) return bad("a time of day goes from 00:00 to 23:59:59", moment.time->span);
-  if (!moment.date) return good(Kind::kOfDay, *seconds);
-  const std::vector<int> date = fields(moment.date->text, '-');
-  const std::chrono::year_month_day day(std::chrono::year(2000 + date[2]),
-                                        std::chrono::month(static_cast<unsigned>(date[0])),
-                                        std::chrono::day(static_cast<unsigned>(date[1])));
-  if (!day.ok())
-    return bad("a date is written month-day-year, and the month must have that day", moment.date->span);
+  if (!seconds || clock[0] > 23) return bad("a time of day goes from 00:00 to 23:59:59", time.span);
+  return good(Kind::kOfDay, *seconds);
+}
+
+TimeReading on_date(TimeReading of_day, const Mark& date) {
+  const std::vector<int> parts = fields(date.text, '-');
+  const std::chrono::year_month_day day(std::chrono::year(2000 + parts[2]),
+                                        std::chrono::month(static_cast<unsigned>(parts[0])),
+                                        std::chrono::day(static_cast<unsigned>(parts[1])));
+  if (!day.ok()) return bad("a date is written month-day-year, and the month must have that day", date.span);
   const auto days = std::chrono::sys_days(day).time_since_epoch();
-  return good(Kind::kAbsolute, static_cast<double>(days.count()) * 86400.0 + *seconds);
+  if (of_day.time) {
+    of_day.time->kind = Kind::kAbsolute;
+    of_day.time->seconds += static_cast<double>(days.count()) * 86400.0;
+  }
+  return of_day;
+}
+
+TimeReading read_number(const Number& number, bool is_timeout) {
+  if (is_timeout && number.value < 0.0) return bad("a time-out is not negative", number.span);
+  if (is_timeout) return good(Kind::kSinceReached, number.value);
+  return number.value < 0.0 ? good(Kind::kSinceReached, -number.value)
+                            : good(Kind::kOfDay, number.value * 60.0);
 }
 
 }  // namespace
 
 TimeReading read_moment(const Moment& moment) {
-  if (moment.is_timeout) return read_timeout(moment);
-  if (moment.number) {
-    const double value = moment.number->value;
-    return value < 0.0 ? good(Kind::kSinceReached, -value) : good(Kind::kOfDay, value * 60.0);
+  if (moment.number) return read_number(*moment.number, moment.is_timeout);
+  if (!moment.time) return bad("a time is missing", moment.span);
+  if (moment.is_timeout) return read_timeout(*moment.time);
+  if (is_relative(*moment.time)) {
+    if (moment.date) return bad("a date needs a time of day, not a time from the start", moment.time->span);
+    return read_relative(*moment.time);
   }
-  return is_relative(*moment.time) ? read_relative(moment) : read_clock(moment);
+  TimeReading of_day = read_time_of_day(*moment.time);
+  return moment.date ? on_date(std::move(of_day), *moment.date) : of_day;
 }
 
 }  // namespace mlab::mdl

@@ -43,7 +43,7 @@ class Roster {
  private:
   text::Place place(text::Span span) const { return {source_, span}; }
   std::optional<std::uint32_t> find_type(const Name& name);
-  base::RobotId create_robot(std::uint32_t type, text::Place place);
+  base::RobotId create_robot(std::uint32_t type, text::Place where);
   std::optional<std::uint32_t> wished_id(const mission::RobotType& type);
 
   mission::Mission& mission_;

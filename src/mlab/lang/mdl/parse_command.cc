@@ -132,8 +132,7 @@ void Parser::start_step(statement::UnitAction& action) {
     return;
   }
   const Number y = number("the y offset");
-  action.step_x = x;
-  action.step_y = y;
+  action.step = StartStep{x, y};
 }
 
 void Parser::clauses(statement::UnitAction& action) {

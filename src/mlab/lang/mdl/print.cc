@@ -217,7 +217,7 @@ struct StatementPrinter {
   std::string operator()(const statement::UnitAction& s) const {
     std::string out = fmt::format("UNIT {} {}", text_of(s.unit), text_of(s.task));
     if (s.location) out += " " + text_of(*s.location);
-    if (s.step_x) out += fmt::format(" {} {}", s.step_x->text, s.step_y->text);
+    if (s.step) out += fmt::format(" {} {}", s.step->x.text, s.step->y.text);
     for (const Clause& c : s.clauses) out += " " + std::visit(ClausePrinter{}, c.what);
     return out;
   }

@@ -106,6 +106,12 @@ struct Group {
   text::Span span;
 };
 
+/// From one robot of a starting unit to the next.
+struct StartStep {
+  Number x;
+  Number y;
+};
+
 namespace statement {
 struct MissionName {
   Name name;
@@ -158,8 +164,7 @@ struct UnitAction {
   Name unit;
   percept::Task task = percept::Task::kMoveTo;
   std::optional<Location> location;  ///< none for STOP
-  std::optional<Number> step_x;      ///< START: both or none
-  std::optional<Number> step_y;
+  std::optional<StartStep> step;     ///< START
   std::vector<Clause> clauses;
 };
 }  // namespace statement
