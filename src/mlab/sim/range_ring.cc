@@ -25,7 +25,8 @@ RingBeams::RingBeams(const RangeRing& ring, double body_radius)
   for (int beam = 0; beam < ring.count; ++beam) {
     const double angle = ring.first_angle + beam / per_radian_;
     const auto direction = [](double a) { return Direction{std::cos(a), std::sin(a)}; };
-    angles_.push_back(static_cast<float>(base::wrap_angle(angle)));
+    nothing_seen_.push_back(
+        {static_cast<float>(base::wrap_angle(angle)), static_cast<float>(ring.range), false});
     axes_.push_back(direction(angle));
     if (half_width_ <= 0.0) continue;
     right_edges_.push_back(direction(angle - half_width_));

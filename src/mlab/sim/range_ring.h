@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mlab/geom/vector.h"
+#include "mlab/percept/percepts.h"
 #include "mlab/sim/body.h"
 
 namespace mlab::sim {
@@ -16,7 +17,8 @@ class RingBeams {
   RingBeams(const RangeRing& ring, double body_radius);
 
   std::size_t count() const { return axes_.size(); }
-  float angle(std::size_t beam) const { return angles_[beam]; }
+  /// What the ring tells where nothing is near.
+  const std::vector<percept::RangeReading>& nothing_seen() const { return nothing_seen_; }
   geom::Vector axis(std::size_t beam) const { return {axes_[beam].x, axes_[beam].y, 0.0}; }
   /// Farthest distance at which the ring sees anything, from the centre [m].
   double reach() const { return reach_; }
@@ -37,7 +39,7 @@ class RingBeams {
   template <class Look>
   void for_each_beam(double angle, double half_angle, Look&& look) const;
 
-  std::vector<float> angles_;
+  std::vector<percept::RangeReading> nothing_seen_;
   std::vector<Direction> axes_;
   std::vector<Direction> right_edges_;  ///< of the cones; empty for rays
   std::vector<Direction> left_edges_;

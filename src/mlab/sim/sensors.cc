@@ -209,18 +209,20 @@ void Sensors::sense_ranges(percept::Percepts& out) {
 
   const bool is_noisy = ring.noise > 0.0 || ring.dropout > 0.0;
   const double radius = bodies.radius[body_];
-  buffer_.ranges_.resize(beams.count());
+  buffer_.ranges_ = beams.nothing_seen();
   for (std::size_t beam = 0; beam < beams.count(); ++beam) {
+    if (!(distances[beam] < reach)) continue;
     double distance = std::max(0.0, distances[beam] - radius);
-    bool hit = distances[beam] < reach;
-    if (hit && is_noisy) {
+    if (is_noisy) {
       base::Random random = base::Random::of(scene_.seed, bodies.robot[body_].value,
                                              base::hash_text("range ring") + beam, scene_.cycle);
-      hit = !(random.uniform() < ring.dropout);
+      const bool is_dropped = random.uniform() < ring.dropout;
       distance = std::max(0.0, distance + ring.noise * random.normal());
-      hit = hit && distance < ring.range;
+      if (is_dropped || distance >= ring.range) continue;
     }
-    buffer_.ranges_[beam] = {beams.angle(beam), static_cast<float>(hit ? distance : ring.range), hit};
+    percept::RangeReading& reading = buffer_.ranges_[beam];
+    reading.distance = static_cast<float>(distance);
+    reading.hit = true;
   }
   out.ranges = buffer_.ranges_;
 }
