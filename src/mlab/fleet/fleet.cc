@@ -143,7 +143,7 @@ void Fleet::order(const mission::effect::Order& effect) {
       robots_[groups_[old].members[rank]].rank = static_cast<std::uint32_t>(rank);
     }
   }
-  std::uint32_t slot = static_cast<std::uint32_t>(groups_.size());
+  auto slot = static_cast<std::uint32_t>(groups_.size());
   if (!free_groups_.empty()) {
     slot = free_groups_.back();
     free_groups_.pop_back();

@@ -169,11 +169,11 @@ inline Source name(std::string text) {
 }
 
 inline Node node(std::string node_name, std::string behavior,
-                 std::vector<std::pair<std::string, Source>> links = {}) {
+                 const std::vector<std::pair<std::string, Source>>& links = {}) {
   Node out;
   out.name = std::move(node_name);
   out.behavior = std::move(behavior);
-  for (auto& [input, source] : links) out.links.push_back({input, source, {}});
+  for (const auto& [input, source] : links) out.links.push_back({input, source, {}});
   return out;
 }
 

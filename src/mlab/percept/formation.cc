@@ -82,7 +82,8 @@ geom::Vector diamond(int rank, int count, double s) {
   const double side_length = count * s / 4.0;
   const double half_diagonal = side_length / std::numbers::sqrt2;
   const auto at = [&](int r) -> geom::Vector {
-    const double walked = (r + 1) / 2 * s;  // from the front corner, along the outline
+    const int row = (r + 1) / 2;
+    const double walked = row * s;  // from the front corner, along the outline
     const double side = r % 2 == 1 ? -1.0 : 1.0;
     const double along = walked / std::numbers::sqrt2;
     const double out = walked <= side_length ? along : 2.0 * half_diagonal - along;
