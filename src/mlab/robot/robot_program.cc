@@ -86,7 +86,7 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     text::Diagnostic& d = sink.warning("unknown-program", place,
                                        fmt::format("nothing here answers to the robot program `{}`", name));
     d.label = "robots of this type stand parked";
-    d.hints.push_back(
+    d.hints.emplace_back(
         "`robot` is the standard robot; a network of behaviors is named by its file: `mine.cnl`");
     return robot;
   }
