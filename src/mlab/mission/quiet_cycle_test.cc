@@ -61,7 +61,7 @@ TEST_F(QuietCycle, OrdersAUnitOfAnySizeWithOneEffect) {
 TEST_F(QuietCycle, TakesNoHeap) {
   const Event event = cycle_;
   const std::size_t before = base::allocation_count();
-  Advance next = advance(std::move(state_), event);
+  const Advance next = advance(std::move(state_), event);
   EXPECT_EQ(base::allocation_count(), before);
   EXPECT_TRUE(next.effects.empty());
 }
