@@ -91,10 +91,11 @@ void order_robots(Turn& turn, Run& run) {
   for (PlannedPart& planned : plan_parts(turn.state, run)) {
     Part part;
     part.goal = planned.end;
+    part.ahead = planned.ahead;
     part.halted = planned.halted;
     part.sequence = give_order(turn, {.sequence = 0,
                                       .members = std::move(planned.members),
-                                      .command = run.command,
+                                      .command = planned.command,
                                       .task = run.command->task,
                                       .goal = planned.goal,
                                       .halted = planned.halted});

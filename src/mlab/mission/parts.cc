@@ -4,24 +4,25 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "mlab/geom/pose.h"
 #include "mlab/mission/command.h"
-#include "mlab/percept/formation.h"
+#include "mlab/mission/lanes.h"
 
 namespace mlab::mission {
 namespace {
 
-using percept::Formation;
 using percept::Task;
 
 constexpr double kDefaultSpacing = 50.0;  ///< the standard robot's formation_spacing [m]
 constexpr double kShareOfLeg = 0.25;   ///< parts end at most this share of the leg away from the unit's goal
 constexpr double kBoundsPerLeg = 3.0;  ///< a short leg is still done in several bounds
-constexpr std::size_t kMaxStations = 64;  ///< of larger parts the extent is estimated
+constexpr double kRoomToPass =
+    0.5;  ///< lanes closer than this share of what is wanted: no part passes another
 
 double spacing_of(const State& state, base::RobotId first) {
   if (state.options.spacing > 0.0) return state.options.spacing;
@@ -56,18 +57,6 @@ std::vector<std::vector<base::RobotId>> divide(const State& state, const Run& ru
     if (!members.empty()) parts.push_back(std::move(members));
   }
   return parts.size() >= 2 ? parts : halves(run.needed);
-}
-
-// Half the length that the formation takes up along (`forward`) or across its heading [m].
-double half_extent(Formation formation, std::size_t count, double spacing, bool forward) {
-  if (formation == Formation::kNone || formation == Formation::kSweep) return 0.0;
-  if (count > kMaxStations) return static_cast<double>(count) * spacing / 2.0;
-  double extent = 0.0;
-  for (int rank = 0; rank < static_cast<int>(count); ++rank) {
-    const geom::Vector at = percept::station(formation, rank, static_cast<int>(count), spacing);
-    extent = std::max(extent, std::abs(forward ? at.x : at.y));
-  }
-  return extent;
 }
 
 struct Leg {
@@ -113,40 +102,30 @@ std::vector<double> spread(const std::vector<PlannedPart>& parts, const std::vec
   return places;
 }
 
-// A place where a part can stand: inside the area, clear of obstacles, not behind a wall as seen from the
-// goal.
-bool is_clear(const overlay::Overlay& map, geom::Point goal, geom::Point place, double clearance) {
-  const overlay::Area area = map.mission_area();
-  if (place.x < clearance || place.y < clearance || place.x > area.width - clearance ||
-      place.y > area.height - clearance)
-    return false;
-  for (const overlay::ObstacleDisc& disc : map.obstacles) {
-    if (geom::distance(disc.center, place) < disc.radius + clearance) return false;
-  }
-  for (const overlay::ControlMeasure& measure : map.measures) {
-    if (measure.kind != overlay::MeasureKind::kWall) continue;
-    for (std::size_t i = 1; i < measure.points.size(); ++i) {
-      if (geom::intersects({goal, place}, {measure.points[i - 1], measure.points[i]})) return false;
-    }
-  }
-  return true;
+// The way of the whole unit.
+Track track_of(const UnitCommand& command) {
+  const bool follows = command.task == Task::kFollow && !command.route.empty();
+  return follows ? command.route : Track{command.goal};
 }
 
-// Gives each part its own place around the goal: as wide apart as the leg and the map allow.
-void place_parts(const State& state, const Leg& leg, geom::Offset direction,
-                 const std::vector<double>& places, double spacing, std::vector<PlannedPart>& parts) {
+// Gives each part the lane that `lane_at` says for its place: as wide apart as the leg and the map allow.
+// @return  the share of the wanted width
+template <class LaneAt>
+double spread_out(const State& state, const Leg& leg, const std::vector<double>& places, double spacing,
+                  const Track& track, const LaneAt& lane_at, std::vector<Track>& lanes) {
   double widest = 0.0;
   for (const double place : places) widest = std::max(widest, std::abs(place));
   const double fit = widest > 0.0 ? std::min(1.0, leg.length * kShareOfLeg / widest) : 0.0;
   const double clearance = std::min(spacing, leg.length * kShareOfLeg) / 5.0;
-  for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      parts[i].end = leg.goal + direction * (places[i] * fit * share);
-    const auto clear = [&](const PlannedPart& p) {
-      return is_clear(state.mission->overlay, leg.goal, p.end, clearance);
+  for (const double share : {1.0, 0.75, 0.5, 0.25}) {
+    for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i] = lane_at(places[i] * fit * share);
+    const auto clear = [&](const Track& lane) {
+      return is_clear(state.mission->overlay, track, lane, clearance);
     };
-    if (std::ranges::all_of(parts, clear)) return;
+    if (std::ranges::all_of(lanes, clear)) return fit * share;
   }
+  for (Track& lane : lanes) lane = lane_at(0.0);
+  return 0.0;
 }
 
 std::vector<std::size_t> in_order(std::size_t count) {
@@ -166,27 +145,63 @@ std::vector<std::size_t> from_left(const State& state, const Leg& leg,
   return order;
 }
 
+std::vector<double> half_extents(const Run& run, const std::vector<PlannedPart>& parts, double spacing,
+                                 bool along) {
+  std::vector<double> extents;
+  for (const PlannedPart& part : parts) {
+    extents.push_back(half_extent(formation_of(*run.command), part.members.size(), spacing, along));
+  }
+  return extents;
+}
+
+// Lanes side by side, so that a part can pass another. @return false where there is no room for that
+bool plan_lanes(const State& state, const Run& run, const Leg& leg, double spacing,
+                std::vector<PlannedPart>& parts) {
+  const Track track = track_of(*run.command);
+  const auto places =
+      spread(parts, from_left(state, leg, parts), half_extents(run, parts, spacing, false), spacing);
+  std::vector<Track> lanes(parts.size());
+  const auto lane_at = [&](double left) { return beside(track, leg.axis, left); };
+  if (spread_out(state, leg, places, spacing, track, lane_at, lanes) < kRoomToPass) return false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].goal = parts[i].end = lanes[i].back();
+    if (run.command->task != Task::kFollow) continue;
+    UnitCommand own = *run.command;
+    own.route = lanes[i];
+    parts[i].command = CommandRef{std::make_shared<const UnitCommand>(std::move(own))};
+  }
+  return true;
+}
+
+// One behind the other, the first part foremost.
+void plan_file(const State& state, const Run& run, const Leg& leg, double spacing,
+               std::vector<PlannedPart>& parts) {
+  const auto places = spread(parts, in_order(parts.size()), half_extents(run, parts, spacing, true), spacing);
+  std::vector<Track> ends(parts.size());
+  const auto end_at = [&](double ahead) { return Track{leg.goal + leg.axis * ahead}; };
+  spread_out(state, leg, places, spacing, {leg.goal}, end_at, ends);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].end = ends[i].back();
+    parts[i].ahead = geom::dot(parts[i].end - leg.goal, leg.axis);
+    parts[i].goal = run.command->task == Task::kFollow ? leg.goal : parts[i].end;
+  }
+}
+
 void plan_places(const State& state, Run& run, std::vector<PlannedPart>& parts) {
   const Leg leg = leg_of(state, run);
   const bool bounds = run.technique == Technique::kBoundingOverwatch;
   const double spacing = spacing_of(state, run.needed.front());
-  std::vector<double> half_extents;
-  for (const PlannedPart& part : parts) {
-    half_extents.push_back(half_extent(formation_of(*run.command), part.members.size(), spacing, !bounds));
-  }
-  std::vector<std::size_t> order = in_order(parts.size());
-  if (bounds) order = from_left(state, leg, parts);
-  const geom::Offset left{-leg.axis.y, leg.axis.x};
-  place_parts(state, leg, bounds ? left : leg.axis, spread(parts, order, half_extents, spacing), spacing,
-              parts);
+  const bool passes = bounds && plan_lanes(state, run, leg, spacing, parts);
+  run.in_file = !passes;
+  if (!passes) plan_file(state, run, leg, spacing, parts);
 
   double longest = leg.length;
-  for (PlannedPart& part : parts) {
-    part.goal = run.command->task == Task::kFollow ? leg.goal : part.end;
+  for (const PlannedPart& part : parts) {
     longest = std::max(longest, geom::distance(centre(state, part.members).value_or(part.end), part.end));
   }
+  const auto depths = half_extents(run, parts, spacing, true);
   run.distance = bounds ? std::min(state.options.bound_length, longest / kBoundsPerLeg)
-                        : std::min(spacing + half_extents[0] + half_extents[1], longest * kShareOfLeg);
+                        : std::min(spacing + depths[0] + depths[1], longest * kShareOfLeg);
 }
 
 bool can_divide(const Run& run) {
@@ -213,13 +228,14 @@ std::optional<geom::Point> centre(const State& state, const std::vector<base::Ro
 std::vector<PlannedPart> plan_parts(const State& state, Run& run) {
   if (run.needed.empty()) return {};
   const geom::Point goal = goal_of(*run.command);
-  if (!can_divide(run)) return {{.members = run.needed, .goal = goal, .end = goal, .halted = false}};
+  if (!can_divide(run)) return {{.members = run.needed, .command = run.command, .goal = goal, .end = goal}};
   run.technique = run.command->technique;
   std::vector<PlannedPart> parts;
   for (auto& members : divide(state, run)) {
     // Under bounding overwatch all are halted until all are at rest; then the first bound begins.
     const bool halted = run.technique == Technique::kBoundingOverwatch || !parts.empty();
-    parts.push_back({.members = std::move(members), .goal = goal, .end = goal, .halted = halted});
+    parts.push_back(
+        {.members = std::move(members), .command = run.command, .goal = goal, .end = goal, .halted = halted});
   }
   plan_places(state, run, parts);
   return parts;

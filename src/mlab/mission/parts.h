@@ -10,17 +10,19 @@ namespace mlab::mission {
 /// A part of a unit, as its command begins.
 struct PlannedPart {
   std::vector<base::RobotId> members;  ///< in rank order, never empty
+  CommandRef command;                  ///< the unit's, or with a route of its own
   geom::Point goal;                    ///< of its first order [m, world]
   geom::Point end;                     ///< its own place at the end [m, world]
+  double ahead = 0.0;                  ///< of the unit's goal, where the part ends [m]
   bool halted = false;
 };
 
 /// Divides the unit as its command's technique needs it, and sets the run's technique and distance.
 ///
 /// The parts are the unit's own parts, or else its two halves by rank. A unit of one robot, and a command
-/// that goes nowhere, travel: one part. Under BOUNDING-OVERWATCH the parts end side by side, under
-/// TRAVELING-OVERWATCH one behind the other, so that no part stands where another wants to be; the middle of
-/// all is the unit's goal.
+/// that goes nowhere, travel: one part. Under BOUNDING-OVERWATCH the parts have lanes side by side, so that
+/// one can pass the other, and end beside each other. Under TRAVELING-OVERWATCH, and where there is no room
+/// for lanes, they end one behind the other. The middle of all is the unit's goal.
 /// @return  empty for a unit without robots
 std::vector<PlannedPart> plan_parts(const State& state, Run& run);
 

@@ -36,7 +36,7 @@ class Patience : public ::testing::Test {
 
 TEST_F(Patience, FailsACommandWithoutProgressAndSaysWhoIsWhereAndWhy) {
   disturb_ = [](ToyFleet& fleet) { fleet.robot(1).is_stuck = fleet.robot(2).is_stuck = true; };
-  ToyFleet& fleet = run(100.0, {move_to(b_, "B", {2000, 50})});
+  const ToyFleet& fleet = run(100.0, {move_to(b_, "B", {2000, 50})});
   EXPECT_NEAR(fleet.time(), 60.0, 1.0);
   EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
   EXPECT_EQ(fleet.state().mode, State::Mode::kIdle);
@@ -86,7 +86,7 @@ TEST_F(Patience, NamesAFault) {
 
 TEST_F(Patience, NamesRobotsThatWereNeverStarted) {
   const auto c = maker_.unit("c", 3);
-  ToyFleet& fleet = run(200.0, {move_to(c, "C", {5, 5})});
+  const ToyFleet& fleet = run(200.0, {move_to(c, "C", {5, 5})});
   EXPECT_TRUE(
       fleet.has_told("step 1: robots 4, 5 and 6 are not running, but `unit c MOVETO C` waits for them"));
   EXPECT_TRUE(fleet.has_told("unit c MOVETO C failed: no progress for 60 s; robot 4: not started; robot 5"))
@@ -113,7 +113,7 @@ TEST_F(Patience, NamesRobotsThatDoNotStart) {
 
 TEST_F(Patience, NamesARobotThatIsInTwoCommandsOfOneStep) {
   const auto both = maker_.unit("both", {a_, b_});
-  ToyFleet& fleet = run(200.0, {move_to(both, "B", {10, 50})});
+  const ToyFleet& fleet = run(200.0, {move_to(both, "B", {10, 50})});
   EXPECT_TRUE(
       fleet.has_told("step 1: robots 1 and 2 are in two commands of this step; only the last one, "
                      "`unit both MOVETO B`, counts, the other can't be completed"));

@@ -122,6 +122,7 @@ struct Part {
   double remaining = std::numeric_limits<double>::infinity();  ///< from its centre to its own goal [m]
   double behind =
       std::numeric_limits<double>::infinity();  ///< how far its centre is from the unit's goal [m]
+  double ahead = 0.0;                           ///< of the unit's goal, where it ends [m]
   bool done = false;
   bool halted = false;  ///< as the technique wants it
 
@@ -148,9 +149,10 @@ struct Run {
   std::vector<LineState> lines;                 ///< for each phase line of the command
   Technique technique = Technique::kTraveling;  ///< what is possible: a unit of one robot travels
   std::vector<Part> parts;                      ///< empty for START and STOP
-  std::uint32_t mover = kNoPart;                ///< bounding: the part that moves
-  std::uint32_t bounds = 0;                     ///< bounding: how many bounds were begun
-  double settled = 0.0;   ///< bounding: since all parts were halted; they may still roll [s]
+  bool in_file = false;           ///< the parts go one behind the other; else they can pass each other
+  std::uint32_t mover = kNoPart;  ///< bounding: the part that moves
+  std::uint32_t bounds = 0;       ///< bounding: how many bounds were begun
+  double settled = 0.0;           ///< bounding: since all parts were halted; they may still roll [s]
   double target = 0.0;    ///< bounding: the mover's bound ends when so much remains [m]; 0: at its goal
   double distance = 0.0;  ///< bounding: length of a bound; overwatch: between parts [m]
 

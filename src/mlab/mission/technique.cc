@@ -24,6 +24,7 @@ constexpr double kFollowSlack =
     1.1;  ///< a trailing part that closed up waits until it is so much farther behind
 constexpr double kShortestBound =
     0.25;  ///< of a bound's length: what would be left of the leg is done with the bound before
+constexpr double kClosedUp = 0.1;  ///< in file: so much of a bound's length behind is no distance
 constexpr double kTurnIn =
     2.0;  ///< FOLLOW: so many times its distance from the goal before it, a part makes for its own place
 
@@ -53,7 +54,8 @@ void measure(const State& state, const Run& run, Part& part) {
     return robot.done || robot.run != run_index;
   });
   if (group->task == Task::kFollow) {
-    part.remaining = part.behind = reported_remaining(state, *group);
+    part.behind = reported_remaining(state, *group);
+    part.remaining = part.behind + part.ahead;
   } else if (const auto at = centre(state, group->members)) {
     part.remaining = geom::distance(*at, part.goal);
     part.behind = geom::distance(*at, goal_of(*run.command));
@@ -61,11 +63,11 @@ void measure(const State& state, const Run& run, Part& part) {
 }
 
 // The end of a route belongs to all parts: shortly before it each of them makes for its own place.
-void turn_in(Turn& turn, const Run& run, Part& part) {
+void turn_in(Turn& turn, Part& part) {
   const Group* group = find_group(turn.state, part.sequence);
   if (group == nullptr || group->task != Task::kFollow || part.done) return;
-  const double aside = geom::distance(part.goal, goal_of(*run.command));
-  if (aside <= 0.0 || part.remaining > kTurnIn * aside) return;
+  const double aside = geom::distance(part.goal, goal_of(*group->command));
+  if (aside <= 0.0 || part.behind > kTurnIn * aside) return;
   const auto done = [&](base::RobotId id) { return find_robot(turn.state, id)->done; };
   if (std::ranges::any_of(group->members, done)) return;
   Group next = *group;
@@ -83,23 +85,26 @@ bool is_at_rest(const Turn& turn, const Part& part) {
   });
 }
 
-// The part that bounds next: the first part first, then always the one that is farthest back.
+// The part that bounds next: the first part first, then always the one that is farthest back. In file the
+// first part leads as long as the others have closed up.
 std::uint32_t next_mover(const Run& run) {
+  const double slack = run.in_file ? kClosedUp * run.distance : 0.0;
   std::uint32_t farthest = kNoPart;
   for (std::uint32_t i = 0; i < run.parts.size(); ++i) {
     if (run.parts[i].done) continue;
     if (run.bounds == 0) return i;
-    if (farthest == kNoPart || run.parts[i].remaining > run.parts[farthest].remaining) farthest = i;
+    if (farthest == kNoPart || run.parts[i].remaining > run.parts[farthest].remaining + slack) farthest = i;
   }
   return farthest;
 }
 
+// A bound goes past the foremost other part; in file only the first part passes, the others close up to it.
 void begin_bound(Run& run, std::uint32_t mover) {
   double foremost = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < run.parts.size(); ++i) {
     if (i != mover) foremost = std::min(foremost, run.parts[i].done ? 0.0 : run.parts[i].remaining);
   }
-  run.target = foremost - run.distance;
+  run.target = foremost - (run.in_file && mover != 0 ? 0.0 : run.distance);
   if (!(run.target > kShortestBound * run.distance) || !std::isfinite(run.target)) run.target = 0.0;
   run.mover = mover;
   run.parts[mover].halted = false;
@@ -143,7 +148,7 @@ void steer_parts(Turn& turn, Run& run) {
   if (run.technique == Technique::kTraveling) return;
   for (Part& part : run.parts) {
     measure(turn.state, run, part);
-    turn_in(turn, run, part);
+    turn_in(turn, part);
   }
   if (run.technique == Technique::kBoundingOverwatch)
     bound(turn, run);

@@ -244,24 +244,50 @@ TEST(Technique, MovesAllTogetherWhenTheUnitTravels) {
   EXPECT_EQ(fleet.state().step, 2U);
 }
 
-TEST(Technique, LeavesOutPlacesThatAnObstacleOrAWallTakes) {
+TEST(BoundingOverwatch, GoesInFileWhereAnObstacleOrAWallLeavesNoRoomToPass) {
   for (const bool wall : {false, true}) {
     MissionMaker m;
     const auto unit = m.unit("unit", 4);
     if (wall) {
       overlay::ControlMeasure measure;
       measure.kind = overlay::MeasureKind::kWall;
-      measure.points = {{600, 270}, {700, 270}};
+      measure.points = {{600, 255}, {700, 255}};
       m.mission().overlay.measures.push_back(measure);
     } else {
       m.mission().overlay.obstacles.push_back(
           {.center = {650, 275}, .radius = 5.0, .height = 0.0, .place = {}});
     }
     ToyFleet fleet(leg(m, unit, Technique::kBoundingOverwatch), {.proceed_all = true});
-    watch_leg(fleet, [] {});
+    std::vector<int> movers;
+    watch_leg(fleet, [&] {
+      EXPECT_FALSE(moves(fleet, 1) && moves(fleet, 3));
+      if (fleet.time() > 60.0) {
+        EXPECT_GT(fleet.position(1).x, fleet.position(3).x);
+      }
+      const int mover = moves(fleet, 1) ? 1 : moves(fleet, 3) ? 2 : 0;
+      if (mover != 0 && (movers.empty() || movers.back() != mover)) movers.push_back(mover);
+    });
     EXPECT_EQ(fleet.state().step, 2U);
-    EXPECT_LT(geom::distance(fleet.centre({{1}, {2}}), fleet.centre({{3}, {4}})), 42.0);
+    EXPECT_EQ(movers, (std::vector<int>{1, 2, 1, 2, 1, 2, 1, 2}));
+    EXPECT_NEAR(fleet.centre({{1}, {2}}).x - fleet.centre({{3}, {4}}).x, 50.0, 3.0);
   }
+}
+
+TEST(BoundingOverwatch, FollowsARouteInLanes) {
+  MissionMaker m;
+  const auto unit = m.unit("unit", {m.unit("left", 1), m.unit("right", 1)});
+  UnitCommand follow = command(unit, percept::Task::kFollow, "AXIS-Blue");
+  follow.route = {{100, 300}, {400, 300}, {400, 600}};
+  follow.technique = Technique::kBoundingOverwatch;
+  m.step({start(unit, {100, 325}, {0, -50})}).step({follow});
+  ToyFleet fleet(m.make(), {.proceed_all = true});
+  double nearest = 1e9;
+  watch_leg(fleet,
+            [&] { nearest = std::min(nearest, geom::distance(fleet.position(1), fleet.position(2))); });
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  EXPECT_GT(nearest, 45.0) << "they pass each other at the distance of their lanes";
+  EXPECT_NEAR(fleet.position(1).x, 375.0, 2.0);
+  EXPECT_NEAR(fleet.position(2).x, 425.0, 2.0);
 }
 
 TEST(Technique, TakesTheSpacingOfTheRobotType) {

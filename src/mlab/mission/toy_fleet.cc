@@ -162,7 +162,7 @@ void ToyFleet::take_order(const effect::Order& order) {
   }
 }
 
-void ToyFleet::drive(Body& body) {
+void ToyFleet::drive(Body& body) const {
   const percept::Order& order = body.order.order;
   body.step = {};
   if (!body.in_world || !body.report.is_running || order.sequence == 0) return;

@@ -94,7 +94,7 @@ class ToyFleet {
  private:
   void apply(const Effect& effect);
   void take_order(const effect::Order& order);
-  void drive(Body& body);
+  void drive(Body& body) const;
 
   State state_;
   double time_ = 0.0;
