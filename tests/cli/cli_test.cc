@@ -50,6 +50,7 @@ class Command : public testing::Test {
                              (folder_ / "cache").string() + "' && export XDG_CACHE_HOME && " + before + " '" +
                              MLAB_COMMAND + "' " + arguments + " > out.txt 2> err.txt" +
                              (before.empty() ? " < /dev/null" : "");
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): a test program has one thread
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder_ / "out.txt"),
             text_of(folder_ / "err.txt")};

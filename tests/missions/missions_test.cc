@@ -76,8 +76,8 @@ TEST_P(Mission, ArrivesWithTwentySeedsWithoutAContact) {
     const auto run = prepare(folder / (GetParam() + ".mdl"), seed, 1);
     ASSERT_TRUE(run);
     carry_out(*run, expected["at_most_s"]);
-    EXPECT_EQ(fleet::outcome_name(*run, true), expected["outcome"]);
-    EXPECT_EQ(run->state().steps.size(), expected["steps"]);
+    EXPECT_EQ(fleet::outcome_name(*run, true), expected["outcome"].get<std::string>());
+    EXPECT_EQ(run->state().steps.size(), expected["steps"].get<std::size_t>());
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       ASSERT_NE(robot.life, fleet::RobotLife::kNotStarted);
       EXPECT_EQ(run->simulator().contacts(robot.body), 0U) << "robot " << robot.id.value;
