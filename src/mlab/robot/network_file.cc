@@ -10,6 +10,7 @@
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/load.h"
 #include "mlab/lang/cnl/native_module.h"
+#include "mlab/lang/cnl/signatures.h"
 
 namespace mlab::robot {
 namespace {
@@ -84,15 +85,16 @@ std::shared_ptr<const flow::Program> load_network(const std::string& path, const
 void check_network(const text::SourcePtr& source, const ProgramSources& sources, text::Diagnostics& sink) {
   const std::optional<Parsed> parsed = parse(source, sink);
   if (!parsed) return;
-  if (parsed->network.nodes.empty()) {  // a library of procedures: their C++ is read, nothing is loaded
-    if (!cnl::has_procedures(parsed->tree)) return;
-    if (can_compile(parsed->tree, sources, sink, false)) {
-      cnl::check_native(parsed->tree, native_options(sources), sink);
-    }
-    return;
+  // Nothing of the file is run: its C++ is read by the compiler, and the network is checked by what the
+  // procedures say of themselves.
+  if (cnl::has_procedures(parsed->tree) && can_compile(parsed->tree, sources, sink, false)) {
+    cnl::check_native(parsed->tree, native_options(sources), sink);
   }
-  const std::optional<flow::Library> library = library_of(parsed->tree, sources, sink);
-  if (library) flow::build_program(parsed->network, *library, sink);
+  if (parsed->network.nodes.empty()) return;  // a library of procedures
+  flow::Library library = component_library();
+  const cnl::Signatures own(parsed->tree, [&](std::string_view name) { return library.find_type(name); });
+  library.add(own.behaviors());
+  flow::build_program(parsed->network, library, sink);
 }
 
 }  // namespace mlab::robot

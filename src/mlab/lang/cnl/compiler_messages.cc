@@ -164,10 +164,9 @@ bool is_error(const text::Diagnostic& message) {
 // What follows from another message and says nothing new to the author.
 bool follows(const text::Diagnostic& message, const std::vector<text::Diagnostic>& before) {
   if (message.message.starts_with("something that the header declares")) {
-    return std::any_of(before.begin(), before.end(),
-                       [](const auto& b) { return b.kind == "state-not-copyable"; });
+    return std::ranges::any_of(before, [](const auto& b) { return b.kind == "state-not-copyable"; });
   }
-  return std::any_of(before.begin(), before.end(), [&](const auto& b) {
+  return std::ranges::any_of(before, [&](const auto& b) {
     return b.message == message.message && b.place.source == message.place.source &&
            b.place.span == message.place.span;
   });

@@ -49,6 +49,7 @@ void CppWriter::at(const text::Place& place, std::string_view text) {
 }
 
 void CppWriter::user_code(const Code& code) {
+  if (!code.place.source) return;
   const text::LineColumn at = code.place.source->line_column(code.place.span.begin);
   // Code that starts behind `header` on its line keeps its column.
   append(fmt::format("#line {} {}\n{}", at.line, cpp_string(code.place.source->name()),

@@ -111,8 +111,7 @@ class Elaborator {
   }
 
   std::optional<flow::Source> constant(const flow::Node& node, std::string_view input) {
-    const auto link = std::find_if(node.links.begin(), node.links.end(),
-                                   [&](const flow::Link& l) { return l.input == input; });
+    const auto link = std::ranges::find_if(node.links, [&](const flow::Link& l) { return l.input == input; });
     if (link == node.links.end()) {
       diagnostics_.error("bad-database-node", node.place,
                          fmt::format("`{}` has no `{} = ...;`", node.name, input));

@@ -21,8 +21,7 @@ std::string_view trimmed_right(std::string_view text) {
 class Formatter {
  public:
   Formatter(std::string_view text, Layout layout) : text_(text), lexer_(text), layout_(std::move(layout)) {
-    std::stable_sort(layout_.lines.begin(), layout_.lines.end(),
-                     [](const LineStart& a, const LineStart& b) { return a.offset < b.offset; });
+    std::ranges::stable_sort(layout_.lines, {}, &LineStart::offset);
     keep_one_liners();
   }
 
@@ -54,13 +53,13 @@ class Formatter {
     for (const text::Span span : layout_.one_liners) {
       const std::string_view node = piece(span);
       const auto inside = [&](std::uint32_t offset) { return offset > span.begin && offset < span.end; };
-      const auto first = std::partition_point(layout_.comments.begin(), layout_.comments.end(),
-                                              [&](const Comment& c) { return c.span.begin < span.begin; });
+      const auto first = std::ranges::partition_point(
+          layout_.comments, [&](const Comment& c) { return c.span.begin < span.begin; });
       const bool has_comment = first != layout_.comments.end() && inside(first->span.begin);
       if (has_comment || node.find('\n') != std::string_view::npos || one_line_size(span) > kLongestOneLiner)
         continue;
-      const auto from = std::partition_point(layout_.lines.begin(), layout_.lines.end(),
-                                             [&](const LineStart& l) { return l.offset <= span.begin; });
+      const auto from = std::ranges::partition_point(
+          layout_.lines, [&](const LineStart& l) { return l.offset <= span.begin; });
       for (auto line = from; line != layout_.lines.end() && inside(line->offset); ++line)
         line->indent = kNoLine;
     }

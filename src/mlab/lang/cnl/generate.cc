@@ -58,7 +58,7 @@ std::vector<const Procedure*> own_procedures(const Tree& tree) {
 
 void write_module_entry(CppWriter& out, std::string_view function) {
   out.line("");
-  out.line("extern \"C\" [[gnu::visibility(\"default\")]] const mlab::flow::Module* mlab_cnl_module_v1() {");
+  out.line(R"(extern "C" [[gnu::visibility("default")]] const mlab::flow::Module* mlab_cnl_module_v1() {)");
   out.line(
       fmt::format("  static const mlab::flow::Module kModule = mlab::flow::make_module({}());", function));
   out.line("  return &kModule;");
@@ -94,7 +94,7 @@ std::string generate(const Tree& tree, const GenerateOptions& options) {
   std::vector<std::string> written;
   visit_items(tree, [&](const Item& item) {
     const auto* type = std::get_if<TypeDecl>(&item);
-    if (!type || std::find(written.begin(), written.end(), type->name.text) != written.end()) return;
+    if (!type || std::ranges::find(written, type->name.text) != written.end()) return;
     write_type(out, *type);
     written.push_back(type->name.text);
   });

@@ -18,8 +18,8 @@ struct GenerateOptions {
 /// error. The same tree gives the same text, byte for byte.
 std::string generate(const Tree& tree, const GenerateOptions& options);
 
-/// C++ for the function of that name, which gives the descriptors of all these files.
-std::string generate_table(const std::vector<std::string>& cnl_files, std::string_view function);
+/// C++ for a function `name`, which gives the descriptors of all these files.
+std::string generate_table(const std::vector<std::string>& cnl_files, std::string_view name);
 
 /// `move_to_goal` for `a/move_to_goal.cnl`: what its functions are named after.
 std::string stem_of(std::string_view cnl_file);

@@ -25,9 +25,11 @@ namespace fs = std::filesystem;
 
 std::string cache_folder(const NativeOptions& options) {
   if (!options.cache_folder.empty()) return options.cache_folder;
+  // NOLINTBEGIN(concurrency-mt-unsafe): nobody sets them here
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
     return std::string(cache) + "/mlab";
   if (const char* home = std::getenv("HOME"); home && *home == '/') return std::string(home) + "/.cache/mlab";
+  // NOLINTEND(concurrency-mt-unsafe)
   std::error_code failure;
   return (fs::temp_directory_path(failure) / fmt::format("mlab-{}", getuid())).string();
 }
@@ -48,7 +50,7 @@ std::uint64_t hash_of(const std::vector<std::string>& parts) {
 }
 
 std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  const std::ifstream file(path, std::ios::binary);
   std::ostringstream out;
   out << file.rdbuf();
   return out.str();
@@ -85,8 +87,7 @@ class NativeBuild {
   bool check() {
     const std::optional<std::string> text_file = write_text();
     if (!text_file) return false;
-    std::vector<std::string> words = {"-fsyntax-only", *text_file};
-    const bool accepted = run_compiler(words);
+    const bool accepted = run_compiler({"-fsyntax-only", *text_file});
     remove(*text_file);
     return accepted;
   }
@@ -116,7 +117,7 @@ class NativeBuild {
     std::error_code failure;
     fs::create_directories(folder_, failure);
     own_ = in_folder(fmt::format("{}.{}.{}", key_, getpid(), count++));
-    const std::string path = own_ + ".cc";
+    std::string path = own_ + ".cc";
     std::ofstream file(path, std::ios::binary);
     file << text_;
     file.close();
@@ -223,7 +224,7 @@ class NativeBuild {
       return std::nullopt;
     };
     void* library = dlopen(module.file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (!library) return refused(dlerror());
+    if (!library) return refused(dlerror());  // NOLINT(concurrency-mt-unsafe): it is thread-safe in glibc
     const auto entry = reinterpret_cast<flow::ModuleEntry>(dlsym(library, flow::kModuleEntry));
     if (!entry) return refused(fmt::format("`{}` has no `{}`", module.file, flow::kModuleEntry));
     const flow::Module& content = *entry();
@@ -248,7 +249,7 @@ class NativeBuild {
 
 bool has_procedures(const Tree& tree) {
   const std::vector<const Procedure*> all = items_of<Procedure>(tree);
-  return std::any_of(all.begin(), all.end(), [](const Procedure* p) { return !p->is_external; });
+  return std::ranges::any_of(all, [](const Procedure* p) { return !p->is_external; });
 }
 
 bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics) {

@@ -39,6 +39,11 @@ class NativeModuleTest : public ::testing::Test {
     EXPECT_FALSE(sink_.has_errors()) << text::render(sink_);
     return out;
   }
+  NativeModule loaded(const Tree& mine) {
+    auto module = load_native(mine, options_, sink_);
+    EXPECT_TRUE(module) << text::render(sink_);
+    return std::move(module).value_or(NativeModule{});
+  }
   std::string first_kind() const { return sink_.items().empty() ? "" : sink_.items()[0].kind; }
 
   fs::path folder_;
@@ -58,15 +63,14 @@ node drive is Speed with v = 2; nend
 
 TEST_F(NativeModuleTest, RunsProceduresThatAMissionBringsAlong) {
   const Tree mine = tree(kSpeed);
-  const auto module = load_native(mine, options_, sink_);
-  ASSERT_TRUE(module) << text::render(sink_);
-  EXPECT_TRUE(module->was_compiled);
+  const NativeModule module = loaded(mine);
+  EXPECT_TRUE(module.was_compiled);
   flow::Library library;
-  library.add(module->behaviors);
+  library.add(module.behaviors);
   const auto program = flow::build_program(elaborate(mine, sink_), library, sink_);
   ASSERT_TRUE(program) << text::render(sink_);
   flow::Frame frame = program->make_frame();
-  percept::Percepts percepts;
+  const percept::Percepts percepts;
   percept::Action action;
   for (int i = 0; i < 3; ++i) program->step(frame.data(), percepts, action, 1, 1);
   EXPECT_EQ(action.velocity.x, 6.0);
@@ -74,36 +78,31 @@ TEST_F(NativeModuleTest, RunsProceduresThatAMissionBringsAlong) {
 
 TEST_F(NativeModuleTest, TakesWhatDidNotChangeFromTheCache) {
   ASSERT_TRUE(load_native(tree(kSpeed), options_, sink_));
-  const auto again = load_native(tree(kSpeed), options_, sink_);
-  ASSERT_TRUE(again);
-  EXPECT_FALSE(again->was_compiled);
-  const auto changed = load_native(tree(std::string(kSpeed) + "// other text\n"), options_, sink_);
-  ASSERT_TRUE(changed);
-  EXPECT_FALSE(changed->was_compiled) << "a comment between declarations does not reach the compiler";
+  const NativeModule again = loaded(tree(kSpeed));
+  EXPECT_FALSE(again.was_compiled);
+  const NativeModule changed = loaded(tree(std::string(kSpeed) + "// other text\n"));
+  EXPECT_FALSE(changed.was_compiled) << "a comment between declarations does not reach the compiler";
   options_.version = "another";
-  const auto other_version = load_native(tree(kSpeed), options_, sink_);
-  ASSERT_TRUE(other_version);
-  EXPECT_TRUE(other_version->was_compiled);
+  const NativeModule other_version = loaded(tree(kSpeed));
+  EXPECT_TRUE(other_version.was_compiled);
 }
 
 TEST_F(NativeModuleTest, CompilesAnewWhenAHeaderThatItIncludesHasChanged) {
   const char* text =
       "init\n#include \"gain.h\"\niend\nprocedure double Gain with\nheader\nbody\n  output = kGain;\npend\n";
   std::ofstream(folder_ / "gain.h") << "inline constexpr double kGain = 1;\n";
-  const auto first = load_native(tree(text), options_, sink_);
-  ASSERT_TRUE(first) << text::render(sink_);
+  const NativeModule first = loaded(tree(text));
   std::ofstream(folder_ / "gain.h") << "inline constexpr double kGain = 22;\n";
-  const auto second = load_native(tree(text), options_, sink_);
-  ASSERT_TRUE(second);
-  EXPECT_TRUE(second->was_compiled);
-  EXPECT_NE(second->file, first->file);
+  const NativeModule second = loaded(tree(text));
+  EXPECT_TRUE(second.was_compiled);
+  EXPECT_NE(second.file, first.file);
   double value = 0.0;
-  percept::Percepts percepts;
-  flow::Cycle cycle{&percepts, nullptr, 1, 0, 0};
+  const percept::Percepts percepts;
+  const flow::Cycle cycle{&percepts, nullptr, 1, 0, 0};
   flow::Call call;
   call.cycle = &cycle;
   call.frame = reinterpret_cast<std::byte*>(&value);
-  second->behaviors.at(0)->fire(call);
+  second.behaviors.at(0)->fire(call);
   EXPECT_EQ(value, 22.0);
 }
 
@@ -123,10 +122,9 @@ TEST_F(NativeModuleTest, AModuleNamedLikeAFileOfTheLibraryHasItsOwnProcedures) {
   const std::string path = (folder_ / "state.cnl").string();
   std::ofstream(path) << "procedure int Alone with\nheader\nbody\n  output = 1;\npend\n";
   const Tree state = load(*text::read_source(path), sink_);
-  const auto module = load_native(state, options_, sink_);
-  ASSERT_TRUE(module) << text::render(sink_);
-  ASSERT_EQ(module->behaviors.size(), 1U);
-  EXPECT_EQ(module->behaviors[0]->name, "Alone");
+  const NativeModule module = loaded(state);
+  ASSERT_EQ(module.behaviors.size(), 1U);
+  EXPECT_EQ(module.behaviors[0]->name, "Alone");
 }
 
 TEST_F(NativeModuleTest, SaysWhatToInstallWhereThereIsNoCompiler) {

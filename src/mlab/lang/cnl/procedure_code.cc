@@ -74,10 +74,14 @@ class ProcedureCode {
  public:
   ProcedureCode(CppWriter& out, const Procedure& procedure)
       : out_(out), procedure_(procedure), arguments_(arguments_of(procedure)) {
-    if (procedure.once) once_ = UserCode(*procedure.once).variables();
+    if (procedure.once) once_code_ = *procedure.once;
+    if (procedure.header) header_code_ = *procedure.header;
+    if (procedure.body) body_code_ = *procedure.body;
+    const UserCode once(once_code_);
+    once_ = once.variables();
     std::erase_if(once_, [](const UserCode::Variable& v) { return v.is_constant; });
-    has_once_ = procedure.once && !UserCode(*procedure.once).is_blank();
-    has_header_ = procedure.header && !UserCode(*procedure.header).is_blank();
+    has_once_ = !once.is_blank();
+    has_header_ = !UserCode(header_code_).is_blank();
   }
 
   void write() {
@@ -116,9 +120,9 @@ class ProcedureCode {
     return out;
   }
 
-  void section(const std::optional<Code>& code) {
+  void section(const Code& code) {
     out_.line("{");
-    if (code) out_.user_code(*code);
+    out_.user_code(code);
     out_.line("}");
   }
 
@@ -135,7 +139,7 @@ class ProcedureCode {
   void write_once() {
     out_.line(fmt::format("auto mlab_once_section({}) {{", parameters(false)));
     out_.line("{");
-    out_.user_code(*procedure_.once);
+    out_.user_code(once_code_);
     std::string names;
     for (const UserCode::Variable& variable : once_) {
       assert_copyable(variable, "once");
@@ -151,27 +155,27 @@ class ProcedureCode {
   void write_header() {
     out_.line(fmt::format("auto mlab_header_section({}) {{", parameters(has_once_)));
     out_.line("{");
-    out_.user_code(*procedure_.header);
-    const UserCode header(*procedure_.header);
-    const UserCode body(*procedure_.body);
+    out_.user_code(header_code_);
+    const UserCode header(header_code_);
+    const UserCode body(body_code_);
     for (const UserCode::Variable& variable : header.variables()) {
       const bool is_kept = !variable.is_constant && body.mentions(variable.name);
       if (is_kept) assert_copyable(variable, "header");
     }
     out_.line(fmt::format("return [=]({}) mutable {{", parameters(has_once_)));
-    section(procedure_.body);
+    section(body_code_);
     out_.line("};");
     out_.line("}");
     out_.line("}");
     out_.line("using mlab_Body = mlab::flow::Result<decltype(mlab_header_section)>;");
     out_.line("static_assert(");
-    out_.at(procedure_.header->place, "is_state<mlab_Body>,");
+    out_.at(header_code_.place, "is_state<mlab_Body>,");
     out_.line("\"something that the header declares cannot be copied byte by byte, as state has to be\");");
   }
 
   void write_body() {
     out_.line(fmt::format("void mlab_body_section({}) {{", parameters(has_once_)));
-    section(procedure_.body);
+    section(body_code_);
     out_.line("}");
   }
 
@@ -295,7 +299,7 @@ class ProcedureCode {
     for (std::size_t i = 0; i < procedure_.aliases.size(); ++i) {
       const AliasDecl& alias = procedure_.aliases[i];
       const auto ignores = [](const AliasPort& port) { return port.input.text == "none"; };
-      const bool has_ignored = std::any_of(alias.ports.begin(), alias.ports.end(), ignores);
+      const bool has_ignored = std::ranges::any_of(alias.ports, ignores);
       out_.line(fmt::format(
           "      {{{}, {}, {}, {}}},", cpp_string(alias.name.text),
           procedure_.inputs.empty() ? std::string("{}") : fmt::format("kPorts{}", i),
@@ -311,8 +315,8 @@ class ProcedureCode {
     for (const NeedDecl& need : procedure_.needs) {
       std::string device = need.device.text;
       device[0] = static_cast<char>(device[0] - 'a' + 'A');
-      const auto input = std::find_if(procedure_.inputs.begin(), procedure_.inputs.end(),
-                                      [&](const InputDecl& i) { return i.name.text == need.range.text; });
+      const auto input = std::ranges::find_if(
+          procedure_.inputs, [&](const InputDecl& i) { return i.name.text == need.range.text; });
       const bool by_input = input != procedure_.inputs.end();
       out_.line(fmt::format("      {{mlab::flow::Need::Device::k{}, {}, {}}},", device,
                             by_input ? std::distance(procedure_.inputs.begin(), input) : -1,
@@ -325,6 +329,9 @@ class ProcedureCode {
   const Procedure& procedure_;
   std::vector<Argument> arguments_;
   std::vector<UserCode::Variable> once_;
+  Code once_code_;
+  Code header_code_;
+  Code body_code_;
   bool has_once_ = false;
   bool has_header_ = false;
 };

@@ -10,8 +10,10 @@
 #include "mlab/lang/cnl/load.h"
 
 // What mlab_add_procedures made of testdata/run.
+// NOLINTBEGIN(misc-use-internal-linkage): they are defined in generated code
 std::span<const mlab::flow::Behavior* const> mlab_cnl_test_behaviors();
 std::span<const mlab::flow::Behavior* const> mlab_cnl_state();
+// NOLINTEND(misc-use-internal-linkage)
 
 namespace mlab::cnl {
 namespace {

@@ -19,7 +19,10 @@ inline std::string meaning(const text::SourcePtr& source) {
     say(s.text + (s.kind == flow::Source::Kind::kName ? "@" : ""));
   };
   const auto say_code = [&](const std::optional<Code>& code) {
-    if (!code) return say("-");
+    if (!code) {
+      say("-");
+      return;
+    }
     std::string_view lines = code->text();
     lines.remove_prefix(std::min(lines.find_first_not_of(" \t\r\n"), lines.size()));
     say(std::string(lines.substr(0, lines.find_last_not_of(" \t\r\n") + 1)));
