@@ -38,7 +38,7 @@ class BehaviorProbe {
     return *this;
   }
   /// Sets an input as a network would write it: `set_text("formation", "Column")`.
-  BehaviorProbe& set_text(std::string_view input, std::string_view text);
+  BehaviorProbe& set_text(std::string_view name, std::string_view text);
 
   percept::Percepts percepts;
   percept::Action action;
@@ -54,7 +54,7 @@ class BehaviorProbe {
   }
 
  private:
-  std::size_t find(std::string_view input, const TypeInfo& type, bool is_list) const;
+  std::size_t find(std::string_view name, const TypeInfo& type, bool is_list) const;
   void write(std::size_t input, std::size_t position, const void* value);
   const void* output_of(const TypeInfo& type) const;
 

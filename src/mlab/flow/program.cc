@@ -142,7 +142,7 @@ void Program::run_select(const Instruction& instruction, Call& call, std::uint32
   std::int32_t chosen = select.otherwise;
   for (std::size_t i = 0; i < select.cases.size(); ++i) {
     const auto& values = select.cases[i].values;
-    if (std::find(values.begin(), values.end(), value) != values.end()) chosen = static_cast<std::int32_t>(i);
+    if (std::ranges::find(values, value) != values.end()) chosen = static_cast<std::int32_t>(i);
   }
   if (chosen < 0) {
     std::memset(call.frame + instruction.output, 0, select.value_size);

@@ -196,7 +196,7 @@ class Program {
   friend class ProgramBuilder;
 
   void run(const Block& block, Call& call, std::uint32_t now, AsyncRunner* async) const;
-  void run_sequence(const Instruction& instruction, bool restart, Call& call, std::uint32_t now,
+  void run_sequence(const Instruction& instruction, bool starts_anew, Call& call, std::uint32_t now,
                     AsyncRunner* async) const;
   void run_select(const Instruction& instruction, Call& call, std::uint32_t now, AsyncRunner* async) const;
   void run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,

@@ -86,7 +86,7 @@ void ProgramBuilder::declare_parameters() {
     range.name = parameter.name;
     range.min = parameter.min;
     range.max = parameter.max;
-    Ref ref = constant(parameter.initial, *type, native, parameter.unit, parameter.name, &range);
+    const Ref ref = constant(parameter.initial, *type, native, parameter.unit, parameter.name, &range);
     if (ref.kind == Ref::Kind::kNothing) continue;
     Port& port = program_->ports_[slots_[ref.index].port];
     port.role = Port::Role::kParameter;
@@ -176,8 +176,8 @@ int ProgramBuilder::input_named(const Op& op, std::string_view name, std::string
 }
 
 bool ProgramBuilder::is_ignored_input(const Op& op, std::string_view name) const {
-  return op.alias != nullptr && std::find(op.alias->ignored_inputs.begin(), op.alias->ignored_inputs.end(),
-                                          name) != op.alias->ignored_inputs.end();
+  return op.alias != nullptr &&
+         std::ranges::find(op.alias->ignored_inputs, name) != op.alias->ignored_inputs.end();
 }
 
 std::vector<std::string> ProgramBuilder::input_names(const Op& op) const {

@@ -87,10 +87,10 @@ class ProgramBuilder {
   void declare_name(const std::string& name, const text::Place& place, Ref ref);
   void declare_behavior(const Node& node, Op& op);
   void link_node(std::uint32_t op);
-  void link_behavior(std::uint32_t op);
-  void link_sequence(std::uint32_t op);
-  void link_select(std::uint32_t op);
-  void link_delay(std::uint32_t op);
+  void link_behavior(std::uint32_t index);
+  void link_sequence(std::uint32_t index);
+  void link_select(std::uint32_t index);
+  void link_delay(std::uint32_t index);
   int input_named(const Op& op, std::string_view name, std::string& unit) const;
   bool is_ignored_input(const Op& op, std::string_view name) const;
   std::vector<std::string> input_names(const Op& op) const;

@@ -17,7 +17,7 @@ void ProgramBuilder::link_sequence(std::uint32_t index) {
   std::vector<StateRefs> states;
   std::vector<std::string> names;
   for (const State& state : node.states) {
-    if (std::find(names.begin(), names.end(), state.name) != names.end()) {
+    if (std::ranges::find(names, state.name) != names.end()) {
       sink_.error("duplicate-state", state.place, fmt::format("state `{}` is declared twice", state.name));
     }
     names.push_back(state.name);
@@ -38,7 +38,7 @@ void ProgramBuilder::link_sequence(std::uint32_t index) {
     for (const Transition& transition : state.transitions) {
       refs.triggers.push_back(resolve(transition.trigger, type_info<bool>(), "", "",
                                       node.name + "." + state.name + "." + transition.target, nullptr));
-      const auto target = std::find(names.begin(), names.end(), transition.target);
+      const auto target = std::ranges::find(names, transition.target);
       if (target == names.end()) {
         text::Diagnostic& d =
             sink_.error("unknown-state", transition.place,
@@ -103,7 +103,7 @@ void ProgramBuilder::link_select(std::uint32_t index) {
       sink_.error("duplicate-case", member.place, "a second `otherwise`");
     }
     for (const std::int64_t value : member.values) {
-      if (std::find(seen.begin(), seen.end(), value) != seen.end()) {
+      if (std::ranges::find(seen, value) != seen.end()) {
         sink_.error("duplicate-case", member.place, fmt::format("a second case for {}", value));
       }
       seen.push_back(value);
@@ -120,7 +120,7 @@ void ProgramBuilder::link_delay(std::uint32_t index) {
   const TypeInfo* type = ops_[index].type;
   if (type == nullptr) return;
   for (const Link& link : node.links) {
-    Ref& into = link.input == "value" ? ops_[index].value : ops_[index].initial;
+    const Ref& into = link.input == "value" ? ops_[index].value : ops_[index].initial;
     if (link.input != "value" && link.input != "initial") {
       sink_.error("unknown-input", link.place, fmt::format("a delay has no input `{}`", link.input)).hints = {
           "its inputs are value, initial"};

@@ -29,7 +29,7 @@ enum class FormationReference : std::uint8_t { kUnitCenter, kLeader, kNeighbor }
 /// `Wedge-Left`, as a mission writes it.
 std::string_view name(Formation formation);
 /// The formation of that name, letter case aside.
-std::optional<Formation> formation_named(std::string_view name);
+std::optional<Formation> formation_named(std::string_view wanted);
 
 /// The place of one robot in its unit's formation, relative to the unit's centre: x forward along the
 /// formation heading, y to the left [m]. The stations of all ranks of a unit sum to zero.
