@@ -14,13 +14,13 @@ namespace mlab::library_test {
 
 /// The component library, made once.
 inline const flow::Library& library() {
-  static const flow::Library made = [] {
+  static const flow::Library kMade = [] {
     flow::Library library;
     flow::add_port_types(library);
     library.add(mlab_library_behaviors());
     return library;
   }();
-  return made;
+  return kMade;
 }
 
 /// The behavior of that name or historic name. Ends the test program where there is none.

@@ -15,7 +15,7 @@ namespace mlab::library_test {
 namespace {
 
 std::shared_ptr<const flow::Program> robot(const std::string& name) {
-  std::ifstream file(std::string(MLAB_SOURCE_DIR) + "/bench/" + name);
+  const std::ifstream file(std::string(MLAB_SOURCE_DIR) + "/bench/" + name);
   std::stringstream text;
   text << file.rdbuf();
   return program_of(name, text.str());

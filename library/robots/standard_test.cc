@@ -27,11 +27,11 @@ constexpr double kNorth = std::numbers::pi / 2.0;
 
 // The standard robot as a program.
 const flow::Program& standard() {
-  static const std::shared_ptr<const flow::Program> program = [] {
+  static const std::shared_ptr<const flow::Program> kProgram = [] {
     const library::Robot robot = library::find_robot("standard").value_or(library::Robot{});
     return program_of(robot.file, robot.text);
   }();
-  return *program;
+  return *kProgram;
 }
 
 // One standard robot with its percepts, and what it did last.

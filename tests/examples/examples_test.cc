@@ -28,9 +28,9 @@ struct Answer {
 // `mlab WORDS` in a folder, with a cache of this test's own. Standard output and standard error come
 // together.
 Answer mlab(const fs::path& folder, const std::string& words) {
-  static const fs::path cache = fs::path(testing::TempDir()) / "mlab_examples_cache";
+  static const fs::path kCache = fs::path(testing::TempDir()) / "mlab_examples_cache";
   const std::string command = fmt::format("cd '{}' && XDG_CACHE_HOME='{}' '{}' {} 2>&1 </dev/null",
-                                          folder.string(), cache.string(), MLAB_COMMAND, words);
+                                          folder.string(), kCache.string(), MLAB_COMMAND, words);
   Answer answer;
   std::FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return answer;

@@ -6,8 +6,8 @@ namespace mlab::repo {
 namespace {
 
 const Tree& project() {
-  static const Tree tree = read_tree(MLAB_SOURCE_DIR);
-  return tree;
+  static const Tree kTree = read_tree(MLAB_SOURCE_DIR);
+  return kTree;
 }
 
 TEST(Layout, TheProjectIsRead) {

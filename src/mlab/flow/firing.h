@@ -77,10 +77,30 @@ struct Tie {
 };
 inline constexpr Tie tie{};
 
-/// True for what may be state: it copies byte by byte, and it is neither a pointer nor a reference itself.
+/// True for types of ours and of the standard library that copy well and still point at something of this
+/// cycle.
 template <class T>
-inline constexpr bool is_state = std::is_trivially_copyable_v<std::remove_all_extents_t<T>> &&
-                                 !std::is_pointer_v<std::remove_all_extents_t<T>> && !std::is_reference_v<T>;
+inline constexpr bool is_view = false;
+template <class T>
+inline constexpr bool is_view<ListView<T>> = true;
+template <class T>
+inline constexpr bool is_view<InputList<T>> = true;
+template <class T, std::size_t kExtent>
+inline constexpr bool is_view<std::span<T, kExtent>> = true;
+template <class T>
+inline constexpr bool is_view<std::basic_string_view<T>> = true;
+template <>
+inline constexpr bool is_view<percept::Percepts> = true;
+template <>
+inline constexpr bool is_view<percept::Order> = true;
+
+/// True for what may be state: it copies byte by byte, and it is neither a pointer, nor a reference, nor a
+/// view.
+template <class T>
+inline constexpr bool is_state =
+    std::is_trivially_copyable_v<std::remove_all_extents_t<T>> &&
+    !std::is_pointer_v<std::remove_all_extents_t<T>> && !std::is_reference_v<T> &&
+    !is_view<std::remove_cv_t<std::remove_all_extents_t<T>>>;
 
 /// Room in a node's state for a value that is made when the node first fires or restarts.
 template <class T>

@@ -1,9 +1,9 @@
 #include "mlab/sim/bench_scenario.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -70,7 +70,8 @@ class Scatter {
 /// One line of the CSV: a word and up to three numbers.
 struct Row {
   std::string_view word;
-  std::optional<double> numbers[3];
+  std::array<double, 3> numbers{};
+  std::size_t count = 0;  ///< of the numbers, up to the first field that is none
 };
 
 Row row_of(std::string_view line) {
@@ -82,11 +83,11 @@ Row row_of(std::string_view line) {
     return field;
   };
   row.word = next();
-  for (auto& number : row.numbers) {
+  for (double& number : row.numbers) {
     const std::string_view field = next();
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error == std::errc() && end == field.data() + field.size() && std::isfinite(value)) number = value;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
+    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(number)) break;
+    ++row.count;
   }
   return row;
 }
@@ -128,12 +129,12 @@ text::Result<BenchScenario> read_bench_scenario(const text::SourcePtr& source) {
     while (end > begin && (all[end - 1] == '\r' || all[end - 1] == ' ')) --end;
     const Row row = row_of(all.substr(begin, end - begin));
     const auto& [a, b, c] = row.numbers;
-    if (row.word == "# side_m" && a && *a > 0.0) {
-      scenario.side = *a;
-    } else if (row.word == "obstacle" && a && b && c && *c >= 0.0) {
-      scenario.discs.push_back({{*a, *b}, *c});
-    } else if (row.word == "robot" && a && b && c) {
-      scenario.robots.push_back({{*a, *b}, *c});
+    if (row.word == "# side_m" && row.count >= 1 && a > 0.0) {
+      scenario.side = a;
+    } else if (row.word == "obstacle" && row.count == 3 && c >= 0.0) {
+      scenario.discs.push_back({{a, b}, c});
+    } else if (row.word == "robot" && row.count == 3) {
+      scenario.robots.push_back({{a, b}, c});
     } else if (end > begin) {
       return bad_positions(source, begin, end,
                            "expected `# side_m,SIDE`, `obstacle,X,Y,RADIUS` or `robot,X,Y,HEADING`");

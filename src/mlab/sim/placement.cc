@@ -26,7 +26,10 @@ void Placer::rebuild(const Bodies& bodies) {
 }
 
 void Placer::add(const Bodies& bodies, std::uint32_t body) {
-  if (body >= cells_.size()) return rebuild(bodies);
+  if (body >= cells_.size()) {
+    rebuild(bodies);
+    return;
+  }
   next_.resize(std::max<std::size_t>(next_.size(), body + 1), kEnd);
   if (!bodies.present[body]) return;
   widest_ = std::max(widest_, bodies.radius[body]);
@@ -67,7 +70,8 @@ std::optional<Point> Placer::nearest_free(const Bodies& bodies, const Statics& s
   };
   if (is_good(wanted)) return wanted;
   const double least = std::max(kLeastStep, radius / 2);
-  for (double away = least; away <= kFarthestMove; away += std::max(least, kRelativeStep * away)) {
+  double away = least;
+  while (away <= kFarthestMove) {
     const double step = std::max(least, kRelativeStep * away);
     const int count = std::max(8, static_cast<int>(std::ceil(2.0 * std::numbers::pi * away / step)));
     for (int i = 0; i < count; ++i) {
@@ -75,6 +79,7 @@ std::optional<Point> Placer::nearest_free(const Bodies& bodies, const Statics& s
       const Point p = wanted + geom::Offset{away * std::cos(angle), away * std::sin(angle)};
       if (is_good(p)) return p;
     }
+    away += step;
   }
   return std::nullopt;
 }

@@ -18,8 +18,8 @@ constexpr int kWallRays = 16;
 constexpr double kWallHitRadius = 0.1;
 
 const RingBeams& wall_rays() {
-  static const RingBeams rays({.count = kWallRays, .range = 1.0}, 0.0);
-  return rays;
+  static const RingBeams kRays({.count = kWallRays, .range = 1.0}, 0.0);
+  return kRays;
 }
 
 double square_distance(Point a, Point b) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,9 +17,10 @@ using percept::Percepts;
 
 BodyIndex add(Simulator& simulator, geom::Pose pose, const BodySpec& spec = {}, std::uint32_t unit = 0) {
   const auto robot = static_cast<std::uint32_t>(simulator.body_count() + 1);
-  const auto placed = simulator.add_body({.spec = spec, .pose = pose, .robot = {robot}, .unit = unit});
-  EXPECT_TRUE(placed && !placed->moved);
-  return placed->body;
+  const BodySetup setup{.spec = spec, .pose = pose, .robot = {robot}, .unit = unit};
+  const Placement placed = simulator.add_body(setup).value_or(Placement{.moved = true});
+  EXPECT_FALSE(placed.moved);
+  return placed.body;
 }
 
 BodySpec with_ring(std::uint16_t count, double range, double beam_width = 0.0) {

@@ -20,10 +20,14 @@ using percept::Action;
 using percept::ObjectStyle;
 using percept::Request;
 
-BodyIndex add(Simulator& simulator, geom::Pose pose, std::uint32_t robot, const BodySpec& spec = {}) {
+Placement put(Simulator& simulator, geom::Pose pose, std::uint32_t robot, const BodySpec& spec = {}) {
   const auto placed = simulator.add_body({.spec = spec, .pose = pose, .robot = {robot}, .unit = 0});
   EXPECT_TRUE(placed.has_value());
-  return placed->body;
+  return placed.value_or(Placement{});
+}
+
+BodyIndex add(Simulator& simulator, geom::Pose pose, std::uint32_t robot, const BodySpec& spec = {}) {
+  return put(simulator, pose, robot, spec).body;
 }
 
 Object object(std::uint32_t id, Point center, ObjectStyle style) {
@@ -171,34 +175,30 @@ TEST(Simulator, MovesARobotThatStartsWhereSomethingIsToTheNearestFreePlace) {
   World world;
   world.discs.push_back({{0, 0}, 1.0});
   Simulator simulator(world);
-  const auto placed = simulator.add_body({.spec = {}, .pose = {{0.9, 0}, 0.0}, .robot = {1}, .unit = 0});
-  ASSERT_TRUE(placed);
-  EXPECT_TRUE(placed->moved);
-  EXPECT_GE(length(placed->pose.position - Point{}), 1.2);
-  EXPECT_LE(distance(placed->pose.position, {0.9, 0}), 0.45);
+  const Placement placed = put(simulator, {{0.9, 0}, 0.0}, 1);
+  EXPECT_TRUE(placed.moved);
+  EXPECT_GE(length(placed.pose.position - Point{}), 1.2);
+  EXPECT_LE(distance(placed.pose.position, {0.9, 0}), 0.45);
   Simulator again(world);
-  EXPECT_EQ(again.add_body({.spec = {}, .pose = {{0.9, 0}, 0.0}, .robot = {1}, .unit = 0})->pose,
-            placed->pose);
+  EXPECT_EQ(put(again, {{0.9, 0}, 0.0}, 1).pose, placed.pose);
 }
 
 TEST(Simulator, PutsManyRobotsAtOnePlaceSideBySide) {
   Simulator simulator({});
   for (std::uint32_t i = 0; i < 300; ++i) {
-    const auto placed = simulator.add_body({.spec = {}, .pose = {{5, 5}, 0.0}, .robot = {i + 1}, .unit = 0});
-    ASSERT_TRUE(placed);
-    ASSERT_EQ(placed->moved, i > 0);
+    const Placement placed = put(simulator, {{5, 5}, 0.0}, i + 1);
+    ASSERT_EQ(placed.moved, i > 0);
     for (std::uint32_t j = 0; j < i; ++j) {
-      ASSERT_GE(distance(simulator.pose({j}).position, placed->pose.position), 0.4 - 1e-8);
+      ASSERT_GE(distance(simulator.pose({j}).position, placed.pose.position), 0.4 - 1e-8);
     }
-    ASSERT_LT(distance(placed->pose.position, {5, 5}), 6.0);  // packed well: 300 discs of 0.2 m take 3.5 m
+    ASSERT_LT(distance(placed.pose.position, {5, 5}), 6.0);  // packed well: 300 discs of 0.2 m take 3.5 m
   }
 }
 
 TEST(Simulator, RobotsThatExactlyTouchAreNotMoved) {
   Simulator simulator({});
   for (std::uint32_t i = 0; i < 50; ++i) {
-    EXPECT_FALSE(
-        simulator.add_body({.spec = {}, .pose = {{0.4 * i, 0.0}, 0.0}, .robot = {i + 1}, .unit = 0})->moved);
+    EXPECT_FALSE(put(simulator, {{0.4 * i, 0.0}, 0.0}, i + 1).moved);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "mlab/sim/slide.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -59,19 +60,18 @@ TEST(Slide, FindsTheNearestAllowedMotionAmongManyThings) {
     }
     const Offset wanted{random.uniform(-2, 2), random.uniform(-2, 2)};
     const auto is_allowed = [&](Offset motion, double tolerance) {
-      for (const Blocker& b : blockers) {
-        if (dot(motion, b.toward) > b.gap + tolerance) return false;
-      }
-      return true;
+      return std::all_of(blockers.begin(), blockers.end(),
+                         [&](const Blocker& b) { return dot(motion, b.toward) <= b.gap + tolerance; });
     };
     const Offset slid = slide(wanted, blockers);
     ASSERT_TRUE(is_allowed(slid, 1e-9));
     ASSERT_LE(length(slid), length(wanted) + 1e-12);
     // No allowed motion of a fine grid is nearer to the wanted one.
-    for (double x = -2; x <= 2; x += 0.1) {
-      for (double y = -2; y <= 2; y += 0.1) {
-        if (is_allowed({x, y}, 0.0)) {
-          ASSERT_GE(length(Offset{x, y} - wanted), length(slid - wanted) - 1e-9);
+    for (int column = -20; column <= 20; ++column) {
+      for (int row = -20; row <= 20; ++row) {
+        const Offset other{0.1 * column, 0.1 * row};
+        if (is_allowed(other, 0.0)) {
+          ASSERT_GE(length(other - wanted), length(slid - wanted) - 1e-9);
         }
       }
     }

@@ -79,7 +79,7 @@ TEST(Sweep, NoWallIsComeNearerToThanTheRadiusBeforeItIsMet) {
     const auto place = [&] { return Point{random.uniform(-2, 2), random.uniform(-2, 2)}; };
     const geom::Segment wall{place(), place()};
     const Point from = place();
-    const Offset motion = place() - place();
+    const Offset motion = (place() - Point{}) * 2.0;  // up to 4 m along each axis
     const double radius = random.uniform(0.0, 0.5) + kSkin;
     if (distance(nearest_point(wall, from), from) < radius) continue;
     const double time = meets_wall(wall, from, motion, radius);

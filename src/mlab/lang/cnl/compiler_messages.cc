@@ -106,7 +106,8 @@ text::Diagnostic to_diagnostic(const Line& line) {
     const bool about_state = message.find("cannot be copied byte by byte") != std::string_view::npos;
     if (about_state) {
       out.kind = "state-not-copyable";
-      out.hints.emplace_back("`std::array` and plain structs copy; `std::vector` and `std::string` do not");
+      out.hints.emplace_back(
+          "`std::array` and plain structs copy; `std::vector`, `std::string` and views of readings do not");
     }
   }
   out.message = text::shown(message, kLongestMessage);

@@ -40,8 +40,10 @@ std::vector<std::string> plain_environment() {
                          int report, const ProcessLimits& limits) {
   setpgid(0, 0);
   const rlimit memory{limits.memory, limits.memory};
+  const rlimit processor{limits.processor_time, limits.processor_time + 1};
   const rlimit cores{0, 0};
   setrlimit(RLIMIT_AS, &memory);
+  setrlimit(RLIMIT_CPU, &processor);
   setrlimit(RLIMIT_CORE, &cores);
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing >= 0) dup2(nothing, 0);

@@ -8,7 +8,8 @@ namespace mlab::cnl {
 
 /// What a program may use before it is stopped.
 struct ProcessLimits {
-  double time = 60.0;                         ///< by the clock on the wall [s]
+  double time = 300.0;                        ///< by the clock on the wall [s]
+  unsigned processor_time = 60;               ///< of each of its processes [s]
   std::size_t memory = std::size_t{3} << 30;  ///< of address space, each of its processes [bytes]
   std::size_t output = std::size_t{1} << 20;  ///< what it prints beyond this is dropped [bytes]
 };

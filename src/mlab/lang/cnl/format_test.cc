@@ -107,10 +107,10 @@ TEST(Format, PrintsTheLibraryStablyAndKeepsItsMeaning) {
 
 // Source text out of pieces that fit together, with white space and comments in between.
 std::string random_space() {
-  static const std::vector<std::string> spaces = {
+  static const std::vector<std::string> kSpaces = {
       " ", "\n", "\t", "  \n\n\n ", " // note\n", " /* block */ ", "\n/* a\n b */\n", "\n/// doc\n"};
   return *rc::gen::weightedOneOf<std::string>(
-      {{6, rc::gen::just<std::string>(" ")}, {2, rc::gen::elementOf(spaces)}});
+      {{6, rc::gen::just<std::string>(" ")}, {2, rc::gen::elementOf(kSpaces)}});
 }
 std::string joined(const std::vector<std::string>& tokens) {
   std::string out;
@@ -118,7 +118,7 @@ std::string joined(const std::vector<std::string>& tokens) {
   return out;
 }
 std::string random_item() {
-  static const std::vector<std::vector<std::string>> pieces = {
+  static const std::vector<std::vector<std::string>> kPieces = {
       {"node", "a", "is", "B", "with", "nend"},
       {"public", "node", "a", "is", "B", "|text|", "with", "x", "=", "(.5)", ";", "y", "=", "{1, 2}", ";",
        "nend"},
@@ -153,7 +153,7 @@ std::string random_item() {
       {"init\n#include <vector>\n  struct X { };\niend\n"},
       {"\n#include \"other.cnl\"\n"},
   };
-  return joined(*rc::gen::elementOf(pieces));
+  return joined(*rc::gen::elementOf(kPieces));
 }
 
 RC_GTEST_PROP(Format, MeansTheSameAndIsStable, ()) {

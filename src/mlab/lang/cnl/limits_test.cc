@@ -183,26 +183,26 @@ TEST(Limits, AMegabyteOfRandomBytesIsAnsweredWithinASecond) {
 
 // Words of the language in any order.
 RC_GTEST_PROP(Limits, AnyOrderOfWordsGetsAnAnswer, ()) {
-  static const std::vector<std::string> words = {"procedure ", "external ", "node ",    "is ",
-                                                 "with ",      "nend ",     "\npend\n", "\nheader\n",
-                                                 "\nbody\n",   "\nonce\n",  "init\n",   "\niend\n",
-                                                 "list ",      "int ",      "Vector ",  "a ",
-                                                 "B ",         "; ",        "= ",       "5 ",
-                                                 "{1} ",       "\"x\" ",    "[m] ",     "( ",
-                                                 ") ",         "alias ",    "senses ",  "robots within ",
-                                                 "pure ",      "latency ",  "in ",      ".. ",
-                                                 "sequence ",  "select ",   "delay ",   "of ",
-                                                 "by ",        "start ",    "state ",   "when ",
-                                                 "goto ",      "case ",     ": ",       "otherwise ",
-                                                 "parameter ", "|d| ",      "<",        "> ",
-                                                 ", ",         "type ",     "module ",  "#include \"q\"\n",
-                                                 "/// x\n",    "///< y\n",  "/* ",      "*/ ",
-                                                 "// z\n",     "remote ",   "public ",  "'c' ",
-                                                 "\n",         "{ ",        "} ",       "int x = 1; ",
-                                                 "static ",    "struct "};
+  static const std::vector<std::string> kWords = {"procedure ", "external ", "node ",    "is ",
+                                                  "with ",      "nend ",     "\npend\n", "\nheader\n",
+                                                  "\nbody\n",   "\nonce\n",  "init\n",   "\niend\n",
+                                                  "list ",      "int ",      "Vector ",  "a ",
+                                                  "B ",         "; ",        "= ",       "5 ",
+                                                  "{1} ",       "\"x\" ",    "[m] ",     "( ",
+                                                  ") ",         "alias ",    "senses ",  "robots within ",
+                                                  "pure ",      "latency ",  "in ",      ".. ",
+                                                  "sequence ",  "select ",   "delay ",   "of ",
+                                                  "by ",        "start ",    "state ",   "when ",
+                                                  "goto ",      "case ",     ": ",       "otherwise ",
+                                                  "parameter ", "|d| ",      "<",        "> ",
+                                                  ", ",         "type ",     "module ",  "#include \"q\"\n",
+                                                  "/// x\n",    "///< y\n",  "/* ",      "*/ ",
+                                                  "// z\n",     "remote ",   "public ",  "'c' ",
+                                                  "\n",         "{ ",        "} ",       "int x = 1; ",
+                                                  "static ",    "struct "};
   std::string text;
   for (const std::string& word :
-       *rc::gen::resize(400, rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(words))))
+       *rc::gen::resize(400, rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(kWords))))
     text += word;
   read_all(text);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -162,10 +163,15 @@ class NativeBuild {
 
   // It failed without a word about a line of code.
   void report_failure(const ProcessResult& result, const text::Place& place) {
-    const bool no_memory = result.output.find("out of memory") != std::string::npos ||
-                           result.output.find("memory exhausted") != std::string::npos ||
-                           result.output.find("Killed") != std::string::npos;
-    if (no_memory) {
+    const auto says = [&](const char* words) { return result.output.find(words) != std::string::npos; };
+    if (says("CPU time limit") ||
+        (result.end == ProcessResult::End::kSignalled && result.status == SIGXCPU)) {
+      diagnostics_.error(
+          "compiler-limit", place,
+          fmt::format("the C++ compiler needed more than {} s", options_.limits.processor_time));
+      return;
+    }
+    if (says("out of memory") || says("memory exhausted") || says("Killed")) {
       diagnostics_.error(
           "compiler-limit", place,
           fmt::format("the C++ compiler needed more than {} MB", options_.limits.memory >> 20));

@@ -68,13 +68,13 @@ constexpr auto kOverlayWords = std::to_array<std::string_view>({"SITE",
                                                                 "CONTROL"});
 
 const std::vector<std::string>& statement_words(Section section) {
-  static const std::vector<std::string> preamble = {
+  static const std::vector<std::string> kPreamble = {
       "MISSION NAME",     "SCENARIO",  "OVERLAY", "MISSION-AREA", "LOAD-MAP", "SP",           "OBSTACLE",
       "CREATE-OBSTACLES", "NEW-ROBOT", "UNIT",    "SET",          "PRINT",    "COMMAND LIST:"};
-  static const std::vector<std::string> step = {"UNIT", "SET", "PRINT", "QUIT"};
-  static const std::vector<std::string> typed = {
+  static const std::vector<std::string> kStep = {"UNIT", "SET", "PRINT", "QUIT"};
+  static const std::vector<std::string> kTyped = {
       "UNIT", "SET", "PRINT", "QUIT", "OBSTACLE", "CREATE-OBSTACLES", "INJECTTRACK"};
-  return section == Section::kPreamble ? preamble : section == Section::kStep ? step : typed;
+  return section == Section::kPreamble ? kPreamble : section == Section::kStep ? kStep : kTyped;
 }
 
 bool is_allowed(Word word, Section section) {

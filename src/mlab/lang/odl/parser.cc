@@ -185,8 +185,8 @@ class Parser {
   std::string nearest_statement(const Token& token) {
     if (token.kind != TokenKind::kWord || looked_up_ == kMaxLookUps) return "";
     ++looked_up_;
-    static const std::vector<std::string> words = statement_words();
-    return text::nearest_name(text_of(token), words);
+    static const std::vector<std::string> kWords = statement_words();
+    return text::nearest_name(text_of(token), kWords);
   }
 
   // `CONTROL MEASURES` without its colon, or `CONTROL-MEASURES:`.

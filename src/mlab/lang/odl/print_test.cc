@@ -56,38 +56,38 @@ TEST(OdlPrint, KeepsBrokenStatementsAsTheyAre) {
 
 // Overlays out of pieces that are right alone, with white space and comments between them.
 std::string random_overlay() {
-  static const std::vector<std::string> information = {"SCENARIO \"a b\"",
-                                                       "site x",
-                                                       "ORIGIN -5 +5.5",
-                                                       "ORIGIN UTM LAT 33.7 LON -84.4",
-                                                       "HEADING 90",
-                                                       "SET ZOOM-FACTOR 50",
-                                                       "MISSION-AREA 100. .5e3",
-                                                       "SCALE 25000",
-                                                       "GLOBAL_REF_POINT 1 2",
-                                                       "HEIGHTMAP a.hm 8 6 1 1",
-                                                       "LOAD-MAP \"x\"",
-                                                       "Scenario DOOR"};
-  static const std::vector<std::string> features = {"PP a* 1 2",
-                                                    "pp \"b*\" 1 2 3",
-                                                    "AA c 1 2 3 4 5 6",
-                                                    "Gap Door 1 2 3 4 5",
-                                                    "BOUNDARY \"\" 1 2 3 4",
-                                                    "OBSTACLE 1 2 3 4",
-                                                    "OBJECT 1 2 3 Fixed red",
-                                                    "ATTRACTOR 1 2",
-                                                    "HALLWAY h CENTERLINE 1 2 3 4 WIDTH 5 EXTENTS 6 7 8 9",
-                                                    "LD/LC e 1 2",
-                                                    "ROAD r 1 2 3 4 5",
-                                                    "PL u UTM LAT 33.7 LON -84.4 UTM LON -84.4 LAT 33.7",
-                                                    "SP s 1 2",
-                                                    "WAYPOINT-FILE \"w\""};
-  static const std::vector<std::string> spaces = {
+  static const std::vector<std::string> kInformation = {"SCENARIO \"a b\"",
+                                                        "site x",
+                                                        "ORIGIN -5 +5.5",
+                                                        "ORIGIN UTM LAT 33.7 LON -84.4",
+                                                        "HEADING 90",
+                                                        "SET ZOOM-FACTOR 50",
+                                                        "MISSION-AREA 100. .5e3",
+                                                        "SCALE 25000",
+                                                        "GLOBAL_REF_POINT 1 2",
+                                                        "HEIGHTMAP a.hm 8 6 1 1",
+                                                        "LOAD-MAP \"x\"",
+                                                        "Scenario DOOR"};
+  static const std::vector<std::string> kFeatures = {"PP a* 1 2",
+                                                     "pp \"b*\" 1 2 3",
+                                                     "AA c 1 2 3 4 5 6",
+                                                     "Gap Door 1 2 3 4 5",
+                                                     "BOUNDARY \"\" 1 2 3 4",
+                                                     "OBSTACLE 1 2 3 4",
+                                                     "OBJECT 1 2 3 Fixed red",
+                                                     "ATTRACTOR 1 2",
+                                                     "HALLWAY h CENTERLINE 1 2 3 4 WIDTH 5 EXTENTS 6 7 8 9",
+                                                     "LD/LC e 1 2",
+                                                     "ROAD r 1 2 3 4 5",
+                                                     "PL u UTM LAT 33.7 LON -84.4 UTM LON -84.4 LAT 33.7",
+                                                     "SP s 1 2",
+                                                     "WAYPOINT-FILE \"w\""};
+  static const std::vector<std::string> kSpaces = {
       " ",      "\n",      "\n\n",
       "\n\n\n", " -- c\n", "\n-- own line\n",
       "\t",     "\r\n",    "\n\n  -- after a blank\n-- and another  \n\n",
       " , "};
-  const auto space = [] { return *rc::gen::elementOf(spaces); };
+  const auto space = [] { return *rc::gen::elementOf(kSpaces); };
   // Blanks outside of quotes become any white space: a statement may spread over lines.
   const auto spread = [&](const std::string& piece) {
     std::string out;
@@ -99,11 +99,11 @@ std::string random_overlay() {
     return out;
   };
   std::string out = space();
-  for (const auto& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(information))) {
+  for (const auto& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(kInformation))) {
     out += spread(piece) + space();
   }
   out += "CONTROL MEASURES:" + space();
-  for (const auto& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(features))) {
+  for (const auto& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(kFeatures))) {
     out += spread(piece) + space();
   }
   return out;
