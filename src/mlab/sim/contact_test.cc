@@ -32,9 +32,9 @@ BodySpec disc_body(double radius) {
 BodyIndex add(Simulator& simulator, Point place, double radius = 0.2) {
   const auto robot = static_cast<std::uint32_t>(simulator.body_count() + 1);
   const BodySetup setup{.spec = disc_body(radius), .pose = {place, 0.0}, .robot = {robot}, .unit = 0};
-  const Placement placed = simulator.add_body(setup).value_or(Placement{.moved = true});
-  EXPECT_FALSE(placed.moved);
-  return placed.body;
+  const auto placed = simulator.add_body(setup);
+  EXPECT_TRUE(placed && !placed->moved);
+  return placed.value_or(Placement{}).body;
 }
 
 /// How deep the bodies are inside anything, at most; negative: how near they come to it [m].

@@ -18,9 +18,9 @@ using percept::Percepts;
 BodyIndex add(Simulator& simulator, geom::Pose pose, const BodySpec& spec = {}, std::uint32_t unit = 0) {
   const auto robot = static_cast<std::uint32_t>(simulator.body_count() + 1);
   const BodySetup setup{.spec = spec, .pose = pose, .robot = {robot}, .unit = unit};
-  const Placement placed = simulator.add_body(setup).value_or(Placement{.moved = true});
-  EXPECT_FALSE(placed.moved);
-  return placed.body;
+  const auto placed = simulator.add_body(setup);
+  EXPECT_TRUE(placed && !placed->moved);
+  return placed.value_or(Placement{}).body;
 }
 
 BodySpec with_ring(std::uint16_t count, double range, double beam_width = 0.0) {
