@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "mlab/base/id.h"
+#include "mlab/fleet/mission_run.h"
+
+namespace mlab::console {
+
+class ToServer;
+
+/// A browser's connection, numbered by the server from 1, never used again.
+using ConnectionId = base::Id<struct ConnectionTag>;
+
+/// What a session is started with.
+struct SessionSettings {
+  std::string project_folder;  ///< nothing outside of it (but the examples) is read or written
+  std::string example_folder;  ///< missions that come with mlab, read only; empty: none
+  std::string mission;         ///< path of the mission to open first; empty: none
+  std::string version;         ///< of mlab
+  std::string include_root;    ///< as robot::ProgramSources
+  std::string state_folder;    ///< drafts, recent files
+  double speed = 10.0;         ///< simulated seconds per second; 0: as fast as it goes
+  bool may_compile = true;     ///< native code of missions may be compiled and run
+  fleet::RunSettings run;
+};
+
+/// One mission with its documents, its run, and the people who look at it. Has a thread of its own, on which
+/// everything happens; the public functions may be called from any thread and return at once.
+class Session {
+ public:
+  /// Hands a message to a connection. Called on the session's thread; must not block. The bytes are a
+  /// serialised ToBrowser.
+  using Send = std::function<void(ConnectionId to, std::shared_ptr<const std::string> bytes)>;
+
+  Session(SessionSettings settings, Send send);
+  /// Ends the run and the thread. Drafts are kept.
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// A message of a connection, in order of arrival. The first one has to be a Hello.
+  void receive(ConnectionId from, std::unique_ptr<ToServer> message);
+  void closed(ConnectionId connection);
+  /// All robots stand from the next cycle on, whatever else is being done.
+  void emergency_stop();
+
+  /// The bytes of the background picture of this revision of the scene, and their content type; empty where
+  /// there is none.
+  struct Picture {
+    std::string content_type;
+    std::shared_ptr<const std::string> bytes;
+  };
+  Picture picture(std::uint64_t revision) const;
+
+  /// The report of the run as it stands (docs/report.md).
+  std::string report() const;
+  /// The mission has ended, at least once.
+  bool has_ended() const;
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace mlab::console
