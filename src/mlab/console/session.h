@@ -5,15 +5,12 @@
 #include <memory>
 #include <string>
 
-#include "mlab/base/id.h"
+#include "mlab/console/connection_id.h"
 #include "mlab/fleet/mission_run.h"
 
 namespace mlab::console {
 
 class ToServer;
-
-/// A browser's connection, numbered by the server from 1, never used again.
-using ConnectionId = base::Id<struct ConnectionTag>;
 
 /// What a session is started with.
 struct SessionSettings {
