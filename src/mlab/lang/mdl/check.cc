@@ -69,6 +69,7 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   Roster roster(*mission, source, tree.damage, diagnostics);
   Preamble preamble(*mission, roster, tree.damage, folder, options, diagnostics);
   preamble.run(tree);
+  if (!diagnostics.has_errors()) preamble.create_requested_obstacles();
   const PlaceIndex places(mission->overlay);
   CommandReader reader({*mission, places, roster, tree.damage, preamble.overlays()}, source, diagnostics);
   mission->steps = read_steps(tree, reader);
@@ -79,9 +80,27 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   return mission;
 }
 
+overlay::Overlay check_map(const text::SourcePtr& source, const std::string& folder,
+                           text::Diagnostics& diagnostics, const LoadOptions& options) {
+  Tree tree = parse(source, diagnostics);
+  mission::Mission mission;
+  mission.source = source;
+  mission.types.push_back(predefined_type());
+  text::Diagnostics unsaid;  // of units and robots: none of the map's business
+  Roster roster(mission, source, tree.damage, unsaid);
+  std::erase_if(tree.preamble, [](const Statement& statement) {
+    return std::holds_alternative<statement::NewRobot>(statement.what) ||
+           std::holds_alternative<statement::UnitDefinition>(statement.what);
+  });
+  Preamble preamble(mission, roster, tree.damage, folder, options, diagnostics);
+  preamble.run(tree);
+  preamble.create_requested_obstacles();
+  return std::move(mission.overlay);
+}
+
 std::shared_ptr<const mission::Mission> load_mission(const std::string& path, text::Diagnostics& diagnostics,
                                                      const LoadOptions& options) {
-  text::Result<text::SourcePtr> source = text::read_source(path);
+  text::Result<text::SourcePtr> source = options.files.read(path);
   if (!source) {
     diagnostics.report(std::move(source.error()));
     return nullptr;

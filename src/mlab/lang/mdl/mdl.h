@@ -10,6 +10,7 @@
 #include "mlab/mission/mission.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/text/diagnostic.h"
+#include "mlab/text/files.h"
 #include "mlab/text/source.h"
 
 /// The mission description language: from text to a mission that can be carried out, and back to tidy text.
@@ -36,6 +37,8 @@ struct LoadOptions {
   std::uint64_t seed = 0;
   /// Where overlays and pictures are looked for after the mission's own folder and the current one.
   std::vector<std::string> overlay_folders;
+  /// How the mission and all that it names is read.
+  text::Files files = text::files_on_disk();
 };
 
 /// Everything a run needs: overlays loaded, names resolved, robots numbered, random obstacles created.
@@ -51,6 +54,15 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
                                                       const std::string& folder,
                                                       text::Diagnostics& diagnostics,
                                                       const LoadOptions& options = {});
+
+/// Only the map: what the overlays and the preamble say of it, as far as they can be understood, whatever is
+/// wrong with the rest. For a mission without errors it is that mission's overlay.
+overlay::Overlay check_map(const text::SourcePtr& source, const std::string& folder,
+                           text::Diagnostics& diagnostics, const LoadOptions& options = {});
+
+/// Where the overlay that a mission of this folder names `name` is; nothing where there is none.
+std::optional<std::string> find_overlay(const std::string& name, const std::string& folder,
+                                        const LoadOptions& options);
 
 /// A line typed by the operator, resolved against the mission that is loaded.
 struct Immediate {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -261,6 +262,43 @@ TEST(MdlLoad, LooksForOverlaysBesideTheMissionThenInTheGivenFolders) {
   EXPECT_EQ(check_mission(source, "/nowhere", sink), nullptr);
   text::Diagnostics with_folder;
   EXPECT_NE(check_mission(source, "/nowhere", with_folder, LoadOptions{0, {kTestdata}}), nullptr);
+}
+
+// Texts that stand nowhere on the disk.
+text::Files files_of(const std::map<std::string, std::string>& texts) {
+  return {[&texts](const std::string& path) { return texts.contains(path); },
+          [&texts](const std::string& path) -> text::Result<text::SourcePtr> {
+            return std::make_shared<const text::Source>(path, texts.at(path));
+          }};
+}
+
+TEST(MdlLoad, ReadsThroughTheFilesThatItIsGiven) {
+  const std::map<std::string, std::string> texts = {
+      {"/p/m.mdl", std::string("OVERLAY sub/o.odl\nLOAD-MAP \"m.info\"\n") + kQuit},
+      {"/p/sub/o.odl", "LOAD-MAP i.info\nCONTROL MEASURES:\nPP a 1 2\nWAYPOINT-FILE w.wpt\n"},
+      {"/p/sub/i.info", "i.png\n0 0 10 10\n"},
+      {"/p/sub/i.png", ""},
+      {"/p/sub/w.wpt", "PP b 3 4\n"},
+      {"/p/m.info", "sub/i.png\n1 1 20 20\n"}};
+  text::Diagnostics sink;
+  LoadOptions options;
+  options.files = files_of(texts);
+  const auto mission = load_mission("/p/m.mdl", sink, options);
+  ASSERT_NE(mission, nullptr) << text::render(sink);
+  EXPECT_EQ(text::render(sink), "");
+  EXPECT_EQ(mission->overlay.measures.size(), 2U);
+  EXPECT_EQ(mission->overlay.map_picture->width, 20.0);
+}
+
+TEST(MdlLoad, GivesTheMapWhateverIsWrongWithTheRest) {
+  const std::string text =
+      "OVERLAY map.odl\nUNIT <u> GHOST\nOBSTACLE 1 1 0.5\nSP x 3 4\nCOMMAND LIST:\n1. UNIT u MOVETO Nowhere";
+  text::Diagnostics sink;
+  const overlay::Overlay map =
+      check_map(std::make_shared<const text::Source>("test.mdl", text), kTestdata, sink);
+  EXPECT_EQ(map.obstacles.back().radius, 0.5);
+  EXPECT_EQ(map.measures.back().name, "x");
+  EXPECT_GT(map.measures.size(), 1U);
 }
 
 TEST(MdlLoad, SaysWhyAFileCannotBeRead) {

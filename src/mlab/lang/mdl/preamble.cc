@@ -2,7 +2,6 @@
 
 #include <array>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -21,12 +20,19 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxOverlays = 100;
 constexpr std::size_t kMaxMaps = 100;
 
-bool is_file(const fs::path& path) {
-  std::error_code unreadable;
-  return fs::is_regular_file(path, unreadable);
-}
-
 }  // namespace
+
+std::optional<std::string> find_overlay(const std::string& name, const std::string& folder,
+                                        const LoadOptions& options) {
+  if (name.empty() || name.find('\0') != std::string::npos) return std::nullopt;
+  std::vector<std::string> folders = {folder, ""};
+  folders.insert(folders.end(), options.overlay_folders.begin(), options.overlay_folders.end());
+  for (const std::string& each : folders) {
+    std::string path = (fs::path(each) / name).lexically_normal().string();
+    if (options.files.is_file(path)) return path;
+  }
+  return std::nullopt;
+}
 
 Preamble::Preamble(mission::Mission& mission, Roster& roster, Damage& damage, std::string folder,
                    const LoadOptions& options, text::Diagnostics& diagnostics)
@@ -44,7 +50,6 @@ void Preamble::run(const Tree& tree) {
       roster_.announce_type(robot->name);
   }
   for (const Statement& statement : tree.preamble) execute(statement);
-  create_requested_obstacles();
 }
 
 void Preamble::execute(const Statement& statement) {
@@ -115,19 +120,8 @@ void Preamble::load_overlay(const Name& file) {
     return;
   }
   with_overlay_changes([&] {
-    if (!odl::load_overlay(*path, mission_.overlay, diagnostics_)) damage_.places = true;
+    if (!odl::load_overlay(*path, mission_.overlay, diagnostics_, options_.files)) damage_.places = true;
   });
-}
-
-std::optional<std::string> Preamble::find_overlay(const Name& file) {
-  if (file.text.empty() || file.text.find('\0') != std::string::npos) return std::nullopt;
-  std::vector<std::string> folders = {folder_, ""};
-  folders.insert(folders.end(), options_.overlay_folders.begin(), options_.overlay_folders.end());
-  for (const std::string& folder : folders) {
-    const fs::path path = fs::path(folder) / file.text;
-    if (is_file(path)) return path.lexically_normal().string();
-  }
-  return std::nullopt;
 }
 
 // Old missions name files by suffixes that their overlays no longer have, so the other one is tried for a
@@ -150,8 +144,9 @@ void Preamble::load_map(const Name& file) {
   }
   if (maps_ > kMaxMaps) return;
   const std::string mission_file = (fs::path(folder_) / "mission").string();
-  with_overlay_changes(
-      [&] { odl::load_map(file.text, mission_file, place(file.span), mission_.overlay, diagnostics_); });
+  with_overlay_changes([&] {
+    odl::load_map(file.text, mission_file, place(file.span), mission_.overlay, diagnostics_, options_.files);
+  });
 }
 
 void Preamble::set_area(const statement::MissionArea& area) {
@@ -202,7 +197,7 @@ void Preamble::request_obstacles(text::Span span) {
 }
 
 void Preamble::create_requested_obstacles() {
-  if (!request_ || diagnostics_.has_errors()) return;
+  if (!request_) return;
   std::vector<overlay::ObstacleDisc> created =
       create_obstacles(request_->options, request_->area, options_.seed, place(request_->span), diagnostics_);
   std::vector<overlay::ObstacleDisc>& placed = mission_.overlay.obstacles;

@@ -19,21 +19,25 @@ class Preamble {
   Preamble(mission::Mission& mission, Roster& roster, Damage& damage, std::string folder,
            const LoadOptions& options, text::Diagnostics& diagnostics);
 
+  /// All but random obstacles.
   void run(const Tree& tree);
+  /// Does what CREATE-OBSTACLES asked for; to be called after `run`.
+  void create_requested_obstacles();
   /// As the author wrote them.
   const std::vector<std::string>& overlays() const { return overlays_; }
 
  private:
   void execute(const Statement& statement);
   void load_overlay(const Name& file);
-  std::optional<std::string> find_overlay(const Name& file);
+  std::optional<std::string> find_overlay(const Name& file) const {
+    return mdl::find_overlay(file.text, folder_, options_);
+  }
   void report_missing_overlay(const Name& file);
   void load_map(const Name& file);
   void set_area(const statement::MissionArea& area);
   void add_start_place(const statement::StartPlace& start);
   void add_obstacle(const statement::Obstacle& obstacle);
   void request_obstacles(text::Span span);
-  void create_requested_obstacles();
   /// Runs `change` on the overlay and puts the options back that hang on an area or zoom stated by it.
   template <class Change>
   void with_overlay_changes(Change change);

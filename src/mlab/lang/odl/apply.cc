@@ -65,8 +65,8 @@ NamedFeature named_feature(Keyword keyword) {
 // Applies statements to an overlay. Its own copy of the names makes the search for duplicates fast.
 class Applier {
  public:
-  Applier(overlay::Overlay& into, text::Diagnostics& sink, Companions companions)
-      : into_(into), sink_(sink), companions_(companions) {
+  Applier(overlay::Overlay& into, text::Diagnostics& sink, Companions companions, const text::Files& files)
+      : into_(into), sink_(sink), companions_(companions), files_(files) {
     for (std::size_t i = 0; i < into.measures.size(); ++i)
       by_name_.insert_or_assign(into.measures[i].name, i);
   }
@@ -291,12 +291,12 @@ class Applier {
 
   std::optional<std::string> companion(const NameSyntax& name) const {
     if (companions_ == Companions::kIgnore) return std::nullopt;
-    return find_companion(name.text, source_->name());
+    return find_companion(name.text, source_->name(), files_);
   }
 
   void load_map(const NameSyntax& name) {
     if (companions_ == Companions::kRead) {
-      odl::load_map(name.text, source_->name(), place_of(name.span), into_, sink_);
+      odl::load_map(name.text, source_->name(), place_of(name.span), into_, sink_, files_);
     } else {
       into_.map_file = name.text;
     }
@@ -311,8 +311,7 @@ class Applier {
       return;
     }
     const std::optional<std::string> path = companion(name);
-    text::Result<text::SourcePtr> source =
-        path ? text::read_source(*path) : std::unexpected(text::Diagnostic{});
+    text::Result<text::SourcePtr> source = path ? files_.read(*path) : std::unexpected(text::Diagnostic{});
     if (!source) {
       sink_.warning("missing-waypoint-file", place_of(name.span),
                     fmt::format("there is no waypoint file `{}`", text::shown(name.text, 200)));
@@ -389,6 +388,7 @@ class Applier {
   overlay::Overlay& into_;
   text::Diagnostics& sink_;
   Companions companions_;
+  const text::Files& files_;
   text::SourcePtr source_;
   std::unordered_map<std::string, std::size_t> by_name_;  // the last feature of each name
   std::set<std::string> files_read_;
@@ -398,8 +398,9 @@ class Applier {
 
 }  // namespace
 
-void apply(const Tree& tree, overlay::Overlay& into, text::Diagnostics& sink, Companions companions) {
-  Applier(into, sink, companions).apply(tree);
+void apply(const Tree& tree, overlay::Overlay& into, text::Diagnostics& sink, Companions companions,
+           const text::Files& files) {
+  Applier(into, sink, companions, files).apply(tree);
 }
 
 }  // namespace mlab::odl

@@ -1,7 +1,6 @@
 #include "mlab/lang/odl/companions.h"
 
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/core.h>
 
@@ -13,12 +12,12 @@ namespace mlab::odl {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> find_companion(std::string_view name, const std::string& near_path) {
+std::optional<std::string> find_companion(std::string_view name, const std::string& near_path,
+                                          const text::Files& files) {
   if (name.empty() || name.find('\0') != std::string_view::npos) return std::nullopt;
   for (const fs::path& folder : {fs::path(near_path).parent_path(), fs::path()}) {
-    const fs::path candidate = folder / fs::path(name);
-    std::error_code unreadable;
-    if (fs::is_regular_file(candidate, unreadable)) return candidate.lexically_normal().string();
+    std::string candidate = (folder / fs::path(name)).lexically_normal().string();
+    if (files.is_file(candidate)) return candidate;
   }
   return std::nullopt;
 }
@@ -34,16 +33,16 @@ text::Diagnostic& warn_missing(text::Diagnostics& sink, std::string kind, const 
 }  // namespace
 
 void load_map(const std::string& name, const std::string& near_path, const text::Place& place,
-              overlay::Overlay& into, text::Diagnostics& sink) {
+              overlay::Overlay& into, text::Diagnostics& sink, const text::Files& files) {
   into.map_file = name;
   into.map_picture.reset();
-  const std::optional<std::string> path = find_companion(name, near_path);
+  const std::optional<std::string> path = find_companion(name, near_path, files);
   if (!path) {
     warn_missing(sink, "missing-map", place, "map-info file", name).label = "the background stays empty";
     return;
   }
   into.map_file = *path;
-  const text::Result<text::SourcePtr> source = text::read_source(*path);
+  const text::Result<text::SourcePtr> source = files.read(*path);
   if (!source) {
     text::Diagnostic& d = sink.warning("missing-map", place, source.error().message);
     d.label = "the background stays empty";
@@ -51,21 +50,22 @@ void load_map(const std::string& name, const std::string& near_path, const text:
   }
   const std::optional<MapInfo> info = parse_map_info(*source, sink);
   if (!info) return;
-  const std::optional<std::string> picture = find_companion(info->picture, *path);
+  const std::optional<std::string> picture = find_companion(info->picture, *path, files);
   if (!picture) warn_missing(sink, "missing-picture", place, "picture", info->picture);
   into.map_picture =
       overlay::MapPicture{picture.value_or(info->picture), {info->x, info->y}, info->width, info->height};
   if (info->sets_area) into.area = overlay::Area{info->width, info->height};
 }
 
-bool load_overlay(const std::string& path, overlay::Overlay& into, text::Diagnostics& sink) {
+bool load_overlay(const std::string& path, overlay::Overlay& into, text::Diagnostics& sink,
+                  const text::Files& files) {
   const std::size_t errors_before = sink.error_count();
-  text::Result<text::SourcePtr> source = text::read_source(path);
+  text::Result<text::SourcePtr> source = files.read(path);
   if (!source) {
     sink.report(std::move(source.error()));
     return false;
   }
-  apply(parse(*source, sink), into, sink);
+  apply(parse(*source, sink), into, sink, Companions::kRead, files);
   return sink.error_count() == errors_before;
 }
 

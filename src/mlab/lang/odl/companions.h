@@ -4,10 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "mlab/text/files.h"
+
 namespace mlab::odl {
 
-/// Where a file that an overlay names is: beside `near_path`, or in the current directory. Only regular files
-/// count, so that a name like `/dev/stdin` never makes a reader wait.
-std::optional<std::string> find_companion(std::string_view name, const std::string& near_path);
+/// Where a file that an overlay names is: beside `near_path`, or in the current directory. Nothing
+/// where `files` has neither.
+std::optional<std::string> find_companion(std::string_view name, const std::string& near_path,
+                                          const text::Files& files);
 
 }  // namespace mlab::odl
