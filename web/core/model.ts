@@ -1,0 +1,305 @@
+// What the browser knows of the session. Parts that people read (scene, status, log, ...) are replaced as a whole and
+// announced by name; what moves (robots, trails, stations) stands in typed arrays that each frame overwrites, for the
+// map and the plots, which listen to frames.
+import { applyMissionOptions, kDefaultSettings, type MapSettings } from "./map/settings.ts";
+import { PointTable } from "./packed.ts";
+import type {
+  Clients,
+  Documents,
+  EditState,
+  Frame,
+  Log,
+  Log_Entry,
+  Plan,
+  Project,
+  Questions_Question,
+  RobotDetail,
+  Roster,
+  Scene,
+  SeriesData,
+  Status,
+  ToBrowser,
+  Trails,
+  Welcome,
+} from "./protocol.ts";
+import { RobotTable } from "./robots.ts";
+import { RosterIndex } from "./roster.ts";
+import { kNothing, type Selection } from "./selection.ts";
+import { Store } from "./store.ts";
+import { TrailStore } from "./trails.ts";
+
+export interface Link {
+  /** "refused": the server doesn't take the token or the protocol; nothing is tried again. */
+  readonly state: "connecting" | "open" | "lost" | "refused";
+  /** Why, for a person; empty while all is well. */
+  readonly reason: string;
+  /** When the next attempt is made [ms since the epoch]; 0: none is planned. */
+  readonly retryAt: number;
+}
+
+export interface Parts {
+  link: Link;
+  welcome: Welcome | null;
+  project: Project | null;
+  documents: Documents | null;
+  scene: Scene | null;
+  roster: RosterIndex;
+  plan: Plan | null;
+  status: Status | null;
+  questions: readonly Questions_Question[];
+  /** Newest last, at most kLogLength. */
+  log: readonly Log_Entry[];
+  clients: Clients | null;
+  edits: EditState | null;
+  /** Run time of the newest frame [s]; announced at most ten times a second. */
+  time: number;
+  /** Details of watched robots, by id; announced at most ten times a second. `Model.detail` has the newest. */
+  details: ReadonlyMap<number, RobotDetail>;
+  selection: Selection;
+  map: MapSettings;
+}
+
+export const kLogLength = 5000;
+const kSlow = 100; // ms between announcements of what every frame changes
+
+/** An object's place where it is not that of the Scene. */
+export interface MovedObject {
+  readonly x: number;
+  readonly y: number;
+  /** The robot that carries it; 0: nobody. */
+  readonly carrier: number;
+}
+
+export class Model extends Store<Parts> {
+  readonly robots = new RobotTable();
+  readonly trails = new TrailStore();
+  /** Where formations want robots, of the newest frame; empty unless watched. */
+  readonly stations = new PointTable();
+  /** Wanted velocities [m/s, world], of the newest frame; empty unless watched. */
+  readonly vectors = new PointTable();
+  readonly movedObjects = new Map<number, MovedObject>();
+  /** Of the newest frame. */
+  time = 0;
+  cycle = 0;
+  frameNumber = 0n;
+  /** Started robots that the watched view leaves out. */
+  robotsElsewhere = 0;
+
+  private readonly newest = new Map<number, RobotDetail>();
+  private readonly moved = new PointTable(4);
+  private readonly frameListeners = new Set<() => void>();
+  private readonly seriesListeners = new Set<(data: SeriesData) => void>();
+  private announced = 0;
+  private pending: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    super({
+      link: { state: "connecting", reason: "", retryAt: 0 },
+      welcome: null,
+      project: null,
+      documents: null,
+      scene: null,
+      roster: new RosterIndex(null),
+      plan: null,
+      status: null,
+      questions: [],
+      log: [],
+      clients: null,
+      edits: null,
+      time: 0,
+      details: new Map(),
+      selection: kNothing,
+      map: kDefaultSettings,
+    });
+  }
+
+  /** Called when a frame has been taken in, before the next drawing. */
+  onFrame(listener: () => void): () => void {
+    this.frameListeners.add(listener);
+    return () => this.frameListeners.delete(listener);
+  }
+
+  /** Called with each batch of new samples. */
+  onSeries(listener: (data: SeriesData) => void): () => void {
+    this.seriesListeners.add(listener);
+    return () => this.seriesListeners.delete(listener);
+  }
+
+  detail(robot: number): RobotDetail | undefined {
+    return this.newest.get(robot);
+  }
+
+  /** Whether this browser's person is the operator. */
+  isOperator(): boolean {
+    const client = this.get("welcome")?.client ?? 0;
+    return client !== 0 && this.get("clients")?.operator === client;
+  }
+
+  /** Where the robot is: from the frame, or from its detail where the frame leaves it out. */
+  placeOf(robot: number): { x: number; y: number; heading: number } | undefined {
+    const row = this.robots.rowOf(robot);
+    if (row >= 0) return { x: this.robots.x(row), y: this.robots.y(row), heading: this.robots.heading(row) };
+    const detail = this.newest.get(robot);
+    return detail && { x: detail.x, y: detail.y, heading: detail.heading };
+  }
+
+  updateMap(change: Partial<MapSettings>): void {
+    this.set("map", { ...this.get("map"), ...change });
+  }
+
+  select(selection: Selection): void {
+    this.set("selection", selection);
+  }
+
+  /** Takes in a message of the server. Replies are the connection's business. */
+  accept(message: ToBrowser): void {
+    const { body } = message;
+    switch (body.case) {
+      case "welcome":
+        this.welcome(body.value);
+        break;
+      case "frame":
+        this.takeFrame(body.value);
+        break;
+      case "scene":
+        this.takeScene(body.value);
+        break;
+      case "roster":
+        this.takeRoster(body.value);
+        break;
+      case "plan":
+        this.set("plan", body.value);
+        break;
+      case "status":
+        this.takeStatus(body.value);
+        break;
+      case "questions":
+        this.set("questions", body.value.questions);
+        break;
+      case "log":
+        this.takeLog(body.value);
+        break;
+      case "clients":
+        this.set("clients", body.value);
+        break;
+      case "edits":
+        this.set("edits", body.value);
+        break;
+      case "documents":
+        this.set("documents", body.value);
+        break;
+      case "project":
+        this.set("project", body.value);
+        break;
+      case "trails":
+        this.takeTrails(body.value);
+        break;
+    }
+  }
+
+  takeFrame(frame: Frame): void {
+    if (frame.time < this.time) this.forgetPast();
+    this.frameNumber = frame.number;
+    this.time = frame.time;
+    this.cycle = Number(frame.cycle);
+    this.robotsElsewhere = frame.robotsElsewhere;
+    this.robots.accept(frame.robots);
+    this.stations.accept(frame.stations);
+    this.vectors.accept(frame.vectors);
+    this.takeObjects(frame.objects);
+    this.trails.extend(this.robots, frame.time);
+    this.newest.clear();
+    for (const detail of frame.details) this.newest.set(detail.id, detail);
+    if (frame.series) for (const listener of this.seriesListeners) listener(frame.series);
+    for (const listener of this.frameListeners) listener();
+    this.announceSoon();
+  }
+
+  private welcome(welcome: Welcome): void {
+    const before = this.get("welcome");
+    if (before && before.session !== welcome.session) {
+      this.forgetPast();
+      this.robots.clear();
+      this.set("log", []);
+      this.set("questions", []);
+      this.set("selection", kNothing);
+    }
+    this.set("welcome", welcome);
+  }
+
+  private takeScene(scene: Scene): void {
+    this.trails.fitTo(this.get("roster").robots.length, Math.max(scene.width, scene.height));
+    this.movedObjects.clear();
+    const selection = this.get("selection");
+    if (selection.items.length) {
+      const lengths = {
+        measure: scene.measures.length,
+        obstacle: scene.obstacles.length,
+        object: scene.objects.length,
+      };
+      const items = selection.items.filter((item) => item.index < lengths[item.kind]);
+      if (items.length < selection.items.length) this.set("selection", { ...selection, items });
+    }
+    this.set("scene", scene);
+  }
+
+  private takeRoster(roster: Roster): void {
+    const index = new RosterIndex(roster);
+    const scene = this.get("scene");
+    this.trails.fitTo(index.robots.length, scene ? Math.max(scene.width, scene.height) : 1000);
+    const selection = this.get("selection");
+    const robots = selection.robots.filter((id) => index.robot(id));
+    const unit = index.unit(selection.unit) ? selection.unit : "";
+    if (robots.length < selection.robots.length || unit !== selection.unit)
+      this.set("selection", { ...selection, robots, unit });
+    this.set("roster", index);
+  }
+
+  private takeStatus(status: Status): void {
+    const before = this.get("status")?.options ?? [];
+    this.set("map", applyMissionOptions(this.get("map"), before, status.options));
+    this.set("status", status);
+  }
+
+  private takeLog(log: Log): void {
+    const known = log.isWhole ? [] : this.get("log");
+    const last = known.at(-1)?.number ?? 0n;
+    const fresh = known.length ? log.entries.filter((entry) => entry.number > last) : log.entries;
+    this.set("log", [...known, ...fresh].slice(-kLogLength));
+  }
+
+  private takeTrails(trails: Trails): void {
+    this.trails.replace(trails);
+    for (const listener of this.frameListeners) listener();
+  }
+
+  private takeObjects(bytes: Uint8Array): void {
+    if (bytes.length === 0) return;
+    this.moved.accept(bytes);
+    for (let row = 0; row < this.moved.count; ++row) {
+      const carrier = this.moved.last(row);
+      this.movedObjects.set(this.moved.id(row), { x: this.moved.x(row), y: this.moved.y(row), carrier });
+    }
+  }
+
+  /** Time went back: a restart. */
+  private forgetPast(): void {
+    this.time = 0;
+    this.trails.clear();
+    this.movedObjects.clear();
+  }
+
+  private announceSoon(): void {
+    const now = performance.now();
+    if (now - this.announced >= kSlow) this.announce(now);
+    else this.pending ??= setTimeout(() => this.announce(performance.now()), kSlow - (now - this.announced));
+  }
+
+  private announce(now: number): void {
+    clearTimeout(this.pending);
+    this.pending = undefined;
+    this.announced = now;
+    this.set("time", this.time);
+    if (this.newest.size || this.get("details").size) this.set("details", new Map(this.newest));
+  }
+}

@@ -1,0 +1,21 @@
+// Writes the TypeScript of the protocol into generated/, where that is older than the definition.
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, statSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const web = dirname(dirname(fileURLToPath(import.meta.url)));
+const definitions = join(web, "..", "proto");
+const definition = join(definitions, "mlab", "console.proto");
+const generated = join(web, "generated");
+const result = join(generated, "mlab", "console_pb.ts");
+
+if (!existsSync(result) || statSync(result).mtimeMs < statSync(definition).mtimeMs) {
+  mkdirSync(generated, { recursive: true });
+  const plugin = join(web, "node_modules", ".bin", "protoc-gen-es");
+  execFileSync(
+    "protoc",
+    [`--plugin=protoc-gen-es=${plugin}`, `--es_out=${generated}`, "--es_opt=target=ts", `-I${definitions}`, definition],
+    { stdio: "inherit" },
+  );
+}

@@ -1,0 +1,25 @@
+import react from "@vitejs/plugin-react";
+import { defineConfig } from "vitest/config";
+
+// `npm run dev` shows the page beside a running `mlab run`: MLAB_SERVER is the address that it printed.
+const server = process.env.MLAB_SERVER ?? "http://127.0.0.1:8080";
+const handedOn = { target: server, changeOrigin: true };
+
+export default defineConfig({
+  base: "./",
+  plugins: [react()],
+  build: { outDir: "dist", target: "es2022", chunkSizeWarningLimit: 900 },
+  server: {
+    host: "127.0.0.1",
+    proxy: {
+      "/session": { ...handedOn, ws: true, rewriteWsOrigin: true },
+      "/picture": handedOn,
+      "/stop": handedOn,
+      "/report": handedOn,
+    },
+  },
+  test: {
+    environment: "happy-dom",
+    include: ["core/**/*.test.{ts,tsx}", "console/**/*.test.{ts,tsx}"],
+  },
+});
