@@ -1,0 +1,118 @@
+// The MDL text that a command made by mouse means.
+
+export type TaskName = "MOVETO" | "OCCUPY" | "SWEEPTO" | "FOLLOW" | "TELEOPERATE";
+
+export const kFormations = [
+  "Line",
+  "Line-Left",
+  "Line-Right",
+  "Wedge",
+  "Wedge-Left",
+  "Wedge-Right",
+  "Diamond",
+  "Column",
+  "Sweep",
+  "No-Formation",
+] as const;
+export type FormationName = (typeof kFormations)[number];
+
+export const kTechniques = ["Traveling", "Traveling-Overwatch", "Bounding-Overwatch"] as const;
+export type TechniqueName = (typeof kTechniques)[number];
+
+export interface TaskInfo {
+  readonly task: TaskName;
+  readonly label: string;
+  readonly help: string;
+  readonly takesHeading: boolean;
+  readonly takesTechnique: boolean;
+  readonly takesSpeed: boolean;
+  /** The place is a line, told by its name. */
+  readonly needsLine: boolean;
+}
+
+export const kTasks: readonly TaskInfo[] = [
+  { task: "MOVETO", label: "Move to", help: "Move the unit's centre there", takesHeading: true, takesTechnique: true, takesSpeed: true, needsLine: false },
+  { task: "OCCUPY", label: "Occupy", help: "Take up the formation there, hold it, then ask to proceed", takesHeading: true, takesTechnique: false, takesSpeed: false, needsLine: false },
+  { task: "SWEEPTO", label: "Sweep to", help: "Move there side by side", takesHeading: false, takesTechnique: true, takesSpeed: true, needsLine: false },
+  { task: "FOLLOW", label: "Follow", help: "Move along a line, from its first point to its last", takesHeading: false, takesTechnique: true, takesSpeed: true, needsLine: true },
+  { task: "TELEOPERATE", label: "Steer by hand", help: "Steer the unit yourself, with the place as objective", takesHeading: false, takesTechnique: false, takesSpeed: true, needsLine: false },
+];
+
+export function taskInfo(task: TaskName): TaskInfo {
+  return kTasks.find((t) => t.task === task) as TaskInfo;
+}
+
+/** Where to: a reference to a control measure, or a point [m, coordinates of the mission]. */
+export type MdlPlace = { readonly reference: string } | { readonly x: number; readonly y: number };
+
+export interface MouseCommand {
+  readonly units: readonly string[];
+  readonly task: TaskName;
+  readonly place: MdlPlace;
+  /** Empty: the clause is left out. */
+  readonly formation: FormationName | "";
+  readonly technique: TechniqueName | "";
+  /** [m/s]; 0 and less: the robots' own, the clause is left out. */
+  readonly speed: number;
+  /** Degrees counter-clockwise from east; null: where it goes. */
+  readonly heading: number | null;
+}
+
+/** The line, or what is missing, as a sentence. Clauses that the task doesn't take are left out. */
+export function mdlText(command: MouseCommand): { text: string } | { error: string } {
+  if (command.units.length === 0) return { error: "Select a unit first." };
+  const place = placeText(command.place);
+  if (place === null) return { error: "This place has no name that MDL could write." };
+  const info = taskInfo(command.task);
+  if (info.needsLine && !("reference" in command.place)) return { error: "Choose a line to follow." };
+  const lines: string[] = [];
+  for (const unit of command.units) {
+    const name = mdlName(unit);
+    if (name === null) return { error: `Unit ${unit} has no name that MDL could write.` };
+    lines.push(`UNIT ${name} ${command.task} ${place}${clauses(command, info)}`);
+  }
+  return { text: lines.join(" AND ") };
+}
+
+function clauses(command: MouseCommand, info: TaskInfo): string {
+  const parts: string[] = [];
+  if (command.formation !== "") parts.push(`FORMATION ${command.formation}`);
+  if (info.takesTechnique && command.technique !== "") parts.push(`TECHNIQUE ${command.technique}`);
+  if (info.takesSpeed && command.speed > 0) parts.push(`SPEED ${mdlNumber(command.speed)}`);
+  if (info.takesHeading && command.heading !== null) parts.push(`HEADING ${mdlNumber(command.heading, 1)}`);
+  return parts.map((p) => ` ${p}`).join("");
+}
+
+function placeText(place: MdlPlace): string | null {
+  if ("reference" in place) return mdlName(place.reference);
+  if (!Number.isFinite(place.x) || !Number.isFinite(place.y)) return null;
+  return `${mdlNumber(place.x)} ${mdlNumber(place.y)}`;
+}
+
+/** A name as MDL and ODL write it, in quotes where it is no word; null where it can't be written (empty, or has a quote). */
+export function mdlName(name: string): string | null {
+  if (/^[A-Za-z][A-Za-z0-9_-]*$/.test(name)) return name;
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: a string ends with its line
+  if (name === "" || /["\u0000-\u001f]/.test(name)) return null;
+  return `"${name}"`;
+}
+
+/** A number as MDL and ODL write it: no sign before positive ones, no exponent. At most `decimals` behind the point. */
+export function mdlNumber(value: number, decimals = 3): string {
+  const text = value.toFixed(decimals);
+  const short = text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  return short === "-0" ? "0" : short;
+}
+
+/** Decimals that make sense on the map: a tenth of a pixel is not more precise than the hand. */
+export function decimalsFor(metresPerPixel: number): number {
+  if (!(metresPerPixel > 0)) return 3;
+  return Math.min(3, Math.max(0, Math.ceil(-Math.log10(metresPerPixel) + 0.5)));
+}
+
+/** The direction of a drag, whole steps of `step` degrees, 0 to 359. Angles count counter-clockwise from east. */
+export function headingOfDrag(dx: number, dy: number, step: number): number {
+  const degrees = (Math.atan2(dy, dx) * 180) / Math.PI;
+  const rounded = Math.round(degrees / step) * step;
+  return ((rounded % 360) + 360) % 360;
+}
