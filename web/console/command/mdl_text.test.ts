@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { decimalsFor, headingOfDrag, type MouseCommand, mdlName, mdlNumber, mdlText } from "./mdl_text";
-import { nearestLine, type PlaceMeasure, placeFor, referenceTo, snapToCenter } from "./places";
+import { decimalsFor, headingOfDrag, type MouseCommand, mdlName, mdlNumber, mdlText } from "./mdl_text.ts";
+import { nearestLine, type PlaceMeasure, placeFor, referenceTo, snapToCenter } from "./places.ts";
 
 const kCommand: MouseCommand = {
   units: ["scouts"],
@@ -18,14 +18,18 @@ const textOf = (c: Partial<MouseCommand>) => mdlText({ ...kCommand, ...c });
 describe("mdlText", () => {
   it("writes what a person would type", () => {
     expect(textOf({})).toEqual({ text: "UNIT scouts MOVETO 310 205 FORMATION Wedge HEADING 45" });
-    expect(textOf({ place: { reference: "PP-Charlie" }, technique: "Bounding-Overwatch", speed: 2.5, heading: null })).toEqual({
+    expect(
+      textOf({ place: { reference: "PP-Charlie" }, technique: "Bounding-Overwatch", speed: 2.5, heading: null }),
+    ).toEqual({
       text: "UNIT scouts MOVETO PP-Charlie FORMATION Wedge TECHNIQUE Bounding-Overwatch SPEED 2.5",
     });
   });
 
   it("leaves out clauses that the task does not take", () => {
     const all = { technique: "Traveling", speed: 3 } as const;
-    expect(textOf({ ...all, task: "OCCUPY" })).toEqual({ text: "UNIT scouts OCCUPY 310 205 FORMATION Wedge HEADING 45" });
+    expect(textOf({ ...all, task: "OCCUPY" })).toEqual({
+      text: "UNIT scouts OCCUPY 310 205 FORMATION Wedge HEADING 45",
+    });
     expect(textOf({ ...all, task: "SWEEPTO", formation: "" })).toEqual({
       text: "UNIT scouts SWEEPTO 310 205 TECHNIQUE Traveling SPEED 3",
     });
@@ -79,12 +83,16 @@ describe("headingOfDrag", () => {
   });
   it("is a whole step within a turn", () => {
     fc.assert(
-      fc.property(fc.double({ min: -1e3, max: 1e3, noNaN: true }), fc.double({ min: -1e3, max: 1e3, noNaN: true }), (dx, dy) => {
-        const h = headingOfDrag(dx, dy, 5);
-        expect(h % 5).toBe(0);
-        expect(h).toBeGreaterThanOrEqual(0);
-        expect(h).toBeLessThan(360);
-      }),
+      fc.property(
+        fc.double({ min: -1e3, max: 1e3, noNaN: true }),
+        fc.double({ min: -1e3, max: 1e3, noNaN: true }),
+        (dx, dy) => {
+          const h = headingOfDrag(dx, dy, 5);
+          expect(h % 5).toBe(0);
+          expect(h).toBeGreaterThanOrEqual(0);
+          expect(h).toBeLessThan(360);
+        },
+      ),
     );
   });
 });
@@ -119,7 +127,14 @@ describe("places", () => {
 
   it("are referred to as missions do, where that finds them", () => {
     expect(measures.map((_, i) => referenceTo(measures, i))).toEqual([
-      "PP-Charlie", "two words", null, "PP-twice", null, "AXIS-Golf", "g", "GAP-g",
+      "PP-Charlie",
+      "two words",
+      null,
+      "PP-twice",
+      null,
+      "AXIS-Golf",
+      "g",
+      "ROOM-GAP-g",
     ]);
   });
 

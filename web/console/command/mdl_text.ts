@@ -31,11 +31,51 @@ export interface TaskInfo {
 }
 
 export const kTasks: readonly TaskInfo[] = [
-  { task: "MOVETO", label: "Move to", help: "Move the unit's centre there", takesHeading: true, takesTechnique: true, takesSpeed: true, needsLine: false },
-  { task: "OCCUPY", label: "Occupy", help: "Take up the formation there, hold it, then ask to proceed", takesHeading: true, takesTechnique: false, takesSpeed: false, needsLine: false },
-  { task: "SWEEPTO", label: "Sweep to", help: "Move there side by side", takesHeading: false, takesTechnique: true, takesSpeed: true, needsLine: false },
-  { task: "FOLLOW", label: "Follow", help: "Move along a line, from its first point to its last", takesHeading: false, takesTechnique: true, takesSpeed: true, needsLine: true },
-  { task: "TELEOPERATE", label: "Steer by hand", help: "Steer the unit yourself, with the place as objective", takesHeading: false, takesTechnique: false, takesSpeed: true, needsLine: false },
+  {
+    task: "MOVETO",
+    label: "Move to",
+    help: "Move the unit's centre there",
+    takesHeading: true,
+    takesTechnique: true,
+    takesSpeed: true,
+    needsLine: false,
+  },
+  {
+    task: "OCCUPY",
+    label: "Occupy",
+    help: "Take up the formation there, hold it, then ask to proceed",
+    takesHeading: true,
+    takesTechnique: false,
+    takesSpeed: false,
+    needsLine: false,
+  },
+  {
+    task: "SWEEPTO",
+    label: "Sweep to",
+    help: "Move there side by side",
+    takesHeading: false,
+    takesTechnique: true,
+    takesSpeed: true,
+    needsLine: false,
+  },
+  {
+    task: "FOLLOW",
+    label: "Follow",
+    help: "Move along a line, from its first point to its last",
+    takesHeading: false,
+    takesTechnique: true,
+    takesSpeed: true,
+    needsLine: true,
+  },
+  {
+    task: "TELEOPERATE",
+    label: "Steer by hand",
+    help: "Steer the unit yourself, with the place as objective",
+    takesHeading: false,
+    takesTechnique: false,
+    takesSpeed: true,
+    needsLine: false,
+  },
 ];
 
 export function taskInfo(task: TaskName): TaskInfo {

@@ -1,7 +1,7 @@
 // Control measures as goals of commands: what a click means, and how MDL refers to it.
 
-import { kLineKinds, keywordOf, type MeasureKind } from "../overlay/kinds";
-import { mdlName, type MdlPlace, mdlNumber } from "./mdl_text";
+import { keywordOf, kLineKinds, type MeasureKind } from "../overlay/kinds.ts";
+import { type MdlPlace, mdlName, mdlNumber } from "./mdl_text.ts";
 
 interface XY {
   readonly x: number;

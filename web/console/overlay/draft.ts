@@ -1,6 +1,6 @@
 // A control measure while it is being drawn: points come one by one, or a drag gives a circle.
 
-import { type KindInfo, kindInfo, type MeasureKind } from "./kinds";
+import { type KindInfo, kindInfo, type MeasureKind } from "./kinds.ts";
 
 export interface XY {
   readonly x: number;
@@ -62,7 +62,8 @@ export function missing(draft: Draft): string {
 export function guidance(draft: Draft): string {
   const info = kindInfo(draft.kind);
   const n = draft.points.length;
-  if (info.shape === "point") return canBeCircle(info) ? "Click a place, or drag to set its diameter." : "Click a place.";
+  if (info.shape === "point")
+    return canBeCircle(info) ? "Click a place, or drag to set its diameter." : "Click a place.";
   if (info.shape === "hallway") return n === 0 ? "Click one end of the hallway’s centre line." : "Click its other end.";
   if (info.maxPoints === 2) return n === 0 ? "Click its first end." : "Click its second end.";
   if (n === 0 && canBeCircle(info)) return "Drag for a circle, or click the corners one by one.";

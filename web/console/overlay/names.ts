@@ -1,7 +1,7 @@
 // Names for new control measures, and what is wrong with a name.
 
-import { mdlName } from "../command/mdl_text";
-import { keywordOf, type MeasureKind } from "./kinds";
+import { mdlName } from "../command/mdl_text.ts";
+import { keywordOf, type MeasureKind } from "./kinds.ts";
 
 /** `AA-1`, `PP-2`: the keyword and the first number that no measure has yet. */
 export function proposeName(kind: MeasureKind, taken: readonly string[]): string {
@@ -21,7 +21,8 @@ export function nameProblem(name: string, others: readonly string[]): { error: s
   if (name.includes('"')) return { ...none, error: "A name can't hold a quotation mark." };
   if (mdlName(name) === null) return { ...none, error: "A name stands on one line." };
   if (name.endsWith("*")) return { ...none, error: "A * at the end hides the label: use “Show label” for that." };
-  if (others.includes(name)) return { ...none, error: `There is another ${name}: commands would find only one of them.` };
+  if (others.includes(name))
+    return { ...none, error: `There is another ${name}: commands would find only one of them.` };
   const similar = others.find((o) => o.toLowerCase() === name.toLowerCase());
   if (similar !== undefined) return { ...none, warning: `${similar} differs only in letter case.` };
   return none;

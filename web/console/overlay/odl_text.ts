@@ -1,7 +1,7 @@
 // The ODL statement that a control measure means, to be shown beside the map. The server writes the text itself.
 
-import { mdlName, mdlNumber } from "../command/mdl_text";
-import { kindInfo, type MeasureKind } from "./kinds";
+import { mdlName, mdlNumber } from "../command/mdl_text.ts";
+import { kindInfo, type MeasureKind } from "./kinds.ts";
 
 export interface XY {
   readonly x: number;
@@ -47,7 +47,8 @@ export function parsePoints(text: string): { points: XY[] } | { error: string } 
   const numbers: number[] = [];
   for (const word of words) {
     const value = Number(word);
-    if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(word) || !Number.isFinite(value)) return { error: `${word} is no number.` };
+    if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(word) || !Number.isFinite(value))
+      return { error: `${word} is no number.` };
     if (Math.abs(value) > 1e8) return { error: `${word} is off every map.` };
     numbers.push(value);
   }

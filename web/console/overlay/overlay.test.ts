@@ -1,10 +1,20 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { addPoint, circleDraft, emptyDraft, guidance, hallwayPoints, isFull, measurePoints, missing, removeLastPoint } from "./draft";
-import { kindInfo, kindOfWire, kKinds, kLineKinds, type MeasureKind } from "./kinds";
-import { nameProblem, proposeName } from "./names";
-import { odlText, parsePoints, pointLines } from "./odl_text";
-import { dragHandle, handlesOf, moveAll, removeCorner } from "./vertices";
+import {
+  addPoint,
+  circleDraft,
+  emptyDraft,
+  guidance,
+  hallwayPoints,
+  isFull,
+  measurePoints,
+  missing,
+  removeLastPoint,
+} from "./draft.ts";
+import { kindInfo, kindOfWire, kKinds, kLineKinds, type MeasureKind } from "./kinds.ts";
+import { nameProblem, proposeName } from "./names.ts";
+import { odlText, parsePoints, pointLines } from "./odl_text.ts";
+import { dragHandle, handlesOf, moveAll, removeCorner } from "./vertices.ts";
 
 const kPoint = fc.record({
   x: fc.integer({ min: -100000, max: 100000 }).map((v) => v / 100),
@@ -63,10 +73,30 @@ describe("a draft", () => {
   });
 
   it("of a hallway gets corners round its centre line", () => {
-    const { points, centerline } = hallwayPoints([{ x: 0, y: 0 }, { x: 10, y: 0 }], 2);
+    const { points, centerline } = hallwayPoints(
+      [
+        { x: 0, y: 0 },
+        { x: 10, y: 0 },
+      ],
+      2,
+    );
     expect(centerline).toHaveLength(2);
-    expect(points).toEqual([{ x: 0, y: 1 }, { x: 10, y: 1 }, { x: 10, y: -1 }, { x: 0, y: -1 }]);
-    expect(measurePoints({ kind: "hallway", points: [{ x: 1, y: 1 }, { x: 1, y: 1 }], size: 0 }).points).toHaveLength(4);
+    expect(points).toEqual([
+      { x: 0, y: 1 },
+      { x: 10, y: 1 },
+      { x: 10, y: -1 },
+      { x: 0, y: -1 },
+    ]);
+    expect(
+      measurePoints({
+        kind: "hallway",
+        points: [
+          { x: 1, y: 1 },
+          { x: 1, y: 1 },
+        ],
+        size: 0,
+      }).points,
+    ).toHaveLength(4);
   });
 });
 
@@ -85,9 +115,17 @@ describe("odlText", () => {
   it("is what a person would write", () => {
     const base = { points: [{ x: 350, y: 400 }], centerline: [], showsLabel: true };
     expect(odlText({ ...base, kind: "passage_point", name: "Charlie", size: 10 })).toBe("PP Charlie 350 400 10");
-    expect(odlText({ ...base, kind: "start_point", name: "two words", showsLabel: false, size: 3 })).toBe('SP "two words*" 350 400');
+    expect(odlText({ ...base, kind: "start_point", name: "two words", showsLabel: false, size: 3 })).toBe(
+      'SP "two words*" 350 400',
+    );
     expect(odlText({ ...base, kind: "objective", name: "", size: 0 })).toBe('OBJ "" 350 400');
-    const { points, centerline } = hallwayPoints([{ x: 0, y: 0 }, { x: 10, y: 0 }], 2);
+    const { points, centerline } = hallwayPoints(
+      [
+        { x: 0, y: 0 },
+        { x: 10, y: 0 },
+      ],
+      2,
+    );
     expect(odlText({ kind: "hallway", name: "h", showsLabel: true, points, centerline, size: 2 })).toBe(
       "HALLWAY h CENTERLINE 0 0  10 0 WIDTH 2 EXTENTS 0 1  10 1  10 -1  0 -1",
     );
@@ -96,14 +134,19 @@ describe("odlText", () => {
   it("keeps all points and the size of what is drawn", () => {
     const drawn = kKind.filter((k) => k !== "hallway");
     fc.assert(
-      fc.property(drawn, fc.array(kPoint, { minLength: 1, maxLength: 9 }), fc.integer({ min: 0, max: 500 }), (kind, points, size) => {
-        let draft = emptyDraft(kind);
-        for (const p of points) draft = addPoint(draft, p, -1);
-        const read = readBack(odlText({ kind, name: "n", showsLabel: true, ...measurePoints(draft), size }));
-        expect(read.keyword).toBe(kindInfo(kind).keyword);
-        expect(read.points).toEqual(draft.points.map((p) => ({ x: p.x + 0, y: p.y + 0 })));
-        expect(read.size).toBe(kindInfo(kind).sizeLabel === "" ? 0 : size);
-      }),
+      fc.property(
+        drawn,
+        fc.array(kPoint, { minLength: 1, maxLength: 9 }),
+        fc.integer({ min: 0, max: 500 }),
+        (kind, points, size) => {
+          let draft = emptyDraft(kind);
+          for (const p of points) draft = addPoint(draft, p, -1);
+          const read = readBack(odlText({ kind, name: "n", showsLabel: true, ...measurePoints(draft), size }));
+          expect(read.keyword).toBe(kindInfo(kind).keyword);
+          expect(read.points).toEqual(draft.points.map((p) => ({ x: p.x + 0, y: p.y + 0 })));
+          expect(read.size).toBe(kindInfo(kind).sizeLabel === "" ? 0 : size);
+        },
+      ),
     );
   });
 });
@@ -117,7 +160,12 @@ describe("parsePoints", () => {
     );
   });
   it("takes what people type and says what it does not understand", () => {
-    expect(parsePoints("(1, 2); 3 .5")).toEqual({ points: [{ x: 1, y: 2 }, { x: 3, y: 0.5 }] });
+    expect(parsePoints("(1, 2); 3 .5")).toEqual({
+      points: [
+        { x: 1, y: 2 },
+        { x: 3, y: 0.5 },
+      ],
+    });
     expect(parsePoints("1 2 3")).toHaveProperty("error");
     expect(parsePoints("1 two")).toEqual({ error: "two is no number." });
     expect(parsePoints("1 0x10")).toHaveProperty("error");
@@ -127,7 +175,14 @@ describe("parsePoints", () => {
 
 describe("handles", () => {
   it("move, add and remove points, and undo each other", () => {
-    const before = { points: [{ x: 0, y: 0 }, { x: 10, y: 0 }, { x: 10, y: 10 }], size: 0 };
+    const before = {
+      points: [
+        { x: 0, y: 0 },
+        { x: 10, y: 0 },
+        { x: 10, y: 10 },
+      ],
+      size: 0,
+    };
     const moved = dragHandle(before, { type: "corner", index: 1 }, { x: 10, y: 0 }, { x: 20, y: 0 });
     expect(moved.points[1]).toEqual({ x: 20, y: 0 });
     const added = dragHandle(before, { type: "middle", after: 2 }, { x: 5, y: 5 }, { x: 0, y: 10 });
@@ -140,7 +195,11 @@ describe("handles", () => {
 
   it("are at each point, between points where one more may be, and at the edge of a circle", () => {
     const count = (kind: MeasureKind, n: number) =>
-      handlesOf(kind, Array.from({ length: n }, (_, i) => ({ x: i, y: 0 })), 0).length;
+      handlesOf(
+        kind,
+        Array.from({ length: n }, (_, i) => ({ x: i, y: 0 })),
+        0,
+      ).length;
     expect(count("assembly_area", 1)).toBe(2);
     expect(count("assembly_area", 4)).toBe(8);
     expect(count("axis", 3)).toBe(5);

@@ -1,6 +1,6 @@
 // Changing the points of a measure that stands: handles to drag, points put in between and taken out.
 
-import { kindInfo, type MeasureKind } from "./kinds";
+import { kindInfo, type MeasureKind } from "./kinds.ts";
 
 export interface XY {
   readonly x: number;
@@ -57,7 +57,10 @@ export function dragHandle(before: Geometry, handle: Handle, from: XY, to: XY): 
     case "corner":
       return { ...before, points: before.points.map((p, i) => (i === handle.index ? to : p)) };
     case "middle":
-      return { ...before, points: [...before.points.slice(0, handle.after + 1), to, ...before.points.slice(handle.after + 1)] };
+      return {
+        ...before,
+        points: [...before.points.slice(0, handle.after + 1), to, ...before.points.slice(handle.after + 1)],
+      };
     case "radius": {
       const center = before.points[0] ?? to;
       return { ...before, size: 2 * Math.hypot(to.x - center.x, to.y - center.y) };

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { searchEntries, seriesFor, subjectsOf, whoOf } from "./catalog";
-import { seriesFromJson, seriesKey, seriesLabel } from "./series";
+import { searchEntries, seriesFor, subjectsOf, whoOf } from "./catalog.ts";
+import { seriesFromJson, seriesKey, seriesLabel } from "./series.ts";
 
 const port = (path: string, isNumber = true) => ({ path, unit: "m", help: `about ${path}`, isNumber });
 const kRoster = {
@@ -60,7 +60,14 @@ describe("seriesFromJson", () => {
   it("leaves out what is no series", () => {
     expect(seriesFromJson("x")).toEqual([]);
     expect(
-      seriesFromJson([null, 3, {}, { quantity: "speed" }, { quantity: "port", unit: "left", port: "p" }, { quantity: "no", robot: 1 }]),
+      seriesFromJson([
+        null,
+        3,
+        {},
+        { quantity: "speed" },
+        { quantity: "port", unit: "left", port: "p" },
+        { quantity: "no", robot: 1 },
+      ]),
     ).toEqual([]);
   });
 });

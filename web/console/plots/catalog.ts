@@ -1,6 +1,6 @@
 // What the chooser offers: subjects (quantities, and the number ports of programs) and who they could be of.
 
-import { kQuantities, type QuantityName, type SeriesSpec, seriesKey } from "./series";
+import { kQuantities, type QuantityName, type SeriesSpec, seriesKey } from "./series.ts";
 
 export interface CatalogPort {
   readonly path: string;
@@ -77,7 +77,10 @@ export function whoOf(roster: CatalogRoster): Who[] {
 
 /** Entries that have all words of the query somewhere in their texts, in any letter case; the order stays. */
 export function searchEntries<T>(entries: readonly T[], query: string, texts: (entry: T) => readonly string[]): T[] {
-  const words = query.toLowerCase().split(/\s+/).filter((w) => w !== "");
+  const words = query
+    .toLowerCase()
+    .split(/\s+/)
+    .filter((w) => w !== "");
   if (words.length === 0) return [...entries];
   return entries.filter((e) => {
     const hay = texts(e).join(" ").toLowerCase();

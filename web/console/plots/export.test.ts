@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { toCsv, toSvg, valueSpan } from "./export";
-import { alignSamples } from "./samples";
-import { niceTicks, valueText } from "./ticks";
+import { toCsv, toSvg, valueSpan } from "./export.ts";
+import { alignSamples } from "./samples.ts";
+import { niceTicks, valueText } from "./ticks.ts";
 
 const kStyle = { width: 800, stripHeight: 240, background: "#fff", text: "#111", grid: "#ddd" };
 const kLine = { label: "Robot 1: Speed", unit: "m/s", color: "#06c", dash: [] };
@@ -18,19 +18,31 @@ function table(...series: [number, number][][]) {
 
 describe("toCsv", () => {
   it("has a column a series, with its unit, and leaves what is missing empty", () => {
-    const text = toCsv(table([[0, 1.5], [0.1, Number.NaN]], [[0.1, 2]]), [
-      kLine,
-      { ...kLine, label: 'say "hi", robot', unit: "" },
-    ]);
+    const text = toCsv(
+      table(
+        [
+          [0, 1.5],
+          [0.1, Number.NaN],
+        ],
+        [[0.1, 2]],
+      ),
+      [kLine, { ...kLine, label: 'say "hi", robot', unit: "" }],
+    );
     expect(text).toBe('time [s],Robot 1: Speed [m/s],"say ""hi"", robot"\r\n0,1.5,\r\n0.1,,2\r\n');
   });
 
   it("keeps every number exactly", () => {
     fc.assert(
-      fc.property(fc.array(fc.double({ noNaN: true, noDefaultInfinity: true }), { minLength: 1, maxLength: 20 }), (vs) => {
-        const rows = toCsv(table(vs.map((v, i) => [i, v])), [kLine]).trim().split("\r\n").slice(1);
-        expect(rows.map((r) => Number(r.split(",")[1]))).toEqual(vs.map((v) => (v === 0 ? 0 : v)));
-      }),
+      fc.property(
+        fc.array(fc.double({ noNaN: true, noDefaultInfinity: true }), { minLength: 1, maxLength: 20 }),
+        (vs) => {
+          const rows = toCsv(table(vs.map((v, i) => [i, v])), [kLine])
+            .trim()
+            .split("\r\n")
+            .slice(1);
+          expect(rows.map((r) => Number(r.split(",")[1]))).toEqual(vs.map((v) => (v === 0 ? 0 : v)));
+        },
+      ),
     );
   });
 });
@@ -41,7 +53,12 @@ describe("toSvg", () => {
       title: "<Speed>",
       unit: "m/s",
       series: [{ ...kLine, label: "A & B" }],
-      table: table([[0, 1], [1, Number.NaN], [2, 1], [3, 2]]),
+      table: table([
+        [0, 1],
+        [1, Number.NaN],
+        [2, 1],
+        [3, 2],
+      ]),
     };
     const svg = toSvg([strip], { from: 0, to: 3 }, kStyle);
     expect(svg).toContain("&lt;Speed&gt; [m/s]");
@@ -60,10 +77,25 @@ describe("toSvg", () => {
 
 describe("valueSpan", () => {
   it("leaves room around a constant", () => {
-    expect(valueSpan(table([[0, 5], [1, 5]]), { from: 0, to: 1 })).toEqual({ from: 4.5, to: 5.5 });
+    expect(
+      valueSpan(
+        table([
+          [0, 5],
+          [1, 5],
+        ]),
+        { from: 0, to: 1 },
+      ),
+    ).toEqual({ from: 4.5, to: 5.5 });
   });
   it("looks only at what is shown", () => {
-    const span = valueSpan(table([[0, 1000], [5, 1], [6, 2]]), { from: 4, to: 7 });
+    const span = valueSpan(
+      table([
+        [0, 1000],
+        [5, 1],
+        [6, 2],
+      ]),
+      { from: 4, to: 7 },
+    );
     expect(span.to).toBeLessThan(3);
   });
 });
@@ -73,14 +105,18 @@ describe("niceTicks", () => {
     expect(niceTicks(0, 10, 5)).toEqual([0, 2, 4, 6, 8, 10]);
     expect(niceTicks(0, 0.3, 3)).toEqual([0, 0.1, 0.2, 0.3]);
     fc.assert(
-      fc.property(fc.double({ min: -1e6, max: 1e6, noNaN: true }), fc.double({ min: 1e-3, max: 1e6, noNaN: true }), (from, span) => {
-        const ticks = niceTicks(from, from + span, 5);
-        expect(ticks.length).toBeLessThanOrEqual(12);
-        for (const t of ticks) {
-          expect(t).toBeGreaterThanOrEqual(from - span * 1e-6);
-          expect(t).toBeLessThanOrEqual(from + span * 1.000001);
-        }
-      }),
+      fc.property(
+        fc.double({ min: -1e6, max: 1e6, noNaN: true }),
+        fc.double({ min: 1e-3, max: 1e6, noNaN: true }),
+        (from, span) => {
+          const ticks = niceTicks(from, from + span, 5);
+          expect(ticks.length).toBeLessThanOrEqual(12);
+          for (const t of ticks) {
+            expect(t).toBeGreaterThanOrEqual(from - span * 1e-6);
+            expect(t).toBeLessThanOrEqual(from + span * 1.000001);
+          }
+        },
+      ),
     );
   });
   it("of nothing are none", () => {

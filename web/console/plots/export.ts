@@ -1,7 +1,7 @@
 // Plots as files: a table (CSV) and a drawing (SVG). Text in, text out.
 
-import type { AlignedTable } from "./samples";
-import { niceTicks, tickText } from "./ticks";
+import type { AlignedTable } from "./samples.ts";
+import { niceTicks, tickText } from "./ticks.ts";
 
 export interface ExportSeries {
   readonly label: string;
@@ -50,11 +50,7 @@ const kTop = 44;
 const kBottom = 40;
 
 /** A drawing of all strips, one below the other, over the same span of time. Needs nothing but itself to be shown. */
-export function toSvg(
-  strips: readonly ExportStrip[],
-  span: { from: number; to: number },
-  style: DrawingStyle,
-): string {
+export function toSvg(strips: readonly ExportStrip[], span: { from: number; to: number }, style: DrawingStyle): string {
   const height = strips.length * style.stripHeight;
   const parts = strips.map((strip, i) => stripSvg(strip, span, style, i * style.stripHeight));
   return [

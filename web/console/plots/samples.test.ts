@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { alignSamples, SampleBuffer, valueAt } from "./samples";
+import { alignSamples, SampleBuffer, valueAt } from "./samples.ts";
 
 function bytesOf(pairs: readonly (readonly [number, number])[]): Uint8Array {
   const view = new DataView(new ArrayBuffer(pairs.length * 16));
@@ -14,7 +14,13 @@ function bytesOf(pairs: readonly (readonly [number, number])[]): Uint8Array {
 describe("SampleBuffer", () => {
   it("keeps what it is given until it is full", () => {
     const b = new SampleBuffer(8);
-    b.appendBytes(bytesOf([[0, 1], [1, 2], [2, 3]]));
+    b.appendBytes(
+      bytesOf([
+        [0, 1],
+        [1, 2],
+        [2, 3],
+      ]),
+    );
     expect([...b.samples().times]).toEqual([0, 1, 2]);
     expect([...b.samples().values]).toEqual([1, 2, 3]);
   });
@@ -51,7 +57,12 @@ describe("SampleBuffer", () => {
   it("ignores moments that are no numbers and a broken last record", () => {
     const b = new SampleBuffer();
     b.append(Number.NaN, 1);
-    b.appendBytes(bytesOf([[0, 1], [1, 2]]).slice(0, 24));
+    b.appendBytes(
+      bytesOf([
+        [0, 1],
+        [1, 2],
+      ]).slice(0, 24),
+    );
     expect(b.size).toBe(1);
   });
 
@@ -59,7 +70,14 @@ describe("SampleBuffer", () => {
     const b = new SampleBuffer();
     b.append(2, 20);
     b.append(3, 30);
-    b.prepend(bytesOf([[0, 0], [1, 10], [2, 99], [4, 40]]));
+    b.prepend(
+      bytesOf([
+        [0, 0],
+        [1, 10],
+        [2, 99],
+        [4, 40],
+      ]),
+    );
     expect([...b.samples().times]).toEqual([0, 1, 2, 3]);
     expect([...b.samples().values]).toEqual([0, 10, 20, 30]);
   });
@@ -78,9 +96,21 @@ describe("alignSamples", () => {
   });
 
   it("has each moment once and tells a gap from a missing sample", () => {
-    const table = alignSamples([series([[0, 1], [1, Number.NaN]]), series([[1, 5], [2, 6]])]);
+    const table = alignSamples([
+      series([
+        [0, 1],
+        [1, Number.NaN],
+      ]),
+      series([
+        [1, 5],
+        [2, 6],
+      ]),
+    ]);
     expect(table.times).toEqual([0, 1, 2]);
-    expect(table.columns).toEqual([[1, null, undefined], [undefined, 5, 6]]);
+    expect(table.columns).toEqual([
+      [1, null, undefined],
+      [undefined, 5, 6],
+    ]);
   });
 
   it("loses no sample", () => {

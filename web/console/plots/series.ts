@@ -32,13 +32,48 @@ export interface QuantityInfo {
 
 /** All quantities but ports, in the order in which they are offered. */
 export const kQuantities: readonly QuantityInfo[] = [
-  { name: "distance_to_goal", wire: 1, label: "Distance to goal", unit: "m", help: "How far it is to the goal of the present command", factor: 1 },
-  { name: "formation_error", wire: 2, label: "Formation error", unit: "m", help: "Distance from the station in the formation; of a unit the mean", factor: 1 },
+  {
+    name: "distance_to_goal",
+    wire: 1,
+    label: "Distance to goal",
+    unit: "m",
+    help: "How far it is to the goal of the present command",
+    factor: 1,
+  },
+  {
+    name: "formation_error",
+    wire: 2,
+    label: "Formation error",
+    unit: "m",
+    help: "Distance from the station in the formation; of a unit the mean",
+    factor: 1,
+  },
   { name: "speed", wire: 3, label: "Speed", unit: "m/s", help: "Speed over ground; of a unit the mean", factor: 1 },
-  { name: "distance_driven", wire: 4, label: "Distance driven", unit: "m", help: "Length of the path since the start", factor: 1 },
+  {
+    name: "distance_driven",
+    wire: 4,
+    label: "Distance driven",
+    unit: "m",
+    help: "Length of the path since the start",
+    factor: 1,
+  },
   { name: "contacts", wire: 5, label: "Contacts", unit: "", help: "How often it has touched something", factor: 1 },
-  { name: "nearest_obstacle", wire: 6, label: "Nearest obstacle", unit: "m", help: "Room between the robot and what is nearest, edge to edge", factor: 1 },
-  { name: "heading", wire: 7, label: "Heading", unit: "deg", help: "Counter-clockwise from east", factor: 180 / Math.PI },
+  {
+    name: "nearest_obstacle",
+    wire: 6,
+    label: "Nearest obstacle",
+    unit: "m",
+    help: "Room between the robot and what is nearest, edge to edge",
+    factor: 1,
+  },
+  {
+    name: "heading",
+    wire: 7,
+    label: "Heading",
+    unit: "deg",
+    help: "Counter-clockwise from east",
+    factor: 180 / Math.PI,
+  },
 ];
 
 const kByName = new Map(kQuantities.map((q) => [q.name, q]));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { QuantityName, SeriesSpec } from "./series";
-import { spanOf, stripsOf } from "./strips";
+import type { QuantityName, SeriesSpec } from "./series.ts";
+import { spanOf, stripsOf } from "./strips.ts";
 
 const robot = (id: number, quantity: QuantityName, port = ""): SeriesSpec => ({ quantity, robot: id, unit: "", port });
 const kUnits = () => "deg";
@@ -16,17 +16,26 @@ describe("strips", () => {
   });
 
   it("hold one unit of measure each when drawn together, subjects told apart by their dashes", () => {
-    const strips = stripsOf([robot(1, "distance_to_goal"), robot(1, "speed"), robot(1, "formation_error")], true, kUnits);
+    const strips = stripsOf(
+      [robot(1, "distance_to_goal"), robot(1, "speed"), robot(1, "formation_error")],
+      true,
+      kUnits,
+    );
     expect(strips.map((s) => s.lines.map((l) => l.label))).toEqual([
       ["Robot 1: Distance to goal", "Robot 1: Formation error"],
-      ["Robot 1: Speed"],
+      ["Robot 1"],
     ]);
     const [a, b] = strips[0]?.lines ?? [];
     expect(a?.dash).not.toEqual(b?.dash);
   });
 
   it("tell more lines apart than there are colours", () => {
-    const lines = stripsOf(Array.from({ length: 20 }, (_, i) => robot(i + 1, "speed")), false, kUnits)[0]?.lines ?? [];
+    const lines =
+      stripsOf(
+        Array.from({ length: 20 }, (_, i) => robot(i + 1, "speed")),
+        false,
+        kUnits,
+      )[0]?.lines ?? [];
     expect(new Set(lines.map((l) => `${l.color} ${l.dash.join(",")}`)).size).toBe(20);
   });
 
@@ -43,7 +52,10 @@ describe("the span of time", () => {
   });
   it("holds still when zoomed, and is never empty", () => {
     expect(spanOf({ live: false, from: 3, to: 4 }, 0, 100)).toEqual({ from: 3, to: 4 });
-    expect(spanOf({ live: true, window: 60 }, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY)).toEqual({ from: 0, to: 60 });
+    expect(spanOf({ live: true, window: 60 }, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY)).toEqual({
+      from: 0,
+      to: 60,
+    });
     const { from, to } = spanOf({ live: true, window: 10 }, 5, 5);
     expect(to - from).toBeGreaterThanOrEqual(1);
   });

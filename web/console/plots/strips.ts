@@ -1,6 +1,6 @@
 // Which lines share a panel, how they are told apart, and which span of time is shown.
 
-import { quantityInfo, type SeriesSpec, seriesKey, subjectLabel, whoLabel } from "./series";
+import { quantityInfo, type SeriesSpec, seriesKey, subjectLabel, whoLabel } from "./series.ts";
 
 export interface StripLine {
   readonly spec: SeriesSpec;
@@ -66,7 +66,9 @@ export function stripsOf(
 }
 
 /** Live: the last `window` seconds (0: everything). A span: zoomed in, or held by pausing. */
-export type TimeView = { readonly live: true; readonly window: number } | { readonly live: false; readonly from: number; readonly to: number };
+export type TimeView =
+  | { readonly live: true; readonly window: number }
+  | { readonly live: false; readonly from: number; readonly to: number };
 
 export const kWindows: readonly { readonly seconds: number; readonly label: string }[] = [
   { seconds: 10, label: "10 s" },

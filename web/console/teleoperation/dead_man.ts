@@ -1,7 +1,7 @@
 // The dead-man's switch: the stick counts only while somebody holds it. Whatever lets go of it, or might have, ends the
 // motion at once.
 
-import { kCentre, type StickVector } from "./stick";
+import { kCentre, type StickVector } from "./stick.ts";
 
 export type StickSource = "pointer" | "keys" | "gamepad";
 

@@ -22,7 +22,7 @@ export function objectiveFrom(from: XY, to: XY, heading: number, robotFrame: boo
   const dx = to.x - from.x;
   const dy = to.y - from.y;
   const clockwise = Math.atan2(dx, dy);
-  const degrees = (((clockwise * 180) / Math.PI) % 360 + 360) % 360;
+  const degrees = ((((clockwise * 180) / Math.PI) % 360) + 360) % 360;
   const ahead = Math.PI / 2 - heading;
   return {
     distance: Math.hypot(dx, dy),
@@ -33,7 +33,9 @@ export function objectiveFrom(from: XY, to: XY, heading: number, robotFrame: boo
 }
 
 /** The middle of points, and the mean of their directions; null of none. */
-export function meanPose(poses: readonly { x: number; y: number; heading: number }[]): { x: number; y: number; heading: number } | null {
+export function meanPose(
+  poses: readonly { x: number; y: number; heading: number }[],
+): { x: number; y: number; heading: number } | null {
   if (poses.length === 0) return null;
   let x = 0;
   let y = 0;

@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { DeadMan, type StickOutput } from "./dead_man";
-import { bearingText, distanceText, meanPose, objectiveFrom } from "./objective";
-import { clampStick, driveKeyOf, readGamepad, stickOfKeys, stickOfPointer, withDeadZone } from "./stick";
+import { DeadMan, type StickOutput } from "./dead_man.ts";
+import { bearingText, distanceText, meanPose, objectiveFrom } from "./objective.ts";
+import { clampStick, driveKeyOf, readGamepad, stickOfKeys, stickOfPointer, withDeadZone } from "./stick.ts";
 
 function recorded() {
   const sent: StickOutput[] = [];
@@ -58,7 +58,9 @@ describe("the dead-man's switch", () => {
           else if (e.type === "frame") man.setRobotFrame(!man.robotFrame);
           else man.tick(now);
           const last = sent.at(-1)?.stick ?? { x: 0, y: 0 };
-          expect(man.heldBy === null ? last : man.value).toEqual(man.heldBy === null ? { x: 0, y: 0 } : { x: 0.5, y: 0.5 });
+          expect(man.heldBy === null ? last : man.value).toEqual(
+            man.heldBy === null ? { x: 0, y: 0 } : { x: 0.5, y: 0.5 },
+          );
         }
       }),
     );
@@ -122,13 +124,16 @@ describe("the objective", () => {
   });
   it("is seen from the middle of the unit", () => {
     expect(meanPose([])).toBeNull();
-    const mean = meanPose([{ x: 0, y: 0, heading: 3.1 }, { x: 2, y: 4, heading: -3.1 }]);
+    const mean = meanPose([
+      { x: 0, y: 0, heading: 3.1 },
+      { x: 2, y: 4, heading: -3.1 },
+    ]);
     expect(mean).toMatchObject({ x: 1, y: 2 });
     expect(Math.abs(mean?.heading ?? 0)).toBeCloseTo(Math.PI, 1);
   });
   it("is written as people read it", () => {
     expect(bearingText(7)).toBe("007°");
-    expect(distanceText(3.14159)).toBe("3.1 m");
+    expect(distanceText(3.12)).toBe("3.1 m");
     expect(distanceText(312.4)).toBe("312 m");
     expect(distanceText(12345)).toBe("12.3 km");
   });

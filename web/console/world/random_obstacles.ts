@@ -47,12 +47,15 @@ export function problemsOf(o: RandomObstacles, area: Area, count: number): { err
   const { min, max } = radiusLimits(area);
   const isRadius = (r: number) => r >= min * (1 - 1e-9) && r <= max * (1 + 1e-9);
   if (!(o.coverage >= 0 && o.coverage <= 30)) errors.push("Coverage is 0 to 30 per cent.");
-  if (!isRadius(o.minRadius) || !isRadius(o.maxRadius)) errors.push(`Radii are ${short(min)} to ${short(max)} m on this area.`);
+  if (!isRadius(o.minRadius) || !isRadius(o.maxRadius))
+    errors.push(`Radii are ${short(min)} to ${short(max)} m on this area.`);
   if (o.minRadius > o.maxRadius) errors.push("The smallest radius is larger than the largest one.");
-  if (!Number.isInteger(o.seed) || o.seed < 0 || o.seed > kMaxSeed) errors.push(`The seed is a whole number from 0 to ${kMaxSeed}.`);
+  if (!Number.isInteger(o.seed) || o.seed < 0 || o.seed > kMaxSeed)
+    errors.push(`The seed is a whole number from 0 to ${kMaxSeed}.`);
   if (o.coverage > 20) warnings.push("Above 20 per cent there may be no way through.");
   if (count > 100) warnings.push("More than 100 obstacles make the simulation slower.");
-  if (errors.length === 0 && count === 0 && !o.replace) warnings.push("What stands covers as much already: nothing will be added.");
+  if (errors.length === 0 && count === 0 && !o.replace)
+    warnings.push("What stands covers as much already: nothing will be added.");
   return { errors, warnings };
 }
 

@@ -20,7 +20,12 @@ export function gridFor(metresPerPixel: number): number {
 }
 
 /** How far one press of an arrow key moves: a grid step, ten with Shift, without a grid one pixel. */
-export function nudgeOf(key: string, shift: boolean, grid: number, metresPerPixel: number): { dx: number; dy: number } | null {
+export function nudgeOf(
+  key: string,
+  shift: boolean,
+  grid: number,
+  metresPerPixel: number,
+): { dx: number; dy: number } | null {
   const step = (grid > 0 ? grid : Math.max(metresPerPixel, 1e-3)) * (shift ? 10 : 1);
   switch (key) {
     case "ArrowLeft":

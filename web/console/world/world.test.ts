@@ -1,19 +1,23 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { defaultRandomObstacles, expectedCount, problemsOf, radiusLimits, seedFrom } from "./random_obstacles";
-import { gridFor, nudgeOf, snapPoint } from "./snap";
-import { editName, gripAt, type Thing, withRadius } from "./things";
+import { defaultRandomObstacles, expectedCount, problemsOf, radiusLimits, seedFrom } from "./random_obstacles.ts";
+import { gridFor, nudgeOf, snapPoint } from "./snap.ts";
+import { editName, gripAt, type Thing, withRadius } from "./things.ts";
 
 const kArea = { width: 1000, height: 800 };
 
 describe("the grid", () => {
   it("moves nothing that is on it, and everything else by half a step at most", () => {
     fc.assert(
-      fc.property(fc.double({ min: -1e5, max: 1e5, noNaN: true }), fc.constantFrom(0.1, 0.5, 1, 2, 5, 10), (v, grid) => {
-        const once = snapPoint({ x: v, y: v }, grid);
-        expect(snapPoint(once, grid)).toEqual(once);
-        expect(Math.abs(once.x - v)).toBeLessThanOrEqual(grid / 2 + 1e-6);
-      }),
+      fc.property(
+        fc.double({ min: -1e5, max: 1e5, noNaN: true }),
+        fc.constantFrom(0.1, 0.5, 1, 2, 5, 10),
+        (v, grid) => {
+          const once = snapPoint({ x: v, y: v }, grid);
+          expect(snapPoint(once, grid)).toEqual(once);
+          expect(Math.abs(once.x - v)).toBeLessThanOrEqual(grid / 2 + 1e-6);
+        },
+      ),
     );
     expect(snapPoint({ x: 1.23, y: 4.56 }, 0)).toEqual({ x: 1.23, y: 4.56 });
   });
@@ -60,16 +64,26 @@ describe("random obstacles", () => {
     expect(radiusLimits(kArea)).toEqual({ min: 0.8, max: 160 });
   });
   it("get seeds that are never 0", () => {
-    fc.assert(fc.property(fc.integer(), (bits) => {
-      const seed = seedFrom(bits);
-      expect(seed).toBeGreaterThan(0);
-      expect(seed).toBeLessThan(1e6);
-    }));
+    fc.assert(
+      fc.property(fc.integer(), (bits) => {
+        const seed = seedFrom(bits);
+        expect(seed).toBeGreaterThan(0);
+        expect(seed).toBeLessThan(1e6);
+      }),
+    );
   });
 });
 
 describe("things", () => {
-  const obstacle = (index: number, x: number, radius: number): Thing => ({ type: "obstacle", index, x, y: 0, radius, height: 1, document: "a.odl" });
+  const obstacle = (index: number, x: number, radius: number): Thing => ({
+    type: "obstacle",
+    index,
+    x,
+    y: 0,
+    radius,
+    height: 1,
+    document: "a.odl",
+  });
   const things = [obstacle(0, 0, 50), obstacle(1, 10, 3)];
   it("on top of large ones can be reached", () => {
     expect(gripAt(things, null, { x: 11, y: 0 }, 1)?.thing.index).toBe(1);
@@ -79,7 +93,9 @@ describe("things", () => {
   it("are resized at the edge of the selected one", () => {
     expect(gripAt(things, "obstacle/1", { x: 13, y: 0 }, 1)).toMatchObject({ grip: "edge", thing: { index: 1 } });
     expect(withRadius(things[1] as Thing, 7)).toMatchObject({ radius: 7 });
-    expect(withRadius({ type: "object", index: 0, x: 0, y: 0, diameter: 1, style: "fixed", color: "red", document: "" }, 2)).toMatchObject({ diameter: 4 });
+    expect(
+      withRadius({ type: "object", index: 0, x: 0, y: 0, diameter: 1, style: "fixed", color: "red", document: "" }, 2),
+    ).toMatchObject({ diameter: 4 });
   });
   it("are named in undo", () => {
     expect(editName("move", [things[1] as Thing])).toBe("move obstacle 2");
