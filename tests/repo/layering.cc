@@ -28,6 +28,8 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"library", {"schema"}},
     {"robot", {"percept", "flow", "lang/cnl", "library"}},
     {"fleet", {"robot", "mission", "sim"}},
+    {"console/server", {"base"}},
+    {"console", {"fleet", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
 };
 
 /// The module of a path such as `mlab/lang/odl/parser.h`; empty where it is none of ours.
@@ -36,7 +38,7 @@ std::string module_of(std::string_view path) {
   if (!path.starts_with(kRoot)) return {};
   path.remove_prefix(kRoot.size());
   std::size_t end = path.find('/');
-  if (path.starts_with("lang/")) end = path.find('/', end + 1);
+  if (path.starts_with("lang/") || path.starts_with("console/server/")) end = path.find('/', end + 1);
   return end == std::string_view::npos ? std::string{} : std::string(path.substr(0, end));
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "mlab/console/connection_id.h"
+#include "mlab/console/server/connection_id.h"
 #include "mlab/fleet/mission_run.h"
 
 namespace mlab::console {

@@ -8,8 +8,8 @@
 
 namespace mlab::console {
 
-/// Who may ask. A page of another site that runs in the operator's browser can reach this machine: it knows no
-/// token, and it is known by the names that it uses.
+/// Who may ask. A page of another site that runs in the operator's browser can reach this machine: it knows
+/// no token, and it is known by the names that it uses.
 class Access {
  public:
   struct Place {

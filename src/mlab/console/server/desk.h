@@ -18,7 +18,8 @@
 #include "mlab/console/server/routes.h"
 #include "mlab/console/server/server.h"
 
-// Inside the server: what its connections share. Includes Asio, so only the sources of the network include it.
+// Inside the server: what its connections share. Includes Asio, so only the sources of the network include
+// it.
 
 namespace mlab::console {
 
@@ -35,7 +36,7 @@ inline constexpr std::size_t kMessageBytes = 4 * 1024 * 1024;
 inline constexpr std::chrono::seconds kHandshake{10};  ///< for TLS, for a request, for the WebSocket
 inline constexpr std::chrono::seconds kBetweenRequests{30};
 inline constexpr std::chrono::seconds kAnswer{30};  ///< to take an answer
-inline constexpr std::chrono::seconds kIdle{20};    ///< then a session is pinged; a second time, and it is gone
+inline constexpr std::chrono::seconds kIdle{20};  ///< then a session is pinged; a second time, and it is gone
 inline constexpr std::chrono::seconds kGoodbye{2};  ///< for the other side to agree to an end
 /// What waits for a session that has taken nothing for kStuck, and what waits at most.
 inline constexpr std::size_t kStuckBytes = 8 * 1024 * 1024;
@@ -44,7 +45,13 @@ inline constexpr std::chrono::seconds kStuck{2};
 }  // namespace limits
 
 /// Why a session ends, as codes of RFC 6455.
-enum class Goodbye : std::uint16_t { kGoingAway = 1001, kUnknownData = 1003, kBadMessage = 1007, kPolicy = 1008, kTryLater = 1013 };
+enum class Goodbye : std::uint16_t {
+  kGoingAway = 1001,
+  kUnknownData = 1003,
+  kBadMessage = 1007,
+  kPolicy = 1008,
+  kTryLater = 1013
+};
 
 /// A session's socket. Lives on the network thread.
 class Recipient {
@@ -59,7 +66,8 @@ struct Visitor {
   Tcp::socket* socket = nullptr;  ///< null: it is a session, which is ended in its own way
 };
 
-/// What all connections of a server share. Everything but `waiting` and `routes` belongs to the network thread.
+/// What all connections of a server share. Everything but `waiting` and `routes` belongs to the network
+/// thread.
 struct Desk {
   Desk(asio::io_context& context, Routes table) : routes(std::move(table)), io(context) {}
 

@@ -28,7 +28,8 @@ std::optional<std::uint64_t> number(std::string_view text) {
 }
 
 bool is_private(std::string_view path) {
-  return path == "/session" || path == "/report" || path == "/stop" || path == "/health" || path.starts_with(kPicture);
+  return path == "/session" || path == "/report" || path == "/stop" || path == "/health" ||
+         path.starts_with(kPicture);
 }
 
 HttpResponse wrong_method(std::string allowed) {
@@ -56,7 +57,8 @@ std::string_view HttpRequest::parameter(std::string_view name) const {
   while (!rest.empty()) {
     rest.remove_prefix(1);  // ? or &
     const std::string_view pair = rest.substr(0, rest.find('&'));
-    if (pair.starts_with(name) && pair.substr(name.size()).starts_with('=')) return pair.substr(name.size() + 1);
+    if (pair.starts_with(name) && pair.substr(name.size()).starts_with('='))
+      return pair.substr(name.size() + 1);
     rest.remove_prefix(pair.size());
   }
   return {};
@@ -74,11 +76,12 @@ bool Routes::may_wait(const HttpRequest& request) {
 
 HttpResponse Routes::answer(const HttpRequest& request, const ServerHandlers& handlers) const {
   HttpResponse out = choose(request, handlers);
-  // Everything comes from here, nothing is framed or guessed, and no address (it holds the token) is passed on.
-  // Styles are set by script: the editor makes its own.
+  // Everything comes from here, nothing is framed or guessed, and no address (it holds the token) is passed
+  // on. Styles are set by script: the editor makes its own.
   out.fields.emplace_back(
       "Content-Security-Policy",
-      fmt::format("default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+      fmt::format("default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' "
+                  "data: blob:; "
                   "font-src 'self'; worker-src 'self' blob:; manifest-src 'self'; connect-src 'self'{}; "
                   "base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
                   access_.is_for_us(request.host) ? " " + access_.socket_origin(request.host) : ""));
@@ -107,8 +110,10 @@ HttpResponse Routes::choose(const HttpRequest& request, const ServerHandlers& ha
     if (path == "/health") return say("application/json", "{\"ok\": true}\n");
     if (path.starts_with(kPicture)) return picture(handlers, path.substr(kPicture.size()));
     HttpResponse out = refusal(426, "this address is a WebSocket");
-    if (request.is_upgrade && request.method == Method::kGet) out.status = 101;
-    else out.fields.emplace_back("Upgrade", "websocket");
+    if (request.is_upgrade && request.method == Method::kGet)
+      out.status = 101;
+    else
+      out.fields.emplace_back("Upgrade", "websocket");
     return out;
   }
   if (!reads) return wrong_method("GET, HEAD");
@@ -119,9 +124,10 @@ HttpResponse Routes::choose(const HttpRequest& request, const ServerHandlers& ha
 
 HttpResponse Routes::page(const HttpRequest& request) const {
   if (!access_.has_token(request)) {
-    return refusal(403,
-                   "This is the operator console of mlab. It opens with the whole address that `mlab run` printed, "
-                   "`?token=...` included;\na new start of mlab has a new one.");
+    return refusal(
+        403,
+        "This is the operator console of mlab. It opens with the whole address that `mlab run` printed, "
+        "`?token=...` included;\na new start of mlab has a new one.");
   }
   const WebFiles::File* index = files_.find("/index.html");
   if (index == nullptr) return refusal(503, "the web files of the console are not installed with this mlab");
@@ -136,9 +142,12 @@ HttpResponse Routes::file(const HttpRequest& request, const WebFiles::File& file
   HttpResponse out;
   out.content_type = file.content_type;
   out.fields.emplace_back("ETag", file.etag);
-  out.fields.emplace_back("Cache-Control", file.is_immutable ? "public, max-age=31536000, immutable" : "no-cache");
-  if (request.if_none_match.find(file.etag) == std::string_view::npos) out.body = file.bytes;
-  else out.status = 304;
+  out.fields.emplace_back("Cache-Control",
+                          file.is_immutable ? "public, max-age=31536000, immutable" : "no-cache");
+  if (request.if_none_match.find(file.etag) == std::string_view::npos)
+    out.body = file.bytes;
+  else
+    out.status = 304;
   return out;
 }
 

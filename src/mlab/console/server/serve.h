@@ -11,7 +11,8 @@
 #include "mlab/console/server/desk.h"
 #include "mlab/console/server/session_socket.h"
 
-// The life of a connection, for a stream with TLS or without. Heavy: one source includes it for each of the two.
+// The life of a connection, for a stream with TLS or without. Heavy: one source includes it for each of the
+// two.
 
 namespace mlab::console {
 
@@ -45,7 +46,9 @@ class Visit {
   std::list<Visitor>::iterator entry_;
 };
 
-inline std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+inline std::string_view view(beast::string_view text) {
+  return {text.data(), text.size()};
+}
 
 inline HttpRequest request_of(const Request& request) {
   namespace http = beast::http;
@@ -68,13 +71,15 @@ inline HttpRequest request_of(const Request& request) {
 inline asio::awaitable<HttpResponse> answer_of(const HttpRequest& request, Desk& desk) {
   if (!Routes::may_wait(request)) co_return desk.routes.answer(request, desk.handlers);
   co_return co_await asio::co_spawn(
-      desk.waiting, [&]() -> asio::awaitable<HttpResponse> { co_return desk.routes.answer(request, desk.handlers); },
+      desk.waiting,
+      [&]() -> asio::awaitable<HttpResponse> { co_return desk.routes.answer(request, desk.handlers); },
       asio::use_awaitable);
 }
 
 /// Sends an answer. False where the connection can't go on.
 template <class Stream>
-asio::awaitable<bool> write_answer(Stream& stream, const HttpResponse& answer, const Request& request, bool keeps) {
+asio::awaitable<bool> write_answer(Stream& stream, const HttpResponse& answer, const Request& request,
+                                   bool keeps) {
   namespace http = beast::http;
   http::response<http::span_body<const char>> response;
   response.result(answer.status);
@@ -107,8 +112,8 @@ inline HttpResponse complaint(beast::error_code error) {
   return refusal(400, "this is no HTTP request that can be understood");
 }
 
-// Tells the other side that nothing more comes, and gives it time to read what came: closing at once on a request
-// that was not read to its end would take back the answer.
+// Tells the other side that nothing more comes, and gives it time to read what came: closing at once on a
+// request that was not read to its end would take back the answer.
 template <class Stream>
 asio::awaitable<void> part(Stream& stream) {
   beast::get_lowest_layer(stream).expires_after(limits::kGoodbye);
@@ -116,7 +121,8 @@ asio::awaitable<void> part(Stream& stream) {
   beast::get_lowest_layer(stream).socket().shutdown(Tcp::socket::shutdown_send, ignored);
   std::array<char, 4096> rest{};
   for (std::size_t taken = 0; taken < limits::kMessageBytes;) {
-    const auto [error, size] = co_await beast::get_lowest_layer(stream).async_read_some(asio::buffer(rest), kReturned);
+    const auto [error, size] =
+        co_await beast::get_lowest_layer(stream).async_read_some(asio::buffer(rest), kReturned);
     if (error) co_return;
     taken += size;
   }

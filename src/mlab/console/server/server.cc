@@ -44,14 +44,16 @@ std::shared_ptr<asio::ssl::context> read_certificate(const ServerSettings& setti
   }
   tls->use_private_key_file(settings.key, asio::ssl::context::pem, code);
   if (code) {
-    error = fmt::format("the key {} can't be used with {}: {}", settings.key, settings.certificate, code.message());
+    error = fmt::format("the key {} can't be used with {}: {}", settings.key, settings.certificate,
+                        code.message());
     return nullptr;
   }
   return tls;
 }
 
 // The first of the ports that is free.
-bool listen(Tcp::acceptor& acceptor, const asio::ip::address& address, const ServerSettings& settings, std::string& error) {
+bool listen(Tcp::acceptor& acceptor, const asio::ip::address& address, const ServerSettings& settings,
+            std::string& error) {
   ErrorCode code;
   for (const std::uint16_t port : settings.ports) {
     const Tcp::endpoint endpoint(address, port);
@@ -71,7 +73,8 @@ bool listen(Tcp::acceptor& acceptor, const asio::ip::address& address, const Ser
 /// The listening socket, the thread, and everybody who came.
 class Server::Network {
  public:
-  Network(std::shared_ptr<asio::ssl::context> tls, std::string address) : tls_(std::move(tls)), address_(std::move(address)) {}
+  Network(std::shared_ptr<asio::ssl::context> tls, std::string address)
+      : tls_(std::move(tls)), address_(std::move(address)) {}
   ~Network() {
     stop();
     // Their timers belong to `io_`.
@@ -91,7 +94,8 @@ class Server::Network {
     is_loopback_ = address.is_loopback();
     is_any_ = address.is_unspecified();
     port_ = acceptor_.local_endpoint(code).port();
-    Access access(settings.token.empty() ? make_token() : settings.token, {address_, hostname(), port_, is_encrypted()});
+    Access access(settings.token.empty() ? make_token() : settings.token,
+                  {address_, hostname(), port_, is_encrypted()});
     desk_ = std::make_unique<Desk>(io_, Routes(std::move(access), WebFiles::read(settings.web_folder)));
     return true;
   }

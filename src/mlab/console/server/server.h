@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/console/connection_id.h"
+#include "mlab/console/server/connection_id.h"
 
 namespace mlab::console {
 
@@ -24,12 +24,12 @@ struct ServerSettings {
 
 /// Bytes to be sent, and what they are.
 struct Content {
-  std::string type;                         ///< MIME
+  std::string type;                          ///< MIME
   std::shared_ptr<const std::string> bytes;  ///< none: there is no such thing
 };
 
-/// What the server calls. The first three come from its network thread and must not block; the others come from
-/// a thread of their own, and may wait.
+/// What the server calls. The first three come from its network thread and must not block; the others come
+/// from a thread of their own, and may wait.
 struct ServerHandlers {
   /// A message of a connection, in order of arrival.
   std::function<void(ConnectionId, std::unique_ptr<ToServer>)> receive;
@@ -40,8 +40,8 @@ struct ServerHandlers {
   std::function<std::string()> report;  ///< JSON
 };
 
-/// HTTP and WebSocket for the operator console, on one thread. Knows browsers, tokens and files, and nothing of
-/// missions. Whatever a stranger sends, the worst that happens is that his own connection ends.
+/// HTTP and WebSocket for the operator console, on one thread. Knows browsers, tokens and files, and nothing
+/// of missions. Whatever a stranger sends, the worst that happens is that his own connection ends.
 class Server {
  public:
   /// Reads the web files and the certificate, and takes its port; nobody is answered before `start`.
@@ -56,13 +56,13 @@ class Server {
   /// Ends all connections and the thread. Afterwards no handler is called, and `send` does nothing.
   void stop();
 
-  /// Hands a serialised ToBrowser to a connection; from any thread, at once. Who does not take what is sent is
-  /// disconnected; for a connection that is gone nothing happens.
+  /// Hands a serialised ToBrowser to a connection; from any thread, at once. Who does not take what is sent
+  /// is disconnected; for a connection that is gone nothing happens.
   void send(ConnectionId to, std::shared_ptr<const std::string> bytes);
 
   std::uint16_t port() const;
-  /// What to open in a browser, token included: first from this machine, then, where it listens to others, from
-  /// elsewhere.
+  /// What to open in a browser, token included: first from this machine, then, where it listens to others,
+  /// from elsewhere.
   std::vector<std::string> urls() const;
   bool is_encrypted() const;
   /// Only this machine reaches it.

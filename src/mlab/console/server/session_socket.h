@@ -80,7 +80,8 @@ asio::awaitable<void> SessionSocket<Stream>::run(const Request& request) {
   const auto [error] = co_await socket_.async_accept(request, kReturned);
   if (error) co_return;
   if (desk_.sessions.size() >= limits::kSessions) {
-    const websocket::close_reason full(static_cast<websocket::close_code>(Goodbye::kTryLater), "too many sessions");
+    const websocket::close_reason full(static_cast<websocket::close_code>(Goodbye::kTryLater),
+                                       "too many sessions");
     co_await socket_.async_close(full, kReturned);
     co_return;
   }

@@ -32,7 +32,8 @@ std::string content_type_of(const fs::path& file) {
       {".txt", "text/plain; charset=utf-8"},
   }};
   const std::string extension = file.extension().string();
-  const auto* const it = std::ranges::find(kTypes, extension, &std::pair<std::string_view, std::string_view>::first);
+  const auto* const it =
+      std::ranges::find(kTypes, extension, &std::pair<std::string_view, std::string_view>::first);
   return std::string(it == kTypes.end() ? "application/octet-stream" : it->second);
 }
 

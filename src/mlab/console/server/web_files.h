@@ -7,8 +7,8 @@
 
 namespace mlab::console {
 
-/// The files of the web client, read once. What is asked for is looked up among their names and never becomes a
-/// path, so nothing else can be reached.
+/// The files of the web client, read once. What is asked for is looked up among their names and never becomes
+/// a path, so nothing else can be reached.
 class WebFiles {
  public:
   struct File {
