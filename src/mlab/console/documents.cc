@@ -1,0 +1,574 @@
+#include "mlab/console/documents.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <ranges>
+
+#include <fmt/core.h>
+
+#include "mlab/console/mission_text.h"
+#include "mlab/console/utf8.h"
+#include "mlab/lang/mdl/tree.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::console {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNewMission =
+    "MISSION NAME \"{}\"\n"
+    "OVERLAY \"{}\"\n\n"
+    "UNIT <scouts> ROBOT ROBOT ROBOT ROBOT\n\n"
+    "COMMAND LIST:\n\n"
+    "  0. UNIT scouts START 100 100 0 20\n";
+constexpr const char* kNewOverlay = "MISSION-AREA 1000 1000\n\nCONTROL MEASURES:\n";
+constexpr double kDraftPause = 1.0;  // between two drafts of a text [s]
+
+template <class List, class Value>
+bool holds(const List& list, const Value& value) {
+  return std::ranges::find(list, value) != list.end();
+}
+
+std::unexpected<text::Diagnostic> refused(std::string kind, std::string message) {
+  return std::unexpected(
+      text::Diagnostic{text::Severity::kError, std::move(kind), std::move(message), {}, {}, {}, {}});
+}
+
+text::SourcePtr source_of(std::string name, std::string text) {
+  return std::make_shared<const text::Source>(std::move(name), std::move(text));
+}
+
+std::string shown(std::string_view path) {
+  return fmt::format("`{}`", text::shown(path, 200));
+}
+
+}  // namespace
+
+OpenDocuments::OpenDocuments(ProjectFolder& project, mdl::LoadOptions options,
+                             const std::string& state_folder)
+    : project_(project),
+      options_(std::move(options)),
+      drafts_(state_folder, project.folder()),
+      map_(std::make_shared<const overlay::Overlay>()) {
+  options_.files = files();
+  update_scene();
+}
+
+OpenDocuments::~OpenDocuments() {
+  keep_all_drafts();
+}
+
+// ---- which documents there are
+
+OpenDocument* OpenDocuments::find(std::string_view path) {
+  const auto found =
+      std::ranges::find_if(open_, [&](const auto& entry) { return entry.second.path == path; });
+  return found == open_.end() ? nullptr : &found->second;
+}
+
+// A diagnostic may hold the text of a moment ago, so the name counts.
+const OpenDocument* OpenDocuments::find_source(const text::SourcePtr& source) const {
+  if (!source) return nullptr;
+  for (const Key key : shown_) {
+    const OpenDocument& document = open_.at(key);
+    if (document.source == source || document.source->name() == source->name()) return &document;
+  }
+  return nullptr;
+}
+
+OpenDocuments::Key OpenDocuments::add(OpenDocument document) {
+  open_.emplace(++last_key_, std::move(document));
+  return last_key_;
+}
+
+text::Result<OpenDocuments::Key> OpenDocuments::open_file(const std::string& path, bool is_mission) {
+  const auto same = std::ranges::find_if(open_, [&](const auto& entry) { return entry.second.path == path; });
+  if (same != open_.end()) return same->first;
+  OpenDocument out;
+  out.path = path;
+  out.is_mission = is_mission;
+  out.is_writable = project_.is_writable(path);
+  text::Result<std::string> on_disk = project_.read(path);
+  if (!on_disk) {
+    const auto draft = drafts_.find(path);
+    if (!draft || draft->had_file || project_.is_file(path)) return std::unexpected(on_disk.error());
+    out.source = source_of(project_.disk_path(path), draft->text);
+    notices_.push_back(fmt::format("restored {}, which was never saved", shown(path)));
+    return add(std::move(out));
+  }
+  if (!is_utf8(*on_disk))
+    notices_.push_back(
+        fmt::format("{} is not UTF-8: it is read as Latin 1, and saved as UTF-8", shown(path)));
+  out.source = source_of(project_.disk_path(path), as_utf8(*on_disk));
+  out.saved = std::move(*on_disk);
+  return add(std::move(out));
+}
+
+// The mission, its overlays in its order, then what is not saved.
+void OpenDocuments::update_shown() {
+  shown_.clear();
+  if (!is_open()) return;
+  shown_.push_back(mission_file_);
+  shown_.insert(shown_.end(), overlays_.begin(), overlays_.end());
+  for (const auto& [key, document] : open_) {
+    const bool is_nothing = !document.saved && document.source->text().empty();
+    if (document.is_dirty() && !is_nothing && !holds(shown_, key)) shown_.push_back(key);
+  }
+}
+
+std::vector<const OpenDocument*> OpenDocuments::documents() const {
+  std::vector<const OpenDocument*> out;
+  for (const Key key : shown_) out.push_back(&open_.at(key));
+  return out;
+}
+
+// ---- which mission
+
+text::Result<bool> OpenDocuments::open(const std::string& path, double now) {
+  keep_all_drafts();
+  std::map<Key, OpenDocument> before = std::exchange(open_, {});
+  const text::Result<Key> key = open_file(path, true);
+  if (!key) {
+    open_ = std::move(before);
+    return std::unexpected(key.error());
+  }
+  mission_file_ = *key;
+  overlays_.clear();
+  log_.clear();
+  mission_.reset();
+  check();
+  restore_drafts(now);
+  drafts_.add_recent(path, mission_ ? mission_->name : "");
+  return true;
+}
+
+// Every file that the mission names, found as ever, may be read from now on. Later texts of the browser
+// cannot add to this.
+text::Result<bool> OpenDocuments::open_on_disk(const std::string& disk_path, double now) {
+  std::error_code missing;
+  const std::string path = fs::weakly_canonical(fs::absolute(disk_path), missing).string();
+  const auto allow = [&](const std::string& file) {
+    if (!project_.name_of(file)) project_.allow_outside(file);
+  };
+  if (!text::files_on_disk().is_file(path)) {
+    return refused("cannot-read", fmt::format("there is no mission {}", shown(disk_path)));
+  }
+  allow(path);
+  mdl::LoadOptions options = options_;
+  options.files = text::files_on_disk();
+  options.files.is_file = [&](const std::string& file) {
+    const bool is_there = text::files_on_disk().is_file(file);
+    if (is_there) allow(file);
+    return is_there;
+  };
+  text::Diagnostics unsaid;
+  mdl::load_mission(path, unsaid, options);
+  return open(*project_.name_of(path), now);
+}
+
+void OpenDocuments::close() {
+  keep_all_drafts();
+  open_.clear();
+  mission_file_ = 0;
+  overlays_.clear();
+  log_.clear();
+  mission_.reset();
+  check();
+}
+
+// Drafts of files become an edit, so that undoing it gives the file's own text.
+void OpenDocuments::restore_drafts(double now) {
+  for (int round = 0; round < 3; ++round) {  // a restored mission may name other overlays
+    std::vector<TextChange> changes;
+    for (const Key key : shown_) {
+      OpenDocument& document = open_.at(key);
+      const auto draft = drafts_.find(document.path);
+      if (!draft || !document.saved || draft->text == document.source->text() || !is_utf8(draft->text))
+        continue;
+      changes.push_back({key, 0, std::string(document.source->text()), draft->text});
+      document.draft_revision = document.revision;
+      notices_.push_back(
+          draft->file_digest == Drafts::digest(*document.saved)
+              ? fmt::format("restored the unsaved text of {}", shown(document.path))
+              : fmt::format("restored the unsaved text of {}; its file has changed since, undo shows it",
+                            shown(document.path)));
+    }
+    if (changes.empty()) return;
+    commit("restore unsaved text", std::move(changes), now);
+    log_.separate();
+  }
+}
+
+// ---- what the texts mean
+
+text::Files OpenDocuments::files() {
+  return {[this](const std::string& path) {
+            const auto name = project_.name_of(path);
+            return name && (find(*name) != nullptr || project_.is_file(*name));
+          },
+          [this](const std::string& path) -> text::Result<text::SourcePtr> {
+            const auto name = project_.name_of(path);
+            if (!name)
+              return refused("cannot-read", fmt::format("{} is not in the project folder", shown(path)));
+            if (const OpenDocument* document = find(*name)) return document->source;
+            text::Result<std::string> text = project_.read(*name);
+            if (!text) return std::unexpected(text.error());
+            return source_of(path, std::move(*text));
+          }};
+}
+
+void OpenDocuments::open_overlays() {
+  overlays_.clear();
+  if (!is_open()) return;
+  text::Diagnostics unsaid;
+  const mdl::Tree tree = mdl::parse(mission_document().source, unsaid);
+  for (const mdl::Statement& statement : tree.preamble) {
+    const auto* overlay = std::get_if<mdl::statement::OverlayFile>(&statement.what);
+    if (overlay == nullptr) continue;
+    const auto path = mdl::find_overlay(overlay->file.text, mission_folder(), options_);
+    const auto name = path ? project_.name_of(*path) : std::nullopt;
+    const auto key = name ? open_file(*name, false) : text::Result<Key>(refused("", ""));
+    if (key && *key != mission_file_ && !holds(overlays_, *key)) overlays_.push_back(*key);
+  }
+}
+
+void OpenDocuments::check() {
+  ++revision_;
+  open_overlays();
+  update_shown();
+  diagnostics_ = {};
+  has_errors_ = false;
+  if (is_open()) {
+    const text::SourcePtr& source = mission_document().source;
+    const auto mission = mdl::check_mission(source, mission_folder(), diagnostics_, options_);
+    has_errors_ = mission == nullptr;
+    text::Diagnostics unsaid;
+    map_ = std::make_shared<const overlay::Overlay>(
+        mission ? mission->overlay : mdl::check_map(source, mission_folder(), unsaid, options_));
+    if (mission) mission_ = mission;
+  } else {
+    map_ = std::make_shared<const overlay::Overlay>();
+  }
+  update_scene();
+}
+
+void OpenDocuments::update_scene() {
+  Scene now = encode_scene(*map_, [this](const text::Place& where) { return place(where); });
+  const std::uint64_t revision = scene_.revision();
+  now.set_revision(revision);
+  if (now.has_picture()) now.mutable_picture()->set_url(fmt::format("/picture/{}", revision));
+  if (revision > 0 && now.SerializeAsString() == scene_.SerializeAsString()) return;
+  now.set_revision(revision + 1);
+  if (now.has_picture()) now.mutable_picture()->set_url(fmt::format("/picture/{}", revision + 1));
+  scene_ = std::move(now);
+}
+
+std::string OpenDocuments::mission_path() const {
+  return is_open() ? mission_document().path : "";
+}
+
+std::string OpenDocuments::mission_folder() const {
+  return is_open() ? fs::path(mission_document().source->name()).parent_path().string() : "";
+}
+
+DocumentPlace OpenDocuments::place(const text::Place& place) const {
+  const OpenDocument* document = find_source(place.source);
+  if (document == nullptr) return {};
+  return {document->path, place.source->line_column(place.span.begin).line};
+}
+
+Diagnostic OpenDocuments::message(const text::Diagnostic& diagnostic) const {
+  return encode_diagnostic(diagnostic, [this](const text::Place& where) { return place(where); });
+}
+
+// ---- edits
+
+void OpenDocuments::replace(const TextChange& change, bool undone) {
+  OpenDocument& document = open_.at(change.document);
+  const std::string& removed = undone ? change.inserted : change.removed;
+  const std::string& inserted = undone ? change.removed : change.inserted;
+  std::string text(document.source->text());
+  text.replace(change.begin, removed.size(), inserted);
+  document.source = source_of(document.source->name(), std::move(text));
+  ++document.revision;
+}
+
+void OpenDocuments::commit(std::string name, std::vector<TextChange> changes, double now) {
+  const auto shared = std::make_shared<const std::vector<TextChange>>(std::move(changes));
+  const auto redo = [this, shared] {
+    for (const TextChange& change : *shared) replace(change, false);
+  };
+  const auto undo = [this, shared] {
+    for (const TextChange& change : std::views::reverse(*shared)) replace(change, true);
+  };
+  redo();
+  log_.add({std::move(name), undo, redo}, now);
+  check();
+}
+
+text::Result<bool> OpenDocuments::edit_text(const EditText& request, double now) {
+  const auto found =
+      std::ranges::find_if(open_, [&](const auto& entry) { return entry.second.path == request.document(); });
+  if (found == open_.end())
+    return refused("no-document", fmt::format("{} is not open", shown(request.document())));
+  const auto& [key, document] = *found;
+  const std::string_view text = document.source->text();
+  if (request.revision() != document.revision)
+    return refused("older-text", fmt::format("{} has changed meanwhile", shown(document.path)));
+  if (request.begin() > request.end() || request.end() > text.size() ||
+      !is_character_boundary(text, request.begin()) || !is_character_boundary(text, request.end())) {
+    return refused("no-such-range", fmt::format("{} has no such range", shown(document.path)));
+  }
+  if (text.size() + request.text().size() > text::Source::kMaxBytes)
+    return refused("file-too-large", fmt::format("{} would become too large", shown(document.path)));
+  const std::string name = request.name().empty() ? fmt::format("edit {}", document.path) : request.name();
+  commit(name,
+         {{key, request.begin(), std::string(text.substr(request.begin(), request.end() - request.begin())),
+           request.text()}},
+         now);
+  return true;
+}
+
+text::Result<bool> OpenDocuments::edit_map(const EditMap&, double) {
+  return refused("not-yet", "the map can't be edited in this version");
+}
+text::Result<bool> OpenDocuments::create_obstacles(const CreateObstacles&, std::uint32_t, double) {
+  return refused("not-yet", "the map can't be edited in this version");
+}
+
+bool OpenDocuments::undo() {
+  if (!log_.undo()) return false;
+  check();
+  return true;
+}
+
+bool OpenDocuments::redo() {
+  if (!log_.redo()) return false;
+  check();
+  return true;
+}
+
+// ---- files
+
+text::Result<bool> OpenDocuments::save_one(OpenDocument& document) {
+  if (!document.is_writable) {
+    return refused("read-only",
+                   fmt::format("{} can't be changed: save it under another name", shown(document.path)));
+  }
+  const bool is_there = project_.is_file(document.path);
+  if (is_there != document.saved.has_value()) {
+    if (is_there)
+      return refused(
+          "changed-on-disk",
+          fmt::format("{} has come into being meanwhile: save under another name", shown(document.path)));
+  } else if (is_there) {
+    const text::Result<std::string> on_disk = project_.read(document.path);
+    if (!on_disk || *on_disk != *document.saved)
+      return refused("changed-on-disk",
+                     fmt::format("{} has been changed by somebody else since it was opened: save "
+                                 "under another name, or open it anew",
+                                 shown(document.path)));
+  }
+  const text::Result<bool> written = project_.write(document.path, document.source->text());
+  if (!written) return written;
+  document.saved = std::string(document.source->text());
+  drafts_.drop(document.path);
+  document.draft_revision = 0;
+  return true;
+}
+
+text::Result<bool> OpenDocuments::save(const SaveDocuments& request) {
+  ++revision_;
+  log_.separate();
+  std::vector<OpenDocument*> wanted;
+  for (const std::string& path : request.documents()) {
+    OpenDocument* document = find(path);
+    if (document == nullptr) return refused("no-document", fmt::format("{} is not open", shown(path)));
+    wanted.push_back(document);
+  }
+  if (!request.as().empty()) {
+    if (wanted.size() != 1)
+      return refused("one-document", "one document at a time is saved under another name");
+    return save_as(*wanted.front(), request.as());
+  }
+  if (wanted.empty()) {
+    for (const Key key : shown_) {
+      if (open_.at(key).is_dirty()) wanted.push_back(&open_.at(key));
+    }
+  }
+  text::Result<bool> out = true;
+  for (OpenDocument* document : wanted) {
+    text::Result<bool> saved = save_one(*document);
+    if (!saved && out) out = std::move(saved);
+  }
+  update_shown();
+  return out;
+}
+
+void OpenDocuments::keep_drafts(double now) {
+  for (auto& [key, document] : open_) {
+    if (!document.is_dirty()) {
+      if (document.draft_revision != 0) drafts_.drop(document.path);
+      document.draft_revision = 0;
+    } else if (document.draft_revision != document.revision && now - document.draft_time >= kDraftPause) {
+      drafts_.keep(document.path, document.source->text(), document.saved ? &*document.saved : nullptr);
+      document.draft_revision = document.revision;
+      document.draft_time = now;
+    }
+  }
+}
+
+void OpenDocuments::keep_all_drafts() {
+  for (auto& [key, document] : open_) document.draft_time = -1e9;
+  keep_drafts(0.0);
+}
+
+// The same text under another name. A mission takes with it what stands beside it and is not there yet, so
+// that it means the same.
+text::Result<bool> OpenDocuments::save_as(OpenDocument& document, const std::string& path) {
+  if (find(path) != nullptr || project_.is_file(path))
+    return refused("file-exists", fmt::format("there is {} already", shown(path)));
+  const text::Result<bool> written = project_.write(path, document.source->text());
+  if (!written) return written;
+  drafts_.drop(document.path);
+  const std::string old_folder = fs::path(document.source->name()).parent_path().string();
+  const std::string old_path = std::exchange(document.path, path);
+  document.source = source_of(project_.disk_path(path), std::string(document.source->text()));
+  document.saved = std::string(document.source->text());
+  document.is_writable = true;
+  document.draft_revision = 0;
+  if (document.is_mission) {
+    drafts_.add_recent(path, mission_ ? mission_->name : "");
+    take_along(old_folder, fs::path(document.source->name()).parent_path().string());
+  }
+  check();
+  return true;
+}
+
+// Overlays that are open go along with their text as it is; all else that the mission names has to be there.
+void OpenDocuments::take_along(const std::string& from_folder, const std::string& to_folder) {
+  if (from_folder == to_folder) return;
+  for (const Key key : overlays_) {
+    OpenDocument& overlay = open_.at(key);
+    const std::string below = fs::path(overlay.source->name()).lexically_relative(from_folder).string();
+    const auto to = project_.name_of((fs::path(to_folder) / below).string());
+    if (below.starts_with("..") || !to || project_.is_file(*to) || find(*to) != nullptr) continue;
+    if (!project_.write(*to, overlay.source->text())) continue;
+    drafts_.drop(overlay.path);
+    overlay.path = *to;
+    overlay.source = source_of(project_.disk_path(*to), std::string(overlay.source->text()));
+    overlay.saved = std::string(overlay.source->text());
+    overlay.is_writable = true;
+    overlay.draft_revision = 0;
+    notices_.push_back(fmt::format("saved its overlay as {}", shown(*to)));
+  }
+}
+
+text::Result<bool> OpenDocuments::create(const NewDocument& request, double now) {
+  const std::string& path = request.path();
+  if (!project_.is_writable(path))
+    return refused(
+        "cannot-write",
+        fmt::format("{} can't be made: names end with .mdl or .odl, inside of the project", shown(path)));
+  if (project_.is_file(path) || find(path) != nullptr)
+    return refused("file-exists", fmt::format("there is {} already", shown(path)));
+  return request.kind() == NewDocument::OVERLAY ? create_overlay(path, now) : create_mission(path, now);
+}
+
+text::Result<bool> OpenDocuments::create_mission(const std::string& path, double now) {
+  const fs::path overlay = fs::path(path).replace_extension(".odl");
+  if (overlay == path) return refused("cannot-write", "a mission's name ends with .mdl");
+  const bool has_overlay = project_.is_file(overlay.string());
+  close();
+  const std::string name = fs::path(path).stem().string();
+  OpenDocument mission;
+  mission.path = path;
+  mission.is_mission = true;
+  mission.source =
+      source_of(project_.disk_path(path), fmt::format(kNewMission, name, overlay.filename().string()));
+  mission_file_ = add(std::move(mission));
+  if (!has_overlay) {
+    OpenDocument map;
+    map.path = overlay.string();
+    map.source = source_of(project_.disk_path(map.path), kNewOverlay);
+    add(std::move(map));
+  }
+  check();
+  keep_drafts(now);
+  return true;
+}
+
+text::Result<bool> OpenDocuments::create_overlay(const std::string& path, double now) {
+  if (!is_open()) return refused("no-mission", "an overlay belongs to a mission, and none is open");
+  const std::string name = fs::path(project_.disk_path(path)).lexically_relative(mission_folder()).string();
+  OpenDocument map;
+  map.path = path;
+  map.source = source_of(project_.disk_path(path), "");
+  const Key key = add(std::move(map));
+  const Insertion line = overlay_statement(mission_document().source, name);
+  commit(fmt::format("new overlay {}", path),
+         {{key, 0, "", kNewOverlay}, {mission_file_, line.at, "", line.text}}, now);
+  return true;
+}
+
+// ---- messages
+
+Documents OpenDocuments::documents_message() const {
+  Documents out;
+  std::map<std::string, Documents::Document*> by_path;
+  for (const OpenDocument* document : documents()) {
+    Documents::Document& to = *out.add_documents();
+    to.set_path(document->path);
+    to.set_language(document->is_mission ? Complete::MISSION : Complete::OVERLAY);
+    to.set_text(std::string(document->source->text()));
+    to.set_revision(document->revision);
+    to.set_is_dirty(document->is_dirty());
+    to.set_is_read_only(!document->is_writable);
+  }
+  for (Documents::Document& document : *out.mutable_documents()) by_path[document.path()] = &document;
+  for (const text::Diagnostic& item : diagnostics_.items()) {
+    Diagnostic diagnostic = message(item);
+    const auto found = by_path.find(diagnostic.document());
+    if (found != by_path.end()) {
+      *found->second->add_diagnostics() = std::move(diagnostic);
+    } else if (out.documents_size() > 0) {
+      *out.mutable_documents(0)->add_diagnostics() = std::move(diagnostic);
+    }
+  }
+  out.set_runs_older_text(runs_older_text());
+  return out;
+}
+
+Project OpenDocuments::project_message() const {
+  Project out;
+  out.set_folder(project_.name());
+  out.set_mission(mission_path());
+  const auto add_entry = [](Project::Entry& to, const std::string& path, const std::string& title) {
+    to.set_path(path);
+    to.set_title(as_utf8(title));
+  };
+  for (const Drafts::Recent& recent : drafts_.recent()) {
+    const bool is_there = project_.is_file(recent.path) || drafts_.find(recent.path);
+    if (is_there) add_entry(*out.add_recent(), recent.path, recent.title);
+  }
+  for (const std::string& path : project_.missions("examples:")) add_entry(*out.add_examples(), path, "");
+  for (const std::string& path : project_.missions("")) add_entry(*out.add_missions(), path, "");
+  for (const std::string& path : drafts_.new_files()) {
+    if (path.ends_with(".mdl") && !project_.is_file(path))
+      add_entry(*out.add_missions(), path, "not saved yet");
+  }
+  return out;
+}
+
+EditState OpenDocuments::edit_state() const {
+  EditState out;
+  out.set_undo(log_.undo_name());
+  out.set_redo(log_.redo_name());
+  out.set_undo_number(log_.undo_number());
+  out.set_redo_number(log_.redo_number());
+  out.set_is_dirty(std::ranges::any_of(documents(), &OpenDocument::is_dirty));
+  return out;
+}
+
+}  // namespace mlab::console

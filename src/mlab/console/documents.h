@@ -1,0 +1,177 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mlab/console.pb.h"
+#include "mlab/console/drafts.h"
+#include "mlab/console/edit_log.h"
+#include "mlab/console/project_folder.h"
+#include "mlab/console/scene_encoder.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/mission/mission.h"
+#include "mlab/overlay/overlay.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::console {
+
+/// A text that is open.
+struct OpenDocument {
+  std::string path;  ///< as ProjectFolder names it
+  bool is_mission = false;
+  text::SourcePtr source;            ///< as it stands now; its name is the file's path on the machine
+  std::uint64_t revision = 1;        ///< grows with every change, undone ones as well
+  std::optional<std::string> saved;  ///< as it stands on disk; nothing: not saved yet
+  bool is_writable = true;
+  double draft_time = -1e9;          ///< when a draft was written last
+  std::uint64_t draft_revision = 0;  ///< the text that it has; 0: there is none
+
+  bool is_dirty() const { return !saved || *saved != source->text(); }
+};
+
+/// The mission that is open: its file and all overlays that it names, as texts, and what they mean. Every
+/// edit is a change of these texts (what comes from the map, too), can be undone, and is followed by a check
+/// of everything.
+///
+/// Has no thread; times are seconds of any clock that does not go back. Functions that return a Result change
+/// nothing where they fail; the message is a sentence for a person.
+class OpenDocuments {
+ public:
+  /// @param options       for missions; its `files` are replaced
+  /// @param state_folder  where drafts are kept; empty: they are not
+  OpenDocuments(ProjectFolder& project, mdl::LoadOptions options, const std::string& state_folder);
+  ~OpenDocuments();
+  OpenDocuments(const OpenDocuments&) = delete;
+  OpenDocuments& operator=(const OpenDocuments&) = delete;
+
+  // ---- which mission
+
+  /// Opens a mission and its overlays, and begins the log of edits anew. Unsaved texts of the mission before
+  /// stay as drafts. Drafts of the opened ones are put in as the first edit, so that undoing gives what
+  /// stands on disk. A mission with errors is opened, too: then `mission()` is null.
+  /// @errors `cannot-read`
+  text::Result<bool> open(const std::string& path, double now);
+  /// A mission given on the command line, wherever it stands: what it names outside of the project becomes
+  /// readable.
+  text::Result<bool> open_on_disk(const std::string& disk_path, double now);
+  /// Closes everything. Unsaved texts stay as drafts.
+  void close();
+  bool is_open() const { return mission_file_ != 0; }
+
+  /// A file that is not on disk yet. A MISSION is opened in place of what was open, with an empty overlay
+  /// beside it; an OVERLAY comes to the mission that is open, which then names it.
+  /// @errors `file-exists`, `cannot-write` (a path that can't be written), `no-mission`
+  text::Result<bool> create(const NewDocument& request, double now);
+
+  // ---- edits
+
+  text::Result<bool> edit_text(const EditText& request, double now);
+  text::Result<bool> edit_map(const EditMap& request, double now);
+  /// @param seed  in place of one that is 0
+  text::Result<bool> create_obstacles(const CreateObstacles& request, std::uint32_t seed, double now);
+  /// An edit of another kind (a robot's parameter) that has been done already.
+  void add_edit(EditLog::Edit edit, double now) { log_.add(std::move(edit), now); }
+  /// False where there is nothing to undo.
+  bool undo();
+  bool redo();
+
+  // ---- files
+
+  /// @errors `cannot-write`; `changed-on-disk`: somebody else has changed the file since it was read;
+  /// `read-only`.
+  ///         What could be saved before the error is saved.
+  text::Result<bool> save(const SaveDocuments& request);
+  /// Writes drafts of what is not saved and was not written in the last second. To be called after edits and
+  /// now and then.
+  void keep_drafts(double now);
+  /// The same at once.
+  void keep_all_drafts();
+
+  // ---- what the texts mean
+
+  /// The mission of the last texts without errors; null until there were some.
+  const std::shared_ptr<const mission::Mission>& mission() const { return mission_; }
+  /// The texts have errors: `mission()` is older than they are.
+  bool runs_older_text() const { return mission_ != nullptr && has_errors_; }
+  bool has_errors() const { return has_errors_; }
+  /// The map as the texts say now, whatever is wrong with the rest of the mission; never null.
+  const std::shared_ptr<const overlay::Overlay>& map() const { return map_; }
+  /// That map as a message. Its revision grows where anything in it changes.
+  const Scene& scene() const { return scene_; }
+  /// Grows whenever a text, its diagnostics, or what is saved changes: then Documents is to be sent again.
+  std::uint64_t revision() const { return revision_; }
+
+  Documents documents_message() const;
+  EditState edit_state() const;
+  /// The mission file first, then its overlays in the order of the mission, then others that are not saved.
+  std::vector<const OpenDocument*> documents() const;
+  /// Of the mission that is open; empty: none is.
+  std::string mission_path() const;
+  /// The mission's folder on the machine, where its programs are looked for; empty: none is open.
+  std::string mission_folder() const;
+  /// How a place of `mission()` or of a diagnostic is told to a browser.
+  DocumentPlace place(const text::Place& place) const;
+  Diagnostic message(const text::Diagnostic& diagnostic) const;
+  /// For loading what belongs to the mission (typed commands, say): reads the open texts.
+  const mdl::LoadOptions& load_options() const { return options_; }
+  /// What was open lately and what there is to open.
+  Project project_message() const;
+  /// Sentences for the log that came up since this was asked last: `restored unsaved text of a.mdl`.
+  std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
+
+ private:
+  using Key = std::uint32_t;  // of a document; stays when its path changes
+  struct TextChange {
+    Key document = 0;
+    std::uint32_t begin = 0;
+    std::string removed;
+    std::string inserted;
+  };
+
+  OpenDocument* find(std::string_view path);
+  const OpenDocument* find_source(const text::SourcePtr& source) const;
+  const OpenDocument& mission_document() const { return open_.at(mission_file_); }
+  /// Opens a file, as it stands on disk or, where it does not, as a draft of it says.
+  text::Result<Key> open_file(const std::string& path, bool is_mission);
+  Key add(OpenDocument document);
+  void open_overlays();
+  void restore_drafts(double now);
+  text::Files files();
+  void update_shown();
+  /// Everything anew that follows from the texts.
+  void check();
+  void update_scene();
+  void replace(const TextChange& change, bool undone);
+  /// Does the changes, enters them as one edit, and checks.
+  void commit(std::string name, std::vector<TextChange> changes, double now);
+  text::Result<bool> save_one(OpenDocument& document);
+  text::Result<bool> save_as(OpenDocument& document, const std::string& path);
+  void take_along(const std::string& from_folder, const std::string& to_folder);
+  text::Result<bool> create_mission(const std::string& path, double now);
+  text::Result<bool> create_overlay(const std::string& path, double now);
+
+  ProjectFolder& project_;
+  mdl::LoadOptions options_;
+  Drafts drafts_;
+  std::map<Key, OpenDocument> open_;
+  Key last_key_ = 0;
+  Key mission_file_ = 0;       // 0: none
+  std::vector<Key> overlays_;  // as the mission names them, each once
+  std::vector<Key> shown_;     // what `documents` gives
+  EditLog log_;
+  text::Diagnostics diagnostics_;
+  std::shared_ptr<const mission::Mission> mission_;
+  std::shared_ptr<const overlay::Overlay> map_;
+  Scene scene_;
+  std::uint64_t revision_ = 0;
+  bool has_errors_ = false;
+  std::vector<std::string> notices_;
+};
+
+}  // namespace mlab::console
