@@ -1,0 +1,92 @@
+// Where the map is looked at: north is up, a metre is `scale` pixels both ways.
+import type { Box, Point } from "./geometry.ts";
+
+export const kSmallestScale = 1e-4; // [px/m]
+export const kLargestScale = 5000;
+
+export class Camera {
+  /** The world point in the middle of the screen [m]. */
+  x = 0;
+  y = 0;
+  /** [CSS pixels per metre] */
+  scale = 1;
+  /** Of the screen [CSS pixels]. */
+  width = 1;
+  height = 1;
+  /** Grows with each change. */
+  version = 0;
+
+  toScreenX(x: number): number {
+    return (x - this.x) * this.scale + this.width / 2;
+  }
+  toScreenY(y: number): number {
+    return this.height / 2 - (y - this.y) * this.scale;
+  }
+
+  toScreen(world: Point): Point {
+    return { x: this.toScreenX(world.x), y: this.toScreenY(world.y) };
+  }
+
+  toWorld(screen: Point): Point {
+    return {
+      x: (screen.x - this.width / 2) / this.scale + this.x,
+      y: (this.height / 2 - screen.y) / this.scale + this.y,
+    };
+  }
+
+  /** What can be seen [m]. */
+  visible(): Box {
+    const x = this.width / 2 / this.scale;
+    const y = this.height / 2 / this.scale;
+    return { xMin: this.x - x, yMin: this.y - y, xMax: this.x + x, yMax: this.y + y };
+  }
+
+  /** The screen's size changed: the middle stays. */
+  resize(width: number, height: number): void {
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    ++this.version;
+  }
+
+  lookAt(world: Point): void {
+    this.x = world.x;
+    this.y = world.y;
+    ++this.version;
+  }
+
+  /** What is shown moves by so many pixels, as when it is dragged. */
+  pan(dx: number, dy: number): void {
+    this.x -= dx / this.scale;
+    this.y += dy / this.scale;
+    ++this.version;
+  }
+
+  /** The world point under `screen` stays under it. */
+  zoomAbout(screen: Point, factor: number): void {
+    const before = this.toWorld(screen);
+    this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, this.scale * factor));
+    const after = this.toWorld(screen);
+    this.x += before.x - after.x;
+    this.y += before.y - after.y;
+    ++this.version;
+  }
+
+  /** All of the box, with so many pixels to spare on each side (less where the screen is small). */
+  fit(box: Box, margin = 40): void {
+    const spare = Math.min(margin, this.width / 4, this.height / 4);
+    const width = Math.max(1e-3, box.xMax - box.xMin);
+    const height = Math.max(1e-3, box.yMax - box.yMin);
+    const scale = Math.min((this.width - 2 * spare) / width, (this.height - 2 * spare) / height);
+    this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, scale));
+    this.lookAt({ x: (box.xMin + box.xMax) / 2, y: (box.yMin + box.yMax) / 2 });
+  }
+
+  saved(): { x: number; y: number; scale: number } {
+    return { x: this.x, y: this.y, scale: this.scale };
+  }
+
+  restore(saved: { x: number; y: number; scale: number }): void {
+    this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, saved.scale));
+    this.lookAt(saved);
+  }
+}

@@ -1,0 +1,79 @@
+// Puts names where they hide nothing and no other name: each has places where it may stand, the best first.
+import { type Box, overlaps, type Point } from "./geometry.ts";
+
+export interface LabelWish<Key> {
+  readonly key: Key;
+  readonly width: number;
+  readonly height: number;
+  /** Where its middle may be. */
+  readonly places: readonly Point[];
+  /** Who has more chooses first. */
+  readonly weight: number;
+}
+
+export interface LabelPlace<Key> {
+  readonly key: Key;
+  readonly box: Box;
+  readonly middle: Point;
+}
+
+const kCell = 64;
+
+/** Boxes that are taken, found by cells. */
+export class TakenBoxes {
+  private readonly cells = new Map<number, Box[]>();
+
+  constructor(boxes: readonly Box[] = []) {
+    for (const box of boxes) this.take(box);
+  }
+
+  isFree(box: Box): boolean {
+    return !this.cellsOf(box).some((cell) => this.cells.get(cell)?.some((other) => overlaps(box, other)));
+  }
+
+  take(box: Box): void {
+    for (const cell of this.cellsOf(box)) {
+      const known = this.cells.get(cell);
+      if (known) known.push(box);
+      else this.cells.set(cell, [box]);
+    }
+  }
+
+  private cellsOf(box: Box): number[] {
+    const cells: number[] = [];
+    for (let y = Math.floor(box.yMin / kCell); y <= Math.floor(box.yMax / kCell); ++y) {
+      for (let x = Math.floor(box.xMin / kCell); x <= Math.floor(box.xMax / kCell); ++x) cells.push(y * 65536 + x);
+    }
+    return cells;
+  }
+}
+
+/** Labels that find no free place within the screen are left out. */
+export function placeLabels<Key>(wishes: readonly LabelWish<Key>[], taken: TakenBoxes, screen: Box): LabelPlace<Key>[] {
+  const order = wishes.map((_, index) => index).sort((a, b) => wishes[b]!.weight - wishes[a]!.weight || a - b);
+  const placed: LabelPlace<Key>[] = [];
+  for (const index of order) {
+    const wish = wishes[index]!;
+    for (const middle of wish.places) {
+      const box = boxAround(middle, wish.width, wish.height);
+      if (!isWithin(box, screen) || !taken.isFree(box)) continue;
+      taken.take(box);
+      placed.push({ key: wish.key, box, middle });
+      break;
+    }
+  }
+  return placed;
+}
+
+export function boxAround(middle: Point, width: number, height: number): Box {
+  return {
+    xMin: middle.x - width / 2,
+    yMin: middle.y - height / 2,
+    xMax: middle.x + width / 2,
+    yMax: middle.y + height / 2,
+  };
+}
+
+function isWithin(box: Box, screen: Box): boolean {
+  return box.xMin >= screen.xMin && box.yMin >= screen.yMin && box.xMax <= screen.xMax && box.yMax <= screen.yMax;
+}

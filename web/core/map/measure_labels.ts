@@ -1,0 +1,215 @@
+// Where the names of control measures stand.
+import { alongLine, type Box, type Point } from "../geometry.ts";
+import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
+import { type Measure, Measure_Kind, type Scene } from "../protocol.ts";
+import { colorOf, labelOf } from "./measure_names.ts";
+import { boxOfMeasure, middleOf, shapeOf, sizeOf } from "./measure_shape.ts";
+import type { MapSettings } from "./settings.ts";
+import { kSans, textWidth } from "./strokes.ts";
+import type { Pen } from "./tool.ts";
+
+const K = Measure_Kind;
+
+export type LabelBox = Box;
+
+export interface PlacedLabel {
+  readonly text: string;
+  readonly middle: Point;
+  readonly box: LabelBox;
+  readonly color: string;
+  readonly font: string;
+}
+
+interface Key {
+  readonly text: string;
+  readonly color: string;
+  readonly font: string;
+}
+
+const kWeights: Partial<Record<Measure_Kind, number>> = {
+  [K.OBJECTIVE]: 9,
+  [K.ASSEMBLY_AREA]: 8,
+  [K.ATTACK_POSITION]: 8,
+  [K.BATTLE_POSITION]: 8,
+  [K.PASSAGE_POINT]: 7,
+  [K.START_POINT]: 7,
+  [K.GAP]: 5,
+  [K.AXIS]: 6,
+  [K.LINE_OF_DEPARTURE]: 4,
+  [K.PHASE_LINE]: 4,
+};
+
+export function placeMeasureLabels(pen: Pen, scene: Scene, settings: MapSettings): PlacedLabel[] {
+  if (!settings.layers.labels || !settings.layers.measures) return [];
+  const wishes = scene.measures.flatMap((measure) => wishOf(pen, measure));
+  const taken = new TakenBoxes(signBoxes(pen, scene));
+  const { width, height } = pen.camera;
+  return placeLabels(wishes, taken, { xMin: 4, yMin: 4, xMax: width - 4, yMax: height - 4 }).map(
+    ({ key, box, middle }) => ({ ...key, box, middle }),
+  );
+}
+
+function fontOf(measure: Measure, military: boolean): string {
+  const isSoft = measure.kind === K.BOUNDARY || measure.kind === K.WALL || measure.kind >= K.ROOM;
+  if (military) return `600 11.5px ${kSans}`;
+  return isSoft ? `500 11px ${kSans}` : `600 12px ${kSans}`;
+}
+
+function wishOf(pen: Pen, measure: Measure): LabelWish<Key>[] {
+  const text = labelOf(measure, pen.military);
+  const first = measure.points[0];
+  if (!text || !first) return [];
+  const font = fontOf(measure, pen.military);
+  const width = textWidth(pen, text, font) + 6;
+  const height = 16;
+  const color = colorOf(measure, pen.palette, pen.military);
+  const weight = kWeights[measure.kind] ?? 2;
+  const wish = (places: Point[], lighter = 0): LabelWish<Key> => ({
+    key: { text, color, font },
+    width,
+    height,
+    places,
+    weight: weight - lighter,
+  });
+  const box = boxOfMeasure(measure)!;
+  const extent = Math.max(box.xMax - box.xMin, box.yMax - box.yMin) * pen.camera.scale;
+  // What is only a speck would be all name.
+  const isPoint = measure.kind === K.PASSAGE_POINT || measure.kind === K.START_POINT;
+  if (!isPoint && extent < 14) return [];
+  const both = pen.military && (measure.kind === K.PHASE_LINE || measure.kind === K.LINE_OF_DEPARTURE);
+  const places = placesOf(pen, measure, width, height);
+  return both ? [wish(places), wish(otherEnd(pen, measure, height), 1)] : [wish(places)];
+}
+
+/** The best first. */
+function placesOf(pen: Pen, measure: Measure, width: number, height: number): Point[] {
+  const { camera } = pen;
+  switch (measure.kind) {
+    case K.PASSAGE_POINT: {
+      const at = camera.toScreen(measure.points[0]!);
+      if (pen.military) return aside(at, { x: 12, y: 34 }, width, height, -17);
+      const radius = Math.max(4, (sizeOf(measure) / 2) * camera.scale);
+      return aside(at, { x: radius + 2, y: radius + 2 }, width, height);
+    }
+    case K.START_POINT:
+      return aside(camera.toScreen(measure.points[0]!), { x: 12, y: 34 }, width, height, -17);
+    case K.LINE_OF_DEPARTURE:
+    case K.PHASE_LINE:
+      return lineEnds(pen, measure, height);
+    case K.BOUNDARY:
+    case K.WALL:
+    case K.ROAD:
+    case K.DOOR: {
+      const shape = shapeOf(measure)!;
+      if (shape.kind === "line") return alongPlaces(pen, shape.points, height, shape.width);
+      break;
+    }
+    case K.GAP: {
+      const middle = camera.toScreen(middleOf(measure));
+      const half = (sizeOf(measure) / 2) * camera.scale * 1.35 + height / 2 + 2;
+      return [
+        { x: middle.x, y: middle.y + half },
+        { x: middle.x, y: middle.y - half },
+        { x: middle.x + width / 2 + 4, y: middle.y },
+        { x: middle.x - width / 2 - 4, y: middle.y },
+        middle,
+      ];
+    }
+    case K.AXIS: {
+      const shares = [0.45, 0.3, 0.6, 0.15];
+      const length = alongTotal(measure.points);
+      return shares.map((share) => camera.toScreen(alongLine(measure.points, length * share).point));
+    }
+  }
+  return areaPlaces(pen, measure, height);
+}
+
+function alongTotal(points: readonly Point[]): number {
+  let total = 0;
+  for (let i = 1; i < points.length; ++i) {
+    total += Math.hypot(points[i]!.x - points[i - 1]!.x, points[i]!.y - points[i - 1]!.y);
+  }
+  return total;
+}
+
+/** Below, right, left, above. `lift`: how far the sign's middle is above the place. */
+function aside(at: Point, gap: Point, width: number, height: number, lift = 0): Point[] {
+  const below = lift ? 4 : gap.y;
+  return [
+    { x: at.x, y: at.y + below + height / 2 },
+    { x: at.x + gap.x + width / 2, y: at.y + lift },
+    { x: at.x - gap.x - width / 2, y: at.y + lift },
+    { x: at.x, y: at.y - gap.y - height / 2 },
+    { x: at.x + gap.x * 0.7 + width / 2, y: at.y + below + height / 2 },
+    { x: at.x - gap.x * 0.7 - width / 2, y: at.y + below + height / 2 },
+  ];
+}
+
+function areaPlaces(pen: Pen, measure: Measure, height: number): Point[] {
+  const { camera } = pen;
+  const box = boxOfMeasure(measure)!;
+  const middle = camera.toScreen(middleOf(measure));
+  const top = camera.toScreenY(box.yMax);
+  const low = camera.toScreenY(box.yMin);
+  const quarter = (low - top) / 4;
+  return [
+    middle,
+    { x: middle.x, y: middle.y - Math.max(quarter, height) },
+    { x: middle.x, y: middle.y + Math.max(quarter, height) },
+    { x: middle.x, y: low + height / 2 + 2 },
+    { x: middle.x, y: top - height / 2 - 2 },
+  ];
+}
+
+/** Below the lower end, then above the upper one, then beside the line. */
+function lineEnds(pen: Pen, measure: Measure, height: number): Point[] {
+  const { camera } = pen;
+  const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => camera.toScreen(point));
+  const [low, high] = ends[0]!.y >= ends[1]!.y ? ends : [ends[1]!, ends[0]!];
+  const bottom = Math.min(low!.y + height / 2 + 4, camera.height - 4 - height / 2);
+  return [
+    { x: low!.x, y: bottom },
+    { x: high!.x, y: high!.y - height / 2 - 4 },
+    ...alongPlaces(pen, measure.points, height, 0),
+  ];
+}
+
+function otherEnd(pen: Pen, measure: Measure, height: number): Point[] {
+  const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => pen.camera.toScreen(point));
+  const high = ends[0]!.y < ends[1]!.y ? ends[0]! : ends[1]!;
+  return [{ x: high.x, y: Math.max(high.y - height / 2 - 4, 4 + height / 2) }];
+}
+
+function alongPlaces(pen: Pen, points: readonly Point[], height: number, width: number): Point[] {
+  const length = alongTotal(points);
+  const away = (width / 2) * pen.camera.scale + height / 2 + 3;
+  return [0.08, 0.92, 0.5, 0.3, 0.7].flatMap((share) => {
+    const { point, direction } = alongLine(points, length * share);
+    const at = pen.camera.toScreen(point);
+    const steep = Math.abs(direction.y) > Math.abs(direction.x);
+    return steep
+      ? [
+          { x: at.x + away + 18, y: at.y },
+          { x: at.x - away - 18, y: at.y },
+        ]
+      : [
+          { x: at.x, y: at.y - away },
+          { x: at.x, y: at.y + away },
+        ];
+  });
+}
+
+/** Small signs that a name must not hide. */
+function signBoxes(pen: Pen, scene: Scene): Box[] {
+  const { camera } = pen;
+  return scene.measures.flatMap((measure) => {
+    const first = measure.points[0];
+    if (!first) return [];
+    const { x, y } = camera.toScreen(first);
+    const isFlag = measure.kind === K.START_POINT || (pen.military && measure.kind === K.PASSAGE_POINT);
+    if (isFlag) return [{ xMin: x - 11, xMax: x + 11, yMin: y - 33, yMax: y + 2 }];
+    if (measure.kind !== K.PASSAGE_POINT) return [];
+    const radius = Math.max(4, (sizeOf(measure) / 2) * camera.scale);
+    return radius > 40 ? [] : [{ xMin: x - radius, xMax: x + radius, yMin: y - radius, yMax: y + radius }];
+  });
+}

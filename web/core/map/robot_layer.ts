@@ -1,0 +1,118 @@
+// The robots' canvas, and who draws on it: the graphics card where there is one and they are many, else the processor.
+import type { Camera } from "../camera.ts";
+import type { Model } from "../model.ts";
+import { paletteOf } from "./palette.ts";
+import { RobotStyles } from "./robot_styles.ts";
+import { BlockPainter } from "./robots_blocks.ts";
+import { drawRobotsByPath } from "./robots_canvas.ts";
+import { RobotsByWebgl } from "./robots_webgl.ts";
+
+export type Renderer = "webgl" | "canvas" | "blocks";
+
+/** Fewer are drawn by paths, which look best and cost little. */
+export const kManyRobots = 1500;
+const kSlowFrame = 45; // ms between drawings: a card that takes longer is none
+const kPatience = 20; // slow frames in a row
+
+export class RobotLayer {
+  renderer: Renderer = "canvas";
+  readonly styles = new RobotStyles();
+  private readonly flat: HTMLCanvasElement;
+  private card: HTMLCanvasElement | null = null;
+  private webgl: RobotsByWebgl | null | undefined; // undefined: not tried yet
+  private readonly blocks = new BlockPainter();
+  private hasGivenUp = false;
+  private slow = 0;
+  private lastDrawing = 0;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly redraw: () => void,
+  ) {
+    this.flat = this.addCanvas();
+  }
+
+  draw(camera: Camera, model: Model, density: number): void {
+    const settings = model.get("map");
+    this.styles.update(model);
+    const wanted = settings.layers.robots ? this.choose(model.robots.count, settings.renderer) : "canvas";
+    this.show(wanted);
+    const palette = paletteOf(settings.theme);
+    if (wanted === "webgl") {
+      this.matchSize();
+      this.webgl!.draw(camera, model.robots, this.styles, palette, settings.circleRobots, density);
+      this.watchSpeed(settings.renderer);
+      return;
+    }
+    const context = this.flat.getContext("2d")!;
+    if (wanted === "blocks") {
+      this.blocks.draw(context, camera, model.robots, this.styles, palette, density);
+      return;
+    }
+    context.setTransform(density, 0, 0, density, 0, 0);
+    context.clearRect(0, 0, camera.width, camera.height);
+    if (!settings.layers.robots) return;
+    drawRobotsByPath(context, camera, model.robots, this.styles, palette, settings.circleRobots);
+  }
+
+  dispose(): void {
+    this.webgl?.dispose();
+  }
+
+  private choose(robots: number, setting: "auto" | "webgl" | "canvas"): Renderer {
+    const few = robots < kManyRobots;
+    if (setting === "canvas") return few ? "canvas" : "blocks";
+    if (setting === "auto" && (few || this.hasGivenUp)) return few ? "canvas" : "blocks";
+    const card = this.startCard();
+    if (!card || card.isLost) return few ? "canvas" : "blocks";
+    if (setting === "auto" && card.isSoftware()) {
+      this.hasGivenUp = true;
+      return "blocks";
+    }
+    return "webgl";
+  }
+
+  private startCard(): RobotsByWebgl | null {
+    if (this.webgl !== undefined) return this.webgl;
+    this.card = this.addCanvas(this.flat);
+    this.card.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.hasGivenUp = true;
+      this.redraw();
+    });
+    this.webgl = RobotsByWebgl.on(this.card);
+    return this.webgl;
+  }
+
+  /** What is drawn in software under another name shows by how long it takes. */
+  private watchSpeed(setting: string): void {
+    const now = performance.now();
+    const since = now - this.lastDrawing;
+    this.lastDrawing = now;
+    if (setting !== "auto" || since > 500) return;
+    this.slow = since > kSlowFrame ? this.slow + 1 : 0;
+    if (this.slow >= kPatience) this.hasGivenUp = true;
+  }
+
+  private show(renderer: Renderer): void {
+    this.renderer = renderer;
+    this.flat.style.display = renderer === "webgl" ? "none" : "";
+    if (this.card) this.card.style.display = renderer === "webgl" ? "" : "none";
+  }
+
+  private matchSize(): void {
+    const { card, flat } = this;
+    if (!card || (card.width === flat.width && card.height === flat.height)) return;
+    card.width = flat.width;
+    card.height = flat.height;
+  }
+
+  private addCanvas(after?: HTMLCanvasElement): HTMLCanvasElement {
+    const canvas = document.createElement("canvas");
+    canvas.style.cssText = "position:absolute;inset:0;width:100%;height:100%;pointer-events:none";
+    canvas.setAttribute("aria-hidden", "true");
+    if (after) after.after(canvas);
+    else this.host.append(canvas);
+    return canvas;
+  }
+}
