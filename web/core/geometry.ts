@@ -96,6 +96,26 @@ export function distanceToSegment(point: Point, a: Point, b: Point): number {
   return distance(point, between(a, b, Math.max(0, Math.min(1, share))));
 }
 
+/** Whether any of the segment lies in the box. @source Liang and Barsky 1984 */
+export function crosses(box: Box, a: Point, b: Point): boolean {
+  let from = 0;
+  let to = 1;
+  const dx = b.x - a.x;
+  const dy = b.y - a.y;
+  for (const [step, room] of [
+    [-dx, a.x - box.xMin],
+    [dx, box.xMax - a.x],
+    [-dy, a.y - box.yMin],
+    [dy, box.yMax - a.y],
+  ] as const) {
+    if (step === 0) {
+      if (room < 0) return false;
+    } else if (step < 0) from = Math.max(from, room / step);
+    else to = Math.min(to, room / step);
+  }
+  return from <= to;
+}
+
 /** Infinity of no points. */
 export function distanceToLine(point: Point, line: readonly Point[], isClosed = false): number {
   if (line.length === 1) return distance(point, line[0]!);

@@ -9,6 +9,8 @@ export interface LabelWish<Key> {
   readonly places: readonly Point[];
   /** Who has more chooses first. */
   readonly weight: number;
+  /** What the name would hide there: the least is taken, the earlier place of two alike. Without it the first. */
+  readonly cost?: (box: Box) => number;
 }
 
 export interface LabelPlace<Key> {
@@ -53,16 +55,27 @@ export function placeLabels<Key>(wishes: readonly LabelWish<Key>[], taken: Taken
   const order = wishes.map((_, index) => index).sort((a, b) => wishes[b]!.weight - wishes[a]!.weight || a - b);
   const placed: LabelPlace<Key>[] = [];
   for (const index of order) {
-    const wish = wishes[index]!;
-    for (const middle of wish.places) {
-      const box = boxAround(middle, wish.width, wish.height);
-      if (!isWithin(box, screen) || !taken.isFree(box)) continue;
-      taken.take(box);
-      placed.push({ key: wish.key, box, middle });
-      break;
-    }
+    const best = bestPlace(wishes[index]!, taken, screen);
+    if (!best) continue;
+    taken.take(best.box);
+    placed.push(best);
   }
   return placed;
+}
+
+function bestPlace<Key>(wish: LabelWish<Key>, taken: TakenBoxes, screen: Box): LabelPlace<Key> | null {
+  let best: LabelPlace<Key> | null = null;
+  let least = Infinity;
+  for (const middle of wish.places) {
+    const box = boxAround(middle, wish.width, wish.height);
+    if (!isWithin(box, screen) || !taken.isFree(box)) continue;
+    const cost = wish.cost?.(box) ?? 0;
+    if (cost >= least) continue;
+    least = cost;
+    best = { key: wish.key, box, middle };
+    if (cost === 0) break;
+  }
+  return best;
 }
 
 export function boxAround(middle: Point, width: number, height: number): Box {

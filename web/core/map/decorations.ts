@@ -9,19 +9,21 @@ const kLongestBar = 140; // px
 
 export function drawDecorations(pen: Pen): void {
   if (pen.camera.width < 260 || pen.camera.height < 160) return;
-  drawScaleBar(pen);
-  drawCompass(pen);
-}
-
-function drawScaleBar(pen: Pen): void {
   const { context, camera, palette } = pen;
   const metres = roundDown(kLongestBar / camera.scale);
   const width = metres * camera.scale;
-  const left = crisp(pen, kMargin + 46);
-  const bottom = crisp(pen, camera.height - kMargin - 6);
   context.beginPath();
-  context.roundRect(left - 10, bottom - 26, width + 20, 36, 6);
-  fill(pen, fade(palette.ground, 0.86));
+  context.roundRect(kMargin - 4, camera.height - kMargin - 38, width + 64, 42, 8);
+  fill(pen, fade(palette.ground, 0.92));
+  stroke(pen, { color: palette.areaEdge, width: 1 });
+  drawScaleBar(pen, metres, width);
+  drawCompass(pen);
+}
+
+function drawScaleBar(pen: Pen, metres: number, width: number): void {
+  const { context, camera, palette } = pen;
+  const left = crisp(pen, kMargin + 44);
+  const bottom = crisp(pen, camera.height - kMargin - 8);
   // Two halves, one dark: the eye finds the middle.
   context.fillStyle = palette.ink;
   context.fillRect(left, bottom - 5, width / 2, 5);
@@ -47,11 +49,7 @@ export function barLabel(metres: number): string {
 function drawCompass(pen: Pen): void {
   const { context, camera, palette } = pen;
   const x = kMargin + 16;
-  const y = camera.height - kMargin - 18;
-  context.beginPath();
-  context.arc(x, y, 18, 0, 2 * Math.PI);
-  fill(pen, fade(palette.ground, 0.86));
-  stroke(pen, { color: palette.areaEdge, width: 1 });
+  const y = camera.height - kMargin - 17;
   const half = (side: number, isNorth: boolean): void => {
     context.beginPath();
     context.moveTo(x, y + (isNorth ? -9 : 13));

@@ -36,13 +36,7 @@ const kOrder: readonly Measure_Kind[] = [
 ];
 const kRank = new Map(kOrder.map((kind, rank) => [kind, rank]));
 
-export function drawGround(
-  pen: Pen,
-  model: Model,
-  picture: HTMLImageElement | null,
-  labels: readonly PlacedLabel[],
-  hover: MapPick | null,
-): void {
+export function drawGround(pen: Pen, model: Model, picture: HTMLImageElement | null, hover: MapPick | null): void {
   const scene = model.get("scene");
   const { layers } = model.get("map");
   drawArea(pen, scene);
@@ -59,6 +53,10 @@ export function drawGround(
   const { items } = model.get("selection");
   for (const item of items) drawChosen(pen, model, scene, item, true);
   if (hover && hover.kind !== "robot") drawChosen(pen, model, scene, hover, false);
+}
+
+/** What stands still above the robots, so that many of them don't hide it. */
+export function drawNames(pen: Pen, labels: readonly PlacedLabel[]): void {
   for (const { text, middle, color, font } of labels) writeText(pen, text, middle.x, middle.y, color, font);
 }
 
@@ -162,7 +160,7 @@ export function drawObject(pen: Pen, object: Scene["objects"][number], x: number
   const sy = camera.toScreenY(y);
   const radius = Math.max(3, (object.diameter / 2) * camera.scale);
   if (!isOnScreen(camera, sx, sy, radius)) return;
-  const color = toHex(readableOn(parseColor(object.color) ?? parseColor(palette.softInk)!, palette.groundRgb, 1.6));
+  const color = toHex(readableOn(parseColor(object.color) ?? parseColor(palette.softInk)!, palette.groundRgb, 1.9));
   context.beginPath();
   context.arc(sx, sy, radius, 0, 2 * Math.PI);
   if (object.style === WorldObject_Style.CONTAINER) {

@@ -1,23 +1,25 @@
 // The map: stacked canvases in a host element, redrawn when something changed and never otherwise.
 //
-//   ground   picture, grid, overlay, obstacles, names       when the camera, the scene or a setting changes
-//   trails   where robots have been                         some times a second
-//   robots   WebGL2 or Canvas2D                             with each frame
-//   top      what belongs to watched robots, tools, scale   with each frame
+//   ground   picture, grid, overlay, obstacles         when the camera, the scene or a setting changes
+//   trails   where robots have been                    some times a second
+//   robots   WebGL2 or Canvas2D                        with each frame
+//   names    names of the overlay, scale, compass      with the ground
+//   top      what belongs to watched robots, tools     with each frame, where there is something to draw
 import { Camera } from "../camera.ts";
 import { type Box, boundsOf, centreOf, grow, type Point, union } from "../geometry.ts";
 import type { Model, Parts } from "../model.ts";
 import type { MapItem } from "../selection.ts";
-import { drawGround } from "./ground.ts";
+import { drawDecorations } from "./decorations.ts";
+import { drawGround, drawNames } from "./ground.ts";
 import { MapInput } from "./input.ts";
-import { type LabelBox, type PlacedLabel, placeMeasureLabels } from "./measure_labels.ts";
+import { type PlacedLabel, placeMeasureLabels } from "./measure_labels.ts";
 import { paletteOf } from "./palette.ts";
 import { SceneIndex } from "./picking.ts";
 import { PictureLoader } from "./picture.ts";
 import { RobotLayer } from "./robot_layer.ts";
 import type { MapPick, MapTool, Pen } from "./tool.ts";
 import { SelectTool } from "./tools/select.ts";
-import { drawTop } from "./top.ts";
+import { drawTop, isTopEmpty } from "./top.ts";
 import { TrailLayer } from "./trail_layer.ts";
 
 export interface MapViewOptions {
@@ -46,6 +48,7 @@ export class MapView {
   hover: MapPick | null = null;
 
   private readonly ground: HTMLCanvasElement;
+  private readonly names: HTMLCanvasElement;
   private readonly top: HTMLCanvasElement;
   private readonly robotLayer: RobotLayer;
   private readonly trailLayer: TrailLayer;
@@ -72,12 +75,15 @@ export class MapView {
     private readonly options: MapViewOptions = {},
   ) {
     host.classList.add("map");
+    if (!host.hasAttribute("role")) host.setAttribute("role", "application");
+    if (!host.hasAttribute("aria-label")) host.setAttribute("aria-label", "Map");
     if (getComputedStyle(host).position === "static") host.style.position = "relative";
     host.style.overflow = "hidden";
     host.style.touchAction = "none";
     this.ground = this.addCanvas();
     this.trailLayer = new TrailLayer(this.addCanvas());
     this.robotLayer = new RobotLayer(host, () => this.change(Dirty.ROBOTS));
+    this.names = this.addCanvas();
     this.top = this.addCanvas();
     this.index = new SceneIndex(null);
     this.picture = new PictureLoader(options.pictureUrl ?? ((path) => path), () => this.change(Dirty.GROUND));
@@ -256,13 +262,20 @@ export class MapView {
     const scene = this.model.get("scene");
     const settings = this.model.get("map");
     this.labels = scene ? placeMeasureLabels(pen, scene, settings) : [];
-    drawGround(pen, this.model, this.picture.image, this.labels, this.hover);
+    drawGround(pen, this.model, this.picture.image, this.hover);
+    const above = this.pen(this.names);
+    drawNames(above, this.labels);
+    if (settings.layers.decorations) drawDecorations(above);
   }
 
   private drawTop(): void {
+    const state = { hover: this.hover, taken: this.labels.map(({ box }) => box), styles: this.robotLayer.styles };
+    const draws = this.activeTool.isDrawing?.() ?? this.activeTool.draw !== undefined;
+    const isEmpty = !draws && isTopEmpty(this.model, state);
+    this.top.style.display = isEmpty ? "none" : "";
+    if (isEmpty) return;
     const pen = this.pen(this.top);
-    const boxes: LabelBox[] = this.labels.map((label) => label.box);
-    drawTop(pen, this.model, { hover: this.hover, taken: boxes, styles: this.robotLayer.styles });
+    drawTop(pen, this.model, state);
     this.activeTool.draw?.(pen);
   }
 

@@ -1,5 +1,5 @@
 // Where the names of control measures stand.
-import { alongLine, type Box, type Point } from "../geometry.ts";
+import { alongLine, type Box, crosses, type Point } from "../geometry.ts";
 import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import { type Measure, Measure_Kind, type Scene } from "../protocol.ts";
 import { colorOf, labelOf } from "./measure_names.ts";
@@ -41,7 +41,9 @@ const kWeights: Partial<Record<Measure_Kind, number>> = {
 
 export function placeMeasureLabels(pen: Pen, scene: Scene, settings: MapSettings): PlacedLabel[] {
   if (!settings.layers.labels || !settings.layers.measures) return [];
-  const wishes = scene.measures.flatMap((measure) => wishOf(pen, measure));
+  const lines = linesOnScreen(pen, scene);
+  const cost = (box: Box): number => costOf(box, lines);
+  const wishes = scene.measures.flatMap((measure) => wishOf(pen, measure)).map((wish) => ({ ...wish, cost }));
   const taken = new TakenBoxes(signBoxes(pen, scene));
   const { width, height } = pen.camera;
   return placeLabels(wishes, taken, { xMin: 4, yMin: 4, xMax: width - 4, yMax: height - 4 }).map(
@@ -95,13 +97,13 @@ function placesOf(pen: Pen, measure: Measure, width: number, height: number): Po
       return aside(camera.toScreen(measure.points[0]!), { x: 12, y: 34 }, width, height, -17);
     case K.LINE_OF_DEPARTURE:
     case K.PHASE_LINE:
-      return lineEnds(pen, measure, height);
+      return lineEnds(pen, measure, width, height);
     case K.BOUNDARY:
     case K.WALL:
     case K.ROAD:
     case K.DOOR: {
       const shape = shapeOf(measure)!;
-      if (shape.kind === "line") return alongPlaces(pen, shape.points, height, shape.width);
+      if (shape.kind === "line") return alongPlaces(pen, shape.points, width, height, shape.width);
       break;
     }
     case K.GAP: {
@@ -162,26 +164,33 @@ function areaPlaces(pen: Pen, measure: Measure, height: number): Point[] {
 }
 
 /** Below the lower end, then above the upper one, then beside the line. */
-function lineEnds(pen: Pen, measure: Measure, height: number): Point[] {
+function lineEnds(pen: Pen, measure: Measure, width: number, height: number): Point[] {
   const { camera } = pen;
   const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => camera.toScreen(point));
   const [low, high] = ends[0]!.y >= ends[1]!.y ? ends : [ends[1]!, ends[0]!];
   const bottom = Math.min(low!.y + height / 2 + 4, camera.height - 4 - height / 2);
   return [
     { x: low!.x, y: bottom },
+    { x: low!.x, y: bottom + height * 0.75 },
     { x: high!.x, y: high!.y - height / 2 - 4 },
-    ...alongPlaces(pen, measure.points, height, 0),
+    { x: high!.x, y: high!.y - height * 1.25 - 4 },
+    ...alongPlaces(pen, measure.points, width, height, 0),
   ];
 }
 
 function otherEnd(pen: Pen, measure: Measure, height: number): Point[] {
   const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => pen.camera.toScreen(point));
   const high = ends[0]!.y < ends[1]!.y ? ends[0]! : ends[1]!;
-  return [{ x: high.x, y: Math.max(high.y - height / 2 - 4, 4 + height / 2) }];
+  const top = Math.max(high.y - height / 2 - 4, 4 + height / 2);
+  return [
+    { x: high.x, y: top },
+    { x: high.x, y: top - height * 0.75 },
+  ];
 }
 
-function alongPlaces(pen: Pen, points: readonly Point[], height: number, width: number): Point[] {
+function alongPlaces(pen: Pen, points: readonly Point[], text: number, height: number, width: number): Point[] {
   const length = alongTotal(points);
+  const aside = (width / 2) * pen.camera.scale + text / 2 + 4;
   const away = (width / 2) * pen.camera.scale + height / 2 + 3;
   return [0.08, 0.92, 0.5, 0.3, 0.7].flatMap((share) => {
     const { point, direction } = alongLine(points, length * share);
@@ -189,14 +198,54 @@ function alongPlaces(pen: Pen, points: readonly Point[], height: number, width: 
     const steep = Math.abs(direction.y) > Math.abs(direction.x);
     return steep
       ? [
-          { x: at.x + away + 18, y: at.y },
-          { x: at.x - away - 18, y: at.y },
+          { x: at.x + aside, y: at.y },
+          { x: at.x - aside, y: at.y },
         ]
       : [
           { x: at.x, y: at.y - away },
           { x: at.x, y: at.y + away },
         ];
   });
+}
+
+type Segment = readonly [Point, Point];
+
+const kMostSegments = 4000; // beyond, names may lie over lines: the map is full anyway
+
+/** The outlines of all measures, which names should not lie over. */
+function linesOnScreen(pen: Pen, scene: Scene): Segment[] {
+  const segments: Segment[] = [];
+  for (const measure of scene.measures) {
+    const outline = outlineOnScreen(pen, measure);
+    for (let i = 1; i < outline.length; ++i) segments.push([outline[i - 1]!, outline[i]!]);
+    if (segments.length > kMostSegments) return [];
+  }
+  return segments;
+}
+
+function outlineOnScreen(pen: Pen, measure: Measure): Point[] {
+  const shape = shapeOf(measure);
+  if (!shape || shape.kind === "point" || measure.kind === K.PASSAGE_POINT) return [];
+  const toScreen = (points: readonly Point[]): Point[] => points.map((point) => pen.camera.toScreen(point));
+  if (shape.kind === "circle") {
+    const { centre, radius } = shape;
+    const corners = Array.from({ length: 25 }, (_, i) => (i / 24) * 2 * Math.PI);
+    return toScreen(
+      corners.map((angle) => ({ x: centre.x + radius * Math.cos(angle), y: centre.y + radius * Math.sin(angle) })),
+    );
+  }
+  return toScreen(shape.kind === "polygon" ? [...shape.points, shape.points[0]!] : shape.points);
+}
+
+/** A line through the middle hides more of the name than one along its edge. */
+function costOf(box: Box, lines: readonly Segment[]): number {
+  const inner = { xMin: box.xMin + 3, xMax: box.xMax - 3, yMin: box.yMin + 3, yMax: box.yMax - 3 };
+  let cost = 0;
+  for (const [a, b] of lines) {
+    if (crosses(inner, a, b)) cost += 2;
+    else if (crosses(box, a, b)) cost += 1;
+  }
+  return cost;
 }
 
 /** Small signs that a name must not hide. */

@@ -2,7 +2,7 @@
 import { type Box, holds } from "../geometry.ts";
 import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { Model } from "../model.ts";
-import { Flag, Life } from "../robots.ts";
+import { Flag, Life, type RobotTable } from "../robots.ts";
 import type { RobotStyles } from "./robot_styles.ts";
 import { ringRadius } from "./robots_canvas.ts";
 import { fill, isOnScreen, kSans, stroke, textWidth, writeText } from "./strokes.ts";
@@ -13,6 +13,16 @@ const kMostMarks = 400;
 const kMostLabels = 600;
 const kFont = `600 11px ${kSans}`;
 
+const kCalls = Flag.CONTACT | Flag.STUCK | Flag.TELEOPERATED | Flag.LOST;
+
+export function hasMarks(robots: RobotTable): boolean {
+  for (let row = 0; row < robots.count; ++row) {
+    const flags = robots.flags(row);
+    if (flags & kCalls || (flags & 7) === Life.FAULTED) return true;
+  }
+  return false;
+}
+
 export function drawMarks(pen: Pen, model: Model, { hover, styles }: TopState): void {
   const { camera } = pen;
   const { robots } = model;
@@ -20,8 +30,7 @@ export function drawMarks(pen: Pen, model: Model, { hover, styles }: TopState): 
   for (let row = 0; row < robots.count && drawn < kMostMarks; ++row) {
     const flags = robots.flags(row);
     const isHovered = hover?.kind === "robot" && hover.id === robots.id(row);
-    const calls = flags & (Flag.CONTACT | Flag.STUCK | Flag.TELEOPERATED | Flag.LOST);
-    if (!isHovered && !calls && (flags & 7) !== Life.FAULTED) continue;
+    if (!isHovered && !(flags & kCalls) && (flags & 7) !== Life.FAULTED) continue;
     const x = camera.toScreenX(robots.x(row));
     const y = camera.toScreenY(robots.y(row));
     if (!isOnScreen(camera, x, y)) continue;

@@ -35,7 +35,7 @@ export class RobotStyles {
     this.colors = new Uint8Array(this.capacity * 4);
     this.sizes = new Float32Array(this.capacity * 2).fill(0.4);
     this.least = leastLength(roster.robots.length);
-    const { groundRgb, idle } = paletteOf(map.theme);
+    const { groundRgb, idle, isDark } = paletteOf(map.theme);
     const unknown = parseColor(idle)!;
     for (let id = 0; id < this.capacity; ++id) this.setColor(id, unknown);
     const known = new Map<string, { r: number; g: number; b: number }>();
@@ -43,7 +43,7 @@ export class RobotStyles {
       if (id >= this.capacity) continue;
       let shown = known.get(color);
       if (!shown) {
-        shown = readableOn(parseColor(color) ?? unknown, groundRgb, 2.2);
+        shown = readableOn(parseColor(color) ?? unknown, groundRgb, isDark ? 4 : 2.8);
         known.set(color, shown);
       }
       this.setColor(id, shown);
@@ -77,8 +77,8 @@ export class RobotStyles {
 
 /** Few robots are easy to see; of many each has to be small. */
 export function leastLength(robots: number): number {
-  if (robots <= 60) return 15;
-  if (robots <= 400) return 12;
+  if (robots <= 60) return 18;
+  if (robots <= 400) return 13;
   if (robots <= 2000) return 9;
   return 7;
 }

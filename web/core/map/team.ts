@@ -44,10 +44,11 @@ export function drawVectors(pen: Pen, model: Model): void {
   const { context, camera, palette } = pen;
   const { vectors, robots } = model;
   const heads: number[] = [];
+  const isSummed = model.get("map").contributions; // the sum of watched robots is drawn with its parts
   context.beginPath();
   for (let row = 0; row < vectors.count; ++row) {
     const own = robots.rowOf(vectors.id(row));
-    if (own < 0) continue;
+    if (own < 0 || (isSummed && model.detail(vectors.id(row))?.contributions.length)) continue;
     const x = camera.toScreenX(robots.x(own));
     const y = camera.toScreenY(robots.y(own));
     if (!isOnScreen(camera, x, y, kLongest)) continue;

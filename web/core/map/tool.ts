@@ -54,4 +54,6 @@ export interface MapTool {
   key?(event: KeyboardEvent): boolean;
   /** Over everything else, with each drawing of the map. */
   draw?(pen: Pen): void;
+  /** False: `draw` would draw nothing now, and the map need not ask. */
+  isDrawing?(): boolean;
 }

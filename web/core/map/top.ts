@@ -1,9 +1,8 @@
 // What lies over the robots: objects that have moved, stations, wanted velocities, marks, names, and all of watched robots.
 import type { Box } from "../geometry.ts";
 import type { Model } from "../model.ts";
-import { drawDecorations } from "./decorations.ts";
 import { drawObject } from "./ground.ts";
-import { drawMarks, drawRobotLabels } from "./robot_marks.ts";
+import { drawMarks, drawRobotLabels, hasMarks } from "./robot_marks.ts";
 import type { RobotStyles } from "./robot_styles.ts";
 import { drawStations, drawVectors } from "./team.ts";
 import type { MapPick, Pen } from "./tool.ts";
@@ -28,9 +27,18 @@ export function drawTop(pen: Pen, model: Model, state: TopState): void {
   if (layers.robots) {
     if (layers.stations) drawStations(pen, model, state.styles);
     if (layers.vectors) drawVectors(pen, model);
-    drawWatched(pen, model, state.styles);
+    const names = drawWatched(pen, model, state);
     drawMarks(pen, model, state);
-    drawRobotLabels(pen, model, state);
+    drawRobotLabels(pen, model, { ...state, taken: [...state.taken, ...names] });
   }
-  if (layers.decorations) drawDecorations(pen);
+}
+
+/** Whether there is anything to draw: an empty canvas need not be shown. */
+export function isTopEmpty(model: Model, { hover }: TopState): boolean {
+  const { layers, robotLabels } = model.get("map");
+  if (model.movedObjects.size > 0 && layers.objects) return false;
+  if (!layers.robots) return true;
+  if (hover?.kind === "robot" || model.get("selection").robots.length > 0 || robotLabels === "all") return false;
+  if ((layers.stations && model.stations.count > 0) || (layers.vectors && model.vectors.count > 0)) return false;
+  return !hasMarks(model.robots);
 }

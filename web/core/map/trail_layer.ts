@@ -31,7 +31,7 @@ export class TrailLayer {
     const most = Math.max(8, Math.floor(kMostSegments / Math.max(1, roster.robots.length)));
     for (const [id, trail] of model.trails) {
       const color = parseColor(roster.robot(id)?.color ?? "") ?? parseColor(pen.palette.softInk)!;
-      const shown = toHex(readableOn(color, pen.palette.groundRgb, 1.8));
+      const shown = toHex(readableOn(color, pen.palette.groundRgb, pen.palette.isDark ? 4 : 2));
       if (mode === "stay") drawPart(pen, trail, Math.max(0, trail.count - most), trail.count, shown, 0.6);
       else drawFading(pen, trail, most, shown, model.time);
     }

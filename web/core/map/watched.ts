@@ -1,17 +1,22 @@
 // All that is known of watched robots: readings, what they perceive, what moves them, where they go, where they belong.
-import { distance, type Point } from "../geometry.ts";
+import { type Box, distance, type Point } from "../geometry.ts";
+import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { Model } from "../model.ts";
 import { toFloats } from "../packed.ts";
 import type { RobotDetail } from "../protocol.ts";
 import { fade } from "./palette.ts";
 import type { RobotStyles } from "./robot_styles.ts";
-import { arrow, fill, isOnScreen, kSans, stroke, traceCircle, writeText } from "./strokes.ts";
+import { arrow, fill, isOnScreen, kSans, stroke, textWidth, traceCircle, writeText } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
+import type { TopState } from "./top.ts";
 
 const kMostDetailed = 8; // robots whose readings and contributions are shown; beyond it would be a tangle
-const kFullStrength = 56; // px of a contribution of strength 1
+const kFullStrength = 64; // px of a contribution of strength 1
+const kNothing = 0.02; // a strength that is not drawn
+const kNameFont = `600 10.5px ${kSans}`;
 
-export function drawWatched(pen: Pen, model: Model, styles: RobotStyles): void {
+/** Returns the boxes of the names it wrote. */
+export function drawWatched(pen: Pen, model: Model, { styles, taken }: TopState): Box[] {
   const selected = model.get("selection").robots;
   const details = selected.flatMap((id) => model.detail(id) ?? []);
   const settings = model.get("map");
@@ -20,10 +25,10 @@ export function drawWatched(pen: Pen, model: Model, styles: RobotStyles): void {
   if (settings.highlightObstacles) for (const detail of close) drawPerceived(pen, detail);
   for (const detail of details) drawGoal(pen, detail, styles);
   for (const detail of details) drawStation(pen, detail, styles);
-  for (const [i, detail] of close.entries()) {
-    // Names of schemas are only told of one robot: more can't be read.
-    if (settings.contributions) drawContributions(pen, detail, i === 0 && close.length <= 3);
-  }
+  if (!settings.contributions) return [];
+  const arrows = close.map((detail) => drawContributions(pen, detail, styles));
+  // Names of schemas are only told of one robot: more can't be read.
+  return close.length === 1 ? nameContributions(pen, arrows[0]!, taken) : [];
 }
 
 function screenOf(pen: Pen, { x, y }: Point): Point {
@@ -122,44 +127,68 @@ function drawStation(pen: Pen, detail: RobotDetail, styles: RobotStyles): void {
   stroke(pen, { color: palette.station, width: 2 });
 }
 
-/** Each schema's push in a colour of its own, and their sum. */
-function drawContributions(pen: Pen, detail: RobotDetail, named: boolean): void {
-  const { palette } = pen;
-  const from = screenOf(pen, detail);
-  const c = Math.cos(detail.heading);
-  const s = Math.sin(detail.heading);
-  const end = (x: number, y: number): Point => {
-    const strength = Math.hypot(x, y);
-    // Beyond full strength the arrow grows no more than half as far again.
-    const pixels = kFullStrength * Math.min(strength, 1 + 0.5 * Math.tanh(strength - 1));
-    const factor = strength > 0 ? pixels / strength : 0;
-    return { x: from.x + (x * c - y * s) * factor, y: from.y - (x * s + y * c) * factor };
-  };
-  let sumX = 0;
-  let sumY = 0;
-  detail.contributions.forEach((contribution, i) => {
-    sumX += contribution.x;
-    sumY += contribution.y;
-    if (Math.hypot(contribution.x, contribution.y) < 0.02) return;
-    const color = palette.contributions[i % palette.contributions.length]!;
-    const to = end(contribution.x, contribution.y);
-    arrow(pen, from, to, { color: palette.halo, width: 4 }, 8);
-    arrow(pen, from, to, { color, width: 2 }, 9);
-    if (!named || distance(from, to) < 14) return;
-    const away = distance(from, to);
-    const x = to.x + ((to.x - from.x) / away) * 8;
-    const y = to.y + ((to.y - from.y) / away) * 10;
-    writeBeside(pen, contribution.member, x, y, to.x - from.x, color);
-  });
-  if (detail.contributions.length > 1 && Math.hypot(sumX, sumY) >= 0.02) {
-    arrow(pen, from, end(sumX, sumY), { color: palette.ink, width: 3 }, 11);
-  }
+interface Contribution {
+  readonly name: string;
+  readonly color: string;
+  readonly tip: Point;
+  readonly way: Point; // from the robot's middle to the tip [px]
 }
 
-/** The name begins, or ends, at the arrow, so that it doesn't lie over it. */
-function writeBeside(pen: Pen, text: string, x: number, y: number, dx: number, color: string): void {
-  const font = `600 10.5px ${kSans}`;
-  pen.context.font = font;
-  const half = pen.context.measureText(text).width / 2;
-  writeText(pen, text, x + Math.max(-1, Math.min(1, dx / 12)) * half, y, color, font);
+/** Each schema's push in a colour of its own, and their sum. */
+function drawContributions(pen: Pen, detail: RobotDetail, styles: RobotStyles): Contribution[] {
+  const { palette, camera } = pen;
+  const from = screenOf(pen, detail);
+  const full = Math.max(kFullStrength, styles.pixels(detail.id, camera.scale) * 1.1);
+  const tipOf = (x: number, y: number): Point => {
+    const { x: dx, y: dy } = toScreenVector(x, y, detail.heading, full);
+    return { x: from.x + dx, y: from.y + dy };
+  };
+  const arrows: Contribution[] = [];
+  let sumX = 0;
+  let sumY = 0;
+  detail.contributions.forEach(({ x, y, member }, i) => {
+    sumX += x;
+    sumY += y;
+    if (Math.hypot(x, y) < kNothing) return;
+    const color = palette.contributions[i % palette.contributions.length]!;
+    const tip = tipOf(x, y);
+    arrow(pen, from, tip, { color: palette.halo, width: 4.5 }, 9);
+    arrow(pen, from, tip, { color, width: 2.25 }, 9);
+    arrows.push({ name: member, color, tip, way: { x: tip.x - from.x, y: tip.y - from.y } });
+  });
+  if (arrows.length > 1 && Math.hypot(sumX, sumY) >= kNothing) {
+    arrow(pen, from, tipOf(sumX, sumY), { color: palette.halo, width: 5 }, 12);
+    arrow(pen, from, tipOf(sumX, sumY), { color: palette.ink, width: 3 }, 12);
+  }
+  return arrows;
+}
+
+/** A push of the robot's frame as pixels: beyond full strength it grows no more than half as far again. */
+function toScreenVector(x: number, y: number, heading: number, full: number): Point {
+  const strength = Math.hypot(x, y);
+  if (strength === 0) return { x: 0, y: 0 };
+  const factor = (full * Math.min(strength, 1 + 0.5 * Math.tanh(strength - 1))) / strength;
+  const c = Math.cos(heading);
+  const s = Math.sin(heading);
+  return { x: (x * c - y * s) * factor, y: -(x * s + y * c) * factor };
+}
+
+/** Beyond the tips, where they don't lie over one another. */
+function nameContributions(pen: Pen, arrows: readonly Contribution[], taken: readonly Box[]): Box[] {
+  const wishes = arrows.map((key): LabelWish<Contribution> => {
+    const width = textWidth(pen, key.name, kNameFont) + 4;
+    const length = Math.max(1, Math.hypot(key.way.x, key.way.y));
+    const ux = key.way.x / length;
+    const uy = key.way.y / length;
+    const at = (away: number, down: number): Point => ({
+      x: key.tip.x + ux * away + Math.max(-1, Math.min(1, ux * 2)) * (width / 2),
+      y: key.tip.y + uy * (away + 4) + down,
+    });
+    const places = [at(6, 0), at(6, 12), at(6, -12), at(20, 0), at(20, 14), at(20, -14), at(34, 0)];
+    return { key, width, height: 13, weight: length, places };
+  });
+  const { width, height } = pen.camera;
+  const placed = placeLabels(wishes, new TakenBoxes(taken), { xMin: 2, yMin: 2, xMax: width - 2, yMax: height - 2 });
+  for (const { key, middle } of placed) writeText(pen, key.name, middle.x, middle.y, key.color, kNameFont);
+  return placed.map(({ box }) => box);
 }

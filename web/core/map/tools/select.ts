@@ -82,6 +82,10 @@ export class SelectTool implements MapTool {
     return false;
   }
 
+  isDrawing(): boolean {
+    return this.corner !== null;
+  }
+
   draw({ context, palette }: Pen): void {
     if (!this.origin || !this.corner) return;
     const { x, y } = this.origin.screen;
