@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
 namespace mlab::fleet {
 namespace {
 
@@ -36,23 +38,27 @@ std::string_view name(RobotLife life) {
 Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
              const std::vector<sim::BodySpec>& bodies, sim::Simulator& simulator, std::uint64_t seed)
     : simulator_(simulator), seed_(seed), workers_(static_cast<std::size_t>(simulator.workers().count())) {
-  bool has_asynchronous = false;
-  for (const mission::Robot& declared : mission.robots) {
-    FleetRobot robot;
-    robot.id = declared.id;
-    robot.type = mission.types[declared.type].name;
-    robot.program = &programs[declared.type];
-    robot.body_spec = bodies[declared.type];
-    if (robot.program->program) {
-      robot.frame = robot.program->initial;
-      has_asynchronous |= robot.program->program->has_asynchronous();
-    }
-    robots_.push_back(std::move(robot));
-  }
+  for (const mission::Robot& declared : mission.robots)
+    robots_.push_back(make_robot(mission, declared, programs, bodies));
   std::sort(robots_.begin(), robots_.end(),
             [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });
   poses_.resize(robots_.size());
-  if (has_asynchronous) async_ = std::make_unique<flow::AsyncRunner>(1);
+}
+
+FleetRobot Fleet::make_robot(const mission::Mission& mission, const mission::Robot& declared,
+                             const std::vector<robot::RobotProgram>& programs,
+                             const std::vector<sim::BodySpec>& bodies) {
+  FleetRobot robot;
+  robot.id = declared.id;
+  robot.type = mission.types[declared.type].name;
+  robot.program = &programs[declared.type];
+  robot.body_spec = bodies[declared.type];
+  if (robot.program->program) {
+    robot.frame = robot.program->initial;
+    if (robot.program->program->has_asynchronous() && !async_)
+      async_ = std::make_unique<flow::AsyncRunner>(1);
+  }
+  return robot;
 }
 
 const FleetRobot* Fleet::find(base::RobotId id) const {
@@ -75,6 +81,8 @@ std::optional<sim::Placement> Fleet::start(base::RobotId id, geom::Pose pose) {
   robot.start = placement->pose;
   robot.life = robot.program->program ? RobotLife::kRunning : RobotLife::kParked;
   robot.frame = robot.program->initial;
+  for (const auto& [port, value] : robot.set_parameters)
+    robot.program->program->set(robot.frame.data(), robot.program->program->ports()[port], value);
   robot.fault.clear();
   poses_[index] = placement->pose;
   actions_.resize(simulator_.body_count());
@@ -215,6 +223,37 @@ void Fleet::step(double dt) {
     times_.sense += worker.sense;
     times_.behave += worker.behave;
   }
+}
+
+void Fleet::brake(double dt) {
+  for (percept::Action& action : actions_) action = {};
+  for (FleetRobot& robot : robots_) {
+    const percept::OrderStatus status = robot.action.status;
+    robot.action = {};
+    robot.action.status = status;
+  }
+  simulator_.step(actions_, dt);
+  update_poses();
+}
+
+bool Fleet::is_moving() const {
+  return std::any_of(robots_.begin(), robots_.end(), [&](const FleetRobot& robot) {
+    return robot.life != RobotLife::kNotStarted && geom::length(simulator_.velocity(robot.body)) > 0.0;
+  });
+}
+
+std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_view path,
+                                                const std::string& value) {
+  const FleetRobot* found = find(id);
+  if (found == nullptr) return fmt::format("there is no robot {}", id.value);
+  FleetRobot& robot = robots_[index_of(*found)];
+  if (!robot.program->program) return fmt::format("robot {} has no program", id.value);
+  const flow::Program& program = *robot.program->program;
+  const flow::Port* port = program.find(path);
+  if (port == nullptr) return fmt::format("the program of robot {} has no `{}`", id.value, path);
+  if (auto problem = program.set(robot.frame.data(), *port, value)) return problem;
+  robot.set_parameters[static_cast<std::uint32_t>(port - program.ports().data())] = value;
+  return std::nullopt;
 }
 
 void Fleet::run_program(FleetRobot& robot, double dt, Worker& worker) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,8 @@ struct FleetRobot {
   std::vector<std::uint64_t> notifications;  ///< to be seen in the next cycle, ascending
   geom::Pose start;
   std::string fault;  ///< path of the port that went wrong; empty: none
+  /// Parameters that a person set, as written, by index of the program's ports; set again at every start.
+  std::map<std::uint32_t, std::string> set_parameters;
 
   static constexpr std::uint32_t kNoGroup = 0xffffffffU;
   static constexpr std::uint32_t kLeaving = 0xffffffffU;  ///< a rank while orders change hands
@@ -67,8 +70,24 @@ class Fleet {
   void stop(base::RobotId robot);
   void set_joystick(base::RobotId robot, const percept::Joystick& joystick);
 
+  /// @errors  a sentence that says what is wrong
+  std::optional<std::string> set_parameter(base::RobotId robot, std::string_view port,
+                                           const std::string& value);
+
+  /// Robots of another version of the mission, see MissionRun::edit.
+  /// @param programs, bodies  as for the constructor; what it was made with before is needed as long as
+  ///                          `uses` says so
+  void edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
+            const std::vector<sim::BodySpec>& bodies);
+  /// True where a robot's program is one of these.
+  bool uses(const std::vector<robot::RobotProgram>& programs) const;
+
   /// One control cycle of all robots [s].
   void step(double dt);
+  /// One cycle in which no program runs and every body brakes [s].
+  void brake(double dt);
+  /// Some body has not come to rest.
+  bool is_moving() const;
 
   const std::vector<FleetRobot>& robots() const { return robots_; }
   const FleetRobot* find(base::RobotId id) const;
@@ -100,6 +119,9 @@ class Fleet {
   std::size_t index_of(const FleetRobot& robot) const {
     return static_cast<std::size_t>(&robot - robots_.data());
   }
+  FleetRobot make_robot(const mission::Mission& mission, const mission::Robot& declared,
+                        const std::vector<robot::RobotProgram>& programs,
+                        const std::vector<sim::BodySpec>& bodies);
   void leave_group(std::uint32_t robot);
   void update_poses();
   void run_program(FleetRobot& robot, double dt, Worker& worker);

@@ -7,54 +7,26 @@
 
 #include <fmt/core.h>
 
-#include "mlab/fleet/vehicle.h"
-
 namespace mlab::fleet {
 
 using mission::effect::Tell;
 
-namespace {
-
-std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& type,
-                                                   const robot::ProgramSources& sources,
-                                                   text::Diagnostics& sink) {
-  std::vector<robot::Setting> settings;
-  for (const mission::RobotParameter& parameter : type.parameters)
-    settings.push_back({parameter.key, parameter.value, parameter.place});
-  return robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink);
+MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings)
+    : settings_(std::move(settings)), state_(mission::initial_state(crew->mission, settings_.executive)) {
+  const mission::Mission& plan = *state_.mission;
+  dt_ = plan.options.cycle_duration.value_or(dt_);
+  metrics_.resize(plan.units.size());
+  simulator_ = std::make_unique<sim::Simulator>(sim::world_of(plan.overlay),
+                                                sim::SimulatorSettings{settings_.seed, settings_.threads});
+  fleet_ = std::make_unique<Fleet>(plan, crew->programs, crew->bodies, *simulator_, settings_.seed);
+  crews_.push_back(std::move(crew));
 }
-
-}  // namespace
-
-MissionRun::MissionRun(std::shared_ptr<const mission::Mission> mission, RunSettings settings)
-    : settings_(std::move(settings)),
-      state_(mission::initial_state(std::move(mission), settings_.executive)) {}
 
 std::unique_ptr<MissionRun> MissionRun::create(std::shared_ptr<const mission::Mission> mission,
                                                const robot::ProgramSources& sources,
                                                const RunSettings& settings, text::Diagnostics& sink) {
-  std::unique_ptr<MissionRun> run(new MissionRun(std::move(mission), settings));
-  const mission::Mission& plan = *run->state_.mission;
-  std::vector<sim::BodySpec> bodies;
-  std::vector<bool> is_used(plan.types.size(), false);
-  for (const mission::Robot& robot : plan.robots) is_used[robot.type] = true;
-  const std::size_t errors_before = sink.error_count();
-  for (std::size_t i = 0; i < plan.types.size(); ++i) {
-    bodies.push_back(body_of(plan.types[i], sink));
-    // A type that nobody uses costs nothing, but what is wrong in it is said all the same; ROBOT alone has no
-    // author.
-    std::optional<robot::RobotProgram> program;
-    if (is_used[i] || plan.types[i].place.source) program = load_program_of(plan.types[i], sources, sink);
-    run->programs_.push_back(program ? std::move(*program)
-                                     : robot::RobotProgram{plan.types[i].program, nullptr, {}});
-  }
-  if (sink.error_count() > errors_before) return nullptr;
-  run->dt_ = plan.options.cycle_duration.value_or(run->dt_);
-  run->metrics_.resize(plan.units.size());
-  run->simulator_ = std::make_unique<sim::Simulator>(sim::world_of(plan.overlay),
-                                                     sim::SimulatorSettings{settings.seed, settings.threads});
-  run->fleet_ = std::make_unique<Fleet>(plan, run->programs_, bodies, *run->simulator_, settings.seed);
-  return run;
+  std::shared_ptr<const Crew> crew = make_crew(std::move(mission), sources, sink);
+  return crew ? std::make_unique<MissionRun>(std::move(crew), settings) : nullptr;
 }
 
 void MissionRun::post(const mission::Event& event) {
@@ -116,6 +88,7 @@ std::size_t MissionRun::steps_done() const {
 }
 
 MissionRun::Progress MissionRun::step() {
+  if (is_stopped_) return brake();
   report_.time = time();
   if (cycle_ == 0 || !state_.paused) {
     fleet_->report(report_.robots);
@@ -133,6 +106,14 @@ MissionRun::Progress MissionRun::step() {
                      id.value, fleet_->find(id)->fault));
   }
   measure();
+  return Progress::kStepped;
+}
+
+MissionRun::Progress MissionRun::brake() {
+  if (has_braked_ && !fleet_->is_moving()) return Progress::kWaits;
+  has_braked_ = true;
+  ++cycle_;
+  fleet_->brake(dt_);
   return Progress::kStepped;
 }
 

@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "mlab/fleet/crew.h"
 #include "mlab/fleet/fleet.h"
 #include "mlab/mission/executive.h"
 #include "mlab/mission/mission.h"
@@ -53,6 +56,8 @@ class MissionRun {
   static std::unique_ptr<MissionRun> create(std::shared_ptr<const mission::Mission> mission,
                                             const robot::ProgramSources& sources, const RunSettings& settings,
                                             text::Diagnostics& sink);
+  /// The same with programs and bodies that are ready.
+  MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings);
 
   /// Called for everything that the executive wants told, asked, shown or set, when it happens.
   using Observer = std::function<void(const mission::Effect&)>;
@@ -68,6 +73,36 @@ class MissionRun {
   };
   /// One control cycle.
   Progress step();
+
+  /// The plan, the robots and the world become those of another version of the mission, while it runs. Who is
+  /// in the world already keeps its place, program and order; of its parameters those change that the
+  /// versions set to different values. Only obstacles, walls and objects that came, went or moved are
+  /// touched.
+  void edit(std::shared_ptr<const Crew> crew);
+
+  /// All robots stand as soon as their bodies can, from the next cycle on. Mission and programs hold: nothing
+  /// that happens in the meantime moves a robot. Once all stand, no time passes until the stop is released.
+  void set_emergency_stop(bool stopped) {
+    if (stopped && !is_stopped_) has_braked_ = false;
+    is_stopped_ = stopped;
+  }
+  bool is_stopped() const { return is_stopped_; }
+
+  /// The operator's stick for one robot.
+  void set_joystick(base::RobotId robot, const percept::Joystick& joystick) {
+    fleet_->set_joystick(robot, joystick);
+  }
+  /// Sets a parameter or constant of one robot's program, from the next cycle on; it outlives a new START.
+  /// @param value  as a person writes it, in the port's edge_unit
+  /// @errors  a sentence that says what is wrong
+  std::optional<std::string> set_parameter(base::RobotId robot, std::string_view port,
+                                           const std::string& value) {
+    return fleet_->set_parameter(robot, port, value);
+  }
+  /// As RunSettings::stands_still_for_operator.
+  void set_stands_still_for_operator(bool stands_still) {
+    settings_.stands_still_for_operator = stands_still;
+  }
 
   bool is_over() const;
   /// Simulated [s]. Counted in cycles, so that it does not drift; SET CYCLE-DURATION changes the length of
@@ -94,8 +129,10 @@ class MissionRun {
   std::vector<std::string> explain(const FleetRobot& robot) const;
 
  private:
-  MissionRun(std::shared_ptr<const mission::Mission> mission, RunSettings settings);
-
+  Progress brake();
+  void change_world(const overlay::Overlay& before, const overlay::Overlay& after);
+  void rename_metrics(const mission::Mission& before, const mission::Mission& after);
+  void drop_unused_crews();
   void apply(const mission::Effect& effect);
   void start_robot(const mission::effect::Start& start);
   void change_environment();
@@ -106,7 +143,7 @@ class MissionRun {
 
   RunSettings settings_;
   mission::State state_;
-  std::vector<robot::RobotProgram> programs_;
+  std::vector<std::shared_ptr<const Crew>> crews_;  // robots point into them; the last one is in force
   std::unique_ptr<sim::Simulator> simulator_;
   std::unique_ptr<Fleet> fleet_;
   Observer observer_;
@@ -117,6 +154,8 @@ class MissionRun {
   std::uint64_t robot_cycles_ = 0;
   std::vector<UnitMetrics> metrics_;
   std::vector<AnswerRecord> answers_;
+  bool is_stopped_ = false;
+  bool has_braked_ = false;  // for at least one cycle of this stop
   mission::event::Cycle report_;
 };
 

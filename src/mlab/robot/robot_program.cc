@@ -73,12 +73,14 @@ const flow::Library& component_library() {
 
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
-                                         const std::vector<std::string>& known_keys,
-                                         text::Diagnostics& sink) {
+                                         const std::vector<std::string>& known_keys, text::Diagnostics& sink,
+                                         std::shared_ptr<const flow::Program> built) {
   const std::size_t errors_before = sink.error_count();
   RobotProgram robot;
   robot.name = name;
-  if (const auto known = library::find_robot(last_part(name))) {
+  if (built) {
+    robot.program = std::move(built);
+  } else if (const auto known = library::find_robot(last_part(name))) {
     robot.program = library_program(*known, sink);
   } else if (last_part(name).ends_with(".cnl")) {
     robot.program = load_network(name, place, sources, sink);

@@ -44,10 +44,12 @@ struct ProgramSources {
 /// value that it can't take is an error.
 /// @param name   as the mission writes it, at `place`
 /// @param known_keys  parameter names that somebody else takes (the vehicle)
+/// @param built  the program of that name, where it has been built before; it is not built again then
 /// @return  nothing where there were errors
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
-                                         const std::vector<std::string>& known_keys, text::Diagnostics& sink);
+                                         const std::vector<std::string>& known_keys, text::Diagnostics& sink,
+                                         std::shared_ptr<const flow::Program> built = nullptr);
 
 /// The component library: all behaviors that come with missionlab.
 const flow::Library& component_library();

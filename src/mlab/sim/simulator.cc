@@ -226,6 +226,10 @@ double Simulator::distance_driven(BodyIndex body) const {
 std::uint32_t Simulator::contacts(BodyIndex body) const {
   return parts_->state.bodies.contacts[body.value];
 }
+bool Simulator::in_contact(BodyIndex body) const {
+  const auto& until = parts_->state.bodies.touched[body.value].until;
+  return std::ranges::any_of(until, [&](double end) { return end > parts_->state.time; });
+}
 base::ObjectId Simulator::carried(BodyIndex body) const {
   const std::uint32_t carried = parts_->state.bodies.carried[body.value];
   return carried == 0 ? base::ObjectId{} : objects()[carried - 1].id;

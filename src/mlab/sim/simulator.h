@@ -59,6 +59,8 @@ class Simulator {
   /// How often the body met something solid or another body. Meeting the same thing again within kSameContact
   /// after the last push against it is still the same contact; the edge of the mission area is none.
   std::uint32_t contacts(BodyIndex body) const;
+  /// The body met something within the last kSameContact.
+  bool in_contact(BodyIndex body) const;
   /// What the body carries; 0: nothing.
   base::ObjectId carried(BodyIndex body) const;
   /// Changes the unit, as for BodySetup::unit.

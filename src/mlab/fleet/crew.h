@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mlab/mission/mission.h"
+#include "mlab/robot/robot_program.h"
+#include "mlab/sim/body.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::fleet {
+
+/// What the robots of a mission are made of: the program and the body of each of its types. Making it may
+/// take long, since a mission can bring procedures that have to be compiled; so it may be made on any thread.
+struct Crew {
+  std::shared_ptr<const mission::Mission> mission;  ///< never null
+  std::vector<robot::RobotProgram> programs;        ///< by index of Mission::types
+  std::vector<sim::BodySpec> bodies;                ///< likewise
+};
+
+/// @param before  a program that it has already is not built again; null: none
+/// @return null where there were errors, all in `sink`
+std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mission,
+                                      const robot::ProgramSources& sources, text::Diagnostics& sink,
+                                      const Crew* before = nullptr);
+
+}  // namespace mlab::fleet

@@ -1,0 +1,148 @@
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mlab/fleet/mission_run.h"
+
+namespace mlab::fleet {
+namespace {
+
+using mission::UnitCommand;
+
+// Two standard robots that are told to go 200 m to the east.
+std::shared_ptr<mission::Mission> two_robots() {
+  auto out = std::make_shared<mission::Mission>();
+  out->types.push_back({"ROBOT", "robot", "blue", "", {}, {}});
+  out->robots = {{{1}, 0, {}}, {{2}, 0, {}}};
+  out->units.push_back({"pair", {{1}, {2}}, {}, {}});
+  UnitCommand start;
+  start.task = percept::Task::kStart;
+  start.goal = {100.0, 100.0};
+  start.start_step = {0.0, 50.0};
+  UnitCommand go;
+  go.goal = {300.0, 125.0};
+  go.place_name = "300 125";
+  out->steps.push_back({"0", {start}, {}});
+  out->steps.push_back({"1", {go}, {}});
+  return out;
+}
+
+std::unique_ptr<MissionRun> running(const std::shared_ptr<const mission::Mission>& mission) {
+  text::Diagnostics sink;
+  auto run = MissionRun::create(mission, {}, {}, sink);
+  EXPECT_NE(run, nullptr) << text::render(sink);
+  run->post(mission::event::Execute{});
+  for (int i = 0; i < 50; ++i) run->step();
+  return run;
+}
+
+void edit(MissionRun& run, const std::shared_ptr<const mission::Mission>& mission) {
+  text::Diagnostics sink;
+  const auto crew = make_crew(mission, {}, sink);
+  ASSERT_NE(crew, nullptr) << text::render(sink);
+  run.edit(crew);
+}
+
+double x_of(const MissionRun& run, std::uint32_t id) {
+  return run.fleet().pose(*run.fleet().find({id})).position.x;
+}
+
+TEST(EmergencyStop, LetsEveryRobotStandFromTheNextCycleOn) {
+  const auto run = running(two_robots());
+  run->set_emergency_stop(true);
+  EXPECT_EQ(run->step(), MissionRun::Progress::kStepped) << "bodies brake";
+  const double x = x_of(*run, 1);
+  const double time = run->time();
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(run->step(), MissionRun::Progress::kWaits);
+  EXPECT_EQ(x_of(*run, 1), x);
+  EXPECT_EQ(run->time(), time) << "nothing moves, so no time passes";
+  run->post(mission::event::Execute{});
+  run->step();
+  EXPECT_EQ(x_of(*run, 1), x) << "an order does not end it";
+  run->set_emergency_stop(false);
+  for (int i = 0; i < 20; ++i) run->step();
+  EXPECT_GT(x_of(*run, 1), x + 1.0);
+}
+
+TEST(Edit, ARobotThatIsAddedCanBeStartedAndTheOthersGoOn) {
+  const auto run = running(two_robots());
+  const double x = x_of(*run, 2);
+  auto more = two_robots();
+  more->robots.push_back({{3}, 0, {}});
+  more->units.push_back({"third", {{3}}, {}, {}});
+  edit(*run, more);
+  ASSERT_EQ(run->fleet().robots().size(), 3U);
+  EXPECT_EQ(x_of(*run, 2), x);
+  run->step();
+  EXPECT_GT(x_of(*run, 2), x) << "its order still stands";
+  UnitCommand start;
+  start.unit = 1;
+  start.task = percept::Task::kStart;
+  start.goal = {10.0, 20.0};
+  run->post(mission::event::Typed{{start}});
+  for (int i = 0; i < 5; ++i) run->step();
+  EXPECT_EQ(run->fleet().find({3})->life, RobotLife::kRunning);
+}
+
+TEST(Edit, ARobotThatIsTakenOutOfThePlanStaysInTheWorld) {
+  const auto run = running(two_robots());
+  auto fewer = two_robots();
+  fewer->robots.erase(fewer->robots.begin());
+  fewer->units[0].members.erase(fewer->units[0].members.begin());
+  edit(*run, fewer);
+  ASSERT_NE(run->fleet().find({1}), nullptr);
+  EXPECT_EQ(run->fleet().find({1})->life, RobotLife::kRunning);
+  run->step();
+}
+
+TEST(Edit, ChangesOfParametersReachRobotsThatAreUnderWay) {
+  text::Diagnostics sink;
+  const auto crew = make_crew(two_robots(), {}, sink);
+  MissionRun run(crew, {});
+  run.post(mission::event::Execute{});
+  for (int i = 0; i < 5; ++i) run.step();
+  auto slow = two_robots();
+  slow->types[0].parameters.push_back({"base_velocity", "0.5", {}});
+  const auto slow_crew = make_crew(slow, {}, sink, crew.get());
+  ASSERT_NE(slow_crew, nullptr);
+  EXPECT_EQ(slow_crew->programs[0].program, crew->programs[0].program) << "not built again";
+  run.edit(slow_crew);
+  const FleetRobot& robot = *run.fleet().find({1});
+  const flow::Program& program = *robot.program->program;
+  EXPECT_EQ(flow::Program::number(robot.frame.data(), *program.find("base_velocity")), 0.5);
+  EXPECT_EQ(flow::Program::number(robot.frame.data(), *program.find("max_velocity")), 7.0);
+}
+
+TEST(Edit, ObstaclesComeAndGoWithTheOverlay) {
+  const auto mission = two_robots();
+  mission->overlay.obstacles.push_back({{500.0, 500.0}, 3.0, 0.0, {}});
+  const auto run = running(mission);
+  ASSERT_EQ(run->simulator().discs().size(), 1U);
+  auto other = two_robots();
+  other->overlay.obstacles.push_back({{400.0, 500.0}, 3.0, 0.0, {}});
+  other->overlay.obstacles.push_back({{600.0, 500.0}, 4.0, 0.0, {}});
+  edit(*run, other);
+  ASSERT_EQ(run->simulator().discs().size(), 2U);
+  for (const sim::Disc& disc : run->simulator().discs()) EXPECT_NE(disc.center.x, 500.0);
+}
+
+TEST(SetParameter, ChangesOneRobotAndOutlivesItsStart) {
+  const auto run = running(two_robots());
+  EXPECT_TRUE(run->set_parameter({1}, "base_velocity", "fast").has_value());
+  EXPECT_TRUE(run->set_parameter({9}, "base_velocity", "1").has_value());
+  EXPECT_FALSE(run->set_parameter({1}, "base_velocity", "0.25").has_value());
+  const double x1 = x_of(*run, 1);
+  const double x2 = x_of(*run, 2);
+  for (int i = 0; i < 50; ++i) run->step();
+  EXPECT_LT(x_of(*run, 1) - x1, x_of(*run, 2) - x2);
+  run->post(mission::event::Abort{});
+  run->post(mission::event::Execute{});
+  run->step();
+  const FleetRobot& robot = *run->fleet().find({1});
+  const flow::Program& program = *robot.program->program;
+  EXPECT_EQ(flow::Program::number(robot.frame.data(), *program.find("base_velocity")), 0.25);
+}
+
+}  // namespace
+}  // namespace mlab::fleet
