@@ -190,6 +190,11 @@ double Fleet::station_error(const FleetRobot& robot) const {
                                              : fleet::station_error(groups_[robot.group], robot.rank, poses_);
 }
 
+std::optional<geom::Point> Fleet::station_place(const FleetRobot& robot) const {
+  if (robot.group == FleetRobot::kNoGroup) return std::nullopt;
+  return fleet::station_place(groups_[robot.group], robot.rank, poses_);
+}
+
 void Fleet::update_poses() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (robots_[i].life != RobotLife::kNotStarted) poses_[i] = simulator_.pose(robots_[i].body);

@@ -96,6 +96,8 @@ class Fleet {
   const Group* group(const FleetRobot& robot) const;
   /// Distance of the robot from its station [m]; 0 without a formation.
   double station_error(const FleetRobot& robot) const;
+  /// Where its formation wants the robot [m, world]; nothing without a formation.
+  std::optional<geom::Point> station_place(const FleetRobot& robot) const;
   /// What the executive wants to know of every started robot, by id. Fills `out`.
   void report(std::vector<mission::RobotReport>& out) const;
 

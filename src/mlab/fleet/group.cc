@@ -36,6 +36,18 @@ percept::UnitPercept unit_percept(const Group& group, std::size_t rank,
   return out;
 }
 
+std::optional<geom::Point> station_place(const Group& group, std::size_t rank,
+                                         const std::vector<geom::Pose>& poses) {
+  if (group.order.formation == percept::Formation::kNone || group.members.size() < 2) return std::nullopt;
+  const geom::Pose formation{group.center, group.formation_heading};
+  if (group.order.formation == percept::Formation::kSweep) {
+    const geom::Vector at = formation.to_robot(poses[group.members[rank]].position);
+    return formation.point_at({0.0, at.y, 0.0});
+  }
+  return formation.point_at(percept::station(group.order.formation, static_cast<int>(rank),
+                                             static_cast<int>(group.members.size()), group.spacing));
+}
+
 double station_error(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses) {
   if (group.order.formation == percept::Formation::kNone || group.members.size() < 2) return 0.0;
   const geom::Pose formation{group.center, group.formation_heading};

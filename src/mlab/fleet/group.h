@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mlab/geom/pose.h"
@@ -33,5 +34,10 @@ percept::UnitPercept unit_percept(const Group& group, std::size_t rank, const st
 /// How far the member of this rank is from its station, measured from the unit's centre [m]; in a sweep only
 /// along the heading. Zero where there is no formation to keep.
 double station_error(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses);
+
+/// Where the formation wants the member of this rank [m, world]; in a sweep beside where it is. Nothing where
+/// there is no formation to keep.
+std::optional<geom::Point> station_place(const Group& group, std::size_t rank,
+                                         const std::vector<geom::Pose>& poses);
 
 }  // namespace mlab::fleet

@@ -66,5 +66,18 @@ TEST(StationError, IsTheDistanceFromTheStation) {
   EXPECT_EQ(station_error(group, 0, poses), 0.0);
 }
 
+TEST(StationPlace, IsWhereTheStationErrorIsMeasuredFrom) {
+  Group group = group_of({0, 1});
+  group.order.formation = percept::Formation::kColumn;
+  group.spacing = 10;
+  const std::vector<geom::Pose> poses = {{{5, 3}, 0}, {{-5, -3}, 0}};
+  update_group(group, poses);
+  const auto place = station_place(group, 0, poses);
+  ASSERT_TRUE(place.has_value());
+  EXPECT_NEAR(geom::distance(*place, poses[0].position), station_error(group, 0, poses), 1e-12);
+  group.order.formation = percept::Formation::kNone;
+  EXPECT_FALSE(station_place(group, 0, poses).has_value());
+}
+
 }  // namespace
 }  // namespace mlab::fleet

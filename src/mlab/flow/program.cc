@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/base/hash.h"
 #include "mlab/flow/async_runner.h"
 #include "mlab/flow/port_types.h"
 
@@ -340,6 +341,39 @@ std::vector<std::string> Program::active_states(const std::byte* frame) const {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < sequences_.size(); ++i) {
     out.push_back(sequence_names_[i] + "." + state_names_[i][at<std::uint32_t>(frame, sequences_[i].active)]);
+  }
+  return out;
+}
+
+std::uint64_t Program::states_key(const std::byte* frame) const {
+  std::uint64_t key = 0;
+  for (const SequenceCode& sequence : sequences_)
+    key = base::combine_bits(key, at<std::uint32_t>(frame, sequence.active));
+  return key;
+}
+
+std::vector<Program::WayOut> Program::ways_out(const std::byte* frame) const {
+  std::vector<WayOut> out;
+  const auto now = static_cast<std::uint32_t>(cycle(frame));
+  for (const Instruction& instruction : instructions_) {
+    if (instruction.kind != Instruction::Kind::kSequence) continue;
+    const bool ran = now != 0 && (instruction.stamp == kNone || at<std::uint32_t>(frame, instruction.stamp) == now);
+    if (!ran) continue;
+    const SequenceCode& sequence = sequences_[instruction.data];
+    const std::vector<std::string>& names = state_names_[instruction.data];
+    const std::uint32_t active = at<std::uint32_t>(frame, sequence.active);
+    for (const TransitionCode& transition : sequence.states[active].transitions) {
+      WayOut& way = out.emplace_back();
+      way.sequence = sequence_names_[instruction.data];
+      way.state = names[active];
+      way.target = names[transition.target];
+      way.is_negated = transition.is_negated;
+      way.trigger_value = at<bool>(frame, transition.trigger);
+      const auto port = std::ranges::find_if(ports_, [&](const Port& p) {
+        return p.role == Port::Role::kOutput && p.offset == transition.trigger;
+      });
+      if (port != ports_.end()) way.trigger = port->path;
+    }
   }
   return out;
 }

@@ -191,6 +191,20 @@ class Program {
 
   /// The active states of all sequences, `sequence.state` each, in the network's order.
   std::vector<std::string> active_states(const std::byte* frame) const;
+  /// A number that is the same as long as no sequence changes its state; without any text, for every cycle.
+  std::uint64_t states_key(const std::byte* frame) const;
+
+  /// A way out of the state in which a sequence is.
+  struct WayOut {
+    std::string sequence;
+    std::string state;
+    std::string trigger;      ///< path of the node; empty: a constant
+    bool is_negated = false;  ///< it is taken when the trigger is false
+    bool trigger_value = false;
+    std::string target;
+  };
+  /// The ways out of the active states of all sequences that ran in the last cycle, in their order.
+  std::vector<WayOut> ways_out(const std::byte* frame) const;
 
  private:
   friend class ProgramBuilder;

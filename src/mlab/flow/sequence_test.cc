@@ -52,6 +52,24 @@ TEST(Sequence, TellsItsActiveState) {
   EXPECT_EQ(run.program->active_states(run.frame.data()), (std::vector<std::string>{"job.B"}));
 }
 
+TEST(Sequence, TellsTheWaysOutOfItsState) {
+  Runner run(two_states());
+  EXPECT_TRUE(run.program->ways_out(run.frame.data()).empty()) << "nothing has run";
+  run.step();
+  const std::uint64_t key = run.program->states_key(run.frame.data());
+  const auto ways = run.program->ways_out(run.frame.data());
+  ASSERT_EQ(ways.size(), 1U);
+  EXPECT_EQ(ways[0].sequence, "job");
+  EXPECT_EQ(ways[0].state, "A");
+  EXPECT_EQ(ways[0].trigger, "t0");
+  EXPECT_EQ(ways[0].target, "B");
+  EXPECT_FALSE(ways[0].trigger_value);
+  run.step();
+  EXPECT_EQ(run.program->states_key(run.frame.data()), key);
+  run.step();
+  EXPECT_NE(run.program->states_key(run.frame.data()), key);
+}
+
 TEST(Sequence, AMemberThatBothStatesNeedGoesOn) {
   Network network = two_states();
   network.nodes[4].states[1].member = name("a");

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "mlab/console.pb.h"
+#include "mlab/geom/pose.h"
+
+namespace mlab::console {
+
+/// What happened, for people: the last kMost entries, numbered from 1 without gaps.
+class EventLog {
+ public:
+  static constexpr std::size_t kMost = 10000;
+
+  struct Entry {
+    Log::Kind kind = Log::MESSAGE;
+    std::string text;
+    std::uint32_t robot = 0;  ///< 0: none
+    std::string unit;         ///< empty: none
+    std::optional<geom::Point> place;
+    bool is_alert = false;
+  };
+
+  /// @param time  of the run [s]
+  void add(double time, Entry entry);
+  /// Number of the last entry; 0: there is none.
+  std::uint64_t last() const { return last_; }
+  /// All entries after that number, as far as they are kept. `is_whole` is set where some of them are not.
+  void encode_since(std::uint64_t number, Log& out) const;
+
+ private:
+  std::deque<Log::Entry> entries_;
+  std::uint64_t last_ = 0;
+};
+
+}  // namespace mlab::console

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "mlab/console.pb.h"
+#include "mlab/flow/program.h"
+#include "mlab/fleet/mission_run.h"
+#include "mlab/mission/mission.h"
+#include "mlab/text/source.h"
+
+namespace mlab::console {
+
+/// Where something stands in a document that a browser knows; the document's name is empty where it knows none.
+struct TextPlace {
+  std::string document;
+  std::uint32_t line = 0;  ///< from 1
+};
+using Locate = std::function<TextPlace(const text::Place&)>;
+
+/// The steps of a mission as its author planned them.
+void encode_plan(const mission::Mission& mission, std::uint64_t revision, const Locate& locate, Plan& out);
+
+/// Robots, named units and robot programs with their ports.
+/// @param count_units  so many units are told; later ones were made up for a single robot
+void encode_roster(const fleet::MissionRun& run, std::size_t count_units, Roster& out);
+
+/// A port as a browser shows it.
+void encode_port(const flow::Program& program, const flow::Port& port, Port& out);
+
+/// Text of a mission's author for a browser: as it is, but for control characters and what is no UTF-8.
+std::string clean(std::string_view text);
+
+}  // namespace mlab::console
