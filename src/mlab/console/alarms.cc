@@ -47,8 +47,12 @@ void Alarms::look(const fleet::MissionRun& run, EventLog& log) {
   contacts_now_ = stuck_now_ = states_now_ = 0;
   for (std::size_t i = 0; i < fleet.size(); ++i) look_at(run, fleet[i], robots_[i], log);
   if (contacts_now_ > kMostAtOnce) {
-    log.add(run.time(), {Log::CONTACT, fmt::format("{} more robots in contact", contacts_now_ - kMostAtOnce),
-                         0, "", {}, true});
+    log.add(run.time(), {Log::CONTACT,
+                         fmt::format("{} more robots in contact", contacts_now_ - kMostAtOnce),
+                         0,
+                         "",
+                         {},
+                         true});
   }
   if (stuck_now_ > kMostAtOnce) {
     log.add(run.time(),
@@ -61,8 +65,8 @@ void Alarms::look_at(const fleet::MissionRun& run, const FleetRobot& robot, Robo
   if (robot.life != known.life) {
     if (robot.life == RobotLife::kFaulted) {
       log.add(run.time(),
-              entry(Log::LOST, fmt::format("robot {} stands: fault at `{}`", robot.id.value, robot.fault), robot,
-                    run.fleet().pose(robot).position, true));
+              entry(Log::LOST, fmt::format("robot {} stands: fault at `{}`", robot.id.value, robot.fault),
+                    robot, run.fleet().pose(robot).position, true));
     }
     if (known.life == RobotLife::kNotStarted || known.life == RobotLife::kStopped) known.contacts = 0;
     known.life = robot.life;
@@ -98,9 +102,10 @@ void Alarms::look_for_progress(const fleet::MissionRun& run, const FleetRobot& r
                                EventLog& log) {
   const percept::OrderStatus& status = robot.action.status;
   const fleet::Group* group = run.fleet().group(robot);
-  const bool should_move = group != nullptr && !group->order.halted && status.sequence == group->order.sequence &&
-                           !status.done && group->order.task != percept::Task::kTeleoperate &&
-                           std::isfinite(status.remaining) && run.state().mode == mission::State::Mode::kRunning;
+  const bool should_move =
+      group != nullptr && !group->order.halted && status.sequence == group->order.sequence && !status.done &&
+      group->order.task != percept::Task::kTeleoperate && std::isfinite(status.remaining) &&
+      run.state().mode == mission::State::Mode::kRunning;
   if (!should_move || status.sequence != known.sequence || status.remaining < known.best - kProgress) {
     known.sequence = status.sequence;
     known.best = should_move ? status.remaining : std::numeric_limits<double>::infinity();
@@ -142,11 +147,10 @@ void Alarms::look_for_states(const fleet::MissionRun& run, const FleetRobot& rob
   known.states = states;
   known.knows_states = true;
   if (!changed || ++states_now_ > kMostAtOnce) return;
-  log.add(run.time(),
-          entry(Log::STATE,
-                fmt::format("robot {} is in {}", robot.id.value,
-                            fmt::join(program.active_states(robot.frame.data()), ", ")),
-                robot, run.fleet().pose(robot).position, false));
+  log.add(run.time(), entry(Log::STATE,
+                            fmt::format("robot {} is in {}", robot.id.value,
+                                        fmt::join(program.active_states(robot.frame.data()), ", ")),
+                            robot, run.fleet().pose(robot).position, false));
 }
 
 }  // namespace mlab::console

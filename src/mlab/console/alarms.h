@@ -10,20 +10,22 @@
 
 namespace mlab::console {
 
-/// Watches the robots of a run for what a person should know of: contacts, no progress, silence, changes of state.
-/// Enters it into the log, not more than a person can read, and keeps what each robot's place on the map shows.
+/// Watches the robots of a run for what a person should know of: contacts, no progress, silence, changes of
+/// state. Enters it into the log, not more than a person can read, and keeps what each robot's place on the
+/// map shows.
 class Alarms {
  public:
-  static constexpr double kStuckAfter = 30.0;      ///< so long no nearer to done [s]
-  static constexpr double kProgress = 0.5;         ///< what counts as nearer [m]
-  static constexpr double kContactsApart = 5.0;    ///< of one robot, in the log [s]
-  static constexpr std::size_t kMostAtOnce = 10;   ///< entries of one kind in one cycle; the rest is counted
-  static constexpr std::size_t kMostRobots = 200;  ///< with more, states are told only of robots that are watched
+  static constexpr double kStuckAfter = 30.0;     ///< so long no nearer to done [s]
+  static constexpr double kProgress = 0.5;        ///< what counts as nearer [m]
+  static constexpr double kContactsApart = 5.0;   ///< of one robot, in the log [s]
+  static constexpr std::size_t kMostAtOnce = 10;  ///< entries of one kind in one cycle; the rest is counted
+  static constexpr std::size_t kMostRobots =
+      200;  ///< with more, states are told only of robots that are watched
 
   struct Robot {
     std::uint32_t id = 0;
     std::uint32_t contacts = 0;
-    std::uint32_t sequence = 0;  ///< of the order whose progress is watched
+    std::uint32_t sequence = 0;                             ///< of the order whose progress is watched
     double best = std::numeric_limits<double>::infinity();  ///< least that remained [m]
     double since = 0.0;                                     ///< when it was that near for the first time [s]
     double contact_told = -kContactsApart;

@@ -60,7 +60,8 @@ Estimates::Estimate Estimates::of(const mission::State& state, const mission::Ru
   for (std::size_t i = 0; i < run.needed.size(); ++i) {
     const mission::RobotState* robot = find(state, run.needed[i]);
     if (!is_of(state, run, robot)) continue;
-    const double initial = at == tracks_.end() || i >= at->second.initial.size() ? -1.0 : at->second.initial[i];
+    const double initial =
+        at == tracks_.end() || i >= at->second.initial.size() ? -1.0 : at->second.initial[i];
     const double remaining = remaining_of(state, run, run.needed[i]);
     if (robot->done)
       sum += 1.0;
@@ -71,8 +72,8 @@ Estimates::Estimate Estimates::of(const mission::State& state, const mission::Ru
   if (run.phase != mission::Run::Phase::kRobots || out.remaining < 0.0 || at == tracks_.end()) return out;
   const std::deque<Sample>& samples = at->second.samples;
   if (samples.size() < 2) return out;
-  const double rate = (samples.front().remaining - samples.back().remaining) /
-                      (samples.back().time - samples.front().time);
+  const double rate =
+      (samples.front().remaining - samples.back().remaining) / (samples.back().time - samples.front().time);
   if (rate >= kLeastRate) out.arrival = state.time + out.remaining / rate;
   return out;
 }

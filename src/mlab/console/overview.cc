@@ -98,7 +98,8 @@ std::string clean(std::string_view text) {
   return text::shown(text, 4000);
 }
 
-void encode_plan(const mission::Mission& mission, std::uint64_t revision, const Locate& locate, Plan& out) {
+void encode_plan(const mission::Mission& mission, std::uint64_t revision, const PlaceOf& place_of,
+                 Plan& out) {
   out.set_revision(revision);
   out.set_name(clean(mission.name));
   for (const mission::Step& step : mission.steps) {
@@ -106,7 +107,7 @@ void encode_plan(const mission::Mission& mission, std::uint64_t revision, const 
     told.set_label(clean(step.label));
     for (const mission::Command& command : step.commands)
       encode_command(mission, command, *told.add_commands());
-    const TextPlace place = locate(step.place);
+    const DocumentPlace place = place_of(step.place);
     told.set_document(place.document);
     told.set_line(place.line);
   }
@@ -157,8 +158,10 @@ void encode_roster(const fleet::MissionRun& run, std::size_t count_units, Roster
   }
   std::vector<std::int32_t> named(count_units, -1);  // index among the named units
   for (std::size_t i = 0; i < count_units; ++i) {
-    if (!mission.units[i].name.empty()) named[i] = static_cast<std::int32_t>(std::count_if(
-        named.begin(), named.begin() + static_cast<std::ptrdiff_t>(i), [](std::int32_t n) { return n >= 0; }));
+    if (!mission.units[i].name.empty())
+      named[i] = static_cast<std::int32_t>(std::count_if(named.begin(),
+                                                         named.begin() + static_cast<std::ptrdiff_t>(i),
+                                                         [](std::int32_t n) { return n >= 0; }));
   }
   // The nearest named unit above each one.
   std::vector<std::int32_t> parents(count_units, -1);

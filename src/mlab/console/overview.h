@@ -1,26 +1,19 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
+#include <string_view>
 
 #include "mlab/console.pb.h"
-#include "mlab/flow/program.h"
+#include "mlab/console/scene_encoder.h"
 #include "mlab/fleet/mission_run.h"
+#include "mlab/flow/program.h"
 #include "mlab/mission/mission.h"
-#include "mlab/text/source.h"
 
 namespace mlab::console {
 
-/// Where something stands in a document that a browser knows; the document's name is empty where it knows none.
-struct TextPlace {
-  std::string document;
-  std::uint32_t line = 0;  ///< from 1
-};
-using Locate = std::function<TextPlace(const text::Place&)>;
-
 /// The steps of a mission as its author planned them.
-void encode_plan(const mission::Mission& mission, std::uint64_t revision, const Locate& locate, Plan& out);
+void encode_plan(const mission::Mission& mission, std::uint64_t revision, const PlaceOf& place_of, Plan& out);
 
 /// Robots, named units and robot programs with their ports.
 /// @param count_units  so many units are told; later ones were made up for a single robot

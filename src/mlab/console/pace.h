@@ -4,8 +4,9 @@
 
 namespace mlab::console {
 
-/// When the next cycle is due, for a wanted number of simulated seconds per second. What can't be kept up with is
-/// made up for within kMostBehind and forgotten beyond, so that a run that was held up does not race afterwards.
+/// When the next cycle is due, for a wanted number of simulated seconds per second. What can't be kept up
+/// with is made up for within kMostBehind and forgotten beyond, so that a run that was held up does not race
+/// afterwards.
 ///
 /// All times are in seconds: `wall` of any clock that does not go back, `sim` of the run.
 class Pace {

@@ -72,7 +72,8 @@ bool Roles::forget(double now) {
 std::optional<double> Roles::next_to_forget() const {
   std::optional<double> next;
   for (const Client& client : clients_) {
-    if (client.connection.value == 0) next = std::min(next.value_or(client.left + kKept), client.left + kKept);
+    if (client.connection.value == 0)
+      next = std::min(next.value_or(client.left + kKept), client.left + kKept);
   }
   return next;
 }
@@ -82,10 +83,6 @@ const Roles::Client* Roles::of(ConnectionId connection) const {
   return connection.value == 0 || at == clients_.end() ? nullptr : &*at;
 }
 
-Roles::Client* Roles::find(std::uint32_t client) {
-  const auto at = std::ranges::find(clients_, client, &Client::id);
-  return at == clients_.end() ? nullptr : &*at;
-}
 const Roles::Client* Roles::find(std::uint32_t client) const {
   const auto at = std::ranges::find(clients_, client, &Client::id);
   return at == clients_.end() ? nullptr : &*at;

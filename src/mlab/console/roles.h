@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "mlab/console/connection_id.h"
+#include "mlab/console/server/connection_id.h"
 
 namespace mlab::console {
 
 class Clients;
 
-/// Who looks at the session, and who of them is the operator: the first who comes, then whoever the place is handed
-/// over to. A client outlives its connection for kKept, and is the same one when it comes back with its key.
+/// Who looks at the session, and who of them is the operator: the first who comes, then whoever the place is
+/// handed over to. A client outlives its connection for kKept, and is the same one when it comes back with
+/// its key.
 ///
 /// Times are seconds of any clock that does not go back.
 class Roles {
@@ -28,7 +29,8 @@ class Roles {
   };
   struct Joined {
     std::uint32_t client = 0;
-    /// A connection that had the same key and is somebody else from now on (a duplicated browser tab); 0: none.
+    /// A connection that had the same key and is somebody else from now on (a duplicated browser tab); 0:
+    /// none.
     ConnectionId displaced;
   };
 
@@ -57,7 +59,6 @@ class Roles {
   void encode(Clients& out) const;
 
  private:
-  Client* find(std::uint32_t client);
   std::uint32_t add(ConnectionId connection, const std::string& name, const std::string& key);
 
   std::vector<Client> clients_;  // in the order in which they came

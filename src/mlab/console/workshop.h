@@ -8,8 +8,8 @@
 
 namespace mlab::console {
 
-/// A thread for what takes long (compiling, making a large run), so that the session goes on meanwhile. Jobs are
-/// done one after the other; those that have not begun when it ends are dropped.
+/// A thread for what takes long (compiling, making a large run), so that the session goes on meanwhile. Jobs
+/// are done one after the other; those that have not begun when it ends are dropped.
 class Workshop {
  public:
   Workshop() : thread_([this] { work(); }) {}

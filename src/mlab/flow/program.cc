@@ -357,7 +357,8 @@ std::vector<Program::WayOut> Program::ways_out(const std::byte* frame) const {
   const auto now = static_cast<std::uint32_t>(cycle(frame));
   for (const Instruction& instruction : instructions_) {
     if (instruction.kind != Instruction::Kind::kSequence) continue;
-    const bool ran = now != 0 && (instruction.stamp == kNone || at<std::uint32_t>(frame, instruction.stamp) == now);
+    const bool ran =
+        now != 0 && (instruction.stamp == kNone || at<std::uint32_t>(frame, instruction.stamp) == now);
     if (!ran) continue;
     const SequenceCode& sequence = sequences_[instruction.data];
     const std::vector<std::string>& names = state_names_[instruction.data];

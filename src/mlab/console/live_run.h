@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "mlab/console/alarms.h"
+#include "mlab/console/estimates.h"
+#include "mlab/console/event_log.h"
+#include "mlab/fleet/mission_run.h"
+
+namespace mlab::console {
+
+/// A run, and all that is noted of it while it goes on. Nothing here changes how it goes on, so a run with
+/// many people looking is the same as one with nobody.
+class LiveRun {
+ public:
+  /// @param log  outlives it
+  LiveRun(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run, EventLog& log);
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
+  fleet::MissionRun& run() { return *run_; }
+  const fleet::MissionRun& run() const { return *run_; }
+  /// What its robots are made of, as of the last edit.
+  const std::shared_ptr<const fleet::Crew>& crew() const { return crew_; }
+  void edit(std::shared_ptr<const fleet::Crew> crew);
+
+  /// One control cycle, noted.
+  fleet::MissionRun::Progress step();
+  /// Something was asked of the executive, ever.
+  bool was_started() const;
+
+  const Alarms& alarms() const { return alarms_; }
+  Alarms& alarms() { return alarms_; }
+  const Estimates& estimates() const { return estimates_; }
+  /// When the questions that are open were asked [s], and their texts, by id.
+  const std::map<std::uint32_t, double>& asked() const { return asked_; }
+  const std::map<std::uint32_t, std::string>& question_texts() const { return texts_; }
+  /// As the mission has them and SET has changed them.
+  const mission::Options& options() const { return options_; }
+  /// True where something happened since this was asked last, other than that time passed.
+  bool take_news() { return std::exchange(has_news_, false); }
+
+ private:
+  void see(const mission::Effect& effect);
+  void tell(const mission::effect::Tell& told);
+  void print(bool robot_info);
+
+  std::shared_ptr<const fleet::Crew> crew_;
+  std::unique_ptr<fleet::MissionRun> run_;
+  EventLog& log_;
+  Alarms alarms_;
+  Estimates estimates_;
+  std::map<std::uint32_t, double> asked_;
+  std::map<std::uint32_t, std::string> texts_;
+  mission::Options options_;
+  bool has_news_ = true;
+};
+
+/// What SET does to the options.
+void set_option(mission::Options& options,
+                const std::variant<mission::SetBoolean, mission::SetNumber>& option);
+/// Display options that are on, as MDL names them.
+std::vector<std::string> options_on(const mission::Options& options);
+
+}  // namespace mlab::console

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "mlab/console.pb.h"
+#include "mlab/console/channel.h"
+#include "mlab/console/documents.h"
+#include "mlab/console/event_log.h"
+#include "mlab/console/frame_encoder.h"
+#include "mlab/console/inbox.h"
+#include "mlab/console/live_run.h"
+#include "mlab/console/pace.h"
+#include "mlab/console/project_folder.h"
+#include "mlab/console/roles.h"
+#include "mlab/console/session.h"
+#include "mlab/console/workshop.h"
+
+namespace mlab::console {
+
+/// The session itself. But for what is marked, everything happens on its own thread, in `work`. The functions
+/// stand in several files: session_loop.cc, session_receive.cc, session_control.cc, session_load.cc,
+/// session_publish.cc.
+class Session::Parts {
+ public:
+  Parts(SessionSettings settings, Send send);
+  ~Parts();
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  // ---- from any thread
+
+  void receive(ConnectionId from, std::unique_ptr<ToServer> message);
+  void closed(ConnectionId connection);
+  void emergency_stop();
+  Picture picture(std::uint64_t revision) const;
+  std::string report();
+  bool has_ended() const { return has_ended_; }
+
+ private:
+  /// What a request is answered with; an error is one sentence.
+  using Answered = std::optional<std::string>;
+
+  // ---- session_loop.cc
+
+  void work();
+  void open_first_mission();
+  double now() const;
+  double sim_time() const { return live_ ? live_->run().time() : 0.0; }
+  void engage_emergency_stop();
+  /// Lets as much time pass as is due, but not for longer than a person would notice.
+  void advance();
+  bool is_active() const;
+  /// When the loop has to look around again [s].
+  double next_wake() const;
+
+  // ---- session_receive.cc
+
+  void take(ConnectionId from, const ToServer& message);
+  void take_hello(ConnectionId from, const Hello& hello, std::uint32_t request);
+  void greet(ConnectionId to);
+  void take_as_client(Channel& channel, const Roles::Client& client, const ToServer& message);
+  /// Requests that only the operator may make.
+  Answered take_as_operator(const std::string& who, const ToServer& message, Reply& reply);
+  Answered take_ownership(const Roles::Client& client, const ToServer& message);
+  void take_closed(ConnectionId connection);
+
+  // ---- session_control.cc
+
+  Answered control(const std::string& who, const Control& control);
+  Answered set_speed(const std::string& who, double speed);
+  Answered answer(const std::string& who, const Answer& answer);
+  Answered typed(const std::string& who, const Typed& typed, Reply& reply);
+  void release_stop(const std::string& who);
+  void single_cycle();
+  void post(const mission::Event& event);
+  void note(const std::string& who, const std::string& what);
+
+  // ---- session_load.cc
+
+  /// The run is made anew from the documents' mission, on the workshop's thread.
+  void load(std::uint64_t seed);
+  void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
+  void report_problems(const text::Diagnostics& problems);
+  robot::ProgramSources program_sources() const;
+
+  // ---- session_publish.cc
+
+  void publish();
+  void publish_state();
+  void publish_frames();
+  void publish_log(Channel& channel);
+  void send(ConnectionId to, const ToBrowser& message);
+  void broadcast(const ToBrowser& message);
+  Status status_message() const;
+  void fill_roster(ToBrowser& out) const;
+  void fill_plan(ToBrowser& out) const;
+  void fill_questions(ToBrowser& out) const;
+  void fill_frame(Channel& channel, Frame& out);
+
+  /// What has changed and is to be sent to all.
+  struct Changes {
+    bool project = false;
+    bool documents = false;
+    bool scene = false;
+    bool roster = false;
+    bool plan = false;
+    bool status = false;
+    bool questions = false;
+    bool clients = false;
+    bool edits = false;
+    bool trails = false;
+  };
+
+  const SessionSettings settings_;
+  const Send send_;
+  Inbox inbox_;
+  std::atomic<bool> ends_ = false;
+  std::atomic<bool> stop_wanted_ = false;
+  std::atomic<bool> has_ended_ = false;
+  mutable std::mutex picture_mutex_;
+  Picture picture_;
+  std::uint64_t picture_revision_ = 0;
+
+  ProjectFolder project_;
+  OpenDocuments documents_;
+  std::string session_name_;  // another one each time the server is started
+  EventLog log_;
+  Roles roles_;
+  std::map<ConnectionId, Channel> channels_;
+  std::unique_ptr<LiveRun> live_;
+  std::uint64_t loading_ = 0;  // number of the load that counts; older ones are thrown away when they come
+  bool is_loading_ = false;
+  std::uint64_t seed_ = 1;
+  std::uint64_t plan_revision_ = 0;
+  std::size_t named_units_ = 0;  // units after these were made for single robots
+
+  Pace pace_;
+  SpeedMeter meter_;
+  bool is_stopped_ = false;         // emergency stop
+  bool time_runs_ = false;          // cycles are being run, paced from when this began
+  bool has_nothing_to_do_ = false;  // the run waits for a person; nothing but a message changes that
+  RobotRows rows_;
+  std::uint64_t rows_version_ = 0;  // of the world in `rows_`
+  std::uint64_t version_ = 1;       // of the world: grows with every cycle and edit
+  Changes changes_;
+  double last_status_ = -1e9;
+  double began_ = 0.0;
+  std::string started_at_;
+
+  std::unique_ptr<Workshop> workshop_;  // ends before everything that its jobs report to
+  std::thread thread_;
+};
+
+}  // namespace mlab::console
