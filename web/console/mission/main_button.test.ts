@@ -1,0 +1,47 @@
+import { create } from "@bufbuild/protobuf";
+import { describe, expect, it } from "vitest";
+import { Control_Action, Status_Mode, Status_Outcome, StatusSchema } from "../../generated/mlab/console_pb";
+import { mainButton, type Situation } from "./main_button";
+
+function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): ReturnType<typeof mainButton> {
+  return mainButton({
+    status: create(StatusSchema, { mode, ...status }),
+    isOperator: true,
+    isConnected: true,
+    openQuestions: 0,
+    errors: 0,
+    nextLabel: "2",
+    hasAsked: false,
+    ...more,
+  });
+}
+
+describe("the large button", () => {
+  it("executes, pauses, resumes", () => {
+    expect(at(Status_Mode.READY)).toMatchObject({ label: "Execute", does: { action: Control_Action.EXECUTE } });
+    expect(at(Status_Mode.RUNNING)).toMatchObject({ label: "Pause", does: { action: Control_Action.PAUSE } });
+    expect(at(Status_Mode.PAUSED)).toMatchObject({ label: "Resume", does: { action: Control_Action.RESUME } });
+  });
+  it("leads to the question that the mission waits for", () => {
+    expect(at(Status_Mode.WAITING, { openQuestions: 1 })).toMatchObject({ label: "Answer: Proceed?", does: { kind: "answer" } });
+  });
+  it("says which step comes next", () => expect(at(Status_Mode.READY).hint).toBe("Starts with step 2."));
+  it("releases an emergency stop and nothing else", () => {
+    expect(at(Status_Mode.STOPPED)).toMatchObject({ does: { action: Control_Action.RELEASE_STOP }, tone: "danger" });
+  });
+  it("says how the mission ended and begins it anew", () => {
+    expect(at(Status_Mode.ENDED, {}, { outcome: Status_Outcome.FAILED }).hint).toContain("failed");
+    expect(at(Status_Mode.ENDED).does).toEqual({ kind: "control", action: Control_Action.RESTART });
+  });
+  it("offers control to who only watches, once", () => {
+    expect(at(Status_Mode.RUNNING, { isOperator: false }).does).toEqual({ kind: "take-operator" });
+    expect(at(Status_Mode.RUNNING, { isOperator: false, hasAsked: true }).does).toEqual({ kind: "nothing" });
+  });
+  it("shows the errors of a mission that can't run", () => {
+    expect(at(Status_Mode.NO_MISSION, { errors: 3 }).does).toEqual({ kind: "show-errors" });
+    expect(at(Status_Mode.NO_MISSION).does).toEqual({ kind: "nothing" });
+  });
+  it("does nothing without a connection", () => {
+    expect(at(Status_Mode.RUNNING, { isConnected: false }).does).toEqual({ kind: "nothing" });
+  });
+});

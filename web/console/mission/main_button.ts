@@ -1,0 +1,106 @@
+// The one large button: it always says what it will do, and there is always one next thing to do.
+import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../generated/mlab/console_pb";
+
+export interface MainButton {
+  label: string;
+  /** One line under it: what that means now. */
+  hint: string;
+  does:
+    | { kind: "control"; action: Control_Action }
+    | { kind: "answer" } // goes to the oldest question
+    | { kind: "take-operator" }
+    | { kind: "show-errors" }
+    | { kind: "nothing" };
+  tone: "go" | "hold" | "danger" | "quiet";
+  icon: "play" | "pause" | "question" | "restart" | "hand" | "warning" | "release";
+}
+
+export interface Situation {
+  status: Status | undefined;
+  isOperator: boolean;
+  isConnected: boolean;
+  openQuestions: number;
+  errors: number;
+  nextLabel: string; // label of the step that Execute would start; empty: none
+  /** This browser has asked for the operator's place and waits. */
+  hasAsked: boolean;
+}
+
+const nothing = { kind: "nothing" } as const;
+
+export function mainButton(situation: Situation): MainButton {
+  const { status } = situation;
+  if (!situation.isConnected || !status) {
+    return { label: "Connecting…", hint: "The server does not answer yet.", does: nothing, tone: "quiet", icon: "play" };
+  }
+  if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation.hasAsked);
+  switch (status.mode) {
+    case Status_Mode.NO_MISSION:
+      return situation.errors > 0
+        ? {
+            label: "Show the errors",
+            hint: "The mission can't run before they are mended.",
+            does: { kind: "show-errors" },
+            tone: "hold",
+            icon: "warning",
+          }
+        : { label: "Execute", hint: "Open a mission first.", does: nothing, tone: "quiet", icon: "play" };
+    case Status_Mode.READY:
+      return control("Execute", stepHint("Starts with step", situation.nextLabel), Control_Action.EXECUTE, "go", "play");
+    case Status_Mode.RUNNING:
+      return control("Pause", "All robots stand until you resume.", Control_Action.PAUSE, "hold", "pause");
+    case Status_Mode.PAUSED:
+      return control("Resume", "Goes on where it stands.", Control_Action.RESUME, "go", "play");
+    case Status_Mode.WAITING:
+      if (situation.openQuestions > 0) {
+        return {
+          label: situation.openQuestions === 1 ? "Answer: Proceed?" : `Answer ${situation.openQuestions} questions`,
+          hint: "The mission waits for you.",
+          does: { kind: "answer" },
+          tone: "go",
+          icon: "question",
+        };
+      }
+      if (status.teleoperations.length > 0) {
+        const units = status.teleoperations.map((teleoperation) => teleoperation.unit).join(", ");
+        return control("Pause", `Waits for the end of teleoperation of ${units}.`, Control_Action.PAUSE, "hold", "pause");
+      }
+      return control("Execute", stepHint("Goes on with step", situation.nextLabel), Control_Action.EXECUTE, "go", "play");
+    case Status_Mode.STOPPED:
+      return control("Release the stop", "The run is paused then.", Control_Action.RELEASE_STOP, "danger", "release");
+    case Status_Mode.ENDED:
+      return control("Restart", endHint(status.outcome), Control_Action.RESTART, "hold", "restart");
+  }
+}
+
+function watching(hasAsked: boolean): MainButton {
+  return hasAsked
+    ? { label: "Asked for control", hint: "The operator has to agree.", does: nothing, tone: "quiet", icon: "hand" }
+    : {
+        label: "Take control",
+        hint: "You are watching. Somebody else is the operator, or nobody.",
+        does: { kind: "take-operator" },
+        tone: "hold",
+        icon: "hand",
+      };
+}
+
+function control(
+  label: string,
+  hint: string,
+  action: Control_Action,
+  tone: MainButton["tone"],
+  icon: MainButton["icon"],
+): MainButton {
+  return { label, hint, does: { kind: "control", action }, tone, icon };
+}
+
+function stepHint(words: string, label: string): string {
+  return label === "" ? "" : `${words} ${label}.`;
+}
+
+function endHint(outcome: Status_Outcome): string {
+  const how =
+    outcome === Status_Outcome.DONE ? "The mission is done." : outcome === Status_Outcome.FAILED ? "The mission failed." : "The mission has ended.";
+  return `${how} Begins anew, with the same seed.`;
+}
