@@ -1,37 +1,100 @@
-import { useEffect, useRef } from "react";
-import { type Session, SessionContext, usePart, useSession } from "./session.ts";
+import { useEffect } from "react";
+import { Palette } from "./actions/palette.tsx";
+import { ShortcutSheet } from "./actions/shortcut_sheet.tsx";
+import { useShortcuts } from "./actions/use_shortcuts.ts";
+import { HandOverDialog } from "./clients/hand_over.tsx";
+import { Questions } from "./questions/questions.tsx";
+import { type Session, SessionContext, usePart, useSession, useUi } from "./session.ts";
+import { Banners } from "./shell/banners.tsx";
+import { Dock, Rail } from "./shell/dock.tsx";
+import { ErrorFence } from "./shell/error_fence.tsx";
+import { MapPane } from "./shell/map_pane.tsx";
+import { Strip } from "./shell/strip.tsx";
+import { useTheme } from "./shell/theme.ts";
+import { Toasts } from "./shell/toasts.tsx";
+import { TopBar } from "./shell/top_bar.tsx";
+import { useRevealing } from "./shell/revealing.ts";
+import { NewMissionDialog, OpenDialog, SaveAsDialog } from "./start/file_dialogs.tsx";
+import { StartPage } from "./start/start_page.tsx";
+import { Waiting } from "./start/waiting.tsx";
+import "./styles/tokens.css";
+import "./styles/base.css";
+import "./styles/controls.css";
+import "./styles/shell.css";
 
 export function App({ session }: { session: Session }) {
   return (
     <SessionContext value={session}>
-      <Clock />
-      <Dots />
+      <Page />
     </SessionContext>
   );
 }
 
-function Clock() {
-  const time = usePart("time");
-  const link = usePart("link");
-  return <p role="status">{link.state === "open" ? `${time.toFixed(1)} s` : `${link.state}: ${link.reason}`}</p>;
+function Page() {
+  const session = useSession();
+  useTheme();
+  useShortcuts(session);
+  useRevealing();
+  useTitle();
+  return (
+    <div className="app">
+      <TopBar />
+      <Banners />
+      <Work />
+      <Dialogs />
+    </div>
+  );
 }
 
-function Dots() {
-  const { model } = useSession();
-  const canvas = useRef<HTMLCanvasElement>(null);
+function Work() {
+  const project = usePart("project");
+  const welcome = usePart("welcome");
+  if (!welcome || !project) return <Waiting />;
+  if (project.mission === "") return <StartPage />;
+  return (
+    <>
+      <div className="work">
+        <Rail side="left" />
+        <Dock side="left" />
+        <main className="centre">
+          <ErrorFence name="The map">
+            <MapPane />
+          </ErrorFence>
+          <Questions />
+          <Toasts />
+        </main>
+        <Dock side="right" />
+        <Rail side="right" />
+      </div>
+      <Dock side="bottom" />
+      <Strip />
+    </>
+  );
+}
+
+function Dialogs() {
+  switch (useUi("dialog")) {
+    case "palette":
+      return <Palette />;
+    case "shortcuts":
+      return <ShortcutSheet />;
+    case "open":
+      return <OpenDialog />;
+    case "new":
+      return <NewMissionDialog />;
+    case "save-as":
+      return <SaveAsDialog />;
+    case "hand-over":
+      return <HandOverDialog />;
+    default:
+      return null;
+  }
+}
+
+function useTitle(): void {
+  const name = usePart("plan")?.name;
+  const isDirty = usePart("edits")?.isDirty ?? false;
   useEffect(() => {
-    const draw = () => {
-      const pen = canvas.current?.getContext("2d");
-      const scene = model.get("scene");
-      if (!pen || !scene) return;
-      const scale = Math.min(800 / scene.width, 600 / scene.height);
-      pen.clearRect(0, 0, 800, 600);
-      for (let row = 0; row < model.robots.count; ++row) {
-        pen.fillStyle = model.get("roster").robot(model.robots.id(row))?.color ?? "gray";
-        pen.fillRect(model.robots.x(row) * scale - 2, 600 - model.robots.y(row) * scale - 2, 4, 4);
-      }
-    };
-    return model.onFrame(draw);
-  }, [model]);
-  return <canvas ref={canvas} width={800} height={600} />;
+    document.title = `${isDirty ? "• " : ""}${name ? `${name} – ` : ""}missionlab`;
+  }, [name, isDirty]);
 }

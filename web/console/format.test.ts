@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { count, distance, duration, headingDegrees, idRanges, list, quantity, speedFactor } from "./format";
+import { count, distance, duration, headingDegrees, idRanges, list, quantity, speedFactor } from "./format.ts";
 
 describe("duration", () => {
   it("shows minutes and seconds, and hours once there are any", () => {

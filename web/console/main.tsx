@@ -3,16 +3,19 @@ import { createRoot } from "react-dom/client";
 import { Connection, tabKey } from "../core/connection.ts";
 import { Model } from "../core/model.ts";
 import { App } from "./app.tsx";
+import { Ui } from "./shell/ui.ts";
 
 const model = new Model();
+const ui = new Ui(model, window.localStorage, window.innerWidth);
 const connection = new Connection(model, {
   page: new URL(window.location.href),
+  name: ui.get("name"),
   clientKey: tabKey(window.sessionStorage),
 });
 connection.connect();
 
 createRoot(document.getElementById("root")!).render(
   <StrictMode>
-    <App session={{ model, connection }} />
+    <App session={{ model, connection, ui }} />
   </StrictMode>,
 );

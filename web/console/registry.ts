@@ -1,33 +1,41 @@
 // What can be put into the shell: panels in its docks, tools on its map, actions in menus, palette and shortcuts.
 // They stand in extensions.ts, one line each; the shell knows none of them by name.
-import type { ComponentType, ReactNode } from "react";
-import type { MapTool } from "../core/map/tool";
+import type { ComponentType } from "react";
+import type { MapTool } from "../core/map/tool.ts";
+import type { Session } from "./session.ts";
+import type { IconName } from "./ui/icons.tsx";
 
 export type Dock = "left" | "right" | "bottom";
 
 export interface Panel {
   id: string;
   title: string;
-  icon: ReactNode;
+  /** In the rail, where there is room for about nine letters; the title without. */
+  short?: string;
+  icon: IconName;
+  /** Rendered only while it is shown; `lazy()` for what brings a large library. */
   component: ComponentType;
   /** Where it stands until somebody moves it. */
   dock: Dock;
-  /** A number beside the title, as of unread entries. Called while rendering: it may use hooks. */
+  shortcut?: string;
+  /** A number on its button, as of things that want attention. A hook. */
   useBadge?: () => number;
 }
 
 export interface Tool {
   id: string;
   label: string;
-  icon: ReactNode;
-  /** As in `keys.ts`: `m`, `shift+o`. */
+  icon: IconName;
+  /** As in actions/keys.ts: `m`, `shift+o`. */
   shortcut?: string;
   /** A new one each time the tool is taken up; dropped when another one is. */
-  make: () => MapTool;
+  make: (session: Session) => MapTool;
   /** Shown over the map while the tool is held: what to do, and its settings. */
   options?: ComponentType;
   /** Tools that change the mission are out of reach of who only watches. */
   forOperator?: boolean;
+  /** Only in the palette and by shortcut, or taken up by a panel: no button over the map. */
+  hidden?: boolean;
 }
 
 export interface Action {
@@ -36,11 +44,15 @@ export interface Action {
   label: string;
   group: ActionGroup;
   shortcut?: string;
+  icon?: IconName;
   /** Also while a text field has the focus. */
   everywhere?: boolean;
   /** Why it can't be done now, as a sentence; nothing: it can. */
-  blocked?: () => string | undefined;
+  blocked?: string | undefined;
   run: () => void;
 }
 
-export type ActionGroup = "Run" | "Mission" | "Map" | "Selection" | "Edit" | "View" | "People";
+export type ActionGroup = "Run" | "Mission" | "Map" | "Tools" | "Selection" | "Edit" | "View" | "People";
+
+/** Asked for anew each time they are shown or a key is pressed, so `blocked` tells how things stand. */
+export type ActionSource = (session: Session) => readonly Action[];

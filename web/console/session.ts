@@ -2,10 +2,14 @@
 import { createContext, useCallback, useContext, useSyncExternalStore } from "react";
 import type { Connection } from "../core/connection.ts";
 import type { Model, Parts } from "../core/model.ts";
+import type { Ui, UiParts } from "./shell/ui.ts";
 
 export interface Session {
+  /** What the server tells, and what is selected. */
   readonly model: Model;
   readonly connection: Connection;
+  /** What only this browser knows: layout, tool, theme, open dialogs. */
+  readonly ui: Ui;
 }
 
 export const SessionContext = createContext<Session | null>(null);
@@ -21,4 +25,18 @@ export function usePart<Name extends keyof Parts>(name: Name): Parts[Name] {
   const { model } = useSession();
   const subscribe = useCallback((listener: () => void) => model.subscribe(name, listener), [model, name]);
   return useSyncExternalStore(subscribe, () => model.get(name));
+}
+
+/** A part of what only this browser knows. */
+export function useUi<Name extends keyof UiParts>(name: Name): UiParts[Name] {
+  const { ui } = useSession();
+  const subscribe = useCallback((listener: () => void) => ui.subscribe(name, listener), [ui, name]);
+  return useSyncExternalStore(subscribe, () => ui.get(name));
+}
+
+/** Whether this browser's person is the operator. */
+export function useIsOperator(): boolean {
+  usePart("clients");
+  usePart("welcome");
+  return useSession().model.isOperator();
 }

@@ -1,9 +1,9 @@
 import { ChangeSet, Text } from "@codemirror/state";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { bytesOf, unitsOf } from "./bytes";
-import { difference } from "./difference";
-import { type OutgoingEdit, TextSync } from "./sync";
+import { bytesOf, unitsOf } from "./bytes.ts";
+import { difference } from "./difference.ts";
+import { type OutgoingEdit, TextSync } from "./sync.ts";
 
 const utf8 = new TextEncoder();
 const unicode = fc.string({ unit: "grapheme", maxLength: 30 });

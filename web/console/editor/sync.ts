@@ -6,8 +6,8 @@
 // `base` is the server's text as last seen, `sent` an edit that was not answered or not shown yet, `unsent` what was typed
 // since. A foreign change of `base` is moved over both, and into the editor.
 import { ChangeSet, Text } from "@codemirror/state";
-import { bytesOf } from "./bytes";
-import { difference } from "./difference";
+import { bytesOf } from "./bytes.ts";
+import { difference } from "./difference.ts";
 
 export interface ServerText {
   revision: bigint;

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { Control_Action, Status_Mode, Status_Outcome, StatusSchema } from "../../generated/mlab/console_pb";
-import { mainButton, type Situation } from "./main_button";
+import { Control_Action, Status_Mode, Status_Outcome, StatusSchema } from "../../core/protocol.ts";
+import { mainButton, type Situation } from "./main_button.ts";
 
 function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): ReturnType<typeof mainButton> {
   return mainButton({

@@ -1,5 +1,5 @@
 // The one large button: it always says what it will do, and there is always one next thing to do.
-import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../generated/mlab/console_pb";
+import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../core/protocol.ts";
 
 export interface MainButton {
   label: string;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { kPresets, kSliderEnd, neighbour, sliderOf, speedOf } from "./speed";
+import { kPresets, kSliderEnd, neighbour, sliderOf, speedOf } from "./speed.ts";
 
 describe("the speed slider", () => {
   it("comes back to every preset", () => {

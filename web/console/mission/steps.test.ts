@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { PlanSchema, Status_Mode, Status_Outcome, StatusSchema } from "../../generated/mlab/console_pb";
-import { kTyped, missionProgress, runningNow, splitCommand, stepRows } from "./steps";
+import { PlanSchema, Status_Mode, Status_Outcome, StatusSchema } from "../../core/protocol.ts";
+import { kTyped, missionProgress, runningNow, splitCommand, stepRows } from "./steps.ts";
 
 const plan = create(PlanSchema, {
   steps: ["0", "1", "2"].map((label, i) => ({

@@ -1,5 +1,5 @@
 // The list of the mission's steps as a person sees it: what is planned, how far each has come, what runs now.
-import { type Plan, type Status, Status_Mode, Status_Outcome, type Status_Step } from "../../generated/mlab/console_pb";
+import { type Plan, type Status, Status_Mode, Status_Outcome, type Status_Step } from "../../core/protocol.ts";
 
 export const kTyped = 0xffffffff; // step of a typed command
 

@@ -1,5 +1,5 @@
 // What a parameter's slider and number field do.
-import type { Port } from "../../generated/mlab/console_pb";
+import type { Port } from "../../core/protocol.ts";
 
 export type ParameterKind = "slider" | "number" | "switch" | "choice" | "text";
 

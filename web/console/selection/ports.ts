@@ -1,5 +1,5 @@
 // The ports of a robot's program, as a list that can be searched and folded.
-import { type Port, Port_Role } from "../../generated/mlab/console_pb";
+import { type Port, Port_Role } from "../../core/protocol.ts";
 
 export interface PortRow {
   index: number; // into Program.ports and RobotDetail.ports

@@ -1,9 +1,9 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { Port_Role, PortSchema, RobotDetail_ContributionSchema } from "../../generated/mlab/console_pb";
-import { isSwitchedOn, parameterKind, parameterProblem, shownNumber, sliderRange, valueNumber } from "./parameter";
-import { portGroups, splitPath, spoken } from "./ports";
-import { sums } from "./why";
+import { Port_Role, PortSchema, RobotDetail_ContributionSchema } from "../../core/protocol.ts";
+import { isSwitchedOn, parameterKind, parameterProblem, shownNumber, sliderRange, valueNumber } from "./parameter.ts";
+import { portGroups, splitPath, spoken } from "./ports.ts";
+import { sums } from "./why.ts";
 
 const port = (path: string, role: Port_Role, more = {}) =>
   create(PortSchema, { path, role, type: "double", isNumber: true, ...more });

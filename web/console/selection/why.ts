@@ -1,5 +1,5 @@
 // What moves a robot: the parts of each vector sum of its program, ready to be drawn as bars and arrows.
-import type { RobotDetail_Contribution } from "../../generated/mlab/console_pb";
+import type { RobotDetail_Contribution } from "../../core/protocol.ts";
 
 export interface Member {
   name: string;

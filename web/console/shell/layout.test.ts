@@ -10,7 +10,7 @@ import {
   showPanel,
   toggleDock,
   togglePanel,
-} from "./layout";
+} from "./layout.ts";
 
 const steps = { id: "steps", title: "Mission", dock: "left" as const };
 const robots = { id: "robots", title: "Robots", dock: "left" as const };

@@ -1,6 +1,6 @@
 // Which panel stands in which dock, which docks are open, and how large they are. Pure: every change gives a new layout
 // and says in words what it did, for undo.
-import type { Dock } from "../registry";
+import type { Dock } from "../registry.ts";
 
 export const kDocks: readonly Dock[] = ["left", "right", "bottom"];
 

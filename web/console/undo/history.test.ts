@@ -10,7 +10,7 @@ import {
   recordEdit,
   redoLocal,
   undoLocal,
-} from "./history";
+} from "./history.ts";
 
 /** The server's side of the contract: numbers that grow, and a redo list that a new edit clears. */
 class Mission {

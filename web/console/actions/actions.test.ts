@@ -1,0 +1,47 @@
+import { describe, expect, it } from "vitest";
+import { isTakenByFocus, matches, shownShortcut } from "./keys.ts";
+import { ranked, score } from "./search.ts";
+
+const press = (key: string, more = {}) => ({ key, ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, ...more });
+
+describe("a shortcut", () => {
+  it("is its key with exactly its modifiers", () => {
+    expect(matches("ctrl+shift+z", press("Z", { ctrlKey: true, shiftKey: true }))).toBe(true);
+    expect(matches("ctrl+z", press("z", { ctrlKey: true, shiftKey: true }))).toBe(false);
+    expect(matches("f", press("f"))).toBe(true);
+    expect(matches("f", press("f", { ctrlKey: true }))).toBe(false);
+    expect(matches("ctrl+.", press(".", { ctrlKey: true }))).toBe(true);
+  });
+  it("does not care how a sign is typed", () => {
+    expect(matches("?", press("?", { shiftKey: true }))).toBe(true);
+    expect(matches("+", press("+", { shiftKey: true }))).toBe(true);
+    expect(matches("space", press(" "))).toBe(true);
+  });
+  it("works with Command", () => expect(matches("ctrl+k", press("k", { metaKey: true }))).toBe(true));
+  it("is shown as on the keys", () => {
+    expect(shownShortcut("ctrl+shift+z")).toBe("Ctrl Shift Z");
+    expect(shownShortcut("+")).toBe("+");
+    expect(shownShortcut("space")).toBe("Space");
+  });
+  it("leaves keys to what has the focus", () => {
+    document.body.innerHTML = `<input id="a"><button id="b"></button><div role="grid"><p id="c"></p></div><p id="d"></p>`;
+    const element = (id: string) => document.getElementById(id);
+    expect(isTakenByFocus(element("a"), press("f"))).toBe(true);
+    expect(isTakenByFocus(element("b"), press(" "))).toBe(true);
+    expect(isTakenByFocus(element("b"), press("f"))).toBe(false);
+    expect(isTakenByFocus(element("c"), press("f"))).toBe(true);
+    expect(isTakenByFocus(element("d"), press(" "))).toBe(false);
+    expect(isTakenByFocus(element("a"), press("k", { ctrlKey: true }))).toBe(false);
+  });
+});
+
+describe("the palette", () => {
+  const labels = ["Pause", "Step one cycle", "Emergency stop", "Show the log", "Fit the map"];
+  it("puts words that begin so first", () => {
+    expect(ranked("st", labels, (label) => label)[0]).toBe("Step one cycle");
+    expect(ranked("log", labels, (label) => label)).toEqual(["Show the log"]);
+  });
+  it("finds initials", () => expect(ranked("ftm", labels, (label) => label)[0]).toBe("Fit the map"));
+  it("shows everything before anything is typed", () => expect(ranked("", labels, (label) => label)).toEqual(labels));
+  it("finds nothing where letters are missing", () => expect(score("xyz", "Pause")).toBe(0));
+});

@@ -1,0 +1,55 @@
+// Shortcuts: `ctrl+shift+z`, `f`, `?`, `escape`. On a Mac, ctrl is Command.
+
+export interface KeyPress {
+  key: string;
+  ctrlKey: boolean;
+  metaKey: boolean;
+  shiftKey: boolean;
+  altKey: boolean;
+}
+
+/** Whether the key pressed is this shortcut. Shift is not asked for signs that need it (`?`, `+`). */
+export function matches(shortcut: string, press: KeyPress): boolean {
+  const parts = shortcut.split("+").filter((part) => part !== "");
+  const key = shortcut.endsWith("+") ? "+" : (parts.at(-1) as string);
+  const wanted = new Set(shortcut.endsWith("+") ? parts : parts.slice(0, -1));
+  if ((press.ctrlKey || press.metaKey) !== wanted.has("ctrl")) return false;
+  if (press.altKey !== wanted.has("alt")) return false;
+  const isLetter = /^[a-z]$/.test(key);
+  if ((isLetter || key.length > 1) && press.shiftKey !== wanted.has("shift")) return false;
+  return nameOf(press.key) === key;
+}
+
+/** As on a key cap: `Ctrl + K`. */
+export function shownShortcut(shortcut: string, isMac = false): string {
+  const names: Record<string, string> = {
+    ctrl: isMac ? "⌘" : "Ctrl",
+    shift: "Shift",
+    alt: isMac ? "⌥" : "Alt",
+    escape: "Esc",
+    space: "Space",
+    enter: "Enter",
+  };
+  const parts = shortcut.endsWith("+") ? [...shortcut.slice(0, -1).split("+"), "+"] : shortcut.split("+");
+  return parts
+    .filter((part) => part !== "")
+    .map((part) => names[part] ?? (part.length === 1 ? part.toUpperCase() : part))
+    .join(" ");
+}
+
+/** Bare keys belong to what has the focus where that takes them: text, lists, sliders; Space and Enter also to buttons. */
+export function isTakenByFocus(target: Element | null, press: KeyPress): boolean {
+  if (!target || press.ctrlKey || press.metaKey) return false;
+  if (target.closest("input, textarea, select, [contenteditable=true], [role=textbox]")) {
+    return !(target instanceof HTMLInputElement && /^(checkbox|radio|range)$/.test(target.type) && press.key.length === 1 && press.key !== " ");
+  }
+  if (target.closest("[role=listbox], [role=grid], [role=menu], [role=tree], [role=dialog], [role=alertdialog]")) {
+    return true;
+  }
+  return (press.key === " " || press.key === "Enter") && target.closest("button, a, [role=button], [role=tab]") !== null;
+}
+
+function nameOf(key: string): string {
+  if (key === " ") return "space";
+  return key.toLowerCase();
+}

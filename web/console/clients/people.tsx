@@ -1,0 +1,35 @@
+import { usePart, useSession, useUi } from "../session.ts";
+import { Button } from "../ui/controls.tsx";
+import { Icon } from "../ui/icons.tsx";
+import { PopoverButton } from "../ui/menus.tsx";
+import { PeopleList } from "./people_list.tsx";
+import { nameOfClient } from "./names.ts";
+
+/** Who looks, and who is the operator. */
+export function People() {
+  const clients = usePart("clients");
+  const welcome = usePart("welcome");
+  const { model } = useSession();
+  useUi("name");
+  if (!clients || !welcome) return null;
+  const isOperator = model.isOperator();
+  const others = clients.clients.filter((client) => client.isConnected).length - 1;
+  const holder = clients.clients.find((client) => client.id === clients.operator);
+  const role = isOperator ? "Operator: you" : holder ? `Operator: ${nameOfClient(holder)}` : "No operator";
+  return (
+    <PopoverButton
+      label="People"
+      trigger={
+        <Button tone="quiet" className={`pill ${isOperator ? "go" : "accent"}`}>
+          <Icon name={isOperator ? "person" : "lock"} />
+          <span className="ellipsis" style={{ maxWidth: 140 }}>
+            {role}
+          </span>
+          {others > 0 && <span className="number">+{others}</span>}
+        </Button>
+      }
+    >
+      <PeopleList />
+    </PopoverButton>
+  );
+}

@@ -1,0 +1,257 @@
+// The mission's steps, what runs now, and the one large button.
+import { useEffect, useRef } from "react";
+import { Control_Action, Status_Mode } from "../../core/protocol.ts";
+import { shownShortcut } from "../actions/keys.ts";
+import { count, duration, distance } from "../format.ts";
+import { control } from "../orders.ts";
+import { useIsOperator, usePart, useSession } from "../session.ts";
+import { Bar, Button, Hint } from "../ui/controls.tsx";
+import { Icon, type IconName } from "../ui/icons.tsx";
+import { MenuButton, type MenuEntry } from "../ui/menus.tsx";
+import { mainButton } from "./main_button.ts";
+import { pressMainButton } from "./press.ts";
+import { situationOf } from "./situation.ts";
+import { type CommandRow, isOver, kStateWords, kTyped, missionProgress, splitCommand, type StepRow, type StepState, stepRows } from "./steps.ts";
+import { unitPlace } from "./unit_place.ts";
+import "./mission.css";
+
+export function MissionPanel() {
+  return (
+    <>
+      <MainControls />
+      <RunningNow />
+      <Steps />
+    </>
+  );
+}
+
+function MainControls() {
+  const session = useSession();
+  const { model } = session;
+  for (const part of ["status", "clients", "welcome", "link", "questions", "documents", "plan"] as const) usePart(part);
+  const isOperator = useIsOperator();
+  const button = mainButton(situationOf(model));
+  const mode = model.get("status")?.mode ?? Status_Mode.NO_MISSION;
+  const isBlocked = !isOperator || mode === Status_Mode.NO_MISSION;
+  const stands = isBlocked || mode === Status_Mode.STOPPED;
+  const run = (action: Control_Action) => () => control(session, action);
+  return (
+    <div className="main-controls">
+      <Button
+        className={`large main-button ${button.tone}`}
+        icon={button.icon}
+        isDisabled={button.does.kind === "nothing"}
+        onPress={() => pressMainButton(session)}
+        aria-keyshortcuts="Space"
+        data-testid="main-button"
+      >
+        {button.label}
+        <kbd>{shownShortcut("space")}</kbd>
+      </Button>
+      <p className="hint small muted">{button.hint || "\u00a0"}</p>
+      <div className="transport" role="toolbar" aria-label="Run">
+        <TransportButton icon="step" label="Step" hint="Single step of the mission" shortcut="n" isDisabled={stands} onPress={run(Control_Action.SINGLE_STEP)} />
+        <TransportButton icon="cycle" label="Cycle" hint="Single control cycle, then paused" shortcut="c" isDisabled={stands} onPress={run(Control_Action.SINGLE_CYCLE)} />
+        <TransportButton icon="rewind" label="Rewind" hint="To the first step; robots stay where they are" isDisabled={stands} onPress={run(Control_Action.REWIND)} />
+        <TransportButton icon="restart" label="Restart" hint="The run begins anew with the same seed" isDisabled={isBlocked} onPress={run(Control_Action.RESTART)} />
+        <TransportButton icon="abort" label="Abort" hint="All robots stop, the mission ends" isDisabled={stands} onPress={run(Control_Action.ABORT)} />
+      </div>
+    </div>
+  );
+}
+
+interface TransportProps {
+  icon: IconName;
+  label: string;
+  hint: string;
+  shortcut?: string;
+  isDisabled: boolean;
+  onPress: () => void;
+}
+
+function TransportButton({ icon, label, hint, shortcut, isDisabled, onPress }: TransportProps) {
+  return (
+    <Hint text={hint} {...(shortcut ? { shortcut: shownShortcut(shortcut) } : {})}>
+      <Button tone="quiet" className="transport-button" isDisabled={isDisabled} onPress={onPress}>
+        <Icon name={icon} />
+        {label}
+      </Button>
+    </Hint>
+  );
+}
+
+function RunningNow() {
+  const status = usePart("status");
+  const waits = status?.waitsFor ?? [];
+  if (waits.length === 0) return null;
+  return (
+    <section className="waits" aria-label="Waits for">
+      <h3>Waits for</h3>
+      <ul>
+        {waits.map((text) => (
+          <li key={text}>{text}</li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Steps() {
+  const plan = usePart("plan");
+  const status = usePart("status");
+  const rows = stepRows(plan ?? undefined, status ?? undefined);
+  const planned = rows.filter((row) => row.step !== kTyped);
+  const done = planned.filter((row) => isOver(row.state)).length;
+  const list = useRef<HTMLOListElement>(null);
+  const current = rows.findIndex((row) => row.state === "running" || row.state === "next");
+  useEffect(() => {
+    list.current?.children[current]?.scrollIntoView?.({ block: "nearest" });
+  }, [current]);
+  if (rows.length === 0) {
+    return (
+      <div className="empty">
+        <p>This mission has no steps yet.</p>
+        <p className="small">Write them in the Text panel, or send commands from the command line.</p>
+      </div>
+    );
+  }
+  return (
+    <section className="steps" aria-label="Steps">
+      <header className="columns spread">
+        <h3>Steps</h3>
+        <span className="small muted number">
+          {done} of {planned.length} done
+        </span>
+      </header>
+      <Bar share={missionProgress(rows)} />
+      <ol ref={list}>
+        {rows.map((row) => (
+          <Step key={row.key} row={row} />
+        ))}
+      </ol>
+    </section>
+  );
+}
+
+function Step({ row }: { row: StepRow }) {
+  return (
+    <li className={`step ${row.state}`} aria-current={row.state === "running" || row.state === "next" ? "step" : undefined}>
+      <span className="step-sign" title={kStateWords[row.state]}>
+        <StateSign state={row.state} />
+      </span>
+      <div className="grow">
+        {row.commands.map((command, i) => (
+          // biome-ignore lint/suspicious/noArrayIndexKey: commands of a step have no other name
+          <Command key={i} row={row} command={command} label={i === 0 ? (row.step === kTyped ? "typed" : row.label) : ""} />
+        ))}
+        <StepFoot row={row} />
+      </div>
+      <StepMenu row={row} />
+    </li>
+  );
+}
+
+function StateSign({ state }: { state: StepState }) {
+  const icons: Partial<Record<StepState, IconName>> = {
+    running: "play",
+    next: "right",
+    done: "check",
+    failed: "warning",
+    aborted: "close",
+    replaced: "redo",
+    skipped: "minus",
+  };
+  const icon = icons[state];
+  return (
+    <>
+      {icon ? <Icon name={icon} /> : <span className="step-dot" />}
+      <span className="hidden-text">{kStateWords[state]}: </span>
+    </>
+  );
+}
+
+function Command({ row, command, label }: { row: StepRow; command: CommandRow; label: string }) {
+  const { unit, order } = splitCommand(command.text);
+  const isRunning = command.state === "running";
+  return (
+    <div className="step-command">
+      <p>
+        {label && <span className="step-label number">{label}</span>}
+        {(unit || command.unit) && <strong>{unit || command.unit}</strong>} {order}
+      </p>
+      {isRunning && (
+        <div className="step-progress">
+          <Bar share={command.progress} />
+          <span className="small number">
+            {Math.round(command.progress * 100)} %{command.remaining >= 0 ? ` · ${distance(command.remaining)} to go` : ""}
+            {command.robots > 1 ? ` · ${command.robotsDone} of ${count(command.robots, "robot")} there` : ""}
+          </span>
+        </div>
+      )}
+      {command.message && <p className={`small ${row.state === "failed" ? "problem" : "muted"}`}>{command.message}</p>}
+    </div>
+  );
+}
+
+function StepFoot({ row }: { row: StepRow }) {
+  if (row.start < 0 || row.state === "planned" || row.state === "next") {
+    return row.state === "next" ? <p className="small step-next">Next</p> : null;
+  }
+  if (row.state === "running") {
+    return (
+      <p className="small muted number">
+        since {duration(row.start)}
+        {row.arrival >= 0 ? ` · arrives about ${duration(row.arrival)}` : ""}
+      </p>
+    );
+  }
+  return (
+    <p className="small muted number">
+      {kStateWords[row.state]} · {duration(row.start)} to {duration(row.end)} · took {duration(row.end - row.start)}
+    </p>
+  );
+}
+
+function StepMenu({ row }: { row: StepRow }) {
+  const session = useSession();
+  const isOperator = useIsOperator();
+  const isPlanned = row.step !== kTyped;
+  const entries: MenuEntry[] = [];
+  if (isPlanned) {
+    entries.push({
+      id: "jump",
+      label: row.state === "running" ? "Begin this step anew" : "Jump to this step",
+      icon: "right",
+      detail: "Steps between are left out",
+      isDisabled: !isOperator,
+      run: () => control(session, Control_Action.JUMP, row.step),
+    });
+  }
+  if (row.document) {
+    entries.push({
+      id: "text",
+      label: "Show in the text",
+      icon: "text",
+      detail: `${row.document}:${row.line}`,
+      run: () => session.ui.set("reveal", { document: row.document, line: row.line }),
+    });
+  }
+  entries.push({
+    id: "map",
+    label: "Show its units on the map",
+    icon: "map",
+    run: () => unitPlace(session, row.commands.map((command) => command.unit)),
+  });
+  const name = isPlanned ? `step ${row.label}` : "typed command";
+  return (
+    <MenuButton
+      label={name}
+      trigger={
+        <Button tone="quiet" className="square step-menu" aria-label={`Actions of ${name}`}>
+          <Icon name="more" />
+        </Button>
+      }
+      groups={[{ entries }]}
+    />
+  );
+}

@@ -1,0 +1,30 @@
+// What the large button does when it is pressed.
+import { control, takeOperator } from "../orders.ts";
+import type { Session } from "../session.ts";
+import { mainButton } from "./main_button.ts";
+import { situationOf } from "./situation.ts";
+
+export function pressMainButton(session: Session): void {
+  const { does } = mainButton(situationOf(session.model));
+  switch (does.kind) {
+    case "control":
+      return control(session, does.action);
+    case "answer":
+      document.querySelector<HTMLElement>("[data-question] [data-proceed]")?.focus();
+      return;
+    case "take-operator":
+      return takeOperator(session);
+    case "show-errors":
+      return showErrors(session);
+    case "nothing":
+      return;
+  }
+}
+
+/** Brings the first error of the mission into the text editor. */
+export function showErrors(session: Session): void {
+  for (const document of session.model.get("documents")?.documents ?? []) {
+    const error = document.diagnostics.find((diagnostic) => !diagnostic.isWarning);
+    if (error) return session.ui.set("reveal", { document: document.path, line: error.line });
+  }
+}

@@ -1,0 +1,19 @@
+// What the large button has to know, gathered from the model.
+import type { Model } from "../../core/model.ts";
+import type { Situation } from "./main_button.ts";
+
+export function situationOf(model: Model): Situation {
+  const status = model.get("status") ?? undefined;
+  const plan = model.get("plan");
+  const clients = model.get("clients");
+  const documents = model.get("documents")?.documents ?? [];
+  return {
+    status,
+    isOperator: model.isOperator(),
+    isConnected: model.get("link").state === "open",
+    openQuestions: model.get("questions").length,
+    errors: documents.reduce((sum, document) => sum + document.diagnostics.filter((one) => !one.isWarning).length, 0),
+    nextLabel: status ? (plan?.steps[status.currentStep]?.label ?? "") : "",
+    hasAsked: clients !== null && clients.asks !== 0 && clients.asks === model.get("welcome")?.client,
+  };
+}

@@ -1,0 +1,78 @@
+import { useState } from "react";
+import { speedFactor, quantity } from "../format.ts";
+import { setSpeed } from "../orders.ts";
+import { useIsOperator, usePart, useSession } from "../session.ts";
+import { Button, RangeSlider } from "../ui/controls.tsx";
+import { Icon } from "../ui/icons.tsx";
+import { PopoverButton } from "../ui/menus.tsx";
+import { kPresets, kSliderEnd, sliderOf, speedOf } from "./speed.ts";
+
+/** How fast simulated time passes: as set, and as reached. */
+export function SpeedControl() {
+  const status = usePart("status");
+  if (!status) return null;
+  const isSlow = status.speed > 0 && status.speedReached > 0 && status.speedReached < status.speed * 0.9;
+  return (
+    <PopoverButton
+      label="Speed"
+      trigger={
+        <Button tone="quiet" className="number" aria-label={`Speed ${speedFactor(status.speed)}`}>
+          <Icon name="gauge" />
+          {speedFactor(status.speed)}
+          {(status.speed === 0 || isSlow) && status.speedReached > 0 && (
+            <span className="muted small">×{quantity(status.speedReached, 2)} reached</span>
+          )}
+          <Icon name="down" />
+        </Button>
+      }
+    >
+      <SpeedChoice />
+    </PopoverButton>
+  );
+}
+
+function SpeedChoice() {
+  const session = useSession();
+  const status = usePart("status");
+  const isOperator = useIsOperator();
+  const speed = status?.speed ?? 1;
+  const [dragged, setDragged] = useState<number | null>(null);
+  const slider = dragged ?? sliderOf(speed);
+  const set = (next: number) => {
+    setDragged(null);
+    setSpeed(session, next);
+  };
+  return (
+    <div className="rows" style={{ width: 330 }}>
+      <RangeSlider
+        label="Simulated seconds per second"
+        shown={speedFactor(speedOf(slider))}
+        value={slider}
+        min={0}
+        max={kSliderEnd}
+        step={1}
+        isDisabled={!isOperator}
+        onChange={setDragged}
+        onCommit={(value) => set(speedOf(value))}
+      />
+      <div className="columns">
+        {kPresets.map((preset) => (
+          <Button
+            key={preset}
+            className="preset"
+            tone={preset === speed ? "primary" : "plain"}
+            isDisabled={!isOperator}
+            onPress={() => set(preset)}
+          >
+            {preset === 0 ? "Max" : `×${preset}`}
+          </Button>
+        ))}
+      </div>
+      <p className="small muted">
+        {status && status.speedReached > 0 ? `Reached over the last second: ×${quantity(status.speedReached, 3)}.` : "Time stands still."}
+        {status && status.behind > 1 ? ` The simulation is ${quantity(status.behind, 2)} s late.` : ""}
+        {isOperator ? "" : " Only the operator can change it."}
+      </p>
+    </div>
+  );
+}

@@ -1,0 +1,31 @@
+// The state of the run in a word.
+import { type Status, Status_Mode, Status_Outcome } from "../../core/protocol.ts";
+
+export interface RunState {
+  word: string;
+  tone: "" | "go" | "hold" | "danger" | "accent";
+}
+
+export function stateOf(status: Status | undefined, isConnected: boolean): RunState {
+  if (!isConnected) return { word: "No connection", tone: "danger" };
+  switch (status?.mode) {
+    case Status_Mode.READY:
+      return { word: "Ready", tone: "accent" };
+    case Status_Mode.RUNNING:
+      return { word: "Running", tone: "go" };
+    case Status_Mode.PAUSED:
+      return { word: "Paused", tone: "hold" };
+    case Status_Mode.WAITING:
+      return { word: "Waits for you", tone: "hold" };
+    case Status_Mode.STOPPED:
+      return { word: "Emergency stop", tone: "danger" };
+    case Status_Mode.ENDED:
+      return status.outcome === Status_Outcome.DONE
+        ? { word: "Done", tone: "go" }
+        : status.outcome === Status_Outcome.FAILED
+          ? { word: "Failed", tone: "danger" }
+          : { word: status.outcome === Status_Outcome.ABORTED ? "Aborted" : "Ended", tone: "hold" };
+    default:
+      return { word: "No mission", tone: "" };
+  }
+}

@@ -1,0 +1,12 @@
+import { selectRobots, selectUnit } from "../../core/selection.ts";
+import type { Session } from "../session.ts";
+
+/** Selects the units' robots and brings them into view. */
+export function unitPlace({ model, ui }: Session, units: readonly string[]): void {
+  const roster = model.get("roster");
+  const named = [...new Set(units)].filter((unit) => unit !== "");
+  const robots = named.flatMap((unit) => roster.robotsOf(unit));
+  if (robots.length === 0) return;
+  model.select(named.length === 1 ? selectUnit(named[0] as string, roster.robotsOf(named[0] as string)) : selectRobots(robots));
+  ui.get("map")?.fitSelection();
+}

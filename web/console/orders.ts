@@ -1,0 +1,72 @@
+// What a person orders of the server; what goes wrong is shown to them.
+import { Control_Action, type Order, type Reply } from "../core/protocol.ts";
+import type { Session } from "./session.ts";
+
+/** Asks, and shows why not where the answer is no. */
+export async function order(session: Session, body: Order): Promise<Reply> {
+  const reply = await session.connection.ask(body);
+  if (!reply.ok) {
+    const first = reply.diagnostics.find((diagnostic) => !diagnostic.isWarning) ?? reply.diagnostics[0];
+    session.ui.tell(sentence(reply.error || first?.message || "the server said no"));
+  }
+  return reply;
+}
+
+export function control(session: Session, action: Control_Action, step = 0): void {
+  void order(session, { case: "control", value: { action, step } });
+}
+
+export function answer(session: Session, question: number, proceed: boolean): void {
+  void order(session, { case: "answer", value: { question, proceed } });
+}
+
+export function setSpeed(session: Session, speed: number): void {
+  void order(session, { case: "setSpeed", value: { speed } });
+}
+
+/** By two ways at once; does not wait for anything else. */
+export async function emergencyStop(session: Session): Promise<void> {
+  const ok = await session.connection.emergencyStop();
+  if (!ok) session.ui.tell("The emergency stop did not reach the server. Stop the robots by other means.");
+}
+
+export function undo(session: Session): void {
+  if (session.ui.undo() === "mission") void order(session, { case: "undo", value: {} });
+}
+
+export function redo(session: Session): void {
+  if (session.ui.redo() === "mission") void order(session, { case: "redo", value: {} });
+}
+
+export function save(session: Session): void {
+  const documents = session.model.get("documents")?.documents ?? [];
+  const first = documents.find((document) => document.isDirty && document.isReadOnly);
+  if (first) {
+    session.ui.set("document", first.path);
+    session.ui.set("dialog", "save-as");
+    return;
+  }
+  void order(session, { case: "saveDocuments", value: { documents: [] } });
+}
+
+export async function openMission(session: Session, path: string): Promise<boolean> {
+  const reply = await order(session, { case: "openMission", value: { path } });
+  return reply.ok;
+}
+
+export function takeOperator(session: Session): void {
+  void order(session, { case: "takeOperator", value: {} });
+}
+
+/** 0: declines the request that is open. */
+export function passOperator(session: Session, client: number): void {
+  void order(session, { case: "passOperator", value: { client } });
+}
+
+/** First letter large, a full stop at the end. */
+export function sentence(text: string): string {
+  const trimmed = text.trim();
+  if (trimmed === "") return "";
+  const end = /[.!?…]$/.test(trimmed) ? "" : ".";
+  return trimmed.charAt(0).toUpperCase() + trimmed.slice(1) + end;
+}

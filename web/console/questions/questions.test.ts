@@ -1,0 +1,49 @@
+import { create } from "@bufbuild/protobuf";
+import { describe, expect, it } from "vitest";
+import { Log_EntrySchema, Log_Kind, Questions_QuestionSchema, StatusSchema, Status_Outcome } from "../../core/protocol.ts";
+import { commandOfUnit } from "../mission/unit_command.ts";
+import { openAlerts } from "../shell/alerts.ts";
+import { countdown } from "./countdown.ts";
+
+describe("the countdown of a question", () => {
+  const question = create(Questions_QuestionSchema, { id: 1, asked: 100, expires: 130 });
+  it("counts simulated time, and says how long that is here", () => {
+    const status = create(StatusSchema, { speedReached: 10 });
+    expect(countdown(question, 110, status)).toEqual({ left: 20, share: 20 / 30, wallLeft: 2 });
+  });
+  it("takes for ever while time stands still", () => {
+    expect(countdown(question, 110, null)?.wallLeft).toBe(Number.POSITIVE_INFINITY);
+  });
+  it("is not there where the question waits for a person", () => {
+    expect(countdown(create(Questions_QuestionSchema, { id: 1 }), 110, null)).toBeUndefined();
+  });
+  it("never goes below nothing", () => expect(countdown(question, 500, null)?.left).toBe(0));
+});
+
+describe("what a unit is doing", () => {
+  it("is its newest command under way", () => {
+    const status = create(StatusSchema, {
+      steps: [
+        { commands: [{ unit: "a", text: "UNIT a MOVETO X", outcome: Status_Outcome.DONE }] },
+        { commands: [{ unit: "a", text: "UNIT a OCCUPY Y", outcome: Status_Outcome.UNDER_WAY }] },
+      ],
+    });
+    expect(commandOfUnit(status, "a")).toBe("OCCUPY Y");
+    expect(commandOfUnit(status, "b")).toBe("");
+  });
+});
+
+describe("alerts", () => {
+  const entry = (number: bigint, robot: number, kind = Log_Kind.STUCK) =>
+    create(Log_EntrySchema, { number, robot, kind, isAlert: true });
+  it("of the same robot are shown once, as the newest", () => {
+    expect(openAlerts([entry(1n, 3), entry(2n, 4), entry(3n, 3)], 0n, new Set()).map((one) => one.number)).toEqual([2n, 3n]);
+  });
+  it("stay away once dismissed", () => {
+    expect(openAlerts([entry(1n, 3), entry(2n, 4)], 0n, new Set([2n])).map((one) => one.number)).toEqual([1n]);
+    expect(openAlerts([entry(1n, 3), entry(2n, 4)], 2n, new Set())).toEqual([]);
+  });
+  it("are not other entries", () => {
+    expect(openAlerts([create(Log_EntrySchema, { number: 1n })], 0n, new Set())).toEqual([]);
+  });
+});

@@ -1,0 +1,84 @@
+// Proceed? The oldest on top. Nothing else is blocked while they wait.
+import { type Questions_Question } from "../../core/protocol.ts";
+import { duration } from "../format.ts";
+import { commandOfUnit } from "../mission/unit_command.ts";
+import { unitPlace } from "../mission/unit_place.ts";
+import { answer } from "../orders.ts";
+import { useIsOperator, usePart, useSession } from "../session.ts";
+import { Bar, Button } from "../ui/controls.tsx";
+import { Icon } from "../ui/icons.tsx";
+import { countdown } from "./countdown.ts";
+import "./questions.css";
+
+export function Questions() {
+  const questions = usePart("questions");
+  if (questions.length === 0) return null;
+  return (
+    <section className="questions" aria-label="Questions" aria-live="assertive">
+      {questions.map((question, i) => (
+        <QuestionCard key={question.id} question={question} isOldest={i === 0} />
+      ))}
+    </section>
+  );
+}
+
+function QuestionCard({ question, isOldest }: { question: Questions_Question; isOldest: boolean }) {
+  const session = useSession();
+  const isOperator = useIsOperator();
+  const status = usePart("status");
+  const isDoing = commandOfUnit(status, question.unit);
+  const where = question.unit !== "";
+  return (
+    <div className="question" role="group" aria-label={question.text} data-question={question.id}>
+      <p className="question-text">{question.text}</p>
+      <div className="question-facts small">
+        {where && (
+          <Button tone="link" onPress={() => unitPlace(session, [question.unit])}>
+            <Icon name="centre" /> Show {question.unit} on the map
+          </Button>
+        )}
+        <span className="muted">
+          {isDoing || question.command}
+          {question.asked > 0 ? ` · asked at ${duration(question.asked)}` : ""}
+        </span>
+      </div>
+      <Remaining question={question} />
+      <div className="question-buttons">
+        <Button
+          className="go"
+          isDisabled={!isOperator}
+          aria-keyshortcuts={isOldest ? "P" : undefined}
+          data-proceed=""
+          onPress={() => answer(session, question.id, true)}
+        >
+          PROCEED {isOldest && <kbd>P</kbd>}
+        </Button>
+        <Button
+          className="danger-quiet"
+          isDisabled={!isOperator}
+          aria-keyshortcuts={isOldest ? "Shift+P" : undefined}
+          onPress={() => answer(session, question.id, false)}
+        >
+          ABORT {isOldest && <kbd>Shift P</kbd>}
+        </Button>
+      </div>
+      {!isOperator && <p className="small muted">Only the operator can answer.</p>}
+    </div>
+  );
+}
+
+function Remaining({ question }: { question: Questions_Question }) {
+  const time = usePart("time");
+  const status = usePart("status");
+  const left = countdown(question, Math.max(time, status?.time ?? 0), status);
+  if (!left) return null;
+  return (
+    <div className="rows" style={{ gap: 4 }}>
+      <Bar share={left.share} tone="var(--hold)" />
+      <span className="small muted number">
+        Proceeds by itself in {duration(Math.ceil(left.left))} of mission time
+        {Number.isFinite(left.wallLeft) && Math.abs(left.wallLeft - left.left) > 1 ? ` (${Math.ceil(left.wallLeft)} s here)` : ""}
+      </span>
+    </div>
+  );
+}

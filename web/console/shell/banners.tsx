@@ -1,0 +1,138 @@
+// What has to be known before anything else, across the whole width.
+import { useEffect, useState } from "react";
+import { Control_Action, Status_Mode } from "../../core/protocol.ts";
+import { showErrors } from "../mission/press.ts";
+import { control, passOperator, sentence, takeOperator } from "../orders.ts";
+import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
+import { Button, IconButton } from "../ui/controls.tsx";
+import { Icon } from "../ui/icons.tsx";
+
+export function Banners() {
+  return (
+    <>
+      <StopBanner />
+      <LinkBanner />
+      <RequestBanner />
+      <WatchingBanner />
+      <OlderTextBanner />
+      <Notice />
+    </>
+  );
+}
+
+function StopBanner() {
+  const session = useSession();
+  const isStopped = usePart("status")?.mode === Status_Mode.STOPPED;
+  const isOperator = useIsOperator();
+  if (!isStopped) return null;
+  return (
+    <div className="banner danger" role="alert">
+      <Icon name="stop" />
+      <span className="grow">EMERGENCY STOP: all robots stand and take no orders.</span>
+      {isOperator ? (
+        <Button onPress={() => control(session, Control_Action.RELEASE_STOP)}>Release the stop</Button>
+      ) : (
+        <span>Only the operator can release it.</span>
+      )}
+    </div>
+  );
+}
+
+function LinkBanner() {
+  const { connection } = useSession();
+  const link = usePart("link");
+  const welcome = usePart("welcome");
+  const seconds = useSecondsUntil(link.retryAt);
+  if (link.state === "open" || (link.state === "connecting" && !welcome)) return null;
+  const isRefused = link.state === "refused";
+  return (
+    <div className={`banner ${isRefused ? "danger" : "hold"}`} role="alert">
+      <Icon name="warning" />
+      <span className="grow">
+        {isRefused
+          ? `The server refuses this page: ${link.reason}. Open the address that mlab printed.`
+          : `Connection lost: ${link.reason}. The run goes on without this page; what you see is the last that came.`}
+      </span>
+      {!isRefused && (
+        <>
+          <span className="number">{seconds > 0 ? `again in ${seconds} s` : "connecting…"}</span>
+          <Button onPress={() => connection.connect()}>Try now</Button>
+        </>
+      )}
+    </div>
+  );
+}
+
+function RequestBanner() {
+  const session = useSession();
+  const clients = usePart("clients");
+  const isOperator = useIsOperator();
+  const asks = clients?.clients.find((client) => client.id === clients.asks);
+  if (!isOperator || !asks) return null;
+  return (
+    <div className="banner accent" role="alert">
+      <Icon name="hand" />
+      <span className="grow">{asks.name || `Browser ${asks.id}`} asks to become the operator.</span>
+      <Button tone="primary" onPress={() => passOperator(session, asks.id)}>
+        Hand over
+      </Button>
+      <Button onPress={() => passOperator(session, 0)}>Decline</Button>
+    </div>
+  );
+}
+
+function WatchingBanner() {
+  const session = useSession();
+  const clients = usePart("clients");
+  const welcome = usePart("welcome");
+  const isOperator = useIsOperator();
+  if (!clients || !welcome || isOperator) return null;
+  const holder = clients.clients.find((client) => client.id === clients.operator);
+  const hasAsked = clients.asks === welcome.client;
+  return (
+    <div className="banner accent" role="status">
+      <Icon name="lock" />
+      <span className="grow">
+        You are watching. {holder ? `${holder.name || `Browser ${holder.id}`} is the operator` : "Nobody is the operator"}
+        {hasAsked ? " and has been asked for control." : "."} The emergency stop works for everybody.
+      </span>
+      {!hasAsked && <Button onPress={() => takeOperator(session)}>{holder ? "Ask for control" : "Take control"}</Button>}
+    </div>
+  );
+}
+
+function OlderTextBanner() {
+  const session = useSession();
+  const documents = usePart("documents");
+  if (!documents?.runsOlderText) return null;
+  return (
+    <div className="banner hold" role="status">
+      <Icon name="warning" />
+      <span className="grow">The mission text has errors. What runs is the last version without.</span>
+      <Button onPress={() => showErrors(session)}>Show the errors</Button>
+    </div>
+  );
+}
+
+function Notice() {
+  const { ui } = useSession();
+  const notice = useUi("notice");
+  if (!notice) return null;
+  return (
+    <div className={`banner ${notice.tone}`} role="alert">
+      <Icon name="warning" />
+      <span className="grow">{sentence(notice.text)}</span>
+      <IconButton icon="close" label="Dismiss" onPress={() => ui.set("notice", null)} />
+    </div>
+  );
+}
+
+function useSecondsUntil(time: number): number {
+  const [now, setNow] = useState(() => Date.now());
+  useEffect(() => {
+    if (time === 0) return;
+    const timer = setInterval(() => setNow(Date.now()), 250);
+    return () => clearInterval(timer);
+  }, [time]);
+  return time === 0 ? 0 : Math.max(0, Math.ceil((time - now) / 1000));
+}

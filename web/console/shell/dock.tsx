@@ -1,0 +1,147 @@
+// The docks around the map: a rail of buttons, the panel that is shown, a border that can be dragged.
+import { type KeyboardEvent, type PointerEvent, Suspense, useRef, useState } from "react";
+import { Button as AriaButton } from "react-aria-components";
+import { panels } from "../extensions.ts";
+import { shownShortcut } from "../actions/keys.ts";
+import type { Dock as DockName, Panel } from "../registry.ts";
+import { useSession, useUi } from "../session.ts";
+import { Button, Hint, IconButton } from "../ui/controls.tsx";
+import { Icon } from "../ui/icons.tsx";
+import { MenuButton } from "../ui/menus.tsx";
+import { ErrorFence } from "./error_fence.tsx";
+import { activePanel, type Layout, movePanel, panelsIn, resizeDock, toggleDock, togglePanel } from "./layout.ts";
+
+export function Rail({ side }: { side: "left" | "right" }) {
+  const layout = useUi("layout");
+  const here = panelsIn(layout, panels, side);
+  if (here.length === 0) return null;
+  return (
+    <nav className={`rail ${side}`} aria-label={side === "left" ? "Panels on the left" : "Panels on the right"}>
+      {here.map((panel) => (
+        <PanelButton key={panel.id} panel={panel} className="rail-button" />
+      ))}
+    </nav>
+  );
+}
+
+export function PanelButton({ panel, className }: { panel: Panel; className: string }) {
+  const { ui } = useSession();
+  const layout = useUi("layout");
+  const dock = layout.moved[panel.id] ?? panel.dock;
+  const isShown = layout.docks[dock].open && activePanel(layout, panels, dock)?.id === panel.id;
+  return (
+    <Hint text={`${isShown ? "Hide" : "Show"} ${panel.title}`} {...(panel.shortcut ? { shortcut: shownShortcut(panel.shortcut) } : {})}>
+      <AriaButton
+        className={className}
+        aria-pressed={isShown}
+        onPress={() => ui.edit(togglePanel(ui.get("layout"), panels, panel))}
+      >
+        <Icon name={panel.icon} />
+        <span>{panel.short ?? panel.title}</span>
+        {panel.useBadge && <Badge use={panel.useBadge} />}
+      </AriaButton>
+    </Hint>
+  );
+}
+
+function Badge({ use }: { use: () => number }) {
+  const count = use();
+  return count > 0 ? <span className="badge">{count > 99 ? "99+" : count}</span> : null;
+}
+
+export function Dock({ side }: { side: DockName }) {
+  const { ui } = useSession();
+  const layout = useUi("layout");
+  const panel = activePanel(layout, panels, side);
+  if (!layout.docks[side].open || !panel) return null;
+  const size = layout.docks[side].size;
+  const Shown = panel.component;
+  return (
+    <section
+      className={`dock ${side}`}
+      style={side === "bottom" ? { height: size } : { width: size }}
+      aria-label={panel.title}
+    >
+      <Splitter side={side} />
+      <header>
+        <h2>{panel.title}</h2>
+        <MenuButton
+          label={`${panel.title}: place`}
+          trigger={
+            <Button tone="quiet" className="square" aria-label={`Move ${panel.title}`}>
+              <Icon name="more" />
+            </Button>
+          }
+          groups={[
+            {
+              title: "Move to",
+              entries: (["left", "right", "bottom"] as const).map((dock) => ({
+                id: dock,
+                label: { left: "Left side", right: "Right side", bottom: "Drawer" }[dock],
+                isDisabled: dock === side,
+                run: () => ui.edit(movePanel(ui.get("layout"), panel, dock)),
+              })),
+            },
+          ]}
+        />
+        <IconButton icon="close" label={`Close ${panel.title}`} onPress={() => ui.edit(toggleDock(ui.get("layout"), side))} />
+      </header>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
+      <div className="panel" tabIndex={0} role="region" aria-label={`${panel.title} content`}>
+        <ErrorFence key={panel.id} name={panel.title}>
+          <Suspense fallback={<p className="empty">Loading…</p>}>
+            <Shown />
+          </Suspense>
+        </ErrorFence>
+      </div>
+    </section>
+  );
+}
+
+/** Dragged by pointer, or moved with arrow keys while it has the focus. One drag is one edit. */
+function Splitter({ side }: { side: DockName }) {
+  const { ui } = useSession();
+  const size = useUi("layout").docks[side].size;
+  const drag = useRef<{ at: number; size: number; before: Layout } | null>(null);
+  const [dragged, setDragged] = useState(false);
+  const room = () => (side === "bottom" ? window.innerHeight - 130 : window.innerWidth - 120);
+  const along = (event: PointerEvent) => (side === "bottom" ? event.clientY : event.clientX);
+  const preview = (next: number) => ui.previewLayout(resizeDock(ui.get("layout"), side, next, room()).layout);
+  const name = `resize the ${side} panel`;
+  const keys = (event: KeyboardEvent) => {
+    const larger = { left: "ArrowRight", right: "ArrowLeft", bottom: "ArrowUp" }[side];
+    const smaller = { left: "ArrowLeft", right: "ArrowRight", bottom: "ArrowDown" }[side];
+    if (event.key !== larger && event.key !== smaller) return;
+    event.preventDefault();
+    ui.edit(resizeDock(ui.get("layout"), side, size + (event.key === larger ? 16 : -16), room()));
+  };
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: a separator that can be moved is no <hr>
+    <div
+      className={`splitter ${side} ${dragged ? "dragged" : ""}`}
+      role="separator"
+      tabIndex={0}
+      aria-label={`Width of the ${side} panel`.replace("Width of the bottom", "Height of the bottom")}
+      aria-orientation={side === "bottom" ? "horizontal" : "vertical"}
+      aria-valuenow={size}
+      aria-valuemin={140}
+      aria-valuemax={640}
+      onKeyDown={keys}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        drag.current = { at: along(event), size, before: ui.get("layout") };
+        setDragged(true);
+      }}
+      onPointerMove={(event) => {
+        if (!drag.current) return;
+        const moved = along(event) - drag.current.at;
+        preview(drag.current.size + (side === "left" ? moved : -moved));
+      }}
+      onLostPointerCapture={() => {
+        if (drag.current) ui.recordLayout(name, drag.current.before);
+        drag.current = null;
+        setDragged(false);
+      }}
+    />
+  );
+}

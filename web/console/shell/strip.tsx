@@ -1,0 +1,20 @@
+import { CommandLine } from "../command/command_line.tsx";
+import { panels } from "../extensions.ts";
+import { useUi } from "../session.ts";
+import { PanelButton } from "./dock.tsx";
+import { panelsIn } from "./layout.ts";
+
+/** The lower edge: buttons of the drawer, and the command line. */
+export function Strip() {
+  const layout = useUi("layout");
+  return (
+    <footer className="strip">
+      <nav className="tabs" aria-label="Panels of the drawer">
+        {panelsIn(layout, panels, "bottom").map((panel) => (
+          <PanelButton key={panel.id} panel={panel} className="button quiet" />
+        ))}
+      </nav>
+      <CommandLine />
+    </footer>
+  );
+}

@@ -1,0 +1,46 @@
+// Alerts of the log that want to be seen at once, until they are dismissed.
+import { usePart, useSession, useUi } from "../session.ts";
+import { duration } from "../format.ts";
+import { showPlace } from "../log/show_place.ts";
+import { Log_Kind } from "../../core/protocol.ts";
+import { Button, IconButton } from "../ui/controls.tsx";
+import { openAlerts } from "./alerts.ts";
+
+const kMostShown = 4;
+
+export function Toasts() {
+  const session = useSession();
+  const { ui } = session;
+  const log = usePart("log");
+  const to = useUi("dismissedTo");
+  const dismissed = useUi("dismissed");
+  const alerts = openAlerts(log, to, dismissed);
+  const shown = alerts.slice(-kMostShown).reverse();
+  const hidden = alerts.length - shown.length;
+  const dismissAll = () => ui.set("dismissedTo", log.at(-1)?.number ?? 0n);
+  return (
+    <section className="toasts" aria-label="Alerts" aria-live="polite">
+      {hidden + shown.length > 1 && (
+        <Button className="toast-all" onPress={dismissAll}>
+          {hidden > 0 ? `${hidden} more · dismiss all` : "Dismiss all"}
+        </Button>
+      )}
+      {shown.map((entry) => (
+        <div key={String(entry.number)} className={`toast ${entry.kind === Log_Kind.STUCK ? "" : "danger"}`}>
+          <p>
+            {entry.text} <span className="muted small number">{duration(entry.time)}</span>
+            {(entry.place || entry.robot !== 0) && (
+              <>
+                {" "}
+                <Button tone="link" onPress={() => showPlace(session, entry)}>
+                  Show
+                </Button>
+              </>
+            )}
+          </p>
+          <IconButton icon="close" label="Dismiss" onPress={() => ui.set("dismissed", new Set([...dismissed, entry.number]))} />
+        </div>
+      ))}
+    </section>
+  );
+}

@@ -1,0 +1,118 @@
+import { useSession, useUi, usePart } from "../session.ts";
+import { kStopShortcut } from "../actions/shell_actions.ts";
+import { shownShortcut } from "../actions/keys.ts";
+import { People } from "../clients/people.tsx";
+import { duration } from "../format.ts";
+import { SpeedControl } from "../mission/speed_control.tsx";
+import { stateOf } from "../mission/state.ts";
+import { emergencyStop, redo, save, undo } from "../orders.ts";
+import { FileMenu } from "../start/file_menu.tsx";
+import { Button, Hint, IconButton } from "../ui/controls.tsx";
+import { Icon } from "../ui/icons.tsx";
+import { nameOf, nextRedo, nextUndo } from "../undo/history.ts";
+import { missionEdits } from "./ui.ts";
+
+export function TopBar() {
+  const session = useSession();
+  return (
+    <header className="topbar">
+      <FileMenu />
+      <Title />
+      <UndoButtons />
+      <span className="divider" />
+      <RunState />
+      <Clocks />
+      <SpeedControl />
+      <span className="gap" />
+      <People />
+      <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
+        <Button tone="quiet" icon="search" aria-label="All commands" onPress={() => session.ui.set("dialog", "palette")}>
+          <kbd>{shownShortcut("ctrl+k")}</kbd>
+        </Button>
+      </Hint>
+      <StopButton />
+    </header>
+  );
+}
+
+function Title() {
+  const session = useSession();
+  const plan = usePart("plan");
+  const project = usePart("project");
+  const edits = usePart("edits");
+  const name = plan?.name || project?.mission || "missionlab";
+  return (
+    <>
+      <h1 className="title ellipsis" title={project?.mission ?? ""}>
+        {name}
+      </h1>
+      {edits?.isDirty && (
+        <Hint text="Save" shortcut={shownShortcut("ctrl+s")}>
+          <Button tone="quiet" className="pill hold" onPress={() => save(session)}>
+            Not saved
+          </Button>
+        </Hint>
+      )}
+    </>
+  );
+}
+
+function UndoButtons() {
+  const session = useSession();
+  usePart("edits");
+  const history = useUi("history");
+  const edits = missionEdits(session.model);
+  const undoName = nameOf(nextUndo(history, edits));
+  const redoName = nameOf(nextRedo(history, edits));
+  return (
+    <span className="columns" style={{ gap: 0, flexWrap: "nowrap" }}>
+      <IconButton icon="undo" label={undoName ? `Undo ${undoName}` : "Nothing to undo"} shortcut={shownShortcut("ctrl+z")} isDisabled={!undoName} onPress={() => undo(session)} />
+      <IconButton icon="redo" label={redoName ? `Redo ${redoName}` : "Nothing to redo"} shortcut={shownShortcut("ctrl+shift+z")} isDisabled={!redoName} onPress={() => redo(session)} />
+    </span>
+  );
+}
+
+function RunState() {
+  const status = usePart("status");
+  const link = usePart("link");
+  const { word, tone } = stateOf(status ?? undefined, link.state === "open");
+  return (
+    <span className={`pill ${tone}`} role="status" data-testid="run-state">
+      <span className="dot" />
+      {word}
+    </span>
+  );
+}
+
+function Clocks() {
+  const time = usePart("time");
+  const status = usePart("status");
+  const clock = status?.missionClock ?? "";
+  const [date, hours] = clock.split("T");
+  return (
+    <span className="clocks number">
+      <Hint text="Time since the run began">
+        <Button tone="quiet" className="runtime" aria-label={`Run time ${duration(time)}`} data-testid="run-time">
+          {duration(Math.max(time, status?.time ?? 0), true)}
+        </Button>
+      </Hint>
+      {hours && (
+        <span className="muted small" title={`Mission clock: ${date} ${hours}`}>
+          <span className="hidden-text">Mission clock </span>
+          {hours.slice(0, 8)}
+        </span>
+      )}
+    </span>
+  );
+}
+
+export function StopButton() {
+  const session = useSession();
+  return (
+    <Button className="estop" aria-keyshortcuts="Control+." onPress={() => void emergencyStop(session)} data-testid="emergency-stop">
+      <Icon name="stop" />
+      EMERGENCY STOP
+      <kbd>{shownShortcut(kStopShortcut)}</kbd>
+    </Button>
+  );
+}

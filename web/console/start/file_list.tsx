@@ -1,0 +1,76 @@
+import { useEffect, useState } from "react";
+import { ListBox, ListBoxItem } from "react-aria-components";
+import type { FileList_Entry } from "../../core/protocol.ts";
+import { useSession } from "../session.ts";
+import { Button } from "../ui/controls.tsx";
+import { Icon } from "../ui/icons.tsx";
+import { ancestors, nameOf } from "./paths.ts";
+
+interface FileListProps {
+  folder: string;
+  onFolder: (folder: string) => void;
+  chosen: string;
+  onChoose: (path: string) => void;
+  /** Enter or a double click. */
+  onOpen: (path: string) => void;
+  isSelectable: (entry: FileList_Entry) => boolean;
+}
+
+export function FileList({ folder, onFolder, chosen, onChoose, onOpen, isSelectable }: FileListProps) {
+  const { connection } = useSession();
+  const [entries, setEntries] = useState<readonly FileList_Entry[] | null>(null);
+  const [problem, setProblem] = useState("");
+  useEffect(() => {
+    let isCurrent = true;
+    setEntries(null);
+    void connection.ask({ case: "listFiles", value: { folder } }).then((reply) => {
+      if (!isCurrent) return;
+      setProblem(reply.ok ? "" : reply.error);
+      setEntries(reply.result.case === "files" ? reply.result.value.entries : []);
+    });
+    return () => {
+      isCurrent = false;
+    };
+  }, [connection, folder]);
+  const act = (path: string) => {
+    const entry = entries?.find((one) => one.path === path);
+    if (entry?.isFolder) onFolder(entry.path);
+    else if (entry && isSelectable(entry)) onOpen(path);
+  };
+  return (
+    <div className="rows" style={{ gap: 6 }}>
+      <nav className="columns" aria-label="Folder" style={{ gap: 2 }}>
+        {ancestors(folder).map((path) => (
+          <Button key={path} tone="quiet" onPress={() => onFolder(path)} isDisabled={path === folder}>
+            {path === "" ? "Project" : nameOf(path)}
+          </Button>
+        ))}
+      </nav>
+      {problem && <p className="problem">{problem}</p>}
+      <ListBox
+        aria-label="Files"
+        className="files"
+        selectionMode="single"
+        selectedKeys={chosen ? [chosen] : []}
+        onSelectionChange={(keys) => {
+          const [key] = keys === "all" ? [] : [...keys];
+          const entry = entries?.find((one) => one.path === key);
+          if (entry?.isFolder) onFolder(entry.path);
+          else if (entry) onChoose(entry.path);
+        }}
+        onAction={(key) => act(String(key))}
+        disabledKeys={(entries ?? []).filter((entry) => !entry.isFolder && !isSelectable(entry)).map((entry) => entry.path)}
+        renderEmptyState={() => <p className="empty small">{entries ? "Nothing here." : "Reading…"}</p>}
+        items={(entries ?? []).map((entry) => ({ id: entry.path, entry }))}
+      >
+        {({ entry }) => (
+          <ListBoxItem id={entry.path} className="file" textValue={nameOf(entry.path)}>
+            <Icon name={entry.isFolder ? "folder" : entry.kind === "overlay" ? "map" : "file"} />
+            <span className="grow ellipsis">{nameOf(entry.path)}</span>
+            {!entry.isFolder && entry.kind !== "other" && <span className="small muted">{entry.kind}</span>}
+          </ListBoxItem>
+        )}
+      </ListBox>
+    </div>
+  );
+}

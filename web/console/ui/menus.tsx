@@ -1,0 +1,110 @@
+// Menus, popovers and dialogs.
+import type { ReactNode } from "react";
+import {
+  Dialog,
+  DialogTrigger,
+  Header,
+  Heading,
+  Menu,
+  MenuItem,
+  MenuSection,
+  MenuTrigger,
+  Modal,
+  ModalOverlay,
+  Popover,
+  Separator,
+} from "react-aria-components";
+import { IconButton } from "./controls.tsx";
+import { Icon, type IconName } from "./icons.tsx";
+
+export interface MenuEntry {
+  id: string;
+  label: string;
+  icon?: IconName;
+  shortcut?: string;
+  /** Under the label. */
+  detail?: string;
+  isDisabled?: boolean;
+  run: () => void;
+}
+
+export interface MenuGroup {
+  title?: string;
+  entries: readonly MenuEntry[];
+}
+
+/** `trigger` is a button. */
+export function MenuButton({ trigger, label, groups }: { trigger: ReactNode; label: string; groups: readonly MenuGroup[] }) {
+  return (
+    <MenuTrigger>
+      {trigger}
+      <Popover className="popover" offset={4}>
+        <Menu className="menu" aria-label={label}>
+          {groups.flatMap((group, i) => [
+            ...(i > 0 ? [<Separator key={`s${i}`} className="menu-separator" />] : []),
+            <MenuSection key={`g${i}`} aria-label={group.title ?? label}>
+              {group.title && <Header className="menu-header">{group.title}</Header>}
+              {group.entries.map((entry) => (
+                <MenuItem
+                  key={entry.id}
+                  id={entry.id}
+                  className="menu-item"
+                  textValue={entry.label}
+                  isDisabled={entry.isDisabled ?? false}
+                  onAction={entry.run}
+                >
+                  {entry.icon && <Icon name={entry.icon} />}
+                  <span className="texts">
+                    <span>{entry.label}</span>
+                    {entry.detail && <span className="small muted ellipsis">{entry.detail}</span>}
+                  </span>
+                  {entry.shortcut && <kbd className="tail">{entry.shortcut}</kbd>}
+                </MenuItem>
+              ))}
+            </MenuSection>,
+          ])}
+        </Menu>
+      </Popover>
+    </MenuTrigger>
+  );
+}
+
+export function PopoverButton({ trigger, label, children }: { trigger: ReactNode; label: string; children: ReactNode }) {
+  return (
+    <DialogTrigger>
+      {trigger}
+      <Popover className="popover" offset={4}>
+        <Dialog className="content" aria-label={label}>
+          {children}
+        </Dialog>
+      </Popover>
+    </DialogTrigger>
+  );
+}
+
+interface DialogBoxProps {
+  title: string;
+  onClose: () => void;
+  children: ReactNode;
+  footer?: ReactNode;
+  width?: number;
+}
+
+export function DialogBox({ title, onClose, children, footer, width }: DialogBoxProps) {
+  return (
+    <ModalOverlay className="scrim" isOpen isDismissable onOpenChange={(open) => !open && onClose()}>
+      <Modal className="dialog" {...(width ? { style: { width: `min(${width}px, 94vw)` } } : {})}>
+        <Dialog>
+          <header>
+            <Heading slot="title" level={2}>
+              {title}
+            </Heading>
+            <IconButton icon="close" label="Close" onPress={onClose} />
+          </header>
+          <div className="body">{children}</div>
+          {footer && <footer>{footer}</footer>}
+        </Dialog>
+      </Modal>
+    </ModalOverlay>
+  );
+}
