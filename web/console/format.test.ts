@@ -19,7 +19,7 @@ describe("duration", () => {
 
 describe("distance", () => {
   it("has as many digits as a person uses", () => {
-    expect([3.14159, 350.4, 1240, 12400].map(distance)).toEqual(["3.1 m", "350 m", "1.24 km", "12.4 km"]);
+    expect([3.12, 350.4, 1240, 12400].map(distance)).toEqual(["3.1 m", "350 m", "1.24 km", "12.4 km"]);
   });
   it("is a dash where it is unknown", () => expect(distance(-1)).toBe("–"));
 });

@@ -1,5 +1,5 @@
 // What a person orders of the server; what goes wrong is shown to them.
-import { Control_Action, type Order, type Reply } from "../core/protocol.ts";
+import type { Control_Action, Order, Reply } from "../core/protocol.ts";
 import type { Session } from "./session.ts";
 
 /** Asks, and shows why not where the answer is no. */

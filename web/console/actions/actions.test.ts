@@ -2,7 +2,14 @@ import { describe, expect, it } from "vitest";
 import { isTakenByFocus, matches, shownShortcut } from "./keys.ts";
 import { ranked, score } from "./search.ts";
 
-const press = (key: string, more = {}) => ({ key, ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, ...more });
+const press = (key: string, more = {}) => ({
+  key,
+  ctrlKey: false,
+  metaKey: false,
+  shiftKey: false,
+  altKey: false,
+  ...more,
+});
 
 describe("a shortcut", () => {
   it("is its key with exactly its modifiers", () => {

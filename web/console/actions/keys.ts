@@ -41,12 +41,19 @@ export function shownShortcut(shortcut: string, isMac = false): string {
 export function isTakenByFocus(target: Element | null, press: KeyPress): boolean {
   if (!target || press.ctrlKey || press.metaKey) return false;
   if (target.closest("input, textarea, select, [contenteditable=true], [role=textbox]")) {
-    return !(target instanceof HTMLInputElement && /^(checkbox|radio|range)$/.test(target.type) && press.key.length === 1 && press.key !== " ");
+    return !(
+      target instanceof HTMLInputElement &&
+      /^(checkbox|radio|range)$/.test(target.type) &&
+      press.key.length === 1 &&
+      press.key !== " "
+    );
   }
   if (target.closest("[role=listbox], [role=grid], [role=menu], [role=tree], [role=dialog], [role=alertdialog]")) {
     return true;
   }
-  return (press.key === " " || press.key === "Enter") && target.closest("button, a, [role=button], [role=tab]") !== null;
+  return (
+    (press.key === " " || press.key === "Enter") && target.closest("button, a, [role=button], [role=tab]") !== null
+  );
 }
 
 function nameOf(key: string): string {

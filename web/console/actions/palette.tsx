@@ -44,7 +44,6 @@ export function Palette() {
           <div className="palette-field">
             <Icon name="search" />
             <input
-              // biome-ignore lint/a11y/noAutofocus: the dialog is there to be typed into
               autoFocus
               role="combobox"
               aria-label="Search all commands"

@@ -1,10 +1,12 @@
 // The actions of the shell itself: one list behind menus, palette, shortcuts and the sheet that shows them.
+
+import { kLayers, withLayer } from "../../core/map/settings.ts";
 import type { Model } from "../../core/model.ts";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { kNothing, selectRobots } from "../../core/selection.ts";
-import { kLayers, withLayer } from "../../core/map/settings.ts";
 import { actionSources, panels, tools } from "../extensions.ts";
 import { mainButton } from "../mission/main_button.ts";
+import { pressMainButton } from "../mission/press.ts";
 import { situationOf } from "../mission/situation.ts";
 import { neighbour } from "../mission/speed.ts";
 import { answer, control, emergencyStop, passOperator, redo, save, setSpeed, takeOperator, undo } from "../orders.ts";
@@ -12,7 +14,6 @@ import type { Action } from "../registry.ts";
 import type { Session } from "../session.ts";
 import { kDocks, resetLayout, toggleDock, togglePanel } from "../shell/layout.ts";
 import { nameOf, nextRedo, nextUndo } from "../undo/history.ts";
-import { pressMainButton } from "../mission/press.ts";
 
 export const kStopShortcut = "ctrl+.";
 
@@ -48,18 +49,110 @@ function runActions(session: Session): Action[] {
   const run = (action: Control_Action) => () => control(session, action);
   const speed = status?.speed ?? 1;
   return [
-    { id: "stop", label: "Emergency stop", group: "Run", icon: "stop", shortcut: kStopShortcut, everywhere: true, run: () => void emergencyStop(session) },
-    { id: "main", label: main.label, group: "Run", icon: main.icon, shortcut: "space", blocked: main.does.kind === "nothing" ? main.hint : undefined, run: () => pressMainButton(session) },
-    { id: "step", label: "Single step of the mission", group: "Run", icon: "step", shortcut: "n", blocked: blocked ?? stands, run: run(Control_Action.SINGLE_STEP) },
-    { id: "cycle", label: "Single control cycle", group: "Run", icon: "cycle", shortcut: "c", blocked: blocked ?? stands, run: run(Control_Action.SINGLE_CYCLE) },
-    { id: "rewind", label: "Rewind to the first step", group: "Run", icon: "rewind", blocked: blocked ?? stands, run: run(Control_Action.REWIND) },
-    { id: "restart", label: "Restart the run", group: "Run", icon: "restart", blocked, run: run(Control_Action.RESTART) },
-    { id: "abort", label: "Abort the mission", group: "Run", icon: "abort", blocked: blocked ?? stands, run: run(Control_Action.ABORT) },
-    { id: "faster", label: "Faster", group: "Run", icon: "gauge", shortcut: "+", blocked: operatorOnly(model), run: () => setSpeed(session, neighbour(speed, 1)) },
-    { id: "slower", label: "Slower", group: "Run", icon: "gauge", shortcut: "-", blocked: operatorOnly(model), run: () => setSpeed(session, neighbour(speed, -1)) },
-    { id: "real-time", label: "Speed of real time", group: "Run", icon: "gauge", blocked: operatorOnly(model), run: () => setSpeed(session, 1) },
-    { id: "proceed", label: "Answer the oldest question: proceed", group: "Run", icon: "check", shortcut: "p", blocked: operatorOnly(model) ?? noQuestion, run: () => oldest && answer(session, oldest.id, true) },
-    { id: "refuse", label: "Answer the oldest question: abort", group: "Run", icon: "abort", shortcut: "shift+p", blocked: operatorOnly(model) ?? noQuestion, run: () => oldest && answer(session, oldest.id, false) },
+    {
+      id: "stop",
+      label: "Emergency stop",
+      group: "Run",
+      icon: "stop",
+      shortcut: kStopShortcut,
+      everywhere: true,
+      run: () => void emergencyStop(session),
+    },
+    {
+      id: "main",
+      label: main.label,
+      group: "Run",
+      icon: main.icon,
+      shortcut: "x",
+      blocked: main.does.kind === "nothing" ? main.hint : undefined,
+      run: () => pressMainButton(session),
+    },
+    {
+      id: "step",
+      label: "Single step of the mission",
+      group: "Run",
+      icon: "step",
+      shortcut: "n",
+      blocked: blocked ?? stands,
+      run: run(Control_Action.SINGLE_STEP),
+    },
+    {
+      id: "cycle",
+      label: "Single control cycle",
+      group: "Run",
+      icon: "cycle",
+      shortcut: "c",
+      blocked: blocked ?? stands,
+      run: run(Control_Action.SINGLE_CYCLE),
+    },
+    {
+      id: "rewind",
+      label: "Rewind to the first step",
+      group: "Run",
+      icon: "rewind",
+      blocked: blocked ?? stands,
+      run: run(Control_Action.REWIND),
+    },
+    {
+      id: "restart",
+      label: "Restart the run",
+      group: "Run",
+      icon: "restart",
+      blocked,
+      run: run(Control_Action.RESTART),
+    },
+    {
+      id: "abort",
+      label: "Abort the mission",
+      group: "Run",
+      icon: "abort",
+      blocked: blocked ?? stands,
+      run: run(Control_Action.ABORT),
+    },
+    {
+      id: "faster",
+      label: "Faster",
+      group: "Run",
+      icon: "gauge",
+      shortcut: ">",
+      blocked: operatorOnly(model),
+      run: () => setSpeed(session, neighbour(speed, 1)),
+    },
+    {
+      id: "slower",
+      label: "Slower",
+      group: "Run",
+      icon: "gauge",
+      shortcut: "<",
+      blocked: operatorOnly(model),
+      run: () => setSpeed(session, neighbour(speed, -1)),
+    },
+    {
+      id: "real-time",
+      label: "Speed of real time",
+      group: "Run",
+      icon: "gauge",
+      blocked: operatorOnly(model),
+      run: () => setSpeed(session, 1),
+    },
+    {
+      id: "proceed",
+      label: "Answer the oldest question: proceed",
+      group: "Run",
+      icon: "check",
+      shortcut: "p",
+      blocked: operatorOnly(model) ?? noQuestion,
+      run: () => oldest && answer(session, oldest.id, true),
+    },
+    {
+      id: "refuse",
+      label: "Answer the oldest question: abort",
+      group: "Run",
+      icon: "abort",
+      shortcut: "shift+p",
+      blocked: operatorOnly(model) ?? noQuestion,
+      run: () => oldest && answer(session, oldest.id, false),
+    },
   ];
 }
 
@@ -69,10 +162,36 @@ function missionActions(session: Session): Action[] {
   const clean = model.get("edits")?.isDirty ? undefined : "Everything is saved.";
   const blocked = operatorOnly(model);
   return [
-    { id: "open", label: "Open a mission…", group: "Mission", icon: "folder", shortcut: "ctrl+o", blocked, run: () => ui.set("dialog", "open") },
+    {
+      id: "open",
+      label: "Open a mission…",
+      group: "Mission",
+      icon: "folder",
+      shortcut: "ctrl+o",
+      blocked,
+      run: () => ui.set("dialog", "open"),
+    },
     { id: "new", label: "New mission…", group: "Mission", icon: "file", blocked, run: () => ui.set("dialog", "new") },
-    { id: "save", label: "Save", group: "Mission", icon: "save", shortcut: "ctrl+s", everywhere: true, blocked: blocked ?? noDocuments ?? clean, run: () => save(session) },
-    { id: "save-as", label: "Save as…", group: "Mission", icon: "save", shortcut: "ctrl+shift+s", everywhere: true, blocked: blocked ?? noDocuments, run: () => ui.set("dialog", "save-as") },
+    {
+      id: "save",
+      label: "Save",
+      group: "Mission",
+      icon: "save",
+      shortcut: "ctrl+s",
+      everywhere: true,
+      blocked: blocked ?? noDocuments ?? clean,
+      run: () => save(session),
+    },
+    {
+      id: "save-as",
+      label: "Save as…",
+      group: "Mission",
+      icon: "save",
+      shortcut: "ctrl+shift+s",
+      everywhere: true,
+      blocked: blocked ?? noDocuments,
+      run: () => ui.set("dialog", "save-as"),
+    },
   ];
 }
 
@@ -82,8 +201,24 @@ function editActions(session: Session): Action[] {
   const undoName = nameOf(nextUndo(history, edits));
   const redoName = nameOf(nextRedo(history, edits));
   return [
-    { id: "undo", label: undoName ? `Undo ${undoName}` : "Undo", group: "Edit", icon: "undo", shortcut: "ctrl+z", blocked: undoName ? undefined : "There is nothing to undo.", run: () => undo(session) },
-    { id: "redo", label: redoName ? `Redo ${redoName}` : "Redo", group: "Edit", icon: "redo", shortcut: "ctrl+shift+z", blocked: redoName ? undefined : "There is nothing to redo.", run: () => redo(session) },
+    {
+      id: "undo",
+      label: undoName ? `Undo ${undoName}` : "Undo",
+      group: "Edit",
+      icon: "undo",
+      shortcut: "ctrl+z",
+      blocked: undoName ? undefined : "There is nothing to undo.",
+      run: () => undo(session),
+    },
+    {
+      id: "redo",
+      label: redoName ? `Redo ${redoName}` : "Redo",
+      group: "Edit",
+      icon: "redo",
+      shortcut: "ctrl+shift+z",
+      blocked: redoName ? undefined : "There is nothing to redo.",
+      run: () => redo(session),
+    },
   ];
 }
 
@@ -94,8 +229,24 @@ function mapActions({ model, ui }: Session): Action[] {
   const operator = model.isOperator();
   return [
     { id: "fit", label: "Fit the whole map", group: "Map", icon: "fit", shortcut: "f", blocked, run: () => map?.fit() },
-    { id: "zoom-in", label: "Zoom in", group: "Map", icon: "plus", shortcut: "shift++", blocked, run: () => map?.zoom(Math.SQRT2) },
-    { id: "zoom-out", label: "Zoom out", group: "Map", icon: "minus", shortcut: "_", blocked, run: () => map?.zoom(Math.SQRT1_2) },
+    {
+      id: "zoom-in",
+      label: "Zoom in",
+      group: "Map",
+      icon: "plus",
+      shortcut: "+",
+      blocked,
+      run: () => map?.zoom(Math.SQRT2),
+    },
+    {
+      id: "zoom-out",
+      label: "Zoom out",
+      group: "Map",
+      icon: "minus",
+      shortcut: "-",
+      blocked,
+      run: () => map?.zoom(Math.SQRT1_2),
+    },
     {
       id: "military",
       label: settings.military ? "Plain symbols" : "Military symbols",
@@ -115,16 +266,25 @@ function mapActions({ model, ui }: Session): Action[] {
         run: () => ui.editMap(words, { layers: withLayer(settings, layer, !shown).layers }),
       };
     }),
-    { id: "tool-select", label: "Select and move about", group: "Tools", icon: "pointer", shortcut: "s", run: () => ui.set("tool", "") },
-    ...tools.map((tool): Action => ({
-      id: `tool-${tool.id}`,
-      label: tool.label,
+    {
+      id: "tool-select",
+      label: "Select and move about",
       group: "Tools",
-      icon: tool.icon,
-      ...(tool.shortcut ? { shortcut: tool.shortcut } : {}),
-      blocked: tool.forOperator && !operator ? kWatching : blocked,
-      run: () => ui.set("tool", ui.get("tool") === tool.id ? "" : tool.id),
-    })),
+      icon: "pointer",
+      shortcut: "s",
+      run: () => ui.set("tool", ""),
+    },
+    ...tools.map(
+      (tool): Action => ({
+        id: `tool-${tool.id}`,
+        label: tool.label,
+        group: "Tools",
+        icon: tool.icon,
+        ...(tool.shortcut ? { shortcut: tool.shortcut } : {}),
+        blocked: tool.forOperator && !operator ? kWatching : blocked,
+        run: () => ui.set("tool", ui.get("tool") === tool.id ? "" : tool.id),
+      }),
+    ),
   ];
 }
 
@@ -142,11 +302,47 @@ function selectionActions({ model, ui }: Session): Action[] {
     if (id !== undefined) model.select(selectRobots([id]));
   };
   return [
-    { id: "next-robot", label: "Select the next robot", group: "Selection", shortcut: "]", blocked: noRobots, run: next(1) },
-    { id: "previous-robot", label: "Select the previous robot", group: "Selection", shortcut: "[", blocked: noRobots, run: next(-1) },
-    { id: "select-all", label: "Select all robots", group: "Selection", shortcut: "ctrl+a", blocked: noRobots, run: () => model.select(selectRobots(roster.robots.map((robot) => robot.id))) },
-    { id: "select-none", label: "Clear the selection", group: "Selection", shortcut: "escape", blocked: none, run: () => model.select(kNothing) },
-    { id: "centre", label: "Show the selection on the map", group: "Selection", icon: "centre", shortcut: ".", blocked: none, run: () => map?.fitSelection() },
+    {
+      id: "next-robot",
+      label: "Select the next robot",
+      group: "Selection",
+      shortcut: "]",
+      blocked: noRobots,
+      run: next(1),
+    },
+    {
+      id: "previous-robot",
+      label: "Select the previous robot",
+      group: "Selection",
+      shortcut: "[",
+      blocked: noRobots,
+      run: next(-1),
+    },
+    {
+      id: "select-all",
+      label: "Select all robots",
+      group: "Selection",
+      shortcut: "ctrl+a",
+      blocked: noRobots,
+      run: () => model.select(selectRobots(roster.robots.map((robot) => robot.id))),
+    },
+    {
+      id: "select-none",
+      label: "Clear the selection",
+      group: "Selection",
+      shortcut: "escape",
+      blocked: none,
+      run: () => model.select(kNothing),
+    },
+    {
+      id: "centre",
+      label: "Show the selection on the map",
+      group: "Selection",
+      icon: "centre",
+      shortcut: ".",
+      blocked: none,
+      run: () => map?.fitSelection(),
+    },
     {
       id: "follow",
       label: map?.following ? "Stop following" : "Follow the selection",
@@ -166,33 +362,65 @@ function selectionActions({ model, ui }: Session): Action[] {
 function viewActions({ ui }: Session): Action[] {
   const layout = ui.get("layout");
   return [
-    { id: "palette", label: "All commands…", group: "View", icon: "search", shortcut: "ctrl+k", everywhere: true, run: () => ui.set("dialog", ui.get("dialog") === "palette" ? "" : "palette") },
-    { id: "shortcuts", label: "Keyboard shortcuts", group: "View", shortcut: "?", run: () => ui.set("dialog", "shortcuts") },
-    ...panels.map((panel): Action => ({
-      id: `panel-${panel.id}`,
-      label: `${panel.title} panel`,
+    {
+      id: "palette",
+      label: "All commands…",
       group: "View",
-      icon: panel.icon,
-      ...(panel.shortcut ? { shortcut: panel.shortcut } : {}),
-      run: () => ui.edit(togglePanel(ui.get("layout"), panels, panel)),
-    })),
-    ...kDocks.map((dock): Action => ({
-      id: `dock-${dock}`,
-      label: `${layout.docks[dock].open ? "Close" : "Open"} the ${dock} side`.replace("bottom side", "drawer"),
+      icon: "search",
+      shortcut: "ctrl+k",
+      everywhere: true,
+      run: () => ui.set("dialog", ui.get("dialog") === "palette" ? "" : "palette"),
+    },
+    {
+      id: "shortcuts",
+      label: "Keyboard shortcuts",
       group: "View",
-      shortcut: { left: "ctrl+b", right: "ctrl+shift+b", bottom: "ctrl+j" }[dock],
-      run: () => ui.edit(toggleDock(ui.get("layout"), dock)),
-    })),
-    { id: "command-line", label: "Type a command", group: "View", icon: "command", shortcut: "/", run: () => document.getElementById("command-line")?.focus() },
-    { id: "reset-layout", label: "Reset the layout", group: "View", run: () => ui.edit(resetLayout(window.innerWidth)) },
-    ...(["light", "dark", "auto"] as const).map((theme): Action => ({
-      id: `theme-${theme}`,
-      label: theme === "auto" ? "Colours as the system has them" : `${theme === "light" ? "Light" : "Dark"} colours`,
+      shortcut: "?",
+      run: () => ui.set("dialog", "shortcuts"),
+    },
+    ...panels.map(
+      (panel): Action => ({
+        id: `panel-${panel.id}`,
+        label: `${panel.title} panel`,
+        group: "View",
+        icon: panel.icon,
+        ...(panel.shortcut ? { shortcut: panel.shortcut } : {}),
+        run: () => ui.edit(togglePanel(ui.get("layout"), panels, panel)),
+      }),
+    ),
+    ...kDocks.map(
+      (dock): Action => ({
+        id: `dock-${dock}`,
+        label: `${layout.docks[dock].open ? "Close" : "Open"} the ${dock} side`.replace("bottom side", "drawer"),
+        group: "View",
+        shortcut: { left: "ctrl+b", right: "ctrl+shift+b", bottom: "ctrl+j" }[dock],
+        run: () => ui.edit(toggleDock(ui.get("layout"), dock)),
+      }),
+    ),
+    {
+      id: "command-line",
+      label: "Type a command",
       group: "View",
-      icon: "sun",
-      blocked: ui.get("theme") === theme ? "They are chosen." : undefined,
-      run: () => ui.set("theme", theme),
-    })),
+      icon: "command",
+      shortcut: "/",
+      run: () => document.getElementById("command-line")?.focus(),
+    },
+    {
+      id: "reset-layout",
+      label: "Reset the layout",
+      group: "View",
+      run: () => ui.edit(resetLayout(window.innerWidth)),
+    },
+    ...(["light", "dark", "auto"] as const).map(
+      (theme): Action => ({
+        id: `theme-${theme}`,
+        label: theme === "auto" ? "Colours as the system has them" : `${theme === "light" ? "Light" : "Dark"} colours`,
+        group: "View",
+        icon: "sun",
+        blocked: ui.get("theme") === theme ? "They are chosen." : undefined,
+        run: () => ui.set("theme", theme),
+      }),
+    ),
   ];
 }
 
@@ -202,12 +430,38 @@ function peopleActions(session: Session): Action[] {
   const isOperator = model.isOperator();
   const asks = clients?.clients.find((client) => client.id === clients.asks);
   return [
-    { id: "take-control", label: "Take control", group: "People", icon: "hand", blocked: isOperator ? "You are the operator." : undefined, run: () => takeOperator(session) },
-    { id: "hand-over", label: "Hand over control…", group: "People", icon: "person", blocked: isOperator ? undefined : "You are not the operator.", run: () => ui.set("dialog", "hand-over") },
+    {
+      id: "take-control",
+      label: "Take control",
+      group: "People",
+      icon: "hand",
+      blocked: isOperator ? "You are the operator." : undefined,
+      run: () => takeOperator(session),
+    },
+    {
+      id: "hand-over",
+      label: "Hand over control…",
+      group: "People",
+      icon: "person",
+      blocked: isOperator ? undefined : "You are not the operator.",
+      run: () => ui.set("dialog", "hand-over"),
+    },
     ...(isOperator && asks
       ? ([
-          { id: "give-control", label: `Give control to ${asks.name || `browser ${asks.id}`}`, group: "People", icon: "check", run: () => passOperator(session, asks.id) },
-          { id: "decline-control", label: `Decline the request of ${asks.name || `browser ${asks.id}`}`, group: "People", icon: "close", run: () => passOperator(session, 0) },
+          {
+            id: "give-control",
+            label: `Give control to ${asks.name || `browser ${asks.id}`}`,
+            group: "People",
+            icon: "check",
+            run: () => passOperator(session, asks.id),
+          },
+          {
+            id: "decline-control",
+            label: `Decline the request of ${asks.name || `browser ${asks.id}`}`,
+            group: "People",
+            icon: "close",
+            run: () => passOperator(session, 0),
+          },
         ] satisfies Action[])
       : []),
   ];

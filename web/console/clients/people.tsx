@@ -2,8 +2,8 @@ import { usePart, useSession, useUi } from "../session.ts";
 import { Button } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
 import { PopoverButton } from "../ui/menus.tsx";
-import { PeopleList } from "./people_list.tsx";
 import { nameOfClient } from "./names.ts";
+import { PeopleList } from "./people_list.tsx";
 
 /** Who looks, and who is the operator. */
 export function People() {

@@ -38,7 +38,9 @@ export function PeopleList() {
           {hasAsked ? "Asked; waits for an answer" : operator ? "Ask for control" : "Take control"}
         </Button>
       )}
-      {isOperator && clients.asks !== 0 && <Button onPress={() => passOperator(session, 0)}>Decline the request</Button>}
+      {isOperator && clients.asks !== 0 && (
+        <Button onPress={() => passOperator(session, 0)}>Decline the request</Button>
+      )}
       <OwnName />
     </div>
   );

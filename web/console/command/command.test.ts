@@ -7,7 +7,13 @@ import { targetLines } from "./targets.ts";
 describe("the lines typed before", () => {
   it("come back one by one, and the typed one at the end", () => {
     const recall = new Recall(["a", "b"], "");
-    expect([recall.step(-1), recall.step(-1), recall.step(-1), recall.step(1), recall.step(1)]).toEqual(["b", "a", undefined, "b", ""]);
+    expect([recall.step(-1), recall.step(-1), recall.step(-1), recall.step(1), recall.step(1)]).toEqual([
+      "b",
+      "a",
+      undefined,
+      "b",
+      "",
+    ]);
   });
   it("are those that begin as what is typed", () => {
     const recall = new Recall(["UNIT a STOP", "OBSTACLE 1 2 3", "UNIT b STOP"], "unit");

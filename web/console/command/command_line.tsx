@@ -169,7 +169,11 @@ export function CommandLine() {
         autoComplete="off"
         spellCheck={false}
         disabled={link.state !== "open"}
-        placeholder={isOperator ? "Type a command: UNIT scouts MOVETO 310 205" : "Commands are checked here; only the operator can send them"}
+        placeholder={
+          isOperator
+            ? "Type a command: UNIT scouts MOVETO 310 205"
+            : "Commands are checked here; only the operator can send them"
+        }
         value={line}
         onChange={(event) => {
           recall.current = null;
@@ -185,9 +189,7 @@ export function CommandLine() {
       <kbd>/</kbd>
       {isOpen && (
         <div className="command-pop">
-          {suggestions && (
-            <Suggested suggestions={suggestions} at={at} onChoose={accept} />
-          )}
+          {suggestions && <Suggested suggestions={suggestions} at={at} onChoose={accept} />}
           {verdict && <Judged verdict={verdict} />}
         </div>
       )}
@@ -195,13 +197,28 @@ export function CommandLine() {
   );
 }
 
-function Suggested({ suggestions, at, onChoose }: { suggestions: Suggestions; at: number; onChoose: (item: Completions_Item) => void }) {
+function Suggested({
+  suggestions,
+  at,
+  onChoose,
+}: {
+  suggestions: Suggestions;
+  at: number;
+  onChoose: (item: Completions_Item) => void;
+}) {
   const list = useRef<HTMLDivElement>(null);
   useEffect(() => {
     list.current?.children[at]?.scrollIntoView({ block: "nearest" });
   }, [at]);
   return (
-    <div ref={list} id="command-suggestions" role="listbox" aria-label="Completions" className="command-suggestions" tabIndex={-1}>
+    <div
+      ref={list}
+      id="command-suggestions"
+      role="listbox"
+      aria-label="Completions"
+      className="command-suggestions"
+      tabIndex={-1}
+    >
       {suggestions.items.map((item, i) => (
         <div
           key={`${item.kind} ${item.text}`}

@@ -35,7 +35,9 @@ export function DiagnosticsView({ line, diagnostics }: { line: string; diagnosti
         const end = Math.max(begin, unitsOf(line, diagnostic.end));
         return (
           <li key={`${diagnostic.kind} ${diagnostic.begin} ${diagnostic.message}`}>
-            <p className={diagnostic.isWarning ? "target-replaces" : "problem"}>{sentence(diagnostic.message.replaceAll("`", "“"))}</p>
+            <p className={diagnostic.isWarning ? "target-replaces" : "problem"}>
+              {sentence(diagnostic.message.replaceAll("`", "“"))}
+            </p>
             {end > begin && (
               <p className="mono marked-line">
                 {line.slice(0, begin)}

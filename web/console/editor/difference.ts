@@ -14,7 +14,11 @@ export function difference(before: string, after: string): Replacement | undefin
   while (head < most && before.charCodeAt(head) === after.charCodeAt(head)) head++;
   if (head > 0 && isHigh(before.charCodeAt(head - 1))) head--;
   let tail = 0;
-  while (tail < most - head && before.charCodeAt(before.length - 1 - tail) === after.charCodeAt(after.length - 1 - tail)) tail++;
+  while (
+    tail < most - head &&
+    before.charCodeAt(before.length - 1 - tail) === after.charCodeAt(after.length - 1 - tail)
+  )
+    tail++;
   if (tail > 0 && isLow(before.charCodeAt(before.length - tail))) tail--;
   return { from: head, to: before.length - tail, insert: after.slice(head, after.length - tail) };
 }

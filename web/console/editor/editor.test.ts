@@ -143,7 +143,12 @@ describe("an editor beside the server", () => {
     const place = fc.nat(40);
     const step = fc.oneof(
       fc.record({ do: fc.constant("type" as const), at: place, cut: fc.nat(5), insert: fc.string({ maxLength: 4 }) }),
-      fc.record({ do: fc.constant("foreign" as const), at: place, cut: fc.nat(5), insert: fc.string({ maxLength: 4 }) }),
+      fc.record({
+        do: fc.constant("foreign" as const),
+        at: place,
+        cut: fc.nat(5),
+        insert: fc.string({ maxLength: 4 }),
+      }),
       fc.record({ do: fc.constant("send" as const) }),
       fc.record({ do: fc.constant("serve" as const), documentFirst: fc.boolean() }),
     );

@@ -38,13 +38,19 @@ export function filterLog(log: readonly Log_Entry[], filter: LogFilter): Log_Ent
     if (filter.robots.size > 0 && !filter.robots.has(entry.robot)) return false;
     if (unit !== "" && entry.unit.toLowerCase() !== unit) return false;
     if (words.length === 0) return true;
-    const searched = `${entry.text} ${kKindWords[entry.kind]} ${entry.unit} ${entry.robot ? `robot ${entry.robot}` : ""}`.toLowerCase();
+    const searched =
+      `${entry.text} ${kKindWords[entry.kind]} ${entry.unit} ${entry.robot ? `robot ${entry.robot}` : ""}`.toLowerCase();
     return words.every((word) => searched.includes(word));
   });
 }
 
 /** Which rows of equal height a scrolled window shows, with a few beyond its edges. */
-export function windowOf(total: number, scrollTop: number, height: number, rowHeight: number): { first: number; end: number } {
+export function windowOf(
+  total: number,
+  scrollTop: number,
+  height: number,
+  rowHeight: number,
+): { first: number; end: number } {
   const first = Math.max(0, Math.floor(scrollTop / rowHeight) - 6);
   return { first: Math.min(first, total), end: Math.min(total, Math.ceil((scrollTop + height) / rowHeight) + 6) };
 }

@@ -28,13 +28,19 @@ export function LogPanel() {
         <Search label="Filter the log" value={filter.text} onChange={(text) => setFilter({ ...filter, text })} />
         <KindFilter filter={filter} onChange={setFilter} />
         <Switch
-          label={selection.robots.length > 0 ? `Only ${count(selection.robots.length, "selected robot")}` : "Only selected robots"}
+          label={
+            selection.robots.length > 0
+              ? `Only ${count(selection.robots.length, "selected robot")}`
+              : "Only selected robots"
+          }
           value={onlySelected && selection.robots.length > 0}
           isDisabled={selection.robots.length === 0}
           onChange={setOnlySelected}
         />
         <span className="small muted number">
-          {entries.length === log.length ? count(log.length, "entry", "entries") : `${entries.length} of ${count(log.length, "entry", "entries")}`}
+          {entries.length === log.length
+            ? count(log.length, "entry", "entries")
+            : `${entries.length} of ${count(log.length, "entry", "entries")}`}
         </span>
       </div>
       <Rows entries={entries} />
@@ -55,7 +61,10 @@ function KindFilter({ filter, onChange }: { filter: LogFilter; onChange: (filter
       }
     >
       <div className="rows" style={{ gap: 2 }}>
-        <Button tone="link" onPress={() => onChange({ ...filter, hidden: filter.hidden.size > 0 ? new Set() : new Set(kKinds) })}>
+        <Button
+          tone="link"
+          onPress={() => onChange({ ...filter, hidden: filter.hidden.size > 0 ? new Set() : new Set(kKinds) })}
+        >
           {filter.hidden.size > 0 ? "Show all" : "Hide all"}
         </Button>
         {kKinds.map((kind) => (
@@ -80,7 +89,6 @@ function Rows({ entries }: { entries: readonly Log_Entry[] }) {
   const box = useRef<HTMLDivElement>(null);
   const [scroll, setScroll] = useState({ top: 0, height: 400 });
   const isAtEnd = useRef(true);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: new entries keep the end in sight, where it was
   useEffect(() => {
     const element = box.current;
     if (element && isAtEnd.current) element.scrollTop = element.scrollHeight;
@@ -124,7 +132,8 @@ function Rows({ entries }: { entries: readonly Log_Entry[] }) {
 
 function Row({ entry, top }: { entry: Log_Entry; top: number }) {
   const session = useSession();
-  const tone = entry.isAlert || entry.kind === Log_Kind.CONTACT ? "danger" : entry.kind === Log_Kind.WARNING ? "hold" : "";
+  const tone =
+    entry.isAlert || entry.kind === Log_Kind.CONTACT ? "danger" : entry.kind === Log_Kind.WARNING ? "hold" : "";
   const who = entry.robot ? `robot ${entry.robot}` : entry.unit;
   return (
     <div className={`log-row ${tone}`} style={{ top }}>
@@ -132,7 +141,12 @@ function Row({ entry, top }: { entry: Log_Entry; top: number }) {
       <span className="log-kind">{kKindWords[entry.kind]}</span>
       <span className="log-who ellipsis">{who}</span>
       {hasPlace(entry) ? (
-        <Button tone="link" className="ellipsis log-text" onPress={() => showPlace(session, entry)} aria-label={`${entry.text}: show on the map`}>
+        <Button
+          tone="link"
+          className="ellipsis log-text"
+          onPress={() => showPlace(session, entry)}
+          aria-label={`${entry.text}: show on the map`}
+        >
           {entry.text}
         </Button>
       ) : (

@@ -23,7 +23,10 @@ describe("the large button", () => {
     expect(at(Status_Mode.PAUSED)).toMatchObject({ label: "Resume", does: { action: Control_Action.RESUME } });
   });
   it("leads to the question that the mission waits for", () => {
-    expect(at(Status_Mode.WAITING, { openQuestions: 1 })).toMatchObject({ label: "Answer: Proceed?", does: { kind: "answer" } });
+    expect(at(Status_Mode.WAITING, { openQuestions: 1 })).toMatchObject({
+      label: "Answer: Proceed?",
+      does: { kind: "answer" },
+    });
   });
   it("says which step comes next", () => expect(at(Status_Mode.READY).hint).toBe("Starts with step 2."));
   it("releases an emergency stop and nothing else", () => {

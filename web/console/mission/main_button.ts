@@ -31,7 +31,13 @@ const nothing = { kind: "nothing" } as const;
 export function mainButton(situation: Situation): MainButton {
   const { status } = situation;
   if (!situation.isConnected || !status) {
-    return { label: "Connecting…", hint: "The server does not answer yet.", does: nothing, tone: "quiet", icon: "play" };
+    return {
+      label: "Connecting…",
+      hint: "The server does not answer yet.",
+      does: nothing,
+      tone: "quiet",
+      icon: "play",
+    };
   }
   if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation.hasAsked);
   switch (status.mode) {
@@ -46,7 +52,13 @@ export function mainButton(situation: Situation): MainButton {
           }
         : { label: "Execute", hint: "Open a mission first.", does: nothing, tone: "quiet", icon: "play" };
     case Status_Mode.READY:
-      return control("Execute", stepHint("Starts with step", situation.nextLabel), Control_Action.EXECUTE, "go", "play");
+      return control(
+        "Execute",
+        stepHint("Starts with step", situation.nextLabel),
+        Control_Action.EXECUTE,
+        "go",
+        "play",
+      );
     case Status_Mode.RUNNING:
       return control("Pause", "All robots stand until you resume.", Control_Action.PAUSE, "hold", "pause");
     case Status_Mode.PAUSED:
@@ -63,9 +75,21 @@ export function mainButton(situation: Situation): MainButton {
       }
       if (status.teleoperations.length > 0) {
         const units = status.teleoperations.map((teleoperation) => teleoperation.unit).join(", ");
-        return control("Pause", `Waits for the end of teleoperation of ${units}.`, Control_Action.PAUSE, "hold", "pause");
+        return control(
+          "Pause",
+          `Waits for the end of teleoperation of ${units}.`,
+          Control_Action.PAUSE,
+          "hold",
+          "pause",
+        );
       }
-      return control("Execute", stepHint("Goes on with step", situation.nextLabel), Control_Action.EXECUTE, "go", "play");
+      return control(
+        "Execute",
+        stepHint("Goes on with step", situation.nextLabel),
+        Control_Action.EXECUTE,
+        "go",
+        "play",
+      );
     case Status_Mode.STOPPED:
       return control("Release the stop", "The run is paused then.", Control_Action.RELEASE_STOP, "danger", "release");
     case Status_Mode.ENDED:
@@ -101,6 +125,10 @@ function stepHint(words: string, label: string): string {
 
 function endHint(outcome: Status_Outcome): string {
   const how =
-    outcome === Status_Outcome.DONE ? "The mission is done." : outcome === Status_Outcome.FAILED ? "The mission failed." : "The mission has ended.";
+    outcome === Status_Outcome.DONE
+      ? "The mission is done."
+      : outcome === Status_Outcome.FAILED
+        ? "The mission failed."
+        : "The mission has ended.";
   return `${how} Begins anew, with the same seed.`;
 }

@@ -2,7 +2,7 @@
 import { useEffect, useRef } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../actions/keys.ts";
-import { count, duration, distance } from "../format.ts";
+import { count, distance, duration } from "../format.ts";
 import { control } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button, Hint } from "../ui/controls.tsx";
@@ -11,7 +11,17 @@ import { MenuButton, type MenuEntry } from "../ui/menus.tsx";
 import { mainButton } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";
-import { type CommandRow, isOver, kStateWords, kTyped, missionProgress, splitCommand, type StepRow, type StepState, stepRows } from "./steps.ts";
+import {
+  type CommandRow,
+  isOver,
+  kStateWords,
+  kTyped,
+  missionProgress,
+  type StepRow,
+  type StepState,
+  splitCommand,
+  stepRows,
+} from "./steps.ts";
 import { unitPlace } from "./unit_place.ts";
 import "./mission.css";
 
@@ -42,19 +52,51 @@ function MainControls() {
         icon={button.icon}
         isDisabled={button.does.kind === "nothing"}
         onPress={() => pressMainButton(session)}
-        aria-keyshortcuts="Space"
+        aria-keyshortcuts="X"
         data-testid="main-button"
       >
         {button.label}
-        <kbd>{shownShortcut("space")}</kbd>
+        <kbd>{shownShortcut("x")}</kbd>
       </Button>
       <p className="hint small muted">{button.hint || "\u00a0"}</p>
       <div className="transport" role="toolbar" aria-label="Run">
-        <TransportButton icon="step" label="Step" hint="Single step of the mission" shortcut="n" isDisabled={stands} onPress={run(Control_Action.SINGLE_STEP)} />
-        <TransportButton icon="cycle" label="Cycle" hint="Single control cycle, then paused" shortcut="c" isDisabled={stands} onPress={run(Control_Action.SINGLE_CYCLE)} />
-        <TransportButton icon="rewind" label="Rewind" hint="To the first step; robots stay where they are" isDisabled={stands} onPress={run(Control_Action.REWIND)} />
-        <TransportButton icon="restart" label="Restart" hint="The run begins anew with the same seed" isDisabled={isBlocked} onPress={run(Control_Action.RESTART)} />
-        <TransportButton icon="abort" label="Abort" hint="All robots stop, the mission ends" isDisabled={stands} onPress={run(Control_Action.ABORT)} />
+        <TransportButton
+          icon="step"
+          label="Step"
+          hint="Single step of the mission"
+          shortcut="n"
+          isDisabled={stands}
+          onPress={run(Control_Action.SINGLE_STEP)}
+        />
+        <TransportButton
+          icon="cycle"
+          label="Cycle"
+          hint="Single control cycle, then paused"
+          shortcut="c"
+          isDisabled={stands}
+          onPress={run(Control_Action.SINGLE_CYCLE)}
+        />
+        <TransportButton
+          icon="rewind"
+          label="Rewind"
+          hint="To the first step; robots stay where they are"
+          isDisabled={stands}
+          onPress={run(Control_Action.REWIND)}
+        />
+        <TransportButton
+          icon="restart"
+          label="Restart"
+          hint="The run begins anew with the same seed"
+          isDisabled={isBlocked}
+          onPress={run(Control_Action.RESTART)}
+        />
+        <TransportButton
+          icon="abort"
+          label="Abort"
+          hint="All robots stop, the mission ends"
+          isDisabled={stands}
+          onPress={run(Control_Action.ABORT)}
+        />
       </div>
     </div>
   );
@@ -135,14 +177,21 @@ function Steps() {
 
 function Step({ row }: { row: StepRow }) {
   return (
-    <li className={`step ${row.state}`} aria-current={row.state === "running" || row.state === "next" ? "step" : undefined}>
+    <li
+      className={`step ${row.state}`}
+      aria-current={row.state === "running" || row.state === "next" ? "step" : undefined}
+    >
       <span className="step-sign" title={kStateWords[row.state]}>
         <StateSign state={row.state} />
       </span>
       <div className="grow">
         {row.commands.map((command, i) => (
-          // biome-ignore lint/suspicious/noArrayIndexKey: commands of a step have no other name
-          <Command key={i} row={row} command={command} label={i === 0 ? (row.step === kTyped ? "typed" : row.label) : ""} />
+          <Command
+            key={i}
+            row={row}
+            command={command}
+            label={i === 0 ? (row.step === kTyped ? "typed" : row.label) : ""}
+          />
         ))}
         <StepFoot row={row} />
       </div>
@@ -183,7 +232,8 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
         <div className="step-progress">
           <Bar share={command.progress} />
           <span className="small number">
-            {Math.round(command.progress * 100)} %{command.remaining >= 0 ? ` · ${distance(command.remaining)} to go` : ""}
+            {Math.round(command.progress * 100)} %
+            {command.remaining >= 0 ? ` · ${distance(command.remaining)} to go` : ""}
             {command.robots > 1 ? ` · ${command.robotsDone} of ${count(command.robots, "robot")} there` : ""}
           </span>
         </div>
@@ -240,7 +290,11 @@ function StepMenu({ row }: { row: StepRow }) {
     id: "map",
     label: "Show its units on the map",
     icon: "map",
-    run: () => unitPlace(session, row.commands.map((command) => command.unit)),
+    run: () =>
+      unitPlace(
+        session,
+        row.commands.map((command) => command.unit),
+      ),
   });
   const name = isPlanned ? `step ${row.label}` : "typed command";
   return (

@@ -8,14 +8,17 @@ export function pressMainButton(session: Session): void {
   const { does } = mainButton(situationOf(session.model));
   switch (does.kind) {
     case "control":
-      return control(session, does.action);
+      control(session, does.action);
+      return;
     case "answer":
       document.querySelector<HTMLElement>("[data-question] [data-proceed]")?.focus();
       return;
     case "take-operator":
-      return takeOperator(session);
+      takeOperator(session);
+      return;
     case "show-errors":
-      return showErrors(session);
+      showErrors(session);
+      return;
     case "nothing":
       return;
   }
@@ -25,6 +28,8 @@ export function pressMainButton(session: Session): void {
 export function showErrors(session: Session): void {
   for (const document of session.model.get("documents")?.documents ?? []) {
     const error = document.diagnostics.find((diagnostic) => !diagnostic.isWarning);
-    if (error) return session.ui.set("reveal", { document: document.path, line: error.line });
+    if (!error) continue;
+    session.ui.set("reveal", { document: document.path, line: error.line });
+    return;
   }
 }

@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { speedFactor, quantity } from "../format.ts";
+import { quantity, speedFactor } from "../format.ts";
 import { setSpeed } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Button, RangeSlider } from "../ui/controls.tsx";
@@ -69,7 +69,9 @@ function SpeedChoice() {
         ))}
       </div>
       <p className="small muted">
-        {status && status.speedReached > 0 ? `Reached over the last second: ×${quantity(status.speedReached, 3)}.` : "Time stands still."}
+        {status && status.speedReached > 0
+          ? `Reached over the last second: ×${quantity(status.speedReached, 3)}.`
+          : "Time stands still."}
         {status && status.behind > 1 ? ` The simulation is ${quantity(status.behind, 2)} s late.` : ""}
         {isOperator ? "" : " Only the operator can change it."}
       </p>

@@ -18,7 +18,9 @@ const run = (step: number, outcome: Status_Outcome, more = {}) => ({
   outcome,
   start: 1,
   end: 2,
-  commands: [{ text: "UNIT scouts MOVETO P", unit: "scouts", outcome, progress: 0.5, arrival: 30, remaining: 12, ...more }],
+  commands: [
+    { text: "UNIT scouts MOVETO P", unit: "scouts", outcome, progress: 0.5, arrival: 30, remaining: 12, ...more },
+  ],
 });
 
 describe("the steps", () => {

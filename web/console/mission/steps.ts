@@ -93,7 +93,10 @@ export function runningNow(status: Status | undefined): CommandRow[] {
 export function missionProgress(rows: readonly StepRow[]): number {
   const planned = rows.filter((row) => row.step !== kTyped);
   if (planned.length === 0) return 0;
-  const weight = planned.reduce((sum, row) => sum + (isOver(row.state) ? 1 : row.state === "running" ? row.progress : 0), 0);
+  const weight = planned.reduce(
+    (sum, row) => sum + (isOver(row.state) ? 1 : row.state === "running" ? row.progress : 0),
+    0,
+  );
   return weight / planned.length;
 }
 
@@ -115,7 +118,9 @@ export const kStateWords: Record<StepState, string> = {
 /** `UNIT scouts MOVETO X` is shown as its unit and the rest, which is what differs from line to line. */
 export function splitCommand(text: string): { unit: string; order: string } {
   const match = /^\s*UNIT\s+("[^"]*"|\S+)\s+([\s\S]*)$/i.exec(text);
-  return match ? { unit: (match[1] as string).replaceAll('"', ""), order: (match[2] as string).trim() } : { unit: "", order: text.trim() };
+  return match
+    ? { unit: (match[1] as string).replaceAll('"', ""), order: (match[2] as string).trim() }
+    : { unit: "", order: text.trim() };
 }
 
 function isNext(index: number, state: StepState, status: Status | undefined): boolean {
@@ -134,7 +139,8 @@ function rowOf(step: Status_Step, key: string): StepRow {
     label: step.label,
     state: kStates[step.outcome],
     commands,
-    progress: commands.length === 0 ? 0 : commands.reduce((sum, command) => sum + command.progress, 0) / commands.length,
+    progress:
+      commands.length === 0 ? 0 : commands.reduce((sum, command) => sum + command.progress, 0) / commands.length,
     start: step.start,
     end: isRunning || step.outcome === Status_Outcome.PENDING ? -1 : step.end,
     arrival: arrivals.length > 0 && arrivals.every((arrival) => arrival >= 0) ? Math.max(...arrivals) : -1,
@@ -158,5 +164,15 @@ function commandOf(command: Status_Step["commands"][number]): CommandRow {
 }
 
 function plannedCommand(text: string, unit: string): CommandRow {
-  return { text, unit, state: "planned", progress: 0, remaining: -1, arrival: -1, robots: 0, robotsDone: 0, message: "" };
+  return {
+    text,
+    unit,
+    state: "planned",
+    progress: 0,
+    remaining: -1,
+    arrival: -1,
+    robots: 0,
+    robotsDone: 0,
+    message: "",
+  };
 }

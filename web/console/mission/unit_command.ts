@@ -5,7 +5,8 @@ import { splitCommand } from "./steps.ts";
 export function commandOfUnit(status: Status | null, unit: string): string {
   for (const step of [...(status?.steps ?? [])].reverse()) {
     for (const command of step.commands) {
-      if (command.unit === unit && command.outcome === Status_Outcome.UNDER_WAY) return splitCommand(command.text).order;
+      if (command.unit === unit && command.outcome === Status_Outcome.UNDER_WAY)
+        return splitCommand(command.text).order;
     }
   }
   return "";

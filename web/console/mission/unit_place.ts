@@ -7,6 +7,8 @@ export function unitPlace({ model, ui }: Session, units: readonly string[]): voi
   const named = [...new Set(units)].filter((unit) => unit !== "");
   const robots = named.flatMap((unit) => roster.robotsOf(unit));
   if (robots.length === 0) return;
-  model.select(named.length === 1 ? selectUnit(named[0] as string, roster.robotsOf(named[0] as string)) : selectRobots(robots));
+  model.select(
+    named.length === 1 ? selectUnit(named[0] as string, roster.robotsOf(named[0] as string)) : selectRobots(robots),
+  );
   ui.get("map")?.fitSelection();
 }

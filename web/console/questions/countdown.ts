@@ -16,5 +16,9 @@ export function countdown(question: Questions_Question, time: number, status: St
   const left = Math.max(0, expires - time);
   const whole = expires - asked;
   const pace = status && status.speedReached > 0 ? status.speedReached : 0;
-  return { left, share: whole > 0 ? Math.min(1, left / whole) : 0, wallLeft: pace > 0 ? left / pace : Number.POSITIVE_INFINITY };
+  return {
+    left,
+    share: whole > 0 ? Math.min(1, left / whole) : 0,
+    wallLeft: pace > 0 ? left / pace : Number.POSITIVE_INFINITY,
+  };
 }

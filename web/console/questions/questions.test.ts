@@ -1,6 +1,12 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { Log_EntrySchema, Log_Kind, Questions_QuestionSchema, StatusSchema, Status_Outcome } from "../../core/protocol.ts";
+import {
+  Log_EntrySchema,
+  Log_Kind,
+  Questions_QuestionSchema,
+  Status_Outcome,
+  StatusSchema,
+} from "../../core/protocol.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { openAlerts } from "../shell/alerts.ts";
 import { countdown } from "./countdown.ts";
@@ -37,7 +43,10 @@ describe("alerts", () => {
   const entry = (number: bigint, robot: number, kind = Log_Kind.STUCK) =>
     create(Log_EntrySchema, { number, robot, kind, isAlert: true });
   it("of the same robot are shown once, as the newest", () => {
-    expect(openAlerts([entry(1n, 3), entry(2n, 4), entry(3n, 3)], 0n, new Set()).map((one) => one.number)).toEqual([2n, 3n]);
+    expect(openAlerts([entry(1n, 3), entry(2n, 4), entry(3n, 3)], 0n, new Set()).map((one) => one.number)).toEqual([
+      2n,
+      3n,
+    ]);
   });
   it("stay away once dismissed", () => {
     expect(openAlerts([entry(1n, 3), entry(2n, 4)], 0n, new Set([2n])).map((one) => one.number)).toEqual([1n]);

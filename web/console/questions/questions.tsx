@@ -1,5 +1,5 @@
 // Proceed? The oldest on top. Nothing else is blocked while they wait.
-import { type Questions_Question } from "../../core/protocol.ts";
+import type { Questions_Question } from "../../core/protocol.ts";
 import { duration } from "../format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { unitPlace } from "../mission/unit_place.ts";
@@ -29,7 +29,7 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
   const isDoing = commandOfUnit(status, question.unit);
   const where = question.unit !== "";
   return (
-    <div className="question" role="group" aria-label={question.text} data-question={question.id}>
+    <section className="question" aria-label={question.text} data-question={question.id}>
       <p className="question-text">{question.text}</p>
       <div className="question-facts small">
         {where && (
@@ -63,7 +63,7 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
         </Button>
       </div>
       {!isOperator && <p className="small muted">Only the operator can answer.</p>}
-    </div>
+    </section>
   );
 }
 
@@ -77,7 +77,9 @@ function Remaining({ question }: { question: Questions_Question }) {
       <Bar share={left.share} tone="var(--hold)" />
       <span className="small muted number">
         Proceeds by itself in {duration(Math.ceil(left.left))} of mission time
-        {Number.isFinite(left.wallLeft) && Math.abs(left.wallLeft - left.left) > 1 ? ` (${Math.ceil(left.wallLeft)} s here)` : ""}
+        {Number.isFinite(left.wallLeft) && Math.abs(left.wallLeft - left.left) > 1
+          ? ` (${Math.ceil(left.wallLeft)} s here)`
+          : ""}
       </span>
     </div>
   );

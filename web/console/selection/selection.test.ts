@@ -22,7 +22,9 @@ describe("the ports of a robot", () => {
     expect(groups[0]?.rows.map((row) => row.index)).toEqual([0, 2]);
   });
   it("are found by any words of path, type and help", () => {
-    expect(portGroups(ports, "pull goal", "all").flatMap((group) => group.rows.map((row) => row.name))).toEqual(["gain"]);
+    expect(portGroups(ports, "pull goal", "all").flatMap((group) => group.rows.map((row) => row.name))).toEqual([
+      "gain",
+    ]);
     expect(portGroups(ports, "nothing like it", "all")).toEqual([]);
   });
   it("are told apart by what they are for", () => {

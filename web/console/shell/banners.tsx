@@ -93,10 +93,13 @@ function WatchingBanner() {
     <div className="banner accent" role="status">
       <Icon name="lock" />
       <span className="grow">
-        You are watching. {holder ? `${holder.name || `Browser ${holder.id}`} is the operator` : "Nobody is the operator"}
+        You are watching.{" "}
+        {holder ? `${holder.name || `Browser ${holder.id}`} is the operator` : "Nobody is the operator"}
         {hasAsked ? " and has been asked for control." : "."} The emergency stop works for everybody.
       </span>
-      {!hasAsked && <Button onPress={() => takeOperator(session)}>{holder ? "Ask for control" : "Take control"}</Button>}
+      {!hasAsked && (
+        <Button onPress={() => takeOperator(session)}>{holder ? "Ask for control" : "Take control"}</Button>
+      )}
     </div>
   );
 }

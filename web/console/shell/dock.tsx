@@ -1,8 +1,8 @@
 // The docks around the map: a rail of buttons, the panel that is shown, a border that can be dragged.
 import { type KeyboardEvent, type PointerEvent, Suspense, useRef, useState } from "react";
 import { Button as AriaButton } from "react-aria-components";
-import { panels } from "../extensions.ts";
 import { shownShortcut } from "../actions/keys.ts";
+import { panels } from "../extensions.ts";
 import type { Dock as DockName, Panel } from "../registry.ts";
 import { useSession, useUi } from "../session.ts";
 import { Button, Hint, IconButton } from "../ui/controls.tsx";
@@ -30,7 +30,10 @@ export function PanelButton({ panel, className }: { panel: Panel; className: str
   const dock = layout.moved[panel.id] ?? panel.dock;
   const isShown = layout.docks[dock].open && activePanel(layout, panels, dock)?.id === panel.id;
   return (
-    <Hint text={`${isShown ? "Hide" : "Show"} ${panel.title}`} {...(panel.shortcut ? { shortcut: shownShortcut(panel.shortcut) } : {})}>
+    <Hint
+      text={`${isShown ? "Hide" : "Show"} ${panel.title}`}
+      {...(panel.shortcut ? { shortcut: shownShortcut(panel.shortcut) } : {})}
+    >
       <AriaButton
         className={className}
         aria-pressed={isShown}
@@ -84,16 +87,20 @@ export function Dock({ side }: { side: DockName }) {
             },
           ]}
         />
-        <IconButton icon="close" label={`Close ${panel.title}`} onPress={() => ui.edit(toggleDock(ui.get("layout"), side))} />
+        <IconButton
+          icon="close"
+          label={`Close ${panel.title}`}
+          onPress={() => ui.edit(toggleDock(ui.get("layout"), side))}
+        />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
-      <div className="panel" tabIndex={0} role="region" aria-label={`${panel.title} content`}>
+      <section className="panel" tabIndex={0} aria-label={`${panel.title} content`}>
         <ErrorFence key={panel.id} name={panel.title}>
           <Suspense fallback={<p className="empty">Loading…</p>}>
             <Shown />
           </Suspense>
         </ErrorFence>
-      </div>
+      </section>
     </section>
   );
 }

@@ -1,8 +1,9 @@
 // Alerts of the log that want to be seen at once, until they are dismissed.
-import { usePart, useSession, useUi } from "../session.ts";
+
+import { Log_Kind } from "../../core/protocol.ts";
 import { duration } from "../format.ts";
 import { showPlace } from "../log/show_place.ts";
-import { Log_Kind } from "../../core/protocol.ts";
+import { usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
 import { openAlerts } from "./alerts.ts";
 
@@ -38,7 +39,11 @@ export function Toasts() {
               </>
             )}
           </p>
-          <IconButton icon="close" label="Dismiss" onPress={() => ui.set("dismissed", new Set([...dismissed, entry.number]))} />
+          <IconButton
+            icon="close"
+            label="Dismiss"
+            onPress={() => ui.set("dismissed", new Set([...dismissed, entry.number]))}
+          />
         </div>
       ))}
     </section>

@@ -1,11 +1,11 @@
-import { useSession, useUi, usePart } from "../session.ts";
-import { kStopShortcut } from "../actions/shell_actions.ts";
 import { shownShortcut } from "../actions/keys.ts";
+import { kStopShortcut } from "../actions/shell_actions.ts";
 import { People } from "../clients/people.tsx";
 import { duration } from "../format.ts";
 import { SpeedControl } from "../mission/speed_control.tsx";
 import { stateOf } from "../mission/state.ts";
 import { emergencyStop, redo, save, undo } from "../orders.ts";
+import { usePart, useSession, useUi } from "../session.ts";
 import { FileMenu } from "../start/file_menu.tsx";
 import { Button, Hint, IconButton } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
@@ -26,7 +26,12 @@ export function TopBar() {
       <span className="gap" />
       <People />
       <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
-        <Button tone="quiet" icon="search" aria-label="All commands" onPress={() => session.ui.set("dialog", "palette")}>
+        <Button
+          tone="quiet"
+          icon="search"
+          aria-label="All commands"
+          onPress={() => session.ui.set("dialog", "palette")}
+        >
           <kbd>{shownShortcut("ctrl+k")}</kbd>
         </Button>
       </Hint>
@@ -66,8 +71,20 @@ function UndoButtons() {
   const redoName = nameOf(nextRedo(history, edits));
   return (
     <span className="columns" style={{ gap: 0, flexWrap: "nowrap" }}>
-      <IconButton icon="undo" label={undoName ? `Undo ${undoName}` : "Nothing to undo"} shortcut={shownShortcut("ctrl+z")} isDisabled={!undoName} onPress={() => undo(session)} />
-      <IconButton icon="redo" label={redoName ? `Redo ${redoName}` : "Nothing to redo"} shortcut={shownShortcut("ctrl+shift+z")} isDisabled={!redoName} onPress={() => redo(session)} />
+      <IconButton
+        icon="undo"
+        label={undoName ? `Undo ${undoName}` : "Nothing to undo"}
+        shortcut={shownShortcut("ctrl+z")}
+        isDisabled={!undoName}
+        onPress={() => undo(session)}
+      />
+      <IconButton
+        icon="redo"
+        label={redoName ? `Redo ${redoName}` : "Nothing to redo"}
+        shortcut={shownShortcut("ctrl+shift+z")}
+        isDisabled={!redoName}
+        onPress={() => redo(session)}
+      />
     </span>
   );
 }
@@ -109,7 +126,12 @@ function Clocks() {
 export function StopButton() {
   const session = useSession();
   return (
-    <Button className="estop" aria-keyshortcuts="Control+." onPress={() => void emergencyStop(session)} data-testid="emergency-stop">
+    <Button
+      className="estop"
+      aria-keyshortcuts="Control+."
+      onPress={() => void emergencyStop(session)}
+      data-testid="emergency-stop"
+    >
       <Icon name="stop" />
       EMERGENCY STOP
       <kbd>{shownShortcut(kStopShortcut)}</kbd>

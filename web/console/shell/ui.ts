@@ -1,7 +1,8 @@
 // What only this browser knows: layout, tool, theme, open dialogs; kept over reloads where a person would expect it.
-import type { Model } from "../../core/model.ts";
-import type { MapSettings } from "../../core/map/settings.ts";
+
 import type { MapView } from "../../core/map/map_view.ts";
+import type { MapSettings } from "../../core/map/settings.ts";
+import type { Model } from "../../core/model.ts";
 import { Store } from "../../core/store.ts";
 import {
   emptyHistory,

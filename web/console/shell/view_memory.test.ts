@@ -7,7 +7,14 @@ describe("the stored view", () => {
     expect(readView(JSON.stringify(view))).toEqual(view);
   });
   it("is nothing where it is damaged", () => {
-    for (const junk of [null, "", "{", "3", "{}", `{"mission":"a","camera":{"x":1,"y":null,"scale":1},"robots":[],"unit":""}`]) {
+    for (const junk of [
+      null,
+      "",
+      "{",
+      "3",
+      "{}",
+      `{"mission":"a","camera":{"x":1,"y":null,"scale":1},"robots":[],"unit":""}`,
+    ]) {
       expect(readView(junk)).toBeUndefined();
     }
   });

@@ -22,7 +22,8 @@ export function restoreView({ model }: Session, map: MapView, storage: Storage):
     if (settled || !model.get("scene") || model.get("roster").robots.length === 0 || mission === "") return;
     settled = true;
     if (stored?.mission !== mission) return;
-    map.camera.set(stored.camera.x, stored.camera.y, stored.camera.scale);
+    map.camera.scale = stored.camera.scale;
+    map.camera.lookAt(stored.camera);
     const roster = model.get("roster");
     const robots = stored.robots.filter((id) => roster.robot(id));
     if (robots.length > 0 && model.get("selection").robots.length === 0) {
@@ -36,7 +37,12 @@ export function restoreView({ model }: Session, map: MapView, storage: Storage):
       if (!settled) return;
       const { x, y, scale } = map.camera;
       const { robots, unit } = model.get("selection");
-      const view: View = { mission: model.get("project")?.mission ?? "", camera: { x, y, scale }, robots: robots.slice(0, 200), unit };
+      const view: View = {
+        mission: model.get("project")?.mission ?? "",
+        camera: { x, y, scale },
+        robots: robots.slice(0, 200),
+        unit,
+      };
       storage.setItem(kKey, JSON.stringify(view));
     }, 200);
   };

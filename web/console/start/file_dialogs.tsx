@@ -74,16 +74,36 @@ export function NewMissionDialog() {
     >
       {hasMission && (
         <div className="columns">
-          <Button tone={kind === NewDocument_Kind.MISSION ? "primary" : "plain"} onPress={() => setKind(NewDocument_Kind.MISSION)}>
+          <Button
+            tone={kind === NewDocument_Kind.MISSION ? "primary" : "plain"}
+            onPress={() => setKind(NewDocument_Kind.MISSION)}
+          >
             A mission with its map
           </Button>
-          <Button tone={kind === NewDocument_Kind.OVERLAY ? "primary" : "plain"} onPress={() => setKind(NewDocument_Kind.OVERLAY)}>
+          <Button
+            tone={kind === NewDocument_Kind.OVERLAY ? "primary" : "plain"}
+            onPress={() => setKind(NewDocument_Kind.OVERLAY)}
+          >
             An overlay for this mission
           </Button>
         </div>
       )}
-      <Field label="Name" value={name} onChange={setName} problem={name === "" ? undefined : problem} autoFocus help={`Becomes ${path}`} />
-      <FileList folder={folder} onFolder={setFolder} chosen="" onChoose={() => {}} onOpen={() => {}} isSelectable={() => false} />
+      <Field
+        label="Name"
+        value={name}
+        onChange={setName}
+        problem={name === "" ? undefined : problem}
+        autoFocus
+        help={`Becomes ${path}`}
+      />
+      <FileList
+        folder={folder}
+        onFolder={setFolder}
+        chosen=""
+        onChoose={() => {}}
+        onOpen={() => {}}
+        isSelectable={() => false}
+      />
     </DialogBox>
   );
 }

@@ -59,7 +59,9 @@ export function FileList({ folder, onFolder, chosen, onChoose, onOpen, isSelecta
           else if (entry) onChoose(entry.path);
         }}
         onAction={(key) => act(String(key))}
-        disabledKeys={(entries ?? []).filter((entry) => !entry.isFolder && !isSelectable(entry)).map((entry) => entry.path)}
+        disabledKeys={(entries ?? [])
+          .filter((entry) => !entry.isFolder && !isSelectable(entry))
+          .map((entry) => entry.path)}
         renderEmptyState={() => <p className="empty small">{entries ? "Nothing here." : "Reading…"}</p>}
         items={(entries ?? []).map((entry) => ({ id: entry.path, entry }))}
       >

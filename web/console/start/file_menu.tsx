@@ -26,13 +26,38 @@ export function FileMenu() {
         {
           entries: [
             { id: "new", label: "New mission…", icon: "file", isDisabled: !isOperator, run: set("new") },
-            { id: "open", label: "Open…", icon: "folder", shortcut: "Ctrl O", isDisabled: !isOperator, run: set("open") },
-            { id: "save", label: "Save", icon: "save", shortcut: "Ctrl S", isDisabled: !isOperator || !hasMission || !edits?.isDirty, run: () => save(session) },
-            { id: "save-as", label: "Save as…", icon: "save", shortcut: "Ctrl Shift S", isDisabled: !isOperator || !hasMission, run: set("save-as") },
+            {
+              id: "open",
+              label: "Open…",
+              icon: "folder",
+              shortcut: "Ctrl O",
+              isDisabled: !isOperator,
+              run: set("open"),
+            },
+            {
+              id: "save",
+              label: "Save",
+              icon: "save",
+              shortcut: "Ctrl S",
+              isDisabled: !isOperator || !hasMission || !edits?.isDirty,
+              run: () => save(session),
+            },
+            {
+              id: "save-as",
+              label: "Save as…",
+              icon: "save",
+              shortcut: "Ctrl Shift S",
+              isDisabled: !isOperator || !hasMission,
+              run: set("save-as"),
+            },
           ],
         },
-        ...(project && project.recent.length > 0 ? [{ title: "Recent", entries: files(project.recent.slice(0, 5), "r:") }] : []),
-        ...(project && project.examples.length > 0 ? [{ title: "Examples", entries: files(project.examples, "e:") }] : []),
+        ...(project && project.recent.length > 0
+          ? [{ title: "Recent", entries: files(project.recent.slice(0, 5), "r:") }]
+          : []),
+        ...(project && project.examples.length > 0
+          ? [{ title: "Examples", entries: files(project.examples, "e:") }]
+          : []),
         {
           entries: [
             {

@@ -8,7 +8,11 @@ describe("paths of the project", () => {
   });
   it("know the folders on their way", () => expect(ancestors("a/b")).toEqual(["", "a", "a/b"]));
   it("get an ending where they have none", () => {
-    expect([withEnding("x", ".mdl"), withEnding("x.mdl ", ".mdl"), withEnding("x.txt", ".mdl")]).toEqual(["x.mdl", "x.mdl", "x.txt"]);
+    expect([withEnding("x", ".mdl"), withEnding("x.mdl ", ".mdl"), withEnding("x.txt", ".mdl")]).toEqual([
+      "x.mdl",
+      "x.mdl",
+      "x.txt",
+    ]);
   });
   it("can't leave the project", () => {
     for (const name of ["../x", "/x", "a/../../x", "a//b", "", " ", "c:x"]) expect(nameProblem(name)).toBeDefined();

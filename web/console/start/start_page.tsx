@@ -21,7 +21,13 @@ export function StartPage() {
           </p>
         </header>
         <div className="columns">
-          <Button tone="primary" className="large" icon="plus" isDisabled={!isOperator} onPress={() => ui.set("dialog", "new")}>
+          <Button
+            tone="primary"
+            className="large"
+            icon="plus"
+            isDisabled={!isOperator}
+            onPress={() => ui.set("dialog", "new")}
+          >
             New mission
           </Button>
           <Button className="large" icon="folder" isDisabled={!isOperator} onPress={() => ui.set("dialog", "open")}>
@@ -30,8 +36,18 @@ export function StartPage() {
         </div>
         {!isOperator && <p className="notice">You are watching. The operator chooses the mission.</p>}
         <div className="start-lists">
-          <Entries title="Recent" icon="restart" entries={project.recent} none="Missions that you have opened appear here." />
-          <Entries title="In this project" icon="file" entries={project.missions} none="This folder has no missions yet." />
+          <Entries
+            title="Recent"
+            icon="restart"
+            entries={project.recent}
+            none="Missions that you have opened appear here."
+          />
+          <Entries
+            title="In this project"
+            icon="file"
+            entries={project.missions}
+            none="This folder has no missions yet."
+          />
           <Entries title="Examples" icon="map" entries={project.examples} none="No examples are installed." />
         </div>
       </div>
@@ -56,7 +72,12 @@ function Entries({ title, icon, entries, none }: EntriesProps) {
       <ul>
         {entries.map((entry) => (
           <li key={entry.path}>
-            <Button tone="quiet" className="start-entry" isDisabled={!isOperator} onPress={() => void openMission(session, entry.path)}>
+            <Button
+              tone="quiet"
+              className="start-entry"
+              isDisabled={!isOperator}
+              onPress={() => void openMission(session, entry.path)}
+            >
               <Icon name={icon} />
               <span className="grow">
                 <span className="start-title">{entry.title || fileName(entry.path)}</span>

@@ -3,6 +3,7 @@ import type { ReactNode } from "react";
 import {
   Button as AriaButton,
   type ButtonProps as AriaButtonProps,
+  Switch as AriaSwitch,
   Input,
   Label,
   SearchField,
@@ -10,7 +11,6 @@ import {
   SliderOutput,
   SliderThumb,
   SliderTrack,
-  Switch as AriaSwitch,
   Text,
   TextField,
   ToggleButton,

@@ -34,7 +34,15 @@ export interface MenuGroup {
 }
 
 /** `trigger` is a button. */
-export function MenuButton({ trigger, label, groups }: { trigger: ReactNode; label: string; groups: readonly MenuGroup[] }) {
+export function MenuButton({
+  trigger,
+  label,
+  groups,
+}: {
+  trigger: ReactNode;
+  label: string;
+  groups: readonly MenuGroup[];
+}) {
   return (
     <MenuTrigger>
       {trigger}
@@ -69,7 +77,15 @@ export function MenuButton({ trigger, label, groups }: { trigger: ReactNode; lab
   );
 }
 
-export function PopoverButton({ trigger, label, children }: { trigger: ReactNode; label: string; children: ReactNode }) {
+export function PopoverButton({
+  trigger,
+  label,
+  children,
+}: {
+  trigger: ReactNode;
+  label: string;
+  children: ReactNode;
+}) {
   return (
     <DialogTrigger>
       {trigger}

@@ -50,7 +50,12 @@ describe("undo over layout and mission", () => {
         const names: string[] = [];
         kinds.forEach((isLocal, i) => {
           if (isLocal) {
-            local = recordEdit(local, { name: `layout ${i}`, before: i, after: i + 1, since: mission.edits().undoNumber });
+            local = recordEdit(local, {
+              name: `layout ${i}`,
+              before: i,
+              after: i + 1,
+              since: mission.edits().undoNumber,
+            });
             names.push(`layout ${i}`);
           } else {
             names.push(`mission ${mission.edit()}`);
