@@ -23,6 +23,7 @@ constexpr const char* kNewMission =
     "COMMAND LIST:\n\n"
     "  0. UNIT scouts START 100 100 0 20\n";
 constexpr const char* kNewOverlay = "MISSION-AREA 1000 1000\n\nCONTROL MEASURES:\n";
+constexpr const char* kEmptyOverlay = "CONTROL MEASURES:\n";
 constexpr double kDraftPause = 1.0;  // between two drafts of a text [s]
 
 template <class List, class Value>
@@ -112,8 +113,7 @@ void OpenDocuments::update_shown() {
   shown_.push_back(mission_file_);
   shown_.insert(shown_.end(), overlays_.begin(), overlays_.end());
   for (const auto& [key, document] : open_) {
-    const bool is_nothing = !document.saved && document.source->text().empty();
-    if (document.is_dirty() && !is_nothing && !holds(shown_, key)) shown_.push_back(key);
+    if (document.is_dirty() && !document.is_nothing() && !holds(shown_, key)) shown_.push_back(key);
   }
 }
 
@@ -220,6 +220,7 @@ text::Files OpenDocuments::files() {
 
 void OpenDocuments::open_overlays() {
   overlays_.clear();
+  overlay_order_.clear();
   if (!is_open()) return;
   text::Diagnostics unsaid;
   const mdl::Tree tree = mdl::parse(mission_document().source, unsaid);
@@ -229,7 +230,13 @@ void OpenDocuments::open_overlays() {
     const auto path = mdl::find_overlay(overlay->file.text, mission_folder(), options_);
     const auto name = path ? project_.name_of(*path) : std::nullopt;
     const auto key = name ? open_file(*name, false) : text::Result<Key>(refused("", ""));
-    if (key && *key != mission_file_ && !holds(overlays_, *key)) overlays_.push_back(*key);
+    if (!key || *key == mission_file_) {
+      overlay_order_.push_back(MapTexts::kMissing);
+      continue;
+    }
+    const auto known = std::ranges::find(overlays_, *key);
+    overlay_order_.push_back(static_cast<std::uint32_t>(known - overlays_.begin()));
+    if (known == overlays_.end()) overlays_.push_back(*key);
   }
 }
 
@@ -330,11 +337,90 @@ text::Result<bool> OpenDocuments::edit_text(const EditText& request, double now)
   return true;
 }
 
-text::Result<bool> OpenDocuments::edit_map(const EditMap&, double) {
-  return refused("not-yet", "the map can't be edited in this version");
+MapTexts OpenDocuments::map_texts() const {
+  MapTexts out{mission_document().source, {}, overlay_order_, map_.get()};
+  for (const Key key : overlays_) out.overlays.push_back({open_.at(key).path, open_.at(key).source});
+  return out;
 }
-text::Result<bool> OpenDocuments::create_obstacles(const CreateObstacles&, std::uint32_t, double) {
-  return refused("not-yet", "the map can't be edited in this version");
+
+// A document for a new file. One that an undone edit left behind is taken again.
+OpenDocuments::Key OpenDocuments::new_document(const std::string& path) {
+  for (const auto& [key, document] : open_) {
+    if (document.path == path && document.is_nothing()) return key;
+  }
+  OpenDocument out;
+  out.path = path;
+  out.is_writable = project_.is_writable(path);
+  out.source = source_of(project_.disk_path(path), "");
+  return add(std::move(out));
+}
+
+bool OpenDocuments::is_taken(const std::string& path) {
+  const OpenDocument* document = find(path);
+  return project_.is_file(path) || (document != nullptr && !document->is_nothing());
+}
+
+// An empty overlay beside the mission, which names it.
+std::vector<OpenDocuments::TextChange> OpenDocuments::first_overlay() {
+  const OpenDocument& mission = mission_document();
+  const std::string beside = fs::path(mission.path).replace_extension().string();
+  std::string path = beside + ".odl";
+  for (int i = 2; is_taken(path); ++i) path = fmt::format("{}_{}.odl", beside, i);
+  const Splice line = overlay_statement(mission.source, fs::path(path).filename().string());
+  return {{new_document(path), 0, "", kEmptyOverlay}, {mission_file_, line.begin, "", line.text}};
+}
+
+text::Result<bool> OpenDocuments::change_map(const std::string& name, bool needs_overlay,
+                                             const MakeEdits& make, double now) {
+  if (!is_open()) return refused("no-mission", "no mission is open");
+  std::vector<TextChange> changes;
+  if (needs_overlay && overlays_.empty()) {
+    changes = first_overlay();
+    for (const TextChange& change : changes) replace(change, false);
+    check();
+  }
+  text::Result<std::vector<TextEdit>> edits = make(map_texts());
+  std::vector<TextChange> more;
+  if (edits) {
+    for (const TextEdit& edit : *edits) {
+      const auto found =
+          std::ranges::find_if(open_, [&](const auto& entry) { return entry.second.source == edit.source; });
+      const text::Span range{edit.splice.begin, edit.splice.end};
+      more.push_back({found->first, range.begin, std::string(edit.source->text(range)), edit.splice.text});
+    }
+  }
+  for (const TextChange& change : std::views::reverse(changes)) replace(change, true);
+  if (!edits) {
+    if (!changes.empty()) check();
+    return std::unexpected(edits.error());
+  }
+  changes.insert(changes.end(), more.begin(), more.end());
+  commit(name, std::move(changes), now);
+  return true;
+}
+
+text::Result<bool> OpenDocuments::edit_map(const EditMap& request, double now) {
+  const bool needs_overlay = std::ranges::any_of(request.changes(), [](const MapChange& change) {
+    return change.has_add_measure() || change.has_add_obstacle() || change.has_add_object();
+  });
+  const std::string name = request.name().empty() ? "edit the map" : request.name();
+  return change_map(
+      name, needs_overlay,
+      [&](const MapTexts& texts) { return console::edit_map(texts, request.changes(), request.document()); },
+      now);
+}
+
+text::Result<bool> OpenDocuments::create_obstacles(const CreateObstacles& request, std::uint32_t seed,
+                                                   double now) {
+  const std::uint32_t used = request.seed() != 0 ? request.seed() : seed;
+  bool is_complete = true;
+  log_.separate();
+  text::Result<bool> out = change_map(
+      fmt::format("random obstacles, seed {}", used), true,
+      [&](const MapTexts& texts) { return console::create_obstacles(texts, request, used, is_complete); },
+      now);
+  if (out && !is_complete) notices_.emplace_back("no room was found for all of the random obstacles");
+  return out;
 }
 
 bool OpenDocuments::undo() {
@@ -408,7 +494,7 @@ text::Result<bool> OpenDocuments::save(const SaveDocuments& request) {
 
 void OpenDocuments::keep_drafts(double now) {
   for (auto& [key, document] : open_) {
-    if (!document.is_dirty()) {
+    if (!document.is_dirty() || document.is_nothing()) {
       if (document.draft_revision != 0) drafts_.drop(document.path);
       document.draft_revision = 0;
     } else if (document.draft_revision != document.revision && now - document.draft_time >= kDraftPause) {
@@ -427,8 +513,7 @@ void OpenDocuments::keep_all_drafts() {
 // The same text under another name. A mission takes with it what stands beside it and is not there yet, so
 // that it means the same.
 text::Result<bool> OpenDocuments::save_as(OpenDocument& document, const std::string& path) {
-  if (find(path) != nullptr || project_.is_file(path))
-    return refused("file-exists", fmt::format("there is {} already", shown(path)));
+  if (is_taken(path)) return refused("file-exists", fmt::format("there is {} already", shown(path)));
   const text::Result<bool> written = project_.write(path, document.source->text());
   if (!written) return written;
   drafts_.drop(document.path);
@@ -471,8 +556,7 @@ text::Result<bool> OpenDocuments::create(const NewDocument& request, double now)
     return refused(
         "cannot-write",
         fmt::format("{} can't be made: names end with .mdl or .odl, inside of the project", shown(path)));
-  if (project_.is_file(path) || find(path) != nullptr)
-    return refused("file-exists", fmt::format("there is {} already", shown(path)));
+  if (is_taken(path)) return refused("file-exists", fmt::format("there is {} already", shown(path)));
   return request.kind() == NewDocument::OVERLAY ? create_overlay(path, now) : create_mission(path, now);
 }
 
@@ -502,13 +586,9 @@ text::Result<bool> OpenDocuments::create_mission(const std::string& path, double
 text::Result<bool> OpenDocuments::create_overlay(const std::string& path, double now) {
   if (!is_open()) return refused("no-mission", "an overlay belongs to a mission, and none is open");
   const std::string name = fs::path(project_.disk_path(path)).lexically_relative(mission_folder()).string();
-  OpenDocument map;
-  map.path = path;
-  map.source = source_of(project_.disk_path(path), "");
-  const Key key = add(std::move(map));
-  const Insertion line = overlay_statement(mission_document().source, name);
+  const Splice line = overlay_statement(mission_document().source, name);
   commit(fmt::format("new overlay {}", path),
-         {{key, 0, "", kNewOverlay}, {mission_file_, line.at, "", line.text}}, now);
+         {{new_document(path), 0, "", kEmptyOverlay}, {mission_file_, line.begin, "", line.text}}, now);
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "mlab/console.pb.h"
 #include "mlab/console/drafts.h"
 #include "mlab/console/edit_log.h"
+#include "mlab/console/overlay_edit.h"
 #include "mlab/console/project_folder.h"
 #include "mlab/console/scene_encoder.h"
 #include "mlab/lang/mdl/mdl.h"
@@ -32,6 +34,8 @@ struct OpenDocument {
   double draft_time = -1e9;          ///< when a draft was written last
   std::uint64_t draft_revision = 0;  ///< the text that it has; 0: there is none
 
+  /// What an undone edit leaves of a file that it had made.
+  bool is_nothing() const { return !saved && source->text().empty(); }
   bool is_dirty() const { return !saved || *saved != source->text(); }
 };
 
@@ -147,6 +151,14 @@ class OpenDocuments {
   /// Everything anew that follows from the texts.
   void check();
   void update_scene();
+  MapTexts map_texts() const;
+  /// Does and enters an edit of the map. A mission without overlay gets one first, where `needs_overlay`.
+  using MakeEdits = std::function<text::Result<std::vector<TextEdit>>(const MapTexts&)>;
+  text::Result<bool> change_map(const std::string& name, bool needs_overlay, const MakeEdits& make,
+                                double now);
+  std::vector<TextChange> first_overlay();
+  Key new_document(const std::string& path);
+  bool is_taken(const std::string& path);
   void replace(const TextChange& change, bool undone);
   /// Does the changes, enters them as one edit, and checks.
   void commit(std::string name, std::vector<TextChange> changes, double now);
@@ -161,9 +173,10 @@ class OpenDocuments {
   Drafts drafts_;
   std::map<Key, OpenDocument> open_;
   Key last_key_ = 0;
-  Key mission_file_ = 0;       // 0: none
-  std::vector<Key> overlays_;  // as the mission names them, each once
-  std::vector<Key> shown_;     // what `documents` gives
+  Key mission_file_ = 0;                      // 0: none
+  std::vector<Key> overlays_;                 // as the mission names them, each once
+  std::vector<Key> shown_;                    // what `documents` gives
+  std::vector<std::uint32_t> overlay_order_;  // as MapTexts::order
   EditLog log_;
   text::Diagnostics diagnostics_;
   std::shared_ptr<const mission::Mission> mission_;

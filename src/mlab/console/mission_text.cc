@@ -15,28 +15,6 @@
 namespace mlab::console {
 namespace {
 
-// The byte behind the line end that follows `from`, or the end of the text.
-std::uint32_t next_line(std::string_view text, std::uint32_t from) {
-  const std::size_t end = text.find('\n', from);
-  return static_cast<std::uint32_t>(end == std::string_view::npos ? text.size() : end + 1);
-}
-
-// A line behind the token, if the next one stands on another line; else the statement goes between the two.
-Insertion line_behind(const text::SourcePtr& mission, const mdl::Tokens& tokens, std::size_t token,
-                      const std::string& statement) {
-  const std::string_view text = mission->text();
-  const mdl::Token& next = tokens.tokens[token + 1];
-  if (next.kind != mdl::TokenKind::kEnd && !next.first_on_line)
-    return {next.span.begin, '\n' + statement + '\n'};
-  const std::uint32_t at = next_line(text, tokens.tokens[token].span.end);
-  const bool is_line_open = at == text.size() && !text.ends_with('\n');
-  return {at, is_line_open ? '\n' + statement + '\n' : statement + '\n'};
-}
-
-Insertion line_before(const mdl::Token& token, const std::string& statement) {
-  return {token.span.begin, (token.first_on_line ? "" : "\n") + statement + '\n'};
-}
-
 bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
 }
@@ -48,36 +26,34 @@ bool is_word(std::string_view name) {
 
 }  // namespace
 
-Insertion overlay_statement(const text::SourcePtr& mission, const std::string& name) {
+Splice overlay_statement(const text::SourcePtr& mission, const std::string& name) {
   const std::string statement = fmt::format("OVERLAY {}", written_name(name));
   text::Diagnostics unsaid;
   const mdl::Tree tree = mdl::parse(mission, unsaid);
-  const mdl::Tokens tokens = mdl::lex(mission, unsaid);
+  std::vector<text::Span> words;
+  for (const mdl::Token& token : mdl::lex(mission, unsaid).tokens) {
+    if (token.kind != mdl::TokenKind::kEnd) words.push_back(token.span);
+  }
   const mdl::Name* last = nullptr;
   for (const mdl::Statement& each : tree.preamble) {
     if (const auto* title = std::get_if<mdl::statement::MissionName>(&each.what)) last = &title->name;
     if (const auto* title = std::get_if<mdl::statement::Scenario>(&each.what)) last = &title->name;
     if (const auto* overlay = std::get_if<mdl::statement::OverlayFile>(&each.what)) last = &overlay->file;
   }
-  if (last == nullptr) return line_before(tokens.tokens.front(), statement);
-  const auto token =
-      std::ranges::find_if(tokens.tokens, [&](const mdl::Token& t) { return t.span.end >= last->span.end; });
-  return line_behind(mission, tokens, static_cast<std::size_t>(token - tokens.tokens.begin()), statement);
-}
-
-Insertion preamble_statement(const text::SourcePtr& mission, const std::string& statement) {
-  text::Diagnostics unsaid;
-  const mdl::Tokens tokens = mdl::lex(mission, unsaid);
-  const auto header = std::ranges::find(tokens.tokens, mdl::TokenKind::kCommandList, &mdl::Token::kind);
-  const auto index = static_cast<std::size_t>(header - tokens.tokens.begin());
-  if (header == tokens.tokens.end() || index == 0) {
-    return line_before(header == tokens.tokens.end() ? tokens.tokens.back() : *header, statement);
+  Splices splices(mission, words);
+  if (last != nullptr) {
+    splices.add_line_behind(last->span, statement);
+  } else if (!words.empty()) {
+    splices.add_line_before(words.front(), statement);
+  } else {
+    splices.add_line_at_end(statement);
   }
-  return line_behind(mission, tokens, index - 1, statement);
+  return splices.joined().value_or(Splice{});
 }
 
 std::string written_name(const std::string& name) {
-  if (is_word(name)) return name;
+  const std::string_view bare = std::string_view(name).substr(0, name.size() - (name.ends_with('*') ? 1 : 0));
+  if (is_word(bare)) return name;
   return name.find_first_of("\"\n\r") == std::string::npos ? '"' + name + '"' : "";
 }
 
