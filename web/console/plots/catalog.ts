@@ -99,6 +99,7 @@ export function seriesFor(
   present: readonly SeriesSpec[],
 ): SeriesSpec[] {
   const seen = new Set(present.map(seriesKey));
+  const hasPort = portFinder(roster);
   const result: SeriesSpec[] = [];
   const add = (s: SeriesSpec) => {
     if (seen.has(seriesKey(s))) return;
@@ -112,7 +113,7 @@ export function seriesFor(
         continue;
       }
       for (const robot of robotsOf(roster, w)) {
-        if (hasPort(roster, robot, subject.port)) add({ quantity: "port", robot, unit: "", port: subject.port });
+        if (hasPort(robot, subject.port)) add({ quantity: "port", robot, unit: "", port: subject.port });
       }
     }
   }
@@ -123,8 +124,8 @@ function robotsOf(roster: CatalogRoster, who: Who): readonly number[] {
   return who.robot !== 0 ? [who.robot] : (roster.units.find((u) => u.name === who.unit)?.members ?? []);
 }
 
-function hasPort(roster: CatalogRoster, robot: number, port: string): boolean {
-  const program = roster.robots.find((r) => r.id === robot)?.program;
-  if (program === undefined) return false;
-  return roster.programs[program]?.ports.some((p) => p.path === port && p.isNumber) ?? false;
+function portFinder(roster: CatalogRoster): (robot: number, port: string) => boolean {
+  const programOf = new Map(roster.robots.map((r) => [r.id, r.program]));
+  const ports = roster.programs.map((p) => new Set(p.ports.filter((port) => port.isNumber).map((port) => port.path)));
+  return (robot, port) => ports[programOf.get(robot) ?? -1]?.has(port) ?? false;
 }

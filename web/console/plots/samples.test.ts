@@ -66,11 +66,11 @@ describe("SampleBuffer", () => {
     expect(b.size).toBe(1);
   });
 
-  it("puts history before live samples without doubling any", () => {
+  it("fills history in around live samples without doubling any", () => {
     const b = new SampleBuffer();
     b.append(2, 20);
     b.append(3, 30);
-    b.prepend(
+    b.merge(
       bytesOf([
         [0, 0],
         [1, 10],
@@ -80,6 +80,16 @@ describe("SampleBuffer", () => {
     );
     expect([...b.samples().times]).toEqual([0, 1, 2, 3]);
     expect([...b.samples().values]).toEqual([0, 10, 20, 30]);
+  });
+
+  it("gives what is inside a span, and its neighbours", () => {
+    const b = new SampleBuffer();
+    for (let i = 0; i < 10; ++i) b.append(i, i);
+    expect([...b.within(3, 5).times]).toEqual([2, 3, 4, 5, 6]);
+    expect([...b.within(2.5, 2.6).times]).toEqual([2, 3]);
+    expect([...b.within(-5, -4).times]).toEqual([0]);
+    expect([...b.within(20, 30).times]).toEqual([9]);
+    expect([b.firstTime, b.lastTime]).toEqual([0, 9]);
   });
 
   it("converts to the unit that is shown", () => {

@@ -21,6 +21,10 @@ export class SampleBuffer {
     return this.count > 0 ? (this.times[this.count - 1] as number) : Number.NEGATIVE_INFINITY;
   }
 
+  get firstTime(): number {
+    return this.count > 0 ? (this.times[0] as number) : Number.POSITIVE_INFINITY;
+  }
+
   clear(): void {
     this.count = 0;
   }
@@ -48,24 +52,40 @@ export class SampleBuffer {
   }
 
   /**
-   * Puts recorded samples before those that came live meanwhile. Where the two overlap the live ones hold; a history
-   * that reaches further than what is live belongs to an older run, and is used only up to there.
+   * Fills in recorded samples where there are none. At equal times those that came live hold; a history that reaches
+   * beyond them is of an older run, and is used only up to there.
    */
-  prepend(bytes: Uint8Array, factor = 1): void {
+  merge(bytes: Uint8Array, factor = 1): void {
     const live = this.samples();
+    const end = this.count > 0 ? this.lastTime : Number.POSITIVE_INFINITY;
     this.clear();
-    const first = live.times.length > 0 ? (live.times[0] as number) : Number.POSITIVE_INFINITY;
+    let next = 0;
+    const appendLiveBefore = (time: number) => {
+      for (; next < live.times.length && (live.times[next] as number) < time; ++next) this.appendFrom(live, next);
+    };
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     for (let at = 0; at + 16 <= bytes.byteLength; at += 16) {
       const time = view.getFloat64(at, true);
-      if (time < first) this.append(time, view.getFloat64(at + 8, true) * factor);
+      appendLiveBefore(time);
+      if (time <= end && live.times[next] !== time) this.append(time, view.getFloat64(at + 8, true) * factor);
     }
-    for (let i = 0; i < live.times.length; ++i) this.append(live.times[i] as number, live.values[i] as number);
+    appendLiveBefore(Number.POSITIVE_INFINITY);
   }
 
   /** A copy, ordered by time, strictly. */
   samples(): { times: Float64Array; values: Float64Array } {
     return { times: this.times.slice(0, this.count), values: this.values.slice(0, this.count) };
+  }
+
+  /** Those inside the span and one more at either side, so that lines reach the edges. */
+  within(from: number, to: number): { times: Float64Array; values: Float64Array } {
+    const begin = Math.max(0, firstAfter(this.times, this.count, from, true) - 1);
+    const end = Math.min(this.count, firstAfter(this.times, this.count, to, false) + 1);
+    return { times: this.times.subarray(begin, end), values: this.values.subarray(begin, end) };
+  }
+
+  private appendFrom(samples: { times: Float64Array; values: Float64Array }, index: number): void {
+    this.append(samples.times[index] as number, samples.values[index] as number);
   }
 
   private thin(): void {
@@ -89,6 +109,19 @@ export class SampleBuffer {
     this.times = times;
     this.values = values;
   }
+}
+
+/** The first of `count` ordered times that is after `time`, or (`orAt`) at it. */
+function firstAfter(times: Float64Array, count: number, time: number, orAt: boolean): number {
+  let low = 0;
+  let high = count;
+  while (low < high) {
+    const mid = (low + high) >> 1;
+    const at = times[mid] as number;
+    if (at > time || (orAt && at === time)) high = mid;
+    else low = mid + 1;
+  }
+  return low;
 }
 
 /** One column a series over common times. undefined: not sampled then; null: no number then, a gap in the line. */
@@ -127,14 +160,8 @@ export function alignSamples(series: readonly { times: Float64Array; values: Flo
 
 /** The value at a moment: that of the last sample not after it, none where it is no number or too early. */
 export function valueAt(samples: { times: Float64Array; values: Float64Array }, time: number): number | null {
-  let low = 0;
-  let high = samples.times.length;
-  while (low < high) {
-    const mid = (low + high) >> 1;
-    if ((samples.times[mid] as number) <= time) low = mid + 1;
-    else high = mid;
-  }
-  if (low === 0) return null;
-  const value = samples.values[low - 1] as number;
+  const after = firstAfter(samples.times, samples.times.length, time, false);
+  if (after === 0) return null;
+  const value = samples.values[after - 1] as number;
   return Number.isFinite(value) ? value : null;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { QuantityName, SeriesSpec } from "./series.ts";
-import { spanOf, stripsOf } from "./strips.ts";
+import { panSpan, spanOf, stripsOf, zoomSpan } from "./strips.ts";
 
 const robot = (id: number, quantity: QuantityName, port = ""): SeriesSpec => ({ quantity, robot: id, unit: "", port });
 const kUnits = () => "deg";
@@ -58,5 +58,10 @@ describe("the span of time", () => {
     });
     const { from, to } = spanOf({ live: true, window: 10 }, 5, 5);
     expect(to - from).toBeGreaterThanOrEqual(1);
+  });
+  it("zooms about its middle and moves by a share of its length", () => {
+    expect(zoomSpan({ from: 0, to: 10 }, 0.5)).toEqual({ from: 2.5, to: 7.5 });
+    expect(zoomSpan({ from: 0, to: 0.01 }, 0.5).to).toBeCloseTo(0.055);
+    expect(panSpan({ from: 0, to: 10 }, -0.1)).toEqual({ from: -1, to: 9 });
   });
 });

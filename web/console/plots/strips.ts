@@ -84,3 +84,16 @@ export function spanOf(view: TimeView, first: number, last: number): { from: num
   const from = view.window > 0 ? Math.max(last - view.window, Math.min(first, last - 1)) : first;
   return { from, to: Math.max(last, from + 1) };
 }
+
+/** The middle stays; never less than a tenth of a second. */
+export function zoomSpan(span: { from: number; to: number }, factor: number): { from: number; to: number } {
+  const middle = (span.from + span.to) / 2;
+  const half = Math.max(((span.to - span.from) / 2) * factor, 0.05);
+  return { from: middle - half, to: middle + half };
+}
+
+/** By a share of its length, to the right if positive. */
+export function panSpan(span: { from: number; to: number }, share: number): { from: number; to: number } {
+  const by = (span.to - span.from) * share;
+  return { from: span.from + by, to: span.to + by };
+}

@@ -1,7 +1,7 @@
 // The stick on the screen: a round pad with a knob, a needle to the objective, and the directions of its frame.
 import { type PointerEvent, useId, useRef } from "react";
-import { kHoldKey } from "./use_sticks.ts";
 import { kCentre, type StickVector, stickOfPointer } from "./stick.ts";
+import { kHoldKey } from "./use_sticks.ts";
 
 interface Props {
   unit: string;
@@ -39,7 +39,6 @@ export function StickPad(props: Props) {
   };
 
   return (
-    // biome-ignore lint/a11y/useSemanticElements: no element is a stick
     <div
       ref={pad}
       className="stick-pad"
@@ -87,7 +86,7 @@ export function StickPad(props: Props) {
         <line className="stick-arm" x1="0" y1="0" x2={stick.x * kReach} y2={-stick.y * kReach} />
         <circle className="stick-knob" cx={stick.x * kReach} cy={-stick.y * kReach} r="20" />
       </svg>
-      <span id={help} className="visually-hidden">
+      <span id={help} className="hidden-text">
         Press and drag, or hold the arrow keys or W, A, S, D while this has the focus; Shift slows down. Anywhere on the
         page, hold {kHoldKey.slice(3)} together with them. Letting go stops.
       </span>

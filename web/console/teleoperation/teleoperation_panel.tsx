@@ -6,7 +6,7 @@ import { usePart, useSession } from "../session.ts";
 import { bearingText, distanceText, meanPose, objectiveFrom } from "./objective.ts";
 import { StickPad } from "./stick_pad.tsx";
 import "./teleoperation.css";
-import { useSticks, useStickSources } from "./use_sticks.ts";
+import { useStickSources, useSticks } from "./use_sticks.ts";
 
 const kNoTeleoperations: readonly Status_Teleoperation[] = [];
 const kMostDetails = 8; // robots of a unit that are looked at for where it is
@@ -77,7 +77,11 @@ function StickCard({ teleoperation, isOperator }: { teleoperation: Status_Teleop
         />
         <dl className="teleoperation-facts">
           <dt>Objective</dt>
-          <dd>{objective ? `${distanceText(objective.distance)}, ${bearingText(objective.bearing)} ${objective.wind}` : "none"}</dd>
+          <dd>
+            {objective
+              ? `${distanceText(objective.distance)}, ${bearingText(objective.bearing)} ${objective.wind}`
+              : "none"}
+          </dd>
           <dt>Speed</dt>
           <dd>{speed === null ? "–" : `${speed.toFixed(1)} m/s`}</dd>
           <dt>State</dt>
@@ -141,7 +145,8 @@ function Begin({ isOperator, steered }: { isOperator: boolean; steered: readonly
   };
   if (selection.unit !== "") add(selection.unit);
   else if (robot !== undefined) {
-    if (!steered.some((each) => each.robots.includes(robot))) choices.push({ label: roster.nameOf(robot), unit: "", robot });
+    if (!steered.some((each) => each.robots.includes(robot)))
+      choices.push({ label: roster.nameOf(robot), unit: "", robot });
     add(roster.robot(robot)?.unit ?? "");
   } else if (steered.length === 0) for (const unit of roster.units.slice(0, 6)) add(unit.name);
 
@@ -180,8 +185,8 @@ function Begin({ isOperator, steered }: { isOperator: boolean; steered: readonly
 function Explanation() {
   return (
     <p className="teleoperation-note">
-      Steer a robot, or a whole unit in its formation, by hand. Select it on the map and press “Steer”; a mission does it
-      with TELEOPERATE.
+      Steer a robot, or a whole unit in its formation, by hand. Select it on the map and press “Steer”; a mission does
+      it with TELEOPERATE.
     </p>
   );
 }

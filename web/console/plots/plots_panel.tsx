@@ -1,0 +1,221 @@
+// Plots of ports and quantities over time: a strip for each subject, all over one axis of time.
+import { type KeyboardEvent, useCallback, useEffect, useMemo, useRef, useState } from "react";
+import { Button, DialogTrigger, Menu, MenuItem, MenuTrigger, Popover, ToggleButton } from "react-aria-components";
+import type uPlot from "uplot";
+import { useStore } from "zustand";
+import { usePart, useSession } from "../session.ts";
+import { saveCsv, savePng, saveSvg } from "./downloads.ts";
+import { type PlotState, plotStore } from "./plot_store.ts";
+import { PlotStrip } from "./plot_strip.tsx";
+import "./plots.css";
+import { recorderOf } from "./recorder.ts";
+import { type SeriesSpec, seriesKey } from "./series.ts";
+import { SeriesChooser } from "./series_chooser.tsx";
+import { kWindows, panSpan, spanOf, stripsOf, zoomSpan } from "./strips.ts";
+
+const kColorsLight = ["#1d5fc4", "#b4540a", "#14713f", "#a3195b", "#6a4bc4", "#0b7285", "#7a6200", "#4d5766"];
+const kColorsDark = ["#74a8ff", "#ff9f5a", "#5fd08c", "#ff85b8", "#b197fc", "#4fd1e0", "#e3c34e", "#c3ccd8"];
+
+const change = (part: Partial<PlotState>) => plotStore.setState(part);
+const goLive = (window = plotStore.getState().window) => change({ window, view: { live: true, window } });
+
+export function PlotsPanel() {
+  const { model, connection } = useSession();
+  const { specs, together, window: seconds, view } = useStore(plotStore);
+  const roster = usePart("roster");
+  const theme = usePart("map").theme;
+  const recorder = recorderOf(model, connection);
+  const [cursor, setCursor] = useState<number | null>(null);
+  const revision = useRevision(() => recorder.revision, specs.length > 16 ? 250 : 100);
+  const plots = useRef(new Map<string, uPlot>());
+
+  useEffect(() => recorder.record(specs), [recorder, specs]);
+
+  const strips = useMemo(() => {
+    const portUnit = (robot: number, port: string) => roster.portsOf(robot).find((p) => p.path === port)?.unit ?? "";
+    return stripsOf(specs, together, portUnit);
+  }, [specs, together, roster]);
+  const extent = recorder.extent();
+  const span = spanOf(view, extent.first, extent.last);
+  const colors = theme === "dark" ? kColorsDark : kColorsLight;
+  const look = useMemo(lookOf, [theme]);
+
+  const zoom = useCallback((from: number, to: number) => change({ view: { live: false, from, to } }), []);
+  const keys = (event: KeyboardEvent) => {
+    const next = keyView(event.key, span);
+    if (next === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (next === null) goLive();
+    else zoom(next.from, next.to);
+  };
+  const remove = (spec: SeriesSpec) => change({ specs: specs.filter((s) => seriesKey(s) !== seriesKey(spec)) });
+  const onPlot = useCallback((key: string, plot: uPlot | null) => {
+    if (plot) plots.current.set(key, plot);
+    else plots.current.delete(key);
+  }, []);
+  const save = (kind: React.Key) => {
+    const shown = { strips, recorder, span, colors, plots: plots.current };
+    if (kind === "png") void savePng(shown);
+    else if (kind === "svg") saveSvg(shown);
+    else saveCsv(shown);
+  };
+
+  return (
+    <div className="plots">
+      <div className="plots-bar" role="toolbar" aria-label="Plots">
+        <DialogTrigger>
+          <Button className="button primary">Add…</Button>
+          <SeriesChooser present={specs} onAdd={(more) => change({ specs: [...specs, ...more] })} />
+        </DialogTrigger>
+        <fieldset className="segments plots-windows">
+          <legend className="hidden-text">Span of time</legend>
+          {kWindows.map((w) => (
+            <ToggleButton
+              key={w.seconds}
+              className="button"
+              isSelected={view.live && seconds === w.seconds}
+              onChange={() => goLive(w.seconds)}
+            >
+              {w.label}
+            </ToggleButton>
+          ))}
+        </fieldset>
+        <ToggleButton
+          className="button"
+          isDisabled={specs.length === 0}
+          isSelected={!view.live}
+          onChange={(held) => (held ? zoom(span.from, span.to) : goLive())}
+        >
+          {view.live ? "Hold" : "Back to live"}
+        </ToggleButton>
+        <ToggleButton
+          className="button quiet"
+          isSelected={together}
+          isDisabled={specs.length < 2}
+          onChange={(on) => change({ together: on })}
+        >
+          One plot per unit
+        </ToggleButton>
+        <span className="plots-fill" />
+        <MenuTrigger>
+          <Button className="button" isDisabled={specs.length === 0}>
+            Export
+          </Button>
+          <Popover className="popover">
+            <Menu className="menu" onAction={save}>
+              <MenuItem className="menu-item" id="png">
+                Picture (PNG)
+              </MenuItem>
+              <MenuItem className="menu-item" id="svg">
+                Drawing (SVG)
+              </MenuItem>
+              <MenuItem className="menu-item" id="csv">
+                Table (CSV)
+              </MenuItem>
+            </Menu>
+          </Popover>
+        </MenuTrigger>
+        <Button className="button quiet" isDisabled={specs.length === 0} onPress={() => change({ specs: [] })}>
+          Clear
+        </Button>
+      </div>
+      {strips.length === 0 ? (
+        <NoPlots />
+      ) : (
+        <section
+          className="plots-strips"
+          aria-label="Plots; plus and minus zoom, arrow keys move, 0 goes back to live"
+          // biome-ignore lint/a11y/noNoninteractiveTabindex: keys zoom while it has the focus, and it scrolls
+          tabIndex={0}
+          onKeyDown={keys}
+        >
+          {strips.map((strip) => (
+            <PlotStrip
+              key={strip.key}
+              strip={strip}
+              recorder={recorder}
+              span={span}
+              revision={revision}
+              colors={colors}
+              look={look}
+              cursor={cursor}
+              onCursor={setCursor}
+              onZoom={zoom}
+              onReset={goLive}
+              onRemove={remove}
+              onPlot={onPlot}
+            />
+          ))}
+        </section>
+      )}
+    </div>
+  );
+}
+
+/** Nothing is plotted yet: what most people want is one press away. */
+function NoPlots() {
+  const roster = usePart("roster");
+  const units = roster.units.filter((u) => u.parent < 0).slice(0, 4);
+  const plot = (quantity: SeriesSpec["quantity"]) =>
+    change({ specs: units.map((u) => ({ quantity, robot: 0, unit: u.name, port: "" })) });
+  return (
+    <div className="empty plots-none">
+      <p>Any quantity, and any port of a robot’s program, over time.</p>
+      {units.length > 0 && (
+        <div className="columns">
+          <Button className="button" onPress={() => plot("distance_to_goal")}>
+            Distance to goal
+          </Button>
+          <Button className="button" onPress={() => plot("formation_error")}>
+            Formation error
+          </Button>
+          <Button className="button" onPress={() => plot("speed")}>
+            Speed
+          </Button>
+        </div>
+      )}
+    </div>
+  );
+}
+
+/** undefined: the key means nothing here; null: back to live. */
+function keyView(key: string, span: { from: number; to: number }): { from: number; to: number } | null | undefined {
+  switch (key) {
+    case "+":
+    case "=":
+      return zoomSpan(span, 0.5);
+    case "-":
+      return zoomSpan(span, 2);
+    case "ArrowLeft":
+      return panSpan(span, -0.1);
+    case "ArrowRight":
+      return panSpan(span, 0.1);
+    case "0":
+      return null;
+    default:
+      return undefined;
+  }
+}
+
+/** The newest revision, looked at so often [ms]. */
+function useRevision(read: () => number, interval: number): number {
+  const [revision, setRevision] = useState(read);
+  const latest = useRef(read);
+  latest.current = read;
+  useEffect(() => {
+    const timer = setInterval(() => setRevision(latest.current()), interval);
+    return () => clearInterval(timer);
+  }, [interval]);
+  return revision;
+}
+
+function lookOf(): { text: string; grid: string; font: string } {
+  const style = getComputedStyle(document.documentElement);
+  const read = (name: string, fallback: string) => style.getPropertyValue(name).trim() || fallback;
+  return {
+    text: read("--text-2", "#555"),
+    grid: read("--line", "#ddd"),
+    font: `11px ${read("--font", "sans-serif")}`,
+  };
+}
