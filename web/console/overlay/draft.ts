@@ -1,15 +1,11 @@
 // A control measure while it is being drawn: points come one by one, or a drag gives a circle.
 
+import type { Point } from "../../core/geometry.ts";
 import { type KindInfo, kindInfo, type MeasureKind } from "./kinds.ts";
-
-export interface XY {
-  readonly x: number;
-  readonly y: number;
-}
 
 export interface Draft {
   readonly kind: MeasureKind;
-  readonly points: readonly XY[];
+  readonly points: readonly Point[];
   /** As dragged or typed; 0: the kind's default. */
   readonly size: number;
 }
@@ -19,7 +15,7 @@ export function emptyDraft(kind: MeasureKind): Draft {
 }
 
 /** One more point. A point on top of the last one (a double click) adds nothing. */
-export function addPoint(draft: Draft, point: XY, tolerance = 0): Draft {
+export function addPoint(draft: Draft, point: Point, tolerance = 0): Draft {
   const info = kindInfo(draft.kind);
   if (draft.points.length >= info.maxPoints) return draft;
   const last = draft.points.at(-1);
@@ -32,7 +28,7 @@ export function removeLastPoint(draft: Draft): Draft {
 }
 
 /** A circle by dragging from its middle to its edge; only of what may be one point with a diameter. */
-export function circleDraft(kind: MeasureKind, center: XY, edge: XY): Draft {
+export function circleDraft(kind: MeasureKind, center: Point, edge: Point): Draft {
   const radius = Math.hypot(edge.x - center.x, edge.y - center.y);
   return { kind, points: [center], size: 2 * radius };
 }
@@ -75,13 +71,13 @@ export function guidance(draft: Draft): string {
 }
 
 /** A measure's points: those of a hallway are the corners round its centre line. */
-export function measurePoints(draft: Draft): { points: XY[]; centerline: XY[] } {
+export function measurePoints(draft: Draft): { points: Point[]; centerline: Point[] } {
   if (kindInfo(draft.kind).shape !== "hallway") return { points: [...draft.points], centerline: [] };
   return hallwayPoints(draft.points, draft.size > 0 ? draft.size : kindInfo("hallway").defaultSize);
 }
 
 /** The rectangle of this width round a centre line's two ends. */
-export function hallwayPoints(centerline: readonly XY[], width: number): { points: XY[]; centerline: XY[] } {
+export function hallwayPoints(centerline: readonly Point[], width: number): { points: Point[]; centerline: Point[] } {
   const a = centerline[0];
   const b = centerline.at(-1);
   if (!a || !b) return { points: [], centerline: [...centerline] };

@@ -1,19 +1,15 @@
 // The ODL statement that a control measure means, to be shown beside the map. The server writes the text itself.
 
+import type { Point } from "../../core/geometry.ts";
 import { mdlName, mdlNumber } from "../command/mdl_text.ts";
 import { kindInfo, type MeasureKind } from "./kinds.ts";
-
-export interface XY {
-  readonly x: number;
-  readonly y: number;
-}
 
 export interface MeasureText {
   readonly kind: MeasureKind;
   readonly name: string;
   readonly showsLabel: boolean;
-  readonly points: readonly XY[];
-  readonly centerline: readonly XY[];
+  readonly points: readonly Point[];
+  readonly centerline: readonly Point[];
   /** 0: the default, not written. */
   readonly size: number;
 }
@@ -37,12 +33,12 @@ function nameText(name: string, showsLabel: boolean): string {
   return written.startsWith('"') ? `"${name}${star}"` : `${name}${star}`;
 }
 
-function pointsText(points: readonly XY[]): string {
+function pointsText(points: readonly Point[]): string {
   return points.map((p) => `${mdlNumber(p.x)} ${mdlNumber(p.y)}`).join("  ");
 }
 
 /** Points as a person types them: pairs of numbers, with blanks, commas, semicolons or line ends between. */
-export function parsePoints(text: string): { points: XY[] } | { error: string } {
+export function parsePoints(text: string): { points: Point[] } | { error: string } {
   const words = text.split(/[\s,;()]+/).filter((w) => w !== "");
   const numbers: number[] = [];
   for (const word of words) {
@@ -53,12 +49,12 @@ export function parsePoints(text: string): { points: XY[] } | { error: string } 
     numbers.push(value);
   }
   if (numbers.length % 2 !== 0) return { error: "Each point needs two numbers, x and y." };
-  const points: XY[] = [];
+  const points: Point[] = [];
   for (let i = 0; i < numbers.length; i += 2) points.push({ x: numbers[i] as number, y: numbers[i + 1] as number });
   return { points };
 }
 
 /** The inverse of parsePoints: one point a line. */
-export function pointLines(points: readonly XY[]): string {
+export function pointLines(points: readonly Point[]): string {
   return points.map((p) => `${mdlNumber(p.x)} ${mdlNumber(p.y)}`).join("\n");
 }

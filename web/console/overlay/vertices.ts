@@ -1,11 +1,7 @@
 // Changing the points of a measure that stands: handles to drag, points put in between and taken out.
 
+import type { Point } from "../../core/geometry.ts";
 import { kindInfo, type MeasureKind } from "./kinds.ts";
-
-export interface XY {
-  readonly x: number;
-  readonly y: number;
-}
 
 /** A place to take hold of. Corners are points; middles become one when they are dragged; the whole moves everything. */
 export type Handle =
@@ -27,7 +23,7 @@ export function isClosed(kind: MeasureKind, count: number): boolean {
 }
 
 /** Where one can take hold of a measure. A single point with a diameter has a handle at the east of its circle. */
-export function handlesOf(kind: MeasureKind, points: readonly XY[], size: number): PlacedHandle[] {
+export function handlesOf(kind: MeasureKind, points: readonly Point[], size: number): PlacedHandle[] {
   const info = kindInfo(kind);
   const handles: PlacedHandle[] = points.map((p, index) => ({ handle: { type: "corner", index }, x: p.x, y: p.y }));
   const first = points[0];
@@ -38,8 +34,8 @@ export function handlesOf(kind: MeasureKind, points: readonly XY[], size: number
   if (points.length >= 2 && points.length < info.maxPoints) {
     const last = isClosed(kind, points.length) ? points.length : points.length - 1;
     for (let after = 0; after < last; ++after) {
-      const a = points[after] as XY;
-      const b = points[(after + 1) % points.length] as XY;
+      const a = points[after] as Point;
+      const b = points[(after + 1) % points.length] as Point;
       handles.push({ handle: { type: "middle", after }, x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
     }
   }
@@ -47,12 +43,12 @@ export function handlesOf(kind: MeasureKind, points: readonly XY[], size: number
 }
 
 export interface Geometry {
-  readonly points: readonly XY[];
+  readonly points: readonly Point[];
   readonly size: number;
 }
 
 /** What a handle makes of a measure when it is dragged from one place to another. Middles put a point in. */
-export function dragHandle(before: Geometry, handle: Handle, from: XY, to: XY): Geometry {
+export function dragHandle(before: Geometry, handle: Handle, from: Point, to: Point): Geometry {
   switch (handle.type) {
     case "corner":
       return { ...before, points: before.points.map((p, i) => (i === handle.index ? to : p)) };

@@ -1,9 +1,6 @@
 // How far and in which direction the objective lies.
 
-interface XY {
-  readonly x: number;
-  readonly y: number;
-}
+import type { Point } from "../../core/geometry.ts";
 
 export interface Objective {
   /** [m] */
@@ -18,7 +15,7 @@ export interface Objective {
 const kWinds = ["N", "NE", "E", "SE", "S", "SW", "W", "NW"] as const;
 
 /** `heading` of the robots [rad, counter-clockwise from east]: the needle is relative to it in the robot's frame. */
-export function objectiveFrom(from: XY, to: XY, heading: number, robotFrame: boolean): Objective {
+export function objectiveFrom(from: Point, to: Point, heading: number, robotFrame: boolean): Objective {
   const dx = to.x - from.x;
   const dy = to.y - from.y;
   const clockwise = Math.atan2(dx, dy);

@@ -19,6 +19,11 @@ export function gridFor(metresPerPixel: number): number {
   return Number((step * power).toPrecision(6));
 }
 
+/** To which tools snap at `scale` pixels a metre: fine enough to place things by, coarse enough for round numbers. */
+export function toolGrid(scale: number): number {
+  return gridFor(1 / (3 * scale));
+}
+
 /** How far one press of an arrow key moves: a grid step, ten with Shift, without a grid one pixel. */
 export function nudgeOf(
   key: string,

@@ -1,0 +1,24 @@
+// What the drawing tool waits for, over the map while it is held.
+import { useStore } from "zustand";
+import { editStore } from "../world/edit_store.ts";
+import { emptyDraft, guidance } from "./draft.ts";
+import { drawingStore } from "./drawing_store.ts";
+import { kindInfo } from "./kinds.ts";
+
+export function DrawOptions() {
+  const { kind } = useStore(editStore);
+  const { draft } = useStore(drawingStore);
+  if (!kind) {
+    return (
+      <span className="small">
+        Click a control measure to change it: drag its corners, double-click one to take it out. Choose what to draw in the
+        Draw panel.
+      </span>
+    );
+  }
+  return (
+    <span className="small">
+      <b>{kindInfo(kind).label}.</b> {guidance(draft ?? emptyDraft(kind))}
+    </span>
+  );
+}
