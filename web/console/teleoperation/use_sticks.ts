@@ -7,7 +7,7 @@ import { StickControl } from "./control.ts";
 import { driveKeyOf } from "./stick.ts";
 
 /** Held anywhere on the page, outside of text fields, it hands the drive keys to the active stick. */
-export const kHoldKey = "KeyT";
+export const kHoldKey = "KeyH";
 
 const kPollInterval = 20; // ms; sticks are sent every 50
 

@@ -1,0 +1,272 @@
+// Beside the goal on the map: what to do there, the MDL that it means, and who is meant, before it is sent.
+import { type CSSProperties, type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
+import { createPortal } from "react-dom";
+import { useStore } from "zustand";
+import type { MapView } from "../../core/map/map_view.ts";
+import type { Reply } from "../../core/protocol.ts";
+import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
+import { Button, Segments } from "../ui/controls.tsx";
+import { NumberEntry } from "../world/number_entry.tsx";
+import { SelectEntry } from "../world/select_entry.tsx";
+import { addressedUnits } from "./addressed.ts";
+import { placeMeasures } from "./command_tool.ts";
+import {
+  decimalsFor,
+  type FormationName,
+  kFormations,
+  kTasks,
+  kTechniques,
+  type MdlPlace,
+  mdlText,
+  type TaskName,
+  type TechniqueName,
+  taskInfo,
+} from "./mdl_text.ts";
+import "./order_window.css";
+import { dropGoal, type Goal, orderStore } from "./order_store.ts";
+import { placeFor, referenceTo } from "./places.ts";
+import { DiagnosticsView, TargetsView } from "./targets_view.tsx";
+
+/** Over the map while the command tool is held. */
+export function CommandOptions() {
+  const map = useUi("map");
+  const { goal, isDragging } = useStore(orderStore);
+  const { units, note } = useAddressed();
+  return (
+    <>
+      <span className="small">
+        {units.length > 0 ? (
+          <>
+            For <b>{units.join(", ")}</b>: click the goal, drag for the formation’s heading.
+          </>
+        ) : (
+          note
+        )}
+      </span>
+      {map && goal && !isDragging && map.host.parentElement
+        ? createPortal(<OrderWindow map={map} goal={goal} />, map.host.parentElement)
+        : null}
+    </>
+  );
+}
+
+function useAddressed() {
+  const selection = usePart("selection");
+  const roster = usePart("roster");
+  return useMemo(() => {
+    const units = roster.units.map((u) => ({ name: u.name, robots: roster.robotsOf(u.name) }));
+    return addressedUnits(selection, units);
+  }, [selection, roster]);
+}
+
+function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
+  const session = useSession();
+  const isOperator = useIsOperator();
+  const scene = usePart("scene");
+  const order = useStore(orderStore);
+  const addressed = useAddressed();
+  const style = usePlace(map, goal);
+  const window = useRef<HTMLDivElement>(null);
+  const [place, setPlace] = useState<MdlPlace>(() => placeOf(session, goal, scene?.origin));
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a new goal, not a new scene, means another place
+  useEffect(() => setPlace(placeOf(session, goal, scene?.origin)), [goal]);
+  useEffect(() => window.current?.querySelector<HTMLElement>("[aria-checked=true], button, input")?.focus(), []);
+
+  const info = taskInfo(order.task);
+  const line = goal.line === null ? null : referenceTo(placeMeasures(session), goal.line);
+  const built = mdlText({
+    units: addressed.units,
+    task: order.task,
+    place: order.task === "FOLLOW" && line !== null ? { reference: line } : place,
+    formation: order.formation,
+    technique: order.technique,
+    speed: order.speed,
+    heading: order.heading,
+  });
+  const text = "text" in built ? built.text : "";
+  const preview = usePreview(text);
+  const [refusal, setRefusal] = useState("");
+  const isWrong = preview !== null && !preview.ok;
+
+  const send = async () => {
+    if (text === "" || !isOperator) return;
+    const reply = await session.connection.ask({ case: "typed", value: { line: text, preview: false } });
+    if (reply.ok) dropGoal();
+    else setRefusal(reply.error || reply.diagnostics[0]?.message || "the server refused it");
+  };
+  const keys = (event: KeyboardEvent) => {
+    if (event.key === "Escape") dropGoal();
+    else if (event.key === "Enter" && !(event.target instanceof HTMLButtonElement)) void send();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+    map.host.focus({ preventScroll: true });
+  };
+  const tasks = kTasks.filter((t) => t.task !== "FOLLOW" || line !== null);
+
+  return (
+    <div ref={window} className="order-window" style={style} role="dialog" aria-label="Command" onKeyDown={keys}>
+      <Segments<TaskName>
+        label="Task"
+        value={order.task}
+        choices={tasks.map((t) => [t.task, t.label] as const)}
+        onChange={(task) => orderStore.setState({ task })}
+      />
+      <p className="help">{info.help}.</p>
+      <div className="world-fields">
+        {order.task === "FOLLOW" ? (
+          <div className="field wide">
+            <span className="label">Line</span>
+            <b>{line}</b>
+          </div>
+        ) : (
+          <PlaceEntry place={place} onPlace={setPlace} />
+        )}
+        <SelectEntry<FormationName | "">
+          label="Formation"
+          value={order.formation}
+          choices={[["", "as it is"], ...kFormations.map((f) => [f, f] as const)]}
+          onChange={(formation) => orderStore.setState({ formation })}
+        />
+        {info.takesTechnique && (
+          <SelectEntry<TechniqueName | "">
+            label="Technique"
+            value={order.technique}
+            choices={[["", "Traveling (usual)"], ...kTechniques.slice(1).map((t) => [t, t] as const)]}
+            onChange={(technique) => orderStore.setState({ technique })}
+          />
+        )}
+        {info.takesSpeed && (
+          <NumberEntry
+            label="Speed [m/s]"
+            value={order.speed}
+            min={0}
+            whenZero="the robots’ own"
+            onCommit={(speed) => orderStore.setState({ speed })}
+          />
+        )}
+        {info.takesHeading && (
+          <HeadingEntry heading={order.heading} onHeading={(heading) => orderStore.setState({ heading })} />
+        )}
+      </div>
+      <code className="order-text">{text || ("error" in built ? built.error : "")}</code>
+      <div className="order-targets" role="status">
+        {addressed.note !== "" && <p className="small target-replaces">{addressed.note}</p>}
+        {preview?.result.case === "targets" && <TargetsView targets={preview.result.value} />}
+        {preview && preview.diagnostics.length > 0 && <DiagnosticsView line={text} diagnostics={preview.diagnostics} />}
+        {isWrong && preview.diagnostics.length === 0 && <p className="problem">{preview.error}</p>}
+        {refusal !== "" && <p className="problem">{refusal}</p>}
+      </div>
+      <footer>
+        <Button tone="quiet" isDisabled={text === ""} onPress={() => edit(session, text)}>
+          Edit as text
+        </Button>
+        <Button onPress={dropGoal}>Cancel</Button>
+        <Button tone="primary" isDisabled={text === "" || isWrong || !isOperator} onPress={send}>
+          Send
+        </Button>
+      </footer>
+    </div>
+  );
+}
+
+function edit(session: ReturnType<typeof useSession>, line: string): void {
+  session.ui.set("draft", { line });
+  dropGoal();
+}
+
+/** `310 205` or a name. */
+function PlaceEntry({ place, onPlace }: { place: MdlPlace; onPlace: (place: MdlPlace) => void }) {
+  const shown = "reference" in place ? place.reference : `${place.x} ${place.y}`;
+  const [text, setText] = useState(shown);
+  useEffect(() => setText(shown), [shown]);
+  const commit = () => {
+    const trimmed = text.trim();
+    const numbers = /^(-?\d+(?:\.\d+)?)[\s,]+(-?\d+(?:\.\d+)?)$/.exec(trimmed);
+    if (numbers) onPlace({ x: Number(numbers[1]), y: Number(numbers[2]) });
+    else if (trimmed !== "") onPlace({ reference: trimmed });
+    else setText(shown);
+  };
+  return (
+    <label className="field">
+      <span className="label">Place</span>
+      <input className="input" value={text} onChange={(event) => setText(event.target.value)} onBlur={commit} />
+    </label>
+  );
+}
+
+function HeadingEntry({ heading, onHeading }: { heading: number | null; onHeading: (heading: number | null) => void }) {
+  const shown = heading === null ? "" : String(heading);
+  const [text, setText] = useState(shown);
+  useEffect(() => setText(shown), [shown]);
+  const commit = () => {
+    const value = Number(text.replace("°", ""));
+    if (text.trim() === "") onHeading(null);
+    else if (Number.isFinite(value) && Math.abs(value) <= 360) onHeading(value);
+    else setText(shown);
+  };
+  return (
+    <label className="field">
+      <span className="label">Heading [°, from east, counter-clockwise]</span>
+      <input
+        className="input"
+        value={text}
+        placeholder="where it goes"
+        inputMode="numeric"
+        onChange={(event) => setText(event.target.value)}
+        onBlur={commit}
+      />
+    </label>
+  );
+}
+
+/** Who would be meant, asked for a moment after the text has changed. */
+function usePreview(text: string): Reply | null {
+  const { connection } = useSession();
+  const [reply, setReply] = useState<Reply | null>(null);
+  useEffect(() => {
+    if (text === "") {
+      setReply(null);
+      return;
+    }
+    let isOld = false;
+    const timer = setTimeout(async () => {
+      const answer = await connection.ask({ case: "typed", value: { line: text, preview: true } });
+      if (!isOld) setReply(answer);
+    }, 120);
+    return () => {
+      isOld = true;
+      clearTimeout(timer);
+    };
+  }, [connection, text]);
+  return reply;
+}
+
+const kWidth = 340;
+const kRoom = 430; // its height, about
+
+/** Beside the goal, on the side with more room; follows the map. */
+function usePlace(map: MapView, goal: Goal): CSSProperties {
+  const [, setVersion] = useState(0);
+  useEffect(() => map.subscribe(() => setVersion((v) => v + 1)), [map]);
+  const at = map.camera.toScreen(goal.at);
+  const { width, height } = map.camera;
+  const isRight = at.x + 40 + kWidth < width || at.x < width / 2;
+  const left = isRight ? at.x + 40 : at.x - 40 - kWidth;
+  const top = Math.min(at.y - 120, height - kRoom);
+  return {
+    left: Math.max(8, Math.min(left, width - kWidth - 8)),
+    top: Math.max(8, top),
+    width: kWidth,
+    maxHeight: Math.max(200, height - Math.max(8, top) - 8),
+  };
+}
+
+function placeOf(
+  session: ReturnType<typeof useSession>,
+  goal: Goal,
+  origin: { x: number; y: number } | undefined,
+): MdlPlace {
+  const scale = session.ui.get("map")?.camera.scale ?? 1;
+  return placeFor(placeMeasures(session), goal.measure, goal.at, origin ?? { x: 0, y: 0 }, decimalsFor(1 / scale));
+}
