@@ -3,6 +3,7 @@ import { Palette } from "./actions/palette.tsx";
 import { ShortcutSheet } from "./actions/shortcut_sheet.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { HandOverDialog } from "./clients/hand_over.tsx";
+import { panels } from "./extensions.ts";
 import { Questions } from "./questions/questions.tsx";
 import { type Session, SessionContext, usePart, useSession, useUi } from "./session.ts";
 import { Banners } from "./shell/banners.tsx";
@@ -17,6 +18,7 @@ import { TopBar } from "./shell/top_bar.tsx";
 import { NewMissionDialog, OpenDialog, SaveAsDialog } from "./start/file_dialogs.tsx";
 import { StartPage } from "./start/start_page.tsx";
 import { Waiting } from "./start/waiting.tsx";
+import { useRevealTeleoperation } from "./teleoperation/use_reveal.ts";
 import "./styles/tokens.css";
 import "./styles/base.css";
 import "./styles/controls.css";
@@ -35,6 +37,7 @@ function Page() {
   useTheme();
   useShortcuts(session);
   useRevealing();
+  useRevealTeleoperation(panels);
   useTitle();
   return (
     <div className="app">

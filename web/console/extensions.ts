@@ -1,15 +1,70 @@
 // Everything that stands in the shell, in the order of its buttons.
+import { lazy } from "react";
+import { CommandTool } from "./command/command_tool.ts";
+import { CommandOptions } from "./command/order_window.tsx";
 import { LogPanel } from "./log/log_panel.tsx";
 import { MissionPanel } from "./mission/mission_panel.tsx";
+import { DrawOptions } from "./overlay/draw_options.tsx";
+import { DrawTool } from "./overlay/draw_tool.ts";
+import { OverlayPanel } from "./overlay/overlay_panel.tsx";
 import type { ActionSource, Panel, Tool } from "./registry.ts";
+import { TeleoperationPanel } from "./teleoperation/teleoperation_panel.tsx";
+import { useSteeredUnits } from "./teleoperation/use_reveal.ts";
+import { removeActions } from "./world/remove_action.ts";
+import { WorldOptions } from "./world/world_options.tsx";
+import { WorldPanel } from "./world/world_panel.tsx";
+import { WorldTool } from "./world/world_tool.ts";
+
+const PlotsPanel = lazy(() => import("./plots/plots_panel.tsx").then((plots) => ({ default: plots.PlotsPanel })));
 
 export const panels: readonly Panel[] = [
   { id: "mission", title: "Mission", icon: "steps", component: MissionPanel, dock: "left", shortcut: "1" },
+  { id: "overlay", title: "Draw", icon: "draw", component: OverlayPanel, dock: "left", shortcut: "5" },
+  { id: "world", title: "World", icon: "world", component: WorldPanel, dock: "left", shortcut: "6" },
+  {
+    id: "teleoperation",
+    title: "Teleoperation",
+    short: "Steer",
+    icon: "drive",
+    component: TeleoperationPanel,
+    dock: "right",
+    shortcut: "7",
+    useBadge: useSteeredUnits,
+  },
   { id: "log", title: "Log", icon: "log", component: LogPanel, dock: "bottom", shortcut: "8" },
+  { id: "plots", title: "Plots", icon: "plot", component: PlotsPanel, dock: "bottom", shortcut: "9" },
 ];
 
 /** Beside selecting, which the map does by itself. */
-export const tools: readonly Tool[] = [];
+export const tools: readonly Tool[] = [
+  {
+    id: "command",
+    label: "Command",
+    icon: "command",
+    shortcut: "o",
+    make: (session) => new CommandTool(session),
+    options: CommandOptions,
+    forOperator: true,
+  },
+  {
+    id: "draw",
+    label: "Draw the overlay",
+    icon: "draw",
+    shortcut: "d",
+    make: (session) => new DrawTool(session),
+    options: DrawOptions,
+    forOperator: true,
+  },
+  {
+    id: "world",
+    label: "Edit the world",
+    icon: "world",
+    shortcut: "w",
+    make: (session) => new WorldTool(session),
+    options: WorldOptions,
+    forOperator: true,
+  },
+];
 
 /** Beside those of the shell itself. */
-export const actionSources: readonly ActionSource[] = [];
+export const actionSources: readonly ActionSource[] = [removeActions];

@@ -1,6 +1,7 @@
 // The command that is being made on the map: the goal by mouse, the rest in the window beside it.
-import type { Point } from "../../core/geometry.ts";
+
 import { createStore } from "zustand/vanilla";
+import type { Point } from "../../core/geometry.ts";
 import type { FormationName, TaskName, TechniqueName } from "./mdl_text.ts";
 
 export interface Goal {

@@ -68,7 +68,6 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
   const style = usePlace(map, goal);
   const window = useRef<HTMLDivElement>(null);
   const [place, setPlace] = useState<MdlPlace>(() => placeOf(session, goal, scene?.origin));
-  // biome-ignore lint/correctness/useExhaustiveDependencies: a new goal, not a new scene, means another place
   useEffect(() => setPlace(placeOf(session, goal, scene?.origin)), [goal]);
   useEffect(() => window.current?.querySelector<HTMLElement>("[aria-checked=true], button, input")?.focus(), []);
 

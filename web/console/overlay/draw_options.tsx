@@ -11,8 +11,8 @@ export function DrawOptions() {
   if (!kind) {
     return (
       <span className="small">
-        Click a control measure to change it: drag its corners, double-click one to take it out. Choose what to draw in the
-        Draw panel.
+        Click a control measure to change it: drag its corners, double-click one to take it out. Choose what to draw in
+        the Draw panel.
       </span>
     );
   }

@@ -9,7 +9,16 @@ import { editMap, removeItems } from "../world/edit_map.ts";
 import { changeEditing, editStore } from "../world/edit_store.ts";
 import { drawHandle, drawNote } from "../world/handles.ts";
 import { nudgeOf, snapPoint, toolGrid } from "../world/snap.ts";
-import { addPoint, canBeCircle, circleDraft, type Draft, emptyDraft, isFull, missing, removeLastPoint } from "./draft.ts";
+import {
+  addPoint,
+  canBeCircle,
+  circleDraft,
+  type Draft,
+  emptyDraft,
+  isFull,
+  missing,
+  removeLastPoint,
+} from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
 import { kindInfo } from "./kinds.ts";
 import { proposeName } from "./names.ts";
@@ -107,7 +116,8 @@ export class DrawTool implements MapTool {
     const { drag } = this;
     this.drag = null;
     if (draft) this.click(draft, pointer);
-    else if (drag?.isMoved) this.replace(drag.index, drag.measure, drag.now, drag.handle.type === "whole" ? "move" : "change");
+    else if (drag?.isMoved)
+      this.replace(drag.index, drag.measure, drag.now, drag.handle.type === "whole" ? "move" : "change");
     this.downAt = null;
     this.map?.redraw();
   }
@@ -222,7 +232,9 @@ export class DrawTool implements MapTool {
     const now = measure.kind === "hallway" ? null : removeCorner(measure.kind, geometryOf(measure), corner);
     if (!now) return false;
     this.corner = -1;
-    void editMap(this.session, `remove a point of ${titleOf(measure)}`, [replaceMeasure(index, withGeometry(measure, now))]);
+    void editMap(this.session, `remove a point of ${titleOf(measure)}`, [
+      replaceMeasure(index, withGeometry(measure, now)),
+    ]);
     return true;
   }
 
@@ -373,7 +385,12 @@ function isSelected(items: readonly { kind: string; index: number }[], index: nu
 
 function noteOf({ handle, now }: Drag): string {
   if (handle.type === "radius") return `diameter ${round(now.size)} m`;
-  const at = handle.type === "corner" ? now.points[handle.index] : handle.type === "middle" ? now.points[handle.after + 1] : now.points[0];
+  const at =
+    handle.type === "corner"
+      ? now.points[handle.index]
+      : handle.type === "middle"
+        ? now.points[handle.after + 1]
+        : now.points[0];
   return at ? `${round(at.x)}, ${round(at.y)}` : "";
 }
 

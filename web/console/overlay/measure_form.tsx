@@ -11,7 +11,14 @@ import { KindIcon } from "./kind_icon.tsx";
 import { kindInfo } from "./kinds.ts";
 import { nameProblem } from "./names.ts";
 import { odlText, parsePoints, pointLines } from "./odl_text.ts";
-import { type EditedMeasure, editedMeasure, geometryOf, replaceMeasure, titleOf, withGeometry } from "./scene_measures.ts";
+import {
+  type EditedMeasure,
+  editedMeasure,
+  geometryOf,
+  replaceMeasure,
+  titleOf,
+  withGeometry,
+} from "./scene_measures.ts";
 
 export function MeasureForm({ index, wire }: { index: number; wire: Measure }) {
   const measure = editedMeasure(wire);
@@ -30,7 +37,8 @@ function Form({ index, measure, document, line }: FormProps) {
   const session = useSession();
   const isLocked = !useIsOperator() || document === "";
   const info = kindInfo(measure.kind);
-  const replace = (name: string, changed: EditedMeasure) => void editMap(session, name, [replaceMeasure(index, changed)]);
+  const replace = (name: string, changed: EditedMeasure) =>
+    void editMap(session, name, [replaceMeasure(index, changed)]);
   const title = titleOf(measure);
   return (
     <section aria-label={`${info.label} ${measure.name}`} className="overlay-chosen">
@@ -40,7 +48,12 @@ function Form({ index, measure, document, line }: FormProps) {
       </h3>
       <p className="help">{info.purpose}.</p>
       {document === "" && <p className="notice">It stands in the mission’s text, not in an overlay.</p>}
-      <NameEntry index={index} measure={measure} isLocked={isLocked} onName={(name) => replace(`rename ${title}`, { ...measure, name })} />
+      <NameEntry
+        index={index}
+        measure={measure}
+        isLocked={isLocked}
+        onName={(name) => replace(`rename ${title}`, { ...measure, name })}
+      />
       <div className="world-fields">
         {info.sizeLabel !== "" && (
           <NumberEntry
@@ -57,7 +70,9 @@ function Form({ index, measure, document, line }: FormProps) {
             label="Show label"
             value={measure.showsLabel}
             isDisabled={isLocked}
-            onChange={(showsLabel) => replace(`${showsLabel ? "show" : "hide"} the label of ${title}`, { ...measure, showsLabel })}
+            onChange={(showsLabel) =>
+              replace(`${showsLabel ? "show" : "hide"} the label of ${title}`, { ...measure, showsLabel })
+            }
           />
         </div>
       </div>
@@ -74,7 +89,11 @@ function Form({ index, measure, document, line }: FormProps) {
       )}
       <code className="overlay-text">{odlText(measure)}</code>
       <div className="columns">
-        <Button className="danger-quiet" isDisabled={isLocked} onPress={() => void removeItems(session, [{ kind: "measure", index }])}>
+        <Button
+          className="danger-quiet"
+          isDisabled={isLocked}
+          onPress={() => void removeItems(session, [{ kind: "measure", index }])}
+        >
           Remove
         </Button>
         {document !== "" && (
@@ -87,7 +106,12 @@ function Form({ index, measure, document, line }: FormProps) {
   );
 }
 
-function NameEntry(props: { index: number; measure: EditedMeasure; isLocked: boolean; onName: (name: string) => void }) {
+function NameEntry(props: {
+  index: number;
+  measure: EditedMeasure;
+  isLocked: boolean;
+  onName: (name: string) => void;
+}) {
   const { index, measure, isLocked, onName } = props;
   const measures = usePart("scene")?.measures ?? [];
   const { naming } = useStore(drawingStore);

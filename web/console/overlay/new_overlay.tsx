@@ -21,7 +21,12 @@ export function NewOverlay() {
           ? "This mission has no overlay yet. Begin an empty one and draw on it."
           : "Begin a mission with an empty overlay beside it, and draw on that."}
       </p>
-      <Field label={hasMission ? "Overlay file" : "Mission file"} value={path} onChange={setPath} isDisabled={!isOperator} />
+      <Field
+        label={hasMission ? "Overlay file" : "Mission file"}
+        value={path}
+        onChange={setPath}
+        isDisabled={!isOperator}
+      />
       <div>
         <Button tone="primary" isDisabled={!isOperator || path.trim() === ""} onPress={create}>
           Create

@@ -12,10 +12,10 @@ import { type ListedThing, ThingList } from "../world/thing_list.tsx";
 import { type Draft, emptyDraft, guidance, missing } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
 import { KindIcon } from "./kind_icon.tsx";
-import { kindInfo, kindOfWire, kKinds, type KindInfo, type MeasureKind } from "./kinds.ts";
+import { type KindInfo, kindInfo, kindOfWire, kKinds, type MeasureKind } from "./kinds.ts";
 import { MeasureForm } from "./measure_form.tsx";
-import { NewOverlay } from "./new_overlay.tsx";
 import { proposeName } from "./names.ts";
+import { NewOverlay } from "./new_overlay.tsx";
 import { odlText } from "./odl_text.ts";
 import "./overlay.css";
 import { addMeasure, measureOfDraft } from "./scene_measures.ts";
@@ -160,7 +160,12 @@ function Area({ overlays }: { overlays: readonly Documents_Document[] }) {
   }, [document, present]);
   if (!scene) return null;
   const setArea = (width: number, height: number) =>
-    void editMap(session, "set the mission area", [{ change: { case: "setArea", value: { width, height } } }], document);
+    void editMap(
+      session,
+      "set the mission area",
+      [{ change: { case: "setArea", value: { width, height } } }],
+      document,
+    );
   return (
     <section aria-label="The map" className="rows">
       <h3>Mission area</h3>
@@ -184,7 +189,10 @@ function Area({ overlays }: { overlays: readonly Documents_Document[] }) {
         <SelectEntry
           label="New things go to"
           value={document}
-          choices={[["", `${overlays[0]?.path} (the first)`], ...overlays.slice(1).map((d) => [d.path, d.path] as const)]}
+          choices={[
+            ["", `${overlays[0]?.path} (the first)`],
+            ...overlays.slice(1).map((d) => [d.path, d.path] as const),
+          ]}
           onChange={(path) => changeEditing({ document: path })}
         />
       )}

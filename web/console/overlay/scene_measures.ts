@@ -1,8 +1,7 @@
 // Control measures of the Scene as the drawing tools see them, and the changes that bring them about.
 import type { Measure } from "../../core/protocol.ts";
 import type { MapChangeInit } from "../world/edit_map.ts";
-import { type Draft, measurePoints } from "./draft.ts";
-import { hallwayPoints } from "./draft.ts";
+import { type Draft, hallwayPoints, measurePoints } from "./draft.ts";
 import { kindInfo, kindOfWire, type MeasureKind } from "./kinds.ts";
 import type { MeasureText } from "./odl_text.ts";
 import type { Geometry } from "./vertices.ts";

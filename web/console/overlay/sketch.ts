@@ -20,7 +20,11 @@ export function drawGeometry(pen: Pen, kind: MeasureKind, geometry: Geometry, lo
   if (points.length === 1 && first) {
     if (info.sizeLabel === "diameter") context.arc(first.x, first.y, (size / 2) * camera.scale, 0, 2 * Math.PI);
   } else if (kind === "hallway") {
-    trace(context, hallwayPoints(geometry.points, size).points.map((p) => camera.toScreen(p)), true);
+    trace(
+      context,
+      hallwayPoints(geometry.points, size).points.map((p) => camera.toScreen(p)),
+      true,
+    );
   } else trace(context, points, isClosed(kind, points.length));
   if (info.shape === "region" || info.shape === "point" || kind === "hallway") context.fill();
   if (info.sizeLabel === "width" && kind !== "hallway" && points.length >= 2) {

@@ -1,8 +1,7 @@
 // Edits of the map go to the server, which changes the text of the overlay.
 import type { MessageInitShape } from "@bufbuild/protobuf";
-import type { Order } from "../../core/protocol.ts";
+import type { MapChangeSchema, Order } from "../../core/protocol.ts";
 import type { MapItem } from "../../core/selection.ts";
-import type { MapChangeSchema } from "../../core/protocol.ts";
 import type { Session } from "../session.ts";
 
 export type MapChangeInit = MessageInitShape<typeof MapChangeSchema>;

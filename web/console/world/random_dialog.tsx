@@ -4,13 +4,22 @@ import { usePart, useSession } from "../session.ts";
 import { Button, Field, RangeSlider, Switch } from "../ui/controls.tsx";
 import { DialogBox } from "../ui/menus.tsx";
 import { order } from "./edit_map.ts";
-import { defaultRandomObstacles, expectedCount, problemsOf, type RandomObstacles, seedFrom } from "./random_obstacles.ts";
+import {
+  defaultRandomObstacles,
+  expectedCount,
+  problemsOf,
+  type RandomObstacles,
+  seedFrom,
+} from "./random_obstacles.ts";
 
 export function RandomObstaclesDialog({ onClose }: { onClose: () => void }) {
   const session = useSession();
   const scene = usePart("scene");
   const area = { width: scene?.width ?? 0, height: scene?.height ?? 0 };
-  const [settings, setSettings] = useState<RandomObstacles>(() => ({ ...defaultRandomObstacles(area), seed: freshSeed() }));
+  const [settings, setSettings] = useState<RandomObstacles>(() => ({
+    ...defaultRandomObstacles(area),
+    seed: freshSeed(),
+  }));
   const [texts, setTexts] = useState(() => textsOf(settings));
   const standing = scene?.obstacles.map((o) => o.radius) ?? [];
   const number = expectedCount(settings, area, standing);
@@ -57,7 +66,13 @@ export function RandomObstaclesDialog({ onClose }: { onClose: () => void }) {
       <div className="world-fields">
         <Field label="Smallest radius [m]" value={texts.minRadius} onChange={type("minRadius")} inputMode="decimal" />
         <Field label="Largest radius [m]" value={texts.maxRadius} onChange={type("maxRadius")} inputMode="decimal" />
-        <Field label="Seed" value={texts.seed} onChange={type("seed")} inputMode="numeric" help="The same seed gives the same obstacles." />
+        <Field
+          label="Seed"
+          value={texts.seed}
+          onChange={type("seed")}
+          inputMode="numeric"
+          help="The same seed gives the same obstacles."
+        />
         <Button className="world-randomize" onPress={() => change({ seed: freshSeed() })}>
           Randomize
         </Button>

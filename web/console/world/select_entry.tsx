@@ -9,7 +9,13 @@ interface Props<Value extends string> {
   isDisabled?: boolean;
 }
 
-export function SelectEntry<Value extends string>({ label, value, choices, onChange, isDisabled = false }: Props<Value>) {
+export function SelectEntry<Value extends string>({
+  label,
+  value,
+  choices,
+  onChange,
+  isDisabled = false,
+}: Props<Value>) {
   const id = useId();
   return (
     <div className="field">

@@ -32,7 +32,10 @@ export function ThingList({ label, things, onNudge }: Props) {
     return things.filter((t) => words.every((w) => `${t.title} ${t.detail}`.toLowerCase().includes(w)));
   }, [things, query]);
   const chosen = items.map(keyOf);
-  const shown = [...found.slice(0, kMostShown), ...found.slice(kMostShown).filter((t) => chosen.includes(keyOf(t.item)))];
+  const shown = [
+    ...found.slice(0, kMostShown),
+    ...found.slice(kMostShown).filter((t) => chosen.includes(keyOf(t.item))),
+  ];
   const keys = (event: KeyboardEvent) => {
     if (event.target instanceof HTMLInputElement) return;
     if (event.key === "Delete" || event.key === "Backspace") {

@@ -114,7 +114,12 @@ function NewThing({ what }: { what: "obstacle" | "object" }) {
       />
       {what === "object" && (
         <>
-          <SelectEntry label="Style" value={style} choices={kStyleNames} onChange={(s) => changeEditing({ style: s })} />
+          <SelectEntry
+            label="Style"
+            value={style}
+            choices={kStyleNames}
+            onChange={(s) => changeEditing({ style: s })}
+          />
           <ColorEntry value={color} onCommit={(name) => changeEditing({ color: name })} />
         </>
       )}
@@ -150,7 +155,12 @@ function ChosenThings({ chosen, isOperator }: { chosen: readonly Thing[]; isOper
     <Button
       className="danger-quiet"
       isDisabled={!isOperator || !chosen.some(isEditable)}
-      onPress={() => void removeItems(session, chosen.map((t) => ({ kind: t.type, index: t.index })))}
+      onPress={() =>
+        void removeItems(
+          session,
+          chosen.map((t) => ({ kind: t.type, index: t.index })),
+        )
+      }
     >
       Remove
     </Button>
@@ -170,7 +180,9 @@ function ChosenThings({ chosen, isOperator }: { chosen: readonly Thing[]; isOper
       <h3>
         {only.type === "obstacle" ? "Obstacle" : "Object"} {only.index + 1}
       </h3>
-      {!isEditable(only) && <p className="notice">It comes from CREATE-OBSTACLES or the environment, not from an overlay.</p>}
+      {!isEditable(only) && (
+        <p className="notice">It comes from CREATE-OBSTACLES or the environment, not from an overlay.</p>
+      )}
       <div className="world-fields">
         <NumberEntry label="x [m]" value={only.x} isDisabled={isLocked} onCommit={(x) => set("move", { ...only, x })} />
         <NumberEntry label="y [m]" value={only.y} isDisabled={isLocked} onCommit={(y) => set("move", { ...only, y })} />
@@ -198,7 +210,11 @@ function ChosenThings({ chosen, isOperator }: { chosen: readonly Thing[]; isOper
               isDisabled={isLocked}
               onChange={(style) => set("change", { ...only, style })}
             />
-            <ColorEntry value={only.color} isDisabled={isLocked} onCommit={(color) => set("paint", { ...only, color })} />
+            <ColorEntry
+              value={only.color}
+              isDisabled={isLocked}
+              onCommit={(color) => set("paint", { ...only, color })}
+            />
           </>
         )}
       </div>
@@ -207,7 +223,20 @@ function ChosenThings({ chosen, isOperator }: { chosen: readonly Thing[]; isOper
   );
 }
 
-const kColors = ["orange", "green", "purple", "red", "blue", "yellow", "white", "black", "brown", "gray", "cyan", "pink"];
+const kColors = [
+  "orange",
+  "green",
+  "purple",
+  "red",
+  "blue",
+  "yellow",
+  "white",
+  "black",
+  "brown",
+  "gray",
+  "cyan",
+  "pink",
+];
 
 function ColorEntry(props: { value: string; onCommit: (color: string) => void; isDisabled?: boolean }) {
   const { value, onCommit, isDisabled = false } = props;

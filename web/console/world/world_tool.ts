@@ -10,7 +10,17 @@ import { editStore } from "./edit_store.ts";
 import { drawHandle, drawNote } from "./handles.ts";
 import { addThing, indexOfThing, replaceThing, thingsOf } from "./scene_things.ts";
 import { nudgeOf, snapNumber, snapPoint, toolGrid } from "./snap.ts";
-import { editName, gripAt, isEditable, movedTo, radiusOf, type Thing, type ThingGrip, thingKey, withRadius } from "./things.ts";
+import {
+  editName,
+  gripAt,
+  isEditable,
+  movedTo,
+  radiusOf,
+  type Thing,
+  type ThingGrip,
+  thingKey,
+  withRadius,
+} from "./things.ts";
 
 interface Drag {
   readonly grip: ThingGrip | "new";
@@ -36,10 +46,7 @@ export class WorldTool implements MapTool {
 
   start(map: MapView): void {
     this.map = map;
-    this.endings = [
-      editStore.subscribe(() => map.redraw()),
-      map.model.subscribe("scene", () => this.takeScene()),
-    ];
+    this.endings = [editStore.subscribe(() => map.redraw()), map.model.subscribe("scene", () => this.takeScene())];
   }
 
   end(): void {
@@ -71,7 +78,10 @@ export class WorldTool implements MapTool {
     if (!isChosen) model.select(selectItem({ kind: thing.type, index: thing.index }));
     const before = (isChosen && grip === "body" ? chosen : [thing]).filter(isEditable);
     if (before.length === 0) {
-      this.session.ui.tell("This obstacle comes from CREATE-OBSTACLES or the environment: it is no part of an overlay.", "hold");
+      this.session.ui.tell(
+        "This obstacle comes from CREATE-OBSTACLES or the environment: it is no part of an overlay.",
+        "hold",
+      );
       return;
     }
     this.drag = { grip, from: pointer.world, before, now: before, isMoved: false };
@@ -121,7 +131,10 @@ export class WorldTool implements MapTool {
     const step = nudgeOf(event.key, event.shiftKey, this.grid(), 1 / this.scale());
     const chosen = this.selectedThings().filter(isEditable);
     if (!step || chosen.length === 0 || event.ctrlKey || event.metaKey || event.altKey) return false;
-    this.replace("move", chosen.map((t) => movedTo(t, t.x + step.dx, t.y + step.dy)));
+    this.replace(
+      "move",
+      chosen.map((t) => movedTo(t, t.x + step.dx, t.y + step.dy)),
+    );
     return true;
   }
 

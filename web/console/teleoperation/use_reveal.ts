@@ -1,0 +1,27 @@
+import { useEffect, useRef } from "react";
+import type { Panel } from "../registry.ts";
+import { usePart, useSession } from "../session.ts";
+import { isShown, showPanel } from "../shell/layout.ts";
+
+/** Opens the sticks when one more unit comes under teleoperation, whoever began it. */
+export function useRevealTeleoperation(panels: readonly Panel[]): void {
+  const { ui } = useSession();
+  const status = usePart("status");
+  const units = (status?.teleoperations ?? []).map((each) => each.unit).join("\n");
+  const before = useRef("");
+  useEffect(() => {
+    const known = new Set(before.current.split("\n"));
+    before.current = units;
+    const hasNew = units !== "" && units.split("\n").some((unit) => !known.has(unit));
+    const panel = panels.find((one) => one.id === "teleoperation");
+    const layout = ui.get("layout");
+    if (!hasNew || !panel || isShown(layout, panels, panel.id)) return;
+    // By itself: no edit of the person's layout.
+    ui.previewLayout(showPanel(layout, panel).layout);
+  }, [units, panels, ui]);
+}
+
+/** How many units are steered, on the panel's button. */
+export function useSteeredUnits(): number {
+  return usePart("status")?.teleoperations.length ?? 0;
+}

@@ -1,0 +1,23 @@
+// Delete takes away what is selected on the map, whichever tool is held.
+import type { Action } from "../registry.ts";
+import type { Session } from "../session.ts";
+import { removeItems } from "./edit_map.ts";
+
+export function removeActions(session: Session): readonly Action[] {
+  const { items } = session.model.get("selection");
+  const blocked = !session.model.isOperator()
+    ? "Only the operator can change the map."
+    : items.length === 0
+      ? "Nothing of the map is selected."
+      : undefined;
+  return [
+    {
+      id: "remove-things",
+      label: items.length > 1 ? `Remove ${items.length} things of the map` : "Remove what is selected on the map",
+      group: "Edit",
+      shortcut: "delete",
+      blocked,
+      run: () => void removeItems(session, items),
+    },
+  ];
+}
