@@ -127,6 +127,28 @@ TEST(Edit, ObstaclesComeAndGoWithTheOverlay) {
   for (const sim::Disc& disc : run->simulator().discs()) EXPECT_NE(disc.center.x, 500.0);
 }
 
+TEST(Edit, WallsAndObjectsComeAndGoWithTheOverlay) {
+  const auto mission = two_robots();
+  mission->overlay.objects.push_back({{20.0, 30.0}, 0.5, overlay::ObjectStyle::kMovable, "orange", {}});
+  const auto run = running(mission);
+  const auto other = two_robots();
+  overlay::ControlMeasure wall;
+  wall.kind = overlay::MeasureKind::kWall;
+  wall.points = {{200.0, 0.0}, {200.0, 300.0}};
+  other->overlay.measures.push_back(wall);
+  other->overlay.objects.push_back({{40.0, 30.0}, 0.5, overlay::ObjectStyle::kFixed, "white", {}});
+  other->overlay.objects.push_back(mission->overlay.objects[0]);
+  edit(*run, other);
+  EXPECT_EQ(run->simulator().walls().size(), 1U);
+  ASSERT_EQ(run->simulator().objects().size(), 2U);
+  EXPECT_EQ(run->simulator().objects()[1].center, (geom::Point{20.0, 30.0}));
+  for (int i = 0; i < 600; ++i) run->step();
+  EXPECT_LT(x_of(*run, 1), 200.0) << "nobody gets past the new wall";
+  edit(*run, two_robots());
+  EXPECT_TRUE(run->simulator().walls().empty());
+  EXPECT_TRUE(run->simulator().objects().empty());
+}
+
 TEST(SetParameter, ChangesOneRobotAndOutlivesItsStart) {
   const auto run = running(two_robots());
   EXPECT_TRUE(run->set_parameter({1}, "base_velocity", "fast").has_value());

@@ -131,6 +131,7 @@ class MissionRun {
  private:
   Progress brake();
   void change_world(const overlay::Overlay& before, const overlay::Overlay& after);
+  void tell_moved(const std::vector<sim::Placement>& moved, std::string_view by);
   void rename_metrics(const mission::Mission& before, const mission::Mission& after);
   void drop_unused_crews();
   void apply(const mission::Effect& effect);

@@ -14,6 +14,10 @@ bool before(const sim::Disc& a, const sim::Disc& b) {
   return std::tuple(a.center.x, a.center.y, a.radius) < std::tuple(b.center.x, b.center.y, b.radius);
 }
 
+bool is_same_wall(const sim::Wall& a, const sim::Wall& b) {
+  return a.segment.a == b.segment.a && a.segment.b == b.segment.b && a.group == b.group;
+}
+
 // What is in `from` and not in `without`; equal ones are told apart by their number.
 std::vector<sim::Disc> difference(const std::vector<sim::Disc>& from, const std::vector<sim::Disc>& without) {
   std::vector<sim::Disc> out;
@@ -37,8 +41,10 @@ void MissionRun::edit(std::shared_ptr<const Crew> crew) {
 }
 
 void MissionRun::change_world(const overlay::Overlay& before_edit, const overlay::Overlay& after_edit) {
-  std::vector<sim::Disc> old_discs = sim::world_of(before_edit).discs;
-  std::vector<sim::Disc> new_discs = sim::world_of(after_edit).discs;
+  const sim::World old_world = sim::world_of(before_edit);
+  const sim::World new_world = sim::world_of(after_edit);
+  std::vector<sim::Disc> old_discs = old_world.discs;
+  std::vector<sim::Disc> new_discs = new_world.discs;
   std::ranges::sort(old_discs, before);
   std::ranges::sort(new_discs, before);
   std::vector<sim::Disc> gone = difference(old_discs, new_discs);
@@ -51,10 +57,18 @@ void MissionRun::change_world(const overlay::Overlay& before_edit, const overlay
       return true;
     });
   }
-  for (const sim::Placement& moved : simulator_->add_obstacles(come)) {
-    tell(mission::effect::Tell::Kind::kWarning,
-         fmt::format("robot {} was moved: an obstacle appeared where it stood",
-                     simulator_->robot(moved.body).value));
+  tell_moved(simulator_->add_obstacles(come), "an obstacle");
+  if (!std::ranges::equal(old_world.walls, new_world.walls, is_same_wall))
+    tell_moved(simulator_->set_walls(new_world.walls), "a wall");
+  const std::vector<base::ObjectId> were = sim::same_objects(old_world.objects, new_world.objects);
+  const bool stay = std::ranges::equal(were, old_world.objects, {}, {}, &sim::Object::id);
+  if (!stay) simulator_->set_objects(new_world.objects, were);
+}
+
+void MissionRun::tell_moved(const std::vector<sim::Placement>& moved, std::string_view by) {
+  for (const sim::Placement& each : moved) {
+    tell(mission::effect::Tell::Kind::kWarning, fmt::format("robot {} was moved: {} appeared where it stood",
+                                                            simulator_->robot(each.body).value, by));
   }
 }
 

@@ -91,6 +91,33 @@ void Objects::follow(const Bodies& bodies) {
   }
 }
 
+void Objects::replace(std::vector<Object> objects, std::span<const base::ObjectId> were, Bodies& bodies) {
+  const auto index_of = [&](base::ObjectId was) {
+    const auto found = was.value == 0 ? were.end() : std::ranges::find(were, was);
+    return static_cast<std::size_t>(found - were.begin());
+  };
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    Object& object = objects[i];
+    object.carrier = {};
+    object.basket = {};
+    const Object* const before = were[i].value == 0 ? nullptr : find(were[i]);
+    if (before == nullptr) continue;
+    object.center = before->center;
+    const std::size_t basket = index_of(before->basket);
+    if (basket < objects.size() && objects[basket].style == ObjectStyle::kContainer)
+      object.basket = objects[basket].id;
+    if (object.style == ObjectStyle::kMovable) object.carrier = before->carrier;
+  }
+  for (std::uint32_t& carried : bodies.carried) {
+    if (carried == 0) continue;
+    const std::size_t now = index_of(list_[carried - 1].id);
+    carried =
+        now < objects.size() && objects[now].carrier.value != 0 ? static_cast<std::uint32_t>(now + 1) : 0;
+  }
+  list_ = std::move(objects);
+  is_stale_ = true;
+}
+
 std::uint32_t Objects::count_in(base::ObjectId container) const {
   return static_cast<std::uint32_t>(std::count_if(list_.begin(), list_.end(), [&](const Object& o) {
     return container.value != 0 && o.basket == container;

@@ -23,6 +23,9 @@ class Objects {
   void drop(Bodies& bodies, std::uint32_t body);
   /// Carried objects go where their carriers went.
   void follow(const Bodies& bodies);
+  /// Other objects than before; `were` holds the id that each had up to now, 0 for a new one. What stays
+  /// keeps its place, carrier and basket.
+  void replace(std::vector<Object> objects, std::span<const base::ObjectId> were, Bodies& bodies);
   std::uint32_t count_in(base::ObjectId container) const;
 
   /// Sorts those that can be seen into the grid; to be called before visit_visible.

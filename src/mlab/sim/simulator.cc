@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <ranges>
 
 #include "mlab/sim/contact.h"
 #include "mlab/sim/objects.h"
@@ -33,16 +34,30 @@ BodySpec usable(BodySpec spec) {
   return spec;
 }
 
-/// Contacts with discs that have become others are over.
-void forget_changed(Bodies& bodies, std::span<const Disc> before, std::span<const Disc> now) {
-  const auto is_same = [&](Thing thing) {
-    const std::uint32_t disc = thing - thing_of_disc(0);
-    return disc < before.size() && disc < now.size() && before[disc].center == now[disc].center &&
-           before[disc].radius == now[disc].radius;
+bool is_same(const Statics& before, const Statics& now, std::uint32_t disc) {
+  return disc < before.discs().size() && disc < now.discs().size() &&
+         before.discs()[disc].center == now.discs()[disc].center &&
+         before.discs()[disc].radius == now.discs()[disc].radius;
+}
+
+bool is_same_group(const Statics& before, const Statics& now, Thing group) {
+  const auto of_group = [group](const Wall& wall) { return thing_of_wall(wall.group) == group; };
+  const auto is_same_wall = [](const Wall& a, const Wall& b) {
+    return a.segment.a == b.segment.a && a.segment.b == b.segment.b;
   };
+  return std::ranges::equal(before.walls() | std::views::filter(of_group),
+                            now.walls() | std::views::filter(of_group), is_same_wall);
+}
+
+/// Contacts with things that have become others are over.
+void forget_changed(Bodies& bodies, const Statics& before, const Statics& now, double time) {
   for (Touched& touched : bodies.touched) {
     for (std::size_t k = 0; k < touched.thing.size(); ++k) {
-      if (is_disc(touched.thing[k]) && !is_same(touched.thing[k])) touched.until[k] = -1;
+      const Thing thing = touched.thing[k];
+      if (touched.until[k] <= time || is_body(thing) || thing == kNoThing) continue;
+      const bool stays =
+          is_disc(thing) ? is_same(before, now, thing - thing_of_disc(0)) : is_same_group(before, now, thing);
+      if (!stays) touched.until[k] = -1;
     }
   }
 }
@@ -87,6 +102,7 @@ struct Simulator::Parts {
   void refresh();
   std::uint32_t kind_of(const BodySpec& spec);
   void want(const percept::Action& action, std::uint32_t body, double dt);
+  std::vector<Placement> replace_statics(std::vector<Disc> discs, std::vector<Wall> walls);
 
   SimulatorSettings settings;
   Workers workers;
@@ -330,32 +346,55 @@ std::uint32_t Simulator::basket_count(base::ObjectId container) const {
   return parts_->state.objects.count_in(container);
 }
 
-std::vector<Placement> Simulator::set_obstacles(std::span<const Disc> discs) {
-  Parts& p = *parts_;
+/// Other things that stand still; whoever stands in one is put beside it.
+std::vector<Placement> Simulator::Parts::replace_statics(std::vector<Disc> discs, std::vector<Wall> walls) {
   World world;
-  world.discs.assign(discs.begin(), discs.end());
-  world.walls.assign(walls().begin(), walls().end());
+  world.discs = std::move(discs);
+  world.walls = std::move(walls);
   keep_usable(world);
-  forget_changed(p.state.bodies, this->discs(), world.discs);
-  p.state.statics = std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls));
+  const std::shared_ptr<const Statics> before = state.statics;
+  state.statics = std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls));
+  Bodies& bodies = state.bodies;
+  forget_changed(bodies, *before, *state.statics, state.time);
   std::vector<Placement> moved;
-  Bodies& bodies = p.state.bodies;
-  p.placer.rebuild(bodies);
-  p.is_placer_stale = false;
+  placer.rebuild(bodies);
+  is_placer_stale = false;
   for (std::uint32_t i = 0; i < bodies.count(); ++i) {
     if (!bodies.present[i]) continue;
     const Point here = bodies.position(i);
-    const Box& area = bodies.held[i] ? p.area : kWholeWorld;
-    const auto place = p.placer.nearest_free(bodies, *p.state.statics, here, bodies.radius[i], area, i);
+    const auto place = placer.nearest_free(bodies, *state.statics, here, bodies.radius[i],
+                                           bodies.held[i] ? area : kWholeWorld, i);
     if (!place || *place == here) continue;
     bodies.x[i] = place->x;
     bodies.y[i] = place->y;
-    p.placer.rebuild(bodies);
-    moved.push_back({{i}, pose({i}), true});
+    placer.rebuild(bodies);
+    moved.push_back({{i}, {*place, bodies.heading[i]}, true});
   }
-  p.state.objects.follow(bodies);
-  p.is_stale = true;
+  state.objects.follow(bodies);
+  is_stale = true;
   return moved;
+}
+
+std::vector<Placement> Simulator::set_obstacles(std::span<const Disc> discs) {
+  return parts_->replace_statics({discs.begin(), discs.end()}, {walls().begin(), walls().end()});
+}
+
+std::vector<Placement> Simulator::set_walls(std::span<const Wall> walls) {
+  return parts_->replace_statics({discs().begin(), discs().end()}, {walls.begin(), walls.end()});
+}
+
+void Simulator::set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were) {
+  World world;
+  std::vector<base::ObjectId> kept;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    world.objects = {objects[i]};
+    keep_usable(world);
+    if (!world.objects.empty()) kept.push_back(i < were.size() ? were[i] : base::ObjectId{});
+  }
+  world.objects.assign(objects.begin(), objects.end());
+  keep_usable(world);
+  parts_->state.objects.replace(std::move(world.objects), kept, parts_->state.bodies);
+  parts_->is_stale = true;
 }
 
 std::vector<Placement> Simulator::add_obstacles(std::span<const Disc> discs) {

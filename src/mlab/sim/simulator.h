@@ -99,6 +99,16 @@ class Simulator {
   std::vector<Placement> add_obstacles(std::span<const Disc> discs);
   /// Removes all discs for which `is_gone` is true. @return how many
   std::size_t remove_obstacles(const std::function<bool(const Disc&)>& is_gone);
+  /// Other walls than before; returns as set_obstacles does.
+  std::vector<Placement> set_walls(std::span<const Wall> walls);
+  /// Other objects than before.
+  ///
+  /// @param objects  with unique ids; whether they are carried or lie in a basket doesn't count
+  /// @param were     for each the id that it had up to now; 0 for a new one. Whatever happened to an object
+  /// that stays
+  ///                 (it is carried, lies in a basket that stays, was put down elsewhere) remains as it is.
+  ///                 May be shorter than `objects`: the rest is new
+  void set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were);
   /// True where a disc of this radius would touch nothing solid and no body.
   bool is_free(geom::Point place, double radius) const;
   /// True where no wall crosses the line between the two points.

@@ -224,6 +224,50 @@ TEST(Simulator, AnObstacleThatComesMovesTheRobotThatStandsThere) {
   EXPECT_TRUE(simulator.discs().empty());
 }
 
+TEST(Simulator, AWallThatComesMovesTheRobotThatStandsThereAndStopsTheOthers) {
+  Simulator simulator({});
+  const BodyIndex on_it = add(simulator, {{5, 0.05}, 0.0}, 1);
+  const BodyIndex before_it = add(simulator, {{0, 3}, 0.0}, 2);
+  const std::vector<Wall> walls = {{{{5, -10}, {5, 10}}, 0}};
+  const auto moved = simulator.set_walls(walls);
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_EQ(moved[0].body, on_it);
+  EXPECT_TRUE(moved[0].moved);
+  EXPECT_GE(std::abs(simulator.pose(on_it).position.x - 5), 0.2 - 1e-8);
+  EXPECT_FALSE(simulator.in_sight({0, 0}, {10, 0}));
+  std::vector<Action> actions(2);
+  actions[1].drives = true;
+  actions[1].velocity = {2, 0, 0};
+  for (int i = 0; i < 50; ++i) simulator.step(actions, 0.1);
+  EXPECT_NEAR(simulator.pose(before_it).position.x, 4.8, 1e-3);
+  EXPECT_EQ(simulator.contacts(before_it), 1U);
+  const std::vector<Wall> another = {{{{5, -10}, {5, 10}}, 0}, {{{50, 0}, {60, 0}}, 1}};
+  EXPECT_TRUE(simulator.set_walls(another).empty());
+  for (int i = 0; i < 5; ++i) simulator.step(actions, 0.1);
+  EXPECT_EQ(simulator.contacts(before_it), 1U) << "the same wall is the same contact";
+  simulator.set_walls({});
+  for (int i = 0; i < 50; ++i) simulator.step(actions, 0.1);
+  EXPECT_GT(simulator.pose(before_it).position.x, 10.0);
+  EXPECT_EQ(simulator.discs().size(), 0U);
+}
+
+TEST(Simulator, RestoresWallsAndObjectsAsTheyWere) {
+  Crowd crowd(2, 200);
+  for (int i = 0; i < 10; ++i) crowd.cycle();
+  const auto snapshot = crowd.simulator.snapshot();
+  const std::size_t walls = crowd.simulator.walls().size();
+  for (int i = 0; i < 20; ++i) crowd.cycle();
+  const std::vector<double> expected = crowd.all();
+  const std::vector<Wall> other = {{{{1, 1}, {90, 90}}, 7}};
+  crowd.simulator.set_walls(other);
+  crowd.simulator.set_objects({}, {});
+  for (int i = 0; i < 5; ++i) crowd.cycle();
+  crowd.simulator.restore(*snapshot);
+  EXPECT_EQ(crowd.simulator.walls().size(), walls);
+  for (int i = 0; i < 20; ++i) crowd.cycle();
+  EXPECT_EQ(crowd.all(), expected);
+}
+
 TEST(Simulator, ARemovedRobotIsInNobodysWay) {
   Simulator simulator({});
   const BodyIndex a = add(simulator, {{0, 0}, 0.0}, 1);
@@ -348,6 +392,61 @@ TEST(Objects, InABasketAreCountedAndOutOfSight) {
   actions[0].ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 5.0});
   simulator.step(actions, 0.1);
   EXPECT_EQ(simulator.carried(body).value, 0U);
+}
+
+// Three things: one is carried, one lies in the basket, one stands.
+World toys() {
+  World world;
+  for (const double x : {0.3, 0.4, 30.0}) {
+    Object& toy = world.objects.emplace_back();
+    toy.id = {static_cast<std::uint32_t>(world.objects.size())};
+    toy.style = percept::ObjectStyle::kMovable;
+    toy.center = {x, 0};
+    toy.radius = 0.1;
+  }
+  Object& basket = world.objects.emplace_back();
+  basket.id = {4};
+  basket.style = percept::ObjectStyle::kContainer;
+  basket.center = {0, 0.4};
+  basket.radius = 0.2;
+  return world;
+}
+
+TEST(Objects, KeepWhatHappenedToThemWhenOthersComeAndGo) {
+  Simulator simulator(toys());
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0}, 1);
+  std::vector<Action> actions(1);
+  actions[0].ask({.kind = Request::Kind::kPickUp, .object = {2}, .reach = 1.0});
+  actions[0].ask({.kind = Request::Kind::kDropInBasket, .object = {}, .reach = 1.0});
+  actions[0].ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 1.0});
+  simulator.step(actions, 0.1);
+  ASSERT_EQ(simulator.carried(body).value, 1U);
+  ASSERT_EQ(simulator.basket_count({4}), 1U);
+
+  // A new one comes first, so that all get other ids; the third goes.
+  const World before = toys();
+  World after;
+  after.objects = {before.objects[2], before.objects[0], before.objects[1], before.objects[3]};
+  after.objects[0].center = {40, 0};
+  for (std::uint32_t i = 0; i < 4; ++i) after.objects[i].id = {i + 1};
+  const auto were = same_objects(before.objects, after.objects);
+  EXPECT_EQ(were, (std::vector<base::ObjectId>{{0}, {1}, {2}, {4}}));
+  simulator.set_objects(after.objects, were);
+  EXPECT_EQ(simulator.objects().size(), 4U);
+  EXPECT_EQ(simulator.carried(body).value, 2U);
+  EXPECT_EQ(simulator.objects()[1].carrier.value, 1U);
+  EXPECT_EQ(simulator.basket_count({4}), 1U);
+  EXPECT_EQ(simulator.objects()[0].center, (Point{40, 0}));
+
+  // Without the basket what lay in it lies there; without what it carries the robot carries nothing.
+  after.objects = {after.objects[2]};
+  after.objects[0].id = {1};
+  const std::vector<base::ObjectId> only = {{3}};
+  simulator.set_objects(after.objects, only);
+  EXPECT_EQ(simulator.carried(body).value, 0U);
+  EXPECT_EQ(simulator.objects()[0].basket.value, 0U);
+  EXPECT_EQ(simulator.objects()[0].center, (Point{0, 0.4}));
+  simulator.step(std::vector<Action>(1), 0.1);
 }
 
 TEST(Objects, OfARemovedRobotStayWhereItStood) {

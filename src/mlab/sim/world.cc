@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <deque>
+#include <map>
 #include <string>
+#include <tuple>
 
 namespace mlab::sim {
 namespace {
@@ -90,6 +93,21 @@ World world_of(const overlay::Overlay& overlay) {
   }
   keep_usable(world);
   return world;
+}
+
+std::vector<base::ObjectId> same_objects(std::span<const Object> before, std::span<const Object> after) {
+  const auto key = [](const Object& o) {
+    return std::tuple(o.object_class, o.style, o.center.x, o.center.y, o.radius);
+  };
+  std::map<decltype(key(Object{})), std::deque<base::ObjectId>> waiting;
+  for (const Object& object : before) waiting[key(object)].push_back(object.id);
+  std::vector<base::ObjectId> out;
+  for (const Object& object : after) {
+    std::deque<base::ObjectId>& equal = waiting[key(object)];
+    out.push_back(equal.empty() ? base::ObjectId{} : equal.front());
+    if (!equal.empty()) equal.pop_front();
+  }
+  return out;
 }
 
 void keep_usable(World& world) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mlab/base/id.h"
@@ -54,6 +55,10 @@ inline constexpr double kAreaMargin = 0.5;
 /// weather zones; OBJECT, ATTRACTOR, BASKET with their class told by colour. Objects get the ids 1, 2, ... in
 /// file order. Coordinates that are not finite or beyond World::kFarthest are left out.
 World world_of(const overlay::Overlay& overlay);
+
+/// Which of the objects of a changed map are those of the map before: for each of `after` the id of an equal
+/// one of `before` (kind, place, size), each used once, in order; 0: none is.
+std::vector<base::ObjectId> same_objects(std::span<const Object> before, std::span<const Object> after);
 
 /// Takes out what has coordinates or radii that are not finite, negative or beyond World::kFarthest.
 void keep_usable(World& world);
