@@ -5,6 +5,7 @@ import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { HandOverDialog } from "./clients/hand_over.tsx";
 import { panels } from "./extensions.ts";
 import { Questions } from "./questions/questions.tsx";
+import { useWatching } from "./selection/use_watched.ts";
 import { type Session, SessionContext, usePart, useSession, useUi } from "./session.ts";
 import { Banners } from "./shell/banners.tsx";
 import { Dock, Rail } from "./shell/dock.tsx";
@@ -39,6 +40,7 @@ function Page() {
   useRevealing();
   useRevealTeleoperation(panels);
   useTitle();
+  useWatching();
   return (
     <div className="app">
       <TopBar />

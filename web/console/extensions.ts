@@ -8,6 +8,9 @@ import { DrawOptions } from "./overlay/draw_options.tsx";
 import { DrawTool } from "./overlay/draw_tool.ts";
 import { OverlayPanel } from "./overlay/overlay_panel.tsx";
 import type { ActionSource, Panel, Tool } from "./registry.ts";
+import { RobotsPanel } from "./robots/robots_panel.tsx";
+import { SelectionPanel } from "./selection/selection_panel.tsx";
+import { ViewPanel } from "./settings/view_panel.tsx";
 import { TeleoperationPanel } from "./teleoperation/teleoperation_panel.tsx";
 import { useSteeredUnits } from "./teleoperation/use_reveal.ts";
 import { removeActions } from "./world/remove_action.ts";
@@ -16,11 +19,14 @@ import { WorldPanel } from "./world/world_panel.tsx";
 import { WorldTool } from "./world/world_tool.ts";
 
 const PlotsPanel = lazy(() => import("./plots/plots_panel.tsx").then((plots) => ({ default: plots.PlotsPanel })));
+const TextPanel = lazy(() => import("./editor/text_panel.tsx"));
 
 export const panels: readonly Panel[] = [
   { id: "mission", title: "Mission", icon: "steps", component: MissionPanel, dock: "left", shortcut: "1" },
-  { id: "overlay", title: "Draw", icon: "draw", component: OverlayPanel, dock: "left", shortcut: "5" },
-  { id: "world", title: "World", icon: "world", component: WorldPanel, dock: "left", shortcut: "6" },
+  { id: "robots", title: "Robots", icon: "robots", component: RobotsPanel, dock: "left", shortcut: "2" },
+  { id: "overlay", title: "Draw", icon: "draw", component: OverlayPanel, dock: "left", shortcut: "3" },
+  { id: "world", title: "World", icon: "world", component: WorldPanel, dock: "left", shortcut: "4" },
+  { id: "selection", title: "Selection", icon: "selection", component: SelectionPanel, dock: "right", shortcut: "5" },
   {
     id: "teleoperation",
     title: "Teleoperation",
@@ -28,11 +34,13 @@ export const panels: readonly Panel[] = [
     icon: "drive",
     component: TeleoperationPanel,
     dock: "right",
-    shortcut: "7",
+    shortcut: "6",
     useBadge: useSteeredUnits,
   },
+  { id: "view", title: "View", icon: "layers", component: ViewPanel, dock: "right", shortcut: "7" },
   { id: "log", title: "Log", icon: "log", component: LogPanel, dock: "bottom", shortcut: "8" },
-  { id: "plots", title: "Plots", icon: "plot", component: PlotsPanel, dock: "bottom", shortcut: "9" },
+  { id: "text", title: "Text", icon: "text", component: TextPanel, dock: "bottom", shortcut: "9" },
+  { id: "plots", title: "Plots", icon: "plot", component: PlotsPanel, dock: "bottom", shortcut: "0" },
 ];
 
 /** Beside selecting, which the map does by itself. */

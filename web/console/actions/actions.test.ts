@@ -39,6 +39,8 @@ describe("a shortcut", () => {
     expect(isTakenByFocus(element("c"), press("f"))).toBe(true);
     expect(isTakenByFocus(element("d"), press(" "))).toBe(false);
     expect(isTakenByFocus(element("a"), press("k", { ctrlKey: true }))).toBe(false);
+    expect(isTakenByFocus(element("a"), press("z", { ctrlKey: true }))).toBe(true);
+    expect(isTakenByFocus(element("d"), press("z", { ctrlKey: true }))).toBe(false);
   });
 });
 

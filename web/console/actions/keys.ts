@@ -39,15 +39,19 @@ export function shownShortcut(shortcut: string, isMac = false): string {
 
 /** Bare keys belong to what has the focus where that takes them: text, lists, sliders; Space and Enter also to buttons. */
 export function isTakenByFocus(target: Element | null, press: KeyPress): boolean {
-  if (!target || press.ctrlKey || press.metaKey) return false;
-  if (target.closest("input, textarea, select, [contenteditable=true], [role=textbox]")) {
-    return !(
-      target instanceof HTMLInputElement &&
-      /^(checkbox|radio|range)$/.test(target.type) &&
-      press.key.length === 1 &&
-      press.key !== " "
-    );
+  if (!target) return false;
+  const isField = target.closest("input, textarea, select") !== null;
+  // A field undoes its own typing, selects its own text.
+  if (press.ctrlKey || press.metaKey) {
+    return isField
+      ? /^[acvxyz]$/i.test(press.key)
+      : target.closest("[contenteditable=true]") !== null && press.key === "a";
   }
+  if (isField) {
+    const isText = !(target instanceof HTMLInputElement && /^(checkbox|radio|range)$/.test(target.type));
+    return isText || press.key.length > 1 || press.key === " ";
+  }
+  if (target.closest("[contenteditable=true], [role=textbox]")) return true;
   if (target.closest("[role=listbox], [role=grid], [role=menu], [role=tree], [role=dialog], [role=alertdialog]")) {
     return true;
   }

@@ -1,0 +1,68 @@
+// Colours for MDL and ODL: enough to read by; what is right or wrong, the server says.
+import { LanguageSupport, StreamLanguage, type StreamParser } from "@codemirror/language";
+
+const kMdlWords =
+  words(`MISSION NAME SCENARIO OVERLAY MISSION-AREA LOAD-MAP SP OBSTACLE CREATE-OBSTACLES NEW-ROBOT UNIT SET PRINT
+  COMMAND LIST AND FORMATION TECHNIQUE SPEED HEADING PHASE-LINE ACKNOWLEDGE ACK WAIT ON-COMPLETION MESSAGE MSG UNTIL TIMEOUT
+  FREEZE IMMEDIATE INJECTTRACK CONSOLE-DATABASE CONSOLE-DB ROBOT-INFO SEED SYSTEM-SEED OBSTACLE-COVERAGE MIN-OBSTACLE-RADIUS
+  MAX-OBSTACLE-RADIUS ROBOT-LENGTH SCALE-ROBOTS ZOOM-FACTOR CYCLE-DURATION SHOW-TRAILS SHOW-ROBOT-TRAILS
+  HIGHLIGHT-REPELLING-OBSTACLES SHOW-REPELLING-OBSTACLES SHOW-MOVEMENT-VECTORS USE-MILITARY-STYLE SHOW-MILITARY-STYLE
+  SHOW-COLORMAP DEBUG-ROBOTS DEBUG-SIMULATOR DEBUG-SCHEDULER`);
+const kTasks = words("START MOVETO SWEEPTO OCCUPY FOLLOW TELEOPERATE TELOP STOP QUIT");
+const kValues =
+  words(`LINE LINE-LEFT LINE-RIGHT WEDGE WEDGE-LEFT WEDGE-RIGHT DIAMOND COLUMN SWEEP NO-FORMATION TRAVELING
+  TRAVELING-OVERWATCH BOUNDING-OVERWATCH ON OFF YES NO TRUE FALSE RED YELLOW ROBOT`);
+const kOdlWords =
+  words(`SCENARIO SITE ORIGIN GLOBAL_REF_POINT HEADING MISSION-AREA LOAD-MAP HEIGHTMAP SET ZOOM-FACTOR SCALE CONTROL
+  MEASURES UTM LAT LON CENTERLINE WIDTH EXTENTS WAYPOINT-FILE`);
+const kFeatures = words(
+  "AA ATK AXIS BP OBJ ROAD WALL BOUNDARY LDLC LD/LC PL LD LC ROOM DOOR GAP PP SP OBSTACLE OBJECT ATTRACTOR BASKET FLAG HALLWAY",
+);
+const kStyles = words("MOVABLE FIXED CONTAINER");
+
+type Classes = readonly (readonly [ReadonlySet<string>, string])[];
+
+export const kMdlParser = parser([
+  [kTasks, "typeName"],
+  [kMdlWords, "keyword"],
+  [kValues, "atom"],
+]);
+export const kOdlParser = parser([
+  [kFeatures, "typeName"],
+  [kOdlWords, "keyword"],
+  [kStyles, "atom"],
+]);
+
+export function mdl(): LanguageSupport {
+  return new LanguageSupport(StreamLanguage.define(kMdlParser));
+}
+
+export function odl(): LanguageSupport {
+  return new LanguageSupport(StreamLanguage.define(kOdlParser));
+}
+
+/** Both languages have the same words, only with other meanings: comments, strings, numbers, step labels, names. */
+function parser(classes: Classes): StreamParser<unknown> {
+  return {
+    name: "mission text",
+    languageData: { commentTokens: { line: "--" }, wordChars: "-" },
+    token(stream) {
+      if (stream.eatSpace()) return null;
+      if (stream.match(/^--.*/)) return "comment";
+      if (stream.match(/^"[^"]*"?/)) return "string";
+      if (stream.match(/^\d[A-Za-z0-9]*\.(?=\s|$)/)) return "labelName";
+      if (stream.match(/^[+-]?(\d+(:\d\d){1,2}|\d+\.?\d*(e[+-]?\d+)?|\.\d+)(?![A-Za-z_])/i)) return "number";
+      const word = stream.match(/^[A-Za-z_][A-Za-z0-9_/-]*[*:]?/) as RegExpMatchArray | null;
+      if (!word) {
+        stream.next();
+        return /[<>()=]/.test(stream.current()) ? "bracket" : null;
+      }
+      const upper = word[0].replace(/[*:]$/, "").toUpperCase();
+      return classes.find(([known]) => known.has(upper))?.[1] ?? "variableName";
+    },
+  };
+}
+
+function words(text: string): ReadonlySet<string> {
+  return new Set(text.split(/\s+/));
+}

@@ -1,0 +1,21 @@
+// How a robot is, in a word, from the flags of its record.
+import { Flag, Life } from "../../core/robots.ts";
+
+export interface RobotState {
+  word: string;
+  tone: "" | "go" | "hold" | "danger" | "accent";
+}
+
+export function robotState(flags: number): RobotState {
+  const life = flags & 7;
+  if (life === Life.FAULTED) return { word: "Faulted", tone: "danger" };
+  if (flags & Flag.LOST) return { word: "Lost", tone: "danger" };
+  if (flags & Flag.CONTACT) return { word: "In contact", tone: "danger" };
+  if (flags & Flag.STUCK) return { word: "Stuck", tone: "hold" };
+  if (flags & Flag.TELEOPERATED) return { word: "Steered", tone: "accent" };
+  if (life === Life.STOPPED) return { word: "Stopped", tone: "" };
+  if (life === Life.PARKED) return { word: "Parked", tone: "" };
+  if (flags & Flag.DONE) return { word: "Done", tone: "go" };
+  if (life === Life.RUNNING) return { word: "Running", tone: "go" };
+  return { word: "Not started", tone: "" };
+}

@@ -1,0 +1,94 @@
+import { Measure_Kind, WorldObject_Style } from "../../core/protocol.ts";
+import type { MapItem } from "../../core/selection.ts";
+import { distance } from "../format.ts";
+import { usePart, useSession } from "../session.ts";
+import { Button, IconButton } from "../ui/controls.tsx";
+import { Facts } from "./robot_facts.tsx";
+
+/** A control measure, an obstacle or an object. */
+export function MapItemFacts({ item, others }: { item: MapItem; others: number }) {
+  const { ui } = useSession();
+  const scene = usePart("scene");
+  const described = scene && describe(scene, item);
+  if (!described) return null;
+  return (
+    <>
+      <header className="selection-head">
+        <h3 className="grow ellipsis">{described.title}</h3>
+        <IconButton icon="centre" label="Show on the map" shortcut="." onPress={() => ui.get("map")?.fitSelection()} />
+      </header>
+      <div className="rows tab-body">
+        {others > 0 && <p className="small muted">And {others} more.</p>}
+        <Facts rows={described.rows} />
+        {described.document ? (
+          <Button tone="link" onPress={() => ui.set("reveal", { document: described.document, line: described.line })}>
+            {described.document}:{described.line}
+          </Button>
+        ) : (
+          <p className="small muted">Not written in an overlay, so it can't be edited.</p>
+        )}
+      </div>
+    </>
+  );
+}
+
+interface Described {
+  title: string;
+  rows: (readonly [string, string])[];
+  document: string;
+  line: number;
+}
+
+function describe(scene: NonNullable<ReturnType<typeof usePart<"scene">>>, item: MapItem): Described | undefined {
+  if (item.kind === "measure") {
+    const measure = scene.measures[item.index];
+    if (!measure) return undefined;
+    const kind = words(Measure_Kind[measure.kind] ?? "");
+    const points = measure.points.map((point) => `${Math.round(point.x)}, ${Math.round(point.y)}`);
+    return {
+      title: measure.name || kind,
+      rows: [
+        ["Kind", kind],
+        [
+          measure.points.length > 1 ? "Points" : "Place",
+          points.slice(0, 6).join(" · ") + (points.length > 6 ? " …" : ""),
+        ],
+        ["Size", measure.size > 0 ? distance(measure.size) : "–"],
+        ...(measure.zone ? [["Zone", measure.zone] as const] : []),
+      ],
+      document: measure.document,
+      line: measure.line,
+    };
+  }
+  if (item.kind === "obstacle") {
+    const obstacle = scene.obstacles[item.index];
+    if (!obstacle) return undefined;
+    return {
+      title: "Obstacle",
+      rows: [
+        ["Place", `${obstacle.x.toFixed(1)}, ${obstacle.y.toFixed(1)} m`],
+        ["Radius", distance(obstacle.radius)],
+      ],
+      document: obstacle.document,
+      line: obstacle.line,
+    };
+  }
+  const object = scene.objects[item.index];
+  if (!object) return undefined;
+  return {
+    title: "Object",
+    rows: [
+      ["Place", `${object.x.toFixed(1)}, ${object.y.toFixed(1)} m`],
+      ["Diameter", distance(object.diameter)],
+      ["Kind", words(WorldObject_Style[object.style] ?? "")],
+      ["Colour", object.color],
+    ],
+    document: object.document,
+    line: object.line,
+  };
+}
+
+function words(name: string): string {
+  const lower = name.toLowerCase().replaceAll("_", " ");
+  return lower.charAt(0).toUpperCase() + lower.slice(1);
+}

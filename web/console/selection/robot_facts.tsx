@@ -1,0 +1,64 @@
+import type { ReactNode } from "react";
+import { distance, duration, headingDegrees, quantity } from "../format.ts";
+import { robotState } from "../robots/robot_state.ts";
+import { usePart, useSession } from "../session.ts";
+
+/** One robot in short. */
+export function RobotFacts({ id }: { id: number }) {
+  const { model } = useSession();
+  const detail = usePart("details").get(id);
+  const time = usePart("time");
+  const row = model.robots.rowOf(id);
+  const state = robotState(row < 0 ? 0 : model.robots.flags(row));
+  const roster = usePart("roster");
+  if (!detail) {
+    return (
+      <div className="rows tab-body">
+        <span className={`pill ${state.tone}`}>{state.word}</span>
+        <p className="muted">
+          {row < 0 ? "This robot is not on the map yet. START puts it there." : "Waiting for its data…"}
+        </p>
+      </div>
+    );
+  }
+  const arrives =
+    detail.arrival >= 0 ? `${duration(detail.arrival)} (in ${duration(Math.max(0, detail.arrival - time))})` : "–";
+  return (
+    <div className="rows tab-body">
+      <div className="columns">
+        <span className={`pill ${state.tone}`}>{state.word}</span>
+        {roster.programOf(id) && <span className="small muted">program {roster.programOf(id)}</span>}
+      </div>
+      {detail.fault && <p className="notice danger">{detail.fault}</p>}
+      <Facts
+        rows={[
+          ["Command", detail.command || "none"],
+          ["Assemblage", detail.task || "–"],
+          ["State", detail.states.length > 0 ? detail.states.join(", ") : "–"],
+          ["To the goal", distance(detail.remaining)],
+          ["Arrives", arrives],
+          ["Speed", `${quantity(detail.speed, 3)} m/s`],
+          ["Heading", headingDegrees(detail.heading)],
+          ["Place", `${detail.x.toFixed(1)}, ${detail.y.toFixed(1)} m`],
+          ["Off its station", detail.station ? distance(detail.stationError) : "–"],
+          ["Driven", distance(detail.distanceDriven)],
+          ["Contacts", String(detail.contacts)],
+          ["Carries", detail.carried ? `object ${detail.carried}` : "nothing"],
+        ]}
+      />
+    </div>
+  );
+}
+
+export function Facts({ rows }: { rows: readonly (readonly [string, ReactNode])[] }) {
+  return (
+    <dl className="facts">
+      {rows.map(([name, value]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd className="number">{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

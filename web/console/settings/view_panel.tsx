@@ -1,0 +1,137 @@
+// How the map and the console look. Everything here can be undone.
+
+import { useState } from "react";
+import { kLayers, type MapSettings, withLayer } from "../../core/map/settings.ts";
+import { usePart, useSession, useUi } from "../session.ts";
+import type { ThemeChoice } from "../shell/ui.ts";
+import { RangeSlider, Segments, Switch } from "../ui/controls.tsx";
+
+export function ViewPanel() {
+  const { ui } = useSession();
+  const map = usePart("map");
+  const theme = useUi("theme");
+  const edit = (name: string, change: Partial<MapSettings>) => ui.editMap(name, change);
+  return (
+    <div className="rows tab-body">
+      <Row label="Colours">
+        <Segments<ThemeChoice>
+          label="Colours"
+          value={theme}
+          onChange={(value) => ui.set("theme", value)}
+          choices={[
+            ["auto", "System"],
+            ["light", "Light"],
+            ["dark", "Dark"],
+          ]}
+        />
+      </Row>
+      <Row label="Symbols">
+        <Segments
+          label="Symbols"
+          value={map.military ? "military" : "plain"}
+          onChange={(value) => edit(`${value} symbols`, { military: value === "military" })}
+          choices={[
+            ["plain", "Plain"],
+            ["military", "Military"],
+          ]}
+        />
+      </Row>
+      <Row label="Trails">
+        <Segments
+          label="Trails"
+          value={map.layers.trails ? map.trails : "off"}
+          onChange={(value) =>
+            edit(`trails: ${value}`, {
+              layers: withLayer(map, "trails", value !== "off").layers,
+              ...(value === "off" ? {} : { trails: value }),
+            })
+          }
+          choices={[
+            ["fade", "Fade"],
+            ["stay", "Stay"],
+            ["off", "Off"],
+          ]}
+        />
+      </Row>
+      <Row label="Names of robots">
+        <Segments
+          label="Names of robots"
+          value={map.robotLabels}
+          onChange={(robotLabels) => edit("names of robots", { robotLabels })}
+          choices={[
+            ["none", "None"],
+            ["selected", "Selected"],
+            ["all", "All"],
+          ]}
+        />
+      </Row>
+      <RobotScale />
+      <section aria-label="Layers">
+        <h3>Layers</h3>
+        {kLayers
+          .filter(([layer]) => layer !== "trails")
+          .map(([layer, name]) => (
+            <Switch
+              key={layer}
+              label={name}
+              value={map.layers[layer]}
+              onChange={(shown) =>
+                edit(`${shown ? "show" : "hide"} ${name.toLowerCase()}`, {
+                  layers: withLayer(map, layer, shown).layers,
+                })
+              }
+            />
+          ))}
+      </section>
+      <section aria-label="Marks">
+        <h3>Marks</h3>
+        <Switch
+          label="Rings round robots"
+          value={map.circleRobots}
+          onChange={(circleRobots) => edit("rings round robots", { circleRobots })}
+        />
+        <Switch
+          label="Highlight obstacles that repel"
+          value={map.highlightObstacles}
+          onChange={(highlightObstacles) => edit("highlighted obstacles", { highlightObstacles })}
+        />
+        <Switch
+          label="What each schema contributes"
+          value={map.contributions}
+          onChange={(contributions) => edit("contributions", { contributions })}
+        />
+      </section>
+    </div>
+  );
+}
+
+function RobotScale() {
+  const { ui } = useSession();
+  const { robotScale } = usePart("map");
+  const [dragged, setDragged] = useState<number | null>(null);
+  const value = dragged ?? robotScale;
+  return (
+    <RangeSlider
+      label="Size of robots"
+      shown={`×${value}`}
+      value={value}
+      min={1}
+      max={20}
+      step={1}
+      onChange={setDragged}
+      onCommit={(next) => {
+        setDragged(null);
+        ui.editMap("size of robots", { robotScale: next });
+      }}
+    />
+  );
+}
+
+function Row({ label, children }: { label: string; children: React.ReactNode }) {
+  return (
+    <div className="columns spread">
+      <span className="label">{label}</span>
+      {children}
+    </div>
+  );
+}
