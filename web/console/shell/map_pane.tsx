@@ -108,7 +108,8 @@ function MapTools() {
 
 function ToolOptions() {
   const { ui } = useSession();
-  const tool = tools.find((one) => one.id === useUi("tool"));
+  const held = useUi("tool");
+  const tool = tools.find((one) => one.id === held);
   if (!tool) return null;
   const Options = tool.options;
   return (

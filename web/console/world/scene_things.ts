@@ -44,7 +44,7 @@ export function addThing(thing: Thing): MapChangeInit {
 
 /** Where the thing stands in a new Scene: the last one at that place. -1: nowhere. */
 export function indexOfThing(scene: Scene, thing: Thing): number {
-  const isThere = (o: { x: number; y: number }) => Math.hypot(o.x - thing.x, o.y - thing.y) < 1e-3;
+  const isThere = (o: { x: number; y: number }) => Math.hypot(o.x - thing.x, o.y - thing.y) < 0.02;
   return thing.type === "obstacle"
     ? scene.obstacles.findLastIndex((o) => o.document !== "" && isThere(o))
     : scene.objects.findLastIndex((o) => o.document !== "" && isThere(o));
