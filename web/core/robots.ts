@@ -3,6 +3,7 @@
 
 const kWords = 4; // 32-bit words in a record
 export const kRecordBytes = 16;
+export const kRecordBlock = 256;
 
 export const Life = { UNKNOWN: 0, RUNNING: 1, PARKED: 2, STOPPED: 3, FAULTED: 4 } as const;
 
@@ -16,7 +17,8 @@ export class RobotTable {
   count = 0;
   /** The records: uint32 id, float32 x, float32 y, uint16 heading, uint8 flags, uint8 0. */
   bytes = new Uint8Array(0);
-  private words = new Uint32Array(0);
+  /** The same bytes, four words a record. There is room for whole multiples of kRecordBlock records. */
+  words = new Uint32Array(0);
   private floats = new Float32Array(0);
   private halves = new Uint16Array(0);
   private rowById = new Int32Array(64);
@@ -73,7 +75,8 @@ export class RobotTable {
   }
 
   private grow(count: number): void {
-    const buffer = new ArrayBuffer(Math.max(64, count, this.count * 2) * kRecordBytes);
+    const wanted = Math.max(count, this.count * 2);
+    const buffer = new ArrayBuffer(Math.ceil(wanted / kRecordBlock) * kRecordBlock * kRecordBytes);
     this.bytes = new Uint8Array(buffer);
     this.words = new Uint32Array(buffer);
     this.floats = new Float32Array(buffer);

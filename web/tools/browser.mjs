@@ -17,7 +17,9 @@ const kArguments = [
 /** @param {{ withGl?: boolean }} [options] `withGl`: WebGL by SwiftShader, else none */
 export async function openBrowser({ withGl = false } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "mlab-browser-"));
-  const gl = withGl ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu"];
+  const gl = withGl
+    ? (process.env.MLAB_GL ?? "--use-angle=swiftshader --enable-unsafe-swiftshader").split(" ")
+    : ["--disable-gpu"];
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: [...kArguments, ...gl],

@@ -2,8 +2,8 @@
 import { mkdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { createServer } from "vite";
 import { openBrowser } from "./browser.mjs";
+import { serve } from "./serve.mjs";
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const out = join(web, "pictures");
@@ -30,9 +30,7 @@ const kPictures = [
   ["watched_webgl", "scene=demo-c&watched=1&renderer=webgl&circles=1", { ...small, density: 2 }],
 ];
 
-const server = await createServer({ root: web, server: { port: 0, host: "127.0.0.1" }, logLevel: "error" });
-await server.listen();
-const address = server.resolvedUrls.local[0];
+const { address, close } = await serve(web);
 const wanted = kPictures.filter(([name]) => name.includes(process.argv[2] ?? ""));
 for (const withGl of [false, true]) {
   const pictures = wanted.filter(([name]) => name.includes("webgl") === withGl);
@@ -49,4 +47,4 @@ for (const withGl of [false, true]) {
   }
   await browser.close();
 }
-await server.close();
+await close();

@@ -6,6 +6,7 @@ import { type MapSettings, withLayer } from "../../core/map/settings.ts";
 import { Model } from "../../core/model.ts";
 import { ToBrowserSchema } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
+import { measure } from "./feed.ts";
 import { crowd, demoC, everything, frameOf, robotLab, type Session } from "./scenes.ts";
 import { watchedFrame } from "./watched_frame.ts";
 
@@ -53,5 +54,9 @@ if (query.has("watched")) {
 } else {
   model.takeFrame(frameOf(session.robots, 1, 0));
 }
-Object.assign(window, { map, model });
+Object.assign(window, {
+  map,
+  model,
+  measure: (seconds: number) => measure(map, model, session.robots.length, seconds),
+});
 requestAnimationFrame(() => requestAnimationFrame(() => document.body.setAttribute("data-drawn", "yes")));

@@ -243,6 +243,7 @@ export class MapView {
 
   /** Draws now what has changed. Called by the browser before it paints; tests call it themselves. */
   draw(): void {
+    if (!this.ground.getContext("2d")) return; // a page without pictures, as in unit tests
     const start = performance.now();
     this.followNow();
     if (this.camera.version !== this.drawnCamera) this.dirty = Dirty.ALL;

@@ -169,11 +169,12 @@ function lineEnds(pen: Pen, measure: Measure, width: number, height: number): Po
   const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => camera.toScreen(point));
   const [low, high] = ends[0]!.y >= ends[1]!.y ? ends : [ends[1]!, ends[0]!];
   const bottom = Math.min(low!.y + height / 2 + 4, camera.height - 4 - height / 2);
+  const above = measure.kind === K.LINE_OF_DEPARTURE ? 10 : 4; // its arcs
   return [
     { x: low!.x, y: bottom },
     { x: low!.x, y: bottom + height * 0.75 },
-    { x: high!.x, y: high!.y - height / 2 - 4 },
-    { x: high!.x, y: high!.y - height * 1.25 - 4 },
+    { x: high!.x, y: high!.y - height / 2 - above },
+    { x: high!.x, y: high!.y - height * 1.25 - above },
     ...alongPlaces(pen, measure.points, width, height, 0),
   ];
 }
@@ -181,7 +182,8 @@ function lineEnds(pen: Pen, measure: Measure, width: number, height: number): Po
 function otherEnd(pen: Pen, measure: Measure, height: number): Point[] {
   const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => pen.camera.toScreen(point));
   const high = ends[0]!.y < ends[1]!.y ? ends[0]! : ends[1]!;
-  const top = Math.max(high.y - height / 2 - 4, 4 + height / 2);
+  const above = measure.kind === K.LINE_OF_DEPARTURE ? 10 : 4;
+  const top = Math.max(high.y - height / 2 - above, 4 + height / 2);
   return [
     { x: high.x, y: top },
     { x: high.x, y: top - height * 0.75 },

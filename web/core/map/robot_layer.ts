@@ -19,6 +19,7 @@ export class RobotLayer {
   readonly styles = new RobotStyles();
   private readonly flat: HTMLCanvasElement;
   private card: HTMLCanvasElement | null = null;
+  private plate: HTMLCanvasElement | null = null; // of blocks: kept in main memory, where they are made
   private webgl: RobotsByWebgl | null | undefined; // undefined: not tried yet
   private readonly blocks = new BlockPainter();
   private hasGivenUp = false;
@@ -39,16 +40,18 @@ export class RobotLayer {
     this.show(wanted);
     const palette = paletteOf(settings.theme);
     if (wanted === "webgl") {
-      this.matchSize();
+      this.matchSize(this.card!);
       this.webgl!.draw(camera, model.robots, this.styles, palette, settings.circleRobots, density);
       this.watchSpeed(settings.renderer);
       return;
     }
-    const context = this.flat.getContext("2d")!;
     if (wanted === "blocks") {
-      this.blocks.draw(context, camera, model.robots, this.styles, palette, density);
+      const onPlate = this.plate!.getContext("2d", { willReadFrequently: true })!;
+      this.matchSize(this.plate!);
+      this.blocks.draw(onPlate, camera, model.robots, this.styles, palette, density);
       return;
     }
+    const context = this.flat.getContext("2d")!;
     context.setTransform(density, 0, 0, density, 0, 0);
     context.clearRect(0, 0, camera.width, camera.height);
     if (!settings.layers.robots) return;
@@ -96,15 +99,17 @@ export class RobotLayer {
 
   private show(renderer: Renderer): void {
     this.renderer = renderer;
-    this.flat.style.display = renderer === "webgl" ? "none" : "";
+    if (renderer === "blocks") this.plate ??= this.addCanvas(this.flat);
+    this.flat.style.display = renderer === "canvas" ? "" : "none";
     if (this.card) this.card.style.display = renderer === "webgl" ? "" : "none";
+    if (this.plate) this.plate.style.display = renderer === "blocks" ? "" : "none";
   }
 
-  private matchSize(): void {
-    const { card, flat } = this;
-    if (!card || (card.width === flat.width && card.height === flat.height)) return;
-    card.width = flat.width;
-    card.height = flat.height;
+  private matchSize(canvas: HTMLCanvasElement): void {
+    const { flat } = this;
+    if (canvas.width === flat.width && canvas.height === flat.height) return;
+    canvas.width = flat.width;
+    canvas.height = flat.height;
   }
 
   private addCanvas(after?: HTMLCanvasElement): HTMLCanvasElement {

@@ -14,6 +14,9 @@ export class RobotStyles {
   sizes = new Float32Array(0);
   /** Least length of the drawing on the screen [CSS pixels]. */
   least = 10;
+  /** Of all bodies [m]. */
+  largestRadius = 0;
+  hasSelected = false;
   /** Grows with each change. */
   version = 0;
   private roster: unknown = null;
@@ -35,6 +38,8 @@ export class RobotStyles {
     this.colors = new Uint8Array(this.capacity * 4);
     this.sizes = new Float32Array(this.capacity * 2).fill(0.4);
     this.least = leastLength(roster.robots.length);
+    this.hasSelected = selection.robots.length > 0;
+    this.largestRadius = 0;
     const { groundRgb, idle, isDark } = paletteOf(map.theme);
     const unknown = parseColor(idle)!;
     for (let id = 0; id < this.capacity; ++id) this.setColor(id, unknown);
@@ -50,6 +55,7 @@ export class RobotStyles {
       const body = radius > 0 ? radius : 0.2;
       this.sizes[id * 2] = Math.max(length, body * 2) * map.robotScale;
       this.sizes[id * 2 + 1] = body * map.robotScale;
+      this.largestRadius = Math.max(this.largestRadius, body * map.robotScale);
     }
     for (const id of selection.robots) if (id < this.capacity) this.colors[id * 4 + 3] = 255;
   }

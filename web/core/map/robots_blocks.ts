@@ -8,10 +8,14 @@ import { kShape, type RobotStyles } from "./robot_styles.ts";
 const kHeadings = 64;
 const kMostPixels = 64; // a larger robot is drawn by a path
 
+/** What is not empty of a picture, pixel by pixel. */
 interface Stamp {
   readonly side: number;
-  /** Premultiplied by nothing: opaque pixels and half-covered ones alike as colour with alpha. */
-  readonly pixels: Uint32Array;
+  readonly columns: Uint8Array;
+  readonly rows: Uint8Array;
+  /** From the upper left corner, in an image of the width that the stamp was made for. */
+  readonly offsets: Int32Array;
+  readonly colors: Uint32Array;
 }
 
 export class BlockPainter {
@@ -34,7 +38,7 @@ export class BlockPainter {
     const scale = camera.scale * density;
     const left = width / 2 - camera.x * scale;
     const top = height / 2 + camera.y * scale;
-    const key = `${palette.isDark}/${density}`;
+    const key = `${palette.isDark}/${density}/${width}`;
     if (key !== this.stampsFor || this.stamps.size > 20_000) {
       this.stamps.clear();
       this.stampsFor = key;
@@ -48,7 +52,7 @@ export class BlockPainter {
       const heading = Math.round((robots.heading(row) / (2 * Math.PI)) * kHeadings) % kHeadings;
       const at = id * 4;
       const color = (styles.colors[at + 2]! << 16) | (styles.colors[at + 1]! << 8) | styles.colors[at]!;
-      const stamp = this.stamp(color, pixels, heading, styles.colors[at + 3]! > 0, palette);
+      const stamp = this.stamp(color, pixels, heading, styles.colors[at + 3]! > 0, palette, width);
       this.put(stamp, Math.round(x - stamp.side / 2), Math.round(y - stamp.side / 2), width, height);
     }
     context.setTransform(1, 0, 0, 1, 0, 0);
@@ -65,36 +69,50 @@ export class BlockPainter {
   }
 
   private put(stamp: Stamp, left: number, top: number, width: number, height: number): void {
-    const { side, pixels } = stamp;
-    const x0 = Math.max(0, -left);
-    const x1 = Math.min(side, width - left);
-    const y0 = Math.max(0, -top);
-    const y1 = Math.min(side, height - top);
+    const { side, columns, rows, offsets, colors } = stamp;
     const { words } = this;
-    for (let y = y0; y < y1; ++y) {
-      let from = y * side + x0;
-      let to = (top + y) * width + left + x0;
-      for (let x = x0; x < x1; ++x, ++from, ++to) {
-        const pixel = pixels[from]!;
-        // Half-covered pixels give way to what is there: an edge over another robot is not seen at this size.
-        if (pixel >>> 24 > (words[to]! >>> 24 === 0 ? 0 : 127)) words[to] = pixel;
+    const isWhole = left >= 0 && top >= 0 && left + side <= width && top + side <= height;
+    const corner = top * width + left;
+    for (let i = 0; i < colors.length; ++i) {
+      if (!isWhole) {
+        const x = left + columns[i]!;
+        const y = top + rows[i]!;
+        if (x < 0 || y < 0 || x >= width || y >= height) continue;
       }
+      const to = corner + offsets[i]!;
+      const color = colors[i]!;
+      // Half-covered pixels give way to what is there: an edge over another robot is not seen at this size.
+      if (color >>> 24 > 127 || words[to] === 0) words[to] = color;
     }
   }
 
-  private stamp(color: number, pixels: number, heading: number, isSelected: boolean, palette: Palette): Stamp {
+  private stamp(
+    color: number,
+    pixels: number,
+    heading: number,
+    isSelected: boolean,
+    palette: Palette,
+    width: number,
+  ): Stamp {
     // Exact in a double: 24 + 7 + 6 + 1 bits.
     const key = ((color * 128 + pixels) * kHeadings + heading) * 2 + (isSelected ? 1 : 0);
     let stamp = this.stamps.get(key);
     if (!stamp) {
-      stamp = makeStamp(color, pixels, (heading / kHeadings) * 2 * Math.PI, isSelected, palette);
+      stamp = makeStamp(color, pixels, (heading / kHeadings) * 2 * Math.PI, isSelected, palette, width);
       this.stamps.set(key, stamp);
     }
     return stamp;
   }
 }
 
-function makeStamp(color: number, length: number, heading: number, isSelected: boolean, palette: Palette): Stamp {
+function makeStamp(
+  color: number,
+  length: number,
+  heading: number,
+  isSelected: boolean,
+  palette: Palette,
+  width: number,
+): Stamp {
   const ring = isSelected ? length * 0.62 + 3.5 : 0;
   const side = Math.ceil(Math.max(length * 1.24, ring * 2) + 5);
   const canvas = document.createElement("canvas");
@@ -123,5 +141,16 @@ function makeStamp(color: number, length: number, heading: number, isSelected: b
     context.stroke();
   }
   const { data } = context.getImageData(0, 0, side, side);
-  return { side, pixels: new Uint32Array(data.buffer.slice(0)) };
+  return cut(new Uint32Array(data.buffer), side, width);
+}
+
+function cut(pixels: Uint32Array, side: number, width: number): Stamp {
+  const used = [...pixels.keys()].filter((at) => pixels[at]! >>> 24 > 0);
+  return {
+    side,
+    columns: Uint8Array.from(used, (at) => at % side),
+    rows: Uint8Array.from(used, (at) => Math.floor(at / side)),
+    offsets: Int32Array.from(used, (at) => Math.floor(at / side) * width + (at % side)),
+    colors: Uint32Array.from(used, (at) => pixels[at]!),
+  };
 }

@@ -1,90 +1,12 @@
-// Robots by the graphics card: one instance each, straight from the frame's records, so that the main thread does the
-// same work for ten robots as for ten thousand. Colours and sizes stand in two textures, found by the robot's id.
+// Robots by the graphics card, straight from the frame's records, which go up as a texture, one texel each: the main
+// thread does the same work for ten robots as for ten thousand. Colours and sizes stand in two more, found by the id.
 
 import type { Camera } from "../camera.ts";
 import { parseColor } from "../color.ts";
-import { kRecordBytes, type RobotTable } from "../robots.ts";
+import type { RobotTable } from "../robots.ts";
 import type { Palette } from "./palette.ts";
 import { kTableWidth, type RobotStyles } from "./robot_styles.ts";
-
-const kVertex = `#version 300 es
-precision highp float;
-precision highp int;
-layout(location = 0) in uint id;
-layout(location = 1) in vec2 place;
-layout(location = 2) in float turns;
-uniform vec2 middle;      // of the screen, world [m]
-uniform vec2 halfScreen;  // [CSS px]
-uniform float scale;      // [CSS px/m]
-uniform float least;      // [CSS px]
-uniform float circles;    // 1: a ring round each
-uniform sampler2D colors;
-uniform sampler2D sizes;
-uniform int capacity;
-out vec2 at;              // from the robot's middle, robot frame [CSS px]
-flat out vec4 color;      // alpha: selected
-flat out vec3 extent;     // length, body's radius, ring's radius [CSS px]; ring 0: none
-const vec2 kCorners[4] = vec2[4](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1));
-void main() {
-  int index = min(int(id), capacity - 1);
-  ivec2 texel = ivec2(index % ${kTableWidth}, index / ${kTableWidth});
-  color = texelFetch(colors, texel, 0);
-  vec2 size = texelFetch(sizes, texel, 0).rg * scale;
-  float length = max(least, size.x);
-  float body = size.y < 5.0 ? 0.0 : size.y;
-  float ring = color.a > 0.5 ? max(length * 0.62, size.y) + 3.5 : circles > 0.5 ? length * 0.9 + 5.0 : 0.0;
-  extent = vec3(length, body, ring);
-  float reach = max(max(length * 0.62, body), ring) + 3.0;
-  vec2 corner = kCorners[gl_VertexID] * reach;
-  at = corner;
-  float angle = turns * 6.283185307;
-  vec2 turned = vec2(corner.x * cos(angle) - corner.y * sin(angle), corner.x * sin(angle) + corner.y * cos(angle));
-  gl_Position = vec4(((place - middle) * scale + turned) / halfScreen, 0.0, 1.0);
-}`;
-
-const kFragment = `#version 300 es
-precision highp float;
-in vec2 at;
-flat in vec4 color;
-flat in vec3 extent;
-uniform vec3 halo;
-uniform vec3 selection;
-uniform float pixel; // one device pixel [CSS px]
-out vec4 result;     // premultiplied
-float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
-// Signed distance to the arrow head, negative inside.
-float arrow(vec2 p, float length) {
-  p.y = abs(p.y);
-  vec2 tip = vec2(0.56, 0.0) * length;
-  vec2 tail = vec2(-0.44, 0.4) * length;
-  vec2 notch = vec2(-0.26, 0.0) * length;
-  vec2 e = tail - tip, w = p - tip;
-  vec2 a = w - e * clamp(dot(w, e) / dot(e, e), 0.0, 1.0);
-  vec2 f = notch - tail, v = p - tail;
-  vec2 b = v - f * clamp(dot(v, f) / dot(f, f), 0.0, 1.0);
-  float away = sqrt(min(dot(a, a), dot(b, b)));
-  bool inside = cross2(e, w) > 0.0 && cross2(f, v) > 0.0;
-  return inside ? -away : away;
-}
-void cover(vec3 paint, float amount) { result = vec4(paint, 1.0) * amount + result * (1.0 - amount); }
-float within(float signedDistance) { return clamp(0.5 - signedDistance / pixel, 0.0, 1.0); }
-void main() {
-  result = vec4(0.0);
-  float away = length(at);
-  if (extent.y > 0.0) {
-    cover(color.rgb, 0.18 * within(away - extent.y));
-    cover(color.rgb, 0.7 * within(abs(away - extent.y) - 0.5));
-  }
-  float shape = arrow(at, extent.x);
-  cover(halo, within(shape - 1.0));
-  cover(color.rgb, within(shape));
-  if (extent.z > 0.0) {
-    if (color.a > 0.5) cover(halo, within(abs(away - extent.z) - 2.25));
-    bool chosen = color.a > 0.5;
-    cover(chosen ? selection : color.rgb, within(abs(away - extent.z) - (chosen ? 1.125 : 0.75)));
-  }
-  if (result.a < 0.004) discard;
-}`;
+import { arrowMesh, arrowVertex, kArrowFragment, kRingFragment, kRingVertex } from "./shaders.ts";
 
 const kUniforms = [
   "middle",
@@ -92,6 +14,7 @@ const kUniforms = [
   "scale",
   "least",
   "circles",
+  "records",
   "colors",
   "sizes",
   "capacity",
@@ -100,12 +23,18 @@ const kUniforms = [
   "pixel",
 ] as const;
 
+interface Program {
+  readonly program: WebGLProgram;
+  readonly uniforms: Readonly<Record<(typeof kUniforms)[number], WebGLUniformLocation | null>>;
+}
+
 export class RobotsByWebgl {
-  private readonly uniforms: Record<(typeof kUniforms)[number], WebGLUniformLocation | null>;
-  private readonly program: WebGLProgram;
-  private readonly buffer: WebGLBuffer;
-  private readonly tables: readonly [WebGLTexture, WebGLTexture];
-  private room = 0; // records in the buffer
+  private readonly arrows: Program;
+  private readonly rings: Program;
+  private readonly indices: WebGLBuffer;
+  private readonly mesh = arrowMesh();
+  private recordRows = 0;
+  private indexed = 0; // robots that the indices suffice for
   private stylesVersion = -1;
 
   /** null where WebGL2 is missing or refuses. */
@@ -120,26 +49,23 @@ export class RobotsByWebgl {
     if (!gl) return null;
     try {
       return new RobotsByWebgl(gl);
-    } catch {
+    } catch (error) {
+      console.warn(error); // the map is drawn another way
       return null;
     }
   }
 
   private constructor(private readonly gl: WebGL2RenderingContext) {
-    this.program = link(gl);
-    this.uniforms = Object.fromEntries(
-      kUniforms.map((name) => [name, gl.getUniformLocation(this.program, name)]),
-    ) as typeof this.uniforms;
-    this.buffer = gl.createBuffer();
-    this.tables = [gl.createTexture(), gl.createTexture()];
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    for (const place of [0, 1, 2]) {
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribDivisor(place, 1);
+    this.arrows = link(gl, arrowVertex(), kArrowFragment);
+    this.rings = link(gl, kRingVertex, kRingFragment);
+    this.indices = gl.createBuffer();
+    // Records, colours, sizes.
+    for (const unit of [0, 1, 2]) {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     }
-    gl.vertexAttribIPointer(0, 1, gl.UNSIGNED_INT, kRecordBytes, 0);
-    gl.vertexAttribPointer(1, 2, gl.FLOAT, false, kRecordBytes, 4);
-    gl.vertexAttribPointer(2, 1, gl.UNSIGNED_SHORT, true, kRecordBytes, 12);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
@@ -157,26 +83,34 @@ export class RobotsByWebgl {
   }
 
   draw(camera: Camera, robots: RobotTable, styles: RobotStyles, palette: Palette, circles: boolean, density: number) {
-    const { gl, uniforms } = this;
+    const { gl } = this;
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
     if (robots.count === 0) return;
-    gl.useProgram(this.program);
     this.upload(robots);
     this.uploadStyles(styles);
-    gl.uniform2f(uniforms.middle, camera.x, camera.y);
-    gl.uniform2f(uniforms.halfScreen, camera.width / 2, camera.height / 2);
-    gl.uniform1f(uniforms.scale, camera.scale);
-    gl.uniform1f(uniforms.least, styles.least);
-    gl.uniform1f(uniforms.circles, circles ? 1 : 0);
-    gl.uniform1i(uniforms.capacity, styles.capacity);
-    gl.uniform1f(uniforms.pixel, 1 / density);
-    gl.uniform3f(uniforms.halo, ...shares(palette.halo));
-    gl.uniform3f(uniforms.selection, ...shares(palette.selection));
-    gl.uniform1i(uniforms.colors, 0);
-    gl.uniform1i(uniforms.sizes, 1);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, robots.count);
+    const set = ({ program, uniforms }: Program): void => {
+      gl.useProgram(program);
+      gl.uniform2f(uniforms.middle, camera.x, camera.y);
+      gl.uniform2f(uniforms.halfScreen, camera.width / 2, camera.height / 2);
+      gl.uniform1f(uniforms.scale, camera.scale);
+      gl.uniform1f(uniforms.least, styles.least);
+      gl.uniform1f(uniforms.circles, circles ? 1 : 0);
+      gl.uniform1i(uniforms.capacity, styles.capacity);
+      gl.uniform1f(uniforms.pixel, 1 / density);
+      gl.uniform3f(uniforms.halo, ...shares(palette.halo));
+      gl.uniform3f(uniforms.selection, ...shares(palette.selection));
+      gl.uniform1i(uniforms.records, 0);
+      gl.uniform1i(uniforms.colors, 1);
+      gl.uniform1i(uniforms.sizes, 2);
+    };
+    if (circles || styles.hasSelected || styles.largestRadius * camera.scale >= 5) {
+      set(this.rings);
+      gl.drawArrays(gl.TRIANGLES, 0, robots.count * 6);
+    }
+    set(this.arrows);
+    gl.drawElements(gl.TRIANGLES, robots.count * this.mesh.indices.length, gl.UNSIGNED_INT, 0);
   }
 
   dispose(): void {
@@ -185,12 +119,28 @@ export class RobotsByWebgl {
 
   private upload(robots: RobotTable): void {
     const { gl } = this;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    if (robots.count > this.room) {
-      this.room = Math.max(robots.count, this.room * 2);
-      gl.bufferData(gl.ARRAY_BUFFER, this.room * kRecordBytes, gl.DYNAMIC_DRAW);
+    if (robots.count > this.indexed) this.addIndices(Math.max(robots.count, this.indexed * 2));
+    const rows = Math.ceil(robots.count / kTableWidth);
+    gl.activeTexture(gl.TEXTURE0);
+    const [format, type] = [gl.RGBA_INTEGER, gl.UNSIGNED_INT];
+    if (rows > this.recordRows) {
+      this.recordRows = rows;
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, kTableWidth, rows, 0, format, type, robots.words);
+    } else {
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, kTableWidth, rows, format, type, robots.words);
     }
-    gl.bufferSubData(gl.ARRAY_BUFFER, 0, robots.bytes, 0, robots.count * kRecordBytes);
+  }
+
+  private addIndices(robots: number): void {
+    const { gl } = this;
+    const { corners, indices } = this.mesh;
+    const all = new Uint32Array(robots * indices.length);
+    for (let robot = 0; robot < robots; ++robot) {
+      for (let i = 0; i < indices.length; ++i) all[robot * indices.length + i] = robot * corners.length + indices[i]!;
+    }
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, all, gl.STATIC_DRAW);
+    this.indexed = robots;
   }
 
   private uploadStyles(styles: RobotStyles): void {
@@ -198,15 +148,10 @@ export class RobotsByWebgl {
     this.stylesVersion = styles.version;
     const { gl } = this;
     const rows = styles.capacity / kTableWidth;
-    const put = (unit: number, inside: number, format: number, type: number, values: ArrayBufferView): void => {
-      gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(gl.TEXTURE_2D, this.tables[unit]!);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-      gl.texImage2D(gl.TEXTURE_2D, 0, inside, kTableWidth, rows, 0, format, type, values);
-    };
-    put(0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, styles.colors);
-    put(1, gl.RG32F, gl.RG, gl.FLOAT, styles.sizes);
+    gl.activeTexture(gl.TEXTURE1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, kTableWidth, rows, 0, gl.RGBA, gl.UNSIGNED_BYTE, styles.colors);
+    gl.activeTexture(gl.TEXTURE2);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG32F, kTableWidth, rows, 0, gl.RG, gl.FLOAT, styles.sizes);
   }
 }
 
@@ -215,11 +160,11 @@ function shares(color: string): [number, number, number] {
   return [r / 255, g / 255, b / 255];
 }
 
-function link(gl: WebGL2RenderingContext): WebGLProgram {
+function link(gl: WebGL2RenderingContext, vertex: string, fragment: string): Program {
   const program = gl.createProgram();
   for (const [type, text] of [
-    [gl.VERTEX_SHADER, kVertex],
-    [gl.FRAGMENT_SHADER, kFragment],
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, fragment],
   ] as const) {
     const shader = gl.createShader(type)!;
     gl.shaderSource(shader, text);
@@ -231,5 +176,6 @@ function link(gl: WebGL2RenderingContext): WebGLProgram {
     const texts = (gl.getAttachedShaders(program) ?? []).map((shader) => gl.getShaderInfoLog(shader));
     throw new Error(`the map's shaders don't link: ${gl.getProgramInfoLog(program)} ${texts.join(" ")}`);
   }
-  return program;
+  const uniforms = Object.fromEntries(kUniforms.map((name) => [name, gl.getUniformLocation(program, name)]));
+  return { program, uniforms: uniforms as Program["uniforms"] };
 }

@@ -1,6 +1,6 @@
 // All that is known of watched robots: readings, what they perceive, what moves them, where they go, where they belong.
 import { type Box, distance, type Point } from "../geometry.ts";
-import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
+import { boxAround, type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { Model } from "../model.ts";
 import { toFloats } from "../packed.ts";
 import type { RobotDetail } from "../protocol.ts";
@@ -28,7 +28,8 @@ export function drawWatched(pen: Pen, model: Model, { styles, taken }: TopState)
   if (!settings.contributions) return [];
   const arrows = close.map((detail) => drawContributions(pen, detail, styles));
   // Names of schemas are only told of one robot: more can't be read.
-  return close.length === 1 ? nameContributions(pen, arrows[0]!, taken) : [];
+  const names = close.length === 1 ? nameContributions(pen, arrows[0]!, taken) : [];
+  return [...names, ...arrows.flat().flatMap(boxesAlong)];
 }
 
 function screenOf(pen: Pen, { x, y }: Point): Point {
@@ -157,10 +158,17 @@ function drawContributions(pen: Pen, detail: RobotDetail, styles: RobotStyles): 
     arrows.push({ name: member, color, tip, way: { x: tip.x - from.x, y: tip.y - from.y } });
   });
   if (arrows.length > 1 && Math.hypot(sumX, sumY) >= kNothing) {
-    arrow(pen, from, tipOf(sumX, sumY), { color: palette.halo, width: 5 }, 12);
-    arrow(pen, from, tipOf(sumX, sumY), { color: palette.ink, width: 3 }, 12);
+    const tip = tipOf(sumX, sumY);
+    arrow(pen, from, tip, { color: palette.halo, width: 5 }, 12);
+    arrow(pen, from, tip, { color: palette.ink, width: 3 }, 12);
+    arrows.push({ name: "", color: palette.ink, tip, way: { x: tip.x - from.x, y: tip.y - from.y } });
   }
   return arrows;
+}
+
+/** Small boxes from the arrow's middle to its tip, over which no name should lie. */
+function boxesAlong({ tip, way }: Contribution): Box[] {
+  return [0, 0.25, 0.5].map((back) => boxAround({ x: tip.x - way.x * back, y: tip.y - way.y * back }, 8, 8));
 }
 
 /** A push of the robot's frame as pixels: beyond full strength it grows no more than half as far again. */
@@ -175,7 +183,8 @@ function toScreenVector(x: number, y: number, heading: number, full: number): Po
 
 /** Beyond the tips, where they don't lie over one another. */
 function nameContributions(pen: Pen, arrows: readonly Contribution[], taken: readonly Box[]): Box[] {
-  const wishes = arrows.map((key): LabelWish<Contribution> => {
+  const named = arrows.filter(({ name }) => name !== "");
+  const wishes = named.map((key): LabelWish<Contribution> => {
     const width = textWidth(pen, key.name, kNameFont) + 4;
     const length = Math.max(1, Math.hypot(key.way.x, key.way.y));
     const ux = key.way.x / length;

@@ -1,0 +1,120 @@
+import { create, type MessageInitShape } from "@bufbuild/protobuf";
+import { expect, test, vi } from "vitest";
+import { kLogLength, Model } from "./model.ts";
+import { ToBrowserSchema } from "./protocol.ts";
+import { kRecordBytes, writeRecord } from "./robots.ts";
+import { selectItem, selectRobots } from "./selection.ts";
+
+function say(model: Model, body: NonNullable<MessageInitShape<typeof ToBrowserSchema>["body"]>): void {
+  model.accept(create(ToBrowserSchema, { body }));
+}
+
+function record(id: number, x: number): Uint8Array {
+  const bytes = new Uint8Array(kRecordBytes);
+  writeRecord(new DataView(bytes.buffer), 0, { id, x, y: 0, heading: 0, flags: 1 });
+  return bytes;
+}
+
+test("who shows a part hears of that part and of no other", () => {
+  const model = new Model();
+  const status = vi.fn();
+  const plan = vi.fn();
+  const end = model.subscribe("status", status);
+  model.subscribe("plan", plan);
+  say(model, { case: "status", value: { time: 3 } });
+  end();
+  say(model, { case: "status", value: { time: 4 } });
+  expect(status).toHaveBeenCalledTimes(1);
+  expect(plan).not.toHaveBeenCalled();
+  expect(model.get("status")?.time).toBe(4);
+});
+
+test("log entries are added once, and the oldest go", () => {
+  const model = new Model();
+  const entries = (from: number, count: number) =>
+    Array.from({ length: count }, (_, i) => ({ number: BigInt(from + i), text: `${from + i}` }));
+  say(model, { case: "log", value: { entries: entries(1, 3), isWhole: true } });
+  say(model, { case: "log", value: { entries: entries(3, 2) } });
+  expect(model.get("log").map(({ text }) => text)).toEqual(["1", "2", "3", "4"]);
+  say(model, { case: "log", value: { entries: entries(5, kLogLength) } });
+  expect(model.get("log")).toHaveLength(kLogLength);
+  expect(model.get("log")[0]?.text).toBe("5");
+});
+
+test("frames move robots without a part being told, and time is told now and then", () => {
+  const model = new Model();
+  const frames = vi.fn();
+  const time = vi.fn();
+  model.onFrame(frames);
+  model.subscribe("time", time);
+  for (let i = 1; i <= 20; ++i) {
+    say(model, { case: "frame", value: { number: BigInt(i), time: i / 10, robots: record(4, i) } });
+  }
+  expect(frames).toHaveBeenCalledTimes(20);
+  expect(time.mock.calls.length).toBeLessThan(4);
+  expect(model.placeOf(4)?.x).toBe(20);
+});
+
+test("a restart, when time goes back, forgets the trails", () => {
+  const model = new Model();
+  say(model, { case: "frame", value: { number: 1n, time: 50, robots: record(4, 1) } });
+  say(model, { case: "frame", value: { number: 2n, time: 0.1, robots: record(4, 9) } });
+  expect(model.trails.get(4)?.count).toBe(1);
+});
+
+test("another session forgets the log, the questions and what was selected", () => {
+  const model = new Model();
+  say(model, { case: "welcome", value: { client: 1, session: "a" } });
+  say(model, { case: "log", value: { entries: [{ number: 1n }], isWhole: true } });
+  model.select(selectRobots([1]));
+  say(model, { case: "welcome", value: { client: 1, session: "b" } });
+  expect(model.get("log")).toEqual([]);
+  expect(model.get("selection").robots).toEqual([]);
+});
+
+test("what is selected stays only as long as it is there", () => {
+  const model = new Model();
+  say(model, { case: "roster", value: { robots: [{ id: 1 }, { id: 2 }] } });
+  model.select(selectRobots([1, 2]));
+  say(model, { case: "roster", value: { robots: [{ id: 2 }] } });
+  expect(model.get("selection").robots).toEqual([2]);
+  say(model, { case: "scene", value: { measures: [{ name: "A" }, { name: "B" }] } });
+  model.select(selectItem({ kind: "measure", index: 1 }));
+  say(model, { case: "scene", value: { measures: [{ name: "A" }] } });
+  expect(model.get("selection").items).toEqual([]);
+});
+
+test("a unit's robots are those of the units in it too", () => {
+  const model = new Model();
+  say(model, {
+    case: "roster",
+    value: {
+      robots: [{ id: 1 }, { id: 2 }, { id: 3 }],
+      units: [
+        { name: "all", members: [3], parent: -1 },
+        { name: "left", members: [1], parent: 0 },
+        { name: "right", members: [2], parent: 0 },
+      ],
+    },
+  });
+  expect(model.get("roster").robotsOf("ALL")).toEqual([3, 1, 2]);
+  expect(model.get("roster").robotsOf("left")).toEqual([1]);
+  expect(model.get("roster").robotsOf("nobody")).toEqual([]);
+});
+
+test("what the mission sets about the map is applied when it changes, and not against the person's later choice", () => {
+  const model = new Model();
+  say(model, { case: "status", value: { options: ["USE-MILITARY-STYLE"] } });
+  expect(model.get("map").military).toBe(true);
+  model.updateMap({ military: false });
+  say(model, { case: "status", value: { options: ["USE-MILITARY-STYLE"] } });
+  expect(model.get("map").military).toBe(false);
+});
+
+test("the operator is who the clients say", () => {
+  const model = new Model();
+  expect(model.isOperator()).toBe(false);
+  say(model, { case: "welcome", value: { client: 7 } });
+  say(model, { case: "clients", value: { operator: 7 } });
+  expect(model.isOperator()).toBe(true);
+});
