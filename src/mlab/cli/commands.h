@@ -14,7 +14,7 @@ inline constexpr int kFailed = 1;
 inline constexpr int kBadInput = 2;
 
 struct RunOptions {
-  std::string mission;
+  std::string mission;  ///< file; empty: a console without one
   bool headless = false;
   bool proceed = false;
   bool strict = false;
@@ -29,8 +29,18 @@ struct RunOptions {
   std::string start_time;       ///< of the mission clock; empty: now
   double patience = 600.0;      ///< [s]
   std::optional<double> limit;  ///< simulated seconds after which the run is ended
+
+  // Of the operator console.
+  std::optional<std::uint16_t> port;  ///< 0: any free one
+  std::string listen;                 ///< ADDRESS[:PORT]; empty: only this machine
+  std::string certificate;            ///< PEM file; empty: no TLS
+  std::string key;                    ///< PEM file
+  std::string project;                ///< folder; empty: the mission's, or the current one
+  bool no_browser = false;
 };
 int run(const RunOptions& options);
+/// `run` without `headless`: serves the operator console until it is interrupted.
+int run_console(const RunOptions& options);
 
 struct CheckOptions {
   std::vector<std::string> files;

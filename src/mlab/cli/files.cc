@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -40,14 +41,23 @@ bool write_file(const std::string& path, const std::string& text) {
 
 namespace {
 
+// Of the installation, or of the build folder: both have the command in bin/.
+fs::path prefix() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+}
+
 std::string include_root() {
   std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = self.parent_path().parent_path() / "include";
-  for (const fs::path& root : {installed, fs::path(MLAB_SOURCE_INCLUDE)}) {
+  for (const fs::path& root : {prefix() / "include", fs::path(MLAB_SOURCE_INCLUDE)}) {
     if (fs::exists(root / "mlab" / "schema" / "procedure.h", error)) return root.string();
   }
   return "";
+}
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets variables
+  return value == nullptr ? "" : value;
 }
 
 }  // namespace
@@ -57,9 +67,29 @@ robot::ProgramSources program_sources(const std::string& folder) {
 }
 
 std::vector<std::string> overlay_folders() {
+  return {(prefix() / "share" / "mlab" / "overlays").string()};
+}
+
+std::string web_folder() {
+  return (prefix() / "share" / "mlab" / "web").string();
+}
+
+std::string example_folder() {
   std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  return {(self.parent_path().parent_path() / "share" / "mlab" / "overlays").string()};
+  for (const fs::path& folder :
+       {prefix() / "share" / "mlab" / "missions", fs::path(MLAB_SOURCE_INCLUDE).parent_path() / "missions"}) {
+    if (fs::is_directory(folder, error)) return folder.string();
+  }
+  return "";
+}
+
+std::string state_folder() {
+  fs::path folder = variable("XDG_STATE_HOME");
+  if (folder.empty() && !variable("HOME").empty()) folder = fs::path(variable("HOME")) / ".local" / "state";
+  if (!folder.is_absolute()) return "";
+  std::error_code error;
+  fs::create_directories(folder / "mlab", error);
+  return fs::is_directory(folder / "mlab", error) ? (folder / "mlab").string() : "";
 }
 
 }  // namespace mlab::cli

@@ -18,5 +18,12 @@ bool write_file(const std::string& path, const std::string& text);
 robot::ProgramSources program_sources(const std::string& folder);
 /// Where overlays are looked for after the mission's own folder.
 std::vector<std::string> overlay_folders();
+/// The web client of the operator console, and the missions that come with mlab: of the installation, or of
+/// what it was built from.
+std::string web_folder();
+std::string example_folder();
+/// Where the console keeps what it remembers from one start to the next, by the rules of XDG; made where it
+/// is missing. Empty where there is no such place.
+std::string state_folder();
 
 }  // namespace mlab::cli

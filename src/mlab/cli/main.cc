@@ -18,11 +18,12 @@ int hardware_threads() {
 }
 
 void add_run(CLI::App& app, RunOptions& o) {
-  CLI::App* c = app.add_subcommand("run", "Carry out a mission in simulation.");
-  c->add_option("mission", o.mission, "the mission file (.mdl)")->required()->type_name("MISSION");
+  CLI::App* c = app.add_subcommand("run", "Carry out a mission in simulation, watched from a browser.");
+  c->add_option("mission", o.mission, "the mission file (.mdl); without one the console opens empty")
+      ->type_name("MISSION");
   c->add_flag("--headless", o.headless, "no console: print the steps as they happen");
   c->add_flag("--proceed", o.proceed, "answer every Proceed? with yes");
-  c->add_option("--speed", o.speed, "real, N times real time, or max (headless: max)")
+  c->add_option("--speed", o.speed, "real, N times real time, or max (default: 10; headless: max)")
       ->type_name("real|N|max");
   c->add_option("--seed", o.seed, "of everything random in the run")->capture_default_str()->type_name("N");
   c->add_option("--threads", o.threads,
@@ -51,6 +52,34 @@ void add_run(CLI::App& app, RunOptions& o) {
   c->add_flag("--quiet", o.quiet, "print only the summary");
   c->add_flag("--allow-native", o.allow_native,
               "accepted for scripts; this version runs no executables as robot programs");
+}
+
+void add_console(CLI::App& app, RunOptions& o) {
+  CLI::App* c = app.get_subcommand("run");
+  const std::string group = "Operator console";
+  c->add_option("--port", o.port, "where it listens (default: 8642, or any other that is free; 0: any)")
+      ->type_name("N")
+      ->group(group);
+  c->add_option("--listen", o.listen, "also reachable from other machines, at this address of this one")
+      ->type_name("ADDRESS[:PORT]")
+      ->group(group);
+  CLI::Option* certificate =
+      c->add_option("--certificate", o.certificate, "encrypt (TLS): certificate chain, PEM")
+          ->check(CLI::ExistingFile)
+          ->type_name("FILE")
+          ->group(group);
+  CLI::Option* key = c->add_option("--key", o.key, "the certificate's private key, PEM")
+                         ->check(CLI::ExistingFile)
+                         ->type_name("FILE")
+                         ->group(group);
+  certificate->needs(key);
+  key->needs(certificate);
+  c->add_option("--project", o.project,
+                "folder whose files can be opened and saved (default: the mission's, or the current one)")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("FOLDER")
+      ->group(group);
+  c->add_flag("--no-browser", o.no_browser, "only print the address")->group(group);
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
@@ -124,6 +153,7 @@ int parse_and_run(int argc, char** argv) {
   DescribeOptions describe_options;
   BenchOptions bench_options;
   add_run(app, run_options);
+  add_console(app, run_options);
   add_check(app, check_options);
   add_fmt(app, format_options);
   add_describe(app, describe_options);

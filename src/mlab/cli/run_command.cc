@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -21,6 +20,7 @@
 #include "mlab/cli/files.h"
 #include "mlab/cli/plot.h"
 #include "mlab/cli/run_screen.h"
+#include "mlab/cli/run_settings.h"
 #include "mlab/cli/version.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/fleet/report.h"
@@ -138,22 +138,6 @@ class TerminalOperator {
   bool is_prompted_ = false;
 };
 
-// Times real time; 0: as fast as it goes.
-std::optional<double> speed_of(const std::string& text) {
-  if (text.empty() || text == "max") return 0.0;
-  if (text == "real") return 1.0;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.001) || value > 1e6)
-    return std::nullopt;
-  return value;
-}
-
-int usage_error(const std::string& message) {
-  fmt::print(stderr, "mlab run: {}\n", message);
-  return kBadInput;
-}
-
 struct Prepared {
   std::unique_ptr<fleet::MissionRun> run;
   MissionClock clock;
@@ -164,39 +148,15 @@ struct Prepared {
 std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   status = kBadInput;
   Prepared out;
-  const std::optional<double> speed = speed_of(options.speed);
-  if (!speed) {
-    usage_error(
-        fmt::format("--speed {}: expected real, max, or a number from 0.001 to 1000000", options.speed));
-    return std::nullopt;
-  }
-  out.speed = *speed;
-  const std::optional<MissionClock> clock =
-      options.start_time.empty() ? wall_clock() : parse_start_time(options.start_time);
-  if (!clock) {
-    usage_error(
-        fmt::format("--start-time {}: expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS", options.start_time));
-    return std::nullopt;
-  }
-  out.clock = *clock;
-  for (const auto& [option, file] :
-       {std::pair("--report", options.report), std::pair("--plot", options.plot)}) {
-    if (file.empty() || is_writable(file)) continue;
-    usage_error(fmt::format("{} {}: the file can't be written", option, file));
-    return std::nullopt;
-  }
+  std::optional<RunManner> manner = run_manner(options, 0.0);
+  if (!manner) return std::nullopt;
+  out.clock = manner->clock;
+  out.speed = manner->speed;
   text::Diagnostics sink;
   const std::shared_ptr<const mission::Mission> mission =
       mdl::load_mission(options.mission, sink, {options.seed, overlay_folders()});
   if (mission) {
-    fleet::RunSettings settings;
-    settings.seed = options.seed;
-    settings.threads = options.threads;
-    settings.stands_still_for_operator = out.speed == 0.0;
-    settings.executive.proceed_all = options.proceed;
-    settings.executive.patience = options.patience;
-    settings.executive.epoch_seconds = out.clock.epoch_seconds;
-    settings.executive.zone_offset = out.clock.zone_offset;
+    fleet::RunSettings& settings = manner->settings;
     const robot::ProgramSources sources =
         program_sources(std::filesystem::path(options.mission).parent_path().string());
     if (!options.environment.empty()) {
@@ -254,21 +214,11 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
   return true;
 }
 
-// Writes what a run has left behind, and says where.
-bool deliver(const char* what, const std::string& file, const std::string& text) {
-  if (!write_file(file, text)) {
-    fmt::print(stderr, "mlab run: the {} {} could not be written\n", what, file);
-    return false;
-  }
-  fmt::print("{}: {}\n", what, file);
-  return true;
-}
-
 }  // namespace
 
 int run(const RunOptions& options) {
-  if (!options.headless)
-    fmt::print(stderr, "mlab run: there is no operator console yet; the mission runs in this terminal\n");
+  if (!options.headless) return run_console(options);
+  if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
   int status = kDone;
   std::optional<Prepared> prepared = prepare(options, status);
   if (!prepared) return status;

@@ -1,0 +1,221 @@
+// `mlab run` without --headless: a session, the server that shows it, and a terminal that says where.
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "mlab/cli/browser.h"
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/run_settings.h"
+#include "mlab/cli/version.h"
+#include "mlab/console.pb.h"
+#include "mlab/console/server/server.h"
+#include "mlab/console/session.h"
+#include "mlab/lang/envchange/envchange.h"
+#include "mlab/lang/mdl/mdl.h"
+
+namespace mlab::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kConsoleSpeed = 10.0;
+constexpr std::uint16_t kUsualPort = 8642;
+
+int interrupt = -1;  // eventfd that the signal handler writes to
+volatile std::sig_atomic_t interrupts = 0;
+
+// The first Ctrl-C ends everything in an orderly way; who presses it again wants out at once.
+void on_interrupt(int) {
+  interrupts = interrupts + 1;
+  if (interrupts > 1) _exit(kFailed);
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = ::write(interrupt, &one, sizeof one);
+}
+
+// From here on Ctrl-C, the end of the terminal and `kill` are waited for.
+bool listen_for_interrupts() {
+  interrupt = ::eventfd(0, EFD_CLOEXEC);
+  if (interrupt < 0) return false;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_interrupt);
+  return true;
+}
+
+void wait_for_interrupt() {
+  pollfd descriptor{interrupt, POLLIN, 0};
+  while (interrupts == 0) ::poll(&descriptor, 1, -1);
+}
+
+std::optional<std::uint16_t> port_of(std::string_view text) {
+  std::uint16_t port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return port;
+}
+
+// ADDRESS, ADDRESS:PORT, [ADDRESS]:PORT; an IPv6 address without brackets has no port.
+bool read_listen(const std::string& text, console::ServerSettings& out) {
+  std::string_view address = text;
+  std::string_view port;
+  if (text.starts_with('[')) {
+    const std::size_t end = text.find(']');
+    if (end == std::string::npos) return false;
+    address = std::string_view(text).substr(1, end - 1);
+    port = std::string_view(text).substr(end + 1);
+    if (!port.empty() && !port.starts_with(':')) return false;
+  } else if (const std::size_t colon = text.find(':');
+             colon != std::string::npos && colon == text.rfind(':')) {
+    address = std::string_view(text).substr(0, colon);
+    port = std::string_view(text).substr(colon);
+  }
+  out.address = address == "localhost" ? "127.0.0.1" : std::string(address);
+  if (port.empty()) return true;
+  const std::optional<std::uint16_t> number = port_of(port.substr(1));
+  if (number) out.ports = {*number};
+  return number.has_value();
+}
+
+std::optional<console::ServerSettings> server_settings(const RunOptions& options) {
+  console::ServerSettings out;
+  out.ports =
+      options.port ? std::vector<std::uint16_t>{*options.port} : std::vector<std::uint16_t>{kUsualPort, 0};
+  if (!options.listen.empty() && !read_listen(options.listen, out)) {
+    usage_error(
+        fmt::format("--listen {}: expected an IP address of this machine, as 192.168.1.5 or 0.0.0.0:8642",
+                    options.listen));
+    return std::nullopt;
+  }
+  out.certificate = options.certificate;
+  out.key = options.key;
+  out.web_folder = web_folder();
+  return out;
+}
+
+// The mission, for what the terminal says about it; what is wrong with it is shown here and in the console.
+struct Look {
+  std::shared_ptr<const mission::Mission> mission;
+  std::size_t warnings = 0;
+  bool is_readable = true;  ///< there is such a file
+  bool is_usable = true;    ///< what else the command line names could be read
+};
+
+Look look_at(const RunOptions& options, fleet::RunSettings& settings) {
+  Look out;
+  if (options.mission.empty()) return out;
+  text::Diagnostics sink;
+  std::error_code error;
+  out.is_readable = fs::is_regular_file(options.mission, error);
+  out.mission = mdl::load_mission(options.mission, sink, {options.seed, overlay_folders()});
+  if (out.mission && !options.environment.empty()) {
+    const auto changes = envchange::load(options.environment, out.mission->overlay.origin, sink);
+    out.is_usable = changes.has_value() && !sink.has_errors();
+    settings.environment = changes.value_or(overlay::EnvironmentChanges{});
+  }
+  fmt::print(stderr, "{}", text::render(sink));
+  out.warnings = sink.warning_count();
+  return out;
+}
+
+void show_start(const console::Server& server, const RunOptions& options, const Look& look, bool was_opened) {
+  const std::vector<std::string> urls = server.urls();
+  if (options.mission.empty())
+    fmt::print("The operator console, without a mission: open one or write one there.\n");
+  else if (!look.mission)
+    fmt::print("The operator console; {} has errors, and can be mended there.\n", options.mission);
+  else
+    fmt::print("The operator console for {}: {} robots, {} steps. Nothing moves before Execute.\n",
+               options.mission, look.mission->robots.size(), look.mission->steps.size());
+  fmt::print("{} in a browser:\n\n", was_opened ? "It opens" : "Open this address");
+  for (const std::string& url : urls) fmt::print("    {}\n", url);
+  fmt::print("\nCtrl-C here ends the run and the console.\n");
+  std::fflush(stdout);
+  if (!server.is_loopback() && !server.is_encrypted()) {
+    fmt::print(
+        stderr,
+        "mlab run: warning: other machines can reach this console, and nothing is encrypted: who listens on "
+        "the way learns the token. --certificate and --key switch TLS on\n");
+  }
+}
+
+// `interrupted` unless the mission was carried out to its end, or nobody wanted it to be.
+int exit_status(const std::string& report) {
+  if (report.empty()) return kDone;
+  const auto json = nlohmann::json::parse(report, nullptr, false);
+  if (json.is_discarded() || !json.contains("outcome")) return kFailed;
+  return json["outcome"] == "done" ? kDone : kFailed;
+}
+
+console::SessionSettings session_settings(const RunOptions& options, RunManner manner) {
+  console::SessionSettings out;
+  out.project_folder = !options.project.empty()  ? options.project
+                       : options.mission.empty() ? "."
+                                                 : fs::absolute(options.mission).parent_path().string();
+  out.example_folder = example_folder();
+  out.mission = options.mission;
+  out.version = kVersion;
+  out.include_root = program_sources("").include_root;
+  out.state_folder = state_folder();
+  out.speed = manner.speed;
+  out.run = std::move(manner.settings);
+  return out;
+}
+
+int serve(const RunOptions& options, console::SessionSettings settings, const Look& look,
+          console::Server& server) {
+  settings.may_compile = server.is_loopback() || options.allow_native;
+  console::Session session(std::move(settings), [&server](console::ConnectionId to, auto bytes) {
+    server.send(to, std::move(bytes));
+  });
+  server.start({
+      [&](console::ConnectionId from, auto message) { session.receive(from, std::move(message)); },
+      [&](console::ConnectionId connection) { session.closed(connection); },
+      [&] { session.emergency_stop(); },
+      [&](std::uint64_t revision) {
+        console::Session::Picture picture = session.picture(revision);
+        return console::Content{std::move(picture.content_type), std::move(picture.bytes)};
+      },
+      [&] { return session.report(); },
+  });
+  Browser browser;
+  show_start(server, options, look, !options.no_browser && browser.open(server.urls().front()));
+  wait_for_interrupt();
+  fmt::print("\nending\n");
+  const std::string report = session.report();
+  server.stop();
+  if (!options.report.empty() && !report.empty() && !deliver("report", options.report, report))
+    return kFailed;
+  return options.strict && look.warnings > 0 ? kFailed : exit_status(report);
+}
+
+}  // namespace
+
+int run_console(const RunOptions& options) {
+  if (!options.plot.empty() || options.limit || options.quiet)
+    return usage_error("--plot, --limit and --quiet go with --headless");
+  std::optional<RunManner> manner = run_manner(options, kConsoleSpeed);
+  const std::optional<console::ServerSettings> where = manner ? server_settings(options) : std::nullopt;
+  if (!where) return kBadInput;
+  const Look look = look_at(options, manner->settings);
+  if (!look.is_readable || !look.is_usable) return kBadInput;
+  std::string error;
+  const std::unique_ptr<console::Server> server = console::Server::open(*where, error);
+  if (!server) return usage_error(error);
+  if (!listen_for_interrupts()) return usage_error("the operating system has no descriptor left");
+  return serve(options, session_settings(options, std::move(*manner)), look, *server);
+}
+
+}  // namespace mlab::cli

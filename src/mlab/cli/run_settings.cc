@@ -1,0 +1,75 @@
+#include "mlab/cli/run_settings.h"
+
+#include <charconv>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/files.h"
+
+namespace mlab::cli {
+namespace {
+
+// Times real time; 0: as fast as it goes.
+std::optional<double> speed_of(const std::string& text, double default_speed) {
+  if (text.empty()) return default_speed;
+  if (text == "max") return 0.0;
+  if (text == "real") return 1.0;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.001) || value > 1e6)
+    return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<RunManner> run_manner(const RunOptions& options, double default_speed) {
+  const std::optional<double> speed = speed_of(options.speed, default_speed);
+  if (!speed) {
+    usage_error(
+        fmt::format("--speed {}: expected real, max, or a number from 0.001 to 1000000", options.speed));
+    return std::nullopt;
+  }
+  const std::optional<MissionClock> clock =
+      options.start_time.empty() ? wall_clock() : parse_start_time(options.start_time);
+  if (!clock) {
+    usage_error(
+        fmt::format("--start-time {}: expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS", options.start_time));
+    return std::nullopt;
+  }
+  for (const auto& [option, file] :
+       {std::pair("--report", options.report), std::pair("--plot", options.plot)}) {
+    if (file.empty() || is_writable(file)) continue;
+    usage_error(fmt::format("{} {}: the file can't be written", option, file));
+    return std::nullopt;
+  }
+  RunManner out;
+  out.speed = *speed;
+  out.clock = *clock;
+  out.settings.seed = options.seed;
+  out.settings.threads = options.threads;
+  out.settings.stands_still_for_operator = *speed == 0.0;
+  out.settings.executive.proceed_all = options.proceed;
+  out.settings.executive.patience = options.patience;
+  out.settings.executive.epoch_seconds = clock->epoch_seconds;
+  out.settings.executive.zone_offset = clock->zone_offset;
+  return out;
+}
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "mlab run: {}\n", message);
+  return kBadInput;
+}
+
+bool deliver(const char* what, const std::string& file, const std::string& text) {
+  if (!write_file(file, text)) {
+    fmt::print(stderr, "mlab run: the {} {} could not be written\n", what, file);
+    return false;
+  }
+  fmt::print("{}: {}\n", what, file);
+  return true;
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "mlab/cli/clock.h"
+#include "mlab/cli/commands.h"
+#include "mlab/fleet/mission_run.h"
+
+namespace mlab::cli {
+
+/// What `mlab run` says about how to run, whatever the mission.
+struct RunManner {
+  double speed = 0.0;  ///< simulated seconds per second; 0: as fast as it goes
+  MissionClock clock;
+  fleet::RunSettings settings;  ///< all but the environment, which belongs to a mission
+};
+
+/// @param default_speed  where the options name none
+/// @return nothing where an option can't be understood; it is then told on standard error
+std::optional<RunManner> run_manner(const RunOptions& options, double default_speed);
+
+/// Tells on standard error what is wrong with the command line.
+/// @return kBadInput
+int usage_error(const std::string& message);
+
+/// Writes what a run has left behind, and says where. False where that fails, which is told as well.
+bool deliver(const char* what, const std::string& file, const std::string& text);
+
+}  // namespace mlab::cli
