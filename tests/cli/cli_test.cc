@@ -79,14 +79,72 @@ TEST_F(Command, HelpIsAnsweredOnStandardOutputWithStatusZero) {
 }
 
 TEST_F(Command, WrongUsageIsStatusTwoOnStandardError) {
-  for (const char* arguments :
-       {"", "walk", "run", "run a.mdl --speed fast", "run a.mdl --threads 0", "run a.mdl --start-time noon",
-        "check", "bench --robots 0", "describe Nonsense", "run missing.mdl --headless", "check missing.mdl",
-        "fmt missing.odl"}) {
+  for (const char* arguments : {"",
+                                "walk",
+                                "run --headless",
+                                "run a.mdl --speed fast",
+                                "run a.mdl --threads 0",
+                                "run a.mdl --start-time noon",
+                                "run missing.mdl",
+                                "run --port 99999",
+                                "run --listen nowhere",
+                                "run --listen 127.0.0.1:x",
+                                "run --listen [::1",
+                                "run --plot a.svg",
+                                "run --project missing",
+                                "run --certificate /etc/hostname",
+                                "check",
+                                "bench --robots 0",
+                                "describe Nonsense",
+                                "run missing.mdl --headless",
+                                "check missing.mdl",
+                                "fmt missing.odl"}) {
     const Outcome o = mlab(arguments);
     EXPECT_EQ(o.status, 2) << arguments;
     EXPECT_FALSE(o.err.empty()) << arguments;
   }
+}
+
+// Presses Ctrl-C after two seconds.
+constexpr const char* kInterrupted = "timeout --preserve-status -s INT 2";
+
+TEST_F(Command, RunOpensTheConsoleUntilItIsInterrupted) {
+  write("map.odl", kMap);
+  write("m.mdl", kMission);
+  const Outcome o = mlab("run m.mdl --no-browser --port 0 --report r.json", kInterrupted);
+  EXPECT_EQ(o.status, 0) << "nobody started the mission" << o.err;
+  EXPECT_TRUE(has(o.out, "Open this address in a browser:\n\n    http://127.0.0.1:")) << o.out;
+  EXPECT_TRUE(has(o.out, "/?token=")) << o.out;
+  EXPECT_TRUE(has(o.out, "Ctrl-C")) << o.out;
+  EXPECT_TRUE(has(o.out, "report: r.json")) << o.out;
+  EXPECT_EQ(Json::parse(text_of(folder_ / "r.json"))["outcome"], "interrupted");
+  EXPECT_TRUE(o.err.empty()) << o.err;
+}
+
+TEST_F(Command, TheConsoleOpensWithoutAMissionAndWithOneThatHasErrors) {
+  const Outcome empty = mlab("run --no-browser --port 0", kInterrupted);
+  EXPECT_EQ(empty.status, 0) << empty.err;
+  EXPECT_TRUE(has(empty.out, "without a mission")) << empty.out;
+  write("m.mdl", "OVERLAY nowhere.odl\n");
+  const Outcome broken = mlab("run m.mdl --no-browser --port 0", kInterrupted);
+  EXPECT_TRUE(has(broken.out, "m.mdl has errors")) << broken.out;
+  EXPECT_TRUE(has(broken.err, "m.mdl:1:")) << broken.err;
+}
+
+TEST_F(Command, TheBrowserIsOpenedWithoutTellingTheTokenToOtherUsers) {
+  write("bin_xdg",
+        "#!/bin/sh\necho \"$@\" > arguments.txt\ncp \"$1\" page.html\nstat -c %a \"$1\" > mode.txt\n");
+  fs::create_directories(folder_ / "bin");
+  fs::rename(folder_ / "bin_xdg", folder_ / "bin" / "xdg-open");
+  fs::permissions(folder_ / "bin" / "xdg-open", fs::perms::owner_all);
+  const Outcome o = mlab("run --port 0", "PATH=\"$PWD/bin:$PATH\" DISPLAY=:9 XDG_RUNTIME_DIR=\"$PWD\" " +
+                                             std::string(kInterrupted));
+  EXPECT_TRUE(has(o.out, "It opens in a browser")) << o.out;
+  EXPECT_FALSE(has(text_of(folder_ / "arguments.txt"), "token"));
+  EXPECT_TRUE(has(text_of(folder_ / "page.html"), "url=http://127.0.0.1:"));
+  EXPECT_EQ(text_of(folder_ / "mode.txt"), "600\n");
+  for (const auto& entry : fs::directory_iterator(folder_))
+    EXPECT_FALSE(entry.path().filename().string().starts_with("mlab_console_")) << "left behind";
 }
 
 TEST_F(Command, RunWritesAReportWithTheKeysOfItsSchema) {

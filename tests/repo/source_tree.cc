@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> kSkipped = {"build", ".git", "node_modules"};
+constexpr std::array<std::string_view, 5> kSkipped = {"build", ".git", "node_modules", "dist", "generated"};
 
 bool is_text(const std::string& text) {
   return text.find('\0') == std::string::npos;

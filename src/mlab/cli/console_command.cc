@@ -151,12 +151,13 @@ void show_start(const console::Server& server, const RunOptions& options, const 
   }
 }
 
-// `interrupted` unless the mission was carried out to its end, or nobody wanted it to be.
+// As headless, but for a mission that nobody started: looking at it is not to fail.
 int exit_status(const std::string& report) {
   if (report.empty()) return kDone;
   const auto json = nlohmann::json::parse(report, nullptr, false);
   if (json.is_discarded() || !json.contains("outcome")) return kFailed;
-  return json["outcome"] == "done" ? kDone : kFailed;
+  const bool was_started = json.contains("steps") && !json["steps"].empty();
+  return !was_started || json["outcome"] == "done" ? kDone : kFailed;
 }
 
 console::SessionSettings session_settings(const RunOptions& options, RunManner manner) {
@@ -165,6 +166,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
                        : options.mission.empty() ? "."
                                                  : fs::absolute(options.mission).parent_path().string();
   out.example_folder = example_folder();
+  out.overlay_folders = overlay_folders();
   out.mission = options.mission;
   out.version = kVersion;
   out.include_root = program_sources("").include_root;

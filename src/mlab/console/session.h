@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mlab/console/server/connection_id.h"
 #include "mlab/fleet/mission_run.h"
@@ -14,14 +15,15 @@ class ToServer;
 
 /// What a session is started with.
 struct SessionSettings {
-  std::string project_folder;  ///< nothing outside of it (but the examples) is read or written
-  std::string example_folder;  ///< missions that come with mlab, read only; empty: none
-  std::string mission;         ///< path of the mission to open first; empty: none
-  std::string version;         ///< of mlab
-  std::string include_root;    ///< as robot::ProgramSources
-  std::string state_folder;    ///< drafts, recent files
-  double speed = 10.0;         ///< simulated seconds per second; 0: as fast as it goes
-  bool may_compile = true;     ///< native code of missions may be compiled and run
+  std::string project_folder;                ///< nothing outside of it (but the examples) is read or written
+  std::string example_folder;                ///< missions that come with mlab, read only; empty: none
+  std::vector<std::string> overlay_folders;  ///< as mdl::LoadOptions
+  std::string mission;                       ///< path of the mission to open first; empty: none
+  std::string version;                       ///< of mlab
+  std::string include_root;                  ///< as robot::ProgramSources
+  std::string state_folder;                  ///< drafts, recent files
+  double speed = 10.0;                       ///< simulated seconds per second; 0: as fast as it goes
+  bool may_compile = true;                   ///< native code of missions may be compiled and run
   fleet::RunSettings run;
 };
 

@@ -34,6 +34,7 @@ double cpu_seconds() {
 mdl::LoadOptions load_options(const SessionSettings& settings) {
   mdl::LoadOptions options;
   options.seed = settings.run.seed;
+  options.overlay_folders = settings.overlay_folders;
   return options;
 }
 
