@@ -99,9 +99,10 @@ describe("headingOfDrag", () => {
 
 describe("decimalsFor", () => {
   it("needs whole metres far out and centimetres in a room", () => {
-    expect(decimalsFor(2)).toBe(1);
+    expect(decimalsFor(2)).toBe(0);
+    expect(decimalsFor(0.1)).toBe(1);
     expect(decimalsFor(10)).toBe(0);
-    expect(decimalsFor(0.01)).toBe(3);
+    expect(decimalsFor(0.01)).toBe(2);
     expect(decimalsFor(0)).toBe(3);
   });
 });

@@ -69,7 +69,7 @@ export const kTasks: readonly TaskInfo[] = [
   },
   {
     task: "TELEOPERATE",
-    label: "Steer by hand",
+    label: "Steer",
     help: "Steer the unit yourself, with the place as objective",
     takesHeading: false,
     takesTechnique: false,
@@ -144,10 +144,10 @@ export function mdlNumber(value: number, decimals = 3): string {
   return short === "-0" ? "0" : short;
 }
 
-/** Decimals that make sense on the map: a tenth of a pixel is not more precise than the hand. */
+/** Decimals that make sense on the map: a hand is not more precise than a pixel or so. */
 export function decimalsFor(metresPerPixel: number): number {
   if (!(metresPerPixel > 0)) return 3;
-  return Math.min(3, Math.max(0, Math.ceil(-Math.log10(metresPerPixel) + 0.5)));
+  return Math.min(3, Math.max(0, Math.ceil(-Math.log10(metresPerPixel))));
 }
 
 /** The direction of a drag, whole steps of `step` degrees, 0 to 359. Angles count counter-clockwise from east. */

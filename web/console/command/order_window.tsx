@@ -65,7 +65,7 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
   const scene = usePart("scene");
   const order = useStore(orderStore);
   const addressed = useAddressed();
-  const style = usePlace(map, goal);
+  const style = usePlace(map, goal, order.heading);
   const window = useRef<HTMLDivElement>(null);
   const [place, setPlace] = useState<MdlPlace>(() => placeOf(session, goal, scene?.origin));
   useEffect(() => setPlace(placeOf(session, goal, scene?.origin)), [goal]);
@@ -206,11 +206,12 @@ function HeadingEntry({ heading, onHeading }: { heading: number | null; onHeadin
   };
   return (
     <label className="field">
-      <span className="label">Heading [°, from east, counter-clockwise]</span>
+      <span className="label">Heading [°]</span>
       <input
         className="input"
         value={text}
         placeholder="where it goes"
+        title="Degrees counter-clockwise from east"
         inputMode="numeric"
         onChange={(event) => setText(event.target.value)}
         onBlur={commit}
@@ -241,17 +242,20 @@ function usePreview(text: string): Reply | null {
   return reply;
 }
 
-const kWidth = 340;
+const kWidth = 370;
 const kRoom = 430; // its height, about
 
-/** Beside the goal, on the side with more room; follows the map. */
-function usePlace(map: MapView, goal: Goal): CSSProperties {
+/** Beside the goal, not where the formation looks if there is room; follows the map. */
+function usePlace(map: MapView, goal: Goal, heading: number | null): CSSProperties {
   const [, setVersion] = useState(0);
   useEffect(() => map.subscribe(() => setVersion((v) => v + 1)), [map]);
   const at = map.camera.toScreen(goal.at);
   const { width, height } = map.camera;
-  const isRight = at.x + 40 + kWidth < width || at.x < width / 2;
-  const left = isRight ? at.x + 40 : at.x - 40 - kWidth;
+  const looksRight = heading !== null && Math.cos((heading * Math.PI) / 180) > 0;
+  const fitsRight = at.x + 48 + kWidth < width;
+  const fitsLeft = at.x - 48 - kWidth > 64;
+  const isRight = fitsRight && fitsLeft ? !looksRight : fitsRight || at.x < width / 2;
+  const left = isRight ? at.x + 48 : at.x - 48 - kWidth;
   const top = Math.min(at.y - 120, height - kRoom);
   return {
     left: Math.max(8, Math.min(left, width - kWidth - 8)),

@@ -8,7 +8,7 @@ import type { Session } from "../session.ts";
 import { editMap, removeItems } from "../world/edit_map.ts";
 import { changeEditing, editStore } from "../world/edit_store.ts";
 import { drawHandle, drawNote } from "../world/handles.ts";
-import { nudgeOf, snapPoint, toolGrid } from "../world/snap.ts";
+import { nudgeOf, snapNumber, snapPoint, toolGrid } from "../world/snap.ts";
 import {
   addPoint,
   canBeCircle,
@@ -20,7 +20,7 @@ import {
   removeLastPoint,
 } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
-import { kindInfo } from "./kinds.ts";
+import { kindInfo, type MeasureKind } from "./kinds.ts";
 import { proposeName } from "./names.ts";
 import {
   addMeasure,
@@ -102,7 +102,7 @@ export class DrawTool implements MapTool {
     const draft = this.draft();
     if (draft) {
       if (isDragging && this.isDragged(pointer) && draft.points.length === 0 && canBeCircle(kindInfo(draft.kind))) {
-        drawingStore.setState({ draft: { ...circleDraft(draft.kind, this.downWorld, this.hover), points: [] } });
+        drawingStore.setState({ draft: { ...this.circle(draft.kind, pointer.world), points: [] } });
       }
     } else if (this.drag && isDragging) {
       this.drag.isMoved ||= this.isDragged(pointer);
@@ -200,12 +200,19 @@ export class DrawTool implements MapTool {
   private click(draft: Draft, pointer: MapPointer): void {
     const isCircle = draft.points.length === 0 && this.isDragged(pointer) && canBeCircle(kindInfo(draft.kind));
     if (isCircle) {
-      this.finish(circleDraft(draft.kind, this.downWorld, this.snapped(pointer.world)));
+      this.finish(this.circle(draft.kind, pointer.world));
       return;
     }
     const next = addPoint({ ...draft, size: 0 }, this.snapped(pointer.world), kDragStart / this.scale());
     this.setDraft(next);
     if (isFull(next)) this.finish(next);
+  }
+
+  /** From where the button went down to here. */
+  private circle(kind: MeasureKind, edge: Point): Draft {
+    const made = circleDraft(kind, this.downWorld, edge);
+    const least = this.grid() || 0.1;
+    return { ...made, size: Math.max(snapNumber(made.size, least), least) };
   }
 
   private finish(draft: Draft): void {
@@ -303,6 +310,10 @@ export class DrawTool implements MapTool {
 
   private dragged(drag: Drag, world: Point): Geometry {
     const before = geometryOf(drag.measure);
+    if (drag.handle.type === "radius") {
+      const { points, size } = dragHandle(before, drag.handle, drag.from, world);
+      return { points, size: Math.max(snapNumber(size, this.grid()), 0.1) };
+    }
     if (drag.handle.type !== "whole") return dragHandle(before, drag.handle, drag.from, this.snapped(world));
     const anchor = before.points[0] ?? drag.from;
     const to = this.snapped({ x: anchor.x + world.x - drag.from.x, y: anchor.y + world.y - drag.from.y });

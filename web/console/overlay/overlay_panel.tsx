@@ -32,8 +32,8 @@ export function OverlayPanel() {
   if (!scene || overlays.length === 0) return <NewOverlay />;
   return (
     <div className="overlay">
-      <Palette />
       {measure && <MeasureForm key={index} index={index} wire={measure} />}
+      <Palette />
       <Measures />
       <Area overlays={overlays} />
     </div>

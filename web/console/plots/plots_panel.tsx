@@ -95,7 +95,7 @@ export function PlotsPanel() {
           isDisabled={specs.length < 2}
           onChange={(on) => change({ together: on })}
         >
-          One plot per unit
+          Shared axes
         </ToggleButton>
         <span className="plots-fill" />
         <MenuTrigger>

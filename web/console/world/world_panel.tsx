@@ -17,8 +17,8 @@ import "./world.css";
 
 export const kStyleNames: readonly (readonly [ObjectStyle, string])[] = [
   ["fixed", "fixed"],
-  ["movable", "movable: can be carried"],
-  ["container", "container: holds things"],
+  ["movable", "movable"],
+  ["container", "container"],
 ];
 
 export function WorldPanel() {
@@ -123,7 +123,9 @@ function NewThing({ what }: { what: "obstacle" | "object" }) {
           <ColorEntry value={color} onCommit={(name) => changeEditing({ color: name })} />
         </>
       )}
-      <Button onPress={() => addInMiddle(session, what)}>Add in the middle of the map</Button>
+      <Button className="wide" onPress={() => addInMiddle(session, what)}>
+        Add in the middle of the map
+      </Button>
       <p className="help">Click on the map to add one; drag to set its size.</p>
     </div>
   );
