@@ -17,6 +17,7 @@ LiveRun::LiveRun(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet:
                  EventLog& log)
     : crew_(std::move(crew)), run_(std::move(run)), log_(log), options_(run_->mission().options) {
   run_->set_observer([this](const mission::Effect& effect) { see(effect); });
+  for (const mission::Print& wanted : run_->mission().prints) print(wanted.robot_info);
 }
 
 void LiveRun::edit(std::shared_ptr<const fleet::Crew> crew) {
@@ -28,7 +29,10 @@ void LiveRun::edit(std::shared_ptr<const fleet::Crew> crew) {
 fleet::MissionRun::Progress LiveRun::step() {
   const fleet::MissionRun::Progress progress = run_->step();
   estimates_.look(run_->state());
-  if (progress == fleet::MissionRun::Progress::kStepped) alarms_.look(*run_, log_);
+  if (progress != fleet::MissionRun::Progress::kStepped) return progress;
+  alarms_.look(*run_, log_);
+  trails_.look(*run_);
+  series_.look(*run_);
   return progress;
 }
 

@@ -11,6 +11,8 @@
 #include "mlab/console/alarms.h"
 #include "mlab/console/estimates.h"
 #include "mlab/console/event_log.h"
+#include "mlab/console/series_recorder.h"
+#include "mlab/console/trail_recorder.h"
 #include "mlab/fleet/mission_run.h"
 
 namespace mlab::console {
@@ -37,6 +39,9 @@ class LiveRun {
 
   const Alarms& alarms() const { return alarms_; }
   Alarms& alarms() { return alarms_; }
+  const TrailRecorder& trails() const { return trails_; }
+  SeriesRecorder& series() { return series_; }
+  const SeriesRecorder& series() const { return series_; }
   const Estimates& estimates() const { return estimates_; }
   /// When the questions that are open were asked [s], and their texts, by id.
   const std::map<std::uint32_t, double>& asked() const { return asked_; }
@@ -56,6 +61,8 @@ class LiveRun {
   EventLog& log_;
   Alarms alarms_;
   Estimates estimates_;
+  TrailRecorder trails_;
+  SeriesRecorder series_;
   std::map<std::uint32_t, double> asked_;
   std::map<std::uint32_t, std::string> texts_;
   mission::Options options_;

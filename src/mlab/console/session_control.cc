@@ -1,11 +1,13 @@
 #include <algorithm>
-#include <cmath>
+#include <cctype>
+#include <variant>
 
 #include <fmt/core.h>
 
 #include "mlab/console/overview.h"
 #include "mlab/console/session_parts.h"
 #include "mlab/console/status_encoder.h"
+#include "mlab/console/targets.h"
 
 namespace mlab::console {
 namespace {
@@ -13,6 +15,7 @@ namespace {
 namespace event = mission::event;
 
 constexpr const char* kNoRun = "there is no mission that could run";
+constexpr const char* kLoading = "the mission is still being made ready";
 constexpr const char* kStopped = "an emergency stop holds all robots: release it first";
 
 std::string name_of(Control::Action action) {
@@ -35,6 +38,13 @@ void Session::Parts::post(const mission::Event& event) {
   ++version_;
 }
 
+Session::Parts::Answered Session::Parts::why_not_now() const {
+  if (!live_ || is_loading_) return is_loading_ ? kLoading : kNoRun;
+  if (is_stopped_) return kStopped;
+  if (live_->run().state().mode == mission::State::Mode::kQuit) return "the mission has quit: restart it";
+  return std::nullopt;
+}
+
 Session::Parts::Answered Session::Parts::control(const std::string& who, const Control& control) {
   if (control.action() == Control::RESTART) {
     if (!documents_.mission()) return kNoRun;
@@ -47,10 +57,8 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
     release_stop(who);
     return std::nullopt;
   }
-  if (!live_) return is_loading_ ? "the mission is still being made ready" : kNoRun;
-  if (is_stopped_) return kStopped;
+  if (auto refused = why_not_now()) return refused;
   const mission::State& state = live_->run().state();
-  if (state.mode == mission::State::Mode::kQuit) return "the mission has quit: restart it";
   const bool is_running = state.mode == mission::State::Mode::kRunning;
   if (control.action() == Control::JUMP && control.step() >= state.mission->steps.size())
     return fmt::format("there is no step {} in this mission", control.step());
@@ -142,24 +150,43 @@ Session::Parts::Answered Session::Parts::answer(const std::string& who, const An
 }
 
 Session::Parts::Answered Session::Parts::typed(const std::string& who, const Typed& typed, Reply& reply) {
-  if (!live_) return kNoRun;
+  if (!live_) return is_loading_ ? kLoading : kNoRun;
   text::Diagnostics problems;
-  const auto read =
-      mdl::parse_immediate(typed.line(), live_->run().mission(), problems, documents_.load_options());
+  const auto read = mdl::parse_immediate(typed.line(), *plain_, problems, documents_.load_options());
   for (const text::Diagnostic& problem : problems.items())
     *reply.add_diagnostics() = documents_.message(problem);
-  if (!read) return problems.items().empty() ? "this can't be understood" : problems.items().front().message;
-  if (typed.preview()) return std::nullopt;
-  if (is_stopped_) return kStopped;
-  if (read->edited) {
-    text::Diagnostics unsaid;
-    const auto crew = fleet::make_crew(read->edited, program_sources(), unsaid, live_->crew().get());
-    if (!crew) return "the robots of this command can't be made";
-    live_->edit(crew);
-    changes_.roster = true;
+  if (!read) {
+    return problems.items().empty() ? "this can't be understood" : clean(problems.items().front().message);
   }
+  const mission::Mission& mission = read->edited ? *read->edited : *plain_;
+  encode_targets(live_->run(), mission, read->commands, *reply.mutable_targets());
+  if (typed.preview()) return std::nullopt;
+  if (auto refused = why_not_now()) return refused;
   log_.add(sim_time(), {Log::OPERATOR, fmt::format("{} typed: {}", who, typed.line()), 0, "", {}, false});
+  if (read->edited) {
+    if (!change_mission(read->edited)) return kLoading;
+    typed_edits_.push_back(typed.line());
+  }
   if (!read->commands.empty()) post(event::Typed{read->commands});
+  return std::nullopt;
+}
+
+Session::Parts::Answered Session::Parts::set_option(const std::string& who, const SetOption& option) {
+  if (!live_) return is_loading_ ? kLoading : kNoRun;
+  const std::string line = fmt::format("SET {} {}", option.option(), option.value());
+  text::Diagnostics problems;
+  const auto read = mdl::parse_immediate(line, *plain_, problems, documents_.load_options());
+  if (!read && !problems.items().empty()) return clean(problems.items().front().message);
+  const bool is_set = read && read->commands.size() == 1 &&
+                      (std::holds_alternative<mission::SetBoolean>(read->commands[0]) ||
+                       std::holds_alternative<mission::SetNumber>(read->commands[0]));
+  if (!is_set) return fmt::format("`{}` is no option with a value", clean(line));
+  if (read->edited) {
+    if (!change_mission(read->edited)) return kLoading;
+    typed_edits_.push_back(line);
+  }
+  post(event::Typed{read->commands});
+  note(who, line);
   return std::nullopt;
 }
 

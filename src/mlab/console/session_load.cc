@@ -10,23 +10,24 @@ robot::ProgramSources Session::Parts::program_sources() const {
   return {documents_.mission_folder(), settings_.include_root, settings_.version};
 }
 
-void Session::Parts::load(std::uint64_t seed) {
+void Session::Parts::load(std::uint64_t seed, std::shared_ptr<const fleet::Crew> known) {
   const std::uint64_t number = ++loading_;
   seed_ = seed;
-  const std::shared_ptr<const mission::Mission> mission = documents_.mission();
-  changes_.project = changes_.documents = changes_.scene = changes_.edits = true;
-  for (std::string& notice : documents_.take_notices())
-    log_.add(sim_time(), {Log::EDIT, std::move(notice), 0, "", {}, false});
-  if (!mission) {
+  from_documents_ = plain_ = documents_.mission();
+  typed_edits_.clear();
+  singles_.clear();
+  if (!plain_) {
     adopt(nullptr, nullptr);
     return;
   }
   is_loading_ = true;
   fleet::RunSettings run_settings = settings_.run;
   run_settings.seed = seed;
-  workshop_->start([this, number, mission, run_settings, sources = program_sources()] {
+  workshop_->start([this, number, mission = plain_, run_settings, known, sources = program_sources()] {
+    if (number != loading_) return;
     const auto problems = std::make_shared<text::Diagnostics>();
-    const std::shared_ptr<const fleet::Crew> crew = fleet::make_crew(mission, sources, *problems);
+    const std::shared_ptr<const fleet::Crew> crew =
+        fleet::make_crew(mission, sources, *problems, known.get());
     const auto run = std::make_shared<std::unique_ptr<fleet::MissionRun>>();
     if (crew) *run = std::make_unique<fleet::MissionRun>(crew, run_settings);
     inbox_.post([this, number, crew, run, problems] {
@@ -45,19 +46,27 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
     live_->run().set_stands_still_for_operator(pace_.speed() == 0.0);
     live_->run().set_emergency_stop(is_stopped_);
     named_units_ = live_->run().mission().units.size();
+    for (const auto& [robot, ports] : parameters_) {
+      for (const auto& [port, value] : ports) live_->run().set_parameter({robot}, port, value);
+    }
   }
   has_ended_ = false;
   has_nothing_to_do_ = time_runs_ = false;
   ++plan_revision_;
   ++version_;
   rows_.clear();
-  changes_.roster = changes_.plan = changes_.status = changes_.questions = changes_.trails = true;
+  teleoperations_ = {};
+  for (auto& [id, channel] : channels_) channel.series_seen.clear();
+  update_watches();
+  changes_.roster = changes_.plan = changes_.status = changes_.questions = changes_.trails = changes_.scene =
+      true;
 }
 
 void Session::Parts::report_problems(const text::Diagnostics& problems) {
-  for (const text::Diagnostic& problem : problems.items())
-    log_.add(sim_time(),
-             {Log::WARNING, problem.message, 0, "", {}, problem.severity == text::Severity::kError});
+  for (const text::Diagnostic& problem : problems.items()) {
+    const bool is_error = problem.severity == text::Severity::kError;
+    log_.add(sim_time(), {Log::WARNING, problem.message, 0, "", {}, is_error});
+  }
 }
 
 }  // namespace mlab::console

@@ -115,7 +115,9 @@ void Session::Parts::work() {
     }
     if (stop_wanted_.exchange(false)) engage_emergency_stop();
     if (roles_.forget(now())) changes_.clients = true;
+    update_teleoperations();
     advance();
+    update_teleoperations();
     publish();
     documents_.keep_drafts(now());
   }
@@ -132,7 +134,7 @@ void Session::Parts::open_first_mission() {
     log_.add(0.0, {Log::WARNING, opened.error().message, 0, "", {}, true});
     return;
   }
-  load(seed_);
+  follow_documents(Follow::kAnew);
 }
 
 double Session::Parts::next_wake() const {
@@ -140,6 +142,7 @@ double Session::Parts::next_wake() const {
   double next = wall + kIdle;
   if (changes_.status) next = std::min(next, last_status_ + 0.05);
   if (is_active() && !has_nothing_to_do_) next = std::min(next, pace_.due(sim_time()));
+  next = std::min(next, teleoperations_.next_release().value_or(next));
   for (const auto& [id, channel] : channels_) {
     if (channel.seen != version_) next = std::min(next, channel.next_frame());
   }
@@ -155,7 +158,10 @@ bool Session::Parts::is_active() const {
 void Session::Parts::engage_emergency_stop() {
   if (is_stopped_) return;
   is_stopped_ = true;
-  if (live_) live_->run().set_emergency_stop(true);
+  if (live_) {
+    live_->run().set_emergency_stop(true);
+    teleoperations_.let_go(live_->run());
+  }
   has_nothing_to_do_ = false;
   time_runs_ = false;
   log_.add(sim_time(), {Log::OPERATOR, "emergency stop: all robots stand", 0, "", {}, true});

@@ -21,12 +21,14 @@
 #include "mlab/console/project_folder.h"
 #include "mlab/console/roles.h"
 #include "mlab/console/session.h"
+#include "mlab/console/teleoperations.h"
 #include "mlab/console/workshop.h"
 
 namespace mlab::console {
 
 /// The session itself. But for what is marked, everything happens on its own thread, in `work`. The functions
-/// stand in several files: session_loop.cc, session_receive.cc, session_control.cc, session_load.cc,
+/// stand in several files: session_loop.cc, session_receive.cc, session_control.cc,
+/// session_teleoperation.cc, session_edit.cc, session_load.cc,
 /// session_publish.cc.
 class Session::Parts {
  public:
@@ -69,6 +71,10 @@ class Session::Parts {
   void take_as_client(Channel& channel, const Roles::Client& client, const ToServer& message);
   /// Requests that only the operator may make.
   Answered take_as_operator(const std::string& who, const ToServer& message, Reply& reply);
+  /// Requests that anybody may make.
+  Answered take_from_anybody(Channel& channel, const Roles::Client& client, const ToServer& message,
+                             Reply& reply);
+  Answered list_files(const ListFiles& list, Reply& reply) const;
   Answered take_ownership(const Roles::Client& client, const ToServer& message);
   void take_closed(ConnectionId connection);
 
@@ -78,15 +84,46 @@ class Session::Parts {
   Answered set_speed(const std::string& who, double speed);
   Answered answer(const std::string& who, const Answer& answer);
   Answered typed(const std::string& who, const Typed& typed, Reply& reply);
+  Answered set_option(const std::string& who, const SetOption& option);
   void release_stop(const std::string& who);
   void single_cycle();
+  /// Why no command can be given now.
+  Answered why_not_now() const;
   void post(const mission::Event& event);
   void note(const std::string& who, const std::string& what);
+
+  // ---- session_teleoperation.cc
+
+  Answered start_teleoperation(const std::string& who, const StartTeleoperation& start);
+  Answered end_teleoperation(const std::string& who, const EndTeleoperation& end);
+  /// The unit that holds this robot alone, made where there is none.
+  std::optional<std::uint32_t> single_unit(base::RobotId robot);
+  void update_teleoperations();
+
+  // ---- session_edit.cc
+
+  Answered edit(const std::string& who, const ToServer& message);
+  Answered open(const std::string& who, const std::string& path);
+  Answered set_parameter(const std::string& who, const SetParameter& set);
+  /// Sets parameters of robots to these texts, now and in every later run. @errors  nothing has changed then
+  Answered apply_parameters(const std::vector<std::uint32_t>& robots, const std::string& port,
+                            const std::vector<std::string>& values);
+  /// After the documents have changed: tells it, and brings the run to what they say.
+  enum class Follow { kGoesOn, kAnew };
+  void follow_documents(Follow how = Follow::kGoesOn);
+  /// The run goes on with another version of its mission.
+  /// @return false: what it needs is being made, it will happen later
+  bool change_mission(std::shared_ptr<const mission::Mission> plain);
+  /// The version with a unit for each robot that was taken by itself.
+  std::shared_ptr<const mission::Mission> with_single_units(
+      const std::shared_ptr<const mission::Mission>& plain) const;
+  void update_picture();
 
   // ---- session_load.cc
 
   /// The run is made anew from the documents' mission, on the workshop's thread.
-  void load(std::uint64_t seed);
+  /// @param known  programs that need not be built again; null: none
+  void load(std::uint64_t seed, std::shared_ptr<const fleet::Crew> known = nullptr);
   void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
   void report_problems(const text::Diagnostics& problems);
   robot::ProgramSources program_sources() const;
@@ -103,7 +140,15 @@ class Session::Parts {
   void fill_roster(ToBrowser& out) const;
   void fill_plan(ToBrowser& out) const;
   void fill_questions(ToBrowser& out) const;
+  void fill_scene(ToBrowser& out) const;
+  /// Obstacles may come and go by themselves.
+  void look_at_world();
   void fill_frame(Channel& channel, Frame& out);
+  void fill_details(const Watch& watch, Frame& out);
+  void fill_series(Channel& channel, SeriesData& out);
+  void read_series(const ReadSeries& read, Reply& reply) const;
+  /// Who looks at what decides what is recorded.
+  void update_watches();
 
   /// What has changed and is to be sent to all.
   struct Changes {
@@ -136,11 +181,22 @@ class Session::Parts {
   Roles roles_;
   std::map<ConnectionId, Channel> channels_;
   std::unique_ptr<LiveRun> live_;
-  std::uint64_t loading_ = 0;  // number of the load that counts; older ones are thrown away when they come
+  /// Number of the last load or change of the mission; what older ones bring is thrown away.
+  std::atomic<std::uint64_t> loading_ = 0;
   bool is_loading_ = false;
   std::uint64_t seed_ = 1;
   std::uint64_t plan_revision_ = 0;
-  std::size_t named_units_ = 0;  // units after these were made for single robots
+  std::size_t named_units_ = 0;                             // units after these were made for single robots
+  std::shared_ptr<const mission::Mission> from_documents_;  // that the run follows
+  std::shared_ptr<const mission::Mission> plain_;           // the same with what was typed
+  std::vector<std::string> typed_edits_;                    // lines that added to the mission
+  std::vector<base::RobotId> singles_;                      // robots with a unit of their own
+  std::map<std::uint32_t, std::map<std::string, std::string>>
+      parameters_;                  // that people set, by robot and port
+  std::uint64_t world_key_ = 0;     // of the obstacles that the scene has
+  std::uint64_t scene_extras_ = 0;  // how often obstacles came that no document has
+  Teleoperations teleoperations_;
+  sim::SenseBuffer sense_buffer_;
 
   Pace pace_;
   SpeedMeter meter_;

@@ -59,6 +59,7 @@ Status Session::Parts::status_message() const {
   } else {
     out.set_seed(seed_);
   }
+  teleoperations_.encode(out);
   if (is_stopped_) out.set_mode(Status::STOPPED);
   out.set_speed(pace_.speed());
   out.set_speed_reached(meter_.speed(wall));
@@ -85,7 +86,7 @@ void Session::Parts::publish_state() {
     broadcast(out);
   }
   if (std::exchange(changes_.scene, false)) {
-    *out.mutable_scene() = documents_.scene();
+    fill_scene(out);
     broadcast(out);
   }
   if (std::exchange(changes_.roster, false)) {
@@ -101,6 +102,8 @@ void Session::Parts::publish_state() {
   if (is_due) {
     changes_.status = false;
     last_status_ = wall;
+    look_at_world();
+    update_watches();
     if (!channels_.empty()) {
       *out.mutable_status() = status_message();
       broadcast(out);
@@ -117,6 +120,11 @@ void Session::Parts::publish_state() {
   }
   if (std::exchange(changes_.edits, false)) {
     *out.mutable_edits() = documents_.edit_state();
+    broadcast(out);
+  }
+  if (std::exchange(changes_.trails, false)) {
+    out.mutable_trails()->Clear();
+    if (live_) live_->trails().encode(*out.mutable_trails());
     broadcast(out);
   }
 }
@@ -146,7 +154,7 @@ void Session::Parts::fill_frame(Channel& channel, Frame& out) {
   if (!live_) return;
   const fleet::MissionRun& run = live_->run();
   if (rows_version_ != version_) {
-    rows_.gather(run, live_->alarms().robots(), {});
+    rows_.gather(run, live_->alarms().robots(), teleoperations_.robots());
     rows_version_ = version_;
   }
   const Watch& watch = channel.watched();
@@ -156,6 +164,8 @@ void Session::Parts::fill_frame(Channel& channel, Frame& out) {
   if (watch.with_stations()) encode_stations(run, *out.mutable_stations());
   if (watch.with_vectors()) encode_vectors(run, *out.mutable_vectors());
   encode_objects(run, *out.mutable_objects());
+  fill_details(watch, out);
+  fill_series(channel, *out.mutable_series());
 }
 
 }  // namespace mlab::console

@@ -81,7 +81,7 @@ void Session::Parts::greet(ConnectionId to) {
   *out.mutable_documents() = documents_.documents_message();
   out.mutable_documents()->set_runs_older_text(documents_.runs_older_text());
   send(to, out);
-  *out.mutable_scene() = documents_.scene();
+  fill_scene(out);
   send(to, out);
   fill_roster(out);
   send(to, out);
@@ -99,6 +99,9 @@ void Session::Parts::greet(ConnectionId to) {
   send(to, out);
   *out.mutable_edits() = documents_.edit_state();
   send(to, out);
+  out.mutable_trails()->Clear();
+  if (live_) live_->trails().encode(*out.mutable_trails());
+  send(to, out);
 }
 
 void Session::Parts::take_as_client(Channel& channel, const Roles::Client& client, const ToServer& message) {
@@ -114,27 +117,54 @@ void Session::Parts::take_as_client(Channel& channel, const Roles::Client& clien
   } else if (is_for_operator(message)) {
     error = take_as_operator(client.name, message, reply);
   } else {
-    switch (message.body_case()) {
-      case ToServer::kAcknowledge:
-        channel.acknowledge(message.acknowledge().frame());
-        return;
-      case ToServer::kWatch:
-        channel.watch(message.watch());
-        break;
-      case ToServer::kEmergencyStop:
-        break;  // seen before it was read
-      case ToServer::kTakeOperator:
-      case ToServer::kPassOperator:
-        error = take_ownership(client, message);
-        break;
-      default:
-        error = "this request is not known here";
-    }
+    error = take_from_anybody(channel, client, message, reply);
   }
   if (message.request() == 0) return;
   reply.set_ok(!error.has_value());
   if (error) reply.set_error(*error);
   send(channel.connection(), out);
+}
+
+Session::Parts::Answered Session::Parts::take_from_anybody(Channel& channel, const Roles::Client& client,
+                                                           const ToServer& message, Reply& reply) {
+  switch (message.body_case()) {
+    case ToServer::kAcknowledge:
+      channel.acknowledge(message.acknowledge().frame());
+      return std::nullopt;
+    case ToServer::kWatch:
+      channel.watch(message.watch());
+      update_watches();
+      for (const Series& series : channel.watched().series()) {
+        if (live_) channel.series_seen.try_emplace(series.id(), live_->series().last_time(series, -1.0));
+      }
+      return std::nullopt;
+    case ToServer::kEmergencyStop:
+      return std::nullopt;  // seen before it was read
+    case ToServer::kReadSeries:
+      read_series(message.read_series(), reply);
+      return std::nullopt;
+    case ToServer::kListFiles:
+      return list_files(message.list_files(), reply);
+    case ToServer::kTakeOperator:
+    case ToServer::kPassOperator:
+      return take_ownership(client, message);
+    default:
+      return "this request is not known here";
+  }
+}
+
+Session::Parts::Answered Session::Parts::list_files(const ListFiles& list, Reply& reply) const {
+  const auto entries = project_.list(list.folder());
+  if (!entries) return entries.error().message;
+  FileList& out = *reply.mutable_files();
+  out.set_folder(list.folder());
+  for (const ProjectFolder::Entry& entry : *entries) {
+    FileList::Entry& told = *out.add_entries();
+    told.set_path(entry.path);
+    told.set_is_folder(entry.is_folder);
+    told.set_kind(entry.kind);
+  }
+  return std::nullopt;
 }
 
 Session::Parts::Answered Session::Parts::take_ownership(const Roles::Client& client,
@@ -152,6 +182,7 @@ Session::Parts::Answered Session::Parts::take_ownership(const Roles::Client& cli
 
 void Session::Parts::take_closed(ConnectionId connection) {
   channels_.erase(connection);
+  update_watches();
   if (roles_.leave(connection, now())) changes_.clients = true;
 }
 
@@ -167,8 +198,21 @@ Session::Parts::Answered Session::Parts::take_as_operator(const std::string& who
       return answer(who, message.answer());
     case ToServer::kTyped:
       return typed(who, message.typed(), reply);
+    case ToServer::kStartTeleoperation:
+      return start_teleoperation(who, message.start_teleoperation());
+    case ToServer::kStick:
+      if (!live_ || is_stopped_) return "nothing can be steered now";
+      return teleoperations_.push(live_->run(), message.stick(), now());
+    case ToServer::kEndTeleoperation:
+      return end_teleoperation(who, message.end_teleoperation());
+    case ToServer::kSetParameter:
+      return set_parameter(who, message.set_parameter());
+    case ToServer::kSetOption:
+      return set_option(who, message.set_option());
+    case ToServer::kOpenMission:
+      return open(who, message.open_mission().path());
     default:
-      return "this request is not known here";
+      return edit(who, message);
   }
 }
 

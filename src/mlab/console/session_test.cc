@@ -1,7 +1,13 @@
 #include "mlab/console/session.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <thread>
+
 #include <gtest/gtest.h>
 
+#include "mlab/console/frame_encoder.h"
 #include "mlab/console/testing/browser.h"
 
 namespace mlab::console {
@@ -10,38 +16,336 @@ namespace {
 using testing::Browser;
 using testing::TestSession;
 
+constexpr const char* kDemo = "demo_c/demo_c.mdl";
+
+bool wait_for(Browser& browser, Status::Mode mode) {
+  return browser.wait([&] { return browser.status().mode() == mode; });
+}
+
+RobotRows::Row robot_in(const Frame& frame, std::uint32_t id) {
+  RobotRows::Row row{};
+  for (std::size_t i = 0; i + sizeof row <= frame.robots().size(); i += sizeof row) {
+    std::memcpy(&row, frame.robots().data() + i, sizeof row);
+    if (row.id == id) return row;
+  }
+  return {};
+}
+
+double distance(const RobotRows::Row& a, const RobotRows::Row& b) {
+  return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y);
+}
+
+// Runs on with every question answered by yes.
+bool carry_out(Browser& browser, int* answered = nullptr) {
+  return browser.wait([&] {
+    if (browser.questions().questions_size() > 0) {
+      browser.answer(browser.questions().questions(0).id(), true);
+      browser.forget_questions();
+      if (answered != nullptr) ++*answered;
+    }
+    return browser.status().mode() == Status::ENDED;
+  });
+}
+
+// What of a report does not depend on the machine.
+std::string run_of_report(const std::string& report) {
+  return report.substr(0, report.find("\"performance\""));
+}
+
 TEST(Session, SaysWhoAndWhatThereIsAfterHello) {
-  TestSession session("demo_c/demo_c.mdl");
+  TestSession session(kDemo);
   Browser anna(session, "Anna");
-  ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
+  ASSERT_TRUE(wait_for(anna, Status::READY));
   EXPECT_EQ(anna.welcome().client(), 1U);
   EXPECT_EQ(anna.plan().steps_size(), 12);
   EXPECT_EQ(anna.roster().robots_size(), 4);
   EXPECT_EQ(anna.roster().units_size(), 3);
   EXPECT_FALSE(anna.scene().measures().empty());
+  EXPECT_EQ(anna.documents().documents_size(), 2);
+  EXPECT_EQ(anna.plan().steps(0).document(), anna.documents().documents(0).path());
   EXPECT_EQ(anna.clients().operator_(), 1U);
+  EXPECT_EQ(anna.project().mission(), "examples:demo_c/demo_c.mdl");
+}
+
+TEST(Session, AnswersAConnectionThatDoesNotBeginWithHello) {
+  TestSession session("");
+  const ConnectionId stranger = session.connect();
+  auto message = std::make_unique<ToServer>();
+  message->set_request(5);
+  message->mutable_control()->set_action(Control::EXECUTE);
+  session->receive(stranger, std::move(message));
+  const auto bytes = session.next(stranger, std::chrono::seconds(20));
+  ASSERT_NE(bytes, nullptr);
+  ToBrowser answer;
+  ASSERT_TRUE(answer.ParseFromString(*bytes));
+  EXPECT_EQ(answer.reply().request(), 5U);
+  EXPECT_FALSE(answer.reply().ok());
+}
+
+TEST(Session, StartsEmpty) {
+  TestSession session("");
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(anna.wait([&] { return anna.clients().operator_() == 1; }));
+  EXPECT_EQ(anna.status().mode(), Status::NO_MISSION);
+  EXPECT_NE(anna.control(Control::EXECUTE), "");
+  EXPECT_EQ(session->report(), "");
 }
 
 TEST(Session, CarriesDemoCOutFromExecuteThroughAllQuestionsToTheEnd) {
-  TestSession session("demo_c/demo_c.mdl", 0.0);
+  TestSession session(kDemo, 0.0);
   Browser anna(session, "Anna");
-  ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
+  ASSERT_TRUE(wait_for(anna, Status::READY));
   EXPECT_EQ(anna.control(Control::EXECUTE), "");
   int answered = 0;
-  ASSERT_TRUE(anna.wait([&] {
-    if (anna.questions().questions_size() > 0) {
-      anna.answer(anna.questions().questions(0).id(), true);
-      anna.forget_questions();
-      ++answered;
-    }
-    return anna.status().mode() == Status::ENDED;
-  }));
+  ASSERT_TRUE(carry_out(anna, &answered));
   EXPECT_EQ(anna.status().outcome(), Status::DONE);
   EXPECT_EQ(answered, 5);
   EXPECT_EQ(anna.status().steps_size(), 12);
   EXPECT_TRUE(session->has_ended());
   EXPECT_NE(session->report().find("\"outcome\": \"done\""), std::string::npos);
   EXPECT_GT(anna.frame_count(), 0U);
+  EXPECT_TRUE(anna.has_log("mission done"));
+}
+
+TEST(Session, ARestartIsTheSameRunBitForBitWithAndWithoutPeopleWhoLook) {
+  std::string report;
+  {
+    TestSession session(kDemo, 0.0, [](SessionSettings& s) { s.run.executive.proceed_all = true; });
+    Browser anna(session, "Anna");
+    ASSERT_TRUE(wait_for(anna, Status::READY));
+    Browser ben(session, "Ben");  // looks at everything
+    ToServer watch;
+    watch.mutable_watch()->set_rate(60);
+    watch.mutable_watch()->add_details(2);
+    watch.mutable_watch()->set_with_ports(true);
+    watch.mutable_watch()->set_with_readings(true);
+    watch.mutable_watch()->set_with_stations(true);
+    watch.mutable_watch()->set_with_vectors(true);
+    watch.mutable_watch()->add_series()->set_robot(1);
+    ben.ask(watch);
+    ASSERT_EQ(anna.control(Control::EXECUTE), "");
+    ASSERT_TRUE(carry_out(anna));
+    report = run_of_report(session->report());
+    ben.watch_for(0.1);
+    ASSERT_EQ(anna.control(Control::RESTART), "");
+    ASSERT_TRUE(wait_for(anna, Status::READY));
+    EXPECT_FALSE(session->has_ended());
+    ASSERT_EQ(anna.control(Control::EXECUTE), "");
+    ASSERT_TRUE(carry_out(anna));
+    EXPECT_EQ(run_of_report(session->report()), report);
+  }
+  {
+    TestSession alone(kDemo, 1000.0, [](SessionSettings& s) { s.run.executive.proceed_all = true; });
+    {
+      Browser anna(alone, "Anna");
+      ASSERT_TRUE(wait_for(anna, Status::READY));
+      ASSERT_EQ(anna.control(Control::EXECUTE), "");
+    }
+    for (int i = 0; i < 600 && !alone->has_ended(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(run_of_report(alone->report()), report) << "at another speed, with nobody there";
+  }
+}
+
+TEST(Session, ARestartWithAnotherSeedIsAnotherRun) {
+  TestSession session(kDemo, 0.0, [](SessionSettings& s) { s.run.executive.proceed_all = true; });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(carry_out(anna));
+  const std::string report = run_of_report(session->report());
+  ToServer restart;
+  restart.mutable_control()->set_action(Control::RESTART);
+  restart.mutable_control()->set_seed(4711);
+  ASSERT_TRUE(anna.ask(restart).ok());
+  ASSERT_TRUE(
+      anna.wait([&] { return anna.status().seed() == 4711 && anna.status().mode() == Status::READY; }));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(carry_out(anna));
+  EXPECT_NE(run_of_report(session->report()), report);
+}
+
+TEST(Session, TheEmergencyStopHoldsAllRobotsUntilItIsReleased) {
+  TestSession session(kDemo, 10.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  Browser ben(session, "Ben");
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  const auto start = [&] { return robot_in(anna.frame(), 1); };
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 5.0 && start().id == 1; }));
+  ToServer stop;
+  stop.mutable_emergency_stop();
+  EXPECT_TRUE(ben.ask(stop).ok()) << "it is for everybody";
+  ASSERT_TRUE(wait_for(anna, Status::STOPPED));
+  anna.watch_for(0.2);
+  const RobotRows::Row stands = start();
+  EXPECT_NE(anna.control(Control::EXECUTE), "");
+  EXPECT_NE(anna.type("UNIT scouts MOVETO 10 10"), "");
+  anna.watch_for(0.3);
+  EXPECT_EQ(distance(start(), stands), 0.0);
+  EXPECT_EQ(anna.control(Control::RELEASE_STOP), "");
+  ASSERT_TRUE(wait_for(anna, Status::PAUSED));
+  anna.watch_for(0.2);
+  EXPECT_EQ(distance(start(), stands), 0.0) << "it is paused then";
+  EXPECT_EQ(anna.control(Control::RESUME), "");
+  EXPECT_TRUE(anna.wait([&] { return distance(start(), stands) > 1.0; }));
+}
+
+TEST(Session, TheEmergencyStopOutlivesARestart) {
+  TestSession session(kDemo, 10.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  session->emergency_stop();
+  ASSERT_TRUE(wait_for(anna, Status::STOPPED));
+  ASSERT_EQ(anna.control(Control::RESTART), "");
+  anna.watch_for(0.3);
+  EXPECT_EQ(anna.status().mode(), Status::STOPPED);
+  EXPECT_NE(anna.control(Control::EXECUTE), "");
+  EXPECT_EQ(anna.control(Control::RELEASE_STOP), "");
+  EXPECT_EQ(anna.control(Control::EXECUTE), "");
+}
+
+TEST(Session, TeleoperationMovesARobotWhileTheStickIsHeldAndEndsByMessage) {
+  TestSession session(kDemo, 10.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ToServer start;
+  start.mutable_start_teleoperation()->set_robot(3);
+  EXPECT_FALSE(anna.ask(start).ok()) << "it has not been started";
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 2.0; }));
+  ASSERT_EQ(Browser::error_of(anna.ask(start)), "");
+  ToServer other;
+  other.mutable_start_teleoperation()->set_robot(1);
+  ASSERT_EQ(Browser::error_of(anna.ask(other)), "") << "several at once";
+  ASSERT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 2; }));
+  ToServer end_other;
+  end_other.mutable_end_teleoperation()->set_unit("robot 1");
+  ASSERT_EQ(Browser::error_of(anna.ask(end_other)), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 1; }));
+  EXPECT_EQ(anna.status().teleoperations(0).unit(), "robot 3");
+  anna.watch_for(0.3);
+  const RobotRows::Row before = robot_in(anna.frame(), 3);
+  EXPECT_EQ(before.flags >> 5 & 1, 1);
+  for (int i = 0; i < 8; ++i) {
+    ToServer stick;
+    stick.mutable_stick()->set_unit("robot 3");
+    stick.mutable_stick()->set_y(1.0);
+    ASSERT_EQ(Browser::error_of(anna.ask(stick)), "");
+    anna.watch_for(0.1);
+  }
+  const RobotRows::Row moved = robot_in(anna.frame(), 3);
+  EXPECT_GT(moved.y, before.y + 5.0F) << "to the north";
+  anna.watch_for(1.0);  // the hand is off the stick
+  const RobotRows::Row stands = robot_in(anna.frame(), 3);
+  anna.watch_for(0.5);
+  EXPECT_LT(distance(robot_in(anna.frame(), 3), stands), 0.5);
+  ToServer end;
+  end.mutable_end_teleoperation()->set_unit("robot 3");
+  EXPECT_EQ(Browser::error_of(anna.ask(end)), "");
+  EXPECT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 0; }));
+  EXPECT_NE(Browser::error_of(anna.ask(end)), "");
+  EXPECT_EQ(anna.roster().units_size(), 3) << "units for single robots are nobody's business";
+}
+
+TEST(Session, OnlyTheOperatorCommandsAndThePlaceIsHandedOver) {
+  TestSession session(kDemo);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  Browser ben(session, "Ben");
+  EXPECT_NE(ben.control(Control::EXECUTE).find("Anna"), std::string::npos);
+  ToServer take;
+  take.mutable_take_operator();
+  EXPECT_TRUE(ben.ask(take).ok());
+  ASSERT_TRUE(anna.wait([&] { return anna.clients().asks() == 2; }));
+  EXPECT_EQ(anna.clients().operator_(), 1U);
+  ToServer pass;
+  pass.mutable_pass_operator()->set_client(2);
+  EXPECT_TRUE(anna.ask(pass).ok());
+  ASSERT_TRUE(ben.wait([&] { return ben.clients().operator_() == 2; }));
+  EXPECT_EQ(ben.control(Control::EXECUTE), "");
+  EXPECT_NE(anna.control(Control::PAUSE), "");
+}
+
+TEST(Session, WhoReloadsThePageIsTheSameClientAndTheRunGoesOn) {
+  TestSession session(kDemo, 10.0);
+  auto anna = std::make_unique<Browser>(session, "Anna", "key");
+  ASSERT_TRUE(wait_for(*anna, Status::READY));
+  ASSERT_EQ(anna->control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna->wait([&] { return anna->status().time() > 2.0; }));
+  const double time = anna->status().time();
+  anna.reset();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  Browser again(session, "Anna", "key");
+  ASSERT_TRUE(wait_for(again, Status::RUNNING));
+  EXPECT_EQ(again.welcome().client(), 1U);
+  EXPECT_TRUE(again.wait([&] { return again.clients().operator_() == 1U; }));
+  EXPECT_GT(again.status().time(), time + 1.0);
+  EXPECT_TRUE(again.wait([&] { return again.trails().trails_size() == 4; }));
+  EXPECT_GT(again.log().size(), 3U);
+}
+
+TEST(Session, ASlowBrowserGetsFewerFramesButEveryQuestion) {
+  TestSession session(kDemo, 20.0);
+  Browser slow(session, "Slow");
+  ASSERT_TRUE(wait_for(slow, Status::READY));
+  slow.acknowledge_frames(false);
+  const std::uint64_t before = slow.frame_count();
+  Browser fast(session, "Fast");
+  ASSERT_EQ(slow.control(Control::EXECUTE), "");
+  ASSERT_TRUE(slow.wait([&] {
+    fast.watch_for(0.02);
+    return slow.questions().questions_size() == 1 && fast.questions().questions_size() == 1;
+  }));
+  EXPECT_LE(slow.frame_count(), before + 2);
+  EXPECT_GT(fast.frame_count(), 3U);
+}
+
+TEST(Session, AnAnswerOfNoAbortsTheMission) {
+  TestSession session(kDemo, 0.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.questions().questions_size() == 1; }));
+  EXPECT_TRUE(anna.wait([&] { return anna.status().outcome() == Status::UNDER_WAY; }));
+  EXPECT_NE(anna.answer(99, true), "");
+  EXPECT_EQ(anna.answer(anna.questions().questions(0).id(), false), "");
+  ASSERT_TRUE(wait_for(anna, Status::ENDED));
+  EXPECT_EQ(anna.status().outcome(), Status::ABORTED);
+}
+
+TEST(Session, StepsCyclesAndJumpsOneByOne) {
+  TestSession session(kDemo, 0.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.control(Control::SINGLE_CYCLE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().cycle() == 1; }));
+  EXPECT_EQ(anna.status().mode(), Status::PAUSED);
+  ASSERT_EQ(anna.control(Control::SINGLE_CYCLE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().cycle() == 2; }));
+  EXPECT_NE(anna.control(Control::JUMP, 77), "");
+  ASSERT_EQ(anna.control(Control::REWIND), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().current_step() == 0; }));
+  ASSERT_EQ(anna.control(Control::JUMP, 4), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().current_step() == 4; }));
+}
+
+TEST(Session, SetsTheSpeedAndKeepsIt) {
+  TestSession session(kDemo, 1.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ToServer speed;
+  speed.mutable_set_speed()->set_speed(20.0);
+  ASSERT_TRUE(anna.ask(speed).ok());
+  speed.mutable_set_speed()->set_speed(0.01);
+  EXPECT_FALSE(anna.ask(speed).ok());
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 10.0; }));
+  const double time = anna.status().time();
+  const auto began = std::chrono::steady_clock::now();
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > time + 20.0; }));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  EXPECT_GT(took.count(), 0.6) << "no faster than 20 times real time";
 }
 
 }  // namespace

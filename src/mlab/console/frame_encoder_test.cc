@@ -1,0 +1,69 @@
+#include "mlab/console/frame_encoder.h"
+
+#include <cstring>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "mlab/console/testing/run_of.h"
+
+namespace mlab::console {
+namespace {
+
+std::vector<RobotRows::Row> rows_of(const std::string& bytes) {
+  std::vector<RobotRows::Row> out(bytes.size() / sizeof(RobotRows::Row));
+  std::memcpy(out.data(), bytes.data(), out.size() * sizeof(RobotRows::Row));
+  return out;
+}
+
+TEST(PackedHeading, AFullTurnIs65536) {
+  EXPECT_EQ(packed_heading(0.0), 0);
+  EXPECT_EQ(packed_heading(std::numbers::pi / 2), 16384);
+  EXPECT_EQ(packed_heading(-std::numbers::pi / 2), 49152);
+  EXPECT_EQ(packed_heading(4 * std::numbers::pi), 0);
+  EXPECT_EQ(packed_heading(-1e-12), 0);
+}
+
+TEST(RobotRows, HoldTheStartedRobotsOfTheView) {
+  const auto run = testing::run_of(testing::kTravel);
+  run->post(mission::event::Execute{});
+  testing::step(*run, 20);
+  RobotRows rows;
+  const std::vector<base::RobotId> teleoperated = {{2}};
+  rows.gather(*run, {}, teleoperated);
+  std::string bytes;
+  EXPECT_EQ(rows.encode(std::nullopt, bytes), 0U);
+  ASSERT_EQ(bytes.size(), 32U) << "two of four are started";
+  const auto all = rows_of(bytes);
+  EXPECT_EQ(all[0].id, 1U);
+  EXPECT_EQ(all[0].flags & 7, 1) << "running";
+  EXPECT_EQ(all[0].flags >> 5 & 1, 0);
+  EXPECT_EQ(all[1].flags >> 5 & 1, 1) << "teleoperated";
+  EXPECT_NEAR(all[1].y, run->fleet().pose(*run->fleet().find({2})).position.y, 1e-3);
+  Box view;
+  view.set_x_min(0);
+  view.set_x_max(1000);
+  view.set_y_min(all[0].y - 1);
+  view.set_y_max(all[0].y + 1);
+  EXPECT_EQ(rows.encode(view, bytes), 1U);
+  ASSERT_EQ(rows_of(bytes).size(), 1U);
+  EXPECT_EQ(rows_of(bytes)[0].id, 1U);
+}
+
+TEST(Frames, TellStationsAndWantedVelocities) {
+  const auto run = testing::run_of(testing::kTravel);
+  run->post(mission::event::Execute{});
+  testing::step(*run, 20);
+  std::string stations;
+  encode_stations(*run, stations);
+  EXPECT_EQ(stations.size(), 2 * 12U);
+  std::string vectors;
+  encode_vectors(*run, vectors);
+  ASSERT_EQ(vectors.size(), 2 * 12U);
+  float x = 0.0F;
+  std::memcpy(&x, vectors.data() + 4, sizeof x);
+  EXPECT_GT(x, 0.0F) << "they go to the east";
+}
+
+}  // namespace
+}  // namespace mlab::console

@@ -1,0 +1,161 @@
+#include "mlab/console/robot_detail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/core.h>
+
+#include "mlab/console/overview.h"
+#include "mlab/console/wire.h"
+#include "mlab/mission/wording.h"
+
+namespace mlab::console {
+namespace {
+
+using fleet::FleetRobot;
+using fleet::RobotLife;
+
+struct Beam {
+  float angle, distance, hit;
+};
+struct Seen {
+  float x, y, radius;
+};
+
+const mission::RobotState* state_of(const fleet::MissionRun& run, const FleetRobot& robot) {
+  const auto& robots = run.state().robots;
+  const auto at = std::ranges::lower_bound(robots, robot.id, {}, &mission::RobotState::id);
+  return at == robots.end() || at->id != robot.id ? nullptr : &*at;
+}
+
+void encode_command(const fleet::MissionRun& run, const Estimates& estimates, const FleetRobot& robot,
+                    RobotDetail& out) {
+  out.set_remaining(-1.0);
+  out.set_arrival(-1.0);
+  const mission::State& state = run.state();
+  const mission::RobotState* known = state_of(run, robot);
+  const fleet::Group* group = run.fleet().group(robot);
+  if (group != nullptr && group->command) {
+    const mission::Mission& mission = *state.mission;
+    out.set_command(clean(mission::command_text(mission, *group->command)));
+    out.set_task(std::string(mission::task_name(group->order.task)));
+    if (group->command->unit < mission.units.size())
+      out.set_unit(clean(mission::unit_name(mission, group->command->unit)));
+    const bool follows = group->order.task == percept::Task::kFollow && !group->order.route.empty();
+    const geom::Point goal = follows ? group->order.route.back() : group->order.goal;
+    out.mutable_goal()->set_x(goal.x);
+    out.mutable_goal()->set_y(goal.y);
+    if (robot.action.status.sequence == group->order.sequence && std::isfinite(robot.action.status.remaining))
+      out.set_remaining(robot.action.status.remaining);
+  }
+  if (known == nullptr || known->run >= state.runs.size()) return;
+  const mission::Run& command = state.runs[known->run];
+  out.set_command(clean(state.commands[command.record].text));
+  out.set_unit(clean(state.commands[command.record].unit));
+  out.set_arrival(estimates.of(state, command).arrival);
+}
+
+void encode_ports(const FleetRobot& robot, RobotDetail& out) {
+  const flow::Program& program = *robot.program->program;
+  std::string& numbers = *out.mutable_numbers();
+  for (const flow::Port& port : program.ports()) {
+    out.add_ports(clean(flow::Program::print(robot.frame.data(), port)));
+    append(
+        numbers,
+        flow::Program::number(robot.frame.data(), port).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+}
+
+void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim::SenseBuffer& buffer,
+                     RobotDetail& out) {
+  const flow::Needs needs = robot.program->program->needs(robot.frame.data());
+  percept::Percepts percepts;
+  run.simulator().sense(robot.body, {needs.obstacles, 0.0, 0.0, 0, robot.body_spec.ring.count > 0}, buffer,
+                        percepts);
+  for (const percept::RangeReading& beam : percepts.ranges)
+    append(*out.mutable_ranges(), Beam{beam.angle, beam.distance, beam.hit ? 1.0F : 0.0F});
+  for (const percept::Obstacle& obstacle : percepts.obstacles) {
+    const geom::Point at = percepts.pose.point_at(obstacle.center);
+    append(*out.mutable_obstacles(),
+           Seen{static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(obstacle.radius)});
+  }
+}
+
+void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, DetailWishes wishes,
+                    sim::SenseBuffer& buffer, RobotDetail& out) {
+  const flow::Program& program = *robot.program->program;
+  for (const std::string& state : program.active_states(robot.frame.data())) out.add_states(clean(state));
+  for (const flow::Contribution& part : program.contributions(robot.frame.data())) {
+    RobotDetail::Contribution& told = *out.add_contributions();
+    told.set_sum(clean(part.sum));
+    told.set_member(clean(part.member));
+    told.set_x(part.weighted.x);
+    told.set_y(part.weighted.y);
+  }
+  if (wishes.ports) encode_ports(robot, out);
+  if (wishes.readings && robot.life == RobotLife::kRunning) encode_readings(run, robot, buffer, out);
+}
+
+}  // namespace
+
+std::vector<std::string> waits_for(const fleet::MissionRun& run, const FleetRobot& robot) {
+  std::vector<std::string> out;
+  const mission::State& state = run.state();
+  if (run.is_stopped()) out.emplace_back("an emergency stop holds all robots until it is released");
+  if (state.paused) out.emplace_back("the run is paused");
+  const mission::RobotState* known = state_of(run, robot);
+  if (known != nullptr && known->run < state.runs.size()) {
+    const mission::Run& command = state.runs[known->run];
+    out.push_back(fmt::format("`{}` waits for {}", state.commands[command.record].text,
+                              mission::waiting_text(state, command)));
+    const fleet::Group* group = run.fleet().group(robot);
+    if (known->done)
+      out.emplace_back("this robot is done with it");
+    else if (group != nullptr && group->order.halted)
+      out.emplace_back("this robot holds while another part of the unit moves, or at a phase line");
+    else if (std::isfinite(known->remaining))
+      out.push_back(fmt::format("this robot has {:.1f} m to go", known->remaining));
+  } else if (robot.life == RobotLife::kRunning) {
+    out.emplace_back("no command waits for this robot");
+  }
+  if (robot.program->program && robot.life == RobotLife::kRunning) {
+    for (const auto& way : robot.program->program->ways_out(robot.frame.data())) {
+      out.push_back(fmt::format("{} leaves {} for {} when `{}` is {}; now it is {}", way.sequence, way.state,
+                                way.target, way.trigger, !way.is_negated, way.trigger_value));
+    }
+  }
+  for (std::string& line : run.explain(robot)) out.push_back(std::move(line));
+  return out;
+}
+
+void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const FleetRobot& robot,
+                   DetailWishes wishes, sim::SenseBuffer& buffer, RobotDetail& out) {
+  out.set_id(robot.id.value);
+  out.set_life(std::string(name(robot.life)));
+  out.set_fault(clean(robot.fault));
+  if (robot.program->program) encode_program(run, robot, wishes, buffer, out);
+  if (robot.life == RobotLife::kNotStarted) {
+    out.set_remaining(-1.0);
+    out.set_arrival(-1.0);
+    out.add_waits_for("the robot has not been started");
+    return;
+  }
+  const geom::Pose pose = run.fleet().pose(robot);
+  out.set_x(pose.position.x);
+  out.set_y(pose.position.y);
+  out.set_heading(pose.heading);
+  out.set_speed(geom::length(run.simulator().velocity(robot.body)));
+  out.set_distance_driven(run.simulator().distance_driven(robot.body));
+  out.set_contacts(run.simulator().contacts(robot.body));
+  out.set_carried(run.simulator().carried(robot.body).value);
+  encode_command(run, estimates, robot, out);
+  if (const auto station = run.fleet().station_place(robot)) {
+    out.mutable_station()->set_x(station->x);
+    out.mutable_station()->set_y(station->y);
+    out.set_station_error(run.fleet().station_error(robot));
+  }
+  for (const std::string& line : waits_for(run, robot)) out.add_waits_for(clean(line));
+}
+
+}  // namespace mlab::console

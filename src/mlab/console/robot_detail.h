@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mlab/console.pb.h"
+#include "mlab/console/estimates.h"
+#include "mlab/fleet/mission_run.h"
+#include "mlab/sim/sensing.h"
+
+namespace mlab::console {
+
+/// What of a robot's details is wanted beyond the ordinary.
+struct DetailWishes {
+  bool ports = false;
+  bool readings = false;
+};
+
+/// Everything about one robot: where it is, what it follows, why it moves as it does, what it waits for.
+/// @param buffer  for sensing; used again and again
+void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const fleet::FleetRobot& robot,
+                   DetailWishes wishes, sim::SenseBuffer& buffer, RobotDetail& out);
+
+/// Why the robot is not done, and what would change that, in sentences.
+std::vector<std::string> waits_for(const fleet::MissionRun& run, const fleet::FleetRobot& robot);
+
+}  // namespace mlab::console
