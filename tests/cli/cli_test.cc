@@ -100,6 +100,15 @@ TEST_F(Command, AnEnvironmentFileWithAMistakeStopsTheRunBeforeItBegins) {
   EXPECT_EQ(mlab("run mission.mdl --headless --environment nosuch.env").status, 2);
 }
 
+TEST_F(Command, ARobotThatTheEdgeOfTheAreaHoldsIsSaidToBeHeldByIt) {
+  write("map.odl", "SITE Test\nMISSION-AREA 200 200\nCONTROL MEASURES:\nPP Here 100 100\nPP There 300 100\n");
+  write("mission.mdl", kMission);
+  const Outcome o = mlab("run mission.mdl --headless --patience 30");
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.out, "edge of the mission area to the east")) << o.out;
+  EXPECT_FALSE(has(o.out, "to the west")) << o.out;
+}
+
 TEST_F(Command, NumbersThatAreNoneAreUsageErrors) {
   write("map.odl", kMap);
   write("mission.mdl", kMission);
