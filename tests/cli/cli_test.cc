@@ -109,6 +109,14 @@ TEST_F(Command, ARobotThatTheEdgeOfTheAreaHoldsIsSaidToBeHeldByIt) {
   EXPECT_FALSE(has(o.out, "to the west")) << o.out;
 }
 
+TEST_F(Command, ProceedNeedsNobodyAtTheTerminalToEndATeleoperation) {
+  write("map.odl", kMap);
+  write("mission.mdl", std::string(kMission) + "2. UNIT u TELEOPERATE Here\n3. UNIT u MOVETO Here\n");
+  const Outcome o = mlab("run mission.mdl --headless --proceed");
+  EXPECT_EQ(o.status, 0) << o.out;
+  EXPECT_TRUE(has(o.out, "mission done")) << o.out;
+}
+
 TEST_F(Command, NumbersThatAreNoneAreUsageErrors) {
   write("map.odl", kMap);
   write("mission.mdl", kMission);
