@@ -228,6 +228,22 @@ TEST_F(Command, AsksWhetherAUnitMayProceedAndTakesTheAnswers) {
   EXPECT_TRUE(has(nobody.out, "--proceed")) << "says how to go on without an operator";
 }
 
+TEST_F(Command, AQuestionThatAnswersItselfNeedsNobodyAtTheTerminal) {
+  const Outcome run = mlab("run '" + kMissions + "patrol/patrol.mdl' --headless");
+  EXPECT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_TRUE(has(run.out, "mission done")) << run.out;
+}
+
+TEST_F(Command, NeverOverwritesTheMissionThatItRuns) {
+  write("map.odl", kMap);
+  write("town.mdl", kMission);
+  const Outcome run = mlab("run town.mdl --headless --proceed --report ./town.mdl");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(has(run.err, "that is the mission itself")) << run.err;
+  EXPECT_EQ(text_of(folder_ / "town.mdl"), kMission);
+  EXPECT_EQ(mlab("run town.mdl --headless --proceed --report x --plot x").status, 2);
+}
+
 TEST_F(Command, AnInterruptEndsTheRunWithAReport) {
   write("map.odl", kMap);
   write("m.mdl", kMission);
