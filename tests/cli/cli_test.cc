@@ -68,6 +68,98 @@ constexpr const char* kMission =
     "MISSION NAME Test\nOVERLAY map.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u "
     "MOVETO There\n";
 
+TEST_F(Command, AnEnvironmentFileChangesTheWorldWhileTheMissionRuns) {
+  write("map.odl", "SITE Test\nMISSION-AREA 300 200\nCONTROL MEASURES:\nPP Here 40 100\nPP There 260 100\n");
+  write("mission.mdl", kMission);
+  write("change.env",
+        "STEP_COUNT 5\n  ADD OBSTACLE 130 103 12\nSTEP_COUNT 0 2\n  REGION 0 150 300 200 ADD OBSTACLE 80 1 "
+        "2\n");
+  const auto driven = [&](const std::string& report) {
+    return Json::parse(text_of(folder_ / report)).at("robots").at(0).at("distance_m").get<double>();
+  };
+  const Outcome without = mlab("run mission.mdl --headless --quiet --report without.json");
+  ASSERT_EQ(without.status, 0) << without.err;
+  const Outcome o =
+      mlab("run mission.mdl --headless --environment change.env --report with.json --plot with.svg");
+  ASSERT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_GT(driven("with.json"), driven("without.json") + 1.0) << "the way around the new obstacle is longer";
+  const std::string no_room = "no room for as many obstacles";
+  EXPECT_TRUE(has(o.out, no_room));
+  EXPECT_EQ(o.out.find(no_room), o.out.rfind(no_room)) << "told every two seconds it would bury the rest";
+}
+
+TEST_F(Command, AnEnvironmentFileWithAMistakeStopsTheRunBeforeItBegins) {
+  write("map.odl", kMap);
+  write("mission.mdl", kMission);
+  write("change.env", "STEP_COUNT 5 REMOV OBSTACLE 1 1\n");
+  const Outcome o = mlab("run mission.mdl --headless --environment change.env --report r.json");
+  EXPECT_EQ(o.status, 2);
+  EXPECT_TRUE(has(o.err, "change.env:1:14: error:")) << o.err;
+  EXPECT_TRUE(o.out.empty()) << o.out;
+  EXPECT_FALSE(fs::exists(folder_ / "r.json"));
+  EXPECT_EQ(mlab("run mission.mdl --headless --environment nosuch.env").status, 2);
+}
+
+TEST_F(Command, ARobotThatTheEdgeOfTheAreaHoldsIsSaidToBeHeldByIt) {
+  write("map.odl", "SITE Test\nMISSION-AREA 200 200\nCONTROL MEASURES:\nPP Here 100 100\nPP There 300 100\n");
+  write("mission.mdl", kMission);
+  const Outcome o = mlab("run mission.mdl --headless --patience 30");
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.out, "edge of the mission area to the east")) << o.out;
+  EXPECT_FALSE(has(o.out, "to the west")) << o.out;
+}
+
+TEST_F(Command, ProceedNeedsNobodyAtTheTerminalToEndATeleoperation) {
+  write("map.odl", kMap);
+  write("mission.mdl", std::string(kMission) + "2. UNIT u TELEOPERATE Here\n3. UNIT u MOVETO Here\n");
+  const Outcome o = mlab("run mission.mdl --headless --proceed");
+  EXPECT_EQ(o.status, 0) << o.out;
+  EXPECT_TRUE(has(o.out, "mission done")) << o.out;
+}
+
+TEST_F(Command, NumbersThatAreNoneAreUsageErrors) {
+  write("map.odl", kMap);
+  write("mission.mdl", kMission);
+  for (const char* option : {"--seed -1", "--seed 99999999999999999999", "--seed 1.5", "--patience nan",
+                             "--patience inf", "--limit nan", "--limit -1", "--limit 1e999"}) {
+    const Outcome o = mlab(std::string("run mission.mdl --headless ") + option);
+    EXPECT_EQ(o.status, 2) << option;
+    EXPECT_TRUE(o.out.empty()) << option;
+    EXPECT_TRUE(has(o.err, "expected")) << o.err;
+  }
+  EXPECT_EQ(mlab("bench --range nan").status, 2);
+  EXPECT_EQ(mlab("bench --seed -1").status, 2);
+}
+
+TEST_F(Command, OfManyRobotsThatAreMovedAtTheStartOnlyTheFirstAreNamed) {
+  write("map.odl", kMap);
+  std::string text = "OVERLAY map.odl\nUNIT <u>";
+  for (int i = 0; i < 30; ++i) text += " ROBOT";
+  write("mission.mdl", text + "\nCOMMAND LIST:\n0. UNIT u START Here\n");
+  const Outcome o = mlab("run mission.mdl --headless");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.out, "robot 9 starts at")) << o.out;
+  EXPECT_FALSE(has(o.out, "robot 10 starts at")) << o.out;
+  EXPECT_TRUE(has(o.out, "21 more robots start at the nearest free place")) << o.out;
+}
+
+TEST_F(Command, AProgramThatPutsOutNoNumberIsAFaultThatIsNamed) {
+  write("map.odl", kMap);
+  write("mine.cnl",
+        "procedure Vector Lost with\nheader\nbody\n  output = Vector{0.0 / time, "
+        "0.0};\npend\nnode lost is Lost with nend\nnode wheels is Drive with v = lost; nend\n");
+  write("mission.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT mine \"mine.cnl\"\nUNIT <u> mine\nCOMMAND LIST:\n0. UNIT u START "
+        "Here\n1. UNIT u "
+        "MOVETO There\n");
+  const Outcome o = mlab("run mission.mdl --headless --patience 5 --report r.json");
+  EXPECT_EQ(o.status, 1) << o.err;
+  EXPECT_TRUE(has(o.out, "no number, first at `lost`")) << o.out << o.err;
+  const Json robot = Json::parse(text_of(folder_ / "r.json")).at("robots").at(0);
+  EXPECT_EQ(robot.at("state"), "fault");
+  EXPECT_EQ(robot.at("fault"), "lost");
+}
+
 TEST_F(Command, HelpIsAnsweredOnStandardOutputWithStatusZero) {
   for (const char* arguments : {"--help", "run --help", "check --help", "fmt --help", "describe --help",
                                 "bench --help", "--version"}) {
@@ -192,6 +284,22 @@ TEST_F(Command, AsksWhetherAUnitMayProceedAndTakesTheAnswers) {
   const Outcome nobody = mlab("run m.mdl --headless");
   EXPECT_EQ(nobody.status, 1);
   EXPECT_TRUE(has(nobody.out, "--proceed")) << "says how to go on without an operator";
+}
+
+TEST_F(Command, AQuestionThatAnswersItselfNeedsNobodyAtTheTerminal) {
+  const Outcome run = mlab("run '" + kMissions + "patrol/patrol.mdl' --headless");
+  EXPECT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_TRUE(has(run.out, "mission done")) << run.out;
+}
+
+TEST_F(Command, NeverOverwritesTheMissionThatItRuns) {
+  write("map.odl", kMap);
+  write("town.mdl", kMission);
+  const Outcome run = mlab("run town.mdl --headless --proceed --report ./town.mdl");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(has(run.err, "that is the mission itself")) << run.err;
+  EXPECT_EQ(text_of(folder_ / "town.mdl"), kMission);
+  EXPECT_EQ(mlab("run town.mdl --headless --proceed --report x --plot x").status, 2);
 }
 
 TEST_F(Command, AnInterruptEndsTheRunWithAReport) {

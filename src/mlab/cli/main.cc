@@ -1,7 +1,12 @@
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include <fmt/core.h>
@@ -12,6 +17,23 @@
 
 namespace mlab::cli {
 namespace {
+
+// What CLI11 lets through otherwise: -1 and 1e30 as seeds, `nan` as seconds.
+std::string refuse_unless_whole(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size()
+             ? ""
+             : fmt::format("{}: expected a whole number from 0 to {}", text,
+                           std::numeric_limits<std::uint64_t>::max());
+}
+std::string refuse_unless_positive(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value) && value > 0.0
+             ? ""
+             : fmt::format("{}: expected a number above 0", text);
+}
 
 int hardware_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -25,7 +47,10 @@ void add_run(CLI::App& app, RunOptions& o) {
   c->add_flag("--proceed", o.proceed, "answer every Proceed? with yes");
   c->add_option("--speed", o.speed, "real, N times real time, or max (default: 10; headless: max)")
       ->type_name("real|N|max");
-  c->add_option("--seed", o.seed, "of everything random in the run")->capture_default_str()->type_name("N");
+  c->add_option("--seed", o.seed, "of everything random in the run")
+      ->capture_default_str()
+      ->check(refuse_unless_whole)
+      ->type_name("N");
   c->add_option("--threads", o.threads,
                 "how many threads step the robots; the result is the same for any number")
       ->capture_default_str()
@@ -43,10 +68,10 @@ void add_run(CLI::App& app, RunOptions& o) {
   c->add_option("--patience", o.patience,
                 "simulated seconds without progress after which a command has failed")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber)
+      ->check(refuse_unless_positive)
       ->type_name("SECONDS");
   c->add_option("--limit", o.limit, "end the run after so many simulated seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(refuse_unless_positive)
       ->type_name("SECONDS");
   c->add_flag("--strict", o.strict, "warnings keep the mission from running (exit status 1)");
   c->add_flag("--quiet", o.quiet, "print only the summary");
@@ -129,12 +154,16 @@ void add_bench(CLI::App& app, BenchOptions& o) {
       ->type_name("FILE");
   c->add_option("--range", o.range, "of the range sensors [m]")
       ->capture_default_str()
+      ->check(refuse_unless_positive)
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("M");
   c->add_option("--seed", o.seed, "of the generator and the behaviors")
       ->capture_default_str()
+      ->check(refuse_unless_whole)
       ->type_name("N");
-  c->add_option("--cycles", o.cycles, "timed cycles (default: by the number of robots)")->type_name("N");
+  c->add_option("--cycles", o.cycles, "timed cycles (default: by the number of robots)")
+      ->check(refuse_unless_whole)
+      ->type_name("N");
   c->add_option("--json", o.json, "write the figures to a file")->type_name("FILE");
 }
 

@@ -79,9 +79,16 @@ class TerminalOperator {
       is_prompted_ = false;
     }
     if (const auto* gone = std::get_if<mission::effect::Withdraw>(&effect)) {
+      if (is_prompted_ && !asked_.empty() && asked_.begin()->first == gone->question) {
+        fmt::print("\n");
+        is_prompted_ = false;
+      }
       asked_.erase(gone->question);
-      is_prompted_ = false;
     }
+    const auto* told = std::get_if<mission::effect::Tell>(&effect);
+    if (told != nullptr && told->kind == mission::effect::Tell::Kind::kCommandEnded && teleoperated_ &&
+        run_.state().commands[told->command].unit == run_.mission().units[*teleoperated_].name)
+      teleoperated_.reset();
     if (const auto* open = std::get_if<mission::effect::OpenTeleoperation>(&effect)) {
       teleoperated_ = open->unit;
       screen_.line(fmt::format("  unit {} is teleoperated, and there is no stick here: press Enter to end it",
@@ -89,6 +96,8 @@ class TerminalOperator {
     }
   }
   bool is_needed() const { return !asked_.empty() || teleoperated_.has_value(); }
+  // A unit is under the stick: nothing but a person ends that.
+  bool is_steering() const { return teleoperated_.has_value(); }
 
   // Asks and waits for at most `wait_ms`. False where nobody is left to answer.
   bool attend(int wait_ms) {
@@ -100,7 +109,7 @@ class TerminalOperator {
     std::string line;
     const Answers::Kind kind = answers_.poll_line(wait_ms, line);
     if (kind == Answers::Kind::kEnd) {
-      if (!asked_.empty()) fmt::print("\n");
+      if (!asked_.empty() && !std::exchange(is_over_, true)) fmt::print("\n");
       return false;
     }
     if (kind == Answers::Kind::kLine) {
@@ -136,6 +145,7 @@ class TerminalOperator {
   std::map<std::uint32_t, std::string> asked_;
   std::optional<std::uint32_t> teleoperated_;
   bool is_prompted_ = false;
+  bool is_over_ = false;  // nobody will answer any more
 };
 
 struct Prepared {
@@ -195,7 +205,9 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
     const bool waits = progress == fleet::MissionRun::Progress::kWaits;
     if (person.is_needed()) {
       const double before = steady_seconds();
-      if (!person.attend(waits ? 100 : 0)) {
+      // A question that answers itself needs nobody.
+      if (!person.attend(waits ? 100 : 0) &&
+          (person.is_steering() || mission::awaits_only_operator(run.state()))) {
         screen.line(
             "no answer: standard input has ended. The mission is aborted; --proceed answers every question "
             "with yes");

@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -23,6 +25,28 @@ std::optional<double> speed_of(const std::string& text, double default_speed) {
   return value;
 }
 
+// The files that the run leaves behind can be written, and nothing that it reads is among them.
+bool outputs_are_usable(const RunOptions& options) {
+  for (const auto& [option, file] :
+       {std::pair("--report", options.report), std::pair("--plot", options.plot)}) {
+    if (file.empty()) continue;
+    for (const auto& [what, input] :
+         {std::pair("mission", options.mission), std::pair("file of --environment", options.environment)}) {
+      std::error_code unreadable;
+      if (input.empty() || !std::filesystem::equivalent(file, input, unreadable)) continue;
+      usage_error(
+          fmt::format("{} {}: that is the {} itself, which would be overwritten", option, file, what));
+      return false;
+    }
+    if (is_writable(file)) continue;
+    usage_error(fmt::format("{} {}: the file can't be written", option, file));
+    return false;
+  }
+  if (options.report.empty() || options.report != options.plot) return true;
+  usage_error(fmt::format("--report and --plot both name {}", options.report));
+  return false;
+}
+
 }  // namespace
 
 std::optional<RunManner> run_manner(const RunOptions& options, double default_speed) {
@@ -39,12 +63,7 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
         fmt::format("--start-time {}: expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS", options.start_time));
     return std::nullopt;
   }
-  for (const auto& [option, file] :
-       {std::pair("--report", options.report), std::pair("--plot", options.plot)}) {
-    if (file.empty() || is_writable(file)) continue;
-    usage_error(fmt::format("{} {}: the file can't be written", option, file));
-    return std::nullopt;
-  }
+  if (!outputs_are_usable(options)) return std::nullopt;
   RunManner out;
   out.speed = *speed;
   out.clock = *clock;

@@ -6,13 +6,15 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/fleet/mission_run.h"
+#include "mlab/sim/world.h"
 
 namespace mlab::fleet {
 namespace {
 
 // What adds less than this to the motion is left out [share of full strength].
 constexpr double kWorthTelling = 0.02;
-constexpr double kNear = 50.0;  // [m]
+constexpr double kNear = 50.0;   // [m]
+constexpr double kAtEdge = 0.1;  // farther from where the edge holds a robot than this, it does not [m]
 
 std::string direction_word(geom::Vector v) {
   const double angle = base::degrees(geom::direction(v));
@@ -88,6 +90,16 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
     out.push_back(fmt::format("  wall {:.1f} m away to the {}", wall_distance,
                               compass_word(wall_point - pose.position)));
   }
+  // The edge holds whoever wants to go on through it.
+  const auto at_edge = [&](double gap, const char* where) {
+    if (std::abs(gap - sim::kAreaMargin) < kAtEdge)
+      out.push_back(fmt::format("  edge of the mission area to the {}", where));
+  };
+  const overlay::Area area = state_.mission->overlay.mission_area();
+  at_edge(pose.position.x, "west");
+  at_edge(area.width - pose.position.x, "east");
+  at_edge(pose.position.y, "south");
+  at_edge(area.height - pose.position.y, "north");
   for (const FleetRobot& other : fleet_->robots()) {
     if (&other == &robot || other.life == RobotLife::kNotStarted) continue;
     const geom::Offset to = fleet_->pose(other).position - pose.position;

@@ -11,6 +11,12 @@ namespace mlab::fleet {
 
 using mission::effect::Tell;
 
+namespace {
+
+constexpr std::size_t kMostMoved = 8;  // robots of a START that are named because they were moved
+
+}  // namespace
+
 MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings)
     : settings_(std::move(settings)), state_(mission::initial_state(crew->mission, settings_.executive)) {
   const mission::Mission& plan = *state_.mission;
@@ -34,7 +40,13 @@ void MissionRun::post(const mission::Event& event) {
     answers_.push_back({cycle_, answer->question, answer->proceed});
   mission::Advance advanced = mission::advance(std::move(state_), event);
   state_ = std::move(advanced.state);
+  moved_at_start_ = 0;
   for (const mission::Effect& effect : advanced.effects) apply(effect);
+  if (moved_at_start_ > kMostMoved) {
+    tell(Tell::Kind::kWarning,
+         fmt::format("{} more robots start at the nearest free place, since theirs is taken",
+                     moved_at_start_ - kMostMoved));
+  }
 }
 
 void MissionRun::apply(const mission::Effect& effect) {
@@ -63,7 +75,7 @@ void MissionRun::start_robot(const mission::effect::Start& start) {
     tell(Tell::Kind::kWarning,
          fmt::format("robot {} {}", start.robot.value,
                      is_alive ? "is started already" : "can't start: there is no free place near"));
-  } else if (placement->moved) {
+  } else if (placement->moved && ++moved_at_start_ <= kMostMoved) {
     const geom::Point to = placement->pose.position;
     tell(Tell::Kind::kWarning,
          fmt::format("robot {} starts at ({:.2f}, {:.2f}): its place ({:.2f}, {:.2f}) is taken",
@@ -134,7 +146,8 @@ void MissionRun::happen(const overlay::EnvironmentEvent& event, std::uint64_t ex
       bodies.push_back({fleet_->pose(robot).position, robot.body_spec.radius, 0.0, {}});
   }
   if (!overlay::apply(event, execution, settings_.seed, bodies, after)) {
-    tell(Tell::Kind::kWarning, "the environment has no room for as many obstacles as its file wants");
+    if (!std::exchange(is_full_, true))
+      tell(Tell::Kind::kWarning, "the environment has no room for as many obstacles as its file wants");
   }
   // Only what really comes or goes is touched, so that robots and grids are left alone otherwise.
   const auto less = [](const overlay::ObstacleDisc& a, const overlay::ObstacleDisc& b) {

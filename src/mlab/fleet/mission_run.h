@@ -153,6 +153,8 @@ class MissionRun {
   std::uint64_t first_of_duration_ = 0;  // and this cycle
   std::uint64_t cycle_ = 0;
   std::uint64_t robot_cycles_ = 0;
+  std::size_t moved_at_start_ = 0;  // by the effects in hand
+  bool is_full_ = false;            // the environment had no room once, which was told
   std::vector<UnitMetrics> metrics_;
   std::vector<AnswerRecord> answers_;
   bool is_stopped_ = false;

@@ -103,7 +103,7 @@ void order_robots(Turn& turn, Run& run) {
   }
   if (run.command->task != Task::kTeleoperate) return;
   run.phase = Run::Phase::kTeleoperation;
-  emit(turn, effect::OpenTeleoperation{run.unit});
+  if (!turn.state.options.proceed_all) emit(turn, effect::OpenTeleoperation{run.unit});
 }
 
 struct Begin {

@@ -175,6 +175,7 @@ TEST(Teleoperation, IsTakenAsCompleteWhereNobodyIsAsked) {
   fleet.send(event::Execute{});
   ASSERT_TRUE(fleet.run(1.0));
   EXPECT_TRUE(fleet.has_told("nobody steers, taken as complete"));
+  EXPECT_EQ(fleet.count<effect::OpenTeleoperation>(), 0) << "nobody is to be waited for";
 }
 
 }  // namespace

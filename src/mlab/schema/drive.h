@@ -17,7 +17,8 @@ struct SpeedLimits {
 
 /// The velocity for a schema vector [m/s]. Too fast is made slower in the same direction. In cautious mode
 /// the lower limit holds only while some schema makes an absolute demand (its safety margin is broken), not
-/// for every vector that is too long. Zero for a vector that is not a number.
+/// for every vector that is too long. No number for a vector that is none, so that whoever runs the robot
+/// sees the fault instead of a robot that stands.
 constexpr bool is_absolute(double strength) {
   return strength >= kAbsolute;
 }
@@ -27,7 +28,7 @@ inline geom::Vector velocity(geom::Vector v, SpeedLimits limits) {
       limits.is_cautious && is_absolute(strength) ? std::min(limits.cautious, limits.max) : limits.max;
   const geom::Vector wanted{v.x * limits.base, v.y * limits.base, 0.0};
   const double speed = strength * limits.base;
-  return speed <= limit ? wanted : geom::unit(v) * limit;
+  return speed > limit ? geom::unit(v) * limit : wanted;
 }
 
 }  // namespace mlab::schema

@@ -18,6 +18,7 @@ constexpr double kRelativeStep = 0.02;
 
 void Placer::rebuild(const Bodies& bodies) {
   widest_ = 0.0;
+  last_ = {};
   for (const double radius : bodies.radius) widest_ = std::max(widest_, radius);
   cells_.resize(2 * bodies.count() + 64, std::max(0.5, 2.0 * widest_));
   first_.assign(cells_.size(), kEnd);
@@ -63,21 +64,23 @@ bool Placer::is_free(const Bodies& bodies, const Statics& statics, Point place, 
 }
 
 std::optional<Point> Placer::nearest_free(const Bodies& bodies, const Statics& statics, Point wanted,
-                                          double radius, const Box& area, std::uint32_t except) const {
+                                          double radius, const Box& area, std::uint32_t except) {
   const auto is_good = [&](Point p) {
     return p.x >= area.x0 && p.x <= area.x1 && p.y >= area.y0 && p.y <= area.y1 &&
            is_free(bodies, statics, p, radius, except);
   };
   if (is_good(wanted)) return wanted;
   const double least = std::max(kLeastStep, radius / 2);
-  double away = least;
+  double away = except == kNone && last_.is_same(wanted, radius, area) ? last_.away : least;
   while (away <= kFarthestMove) {
     const double step = std::max(least, kRelativeStep * away);
     const int count = std::max(8, static_cast<int>(std::ceil(2.0 * std::numbers::pi * away / step)));
     for (int i = 0; i < count; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / count;
       const Point p = wanted + geom::Offset{away * std::cos(angle), away * std::sin(angle)};
-      if (is_good(p)) return p;
+      if (!is_good(p)) continue;
+      if (except == kNone) last_ = {wanted, radius, area, away};
+      return p;
     }
     away += step;
   }

@@ -1,4 +1,3 @@
-#include <ctime>
 #include <memory>
 #include <random>
 #include <string>
@@ -6,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "mlab/base/processor_time.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/format.h"
@@ -40,17 +40,10 @@ std::string repeated(const std::string& piece) {
   return out;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
-constexpr double kLimit = 20.0;  // what sanitizers and missing optimisation may cost
-#else
-constexpr double kLimit = 1.0;
-#endif
+constexpr double kLimit = 1.0 * base::kSlowness;  // [s]
 
-// Of this process, so that a busy machine does not count [s].
 double seconds(const std::string& text) {
-  const std::clock_t begin = std::clock();
-  read_all(text);
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return base::processor_seconds([&] { read_all(text); });
 }
 
 TEST(Limits, AMegabyteOfAnyOnePieceIsAnsweredWithinASecond) {

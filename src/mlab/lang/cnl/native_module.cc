@@ -68,6 +68,7 @@ class NativeBuild {
               "-O2",
               "-fPIC",
               "-ffp-contract=off",
+              "-fno-exceptions",  // nobody would catch one: the process would end
               "-fvisibility=hidden",
               "-Wall",
               "-fno-diagnostics-show-caret",
@@ -100,6 +101,8 @@ class NativeBuild {
       if (!compile()) return std::nullopt;
       module.file = library_path();
       module.was_compiled = true;
+    } else {
+      report_compiler_messages(read_text(messages_of(module.file)), tree_, diagnostics_);
     }
     return open(std::move(module));
   }
@@ -135,6 +138,7 @@ class NativeBuild {
     words.insert(words.end(), flags_.begin(), flags_.end());
     words.insert(words.end(), last_words.begin(), last_words.end());
     const ProcessResult result = run_process(words, options_.limits);
+    messages_ = result.output;
     const text::Place place{tree_.source, {0, 0}};
     switch (result.end) {
       case ProcessResult::End::kNotFound: {
@@ -193,6 +197,10 @@ class NativeBuild {
     return states.empty() ? "" : in_folder(fmt::format("{}-{:016x}.so", key_, hash_of(states)));
   }
 
+  // What the compiler warned of, for those who get the library from the cache: the same file is told the
+  // same, whoever compiled it.
+  static std::string messages_of(const std::string& library) { return library + ".txt"; }
+
   bool compile() {
     const std::optional<std::string> text_file = write_text();
     if (!text_file) return false;
@@ -205,6 +213,8 @@ class NativeBuild {
       drop_own_text(dependencies, *text_file);
       std::error_code failure;
       fs::rename(dependencies, in_folder(key_ + ".d"), failure);
+      if (!failure && !messages_.empty())
+        std::ofstream(messages_of(library_path()), std::ios::binary) << messages_;
       if (!failure) fs::rename(library, library_path(), failure);
       done = !failure;
       if (failure)
@@ -247,8 +257,9 @@ class NativeBuild {
   std::string folder_;
   std::string text_;
   std::vector<std::string> flags_;
-  std::string key_;  ///< names what it is made from: text, compiler, version
-  std::string own_;  ///< path of the files of this compilation, without their ends
+  std::string key_;       ///< names what it is made from: text, compiler, version
+  std::string messages_;  ///< what the compiler said last
+  std::string own_;       ///< path of the files of this compilation, without their ends
 };
 
 }  // namespace

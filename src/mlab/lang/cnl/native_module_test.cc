@@ -88,6 +88,23 @@ TEST_F(NativeModuleTest, TakesWhatDidNotChangeFromTheCache) {
   EXPECT_TRUE(other_version.was_compiled);
 }
 
+TEST_F(NativeModuleTest, TellsTheCompilersWarningsAgainWhenTheLibraryComesFromTheCache) {
+  const char* text = "procedure int Odd with\nheader\n  int unused = 0;\nbody\n  output = 1;\npend\n";
+  EXPECT_TRUE(loaded(tree(text)).was_compiled);
+  const std::string first = text::render(sink_);
+  EXPECT_EQ(sink_.warning_count(), 1U) << first;
+  sink_ = {};
+  EXPECT_FALSE(loaded(tree(text)).was_compiled);
+  EXPECT_EQ(text::render(sink_), first);
+}
+
+TEST_F(NativeModuleTest, RefusesExceptionsWhichNobodyWouldCatch) {
+  const Tree mine = tree("procedure int Thrower with\nheader\nbody\n  throw 3;\npend\n");
+  EXPECT_FALSE(load_native(mine, options_, sink_));
+  EXPECT_EQ(first_kind(), "cpp-error");
+  EXPECT_NE(text::render(sink_).find("mine.cnl:4:"), std::string::npos) << text::render(sink_);
+}
+
 TEST_F(NativeModuleTest, CompilesAnewWhenAHeaderThatItIncludesHasChanged) {
   const char* text =
       "init\n#include \"gain.h\"\niend\nprocedure double Gain with\nheader\nbody\n  output = kGain;\npend\n";

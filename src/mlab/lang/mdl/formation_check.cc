@@ -17,6 +17,7 @@ namespace {
 constexpr int kRobotsLookedAt = 200;
 constexpr std::uint64_t kMaxGapVisits = 10'000'000;  // legs times gaps of the whole mission
 constexpr double kDefaultSpacing = 50.0;             // formation_spacing [m]
+constexpr double kDefaultRobotSphere = 30.0;         // occupy_avoid_robot_sphere [m]
 constexpr double kDefaultBodyRadius = 0.2;           // robot_radius [m]
 constexpr double kShortestLeg = 1e-6;                // below it there is no direction [m]
 
@@ -127,6 +128,7 @@ Extent FormationCheck::extent(const mission::UnitCommand& command, double headin
 void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segment leg) {
   const mission::Unit& unit = mission_.units[command.unit];
   if (!has_stations(command.formation) || unit.members.size() < 2) return;
+  check_room(command);
   const geom::Offset way = leg.b - leg.a;
   const bool has_way = geom::length(way) > kShortestLeg;
   const double heading = command.heading.value_or(has_way ? geom::direction(way) : 0.0);
@@ -149,6 +151,28 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
   for (const overlay::ControlMeasure* gap : gaps_) {
     if (leads_through(leg, *gap)) check_gap(command, leg, heading, *gap);
   }
+}
+
+// Two or three robots find their places all the same; more push each other off their stations for ever. Only
+// a spacing that was written is the author's doing.
+void FormationCheck::check_room(const mission::UnitCommand& command) {
+  const mission::Unit& unit = mission_.units[command.unit];
+  if (command.task != percept::Task::kOccupy || unit.members.size() < 4) return;
+  const mission::RobotType& type = mission_.types[type_of_robot_.at(unit.members[0].value)];
+  const double spacing = number_parameter(type, "formation_spacing", kDefaultSpacing);
+  const double sphere = number_parameter(type, "occupy_avoid_robot_sphere", kDefaultRobotSphere);
+  const bool is_written =
+      std::any_of(type.parameters.begin(), type.parameters.end(),
+                  [](const auto& parameter) { return parameter.key == "formation_spacing"; });
+  if (!is_written || spacing >= sphere || !crowded_units_.insert(command.unit).second) return;
+  diagnostics_
+      .warning("formation-tighter-than-robots", command.place,
+               fmt::format("{} stand {:.6g} m apart, but push each other away within {:.6g} m",
+                           described(unit, command.formation), spacing, sphere))
+      .hints.emplace_back(
+          fmt::format("set `occupy_avoid_robot_sphere` and `navigation_avoid_robot_sphere` below {:.6g} "
+                      "too, and both `..._min_range` below them",
+                      spacing));
 }
 
 void FormationCheck::check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,

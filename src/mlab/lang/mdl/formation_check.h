@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct Extent {
   double height() const { return max_y - min_y; }
 };
 
-/// Says whether a unit in formation fits into the mission area and through the gaps on its way.
+/// Says whether a unit in formation fits into the mission area and through the gaps on its way, and whether
+/// its robots leave each other the room to stand in it.
 class FormationCheck {
  public:
   FormationCheck(const mission::Mission& mission, text::Diagnostics& diagnostics);
@@ -33,6 +35,7 @@ class FormationCheck {
   Extent extent(const mission::UnitCommand& command, double heading);
   void check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,
                  const overlay::ControlMeasure& gap);
+  void check_room(const mission::UnitCommand& command);
 
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;
@@ -40,6 +43,7 @@ class FormationCheck {
   std::vector<double> spacing_of_type_;
   std::vector<double> radius_of_type_;
   std::map<std::uint32_t, std::uint32_t> type_of_robot_;
+  std::set<std::uint32_t> crowded_units_;  ///< that were warned about
   std::uint64_t gap_visits_ = 0;
   std::map<std::pair<percept::Formation, int>, std::vector<geom::Offset>> stations_;  // at spacing 1
 };

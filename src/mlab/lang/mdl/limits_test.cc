@@ -1,5 +1,4 @@
 #include <cstdint>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -9,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/processor_time.h"
 #include "mlab/base/random.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
@@ -17,8 +17,7 @@ namespace mlab::mdl {
 namespace {
 
 constexpr std::size_t kSize = std::size_t{1} << 20;
-// Processor time [s]. An answer takes well under a second; the rest is for sanitizers.
-constexpr double kPatience = 10.0;
+constexpr double kPatience = 1.0 * base::kSlowness;  // [s]
 
 std::string repeated(const std::string& piece, std::size_t size = kSize) {
   std::string out;
@@ -34,17 +33,17 @@ std::string numbered(const std::function<std::string(int)>& piece, std::size_t s
 
 // All that can be asked of a text.
 double seconds_for(const std::string& text) {
-  const std::clock_t begin = std::clock();
-  text::Diagnostics sink;
-  const auto source = std::make_shared<const text::Source>("test.mdl", text);
-  const auto mission = check_mission(source, "/nowhere", sink);
-  EXPECT_EQ(mission == nullptr, sink.has_errors());
-  static_cast<void>(text::render(sink));
-  static_cast<void>(looks_like_mdl(text));
-  text::Diagnostics again;
-  const Tree tree = parse(source, again);
-  if (!again.has_errors()) static_cast<void>(print(tree));
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return base::processor_seconds([&] {
+    text::Diagnostics sink;
+    const auto source = std::make_shared<const text::Source>("test.mdl", text);
+    const auto mission = check_mission(source, "/nowhere", sink);
+    EXPECT_EQ(mission == nullptr, sink.has_errors());
+    static_cast<void>(text::render(sink));
+    static_cast<void>(looks_like_mdl(text));
+    text::Diagnostics again;
+    const Tree tree = parse(source, again);
+    if (!again.has_errors()) static_cast<void>(print(tree));
+  });
 }
 
 TEST(MdlLimits, AMegabyteOfAnyBytesIsAnsweredSoon) {

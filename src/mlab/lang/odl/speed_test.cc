@@ -1,34 +1,27 @@
-#include <ctime>
 #include <string>
 #include <vector>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "mlab/base/processor_time.h"
 #include "mlab/base/random.h"
 #include "mlab/lang/odl/odl.h"
 
 namespace mlab::odl {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
-constexpr double kSlack = 20.0;  // what sanitizers and missing optimisation may cost
-#else
-constexpr double kSlack = 1.0;
-#endif
-
-// Seconds of the processor for all that any command does with an overlay: other programs on the machine do
-// not count.
+// For all that any command does with an overlay [s].
 double seconds_for(const std::string& text) {
-  const std::clock_t begin = std::clock();
-  text::Diagnostics sink;
-  overlay::Overlay overlay;
-  const Tree tree = parse(std::make_shared<const text::Source>("t.odl", text), sink);
-  apply(tree, overlay, sink, Companions::kIgnore);
-  static_cast<void>(print(tree));
-  static_cast<void>(text::render(sink));
-  static_cast<void>(looks_like_odl(text));
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return base::processor_seconds([&] {
+    text::Diagnostics sink;
+    overlay::Overlay overlay;
+    const Tree tree = parse(std::make_shared<const text::Source>("t.odl", text), sink);
+    apply(tree, overlay, sink, Companions::kIgnore);
+    static_cast<void>(print(tree));
+    static_cast<void>(text::render(sink));
+    static_cast<void>(looks_like_odl(text));
+  });
 }
 
 std::string repeated(std::string_view piece) {
@@ -89,7 +82,7 @@ TEST(OdlSpeed, AnswersAMegabyteOfAnythingWithinASecond) {
                                            "LOAD-MAP x\n",
                                            "PP a 1 2 -- c\n"};
   for (const std::string& piece : pieces) {
-    EXPECT_LT(seconds_for(repeated(piece)), kSlack) << "`" << piece << "`";
+    EXPECT_LT(seconds_for(repeated(piece)), base::kSlowness) << "`" << piece << "`";
   }
 }
 
@@ -98,7 +91,7 @@ TEST(OdlSpeed, AnswersAMegabyteOfRandomBytesWithinASecond) {
   for (const std::uint64_t range : {256ULL, 128ULL, 64ULL}) {
     std::string text = "CONTROL MEASURES:\n";
     while (text.size() < (std::size_t{1} << 20)) text += static_cast<char>(random.below(range));
-    EXPECT_LT(seconds_for(text), kSlack);
+    EXPECT_LT(seconds_for(text), base::kSlowness);
   }
 }
 
@@ -108,7 +101,7 @@ TEST(OdlSpeed, LoadsAHundredThousandFeaturesWithinASecond) {
     text += i % 2 == 0 ? fmt::format("PP point-{} {} {} 2.5\n", i, i % 1000, i / 1000)
                        : fmt::format("WALL \"wall {}\" 1 2 {} {}.5 5 6\n", i, i % 1000, i / 1000);
   }
-  EXPECT_LT(seconds_for(text), kSlack);
+  EXPECT_LT(seconds_for(text), base::kSlowness);
 }
 
 }  // namespace

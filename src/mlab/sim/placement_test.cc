@@ -1,0 +1,54 @@
+#include "mlab/sim/placement.h"
+
+#include <gtest/gtest.h>
+
+namespace mlab::sim {
+namespace {
+
+using geom::Point;
+
+constexpr Box kArea{0.0, 0.0, 100.0, 100.0};
+constexpr double kRadius = 0.2;
+
+void put(Bodies& bodies, Point place) {
+  bodies.x.push_back(place.x);
+  bodies.y.push_back(place.y);
+  bodies.radius.push_back(kRadius);
+  bodies.present.push_back(1);
+}
+
+// One that has searched for the same place before, and one that has not, must agree.
+TEST(Placer, FindsTheSamePlacesWhetherItSearchedForThemBeforeOrNot) {
+  const Statics statics({{{50.5, 50.0}, 1.0}}, {});
+  Bodies bodies;
+  Placer placer;
+  placer.rebuild(bodies);
+  for (int i = 0; i < 300; ++i) {
+    const Point wanted = i % 7 == 3 ? Point{52.0, 50.0} : Point{50.0, 50.0};
+    const auto place = placer.nearest_free(bodies, statics, wanted, kRadius, kArea);
+    Placer fresh;
+    fresh.rebuild(bodies);
+    ASSERT_EQ(place, fresh.nearest_free(bodies, statics, wanted, kRadius, kArea)) << i;
+    ASSERT_TRUE(place);
+    put(bodies, *place);
+    placer.add(bodies, static_cast<std::uint32_t>(i));
+  }
+}
+
+TEST(Placer, SearchesFromTheMiddleAgainAfterARebuild) {
+  const Statics statics({}, {});
+  Bodies bodies;
+  Placer placer;
+  placer.rebuild(bodies);
+  const Point wanted{50.0, 50.0};
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    put(bodies, *placer.nearest_free(bodies, statics, wanted, kRadius, kArea));
+    placer.add(bodies, i);
+  }
+  bodies.present[1] = 0;
+  placer.rebuild(bodies);
+  EXPECT_EQ(placer.nearest_free(bodies, statics, wanted, kRadius, kArea), bodies.position(1));
+}
+
+}  // namespace
+}  // namespace mlab::sim
