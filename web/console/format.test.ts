@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { count, distance, duration, headingDegrees, idRanges, list, quantity, speedFactor } from "./format.ts";
+import { count, distance, duration, headingDegrees, idRanges, list, plain, quantity, speedFactor } from "./format.ts";
 
 describe("duration", () => {
   it("shows minutes and seconds, and hours once there are any", () => {
@@ -52,5 +52,6 @@ describe("words", () => {
   it("calls speed 0 the greatest", () => expect([0, 10, 0.5].map(speedFactor)).toEqual(["max", "×10", "×0.5"]));
   it("counts", () => expect([count(1, "robot"), count(4, "robot")]).toEqual(["1 robot", "4 robots"]));
   it("lists", () => expect([list(["a"]), list(["a", "b", "c"])]).toEqual(["a", "a, b and c"]));
+  it("quotes names", () => expect(plain("no `a` in `b`")).toBe("no “a” in “b”"));
   it("joins runs of numbers", () => expect(idRanges([4, 1, 2, 3, 7, 8])).toBe("1–4, 7, 8"));
 });

@@ -65,6 +65,11 @@ export function idRanges(ids: readonly number[]): string {
   return parts.join(", ");
 }
 
+/** Names in backticks, as diagnostics have them, in quotes as people have them. */
+export function plain(text: string): string {
+  return text.replaceAll(/`([^`]*)`/g, "“$1”");
+}
+
 function trimZeros(text: string): string {
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }

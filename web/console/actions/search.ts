@@ -1,5 +1,7 @@
 // Finding an action by a few letters of it.
 
+const kDirect = 500; // what a text has at least that contains the query as it is
+
 /** Larger is better; 0: no match. Letters in order; beginnings of words and runs count more. */
 export function score(query: string, text: string): number {
   const wanted = query.toLowerCase().replaceAll(/\s+/g, "");
@@ -22,11 +24,13 @@ export function score(query: string, text: string): number {
 
 /** The best first; equal ones in the order they came. */
 export function ranked<T>(query: string, items: readonly T[], textOf: (item: T) => string): T[] {
-  return items
+  const scored = items
     .map((item, place) => ({ item, place, points: score(query, textOf(item)) }))
     .filter(({ points }) => points > 0)
-    .sort((a, b) => b.points - a.points || a.place - b.place)
-    .map(({ item }) => item);
+    .sort((a, b) => b.points - a.points || a.place - b.place);
+  // Scattered letters only count where nothing has them in a row.
+  const direct = scored.filter(({ points }) => points >= kDirect);
+  return (direct.length > 0 ? direct : scored).map(({ item }) => item);
 }
 
 /** The next beginning of a word with this letter, where the rest would still be found; else the next place of it. */

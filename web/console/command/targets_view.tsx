@@ -1,5 +1,6 @@
 import type { Diagnostic, Targets } from "../../core/protocol.ts";
 import { unitsOf } from "../editor/bytes.ts";
+import { plain } from "../format.ts";
 import { sentence } from "../orders.ts";
 import { targetLines } from "./targets.ts";
 
@@ -36,7 +37,7 @@ export function DiagnosticsView({ line, diagnostics }: { line: string; diagnosti
         return (
           <li key={`${diagnostic.kind} ${diagnostic.begin} ${diagnostic.message}`}>
             <p className={diagnostic.isWarning ? "target-replaces" : "problem"}>
-              {sentence(diagnostic.message.replaceAll("`", "“"))}
+              {sentence(plain(diagnostic.message))}
             </p>
             {end > begin && (
               <p className="mono marked-line">
@@ -47,7 +48,7 @@ export function DiagnosticsView({ line, diagnostics }: { line: string; diagnosti
             )}
             {diagnostic.hints.map((hint) => (
               <p key={hint} className="small muted">
-                {sentence(hint.replaceAll("`", "“"))}
+                {sentence(plain(hint))}
               </p>
             ))}
           </li>

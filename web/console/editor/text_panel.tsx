@@ -3,9 +3,9 @@ import { setDiagnostics } from "@codemirror/lint";
 import { Compartment, EditorState } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { useEffect, useRef, useState } from "react";
-import { Tab, TabList, Tabs } from "react-aria-components";
+import { Tab, TabList, TabPanel, Tabs } from "react-aria-components";
 import { Control_Action, type Documents_Document } from "../../core/protocol.ts";
-import { count } from "../format.ts";
+import { count, plain } from "../format.ts";
 import { order, save, sentence } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
 import { nameOf } from "../start/paths.ts";
@@ -24,25 +24,25 @@ export default function TextPanel() {
   const document = documents.find((one) => one.path === chosen) ?? documents[0];
   if (!document) return <p className="empty">No mission is open.</p>;
   return (
-    <div className="editor">
+    <Tabs className="editor" selectedKey={document.path} onSelectionChange={(key) => ui.set("document", String(key))}>
       <div className="editor-bar">
-        <Tabs selectedKey={document.path} onSelectionChange={(key) => ui.set("document", String(key))}>
-          <TabList className="editor-tabs" aria-label="Texts of the mission">
-            {documents.map((one) => (
-              <Tab key={one.path} id={one.path} className="tab editor-tab">
-                {nameOf(one.path)}
-                {one.isDirty && <span className="unsaved" role="img" aria-label="not saved" />}
-                <ErrorCount document={one} />
-              </Tab>
-            ))}
-          </TabList>
-        </Tabs>
+        <TabList className="editor-tabs" aria-label="Texts of the mission">
+          {documents.map((one) => (
+            <Tab key={one.path} id={one.path} className="tab editor-tab">
+              {nameOf(one.path)}
+              {one.isDirty && <span className="unsaved" role="img" aria-label="not saved" />}
+              <ErrorCount document={one} />
+            </Tab>
+          ))}
+        </TabList>
         <span className="grow" />
         <Tools document={document} line={line} />
       </div>
-      <Problems document={document} />
-      <Editor key={document.path} document={document} onLine={setLine} />
-    </div>
+      <TabPanel id={document.path} className="editor-panel">
+        <Problems document={document} />
+        <Editor key={document.path} document={document} onLine={setLine} />
+      </TabPanel>
+    </Tabs>
   );
 }
 
@@ -103,9 +103,9 @@ function Problems({ document }: { document: Documents_Document }) {
           <Icon name="warning" />
           <Button tone="link" onPress={() => ui.set("reveal", { document: document.path, line: diagnostic.line })}>
             <span className="number">{diagnostic.line > 0 ? `Line ${diagnostic.line}: ` : ""}</span>
-            {sentence(diagnostic.message)}
+            {sentence(plain(diagnostic.message))}
           </Button>
-          <span className="muted small">{diagnostic.hints.map(sentence).join(" ")}</span>
+          <span className="muted small">{diagnostic.hints.map((hint) => sentence(plain(hint))).join(" ")}</span>
         </li>
       ))}
     </ul>
@@ -128,7 +128,7 @@ function Editor({ document, onLine }: { document: Documents_Document; onLine: (l
         extensions: [
           ...editorParts(session, document.language),
           readOnly.current.of(EditorState.readOnly.of(!isOperator)),
-          EditorView.contentAttributes.of({ "aria-label": `Text of ${document.path}` }),
+          EditorView.contentAttributes.of({ "aria-label": `Text of ${document.path}`, tabindex: "0" }),
           EditorView.updateListener.of((update) => {
             const isOwn = !update.transactions.some((transaction) => transaction.annotation(kFromServer));
             if (update.docChanged && isOwn) live.typed(update.changes);

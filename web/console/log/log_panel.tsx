@@ -1,7 +1,7 @@
 // Everything that happened. Only the rows in sight are in the page.
 import { useEffect, useMemo, useRef, useState } from "react";
 import { type Log_Entry, Log_Kind } from "../../core/protocol.ts";
-import { count, duration } from "../format.ts";
+import { count, duration, plain } from "../format.ts";
 import { usePart, useSession } from "../session.ts";
 import { Button, Search, Switch } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
@@ -145,13 +145,14 @@ function Row({ entry, top }: { entry: Log_Entry; top: number }) {
           tone="link"
           className="ellipsis log-text"
           onPress={() => showPlace(session, entry)}
-          aria-label={`${entry.text}: show on the map`}
+          aria-label={`${plain(entry.text)}: show on the map`}
         >
-          {entry.text}
+          {plain(entry.text)}
+          <Icon name="centre" />
         </Button>
       ) : (
-        <span className="ellipsis log-text" title={entry.text}>
-          {entry.text}
+        <span className="ellipsis log-text" title={plain(entry.text)}>
+          {plain(entry.text)}
         </span>
       )}
     </div>

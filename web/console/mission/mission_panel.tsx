@@ -2,7 +2,7 @@
 import { useEffect, useRef } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../actions/keys.ts";
-import { count, distance, duration } from "../format.ts";
+import { distance, duration } from "../format.ts";
 import { control } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button, Hint } from "../ui/controls.tsx";
@@ -234,7 +234,7 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
           <span className="small number">
             {Math.round(command.progress * 100)} %
             {command.remaining >= 0 ? ` · ${distance(command.remaining)} to go` : ""}
-            {command.robots > 1 ? ` · ${command.robotsDone} of ${count(command.robots, "robot")} there` : ""}
+            {command.robots > 1 ? ` · ${command.robotsDone} of ${command.robots} there` : ""}
           </span>
         </div>
       )}

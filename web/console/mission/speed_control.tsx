@@ -1,4 +1,5 @@
 import { useState } from "react";
+import { Status_Mode } from "../../core/protocol.ts";
 import { quantity, speedFactor } from "../format.ts";
 import { setSpeed } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
@@ -11,15 +12,17 @@ import { kPresets, kSliderEnd, sliderOf, speedOf } from "./speed.ts";
 export function SpeedControl() {
   const status = usePart("status");
   if (!status) return null;
+  const isRunning = status.mode === Status_Mode.RUNNING;
   const isSlow = status.speed > 0 && status.speedReached > 0 && status.speedReached < status.speed * 0.9;
   return (
     <PopoverButton
       label="Speed"
       trigger={
-        <Button tone="quiet" className="number" aria-label={`Speed ${speedFactor(status.speed)}`}>
+        <Button tone="quiet" className="number">
           <Icon name="gauge" />
+          <span className="hidden-text">Speed </span>
           {speedFactor(status.speed)}
-          {(status.speed === 0 || isSlow) && status.speedReached > 0 && (
+          {isRunning && (status.speed === 0 || isSlow) && status.speedReached > 0 && (
             <span className="muted small">×{quantity(status.speedReached, 2)} reached</span>
           )}
           <Icon name="down" />

@@ -37,7 +37,7 @@ export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: 
           ["Spread", numbers.centre ? distance(numbers.spread) : "–"],
         ]}
       />
-      <section aria-label="Robots">
+      <section aria-label="Members">
         <h3>Robots</h3>
         <ul className="columns member-list">
           {robots.slice(0, 60).map((id) => (

@@ -39,7 +39,7 @@ export function firstLayout(windowWidth: number): Layout {
     docks: {
       left: { open: true, size: 312, active: "" },
       right: { open: windowWidth >= 1500, size: 340, active: "" },
-      bottom: { open: false, size: 240, active: "" },
+      bottom: { open: false, size: 280, active: "" },
     },
     moved: {},
   };

@@ -5,6 +5,7 @@ import { shownShortcut } from "../actions/keys.ts";
 import { tools } from "../extensions.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
+import { keepFitted } from "./keep_fitted.ts";
 import { forgetView, restoreView } from "./view_memory.ts";
 
 export function MapPane() {
@@ -27,7 +28,9 @@ function MapHost() {
     const map = new MapView(element, session.model, { pictureUrl: (path) => session.connection.url(path) });
     restoreView(session, map, window.sessionStorage);
     session.ui.set("map", map);
+    const endFitting = keepFitted(map, session.model);
     return () => {
+      endFitting();
       forgetView(map);
       session.ui.set("map", null);
       map.dispose();

@@ -26,12 +26,8 @@ export function TopBar() {
       <span className="gap" />
       <People />
       <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
-        <Button
-          tone="quiet"
-          icon="search"
-          aria-label="All commands"
-          onPress={() => session.ui.set("dialog", "palette")}
-        >
+        <Button tone="quiet" icon="search" onPress={() => session.ui.set("dialog", "palette")}>
+          <span className="hidden-text">All commands</span>
           <kbd>{shownShortcut("ctrl+k")}</kbd>
         </Button>
       </Hint>
@@ -109,7 +105,8 @@ function Clocks() {
   return (
     <span className="clocks number">
       <Hint text="Time since the run began">
-        <Button tone="quiet" className="runtime" aria-label={`Run time ${duration(time)}`} data-testid="run-time">
+        <Button tone="quiet" className="runtime" data-testid="run-time">
+          <span className="hidden-text">Run time </span>
           {duration(Math.max(time, status?.time ?? 0), true)}
         </Button>
       </Hint>
@@ -131,6 +128,8 @@ export function StopButton() {
       aria-keyshortcuts="Control+."
       onPress={() => void emergencyStop(session)}
       data-testid="emergency-stop"
+      // Dialogs leave it reachable.
+      data-react-aria-top-layer="true"
     >
       <Icon name="stop" />
       EMERGENCY STOP

@@ -2,6 +2,7 @@ import { openMission, save } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Button } from "../ui/controls.tsx";
 import { MenuButton } from "../ui/menus.tsx";
+import { shownPath, shownTitle } from "./paths.ts";
 
 export function FileMenu() {
   const session = useSession();
@@ -13,8 +14,8 @@ export function FileMenu() {
   const files = (entries: readonly { path: string; title: string }[], prefix: string) =>
     entries.map((entry) => ({
       id: `${prefix}${entry.path}`,
-      label: entry.title || entry.path,
-      detail: entry.path,
+      label: shownTitle(entry),
+      detail: shownPath(entry.path),
       isDisabled: !isOperator,
       run: () => void openMission(session, entry.path),
     }));

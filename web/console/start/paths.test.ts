@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ancestors, folderOf, join, nameOf, nameProblem, withEnding } from "./paths.ts";
+import { ancestors, folderOf, join, nameOf, nameProblem, shownTitle, withEnding } from "./paths.ts";
 
 describe("paths of the project", () => {
   it("fall into folder and name, and come together again", () => {
@@ -13,6 +13,10 @@ describe("paths of the project", () => {
       "x.mdl",
       "x.txt",
     ]);
+  });
+  it("are called by their title, or by their file", () => {
+    expect(shownTitle({ path: "a/demo_c.mdl", title: "Demo C" })).toBe("Demo C");
+    expect(shownTitle({ path: "examples:demo_c/demo_c.mdl", title: "examples:demo_c/demo_c.mdl" })).toBe("demo c");
   });
   it("can't leave the project", () => {
     for (const name of ["../x", "/x", "a/../../x", "a//b", "", " ", "c:x"]) expect(nameProblem(name)).toBeDefined();

@@ -35,3 +35,17 @@ export function nameProblem(name: string): string | undefined {
   }
   return undefined;
 }
+
+/** What a mission is called in lists: its title, or its file's name where it has none. */
+export function shownTitle({ path, title }: { path: string; title: string }): string {
+  return title !== "" && title !== path
+    ? title
+    : nameOf(path)
+        .replace(/\.[A-Za-z0-9]+$/, "")
+        .replaceAll("_", " ");
+}
+
+/** Its place, without the mark of examples. */
+export function shownPath(path: string): string {
+  return path.replace(/^examples:/, "");
+}

@@ -3,6 +3,7 @@ import { openMission } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Button } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
+import { shownPath, shownTitle } from "./paths.ts";
 import "./start.css";
 
 /** Without a mission: what there is to open, and how to begin one. */
@@ -80,8 +81,8 @@ function Entries({ title, icon, entries, none }: EntriesProps) {
             >
               <Icon name={icon} />
               <span className="grow">
-                <span className="start-title">{entry.title || fileName(entry.path)}</span>
-                <span className="small muted ellipsis">{entry.path.replace(/^examples:/, "")}</span>
+                <span className="start-title">{shownTitle(entry)}</span>
+                <span className="small muted ellipsis">{shownPath(entry.path)}</span>
               </span>
             </Button>
           </li>
@@ -89,8 +90,4 @@ function Entries({ title, icon, entries, none }: EntriesProps) {
       </ul>
     </section>
   );
-}
-
-function fileName(path: string): string {
-  return path.slice(path.lastIndexOf("/") + 1);
 }

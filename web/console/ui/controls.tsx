@@ -214,7 +214,7 @@ export function RangeSlider(props: RangeProps) {
     >
       {!props.hiddenLabel && <Label className="label">{label}</Label>}
       {!props.hiddenLabel && <SliderOutput className="number small">{shown ?? value}</SliderOutput>}
-      <SliderTrack className="track">
+      <SliderTrack className="groove">
         <div className="fill" style={{ width: `${span > 0 ? (100 * (value - min)) / span : 0}%` }} />
         <SliderThumb className="thumb" aria-label={props.hiddenLabel ? label : undefined} />
       </SliderTrack>

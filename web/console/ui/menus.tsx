@@ -66,7 +66,11 @@ export function MenuButton({
                     <span>{entry.label}</span>
                     {entry.detail && <span className="small muted ellipsis">{entry.detail}</span>}
                   </span>
-                  {entry.shortcut && <kbd className="tail">{entry.shortcut}</kbd>}
+                  {entry.shortcut && (
+                    <span className="tail">
+                      <kbd>{entry.shortcut}</kbd>
+                    </span>
+                  )}
                 </MenuItem>
               ))}
             </MenuSection>,
@@ -117,7 +121,10 @@ export function DialogBox({ title, onClose, children, footer, width }: DialogBox
             </Heading>
             <IconButton icon="close" label="Close" onPress={onClose} />
           </header>
-          <div className="body">{children}</div>
+          {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls has to be reached by keyboard */}
+          <div className="body" tabIndex={0}>
+            {children}
+          </div>
           {footer && <footer>{footer}</footer>}
         </Dialog>
       </Modal>
