@@ -1,5 +1,6 @@
 // What a person orders of the server; what goes wrong is shown to them.
 import type { Control_Action, Order, Reply } from "../core/protocol.ts";
+import { plain } from "./format.ts";
 import type { Session } from "./session.ts";
 
 /** Asks, and shows why not where the answer is no. */
@@ -65,7 +66,7 @@ export function passOperator(session: Session, client: number): void {
 
 /** First letter large, a full stop at the end. */
 export function sentence(text: string): string {
-  const trimmed = text.trim();
+  const trimmed = plain(text).trim();
   if (trimmed === "") return "";
   const end = /[.!?…]$/.test(trimmed) ? "" : ".";
   return trimmed.charAt(0).toUpperCase() + trimmed.slice(1) + end;

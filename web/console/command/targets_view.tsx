@@ -1,6 +1,5 @@
 import type { Diagnostic, Targets } from "../../core/protocol.ts";
 import { unitsOf } from "../editor/bytes.ts";
-import { plain } from "../format.ts";
 import { sentence } from "../orders.ts";
 import { targetLines } from "./targets.ts";
 
@@ -36,9 +35,7 @@ export function DiagnosticsView({ line, diagnostics }: { line: string; diagnosti
         const end = Math.max(begin, unitsOf(line, diagnostic.end));
         return (
           <li key={`${diagnostic.kind} ${diagnostic.begin} ${diagnostic.message}`}>
-            <p className={diagnostic.isWarning ? "target-replaces" : "problem"}>
-              {sentence(plain(diagnostic.message))}
-            </p>
+            <p className={diagnostic.isWarning ? "target-replaces" : "problem"}>{sentence(diagnostic.message)}</p>
             {end > begin && (
               <p className="mono marked-line">
                 {line.slice(0, begin)}
@@ -48,7 +45,7 @@ export function DiagnosticsView({ line, diagnostics }: { line: string; diagnosti
             )}
             {diagnostic.hints.map((hint) => (
               <p key={hint} className="small muted">
-                {sentence(plain(hint))}
+                {sentence(hint)}
               </p>
             ))}
           </li>

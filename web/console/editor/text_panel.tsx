@@ -5,7 +5,7 @@ import { EditorView } from "@codemirror/view";
 import { useEffect, useRef, useState } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components";
 import { Control_Action, type Documents_Document } from "../../core/protocol.ts";
-import { count, plain } from "../format.ts";
+import { count } from "../format.ts";
 import { order, save, sentence } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
 import { nameOf } from "../start/paths.ts";
@@ -103,9 +103,9 @@ function Problems({ document }: { document: Documents_Document }) {
           <Icon name="warning" />
           <Button tone="link" onPress={() => ui.set("reveal", { document: document.path, line: diagnostic.line })}>
             <span className="number">{diagnostic.line > 0 ? `Line ${diagnostic.line}: ` : ""}</span>
-            {sentence(plain(diagnostic.message))}
+            {sentence(diagnostic.message)}
           </Button>
-          <span className="muted small">{diagnostic.hints.map((hint) => sentence(plain(hint))).join(" ")}</span>
+          <span className="muted small">{diagnostic.hints.map((hint) => sentence(hint)).join(" ")}</span>
         </li>
       ))}
     </ul>

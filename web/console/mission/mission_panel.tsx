@@ -2,7 +2,7 @@
 import { useEffect, useRef } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../actions/keys.ts";
-import { distance, duration } from "../format.ts";
+import { distance, duration, plain } from "../format.ts";
 import { control } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button, Hint } from "../ui/controls.tsx";
@@ -131,7 +131,7 @@ function RunningNow() {
       <h3>Waits for</h3>
       <ul>
         {waits.map((text) => (
-          <li key={text}>{text}</li>
+          <li key={text}>{plain(text)}</li>
         ))}
       </ul>
     </section>
@@ -238,7 +238,9 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
           </span>
         </div>
       )}
-      {command.message && <p className={`small ${row.state === "failed" ? "problem" : "muted"}`}>{command.message}</p>}
+      {command.message && (
+        <p className={`small ${row.state === "failed" ? "problem" : "muted"}`}>{plain(command.message)}</p>
+      )}
     </div>
   );
 }

@@ -3,12 +3,6 @@ import type { Port } from "../../core/protocol.ts";
 
 export type ParameterKind = "slider" | "number" | "switch" | "choice" | "text";
 
-export interface Range {
-  min: number;
-  max: number;
-  step: number;
-}
-
 export function parameterKind(port: Port): ParameterKind {
   if (port.choices.length > 0) return "choice";
   if (/^bool(ean)?$/i.test(port.type)) return "switch";
@@ -16,15 +10,43 @@ export function parameterKind(port: Port): ParameterKind {
   return port.min !== undefined && port.max !== undefined && port.max > port.min ? "slider" : "number";
 }
 
-/** The slider's range: the author's, in about 200 steps of a round size; whole numbers for whole-number types. */
-export function sliderRange(port: Port): Range {
+/** Places of a slider. */
+export const kSliderEnd = 1000;
+
+/** A slider's places and the values there. Authors give wide ranges; the usual value then stands well inside of it. */
+export interface Curve {
+  min: number;
+  max: number;
+  isWhole: boolean;
+  /** The value grows with this power of the place: 1 is even. */
+  power: number;
+}
+
+const kUsualPlace = 0.4; // of the slider, for the value that the program was written with
+
+export function sliderCurve(port: Port): Curve {
   const min = port.min ?? 0;
   const max = port.max ?? 1;
   const isWhole = /^(int|long|unsigned|uint|count)/i.test(port.type);
-  const rough = (max - min) / 200;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const round = [1, 2, 5, 10].map((factor) => factor * power).find((size) => size >= rough) ?? rough;
-  return { min, max, step: isWhole ? Math.max(1, Math.round(round)) : round };
+  const usual = (valueNumber(port.initial) - min) / (max - min);
+  const isLow = usual > 0 && usual < kUsualPlace / 2;
+  const power = isLow ? Math.min(6, Math.log(usual) / Math.log(kUsualPlace)) : 1;
+  return { min, max, isWhole, power };
+}
+
+export function placeOnSlider(curve: Curve, value: number): number {
+  const share = Math.min(1, Math.max(0, (value - curve.min) / (curve.max - curve.min)));
+  return Math.round(kSliderEnd * share ** (1 / curve.power));
+}
+
+/** The value there, with no more digits than a hand can mean; the ends are the range's own. */
+export function valueOnSlider(curve: Curve, place: number): number {
+  if (place <= 0) return curve.min;
+  if (place >= kSliderEnd) return curve.max;
+  const value = curve.min + (curve.max - curve.min) * (place / kSliderEnd) ** curve.power;
+  if (curve.isWhole) return Math.round(value);
+  const step = 10 ** (Math.floor(Math.log10(Math.max(Math.abs(value), (curve.max - curve.min) * 1e-6))) - 2) * 2;
+  return Number((Math.round(value / step) * step).toPrecision(6));
 }
 
 /** Why `text` can't be the value; nothing: it can. */
@@ -49,10 +71,4 @@ export function valueNumber(shown: string): number {
 
 export function isSwitchedOn(shown: string): boolean {
   return /^(true|on|yes|1(\.0*)?)$/i.test(shown.trim());
-}
-
-/** Digits that fit the step of the slider: 0.05 gives `1.25`. */
-export function shownNumber(value: number, step: number): string {
-  const decimals = Math.max(0, Math.min(8, -Math.floor(Math.log10(step) + 1e-9)));
-  return String(Number(value.toFixed(decimals)));
 }

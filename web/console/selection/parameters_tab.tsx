@@ -6,7 +6,16 @@ import { order } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Field, IconButton, RangeSlider, Search, Switch } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
-import { isSwitchedOn, parameterKind, parameterProblem, shownNumber, sliderRange, valueNumber } from "./parameter.ts";
+import {
+  isSwitchedOn,
+  kSliderEnd,
+  parameterKind,
+  parameterProblem,
+  placeOnSlider,
+  sliderCurve,
+  valueNumber,
+  valueOnSlider,
+} from "./parameter.ts";
 import { portGroups, spoken } from "./ports.ts";
 import { usePortText } from "./ports_tab.tsx";
 import { usePorts } from "./use_watched.ts";
@@ -108,35 +117,43 @@ interface ControlProps {
   set: (value: string) => void;
 }
 
-function Slide({ port, label, shown, isDisabled, set }: ControlProps) {
-  const range = sliderRange(port);
+function Slide(control: ControlProps) {
+  const { port, label, shown, isDisabled, set } = control;
+  const curve = useMemo(() => sliderCurve(port), [port]);
   const [dragged, setDragged] = useState<number | null>(null);
   const lastSent = useRef(0);
-  const value = dragged ?? valueNumber(shown);
   // The slider stays where it was let go until the robot tells its new value.
-  useEffect(() => setDragged(null), [shown]);
-  const text = (next: number) => shownNumber(next, range.step);
+  const told = useRef(shown);
+  useEffect(() => {
+    if (told.current !== shown) setDragged(null);
+    told.current = shown;
+  }, [shown]);
+  const place = dragged ?? placeOnSlider(curve, valueNumber(shown) || 0);
+  const text = (at: number) => String(valueOnSlider(curve, at));
   return (
-    <RangeSlider
-      label={label}
-      value={Number.isNaN(value) ? range.min : value}
-      shown={Number.isNaN(value) ? "–" : text(value)}
-      min={range.min}
-      max={range.max}
-      step={range.step}
-      isDisabled={isDisabled}
-      onChange={(next) => {
-        setDragged(next);
-        if (performance.now() - lastSent.current < kLive) return;
-        lastSent.current = performance.now();
-        set(text(next));
-      }}
-      onCommit={(next) => set(text(next))}
-    />
+    <div className="slide">
+      <Write {...control} shown={dragged === null ? shown : text(dragged)} isCompact />
+      <RangeSlider
+        label={label}
+        hiddenLabel
+        value={place}
+        min={0}
+        max={kSliderEnd}
+        step={1}
+        isDisabled={isDisabled}
+        onChange={(next) => {
+          setDragged(next);
+          if (performance.now() - lastSent.current < kLive) return;
+          lastSent.current = performance.now();
+          set(text(next));
+        }}
+        onCommit={(next) => set(text(next))}
+      />
+    </div>
   );
 }
 
-function Write({ port, label, shown, isDisabled, set }: ControlProps) {
+function Write({ port, label, shown, isDisabled, set, isCompact = false }: ControlProps & { isCompact?: boolean }) {
   const number = valueNumber(shown);
   const now = port.isNumber && !Number.isNaN(number) ? String(number) : shown;
   const [typed, setTyped] = useState<string | null>(null);
@@ -150,7 +167,7 @@ function Write({ port, label, shown, isDisabled, set }: ControlProps) {
       value={typed ?? now}
       isDisabled={isDisabled}
       problem={problem}
-      {...(limits ? { help: limits } : {})}
+      {...(limits && !isCompact ? { help: limits } : {})}
       inputMode={port.isNumber ? "decimal" : "text"}
       onChange={setTyped}
       onCommit={(value) => {

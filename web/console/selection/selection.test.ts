@@ -1,7 +1,16 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { Port_Role, PortSchema, RobotDetail_ContributionSchema } from "../../core/protocol.ts";
-import { isSwitchedOn, parameterKind, parameterProblem, shownNumber, sliderRange, valueNumber } from "./parameter.ts";
+import {
+  isSwitchedOn,
+  kSliderEnd,
+  parameterKind,
+  parameterProblem,
+  placeOnSlider,
+  sliderCurve,
+  valueNumber,
+  valueOnSlider,
+} from "./parameter.ts";
 import { portGroups, splitPath, spoken } from "./ports.ts";
 import { sums } from "./why.ts";
 
@@ -45,11 +54,28 @@ describe("a parameter", () => {
     expect(parameterKind(port("a", Port_Role.PARAMETER, { choices: ["x"] }))).toBe("choice");
     expect(parameterKind(port("a", Port_Role.PARAMETER, { type: "bool", isNumber: false }))).toBe("switch");
   });
-  it("moves in round steps", () => {
-    expect(sliderRange(port("a", Port_Role.PARAMETER, { min: 0, max: 5 })).step).toBeCloseTo(0.05);
-    expect(sliderRange(port("a", Port_Role.PARAMETER, { min: 0, max: 10, type: "int" })).step).toBe(1);
-    expect(shownNumber(1.2500000001, 0.05)).toBe("1.25");
-    expect(shownNumber(7, 1)).toBe("7");
+  it("has a slider on which every place has one value within the range", () => {
+    const curve = sliderCurve(port("a", Port_Role.PARAMETER, { min: 0, max: 100, initial: "0.8" }));
+    expect([valueOnSlider(curve, 0), valueOnSlider(curve, kSliderEnd)]).toEqual([0, 100]);
+    let last = -1;
+    for (let place = 0; place <= kSliderEnd; place += 20) {
+      const value = valueOnSlider(curve, place);
+      expect(value).toBeGreaterThanOrEqual(last);
+      // Lowest down the values are too small to be told apart.
+      if (place >= 200) expect(Math.abs(placeOnSlider(curve, value) - place)).toBeLessThanOrEqual(6);
+      last = value;
+    }
+  });
+  it("has its usual value well inside of the slider, however wide the range", () => {
+    const wide = sliderCurve(port("a", Port_Role.PARAMETER, { min: 0, max: 100, initial: "0.8" }));
+    expect(placeOnSlider(wide, 0.8)).toBeCloseTo(400, -2);
+    const even = sliderCurve(port("a", Port_Role.PARAMETER, { min: 0, max: 5, initial: "2" }));
+    expect(even.power).toBe(1);
+    expect(valueOnSlider(even, 500)).toBe(2.5);
+  });
+  it("keeps whole numbers whole", () => {
+    const curve = sliderCurve(port("a", Port_Role.PARAMETER, { min: 0, max: 10, type: "int", initial: "5" }));
+    expect(valueOnSlider(curve, 333)).toBe(3);
   });
   it("refuses what is outside of its range and what is no number", () => {
     const ranged = port("a", Port_Role.PARAMETER, { min: 0, max: 5 });

@@ -1,5 +1,5 @@
 // Why it moves as it does: what it follows, what each schema contributes, what it waits for.
-import { quantity } from "../format.ts";
+import { plain, quantity } from "../format.ts";
 import { usePart } from "../session.ts";
 import { Bar } from "../ui/controls.tsx";
 import { Facts } from "./robot_facts.tsx";
@@ -24,7 +24,7 @@ export function WhyTab({ id }: { id: number }) {
         {detail.waitsFor.length === 0 && <p className="muted">Nothing.</p>}
         <ul className="why-waits">
           {detail.waitsFor.map((text) => (
-            <li key={text}>{text}</li>
+            <li key={text}>{plain(text)}</li>
           ))}
         </ul>
       </section>

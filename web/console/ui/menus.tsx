@@ -93,10 +93,9 @@ export function PopoverButton({
   return (
     <DialogTrigger>
       {trigger}
-      <Popover className="popover" offset={4}>
-        <Dialog className="content" aria-label={label}>
-          {children}
-        </Dialog>
+      {/* Without a Dialog in it the popover is one itself, hidden buttons for closing it included. */}
+      <Popover className="popover" offset={4} aria-label={label}>
+        <div className="content">{children}</div>
       </Popover>
     </DialogTrigger>
   );
@@ -115,12 +114,12 @@ export function DialogBox({ title, onClose, children, footer, width }: DialogBox
     <ModalOverlay className="scrim" isOpen isDismissable onOpenChange={(open) => !open && onClose()}>
       <Modal className="dialog" {...(width ? { style: { width: `min(${width}px, 94vw)` } } : {})}>
         <Dialog>
-          <header>
+          <div className="dialog-head">
             <Heading slot="title" level={2}>
               {title}
             </Heading>
             <IconButton icon="close" label="Close" onPress={onClose} />
-          </header>
+          </div>
           {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls has to be reached by keyboard */}
           <div className="body" tabIndex={0}>
             {children}
