@@ -23,6 +23,17 @@ export default defineConfig({
     projects: [
       { extends: true, test: { name: "core", environment: "node", include: ["core/**/*.test.ts"] } },
       { extends: true, test: { name: "console", environment: "happy-dom", include: ["console/**/*.test.{ts,tsx}"] } },
+      {
+        extends: true,
+        test: {
+          name: "browser",
+          environment: "node",
+          include: ["tests/**/*.browser.test.mjs"],
+          testTimeout: 120_000,
+          hookTimeout: 120_000,
+          fileParallelism: false,
+        },
+      },
     ],
   },
 });

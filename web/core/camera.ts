@@ -81,6 +81,10 @@ export class Camera {
     this.lookAt({ x: (box.xMin + box.xMax) / 2, y: (box.yMin + box.yMax) / 2 });
   }
 
+  copy(): Camera {
+    return Object.assign(new Camera(), this);
+  }
+
   saved(): { x: number; y: number; scale: number } {
     return { x: this.x, y: this.y, scale: this.scale };
   }

@@ -10,12 +10,14 @@ import { type Box, boundsOf, centreOf, grow, type Point, union } from "../geomet
 import type { Model, Parts } from "../model.ts";
 import type { MapItem } from "../selection.ts";
 import { drawDecorations } from "./decorations.ts";
+import { pen2d } from "./graphics.ts";
 import { drawGround, drawNames } from "./ground.ts";
 import { MapInput } from "./input.ts";
 import { type PlacedLabel, placeMeasureLabels } from "./measure_labels.ts";
 import { paletteOf } from "./palette.ts";
 import { SceneIndex } from "./picking.ts";
 import { PictureLoader } from "./picture.ts";
+import { PlaceReadout } from "./place_readout.ts";
 import { RobotLayer } from "./robot_layer.ts";
 import type { MapPick, MapTool, Pen } from "./tool.ts";
 import { SelectTool } from "./tools/select.ts";
@@ -54,6 +56,7 @@ export class MapView {
   private readonly trailLayer: TrailLayer;
   private readonly picture: PictureLoader;
   private readonly input: MapInput;
+  private readonly readout: PlaceReadout;
   private readonly select: SelectTool;
   private index: SceneIndex;
   private labels: readonly PlacedLabel[] = [];
@@ -91,6 +94,7 @@ export class MapView {
     this.activeTool = this.select;
     this.select.start(this);
     this.input = new MapInput(this);
+    this.readout = new PlaceReadout(this);
     this.listen();
     this.resize();
     this.takeScene();
@@ -220,6 +224,7 @@ export class MapView {
   async toPng(): Promise<Blob> {
     this.dirty = Dirty.ALL;
     this.draw();
+    this.drawTrails(true);
     const picture = document.createElement("canvas");
     picture.width = this.ground.width;
     picture.height = this.ground.height;
@@ -236,6 +241,7 @@ export class MapView {
     cancelAnimationFrame(this.scheduled);
     this.activeTool.end?.();
     this.input.dispose();
+    this.readout.dispose();
     this.robotLayer.dispose();
     for (const end of this.endings) end();
     for (const canvas of [...this.host.querySelectorAll("canvas")]) canvas.remove();
@@ -243,7 +249,7 @@ export class MapView {
 
   /** Draws now what has changed. Called by the browser before it paints; tests call it themselves. */
   draw(): void {
-    if (!this.ground.getContext("2d")) return; // a page without pictures, as in unit tests
+    if (!pen2d(this.ground)) return; // a page without pictures, as in unit tests
     const start = performance.now();
     this.followNow();
     if (this.camera.version !== this.drawnCamera) this.dirty = Dirty.ALL;
@@ -251,11 +257,17 @@ export class MapView {
     this.dirty = 0;
     this.drawnCamera = this.camera.version;
     if (dirty & Dirty.GROUND) this.drawGround();
-    if (dirty & Dirty.TRAILS) this.trailLayer.draw(this.pen(this.trailLayer.canvas), this.model);
+    if (dirty & Dirty.TRAILS) this.drawTrails(false);
     if (dirty & Dirty.ROBOTS) this.robotLayer.draw(this.camera, this.model, this.density());
     if (dirty & Dirty.TOP) this.drawTop();
     ++this.drawings;
     this.drawing = performance.now() - start;
+  }
+
+  private drawTrails(whole: boolean): void {
+    const palette = paletteOf(this.model.get("map").theme);
+    this.trailLayer.draw(this.camera, this.model, palette, this.density(), whole);
+    if (this.trailLayer.isPending) this.change(Dirty.TRAILS);
   }
 
   private drawGround(): void {
@@ -282,7 +294,7 @@ export class MapView {
 
   private pen(canvas: HTMLCanvasElement): Pen {
     const density = this.density();
-    const context = canvas.getContext("2d")!;
+    const context = pen2d(canvas)!;
     context.setTransform(density, 0, 0, density, 0, 0);
     context.clearRect(0, 0, this.camera.width, this.camera.height);
     const settings = this.model.get("map");

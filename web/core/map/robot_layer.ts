@@ -1,6 +1,7 @@
 // The robots' canvas, and who draws on it: the graphics card where there is one and they are many, else the processor.
 import type { Camera } from "../camera.ts";
 import type { Model } from "../model.ts";
+import { drawsInSoftware, pen2d } from "./graphics.ts";
 import { paletteOf } from "./palette.ts";
 import { RobotStyles } from "./robot_styles.ts";
 import { BlockPainter } from "./robots_blocks.ts";
@@ -51,7 +52,7 @@ export class RobotLayer {
       this.blocks.draw(onPlate, camera, model.robots, this.styles, palette, density);
       return;
     }
-    const context = this.flat.getContext("2d")!;
+    const context = pen2d(this.flat)!;
     context.setTransform(density, 0, 0, density, 0, 0);
     context.clearRect(0, 0, camera.width, camera.height);
     if (!settings.layers.robots) return;
@@ -65,13 +66,10 @@ export class RobotLayer {
   private choose(robots: number, setting: "auto" | "webgl" | "canvas"): Renderer {
     const few = robots < kManyRobots;
     if (setting === "canvas") return few ? "canvas" : "blocks";
-    if (setting === "auto" && (few || this.hasGivenUp)) return few ? "canvas" : "blocks";
+    if (setting === "auto" && few) return "canvas";
+    if (setting === "auto" && (this.hasGivenUp || drawsInSoftware())) return "blocks";
     const card = this.startCard();
     if (!card || card.isLost) return few ? "canvas" : "blocks";
-    if (setting === "auto" && card.isSoftware()) {
-      this.hasGivenUp = true;
-      return "blocks";
-    }
     return "webgl";
   }
 

@@ -70,14 +70,6 @@ export class RobotsByWebgl {
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
 
-  /** Names that mean that a processor draws instead of a graphics card. */
-  isSoftware(): boolean {
-    const { gl } = this;
-    const info = gl.getExtension("WEBGL_debug_renderer_info");
-    const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
-  }
-
   get isLost(): boolean {
     return this.gl.isContextLost();
   }
