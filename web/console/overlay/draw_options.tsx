@@ -11,8 +11,7 @@ export function DrawOptions() {
   if (!kind) {
     return (
       <span className="small">
-        Click a control measure to change it: drag its corners, double-click one to take it out. Choose what to draw in
-        the Draw panel.
+        Choose what to draw in the panel, or click what stands to change it; a double click takes a corner out.
       </span>
     );
   }

@@ -27,7 +27,7 @@ export function drawGeometry(pen: Pen, kind: MeasureKind, geometry: Geometry, lo
     );
   } else trace(context, points, isClosed(kind, points.length));
   if (info.shape === "region" || info.shape === "point" || kind === "hallway") context.fill();
-  if (info.sizeLabel === "width" && kind !== "hallway" && points.length >= 2) {
+  if (look === "draft" && info.sizeLabel === "width" && kind !== "hallway" && points.length >= 2) {
     context.save();
     context.strokeStyle = fade(palette.selection, 0.16);
     context.lineWidth = Math.max(size * camera.scale, 2);
