@@ -34,9 +34,10 @@ export function useUi<Name extends keyof UiParts>(name: Name): UiParts[Name] {
   return useSyncExternalStore(subscribe, () => ui.get(name));
 }
 
-/** Whether this browser's person is the operator. */
+/** Whether this browser's person is the operator and can be heard. */
 export function useIsOperator(): boolean {
   usePart("clients");
   usePart("welcome");
-  return useSession().model.isOperator();
+  const isOpen = usePart("link").state === "open";
+  return useSession().model.isOperator() && isOpen;
 }

@@ -32,8 +32,8 @@ export function mainButton(situation: Situation): MainButton {
   const { status } = situation;
   if (!situation.isConnected || !status) {
     return {
-      label: "Connecting…",
-      hint: "The server does not answer yet.",
+      label: "No connection",
+      hint: "The server does not answer.",
       does: nothing,
       tone: "quiet",
       icon: "play",

@@ -127,7 +127,7 @@ function RunningNow() {
   const waits = status?.waitsFor ?? [];
   if (waits.length === 0) return null;
   return (
-    <section className="waits" aria-label="Waits for">
+    <section className={`waits ${status?.mode === Status_Mode.WAITING ? "hold" : ""}`} aria-label="Waits for">
       <h3>Waits for</h3>
       <ul>
         {waits.map((text) => (
@@ -139,8 +139,11 @@ function RunningNow() {
 }
 
 function Steps() {
+  const { model } = useSession();
   const plan = usePart("plan");
   const status = usePart("status");
+  usePart("documents");
+  const hasErrors = situationOf(model).errors > 0;
   const rows = stepRows(plan ?? undefined, status ?? undefined);
   const planned = rows.filter((row) => row.step !== kTyped);
   const done = planned.filter((row) => isOver(row.state)).length;
@@ -152,8 +155,12 @@ function Steps() {
   if (rows.length === 0) {
     return (
       <div className="empty">
-        <p>This mission has no steps yet.</p>
-        <p className="small">Write them in the Text panel, or send commands from the command line.</p>
+        <p>{hasErrors ? "The text of this mission can't be understood." : "This mission has no steps yet."}</p>
+        <p className="small">
+          {hasErrors
+            ? "Its steps appear once the errors are mended."
+            : "Write them in the Text panel, or send commands from the command line."}
+        </p>
       </div>
     );
   }

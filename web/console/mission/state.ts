@@ -6,7 +6,7 @@ export interface RunState {
   tone: "" | "go" | "hold" | "danger" | "accent";
 }
 
-export function stateOf(status: Status | undefined, isConnected: boolean): RunState {
+export function stateOf(status: Status | undefined, isConnected: boolean, errors = 0): RunState {
   if (!isConnected) return { word: "No connection", tone: "danger" };
   switch (status?.mode) {
     case Status_Mode.READY:
@@ -26,6 +26,6 @@ export function stateOf(status: Status | undefined, isConnected: boolean): RunSt
           ? { word: "Failed", tone: "danger" }
           : { word: status.outcome === Status_Outcome.ABORTED ? "Aborted" : "Ended", tone: "hold" };
     default:
-      return { word: "No mission", tone: "" };
+      return errors > 0 ? { word: "Has errors", tone: "danger" } : { word: "No mission", tone: "" };
   }
 }

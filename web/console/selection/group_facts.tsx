@@ -1,5 +1,5 @@
 import { selectRobots } from "../../core/selection.ts";
-import { distance, duration, quantity } from "../format.ts";
+import { distance, duration } from "../format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { usePart, useSession } from "../session.ts";
 import { Button } from "../ui/controls.tsx";
@@ -31,7 +31,7 @@ export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: 
           ...(unit ? [["Command", commandOfUnit(status, unit) || "none"] as const] : []),
           ["Farthest to go", distance(numbers.farthest)],
           ["Last arrives", numbers.lastArrival >= 0 ? duration(numbers.lastArrival) : "–"],
-          ["Mean speed", Number.isNaN(numbers.meanSpeed) ? "–" : `${quantity(numbers.meanSpeed, 3)} m/s`],
+          ["Mean speed", Number.isNaN(numbers.meanSpeed) ? "–" : `${numbers.meanSpeed.toFixed(2)} m/s`],
           ["Mean off station", distance(numbers.meanStationError)],
           ["Centre", numbers.centre ? `${numbers.centre.x.toFixed(0)}, ${numbers.centre.y.toFixed(0)} m` : "–"],
           ["Spread", numbers.centre ? distance(numbers.spread) : "–"],

@@ -1,5 +1,5 @@
 import type { ReactNode } from "react";
-import { distance, duration, headingDegrees, quantity } from "../format.ts";
+import { distance, duration, headingDegrees } from "../format.ts";
 import { robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session.ts";
 
@@ -37,7 +37,7 @@ export function RobotFacts({ id }: { id: number }) {
           ["State", detail.states.length > 0 ? detail.states.join(", ") : "–"],
           ["To the goal", distance(detail.remaining)],
           ["Arrives", arrives],
-          ["Speed", `${quantity(detail.speed, 3)} m/s`],
+          ["Speed", `${detail.speed.toFixed(2)} m/s`],
           ["Heading", headingDegrees(detail.heading)],
           ["Place", `${detail.x.toFixed(1)}, ${detail.y.toFixed(1)} m`],
           ["Off its station", detail.station ? distance(detail.stationError) : "–"],

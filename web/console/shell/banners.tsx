@@ -86,7 +86,8 @@ function WatchingBanner() {
   const clients = usePart("clients");
   const welcome = usePart("welcome");
   const isOperator = useIsOperator();
-  if (!clients || !welcome || isOperator) return null;
+  const link = usePart("link");
+  if (!clients || !welcome || isOperator || link.state !== "open") return null;
   const holder = clients.clients.find((client) => client.id === clients.operator);
   const hasAsked = clients.asks === welcome.client;
   return (

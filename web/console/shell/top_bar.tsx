@@ -2,6 +2,7 @@ import { shownShortcut } from "../actions/keys.ts";
 import { kStopShortcut } from "../actions/shell_actions.ts";
 import { People } from "../clients/people.tsx";
 import { duration } from "../format.ts";
+import { situationOf } from "../mission/situation.ts";
 import { SpeedControl } from "../mission/speed_control.tsx";
 import { stateOf } from "../mission/state.ts";
 import { emergencyStop, redo, save, undo } from "../orders.ts";
@@ -86,9 +87,11 @@ function UndoButtons() {
 }
 
 function RunState() {
+  const { model } = useSession();
   const status = usePart("status");
   const link = usePart("link");
-  const { word, tone } = stateOf(status ?? undefined, link.state === "open");
+  usePart("documents");
+  const { word, tone } = stateOf(status ?? undefined, link.state === "open", situationOf(model).errors);
   return (
     <span className={`pill ${tone}`} role="status" data-testid="run-state">
       <span className="dot" />
