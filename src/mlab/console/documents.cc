@@ -205,7 +205,9 @@ void OpenDocuments::restore_drafts(double now) {
 text::Files OpenDocuments::files() {
   return {[this](const std::string& path) {
             const auto name = project_.name_of(path);
-            return name && (find(*name) != nullptr || project_.is_file(*name));
+            if (!name || find(*name) != nullptr || project_.is_file(*name)) return name.has_value();
+            const auto draft = drafts_.find(*name);
+            return draft && !draft->had_file;
           },
           [this](const std::string& path) -> text::Result<text::SourcePtr> {
             const auto name = project_.name_of(path);

@@ -1,6 +1,9 @@
 #include "mlab/console/documents.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -123,6 +126,351 @@ TEST_F(DocumentsOfAMission, RefuseAnEditOfAnOlderText) {
   EXPECT_EQ(open.edit_text(edit, 0.0).error().kind, "no-such-range");
   edit.set_document("other.mdl");
   EXPECT_EQ(open.edit_text(edit, 0.0).error().kind, "no-document");
+}
+
+// ---- the map
+
+MapChange add_place(const std::string& name, double x, double y) {
+  MapChange out;
+  Measure& measure = *out.mutable_add_measure();
+  measure.set_kind(Measure::PASSAGE_POINT);
+  measure.set_name(name);
+  measure.set_shows_label(true);
+  measure.add_points()->set_x(x);
+  measure.mutable_points(0)->set_y(y);
+  return out;
+}
+
+EditMap edit_of(const std::vector<MapChange>& changes, const std::string& name = "edit") {
+  EditMap out;
+  out.set_name(name);
+  for (const MapChange& change : changes) *out.add_changes() = change;
+  return out;
+}
+
+TEST_F(DocumentsOfAMission, ChangeWithTheMapAndBackAgain) {
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  const std::uint64_t revision = open.scene().revision();
+  MapChange rename;
+  rename.mutable_replace_measure()->set_index(1);
+  *rename.mutable_replace_measure()->mutable_measure() = open.scene().measures(1);
+  rename.mutable_replace_measure()->mutable_measure()->set_name("Delta");
+  ASSERT_TRUE(open.edit_map(edit_of({rename, add_place("New", 5, 6)}, "rename Charlie"), 0.0));
+  EXPECT_GT(open.scene().revision(), revision);
+  EXPECT_EQ(open.scene().measures(1).name(), "Delta");
+  EXPECT_FALSE(open.has_errors());
+  EXPECT_TRUE(text(open, "m.mdl").contains("MOVETO PP-Delta"));
+  EXPECT_EQ(open.edit_state().undo(), "rename Charlie");
+  ASSERT_TRUE(open.undo());
+  EXPECT_EQ(text(open, "m.mdl"), kMission);
+  EXPECT_EQ(text(open, "m.odl"), kOverlay);
+  ASSERT_TRUE(open.redo());
+  EXPECT_EQ(open.scene().measures(2).name(), "New");
+}
+
+TEST_F(DocumentsOfAMission, GetAnOverlayWhenSomethingIsDrawnAndThereIsNone) {
+  scratch.write("project/bare.mdl",
+                "-- bare\nMISSION NAME \"x\" -- title\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. QUIT\n");
+  scratch.write("project/bare.odl", "somebody else's");
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("bare.mdl", 0.0));
+  for (int round = 0; round < 2; ++round) {
+    ASSERT_TRUE(open.edit_map(edit_of({add_place("A", 1, 2)}), 0.0));
+    EXPECT_EQ(text(open, "bare_2.odl"), "CONTROL MEASURES:\nPP A 1 2\n");
+    EXPECT_EQ(text(open, "bare.mdl"),
+              "-- bare\nMISSION NAME \"x\" -- title\nOVERLAY \"bare_2.odl\"\nUNIT <u> ROBOT\nCOMMAND "
+              "LIST:\n0. QUIT\n");
+    EXPECT_FALSE(open.has_errors());
+    ASSERT_TRUE(open.undo());
+    EXPECT_EQ(open.documents().size(), 1U);
+    EXPECT_FALSE(open.edit_state().is_dirty());
+  }
+  ASSERT_TRUE(open.redo());
+  ASSERT_TRUE(open.save({}));
+  EXPECT_EQ(scratch.read("project/bare_2.odl"), "CONTROL MEASURES:\nPP A 1 2\n");
+  EXPECT_EQ(scratch.read("project/bare.odl"), "somebody else's");
+  EXPECT_FALSE(open.edit_map(edit_of({add_place("q\"", 1, 2)}), 0.0));
+}
+
+TEST_F(DocumentsOfAMission, CreateObstaclesAsOneEdit) {
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  CreateObstacles request;
+  request.set_coverage_percent(3);
+  request.set_min_radius(2);
+  request.set_max_radius(6);
+  request.set_replace(true);
+  ASSERT_TRUE(open.create_obstacles(request, 77, 0.0));
+  EXPECT_GT(open.scene().obstacles_size(), 10);
+  EXPECT_EQ(open.mission()->overlay.obstacles.size(),
+            static_cast<std::size_t>(open.scene().obstacles_size()));
+  EXPECT_EQ(open.edit_state().undo(), "random obstacles, seed 77");
+  ASSERT_TRUE(open.undo());
+  EXPECT_EQ(text(open, "m.odl"), kOverlay);
+}
+
+// ---- undo
+
+RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited, ()) {
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, "");
+  RC_ASSERT(open.open("m.mdl", 0.0).has_value());
+  double now = 0.0;
+  int other = 0;
+  const int edits = *rc::gen::inRange(1, 25);
+  for (int i = 0; i < edits; ++i) {
+    now += *rc::gen::inRange(0, 3) * 0.6;
+    const int what = *rc::gen::inRange(0, 8);
+    if (what == 0) {
+      open.undo();
+    } else if (what == 1) {
+      open.redo();
+    } else if (what == 2) {
+      other += 3;
+      open.add_edit({"other", [&other] { other -= 3; }, [&other] { other += 3; }}, now);
+    } else if (what == 3) {
+      (void)open.edit_map(edit_of({add_place("P" + std::to_string(i), i, 2 * i)}, "draw"), now);
+    } else if (what == 4) {
+      MapChange remove;
+      remove.set_remove_measure(*rc::gen::inRange(0U, 4U));
+      (void)open.edit_map(edit_of({remove}, "remove"), now);
+    } else {
+      const auto documents = open.documents();
+      const OpenDocument& document = *documents[*rc::gen::inRange<std::size_t>(0, documents.size())];
+      EditText edit;
+      edit.set_document(document.path);
+      edit.set_revision(document.revision);
+      const auto size = static_cast<std::uint32_t>(document.source->text().size());
+      edit.set_begin(*rc::gen::inRange(0U, size + 1));
+      edit.set_end(std::min(size, edit.begin() + *rc::gen::inRange(0U, 30U)));
+      edit.set_text(*rc::gen::elementOf(
+          std::vector<std::string>{"", "x", "PP a 1 2\n", "\"", "-- c\n", "OVERLAY m.odl\n"}));
+      edit.set_name(*rc::gen::elementOf(std::vector<std::string>{"", "type", "paste"}));
+      RC_ASSERT(open.edit_text(edit, now).has_value());
+    }
+  }
+  std::vector<std::string> end;
+  for (const OpenDocument* document : open.documents()) end.emplace_back(document->source->text());
+  const int other_end = other;
+  while (open.redo()) {
+  }
+  std::vector<std::string> last;
+  for (const OpenDocument* document : open.documents()) last.emplace_back(document->source->text());
+  const int other_last = other;
+  while (open.undo()) {
+  }
+  RC_ASSERT(text(open, "m.mdl") == kMission);
+  RC_ASSERT(text(open, "m.odl") == kOverlay);
+  RC_ASSERT(open.documents().size() == 2U);
+  RC_ASSERT(other == 0);
+  while (open.redo()) {
+  }
+  std::vector<std::string> again;
+  for (const OpenDocument* document : open.documents()) again.emplace_back(document->source->text());
+  RC_ASSERT(again == last);
+  RC_ASSERT(other == other_last);
+  RC_ASSERT(open.edit_state().redo().empty());
+  RC_ASSERT(other_end <= other_last);
+}
+
+// ---- saving
+
+TEST_F(DocumentsOfAMission, AreSavedAsTheyStand) {
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  ASSERT_TRUE(change(open, "m.odl", "here", "there"));
+  ASSERT_TRUE(open.save({}));
+  EXPECT_TRUE(scratch.read("project/m.odl").contains("-- there"));
+  EXPECT_FALSE(open.edit_state().is_dirty());
+  ASSERT_TRUE(open.undo());
+  EXPECT_TRUE(open.edit_state().is_dirty());
+  ASSERT_TRUE(open.save({}));
+  EXPECT_EQ(scratch.read("project/m.odl"), kOverlay);
+}
+
+TEST_F(DocumentsOfAMission, NeverOverwriteWhatSomebodyElseWrote) {
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  ASSERT_TRUE(change(open, "m.odl", "here", "mine"));
+  ASSERT_TRUE(change(open, "m.mdl", "\"m\"", "\"n\""));
+  scratch.write("project/m.odl", "theirs");
+  const auto saved = open.save({});
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().kind, "changed-on-disk");
+  EXPECT_EQ(scratch.read("project/m.odl"), "theirs");
+  EXPECT_TRUE(scratch.read("project/m.mdl").contains("\"n\"")) << "the other one is saved";
+  std::filesystem::remove(scratch.path("project/m.odl"));
+  EXPECT_TRUE(open.save({})) << "a file that is gone is written anew";
+  EXPECT_TRUE(scratch.read("project/m.odl").contains("mine"));
+}
+
+TEST_F(DocumentsOfAMission, OfAnExampleAreSavedIntoTheProjectWithTheirOverlay) {
+  scratch.write("examples/demo/d.mdl", kMission);
+  scratch.write("examples/demo/m.odl", kOverlay);
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("examples:demo/d.mdl", 0.0));
+  EXPECT_TRUE(open.documents_message().documents(0).is_read_only());
+  ASSERT_TRUE(change(open, "examples:demo/d.mdl", "\"m\"", "\"mine\""));
+  ASSERT_TRUE(change(open, "examples:demo/m.odl", "here", "there"));
+  EXPECT_EQ(open.save({}).error().kind, "read-only");
+  SaveDocuments as;
+  as.add_documents("examples:demo/d.mdl");
+  as.set_as("m.mdl");
+  EXPECT_EQ(open.save(as).error().kind, "file-exists");
+  as.set_as("copies/d.mdl");
+  ASSERT_TRUE(open.save(as));
+  EXPECT_EQ(open.mission_path(), "copies/d.mdl");
+  EXPECT_FALSE(open.has_errors());
+  EXPECT_TRUE(scratch.read("project/copies/m.odl").contains("-- there"));
+  EXPECT_EQ(scratch.read("examples/demo/m.odl"), kOverlay);
+  EXPECT_FALSE(open.edit_state().is_dirty());
+  ASSERT_TRUE(open.undo());
+  EXPECT_TRUE(text(open, "copies/m.odl").contains("-- here"));
+}
+
+TEST_F(DocumentsOfAMission, AreMadeAnewAndRunAtOnce) {
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  NewDocument request;
+  request.set_path("new/scouts.mdl");
+  ASSERT_TRUE(open.create(request, 0.0));
+  ASSERT_NE(open.mission(), nullptr) << open.documents_message().ShortDebugString();
+  EXPECT_EQ(open.mission()->name, "scouts");
+  EXPECT_EQ(open.documents().size(), 2U);
+  EXPECT_TRUE(open.edit_state().is_dirty());
+  NewDocument second;
+  second.set_kind(NewDocument::OVERLAY);
+  second.set_path("new/more places.odl");
+  ASSERT_TRUE(open.create(second, 0.0));
+  EXPECT_FALSE(open.has_errors());
+  EXPECT_EQ(open.documents().size(), 3U);
+  ASSERT_TRUE(open.save({}));
+  EXPECT_TRUE(scratch.read("project/new/scouts.mdl").contains("OVERLAY \"more places.odl\""));
+  EXPECT_EQ(scratch.read("project/new/more places.odl"), "CONTROL MEASURES:\n");
+  for (const char* bad : {"m.mdl", "../x.mdl", "x.sh", "examples:x.mdl", ""}) {
+    request.set_path(bad);
+    EXPECT_FALSE(open.create(request, 0.0)) << bad;
+  }
+}
+
+// ---- drafts
+
+TEST_F(DocumentsOfAMission, SurviveTheDeathOfTheServer) {
+  ProjectFolder project = folder();
+  {
+    OpenDocuments killed(project, {}, state());
+    ASSERT_TRUE(killed.open("m.mdl", 0.0));
+    ASSERT_TRUE(change(killed, "m.odl", "here", "draft"));
+    killed.keep_drafts(10.0);
+    ASSERT_TRUE(change(killed, "m.odl", "draft", "later draft"));
+    killed.keep_drafts(10.5);  // too early, so what a kill loses is a second
+    OpenDocuments open(project, {}, state());
+    ASSERT_TRUE(open.open("m.mdl", 0.0));
+    EXPECT_TRUE(text(open, "m.odl").contains("-- draft"));
+    EXPECT_TRUE(open.edit_state().is_dirty());
+    EXPECT_EQ(open.take_notices().size(), 1U);
+    EXPECT_EQ(open.edit_state().undo(), "restore unsaved text");
+    ASSERT_TRUE(open.undo());
+    EXPECT_EQ(text(open, "m.odl"), kOverlay);
+    ASSERT_TRUE(open.redo());
+    ASSERT_TRUE(open.save({}));
+    OpenDocuments after(project, {}, state());
+    ASSERT_TRUE(after.open("m.mdl", 0.0));
+    EXPECT_TRUE(after.take_notices().empty()) << "what is saved is no draft";
+    EXPECT_FALSE(after.edit_state().is_dirty());
+  }
+}
+
+TEST_F(DocumentsOfAMission, SayWhenADraftIsOlderThanItsFile) {
+  ProjectFolder project = folder();
+  {
+    OpenDocuments first(project, {}, state());
+    ASSERT_TRUE(first.open("m.mdl", 0.0));
+    ASSERT_TRUE(change(first, "m.odl", "here", "draft"));
+  }
+  scratch.write("project/m.odl", std::string(kOverlay) + "-- theirs\n");
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  const auto notices = open.take_notices();
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_TRUE(notices[0].contains("has changed since"));
+  ASSERT_TRUE(open.undo());
+  EXPECT_TRUE(text(open, "m.odl").contains("-- theirs"));
+}
+
+TEST_F(DocumentsOfAMission, ThatWereNeverSavedAreFoundAgain) {
+  ProjectFolder project = folder();
+  {
+    OpenDocuments first(project, {}, state());
+    NewDocument request;
+    request.set_path("fresh.mdl");
+    ASSERT_TRUE(first.create(request, 0.0));
+  }
+  OpenDocuments open(project, {}, state());
+  const Project message = open.project_message();
+  EXPECT_TRUE(std::ranges::any_of(message.missions(), [](const auto& e) { return e.path() == "fresh.mdl"; }));
+  ASSERT_TRUE(open.open("fresh.mdl", 0.0));
+  EXPECT_FALSE(open.has_errors()) << open.documents_message().ShortDebugString();
+  EXPECT_EQ(open.documents().size(), 2U);
+}
+
+// ---- what may be opened
+
+TEST_F(DocumentsOfAMission, FromTheCommandLineReadOverlaysOutsideButNoOthers) {
+  scratch.write("elsewhere/secret.odl", kOverlay);
+  scratch.write("elsewhere/far.odl", kOverlay);
+  scratch.write("project/c.mdl",
+                "OVERLAY \"" + scratch.path("elsewhere/far.odl").string() + "\"\nCOMMAND LIST:\n0. QUIT\n");
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("c.mdl", 0.0));
+  EXPECT_TRUE(open.has_errors()) << "a browser can't open it";
+  ASSERT_TRUE(open.open_on_disk(scratch.path("project/c.mdl").string(), 0.0));
+  EXPECT_FALSE(open.has_errors());
+  ASSERT_EQ(open.documents().size(), 2U);
+  EXPECT_FALSE(open.documents()[1]->is_writable);
+  ASSERT_TRUE(change(open, "c.mdl", "far.odl", "secret.odl"));
+  EXPECT_TRUE(open.has_errors());
+  EXPECT_EQ(open.documents().size(), 1U);
+  ASSERT_TRUE(open.open_on_disk(scratch.path("elsewhere/../project/m.mdl").string(), 0.0));
+  EXPECT_EQ(open.mission_path(), "m.mdl");
+  EXPECT_FALSE(open.open_on_disk("/dev/stdin", 0.0));
+  EXPECT_FALSE(open.open("nothing.mdl", 0.0));
+  EXPECT_EQ(open.mission_path(), "m.mdl") << "what was open stays open";
+}
+
+TEST_F(DocumentsOfAMission, InLatin1AreReadAndSavedAsUtf8) {
+  scratch.write("project/m.odl", std::string(kOverlay) +
+                                     "-- Stra\xdf"
+                                     "e\n");
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  EXPECT_TRUE(text(open, "m.odl").contains("Stra\u00dfe"));
+  EXPECT_EQ(open.take_notices().size(), 1U);
+  ASSERT_TRUE(open.save({}));
+  EXPECT_TRUE(scratch.read("project/m.odl").contains("Stra\u00dfe"));
+}
+
+TEST_F(DocumentsOfAMission, TellRecentOnesAndExamples) {
+  scratch.write("examples/demo/d.mdl", kMission);
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  const Project message = open.project_message();
+  ASSERT_EQ(message.recent_size(), 1);
+  EXPECT_EQ(message.recent(0).path(), "m.mdl");
+  EXPECT_EQ(message.recent(0).title(), "m");
+  EXPECT_EQ(message.examples(0).path(), "examples:demo/d.mdl");
+  EXPECT_EQ(message.missions(0).path(), "m.mdl");
+  EXPECT_EQ(message.mission(), "m.mdl");
 }
 
 }  // namespace

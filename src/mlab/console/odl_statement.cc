@@ -222,6 +222,7 @@ void StatementEdit::points(const std::vector<odl::PointSyntax>& written_points,
     break;
   }
   const std::size_t moved_end = most - tail;
+  last_point_ = tail > 0 ? before.size() - 1 : moved_end - 1;
   for (std::size_t i = same; i < moved_end; ++i) point(written_points[i], before[i], after[i]);
   if (after.size() > before.size()) {
     const text::Span behind = moved_end > 0 ? last_word(written_points[moved_end - 1])
@@ -247,7 +248,7 @@ void StatementEdit::size(double before, double after, MeasureKind kind) {
       number(statement_.numbers[0].span, before, after);
     }
   } else if (usual > 0.0 && after > 0.0 && std::abs(after - usual) > kSameNumber) {
-    splices_.insert_behind(last_word(statement_.points.back()), brief_number(after));
+    splices_.insert_behind(last_word(statement_.points[last_point_]), brief_number(after));
   }
 }
 

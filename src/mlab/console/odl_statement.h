@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "mlab/console.pb.h"
@@ -52,6 +53,7 @@ class StatementEdit {
   const odl::Tree& tree_;
   const odl::Statement& statement_;
   geom::Offset origin_;
+  std::size_t last_point_ = 0;  // of those written ones that stay
 };
 
 /// Differences below this are none [m].

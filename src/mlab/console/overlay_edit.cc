@@ -73,6 +73,7 @@ struct OverlayDocument {
 
   odl::Tree tree;
   Splices splices;
+  std::optional<geom::Offset> origin;  // once it was asked for
   std::unordered_map<std::uint32_t, std::size_t>
       by_place;  // statements by what map features say of their place
 };
@@ -202,9 +203,9 @@ class MapEdit {
 
   // ---- origins
 
-  // What is added to plain coordinates at the end of an overlay.
-  geom::Offset origin_of(std::size_t overlay) {
-    if (texts_.order.empty() || texts_.order.back() == overlay) return map_.origin;
+  // What is added to plain coordinates of the features of an overlay: no ORIGIN follows them.
+  geom::Offset origin_of(OverlayDocument& document) {
+    if (document.origin) return *document.origin;
     overlay::Overlay state;
     text::Diagnostics unsaid;
     for (const std::uint32_t next : texts_.order) {
@@ -213,8 +214,9 @@ class MapEdit {
       std::erase_if(only_origins.statements,
                     [](const odl::Statement& s) { return s.keyword != odl::Keyword::kOrigin; });
       odl::apply(only_origins, state, unsaid, odl::Companions::kIgnore);
-      if (next == overlay) break;
+      if (&overlays_[next] == &document) break;
     }
+    document.origin = state.origin;
     return state.origin;
   }
 
@@ -231,8 +233,7 @@ class MapEdit {
 
   geom::Offset target_origin() {
     if (overlays_.empty()) refuse("the mission has no overlay");
-    if (!target_origin_) target_origin_ = origin_of(target_);
-    return *target_origin_;
+    return origin_of(overlays_[target_]);
   }
 
   // CREATE-OBSTACLES takes the obstacles away that come before it, so new ones go behind it.
@@ -298,7 +299,7 @@ class MapEdit {
     OverlayDocument* document = nullptr;
     const odl::Statement* statement = statement_of(before.place, document);
     if (statement != nullptr) {
-      StatementEdit(document->splices, document->tree, *statement, map_.origin)
+      StatementEdit(document->splices, document->tree, *statement, origin_of(*document))
           .replace(before, change.measure());
     } else {
       replace_start_place(before, change.measure());
@@ -332,7 +333,8 @@ class MapEdit {
     OverlayDocument* document = nullptr;
     const odl::Statement* statement = statement_of(before.place, document);
     if (statement != nullptr) {
-      StatementEdit(document->splices, document->tree, *statement, map_.origin).replace(before, after);
+      StatementEdit(document->splices, document->tree, *statement, origin_of(*document))
+          .replace(before, after);
       return;
     }
     if (after.height() > 0.0) refuse("an obstacle of the mission has no height: draw one in an overlay");
@@ -349,7 +351,7 @@ class MapEdit {
     OverlayDocument* document = nullptr;
     const odl::Statement* statement = statement_of(before.place, document);
     if (statement == nullptr) refuse("its statement was not found");
-    StatementEdit(document->splices, document->tree, *statement, map_.origin)
+    StatementEdit(document->splices, document->tree, *statement, origin_of(*document))
         .replace(before, change.object());
   }
 
@@ -404,7 +406,6 @@ class MapEdit {
   std::vector<OverlayDocument> overlays_;
   MissionDocument mission_;
   std::size_t target_ = 0;
-  std::optional<geom::Offset> target_origin_;
   std::optional<bool> is_target_cleared_;
   bool wrote_header_ = false;
   bool removes_creation_ = false;
