@@ -167,6 +167,11 @@ export function everything(): Session {
   };
 }
 
+/** A background picture: a tree in the north of a meadow. */
+const kPlan = `data:image/svg+xml,${encodeURIComponent(
+  '<svg xmlns="http://www.w3.org/2000/svg" width="150" height="300"><rect width="150" height="300" fill="#cfe3bd"/><circle cx="75" cy="60" r="45" fill="#5d8a46"/></svg>',
+)}`;
+
 /** Rooms, walls and one robot: ten metres across. */
 export function robotLab(): Session {
   return {
@@ -184,6 +189,7 @@ export function robotLab(): Session {
         measure(K.WALL, "Desk", [6, 6.6, 6, 5, 8, 5]),
       ],
       obstacles: obstacles("7 2 0.3; 4.4 2.2 0.45"),
+      picture: { url: kPlan, x: 11.5, y: 1, width: 3, height: 6 },
     },
     roster: { robots: team(1, "stimpy", () => "#1f5fd6"), units: [unitOf("stimpy", 1)] },
     robots: [{ id: 1, x: 6.2, y: 3.3, heading: -0.3, flags: 1 }],

@@ -2,8 +2,8 @@
 //
 //   ground   picture, grid, overlay, obstacles         when the camera, the scene or a setting changes
 //   trails   where robots have been                    some times a second
-//   robots   WebGL2 or Canvas2D                        with each frame
 //   names    names of the overlay, scale, compass      with the ground
+//   robots   WebGL2 or Canvas2D                        with each frame; many lie below the names
 //   top      what belongs to watched robots, tools     with each frame, where there is something to draw
 import { Camera } from "../camera.ts";
 import { type Box, boundsOf, centreOf, grow, type Point, union } from "../geometry.ts";
@@ -18,7 +18,7 @@ import { paletteOf } from "./palette.ts";
 import { SceneIndex } from "./picking.ts";
 import { PictureLoader } from "./picture.ts";
 import { PlaceReadout } from "./place_readout.ts";
-import { RobotLayer } from "./robot_layer.ts";
+import { kManyRobots, RobotLayer } from "./robot_layer.ts";
 import type { MapPick, MapTool, Pen } from "./tool.ts";
 import { SelectTool } from "./tools/select.ts";
 import { drawTop, isTopEmpty } from "./top.ts";
@@ -82,12 +82,14 @@ export class MapView {
     if (!host.hasAttribute("aria-label")) host.setAttribute("aria-label", "Map");
     if (getComputedStyle(host).position === "static") host.style.position = "relative";
     host.style.overflow = "hidden";
+    host.style.isolation = "isolate";
     host.style.touchAction = "none";
     this.ground = this.addCanvas();
     this.trailLayer = new TrailLayer(this.addCanvas());
-    this.robotLayer = new RobotLayer(host, () => this.change(Dirty.ROBOTS));
     this.names = this.addCanvas();
+    this.robotLayer = new RobotLayer(host, () => this.change(Dirty.ROBOTS));
     this.top = this.addCanvas();
+    this.top.style.zIndex = "2";
     this.index = new SceneIndex(null);
     this.picture = new PictureLoader(options.pictureUrl ?? ((path) => path), () => this.change(Dirty.GROUND));
     this.select = new SelectTool();
@@ -229,7 +231,9 @@ export class MapView {
     picture.width = this.ground.width;
     picture.height = this.ground.height;
     const context = picture.getContext("2d")!;
-    for (const canvas of this.host.querySelectorAll("canvas")) {
+    const layers = [...this.host.querySelectorAll("canvas")];
+    layers.sort((a, b) => Number(a.style.zIndex) - Number(b.style.zIndex));
+    for (const canvas of layers) {
       if (canvas.style.display !== "none") context.drawImage(canvas, 0, 0, picture.width, picture.height);
     }
     const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, "image/png"));
@@ -258,10 +262,16 @@ export class MapView {
     this.drawnCamera = this.camera.version;
     if (dirty & Dirty.GROUND) this.drawGround();
     if (dirty & Dirty.TRAILS) this.drawTrails(false);
-    if (dirty & Dirty.ROBOTS) this.robotLayer.draw(this.camera, this.model, this.density());
+    if (dirty & Dirty.ROBOTS) this.drawRobots();
     if (dirty & Dirty.TOP) this.drawTop();
     ++this.drawings;
     this.drawing = performance.now() - start;
+  }
+
+  /** A few robots stand over names, many under them: else nothing could be read. */
+  private drawRobots(): void {
+    this.robotLayer.draw(this.camera, this.model, this.density());
+    this.names.style.zIndex = this.model.robots.count < kManyRobots ? "" : "1";
   }
 
   private drawTrails(whole: boolean): void {
@@ -326,6 +336,10 @@ export class MapView {
     const observer = new ResizeObserver(() => this.resize());
     observer.observe(this.host);
     this.endings.push(() => observer.disconnect());
+    // The density changes with the page's zoom and with the screen that the window is on.
+    const onWindow = (): void => this.resize();
+    window.addEventListener("resize", onWindow);
+    this.endings.push(() => window.removeEventListener("resize", onWindow));
   }
 
   private takeFrame(): void {

@@ -43,7 +43,7 @@ export class PlaceReadout {
     const degrees = reference ? ` · ${formatDegrees(toDegrees(world, reference))}` : "";
     const { ground, ink, areaEdge } = paletteOf(theme);
     this.element.style.cssText =
-      `position:absolute;right:10px;bottom:10px;padding:4px 9px;border-radius:8px;pointer-events:none;` +
+      `position:absolute;z-index:3;right:10px;bottom:10px;padding:4px 9px;border-radius:8px;pointer-events:none;` +
       `font:500 11.5px ${kSans};font-variant-numeric:tabular-nums;white-space:nowrap;` +
       `color:${ink};background:${fade(ground, 0.92)};border:1px solid ${areaEdge}`;
     this.element.textContent = `${formatPlace(world.x, world.y, camera.scale)}${degrees}`;
