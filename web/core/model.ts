@@ -60,6 +60,7 @@ export interface Parts {
 }
 
 export const kLogLength = 5000;
+const kMany = 1500; // robots
 const kSlow = 100; // ms between announcements of what every frame changes
 
 /** An object's place where it is not that of the Scene. */
@@ -90,6 +91,7 @@ export class Model extends Store<Parts> {
   private readonly frameListeners = new Set<() => void>();
   private readonly seriesListeners = new Set<(data: SeriesData) => void>();
   private announced = 0;
+  private extended = 0;
   private pending: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
@@ -207,7 +209,7 @@ export class Model extends Store<Parts> {
     this.stations.accept(frame.stations);
     this.vectors.accept(frame.vectors);
     this.takeObjects(frame.objects);
-    this.trails.extend(this.robots, frame.time);
+    this.extendTrails();
     this.newest.clear();
     for (const detail of frame.details) this.newest.set(detail.id, detail);
     if (frame.series) for (const listener of this.seriesListeners) listener(frame.series);
@@ -280,6 +282,14 @@ export class Model extends Store<Parts> {
       const carrier = this.moved.last(row);
       this.movedObjects.set(this.moved.id(row), { x: this.moved.x(row), y: this.moved.y(row), carrier });
     }
+  }
+
+  /** Of many robots a few times a second: that takes longer than all else of a frame. */
+  private extendTrails(): void {
+    const now = performance.now();
+    if (this.robots.count > kMany && now - this.extended < kSlow) return;
+    this.extended = now;
+    this.trails.extend(this.robots, this.time);
   }
 
   /** Time went back: a restart. */

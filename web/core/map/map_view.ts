@@ -410,6 +410,7 @@ export class MapView {
     const middle = centreOf(places);
     if (Math.abs(middle.x - this.camera.x) + Math.abs(middle.y - this.camera.y) > 0.25 / this.camera.scale) {
       this.camera.lookAt(middle);
+      this.tell();
     }
   }
 

@@ -4,6 +4,7 @@ import {
   type Box,
   between,
   boundsOf,
+  centreOf,
   direction,
   distance,
   distanceToLine,
@@ -169,11 +170,5 @@ export function distanceTo(measure: Measure, point: Point, reach: number): { edg
 export function middleOf(measure: Measure): Point {
   const { points } = measure;
   if (measure.kind === K.GAP && points.length > 1) return between(points[0]!, points[1]!, 0.5);
-  let x = 0;
-  let y = 0;
-  for (const point of points) {
-    x += point.x / points.length;
-    y += point.y / points.length;
-  }
-  return { x, y };
+  return centreOf(isClosed(measure) ? points.slice(1) : points);
 }

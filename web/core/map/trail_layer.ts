@@ -13,7 +13,7 @@ const kPause = 150; // ms between drawings while robots move
 const kFadeTime = 120; // run time after which a fading trail has gone [s]
 const kShades = 4;
 const kMostSegments = 60_000; // in one drawing; the newest of each robot
-const kSlice = 1; // ms of a frame, where there are so many trails that one frame is not enough
+const kSlice = 0.6; // ms of a frame, where there are so many trails that one frame is not enough
 const kFew = 150; // robots whose trails are drawn in one go
 
 /** A drawing under way on the hidden canvas. */
