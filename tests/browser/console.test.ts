@@ -80,12 +80,9 @@ describe("a mission", () => {
           .then(() => "end"),
       ]);
       if (next === "end") break;
-      const open = await proceed.count();
+      const asked = await page.locator("[data-question]").first().getAttribute("data-question");
       await proceed.first().click();
-      await page.waitForFunction(
-        (before) => document.querySelectorAll("[data-question]").length !== before,
-        open,
-      );
+      await page.locator(`[data-question="${asked}"]`).waitFor({ state: "detached" });
       answers++;
       expect(answers).toBeLessThan(20);
     }
@@ -103,7 +100,10 @@ describe("a mission", () => {
     await until(page, "Paused");
     const before = await page.getByTestId("run-time").textContent();
     await page.keyboard.press("c");
-    await page.waitForFunction((text) => document.querySelector("[data-testid=run-time]")?.textContent !== text, before);
+    await page.waitForFunction(
+      (text) => document.querySelector("[data-testid=run-time]")?.textContent !== text,
+      before,
+    );
     await until(page, "Paused");
     await page.keyboard.press("Control+k");
     await page.getByRole("combobox", { name: "Search all commands" }).waitFor();
@@ -144,7 +144,10 @@ describe("what a robot does", () => {
     await page.locator("[data-question]").first().waitFor();
     await page.keyboard.press("]");
     await page.getByRole("tab", { name: "Why?" }).click();
-    await page.getByText(/operator's clearance/).first().waitFor();
+    await page
+      .getByText(/operator's clearance/)
+      .first()
+      .waitFor();
     await page.getByRole("tab", { name: "Parameters" }).click();
     const field = page.getByRole("textbox", { name: /^base velocity/ });
     const before = await field.inputValue();
@@ -203,11 +206,11 @@ describe("the page", () => {
     const one = await start(kDemo);
     await main(one).filter({ hasText: "Execute" }).waitFor();
     const two = await open((mlab as Mlab).url);
-    await two.getByText(/You are watching/).waitFor();
+    await two.getByText(/You are watching. Browser 1 is the operator/).waitFor();
     await two.getByRole("button", { name: "Ask for control" }).click();
     await one.bringToFront();
     await one.getByRole("button", { name: "Hand over", exact: true }).click();
-    await one.getByText(/You are watching/).waitFor();
+    await one.getByText(/You are watching. Browser 2 is the operator/).waitFor();
     await two.bringToFront();
     await main(two).filter({ hasText: "Execute" }).waitFor();
   });

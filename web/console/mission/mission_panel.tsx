@@ -127,7 +127,10 @@ function RunningNow() {
   const waits = status?.waitsFor ?? [];
   if (waits.length === 0) return null;
   return (
-    <section className={`waits ${status?.mode === Status_Mode.WAITING ? "hold" : ""}`} aria-label="Waits for">
+    <section
+      className={`waits ${status?.mode === Status_Mode.WAITING ? "hold" : ""}`}
+      aria-label="What the mission waits for"
+    >
       <h3>Waits for</h3>
       <ul>
         {waits.map((text) => (

@@ -19,7 +19,7 @@ export function WhyTab({ id }: { id: number }) {
           ["In state", detail.states.length > 0 ? detail.states.join(", ") : "–"],
         ]}
       />
-      <section aria-label="Waits for">
+      <section aria-label="What the robot waits for">
         <h3>Waits for</h3>
         {detail.waitsFor.length === 0 && <p className="muted">Nothing.</p>}
         <ul className="why-waits">
