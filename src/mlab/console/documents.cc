@@ -643,6 +643,18 @@ Project OpenDocuments::project_message() const {
   return out;
 }
 
+KnownNames OpenDocuments::known_names(const mission::Mission* mission) const {
+  KnownNames out{mission != nullptr ? mission : mission_.get(), map_.get(), {}};
+  const std::size_t slash = mission_path().rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : mission_path().substr(0, slash);
+  const auto entries = project_.list(folder);
+  for (std::size_t i = 0; entries && i < entries->size(); ++i) {
+    const ProjectFolder::Entry& entry = (*entries)[i];
+    if (entry.kind == "overlay") out.overlay_files.push_back(fs::path(entry.path).filename().string());
+  }
+  return out;
+}
+
 EditState OpenDocuments::edit_state() const {
   EditState out;
   out.set_undo(log_.undo_name());

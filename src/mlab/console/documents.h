@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mlab/console.pb.h"
+#include "mlab/console/completion.h"
 #include "mlab/console/drafts.h"
 #include "mlab/console/edit_log.h"
 #include "mlab/console/overlay_edit.h"
@@ -126,6 +127,9 @@ class OpenDocuments {
   const mdl::LoadOptions& load_options() const { return options_; }
   /// What was open lately and what there is to open.
   Project project_message() const;
+  /// Names for `complete`: units of this mission (null: of the texts'), places of the map, overlays beside
+  /// the mission.
+  KnownNames known_names(const mission::Mission* mission) const;
   /// Sentences for the log that came up since this was asked last: `restored unsaved text of a.mdl`.
   std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
 

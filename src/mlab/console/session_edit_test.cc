@@ -228,5 +228,27 @@ TEST_F(SessionEdit, AnotherMissionIsOpenedInItsPlace) {
   EXPECT_EQ(anna_.ask(list).files().entries_size(), 3);
 }
 
+TEST_F(SessionEdit, LinesAreCompletedAndCheckedForAnybody) {
+  Browser ben(session_, "Ben");
+  ToServer complete;
+  complete.mutable_complete()->set_text("UNIT pair MOVETO f");
+  complete.mutable_complete()->set_cursor(18);
+  const Reply reply = ben.ask(complete);
+  ASSERT_TRUE(reply.ok()) << reply.error();
+  ASSERT_EQ(reply.completions().items_size(), 1);
+  EXPECT_EQ(reply.completions().items(0).text(), "PP-Far");
+  EXPECT_EQ(reply.completions().begin(), 17U);
+  complete.mutable_complete()->set_language(Complete::MISSION);
+  complete.mutable_complete()->set_text("OVERLAY ");
+  complete.mutable_complete()->set_cursor(8);
+  EXPECT_EQ(ben.ask(complete).completions().items(0).text(), "\"map.odl\"");
+  ToServer check;
+  check.mutable_check()->set_text("UNIT pair MOVETO Fra");
+  const Reply checked = ben.ask(check);
+  ASSERT_EQ(checked.diagnostics_size(), 1);
+  EXPECT_EQ(checked.diagnostics(0).kind(), "unknown-control-measure");
+  EXPECT_EQ(checked.diagnostics(0).begin(), 17U);
+}
+
 }  // namespace
 }  // namespace mlab::console

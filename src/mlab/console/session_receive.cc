@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/console/check_text.h"
+#include "mlab/console/completion.h"
 #include "mlab/console/session_parts.h"
 
 namespace mlab::console {
@@ -143,6 +145,16 @@ Session::Parts::Answered Session::Parts::take_from_anybody(Channel& channel, con
     case ToServer::kReadSeries:
       read_series(message.read_series(), reply);
       return std::nullopt;
+    case ToServer::kComplete:
+      *reply.mutable_completions() = complete(message.complete(), documents_.known_names(plain_.get()));
+      return std::nullopt;
+    case ToServer::kCheck: {
+      const text::Diagnostics problems =
+          check_text(message.check(), plain_.get(), documents_.mission_folder(), documents_.load_options());
+      for (const text::Diagnostic& problem : problems.items())
+        *reply.add_diagnostics() = documents_.message(problem);
+      return std::nullopt;
+    }
     case ToServer::kListFiles:
       return list_files(message.list_files(), reply);
     case ToServer::kTakeOperator:
