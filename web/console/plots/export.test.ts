@@ -31,6 +31,10 @@ describe("toCsv", () => {
     expect(text).toBe('time [s],Robot 1: Speed [m/s],"say ""hi"", robot"\r\n0,1.5,\r\n0.1,,2\r\n');
   });
 
+  it("has times without the noise of binary fractions", () => {
+    expect(toCsv(table([[200.20000000000002, 1]]), [kLine])).toContain("\r\n200.2,1\r\n");
+  });
+
   it("keeps every number exactly", () => {
     fc.assert(
       fc.property(

@@ -19,7 +19,8 @@ export function toCsv(table: AlignedTable, series: readonly ExportSeries[]): str
       const value = column[row];
       return value === null || value === undefined ? "" : String(value);
     });
-    lines.push([String(time), ...cells].join(","));
+    // Times are whole cycles: what binary fractions add to them is noise.
+    lines.push([String(Number(time.toPrecision(12))), ...cells].join(","));
   });
   return `${lines.join("\r\n")}\r\n`;
 }
