@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -37,6 +38,13 @@ std::optional<geom::Point> goal_of(const fleet::MissionRun& run, const FleetRobo
   return order.task == percept::Task::kFollow && !order.route.empty() ? order.route.back() : order.goal;
 }
 
+// In the unit in which Port.unit says that people read it.
+std::optional<double> shown_number(const FleetRobot& robot, const flow::Port& port) {
+  const auto number = flow::Program::number(robot.frame.data(), port);
+  const bool is_turned = port.edge_unit == "deg" && port.unit != "deg";
+  return number && is_turned ? std::optional(*number * 180.0 / std::numbers::pi) : number;
+}
+
 std::optional<double> measure_robot(const fleet::MissionRun& run, const FleetRobot& robot,
                                     const Series& series) {
   if (robot.life == RobotLife::kNotStarted) return std::nullopt;
@@ -44,7 +52,7 @@ std::optional<double> measure_robot(const fleet::MissionRun& run, const FleetRob
     case Series::PORT: {
       if (!robot.program->program) return std::nullopt;
       const flow::Port* port = robot.program->program->find(series.port());
-      return port == nullptr ? std::nullopt : flow::Program::number(robot.frame.data(), *port);
+      return port == nullptr ? std::nullopt : shown_number(robot, *port);
     }
     case Series::DISTANCE_TO_GOAL: {
       const auto goal = goal_of(run, robot);

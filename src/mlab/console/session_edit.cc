@@ -48,14 +48,17 @@ Session::Parts::Answered Session::Parts::edit(const std::string& who, const ToSe
     case ToServer::kUndo:
       if (!documents_.undo()) return "there is nothing to undo";
       log_edit("undo " + undo_name);
+      changes_.project = true;
       break;
     case ToServer::kRedo:
       if (!documents_.redo()) return "there is nothing to do again";
       log_edit("redo " + redo_name);
+      changes_.project = true;
       break;
     case ToServer::kNewDocument:
       error = error_of(documents_.create(message.new_document(), now()));
       if (!error) log_edit("new " + message.new_document().path());
+      changes_.project = true;  // the mission that is open may be this one
       break;
     case ToServer::kSaveDocuments:
       error = error_of(documents_.save(message.save_documents()));
