@@ -1,5 +1,12 @@
 # Installs the Debian packages of tools/packages/*.txt that are missing.
 
+# Sets `product_packages` to the lists for building and running the product. A machine that has Node and npm from
+# elsewhere keeps them: Debian's would take their place.
+find_product_packages() {
+  product_packages=("$root/tools/packages/run.txt")
+  command -v node >/dev/null && command -v npm >/dev/null || product_packages+=("$root/tools/packages/node.txt")
+}
+
 # missing_packages LIST...: the lines of the lists whose package is not installed.
 missing_packages() {
   local installed

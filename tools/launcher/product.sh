@@ -17,12 +17,13 @@ make_product_current() {
 build_product() {
   local started=$SECONDS is_first=
   [[ -x $binary ]] || is_first=1
-  ensure_packages "$root/tools/packages/run.txt"
+  find_product_packages
+  ensure_packages "${product_packages[@]}"
   # The stamp is as old as the start of the build: what is edited meanwhile is newer.
   printf '%s\n' "$root" >"$stamp.new"
   [[ -z $is_first ]] || say "builds for the first time, which takes some minutes"
   [[ -n $is_first ]] || is_terminal || say "builds what changed"
-  configure "$build/release" -DCMAKE_BUILD_TYPE=Release -DMLAB_TESTS=OFF
+  configure "$build/release" -DCMAKE_BUILD_TYPE=Release -DMLAB_TESTS=OFF "-DMLAB_WEB_FOLDER=$build/web"
   build_folder "$build/release" all || give_up "the build failed; what the compiler said stands above"
   [[ -x $binary ]] || give_up "the build made no $binary"
   mv -f "$stamp.new" "$stamp"

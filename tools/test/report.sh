@@ -12,15 +12,24 @@ watch_log() {
   done
 }
 
-# count_tests LOG STATUS: sets passed, failed, skipped from what ctest says in the log; a stage without ctest is one test.
+# count_tests LOG STATUS: sets passed, failed, skipped from what ctest and vitest say in the log; a stage without them is
+# one test. vitest: `Tests  1 failed | 41 passed | 2 skipped (44)`.
 count_tests() {
   read -r passed failed skipped < <(awk -v status="$2" '
     /tests passed, [0-9]+ tests? failed out of [0-9]+/ { failed += $4; total += $NF; is_ctest = 1 }
     /^Test project / { is_ctest = 1 }
+    /^ *Tests  .*\([0-9]+\)$/ {
+      is_ctest = 1
+      for (i = 2; i <= NF; i++) {
+        if ($i ~ /^passed/) total += $(i - 1)
+        if ($i ~ /^failed/) { failed += $(i - 1); total += $(i - 1) }
+        if ($i ~ /^(skipped|todo)/) { skipped += $(i - 1); total += $(i - 1) }
+      }
+    }
     /Not Run \(Disabled\)|\*\*\*Skipped/ { skipped++ }
     END {
       if (!is_ctest) print (status == 0), (status != 0), 0
-      else print total - failed - skipped, (status != 0 && failed == 0) ? 1 : failed, skipped + 0
+      else print total - failed - skipped, (status != 0 && failed == 0) ? 1 : failed + 0, skipped + 0
     }' "$1")
 }
 

@@ -11,11 +11,25 @@ run_ctest() {
 
 # Compiled exactly as the product, so that what is tested is what runs, and the two share what ccache keeps.
 stage_build() {
-  configure "$build/test" -DCMAKE_BUILD_TYPE=Release -DMLAB_TESTS=ON
+  configure "$build/test" -DCMAKE_BUILD_TYPE=Release -DMLAB_TESTS=ON "-DMLAB_WEB_FOLDER=$build/web"
   ninja -C "$build/test" -j "$jobs"
 }
 
 stage_unit() { run_ctest "$build/test" -LE 'repo|e2e'; }
+# web_scripts SCRIPT...: runs scripts of web/package.json, in the copy that the product's page is built in.
+web_scripts() (
+  source "$root/tools/web/node.sh"
+  source "$root/tools/web/prepare.sh"
+  mkdir -p "$build/web"
+  exec 8>>"$build/web/lock"
+  flock 8
+  prepare_web "$root" "$build/web"
+  exec 8>&-
+  for script in "$@"; do NO_COLOR=1 npm run --silent "$script"; done
+)
+
+stage_web() { web_scripts check lint test; }
+stage_browser() { MLAB_COMMAND=$build/test/bin/mlab web_scripts browser; }
 stage_repo() { run_ctest "$build/test" -L repo; }
 stage_e2e() { run_ctest "$build/test" -L e2e; }
 
