@@ -29,7 +29,7 @@ web_scripts() (
 )
 
 stage_web() { web_scripts check lint test; }
-stage_browser() { MLAB_COMMAND=$build/test/bin/mlab web_scripts browser; }
+stage_browser() { MLAB_COMMAND=$build/test/bin/mlab MLAB_MISSIONS=$root/missions web_scripts browser; }
 stage_repo() { run_ctest "$build/test" -L repo; }
 stage_e2e() { run_ctest "$build/test" -L e2e; }
 

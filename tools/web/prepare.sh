@@ -7,6 +7,7 @@ prepare_web() {
   mkdir -p "$folder/web"
   copy_tree "$source/web" "$folder/web"
   mkdir -p "$folder/proto" && copy_tree "$source/proto" "$folder/proto"
+  mkdir -p "$folder/tests/browser" && copy_tree "$source/tests/browser" "$folder/tests/browser"
   find_node "$folder"
   cd "$folder/web"
   cmp -s package-lock.json node_modules/.installed-lock || {

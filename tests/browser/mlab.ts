@@ -1,0 +1,55 @@
+import { type ChildProcess, spawn } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+
+/** The missions that come with mlab. */
+export const missions = process.env.MLAB_MISSIONS ?? join(here, "..", "..", "missions");
+
+/** A running `mlab run`, with a folder of its own for what it remembers. */
+export class Mlab {
+  private readonly process: ChildProcess;
+  private readonly state = mkdtempSync(join(tmpdir(), "mlab-state-"));
+  private readonly ended: Promise<number | null>;
+  output = "";
+
+  private constructor(options: string[]) {
+    const command = process.env.MLAB_COMMAND ?? "mlab";
+    this.process = spawn(command, ["run", "--no-browser", "--port", "0", ...options], {
+      stdio: ["ignore", "pipe", "pipe"],
+      env: { ...process.env, XDG_STATE_HOME: this.state },
+    });
+    this.ended = new Promise((resolve) => this.process.on("exit", resolve));
+    for (const stream of [this.process.stdout, this.process.stderr]) {
+      stream?.on("data", (bytes: Buffer) => {
+        this.output += bytes.toString();
+      });
+    }
+  }
+
+  /** Starts it, as `mlab run OPTIONS`, and waits for its address. */
+  static async start(...options: string[]): Promise<Mlab> {
+    const mlab = new Mlab(options);
+    for (let tries = 0; mlab.url === ""; tries++) {
+      if (tries > 1000 || mlab.process.exitCode !== null) throw new Error(`mlab did not start:\n${mlab.output}`);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+    return mlab;
+  }
+
+  /** With its token. */
+  get url(): string {
+    return /https?:\/\/\S+/.exec(this.output)?.[0] ?? "";
+  }
+
+  /** As Ctrl-C. @returns the exit status */
+  async stop(): Promise<number | null> {
+    if (this.process.exitCode === null) this.process.kill("SIGINT");
+    const status = await this.ended;
+    rmSync(this.state, { recursive: true, force: true });
+    return status;
+  }
+}
