@@ -17,6 +17,8 @@
 #include <string>
 #include <string_view>
 
+#include <google/protobuf/stubs/logging.h>
+
 #include "mlab/console.pb.h"
 #include "mlab/console/session.h"
 
@@ -84,6 +86,8 @@ std::unique_ptr<ToServer> hello() {
 // libFuzzer's name, not ours.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {  // NOLINT(readability-identifier-naming)
+  static const auto kLog = google::protobuf::SetLogHandler(nullptr);
+  static_cast<void>(kLog);
   SessionSettings settings;
   settings.project_folder = fresh_project().string();
   settings.mission = settings.project_folder + "/m.mdl";

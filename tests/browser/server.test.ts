@@ -77,7 +77,7 @@ test("the emergency stop on its own path stops", async () => {
   expect(response.status).toBe(200);
   const page = await browser.page({ width: 1280, height: 800 });
   await page.goto(mlab.url);
-  await page.getByText("EMERGENCY STOP: all robots stand").waitFor({ timeout: 100_000 });
+  await page.getByText("EMERGENCY STOP: all robots stand and take no orders").waitFor({ timeout: 100_000 });
   await page.close();
 });
 
