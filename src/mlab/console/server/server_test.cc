@@ -309,6 +309,15 @@ TEST_F(RunningServer, FramesThatBreakTheProtocolEndTheirConnection) {
   expect_alive();
 }
 
+// Closing and failing to read at the same time: each waits for the other in Beast.
+TEST_F(RunningServer, BrokenFramesAfterAMessageThatIsNoneEndTheConnectionToo) {
+  auto session = open_session();
+  ASSERT_TRUE(session);
+  asio::write(session->next_layer(), asio::buffer(std::string("\x81\x84\0\0\0\0textGET /", 15)));
+  EXPECT_TRUE(told_.wait_for([&] { return told_.closed.size() == 1; }));
+  expect_alive();
+}
+
 TEST_F(RunningServer, WhoTakesNothingIsDisconnectedAndNobodyElseWaits) {
   auto slow = open_session();
   auto quick = open_session();

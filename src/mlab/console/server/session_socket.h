@@ -1,12 +1,15 @@
 #pragma once
 
 #include <deque>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include <boost/asio/as_tuple.hpp>
+#include <boost/asio/bind_cancellation_slot.hpp>
+#include <boost/asio/cancellation_signal.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -29,7 +32,7 @@ template <class Stream>
 class SessionSocket final : public Recipient, public std::enable_shared_from_this<SessionSocket<Stream>> {
  public:
   SessionSocket(Stream stream, Desk& desk)
-      : desk_(desk), socket_(std::move(stream)), wake_(desk.io), deadline_(desk.io) {}
+      : desk_(desk), socket_(std::move(stream)), wake_(desk.io), deadline_(desk.io), end_(desk.io) {}
 
   /// From the handshake to the end.
   template <class Request>
@@ -49,9 +52,21 @@ class SessionSocket final : public Recipient, public std::enable_shared_from_thi
     return waiting_bytes_ > limits::kWaitingBytes ||
            (waiting_bytes_ > limits::kStuckBytes && Clock::now() - last_taken_ > limits::kStuck);
   }
+  // Nothing is sent or read any more.
+  void end() {
+    is_over_ = true;
+    wake_.cancel();
+    deadline_.cancel();
+    end_.cancel();
+  }
+  // At once, whatever the other side does. Closing the socket is not enough: where Beast closes and finds
+  // broken frames at the same time, its two operations wait for each other, not for the socket.
   void hang_up() {
     beast::error_code ignored;
     beast::get_lowest_layer(socket_).socket().close(ignored);
+    stop_reading_.emit(asio::cancellation_type::terminal);
+    stop_writing_.emit(asio::cancellation_type::terminal);
+    end();
   }
 
   Desk& desk_;
@@ -62,6 +77,9 @@ class SessionSocket final : public Recipient, public std::enable_shared_from_thi
   Clock::time_point last_taken_ = Clock::now();
   asio::steady_timer wake_;      // the writer sleeps on it
   asio::steady_timer deadline_;  // for the goodbye
+  asio::steady_timer end_;       // cancelled when it is over
+  asio::cancellation_signal stop_reading_;
+  asio::cancellation_signal stop_writing_;
   ConnectionId id_;
   bool is_leaving_ = false;
   bool is_over_ = false;
@@ -87,11 +105,15 @@ asio::awaitable<void> SessionSocket<Stream>::run(const Request& request) {
   }
   id_ = ConnectionId{++desk_.last_session.value};
   desk_.sessions[id_] = this->shared_from_this();
-  asio::co_spawn(desk_.io, [self = this->shared_from_this()] { return self->write(); }, asio::detached);
-  co_await read();
-  is_over_ = true;
-  wake_.cancel();
-  deadline_.cancel();
+  const auto self = this->shared_from_this();
+  end_.expires_at(asio::steady_timer::time_point::max());
+  asio::co_spawn(
+      desk_.io, [self] { return self->write(); },
+      asio::bind_cancellation_slot(stop_writing_.slot(), asio::detached));
+  asio::co_spawn(
+      desk_.io, [self] { return self->read(); },
+      asio::bind_cancellation_slot(stop_reading_.slot(), [self](const std::exception_ptr&) { self->end(); }));
+  while (!is_over_) co_await end_.async_wait(kReturned);
   desk_.sessions.erase(id_);
   desk_.handlers.closed(id_);
 }
@@ -137,8 +159,9 @@ asio::awaitable<void> SessionSocket<Stream>::write() {
     const std::shared_ptr<const std::string> next = std::move(waiting_.front());
     waiting_.pop_front();
     const auto [error, size] = co_await socket_.async_write(asio::buffer(*next), kReturned);
-    if (error) {
-      hang_up();
+    if (error) {  // the reader sees it as well
+      beast::error_code ignored;
+      beast::get_lowest_layer(socket_).socket().close(ignored);
       co_return;
     }
     last_taken_ = Clock::now();
