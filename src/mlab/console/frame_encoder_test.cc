@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/count_allocations.h"
 #include "mlab/console/testing/run_of.h"
 
 namespace mlab::console {
@@ -48,6 +49,24 @@ TEST(RobotRows, HoldTheStartedRobotsOfTheView) {
   EXPECT_EQ(rows.encode(view, bytes), 1U);
   ASSERT_EQ(rows_of(bytes).size(), 1U);
   EXPECT_EQ(rows_of(bytes)[0].id, 1U);
+}
+
+TEST(RobotRows, TenThousandRobotsCostNoHeapForEachOfThem) {
+  std::string text = "MISSION-AREA 2000 2000\nUNIT <all>";
+  for (int i = 0; i < 10000; ++i) text += " ROBOT";
+  text += "\nCOMMAND LIST:\n0. UNIT all START 1 1000 0.19 0\n1. UNIT all MOVETO 1900 1000\n";
+  const auto run = testing::run_of(text);
+  run->post(mission::event::Execute{});
+  testing::step(*run, 2);
+  RobotRows rows;
+  std::string bytes;
+  rows.gather(*run, {}, {});
+  rows.encode(std::nullopt, bytes);
+  ASSERT_EQ(bytes.size(), 160000U);
+  const std::size_t before = base::allocation_count();
+  rows.gather(*run, {}, {});
+  rows.encode(std::nullopt, bytes);
+  EXPECT_LE(base::allocation_count() - before, 2U);
 }
 
 TEST(Frames, TellStationsAndWantedVelocities) {

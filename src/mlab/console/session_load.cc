@@ -50,7 +50,6 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
       for (const auto& [port, value] : ports) live_->run().set_parameter({robot}, port, value);
     }
   }
-  has_ended_ = false;
   has_nothing_to_do_ = time_runs_ = false;
   ++plan_revision_;
   ++version_;
@@ -65,7 +64,10 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
 void Session::Parts::report_problems(const text::Diagnostics& problems) {
   for (const text::Diagnostic& problem : problems.items()) {
     const bool is_error = problem.severity == text::Severity::kError;
-    log_.add(sim_time(), {Log::WARNING, problem.message, 0, "", {}, is_error});
+    const DocumentPlace place = documents_.place(problem.place);
+    const std::string where =
+        place.document.empty() ? "" : fmt::format("{}:{}: ", place.document, place.line);
+    log_.add(sim_time(), {Log::WARNING, where + problem.message, 0, "", {}, is_error});
   }
 }
 

@@ -118,6 +118,7 @@ void Session::Parts::work() {
     update_teleoperations();
     advance();
     update_teleoperations();
+    if (live_ && live_->run().is_over()) has_ended_ = true;
     publish();
     documents_.keep_drafts(now());
   }
@@ -150,7 +151,7 @@ double Session::Parts::next_wake() const {
 }
 
 bool Session::Parts::is_active() const {
-  if (!live_) return false;
+  if (!live_ || is_loading_) return false;
   const mission::State& state = live_->run().state();
   return is_stopped_ || (state.mode == mission::State::Mode::kRunning && !state.paused);
 }
@@ -190,7 +191,6 @@ void Session::Parts::advance() {
   }
   meter_.note(wall, sim_time());
   pace_.forgive(wall, sim_time());
-  if (live_->run().is_over() && !has_ended_.exchange(true)) changes_.status = true;
 }
 
 }  // namespace mlab::console
