@@ -50,7 +50,6 @@ void Estimates::look(const mission::State& state) {
 }
 
 Estimates::Estimate Estimates::of(const mission::State& state, const mission::Run& run) const {
-  constexpr double kLeastRate = 0.01;  // slower than this is no rate that says anything [m/s]
   Estimate out;
   out.robots = static_cast<std::uint32_t>(run.needed.size());
   out.robots_done = out.robots - std::min(out.robots, run.missing);
@@ -69,13 +68,18 @@ Estimates::Estimate Estimates::of(const mission::State& state, const mission::Ru
       sum += std::clamp(1.0 - remaining / initial, 0.0, 1.0);
   }
   if (out.robots > 0) out.progress = sum / out.robots;
-  if (run.phase != mission::Run::Phase::kRobots || out.remaining < 0.0 || at == tracks_.end()) return out;
-  const std::deque<Sample>& samples = at->second.samples;
-  if (samples.size() < 2) return out;
-  const double rate =
-      (samples.front().remaining - samples.back().remaining) / (samples.back().time - samples.front().time);
-  if (rate >= kLeastRate) out.arrival = state.time + out.remaining / rate;
+  if (run.phase == mission::Run::Phase::kRobots && out.remaining >= 0.0) out.arrival = arrival_of(run.record);
   return out;
+}
+
+double Estimates::arrival_of(std::uint32_t record) const {
+  constexpr double kLeastRate = 0.01;  // slower than this is no rate that says anything [m/s]
+  const auto at = tracks_.find(record);
+  if (at == tracks_.end() || at->second.samples.size() < 2) return -1.0;
+  const Sample& first = at->second.samples.front();
+  const Sample& last = at->second.samples.back();
+  const double rate = (first.remaining - last.remaining) / (last.time - first.time);
+  return rate >= kLeastRate ? last.time + last.remaining / rate : -1.0;
 }
 
 }  // namespace mlab::console

@@ -28,6 +28,8 @@ class Estimates {
   void look(const mission::State& state);
   void clear() { tracks_.clear(); }
   Estimate of(const mission::State& state, const mission::Run& run) const;
+  /// When that command will be done, as of the last sample; negative: unknown. Costs nothing.
+  double arrival_of(std::uint32_t record) const;
 
  private:
   struct Sample {

@@ -53,7 +53,7 @@ void encode_command(const fleet::MissionRun& run, const Estimates& estimates, co
   const mission::Run& command = state.runs[known->run];
   out.set_command(clean(state.commands[command.record].text));
   out.set_unit(clean(state.commands[command.record].unit));
-  out.set_arrival(estimates.of(state, command).arrival);
+  if (command.phase == mission::Run::Phase::kRobots) out.set_arrival(estimates.arrival_of(command.record));
 }
 
 void encode_ports(const FleetRobot& robot, RobotDetail& out) {
@@ -101,6 +101,7 @@ void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, Detai
 
 std::vector<std::string> waits_for(const fleet::MissionRun& run, const FleetRobot& robot) {
   std::vector<std::string> out;
+  if (robot.life == RobotLife::kNotStarted) return {"the robot has not been started"};
   const mission::State& state = run.state();
   if (run.is_stopped()) out.emplace_back("an emergency stop holds all robots until it is released");
   if (state.paused) out.emplace_back("the run is paused");
@@ -126,6 +127,7 @@ std::vector<std::string> waits_for(const fleet::MissionRun& run, const FleetRobo
     }
   }
   for (std::string& line : run.explain(robot)) out.push_back(std::move(line));
+  for (std::string& line : out) line = clean(line);
   return out;
 }
 
@@ -138,7 +140,6 @@ void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, con
   if (robot.life == RobotLife::kNotStarted) {
     out.set_remaining(-1.0);
     out.set_arrival(-1.0);
-    out.add_waits_for("the robot has not been started");
     return;
   }
   const geom::Pose pose = run.fleet().pose(robot);
@@ -155,7 +156,6 @@ void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, con
     out.mutable_station()->set_y(station->y);
     out.set_station_error(run.fleet().station_error(robot));
   }
-  for (const std::string& line : waits_for(run, robot)) out.add_waits_for(clean(line));
 }
 
 }  // namespace mlab::console

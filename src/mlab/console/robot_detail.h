@@ -16,12 +16,14 @@ struct DetailWishes {
   bool readings = false;
 };
 
-/// Everything about one robot: where it is, what it follows, why it moves as it does, what it waits for.
+/// Everything about one robot but for what it waits for: where it is, what it follows, why it moves as it
+/// does.
 /// @param buffer  for sensing; used again and again
 void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const fleet::FleetRobot& robot,
                    DetailWishes wishes, sim::SenseBuffer& buffer, RobotDetail& out);
 
-/// Why the robot is not done, and what would change that, in sentences.
+/// Why the robot is not done, and what would change that, in sentences. Looks at all that is near, so it
+/// costs more than the rest.
 std::vector<std::string> waits_for(const fleet::MissionRun& run, const fleet::FleetRobot& robot);
 
 }  // namespace mlab::console

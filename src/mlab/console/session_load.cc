@@ -55,6 +55,7 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
   ++version_;
   rows_.clear();
   teleoperations_ = {};
+  sentences_.clear();
   for (auto& [id, channel] : channels_) channel.series_seen.clear();
   update_watches();
   changes_.roster = changes_.plan = changes_.status = changes_.questions = changes_.trails = changes_.scene =

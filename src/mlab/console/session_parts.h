@@ -197,6 +197,11 @@ class Session::Parts {
   std::uint64_t scene_extras_ = 0;  // how often obstacles came that no document has
   Teleoperations teleoperations_;
   sim::SenseBuffer sense_buffer_;
+  struct Sentences {
+    double wall = -1e9;  ///< when they were made
+    std::vector<std::string> lines;
+  };
+  std::map<std::uint32_t, Sentences> sentences_;  // what robots that are looked at wait for
 
   Pace pace_;
   SpeedMeter meter_;

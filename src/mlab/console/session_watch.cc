@@ -26,6 +26,9 @@ std::uint64_t key_of(std::span<const sim::Disc> discs) {
   return key;
 }
 
+// What people read need not be made for every frame [s].
+constexpr double kSentencesEvery = 0.2;
+
 using Round = std::tuple<double, double, double>;
 
 }  // namespace
@@ -78,6 +81,9 @@ void Session::Parts::fill_details(const Watch& watch, Frame& out) {
     if (robot == nullptr) continue;
     encode_detail(run, live_->estimates(), *robot, {watch.with_ports(), watch.with_readings()}, sense_buffer_,
                   *out.add_details());
+    Sentences& sentences = sentences_[id];
+    if (!time_runs_ || now() - sentences.wall > kSentencesEvery) sentences = {now(), waits_for(run, *robot)};
+    for (const std::string& line : sentences.lines) out.mutable_details()->rbegin()->add_waits_for(line);
   }
 }
 

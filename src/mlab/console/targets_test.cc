@@ -62,7 +62,7 @@ TEST(RobotDetail, SaysWhatTheRobotFollowsAndWhatItWaitsFor) {
   EXPECT_EQ(static_cast<std::size_t>(detail.ports_size()), ports);
   EXPECT_EQ(detail.numbers().size(), 8 * ports);
   bool says_what_waits = false;
-  for (const std::string& line : detail.waits_for())
+  for (const std::string& line : waits_for(*run, *run->fleet().find({1})))
     says_what_waits = says_what_waits || line.find("2 of 2 robots") != std::string::npos;
   EXPECT_TRUE(says_what_waits) << detail.DebugString();
 }
@@ -73,7 +73,7 @@ TEST(RobotDetail, OfARobotThatIsNotStartedSaysSo) {
   RobotDetail detail;
   encode_detail(*run, {}, *run->fleet().find({3}), {true, true}, buffer, detail);
   EXPECT_EQ(detail.life(), "not started");
-  EXPECT_EQ(detail.waits_for_size(), 1);
+  EXPECT_EQ(waits_for(*run, *run->fleet().find({3})).size(), 1U);
   EXPECT_LT(detail.remaining(), 0.0);
 }
 
