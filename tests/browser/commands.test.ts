@@ -1,0 +1,76 @@
+import { expect, test } from "vitest";
+import { begin } from "./begin.ts";
+
+test("a typed command shows who is meant before it goes out, and becomes a step", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  await page.keyboard.press("/");
+  await page.keyboard.type("UNIT scouts-1 MOVETO ");
+  // What could stand there is offered.
+  const offered = page.getByRole("listbox", { name: "Completions" });
+  await offered.getByRole("option", { name: /OBJ-Tango/ }).waitFor();
+  await page.keyboard.type("150 150");
+  const verdict = page.locator(".command-verdict");
+  await verdict.getByText("Enter sends this to").waitFor();
+  await verdict.getByText("scouts-1", { exact: true }).waitFor();
+  await verdict.getByText(/2 robots|robots 1/).first().waitFor();
+  await page.keyboard.press("Enter");
+  const typed = console.steps.getByRole("listitem").filter({ hasText: "typed" });
+  await typed.filter({ hasText: "MOVETO" }).waitFor();
+
+  // The line is kept.
+  await console.commandLine.press("Escape");
+  await console.commandLine.press("ArrowUp");
+  expect(await console.commandLine.inputValue()).toBe("UNIT scouts-1 MOVETO 150 150");
+});
+
+test("a mistyped command is marked with what is expected, and is not sent", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  await console.commandLine.fill("UNIT scouts MOVETO OBJ-Tangoo");
+  await page.getByText("Can't be sent yet").waitFor();
+  await page.locator("mark").filter({ hasText: "OBJ-Tangoo" }).waitFor();
+  await page.locator(".command-verdict").getByText(/OBJ-Tango\b/).first().waitFor();
+  await console.commandLine.press("Enter");
+  expect(await console.steps.getByRole("listitem").filter({ hasText: "typed" }).count()).toBe(0);
+});
+
+test("a unit is sent to a place by mouse, with its formation, as the MDL that it means", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  await console.select("scouts");
+  await console.panel("Mission");
+  await page.keyboard.press("o");
+  await page.getByText(/For scouts: click the goal/).waitFor();
+  // The heading of the formation by dragging from the goal.
+  await console.dragMap([300, 300], [380, 300]);
+  const order = page.getByRole("dialog", { name: "Command" });
+  await order.getByText(/^UNIT scouts MOVETO 300 300/).waitFor();
+  await order.getByText(/4 robots|robots 1/).first().waitFor();
+  await order.getByLabel("Formation").selectOption("Wedge").catch(async () => {
+    await order.getByRole("button", { name: /Formation/ }).click();
+    await page.getByRole("option", { name: "Wedge" }).click();
+  });
+  await order.getByText(/FORMATION Wedge/i).waitFor();
+  const text = (await order.locator("code").textContent()) ?? "";
+  await order.getByRole("button", { name: "Send" }).click();
+  await order.waitFor({ state: "detached" });
+  const typed = console.steps.getByRole("listitem").filter({ hasText: "typed" });
+  await typed.filter({ hasText: "MOVETO" }).filter({ hasText: "Wedge" }).waitFor();
+  expect(text).toMatch(/^UNIT scouts MOVETO/);
+  await console.panel("Log");
+  await page.getByRole("log", { name: "Events" }).getByText(/MOVETO/).first().waitFor();
+});
+
+test("every command is found by its name", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await page.keyboard.press("Control+k");
+  await page.getByRole("combobox", { name: "Search all commands" }).fill("emerg");
+  await page.getByRole("option", { name: /Emergency stop/ }).waitFor();
+  await page.keyboard.press("Enter");
+  await console.reaches("Emergency stop");
+});

@@ -1,0 +1,53 @@
+import { expect, test } from "vitest";
+import { begin } from "./begin.ts";
+
+test("the key of the emergency stop stops the robots from anywhere, also while typing", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.main.click();
+  await console.reaches("Running");
+  await console.panel("Robots");
+  await expect.poll(async () => (await console.place("robot 1")).x).toBeGreaterThan(0);
+
+  await console.commandLine.fill("UNIT scouts MOV");
+  await page.keyboard.press("Control+.");
+  await console.reaches("Emergency stop");
+  await page.getByText("EMERGENCY STOP: all robots stand and take no orders.").waitFor();
+  const place = await console.place("robot 1");
+  const time = await console.time();
+
+  // No order moves them.
+  await page.keyboard.press("Escape");
+  await console.commandLine.fill("UNIT scouts MOVETO 400 400");
+  await console.commandLine.press("Enter");
+  await console.panel("Mission");
+  expect(await console.button("Step").isDisabled()).toBe(true);
+  await console.panel("Robots");
+  expect(await console.place("robot 1")).toEqual(place);
+  expect(await console.time()).toBe(time);
+
+  await console.button("Release the stop").first().click();
+  await console.reaches("Paused");
+});
+
+test("the emergency stop works over every dialog, by mouse and by key", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.main.click();
+  await console.reaches("Running");
+  await page.keyboard.press("Control+k");
+  await page.getByRole("dialog", { name: "All commands" }).waitFor();
+  await page.keyboard.press("Control+.");
+  await console.reaches("Emergency stop");
+  await page.keyboard.press("Escape");
+  await console.button("Release the stop").first().click();
+  await console.reaches("Paused");
+  await console.main.click();
+  await console.reaches("Running");
+  await page.keyboard.press("Control+o");
+  await page.getByRole("dialog", { name: "Open a mission" }).waitFor();
+  const box = await console.stop.boundingBox();
+  if (!box) throw new Error("the emergency stop is not shown");
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await console.reaches("Emergency stop");
+});

@@ -1,0 +1,60 @@
+import { expect, test } from "vitest";
+import { begin } from "./begin.ts";
+
+test("a mistake in the mission is underlined as it is typed, mended and saved", async () => {
+  const { console, project } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.reaches("Ready");
+  const panel = await console.panel("Text");
+  const text = panel.getByRole("textbox", { name: /^Text of / });
+  await text.getByText("OBJ-Tango").first().waitFor();
+  await text.click();
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type("\n 12. UNIT scuots STOP\n");
+  const problems = panel.getByRole("list", { name: "Problems" });
+  await problems.getByText(/scuots/).first().waitFor();
+  await text.locator(".cm-lintRange-error").first().waitFor();
+  await page.getByText("The mission text has errors. What runs is the last version without.").waitFor();
+
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Shift+End");
+  await page.keyboard.type(" 12. UNIT scouts STOP");
+  await problems.waitFor({ state: "detached" });
+  await console.panel("Mission");
+  await console.steps.getByText(/ of 13 done/).waitFor();
+  await panel.getByRole("button", { name: "Save", exact: true }).click();
+  await console.button("Not saved").waitFor({ state: "detached" });
+  expect(project.read("demo_c.mdl")).toContain("12. UNIT scouts STOP");
+  expect(project.read("demo_c.mdl")).toContain("-- Demo C: four scouts");
+});
+
+test("a mission with errors opens with its errors, and runs once they are mended", async () => {
+  const { console } = await begin({
+    mission: "demo_c",
+    prepare: (project) => project.write("demo_c.mdl", project.read("demo_c.mdl").replace("ATK-AP1 FORMATION", "ATK-AP9 FORMATION")),
+  });
+  const { page } = console;
+  await console.reaches("No mission");
+  await console.main.getByText("Show the errors").click();
+  const panel = page.getByRole("region", { name: "Text", exact: true });
+  await panel.getByRole("list", { name: "Problems" }).getByText(/ATK-AP9/).first().waitFor();
+  await panel.getByRole("list", { name: "Problems" }).getByRole("button").first().click();
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Shift+End");
+  await page.keyboard.type("  2. UNIT scouts MOVETO ATK-AP1 FORMATION Column");
+  await console.reaches("Ready");
+  expect(await panel.getByRole("list", { name: "Problems" }).count()).toBe(0);
+});
+
+test("an edit during a run is taken up, and the mission is continued from a step", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  await page.getByRole("button", { name: "Actions of step 9" }).click();
+  await page.getByRole("menuitem", { name: "Show in the text" }).click();
+  const panel = page.getByRole("region", { name: "Text", exact: true });
+  await panel.getByRole("button", { name: "Continue from step 9" }).click();
+  await console.steps.locator("[aria-current=step]").filter({ hasText: "OBJ-Tango" }).waitFor();
+  await console.reaches("Running");
+});
