@@ -25,6 +25,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"lang/envchange", {"text", "overlay"}},
     {"lang/mdl", {"text", "mission", "lang/odl"}},
     {"lang/cnl", {"text", "flow"}},
+    {"lang/cdl_historic", {"text", "flow"}},
     {"library", {"schema"}},
     {"robot", {"percept", "flow", "lang/cnl", "library"}},
     {"fleet", {"robot", "mission", "sim"}},
