@@ -80,8 +80,8 @@ struct Compete {
   std::vector<Member> members;
 };
 
-/// `coordinate by Operator(argument = ...) { ... }`: any operator of the library. Members go to its first list
-/// input, what stands in front of a colon to the list input behind it.
+/// `coordinate by Operator(argument = ...) { ... }`: any operator of the library. Members go to its first
+/// list input, what stands in front of a colon to the list input behind it.
 struct Coordinate {
   Call by;
   std::vector<Member> members;
@@ -150,7 +150,8 @@ struct Expression {
 /// `sphere: double [m] = 1 m in 0 .. 100`
 struct Parameter {
   Word name;
-  Word type;  ///< of flow's types, or one of the quantities `gain`, `length`, `speed`, `angle`, `duration`, ...
+  Word type;  ///< of flow's types, or one of the quantities `gain`, `length`, `speed`, `angle`, `duration`,
+              ///< ...
   Word unit;
   ExpressionPtr initial;  ///< null: has to be given
   std::optional<Number> low;
@@ -175,7 +176,8 @@ struct Assemblage {
   std::vector<Word> historic_names;  ///< `alias "MOVE_TO";`
 };
 
-/// `binding sense_obstacles(range: length) -> Obstacles;`: what configurations ask for and robot classes offer.
+/// `binding sense_obstacles(range: length) -> Obstacles;`: what configurations ask for and robot classes
+/// offer.
 struct Binding {
   Word name;
   std::vector<Parameter> parameters;
@@ -183,7 +185,8 @@ struct Binding {
   std::string help;
 };
 
-/// `sensor sonars: SonarObstacles(...) binds sense_obstacles;`, `actuator base: SynchroDrive(...) binds movement;`
+/// `sensor sonars: SonarObstacles(...) binds sense_obstacles;`, `actuator base: SynchroDrive(...) binds
+/// movement;`
 struct Device {
   bool is_actuator = false;
   Word name;
@@ -249,8 +252,8 @@ struct Society {
   std::string help;
 };
 
-/// `operator DistinctTargets { choose_target = ClaimClosest(...); }`: how members of a society serve binding points
-/// while they are in it.
+/// `operator DistinctTargets { choose_target = ClaimClosest(...); }`: how members of a society serve binding
+/// points while they are in it.
 struct SocietyOperator {
   Word name;
   std::vector<Device> devices;
@@ -280,7 +283,8 @@ struct Layout {
   std::vector<LayoutEntry> entries;
 };
 
-using Item = std::variant<Use, Architecture, Assemblage, Binding, RobotClass, Robot, SocietyOperator, Society, Layout>;
+using Item =
+    std::variant<Use, Architecture, Assemblage, Binding, RobotClass, Robot, SocietyOperator, Society, Layout>;
 
 /// One file, as it was written. After errors it has holes, never wrong parts.
 struct Tree {

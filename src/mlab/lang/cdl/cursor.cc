@@ -1,0 +1,302 @@
+#include "mlab/lang/cdl/cursor.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <ranges>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/text/shown.h"
+
+namespace mlab::cdl {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+// Lines of help are one text; an empty line starts a paragraph.
+void append_line(std::string& out, std::string_view line) {
+  if (line.empty() && !out.empty()) out += '\n';
+  if (!out.empty() && !line.empty() && out.back() != '\n') out += ' ';
+  out += line;
+}
+
+}  // namespace
+
+Cursor::Cursor(text::SourcePtr source, text::Diagnostics& sink) : source_(std::move(source)), sink_(sink) {
+  Tokens lexed = lex(source_->text());
+  comments_ = std::move(lexed.comments);
+  for (const Token& token : lexed.tokens) {
+    if (token.kind != Token::Kind::kUnknown) {
+      tokens_.push_back(token);
+      continue;
+    }
+    error("unknown-character", place(token.span),
+          fmt::format("`{}` has no meaning here", text::shown(source_->text(token.span))));
+  }
+  for (const Comment& comment : comments_) {
+    if (!comment.is_closed)
+      error("unclosed-comment", place({comment.span.begin, comment.span.begin + 2}),
+            "this comment is never closed by `*/`");
+  }
+}
+
+bool Cursor::is(std::string_view word) const {
+  return (is(Token::Kind::kName) || is(Token::Kind::kPunctuation)) && text() == word;
+}
+
+bool Cursor::is_any(std::initializer_list<std::string_view> words) const {
+  return std::ranges::any_of(words, [&](std::string_view word) { return is(word); });
+}
+
+bool Cursor::is_before(std::string_view word) const {
+  return !at_end() && source_->text(tokens_[at_ + 1].span) == word;
+}
+
+bool Cursor::starts_line() const {
+  if (at_ == 0) return true;
+  const std::uint32_t end = last_end();
+  return source_->text({end, token().span.begin}).find('\n') != std::string_view::npos;
+}
+
+bool Cursor::at_declaration() const {
+  if (!is(Token::Kind::kName) || !starts_line()) return false;
+  if (std::ranges::find(kDeclarationWords, text()) == std::end(kDeclarationWords)) return false;
+  const Token::Kind next = tokens_[at_ + 1].kind;
+  if (text() == "use") return next == Token::Kind::kText;  // a robot has `use DEVICE for BINDING`
+  return next == Token::Kind::kName;
+}
+
+void Cursor::advance() {
+  if (!at_end()) ++at_;
+}
+
+bool Cursor::take(std::string_view word) {
+  if (!is(word)) return false;
+  advance();
+  return true;
+}
+
+bool Cursor::expect(std::string_view word, std::string_view why) {
+  if (take(word)) return true;
+  expected(fmt::format("`{}` {}", word, why));
+  return !at_end() && !is(";") && !is(Token::Kind::kUnclosed);
+}
+
+bool Cursor::expect_semicolon(std::string_view why) {
+  if (take(";")) return true;
+  const bool is_next_line = starts_line() || is("}") || at_end();
+  if (is_next_line) {
+    const std::uint32_t end = last_end();
+    if (text::Diagnostic* d =
+            error("syntax", place({end == 0 ? 0 : end - 1, end}), fmt::format("expected `;` {}", why))) {
+      d->label = "behind this";
+    }
+    return true;
+  }
+  expected(fmt::format("`;` {}", why));
+  return false;
+}
+
+bool Cursor::read_name(Word& out, std::string_view what) {
+  if (!is(Token::Kind::kName)) {
+    expected(what);
+    return false;
+  }
+  out = {std::string(text()), here()};
+  advance();
+  return true;
+}
+
+std::optional<double> Cursor::read_number() {
+  if (!is(Token::Kind::kNumber)) {
+    expected("a number");
+    return std::nullopt;
+  }
+  std::string_view digits = text();
+  if (digits.starts_with('+')) digits.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (failure != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    error("number-out-of-range", here(),
+          fmt::format("`{}` is not a number that a double can hold", text::shown(text())));
+    value = 0.0;
+  }
+  advance();
+  return value;
+}
+
+std::optional<std::string> Cursor::read_text(std::string_view what) {
+  if (is(Token::Kind::kUnclosed)) {
+    error("unclosed-text", here(), "this text has no closing `\"` on its line");
+    advance();
+    return std::nullopt;
+  }
+  if (!is(Token::Kind::kText)) {
+    expected(what);
+    return std::nullopt;
+  }
+  const std::string value(text().substr(1, text().size() - 2));
+  if (value.find('\\') != std::string::npos) {
+    error("syntax", here(), "a text has no `\\` in it, since nothing is escaped");
+  }
+  advance();
+  return value;
+}
+
+Word Cursor::take_unit() {
+  if (!is("[")) return {};
+  const std::uint32_t from = token().span.end;
+  advance();
+  while (!at_end() && !is_any({"]", ";", "{", "}", "=", ",", ")"}) && !starts_line()) advance();
+  const std::uint32_t to = token().span.begin;
+  if (!take("]")) {
+    expected("`]` behind the unit");
+    return {};
+  }
+  const std::string_view unit = trimmed(source_->text({from, to}));
+  const auto at = static_cast<std::uint32_t>(unit.empty() ? from : unit.data() - source_->text().data());
+  return {std::string(unit), place({at, at + static_cast<std::uint32_t>(unit.size())})};
+}
+
+std::uint32_t Cursor::indent_of(std::uint32_t offset) const {
+  const std::string_view all = source_->text();
+  const std::size_t newline = offset == 0 ? std::string_view::npos : all.rfind('\n', offset - 1);
+  const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
+  const std::size_t first = all.find_first_not_of(" \t", start);
+  return static_cast<std::uint32_t>(first == std::string_view::npos ? 0 : first - start);
+}
+
+bool Cursor::open(const char* what) {
+  const text::Span opener = token().span;
+  const bool is_there = expect("{", fmt::format("before what belongs to {}", what));
+  if (!is_there) return false;
+  blocks_.push_back({what, opener, indent_of(opener.begin), std::exchange(stops_at_brace, false)});
+  return true;
+}
+
+void Cursor::report_unclosed(const Block& block) {
+  // Indents tell which one was forgotten.
+  const char* what = mismatch_ ? mismatch_->what : block.what;
+  const text::Span opener = mismatch_ ? mismatch_->opener : block.opener;
+  const text::Span where = mismatch_ ? mismatch_->closer : token().span;
+  if (text::Diagnostic* d =
+          error("unclosed-block", place(where), fmt::format("expected `}}` before this, to close {}", what)))
+    d->notes.push_back({"it opens here", place(opener)});
+  mismatch_.reset();
+}
+
+void Cursor::close() {
+  const Block block = blocks_.back();
+  blocks_.pop_back();
+  stops_at_brace = block.stops_at_brace;
+  if (!is("}")) {
+    report_unclosed(block);
+  } else {
+    if (starts_line() && indent_of(begin()) < block.indent && !mismatch_)
+      mismatch_ = Mismatch{block.what, block.opener, token().span};
+    advance();
+  }
+  if (blocks_.empty()) mismatch_.reset();
+}
+
+bool Cursor::enter() {
+  if (++depth_ <= kMaxNesting) return true;
+  if (depth_ == kMaxNesting + 1) {
+    error_line_ = 0;
+    error("nested-too-deep", here(), fmt::format("this stands more than {} levels deep", kMaxNesting));
+  }
+  at_ = tokens_.size() - 1;
+  gave_up_ = true;
+  return false;
+}
+
+text::Place Cursor::since(std::uint32_t begin) const {
+  return place({begin, std::max(begin, last_end())});
+}
+
+text::Diagnostic* Cursor::error(std::string kind, const text::Place& where, std::string message) {
+  const std::uint32_t line = source_->line_column(where.span.begin).line;
+  if (gave_up_) return nullptr;
+  if (std::exchange(error_line_, line) == line) return nullptr;
+  return &sink_.error(std::move(kind), where, std::move(message));
+}
+
+std::string Cursor::found() const {
+  if (at_end()) return "the end of the file";
+  if (is(Token::Kind::kUnclosed)) return "a text without its closing `\"`";
+  return fmt::format("`{}`", text::shown(text()));
+}
+
+text::Diagnostic* Cursor::expected(std::string_view what) {
+  return error("syntax", here(), fmt::format("expected {}, found {}", what, found()));
+}
+
+void Cursor::skip_statement() {
+  int depth = 0;
+  while (!at_end() && !(at_declaration() && !blocks_.empty())) {
+    if (depth == 0 && is("}")) return;
+    if (depth == 0 && take(";")) return;
+    if (is_any({"{", "(", "["})) ++depth;
+    if (is_any({"}", ")", "]"})) depth = std::max(0, depth - 1);
+    advance();
+  }
+}
+
+void Cursor::skip_declaration() {
+  int depth = 0;
+  bool is_first = true;
+  while (!at_end()) {
+    if (!is_first && at_declaration()) return;
+    is_first = false;
+    if (depth == 0 && take(";")) return;
+    if (is("{")) ++depth;
+    const bool closes = is("}");
+    advance();
+    if (closes && --depth <= 0) return;
+  }
+}
+
+std::string Cursor::help_above() const {
+  std::vector<std::string_view> lines;
+  std::uint32_t below = begin();
+  for (std::size_t i = token().comments; i-- > 0;) {
+    const text::Span span = comments_[i].span;
+    const std::string_view comment = source_->text(span);
+    const std::string_view between = source_->text({span.end, below});
+    const bool touches = trimmed(between).empty() && std::ranges::count(between, '\n') == 1;
+    const std::string_view before = source_->text().substr(0, span.begin);
+    const std::size_t last = before.find_last_not_of(" \t");
+    const bool own_line = last == std::string_view::npos || before[last] == '\n';
+    if (!comment.starts_with("///") || comment.starts_with("///<") || !touches || !own_line) break;
+    lines.push_back(trimmed(comment.substr(3)));
+    below = span.begin;
+  }
+  std::string help;
+  for (const std::string_view line : std::views::reverse(lines)) append_line(help, line);
+  return help;
+}
+
+std::string Cursor::help_behind() const {
+  // Behind the comma where one follows.
+  const Token& next = is(",") ? tokens_[at_ + 1] : token();
+  std::uint32_t end = is(",") ? token().span.end : last_end();
+  std::string help;
+  const std::uint32_t first = is(",") ? token().comments : (at_ == 0 ? 0 : tokens_[at_ - 1].comments);
+  for (std::uint32_t i = first; i < next.comments; ++i) {
+    const text::Span span = comments_[i].span;
+    const std::string_view between = source_->text({end, span.begin});
+    const std::string_view comment = source_->text(span);
+    if (!comment.starts_with("///<") || std::ranges::count(between, '\n') > (i == first ? 0 : 1)) break;
+    append_line(help, trimmed(comment.substr(4)));
+    end = span.end;
+  }
+  return help;
+}
+
+}  // namespace mlab::cdl

@@ -1,0 +1,131 @@
+#include "mlab/lang/cdl/lexer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mlab::cdl {
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_name_start(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_name_part(char c) {
+  return is_name_start(c) || is_digit(c);
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+}
+
+class Cutter {
+ public:
+  explicit Cutter(std::string_view text) : text_(text) {}
+
+  Tokens run() {
+    if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;  // a byte order mark
+    do {
+      skip_blank();
+      Token token = next();
+      token.comments = static_cast<std::uint32_t>(out_.comments.size());
+      at_ = token.span.end;
+      out_.tokens.push_back(token);
+    } while (out_.tokens.back().kind != Token::Kind::kEnd);
+    return std::move(out_);
+  }
+
+ private:
+  char peek(std::uint32_t i) const { return i < text_.size() ? text_[i] : '\0'; }
+
+  std::uint32_t line_end(std::uint32_t i) const {
+    const std::size_t end = text_.find('\n', i);
+    return static_cast<std::uint32_t>(end == std::string_view::npos ? text_.size() : end);
+  }
+
+  void skip_blank() {
+    for (;;) {
+      while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+      if (peek(at_) != '/' || (peek(at_ + 1) != '/' && peek(at_ + 1) != '*')) return;
+      Comment comment{{at_, line_end(at_)}, true};
+      if (peek(at_ + 1) == '*') {
+        const std::size_t close = text_.find("*/", at_ + 2);
+        comment.is_closed = close != std::string_view::npos;
+        comment.span.end = static_cast<std::uint32_t>(comment.is_closed ? close + 2 : text_.size());
+      } else if (text_[comment.span.end - 1] == '\r') {
+        --comment.span.end;
+      }
+      out_.comments.push_back(comment);
+      at_ = comment.span.end;
+    }
+  }
+
+  // One past the last character of the number at i, or i where there is none. `1..5` is `1`, `..`, `5`.
+  std::uint32_t number_end(std::uint32_t i) const {
+    const std::uint32_t begin = i;
+    if (peek(i) == '-' || peek(i) == '+') ++i;
+    const std::uint32_t digits = i;
+    while (is_digit(peek(i))) ++i;
+    const bool is_whole = i > digits;
+    if (peek(i) == '.' && is_digit(peek(i + 1))) {
+      for (++i; is_digit(peek(i));) ++i;
+    } else if (!is_whole) {
+      return begin;
+    }
+    if (peek(i) == 'e' || peek(i) == 'E') {
+      std::uint32_t exponent = i + 1;
+      if (peek(exponent) == '-' || peek(exponent) == '+') ++exponent;
+      if (is_digit(peek(exponent))) {
+        for (i = exponent; is_digit(peek(i));) ++i;
+      }
+    }
+    return i;
+  }
+
+  Token make(Token::Kind kind, std::uint32_t end) const { return {kind, {at_, end}, 0}; }
+
+  Token quoted() const {
+    const std::size_t close = text_.find_first_of("\"\n", at_ + 1);
+    if (close != std::string_view::npos && text_[close] == '"')
+      return make(Token::Kind::kText, static_cast<std::uint32_t>(close) + 1);
+    return make(Token::Kind::kUnclosed, line_end(at_));
+  }
+
+  Token next() const {
+    if (at_ >= text_.size()) return make(Token::Kind::kEnd, at_);
+    const char c = text_[at_];
+    if (is_name_start(c)) {
+      std::uint32_t end = at_ + 1;
+      while (is_name_part(peek(end))) ++end;
+      return make(Token::Kind::kName, end);
+    }
+    if (const std::uint32_t end = number_end(at_); end > at_) return make(Token::Kind::kNumber, end);
+    if (c == '"') return quoted();
+    if ((c == '-' && peek(at_ + 1) == '>') || (c == '.' && peek(at_ + 1) == '.'))
+      return make(Token::Kind::kPunctuation, at_ + 2);
+    if (std::string_view("{}()[],;:=./").find(c) != std::string_view::npos)
+      return make(Token::Kind::kPunctuation, at_ + 1);
+    std::uint32_t end = at_ + 1;
+    while (end < text_.size() && !is_blank(text_[end]) && !is_name_part(text_[end]) &&
+           std::string_view("{}()[],;:=./\"-+").find(text_[end]) == std::string_view::npos) {
+      ++end;
+    }
+    return make(Token::Kind::kUnknown, end);
+  }
+
+  std::string_view text_;
+  std::uint32_t at_ = 0;
+  Tokens out_;
+};
+
+}  // namespace
+
+bool is_name(std::string_view text) {
+  return !text.empty() && is_name_start(text[0]) && std::all_of(text.begin() + 1, text.end(), is_name_part);
+}
+
+Tokens lex(std::string_view text) {
+  return Cutter(text).run();
+}
+
+}  // namespace mlab::cdl

@@ -1,0 +1,221 @@
+// What a file consists of: uses, assemblages, bindings, layouts. Robots and societies are in parse_robot.cc.
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/cdl/cursor.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::cdl {
+namespace {
+
+bool parse_range(Cursor& cursor, Parameter& parameter) {
+  if (!cursor.take("in")) return true;
+  parameter.low = parse_quantity(cursor);
+  if (!parameter.low || !cursor.expect("..", "between the least and the greatest value")) return false;
+  parameter.high = parse_quantity(cursor);
+  return parameter.high.has_value();
+}
+
+// `sphere: double [m] = 1 m in 0 .. 100`
+bool parse_parameter(Cursor& cursor, std::vector<Parameter>& into) {
+  Parameter parameter;
+  parameter.help = cursor.help_above();
+  if (!cursor.read_name(parameter.name, "the name of a parameter")) return false;
+  if (!cursor.expect(":", "and the type of the parameter")) return false;
+  if (!cursor.read_name(parameter.type, "the type of the parameter")) return false;
+  parameter.unit = cursor.take_unit();
+  if (cursor.take("=")) {
+    parameter.initial = parse_expression(cursor);
+    if (!parameter.initial) return false;
+  }
+  if (!parse_range(cursor, parameter)) return false;
+  if (const std::string behind = cursor.help_behind(); !behind.empty()) parameter.help = behind;
+  into.push_back(std::move(parameter));
+  return true;
+}
+
+bool parse_result_type(Cursor& cursor, Word& into) {
+  return !cursor.take("->") || cursor.read_name(into, "the type behind `->`");
+}
+
+bool parse_alias(Cursor& cursor, Assemblage& into) {
+  cursor.advance();
+  Word name;
+  name.place = cursor.here();
+  const std::optional<std::string> text = cursor.read_text("the historic name, in quotes");
+  if (!text) return false;
+  name.text = *text;
+  into.historic_names.push_back(std::move(name));
+  return cursor.expect_semicolon("behind the alias");
+}
+
+bool parse_body(Cursor& cursor, Assemblage& into) {
+  if (into.body) {
+    if (text::Diagnostic* d = cursor.error("syntax", cursor.here(), "an assemblage has one body"))
+      d->hints.emplace_back("`cooperate`, `compete` or `sequence` makes one of several");
+    return false;
+  }
+  into.body = parse_expression(cursor);
+  if (!into.body) return false;
+  if (cursor.is(":")) {
+    if (text::Diagnostic* d = cursor.error("syntax", cursor.here(), "a member stands outside of an operator"))
+      d->hints.emplace_back("members stand in `cooperate { ... }`, states in `sequence { ... }`");
+    return false;
+  }
+  return cursor.at_close() || cursor.expect_semicolon("behind the body");
+}
+
+bool parse_assemblage(Cursor& cursor, Tree& tree, const std::string& help) {
+  Assemblage out;
+  out.help = help;
+  cursor.advance();
+  if (!cursor.read_name(out.name, "the name of the assemblage")) return false;
+  if (!parse_parameters(cursor, out.parameters) || !parse_result_type(cursor, out.result_type)) return false;
+  if (cursor.take(";")) {
+    tree.items.emplace_back(std::move(out));
+    return true;
+  }
+  if (!cursor.open("the assemblage")) return false;
+  while (!cursor.at_close()) {
+    const bool is_let = cursor.is("let") && !cursor.is_before("(");
+    const bool is_alias = cursor.is("alias") && !cursor.is_before("(");
+    const bool is_read = is_let     ? parse_let(cursor, out.lets)
+                         : is_alias ? parse_alias(cursor, out)
+                                    : parse_body(cursor, out);
+    if (!is_read) cursor.skip_statement();
+  }
+  cursor.close();
+  tree.items.emplace_back(std::move(out));
+  return true;
+}
+
+bool parse_binding(Cursor& cursor, Tree& tree, const std::string& help) {
+  Binding out;
+  out.help = help;
+  cursor.advance();
+  if (!cursor.read_name(out.name, "the name of the binding point")) return false;
+  if (!parse_parameters(cursor, out.parameters) || !parse_result_type(cursor, out.result_type)) return false;
+  const bool is_whole = cursor.expect_semicolon("behind the binding point");
+  tree.items.emplace_back(std::move(out));
+  return is_whole;
+}
+
+bool parse_use(Cursor& cursor, Tree& tree) {
+  cursor.advance();
+  Use out;
+  out.path.place = cursor.here();
+  std::optional<std::string> path = cursor.read_text("the name of a file, in quotes");
+  if (!path) return false;
+  out.path.text = std::move(*path);
+  const bool is_whole = cursor.expect_semicolon("behind the file");
+  tree.items.emplace_back(std::move(out));
+  return is_whole;
+}
+
+bool parse_architecture(Cursor& cursor, Tree& tree) {
+  cursor.advance();
+  Architecture out;
+  if (!cursor.read_name(out.name, "the name of the architecture")) return false;
+  const bool is_whole = cursor.expect_semicolon("behind the architecture");
+  tree.items.emplace_back(std::move(out));
+  return is_whole;
+}
+
+// A node's name inside of its owner, `Searching.Noise`.
+bool read_path(Cursor& cursor, Word& into, std::string_view what) {
+  const std::uint32_t begin = cursor.begin();
+  if (!cursor.read_name(into, what)) return false;
+  while (cursor.take(".")) {
+    Word next;
+    if (!cursor.read_name(next, "a name behind `.`")) return false;
+    into.text += "." + next.text;
+  }
+  into.place = cursor.since(begin);
+  return true;
+}
+
+bool parse_layout_entry(Cursor& cursor, Layout& layout) {
+  LayoutEntry entry;
+  if (!read_path(cursor, entry.node, "the name of a node")) return false;
+  const std::optional<double> x = cursor.read_number();
+  const std::optional<double> y = x ? cursor.read_number() : std::nullopt;
+  if (!y) return false;
+  entry.x = *x;
+  entry.y = *y;
+  layout.entries.push_back(std::move(entry));
+  return cursor.expect_semicolon("behind the place of the node");
+}
+
+bool parse_layout(Cursor& cursor, Tree& tree) {
+  cursor.advance();
+  Layout out;
+  if (!read_path(cursor, out.owner, "the name of what is laid out") || !cursor.open("the layout"))
+    return false;
+  while (!cursor.at_close()) {
+    if (!parse_layout_entry(cursor, out)) cursor.skip_statement();
+  }
+  cursor.close();
+  tree.items.emplace_back(std::move(out));
+  return true;
+}
+
+bool refuse_item(Cursor& cursor) {
+  const std::vector<std::string> words(std::begin(kDeclarationWords), std::end(kDeclarationWords));
+  const std::string nearest =
+      cursor.is(Token::Kind::kName) ? text::nearest_name(cursor.text(), words) : std::string();
+  text::Diagnostic* d = cursor.is("}") ? cursor.error("syntax", cursor.here(), "this `}` closes nothing")
+                                       : cursor.expected("a declaration");
+  if (d != nullptr && !cursor.is("}")) {
+    d->hints.push_back(nearest.empty()
+                           ? "a declaration starts with `assemblage`, `robot`, `society`, `class`, ..."
+                           : fmt::format("did you mean `{}`?", nearest));
+  }
+  return false;
+}
+
+}  // namespace
+
+bool parse_let(Cursor& cursor, std::vector<Let>& into) {
+  Let let;
+  let.help = cursor.help_above();
+  cursor.advance();
+  if (!cursor.read_name(let.name, "a name behind `let`")) return false;
+  if (!cursor.expect("=", "and what the name stands for")) return false;
+  let.value = parse_expression(cursor);
+  if (!let.value) return false;
+  const bool is_whole = cursor.expect_semicolon("behind what the name stands for");
+  into.push_back(std::move(let));
+  return is_whole;
+}
+
+bool parse_parameters(Cursor& cursor, std::vector<Parameter>& into) {
+  if (!cursor.expect("(", "before the parameters")) return false;
+  if (cursor.take(")")) return true;
+  do {
+    if (!parse_parameter(cursor, into)) return false;
+  } while (cursor.take(","));
+  if (cursor.take(")")) return true;
+  cursor.expected("`,` or `)` behind the parameter");
+  return cursor.is("{") || cursor.is("->");
+}
+
+bool parse_item(Cursor& cursor, Tree& tree) {
+  const std::string help = cursor.help_above();
+  if (cursor.is("assemblage")) return parse_assemblage(cursor, tree, help);
+  if (cursor.is("robot")) return parse_robot(cursor, tree, help);
+  if (cursor.is("class")) return parse_class(cursor, tree, help);
+  if (cursor.is("society")) return parse_society(cursor, tree, help);
+  if (cursor.is("operator")) return parse_society_operator(cursor, tree, help);
+  if (cursor.is("binding")) return parse_binding(cursor, tree, help);
+  if (cursor.is("use")) return parse_use(cursor, tree);
+  if (cursor.is("architecture")) return parse_architecture(cursor, tree);
+  if (cursor.is("layout")) return parse_layout(cursor, tree);
+  return refuse_item(cursor);
+}
+
+}  // namespace mlab::cdl

@@ -1,0 +1,39 @@
+#include "mlab/lang/cdl/parser.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "mlab/lang/cdl/cursor.h"
+
+namespace mlab::cdl {
+
+Tree parse(const text::SourcePtr& source, text::Diagnostics& sink) {
+  Tree tree;
+  tree.source = source;
+  Cursor cursor(source, sink);
+  while (!cursor.at_end()) {
+    if (!parse_item(cursor, tree)) cursor.skip_declaration();
+  }
+  return tree;
+}
+
+bool looks_like_cdl(std::string_view text) {
+  constexpr std::size_t kEnough = 1 << 16;
+  const Tokens lexed = lex(text.substr(0, kEnough));
+  if (lexed.tokens.size() < 3 || lexed.tokens[0].kind != Token::Kind::kName) return false;
+  const auto piece = [&](std::size_t i) {
+    const text::Span span = lexed.tokens[i].span;
+    return text.substr(span.begin, span.end - span.begin);
+  };
+  const std::string_view first = piece(0);
+  if (std::ranges::find(kDeclarationWords, first) == std::end(kDeclarationWords)) return false;
+  if (first == "use") return lexed.tokens[1].kind == Token::Kind::kText;
+  if (lexed.tokens[1].kind != Token::Kind::kName) return false;
+  if (first == "architecture") return piece(2) == ";";
+  if (first == "assemblage" || first == "binding") return piece(2) == "(";
+  if (first == "society") return piece(2) == ":";
+  if (first == "robot") return piece(2) == "(" || piece(2) == "{" || piece(2) == "is";
+  return piece(2) == "{" || piece(2) == "(" || piece(2) == ".";
+}
+
+}  // namespace mlab::cdl
