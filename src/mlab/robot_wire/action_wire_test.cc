@@ -1,0 +1,39 @@
+#include "mlab/robot_wire/action_wire.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "mlab/robot_wire/testing/any_value.h"
+#include "mlab/robot_wire/testing/same_bits.h"
+
+namespace mlab::robot_wire {
+namespace {
+
+TEST(ActionWire, KeepsEveryBitOfWhatARobotDoes) {
+  wire::Action message;
+  EXPECT_TRUE(rc::check("decode(encode(action)) == action", [&] {
+    const percept::Action action = testing::any_action();
+    encode(action, message);
+    wire::Action arrived;
+    RC_ASSERT(arrived.ParseFromString(message.SerializeAsString()));
+    percept::Action decoded = testing::any_action();  // nothing of it may stay
+    RC_ASSERT(!decode(arrived, decoded));
+    RC_ASSERT(testing::same(decoded, action));
+  }));
+}
+
+TEST(ActionWire, RefusesRequestsThatThereAreNot) {
+  wire::Action message;
+  message.add_requests()->set_kind(static_cast<wire::Request::Kind>(5));
+  percept::Action action;
+  EXPECT_EQ(decode(message, action), "an action makes a request that there is not");
+  message.Clear();
+  for (int i = 0; i < percept::Action::kMaxRequests; ++i) message.add_requests();
+  EXPECT_FALSE(decode(message, action));
+  EXPECT_EQ(action.request_count, percept::Action::kMaxRequests);
+  message.add_requests();
+  EXPECT_EQ(decode(message, action), "an action makes too many requests");
+}
+
+}  // namespace
+}  // namespace mlab::robot_wire

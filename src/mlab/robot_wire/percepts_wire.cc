@@ -1,0 +1,244 @@
+#include "mlab/robot_wire/percepts_wire.h"
+
+#include <limits>
+#include <span>
+
+namespace mlab::robot_wire {
+namespace {
+
+constexpr auto kLastObjectClass = percept::ObjectClass::kFriendlyRobot;
+constexpr auto kLastObjectStyle = percept::ObjectStyle::kContainer;
+constexpr auto kLastTask = percept::Task::kStop;
+constexpr auto kLastFormation = percept::Formation::kSweep;
+constexpr auto kLastReference = percept::FormationReference::kNeighbor;
+
+// The names of the fields that a struct is taken apart into below: one that is added later does not compile
+// until it is written, read and tested.
+
+void encode(const geom::Pose& pose, wire::Pose& out) {
+  const auto& [position, heading] = pose;
+  out.set_x(position.x);
+  out.set_y(position.y);
+  out.set_heading(heading);
+}
+
+geom::Pose decode(const wire::Pose& message) {
+  return {{message.x(), message.y()}, message.heading()};
+}
+
+void encode(std::span<const percept::Obstacle> obstacles, wire::Obstacles& out) {
+  for (const auto& [center, radius] : obstacles) {
+    out.add_x(center.x);
+    out.add_y(center.y);
+    out.add_z(center.z);
+    out.add_radius(radius);
+  }
+}
+
+void encode(std::span<const percept::RobotReading> robots, wire::Robots& out) {
+  for (const auto& [id, center, heading, radius, is_unit_mate] : robots) {
+    out.add_id(id.value);
+    out.add_x(center.x);
+    out.add_y(center.y);
+    out.add_z(center.z);
+    out.add_heading(heading);
+    out.add_radius(radius);
+    out.add_is_unit_mate(is_unit_mate);
+  }
+}
+
+void encode(std::span<const percept::ObjectReading> objects, wire::Objects& out) {
+  for (const auto& [id, object_class, style, center, radius] : objects) {
+    out.add_id(id.value);
+    out.add_object_class(static_cast<wire::ObjectClass>(object_class));
+    out.add_style(static_cast<wire::ObjectStyle>(style));
+    out.add_x(center.x);
+    out.add_y(center.y);
+    out.add_z(center.z);
+    out.add_radius(radius);
+  }
+}
+
+void encode(std::span<const percept::RangeReading> ranges, wire::Ranges& out) {
+  for (const auto& [angle, distance, hit] : ranges) {
+    out.add_angle(angle);
+    out.add_distance(distance);
+    out.add_hit(hit);
+  }
+}
+
+void encode(const percept::Order& order, wire::Order& out) {
+  const auto& [sequence, task, goal, route, formation, reference, heading, has_heading, speed, halted] =
+      order;
+  out.set_sequence(sequence);
+  out.set_task(static_cast<wire::Order::Task>(task));
+  out.set_goal_x(goal.x);
+  out.set_goal_y(goal.y);
+  for (const geom::Point point : route) {
+    out.mutable_route()->add_x(point.x);
+    out.mutable_route()->add_y(point.y);
+  }
+  out.set_formation(static_cast<wire::Order::Formation>(formation));
+  out.set_reference(static_cast<wire::Order::Reference>(reference));
+  out.set_heading(heading);
+  out.set_has_heading(has_heading);
+  out.set_speed(speed);
+  out.set_halted(halted);
+}
+
+void encode(const percept::UnitPercept& unit, wire::Unit& out) {
+  const auto& [size, rank, center, center_step, leader, neighbor, formation_heading] = unit;
+  out.set_size(size);
+  out.set_rank(rank);
+  out.set_center_x(center.x);
+  out.set_center_y(center.y);
+  out.set_step_x(center_step.x);
+  out.set_step_y(center_step.y);
+  encode(leader, *out.mutable_leader());
+  encode(neighbor, *out.mutable_neighbor());
+  out.set_formation_heading(formation_heading);
+}
+
+void encode(const percept::Joystick& joystick, wire::Joystick& out) {
+  const auto& [x, y, magnitude, is_robot_frame, complete] = joystick;
+  out.set_x(x);
+  out.set_y(y);
+  out.set_magnitude(magnitude);
+  out.set_is_robot_frame(is_robot_frame);
+  out.set_complete(complete);
+}
+
+percept::Joystick decode(const wire::Joystick& message) {
+  return {message.x(), message.y(), message.magnitude(), message.is_robot_frame(), message.complete()};
+}
+
+bool fits(int value, auto last) {
+  return value >= 0 && value <= static_cast<int>(last);
+}
+
+bool are(int length, auto... lengths) {
+  return ((length == lengths) && ...);
+}
+
+}  // namespace
+
+void encode(const percept::Percepts& percepts, wire::Percepts& out) {
+  const auto& [pose, time, cycle_duration, obstacles, robots, objects, ranges, range_limit, carried,
+               carried_class, order, unit, joystick, notifications] = percepts;
+  out.Clear();
+  encode(pose, *out.mutable_pose());
+  out.set_time(time);
+  out.set_cycle_duration(cycle_duration);
+  if (!obstacles.empty()) encode(obstacles, *out.mutable_obstacles());
+  if (!robots.empty()) encode(robots, *out.mutable_robots());
+  if (!objects.empty()) encode(objects, *out.mutable_objects());
+  if (!ranges.empty()) encode(ranges, *out.mutable_ranges());
+  out.set_range_limit(range_limit);
+  out.set_carried(carried.value);
+  out.set_carried_class(static_cast<wire::ObjectClass>(carried_class));
+  encode(order, *out.mutable_order());
+  encode(unit, *out.mutable_unit());
+  encode(joystick, *out.mutable_joystick());
+  for (const std::uint64_t name : notifications) out.add_notifications(name);
+}
+
+std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts& message) {
+  const wire::Obstacles& obstacles = message.obstacles();
+  if (!are(obstacles.x_size(), obstacles.y_size(), obstacles.z_size(), obstacles.radius_size()))
+    return "the columns of the obstacles are not equally long";
+  obstacles_.clear();
+  for (int i = 0; i < obstacles.x_size(); ++i)
+    obstacles_.push_back({{obstacles.x(i), obstacles.y(i), obstacles.z(i)}, obstacles.radius(i)});
+
+  const wire::Robots& robots = message.robots();
+  if (!are(robots.x_size(), robots.y_size(), robots.z_size(), robots.id_size(), robots.heading_size(),
+           robots.radius_size(), robots.is_unit_mate_size()))
+    return "the columns of the robots are not equally long";
+  robots_.clear();
+  for (int i = 0; i < robots.x_size(); ++i) {
+    robots_.push_back({{robots.id(i)},
+                       {robots.x(i), robots.y(i), robots.z(i)},
+                       robots.heading(i),
+                       robots.radius(i),
+                       robots.is_unit_mate(i)});
+  }
+
+  const wire::Objects& objects = message.objects();
+  if (!are(objects.x_size(), objects.y_size(), objects.z_size(), objects.id_size(),
+           objects.object_class_size(), objects.style_size(), objects.radius_size()))
+    return "the columns of the objects are not equally long";
+  objects_.clear();
+  for (int i = 0; i < objects.x_size(); ++i) {
+    if (!fits(objects.object_class(i), kLastObjectClass) || !fits(objects.style(i), kLastObjectStyle))
+      return "an object is of a class or style that there is not";
+    objects_.push_back({{objects.id(i)},
+                        static_cast<percept::ObjectClass>(objects.object_class(i)),
+                        static_cast<percept::ObjectStyle>(objects.style(i)),
+                        {objects.x(i), objects.y(i), objects.z(i)},
+                        objects.radius(i)});
+  }
+
+  const wire::Ranges& ranges = message.ranges();
+  if (!are(ranges.angle_size(), ranges.distance_size(), ranges.hit_size()))
+    return "the columns of the ranges are not equally long";
+  ranges_.clear();
+  for (int i = 0; i < ranges.angle_size(); ++i)
+    ranges_.push_back({ranges.angle(i), ranges.distance(i), ranges.hit(i)});
+  return std::nullopt;
+}
+
+std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& message) {
+  if (!fits(message.task(), kLastTask) || !fits(message.formation(), kLastFormation) ||
+      !fits(message.reference(), kLastReference))
+    return "the order has a task, formation or reference that there is not";
+  if (!are(message.route().x_size(), message.route().y_size()))
+    return "the columns of the route are not equally long";
+  route_.clear();
+  for (int i = 0; i < message.route().x_size(); ++i)
+    route_.push_back({message.route().x(i), message.route().y(i)});
+  percepts_.order = {message.sequence(),
+                     static_cast<percept::Task>(message.task()),
+                     {message.goal_x(), message.goal_y()},
+                     route_,
+                     static_cast<percept::Formation>(message.formation()),
+                     static_cast<percept::FormationReference>(message.reference()),
+                     message.heading(),
+                     message.has_heading(),
+                     message.speed(),
+                     message.halted()};
+  return std::nullopt;
+}
+
+std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message) {
+  if (auto problem = decode_readings(message)) return problem;
+  if (auto problem = decode_order(message.order())) return problem;
+  if (!fits(message.carried_class(), kLastObjectClass))
+    return "what is carried is of a class that there is not";
+  const wire::Unit& unit = message.unit();
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
+  if (unit.size() > kMost || unit.rank() > kMost) return "the unit is larger than units are";
+  notifications_.assign(message.notifications().begin(), message.notifications().end());
+
+  percepts_.pose = robot_wire::decode(message.pose());
+  percepts_.time = message.time();
+  percepts_.cycle_duration = message.cycle_duration();
+  percepts_.obstacles = obstacles_;
+  percepts_.robots = robots_;
+  percepts_.objects = objects_;
+  percepts_.ranges = ranges_;
+  percepts_.range_limit = message.range_limit();
+  percepts_.carried = {message.carried()};
+  percepts_.carried_class = static_cast<percept::ObjectClass>(message.carried_class());
+  percepts_.unit = {static_cast<std::uint16_t>(unit.size()),
+                    static_cast<std::uint16_t>(unit.rank()),
+                    {unit.center_x(), unit.center_y()},
+                    {unit.step_x(), unit.step_y()},
+                    robot_wire::decode(unit.leader()),
+                    robot_wire::decode(unit.neighbor()),
+                    unit.formation_heading()};
+  percepts_.joystick = robot_wire::decode(message.joystick());
+  percepts_.notifications = notifications_;
+  return std::nullopt;
+}
+
+}  // namespace mlab::robot_wire

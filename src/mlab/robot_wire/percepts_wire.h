@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mlab/percept/percepts.h"
+#include "mlab/robot.pb.h"
+
+namespace mlab::robot_wire {
+
+/// Writes everything that a robot perceives; `out` loses what it held, and keeps its memory.
+void encode(const percept::Percepts& percepts, wire::Percepts& out);
+
+/// Percepts out of a message, with the lists that they are views of. Used again and again, it needs no new
+/// memory.
+class DecodedPercepts {
+ public:
+  DecodedPercepts() = default;
+  DecodedPercepts(const DecodedPercepts&) = delete;  // the views would stay behind
+  DecodedPercepts& operator=(const DecodedPercepts&) = delete;
+  DecodedPercepts(DecodedPercepts&&) = delete;
+  DecodedPercepts& operator=(DecodedPercepts&&) = delete;
+  ~DecodedPercepts() = default;
+
+  /// @errors  a sentence that names what does not fit: columns of different lengths, a number that stands for
+  ///          nothing; the percepts are then not to be used
+  std::optional<std::string> decode(const wire::Percepts& message);
+  /// Valid until the next `decode`.
+  const percept::Percepts& percepts() const { return percepts_; }
+
+ private:
+  std::optional<std::string> decode_readings(const wire::Percepts& message);
+  std::optional<std::string> decode_order(const wire::Order& message);
+
+  percept::Percepts percepts_;
+  std::vector<percept::Obstacle> obstacles_;
+  std::vector<percept::RobotReading> robots_;
+  std::vector<percept::ObjectReading> objects_;
+  std::vector<percept::RangeReading> ranges_;
+  std::vector<geom::Point> route_;
+  std::vector<std::uint64_t> notifications_;
+};
+
+}  // namespace mlab::robot_wire
