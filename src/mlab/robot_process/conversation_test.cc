@@ -1,5 +1,6 @@
 #include "mlab/robot_process/conversation.h"
 
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -79,7 +80,7 @@ TEST(Conversation, DescribesPortsWithTheSettingsThatItTook) {
   Conversation conversation(wandering_program(), "1");
   wire::ToRobot message;
   for (const auto& [port, value] :
-       {std::pair("pace", "2.5"), std::pair("pase", "1"), std::pair("avoid.sphere", "-1")}) {
+       {std::pair("pace", "2.5"), std::pair("pase", "1"), std::pair("walk.range", "-1")}) {
     wire::Setting& setting = *message.mutable_describe()->add_settings();
     setting.set_port(port);
     setting.set_value(value);
@@ -88,7 +89,7 @@ TEST(Conversation, DescribesPortsWithTheSettingsThatItTook) {
   ASSERT_EQ(description.results_size(), 3);
   EXPECT_EQ(description.results(0).problem(), "");
   EXPECT_TRUE(description.results(1).is_unknown());
-  EXPECT_EQ(description.results(2).problem(), "-1 is out of range: `avoid.sphere` takes 0 .. 1000000 m");
+  EXPECT_EQ(description.results(2).problem(), "-1 is out of range: `walk.range` takes 0 .. 100 m");
   ASSERT_GT(description.ports_size(), 0);
   const wire::Port& pace = description.ports(0);
   EXPECT_EQ(pace.path(), "pace");
@@ -104,7 +105,7 @@ TEST(Conversation, SetsAParameterOfOneRobotAndReadsItsPorts) {
   ask(conversation, start(2, 1, "3"));
   wire::ToRobot set;
   set.mutable_set()->set_robot(1);
-  set.mutable_set()->mutable_setting()->set_port("near.range");
+  set.mutable_set()->mutable_setting()->set_port("walk.range");
   set.mutable_set()->mutable_setting()->set_value("12");
   EXPECT_EQ(ask(conversation, set).ready().needs().obstacles(), 12.0);
   const auto pace_of = [&](std::uint32_t robot) {
@@ -144,14 +145,15 @@ TEST(Conversation, AnswersWhatItCannotServeAndChangesNothing) {
 }
 
 TEST(Conversation, NamesThePortWhereANumberWentWrong) {
-  Conversation conversation(program_of("node v is ScaleVector with v = {1, 0}; multiplier = 1e300; nend\n"
-                                       "node w is ScaleVector with v = v; multiplier = 1e300; nend\n"
-                                       "node wheels is Drive with v = w; max_velocity = 100; nend\n"),
-                            "1");
+  Conversation conversation(wandering_program(), "1");
   ask(conversation, start(1, 1));
+  Walk walk(0);
+  walk.obstacles[0].center.x = std::numeric_limits<double>::quiet_NaN();
   wire::ToRobot message;
-  message.mutable_cycle()->add_robots()->set_robot(1);
-  EXPECT_EQ(ask(conversation, message).actions().robots(0).fault(), "w");
+  wire::RobotCycle& part = *message.mutable_cycle()->add_robots();
+  part.set_robot(1);
+  robot_wire::encode(walk.percepts, *part.mutable_percepts());
+  EXPECT_EQ(ask(conversation, message).actions().robots(0).fault(), "walk");
 }
 
 }  // namespace

@@ -2,40 +2,62 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
-#include "mlab/flow/program.h"
-#include "mlab/lang/cnl/elaborate.h"
-#include "mlab/lang/cnl/load.h"
-#include "mlab/library/library.h"
+#include "mlab/flow/test_behaviors.h"
 
 namespace mlab::robot_process {
 
-/// The program of a network in CNL over the component library.
-inline std::shared_ptr<const flow::Program> program_of(const std::string& cnl_text) {
-  const auto source = std::make_shared<const text::Source>("test.cnl", cnl_text);
+/// Away from all obstacles, with a random part, and on at a pace; its value is its strength.
+inline void fire_wander(flow::Call& call) {
+  base::Random random = call.random();
+  geom::Vector v{call.at<double>(call.inputs[0]) + random.uniform(0.0, 1.0), random.uniform(-1.0, 1.0), 0.0};
+  for (const percept::Obstacle& obstacle : call.cycle->percepts->obstacles)
+    v -= geom::unit(obstacle.center) * (1.0 / (1.0 + geom::length(obstacle.center)));
+  call.cycle->action->velocity = v;
+  call.cycle->action->drives = true;
+  call.at<double>(call.output) = geom::length(v);
+}
+inline const flow::Behavior& wander() {
+  static const flow::Input kInputs[] = {
+      {"pace", &flow::type_info<double>(), "", "", false, "", -1e300, 1e300},
+      {"range", &flow::type_info<double>(), "m", "", false, "7", 0.0, 100.0}};
+  static const flow::Need kNeeds[] = {{flow::Need::Device::kObstacles, 1, 0.0}};
+  static const flow::Behavior kBehavior = [] {
+    flow::Behavior b;
+    b.name = "Wander";
+    b.inputs = kInputs;
+    b.output = &flow::type_info<double>();
+    b.needs = kNeeds;
+    b.fire = fire_wander;
+    return b;
+  }();
+  return kBehavior;
+}
+
+inline std::shared_ptr<const flow::Program> program_of(flow::Network network) {
+  static const flow::Behavior* const kOwn[] = {&wander()};
+  flow::Library library = flow::test::library();
+  library.add(kOwn);
   text::Diagnostics sink;
-  const cnl::Tree tree = cnl::load(source, sink);
-  flow::Network network = cnl::elaborate(tree, sink);
-  flow::Library library;
-  library.add(mlab_library_behaviors());
+  network.name = "wanderer";
   auto program = flow::build_program(network, library, sink);
   EXPECT_TRUE(program) << text::render(sink);
   return program;
 }
 
-/// A robot with a parameter, a sequence, noise and obstacles to avoid.
+/// A robot with a parameter, something to sense, state and random numbers.
 inline std::shared_ptr<const flow::Program> wandering_program() {
-  return program_of(R"(
-parameter double pace = 1 in 0 .. 10;
-node near is DetectObstacles with range = 7; nend
-node avoid is AvoidStaticObstacles with readings = near; sphere = 5; safety_margin = 0.5; nend
-node noise is Noise with persistence = 3; nend
-node ahead is MoveForward with amount = pace; nend
-node mix is WeightedSum with members = avoid; members = noise; members = ahead; gains = 1; gains = 0.7; gains = 1; nend
-node fast is Drive with v = mix; base_velocity = 2; max_velocity = 3; nend
-)");
+  using namespace flow::test;
+  flow::Network network;
+  network.parameters.push_back({"pace", "double", "", "", {}, constant("1"), 0.0, 10.0, {}});
+  network.nodes.push_back(node("counted", "Count", {{"start", constant("0")}}));
+  network.nodes.push_back(node("total", "Add", {{"a", name("counted")}, {"b", name("pace")}}));
+  network.nodes.push_back(node("walk", "Wander", {{"pace", name("total")}}));
+  network.nodes.back().is_public = true;
+  return program_of(std::move(network));
 }
 
 }  // namespace mlab::robot_process
