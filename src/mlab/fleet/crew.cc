@@ -8,10 +8,10 @@
 namespace mlab::fleet {
 namespace {
 
-std::shared_ptr<const flow::Program> known_program(const std::string& name, const Crew* before) {
+const robot::RobotProgram* known_program(const mission::RobotType& type, const Crew* before) {
   if (before == nullptr) return nullptr;
   for (const robot::RobotProgram& program : before->programs) {
-    if (program.name == name && program.program) return program.program;
+    if (program.name == type.program && program.type == type.name && program.program) return &program;
   }
   return nullptr;
 }
@@ -22,8 +22,11 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
   std::vector<robot::Setting> settings;
   for (const mission::RobotParameter& parameter : type.parameters)
     settings.push_back({parameter.key, parameter.value, parameter.place});
-  return robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink,
-                             known_program(type.program, before));
+  const robot::RobotProgram* known = known_program(type, before);
+  auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink,
+                                 known == nullptr ? nullptr : known->program, type.name);
+  if (out && known != nullptr) out->body = known->body;
+  return out;
 }
 
 }  // namespace
@@ -44,8 +47,9 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
     std::optional<robot::RobotProgram> program;
     if (is_used[i] || plan.types[i].place.source)
       program = load_program_of(plan.types[i], sources, before, sink);
-    crew->programs.push_back(program ? std::move(*program)
-                                     : robot::RobotProgram{plan.types[i].program, nullptr, {}});
+    crew->programs.push_back(
+        program ? std::move(*program)
+                : robot::RobotProgram{plan.types[i].program, nullptr, {}, plan.types[i].name, {}});
   }
   if (sink.error_count() > errors_before) return nullptr;
   return crew;

@@ -12,6 +12,7 @@
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/load.h"
 #include "mlab/library/library.h"
+#include "mlab/robot/configuration_file.h"
 #include "mlab/robot/network_file.h"
 
 namespace mlab::robot {
@@ -74,22 +75,29 @@ const flow::Library& component_library() {
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
-                                         std::shared_ptr<const flow::Program> built) {
+                                         std::shared_ptr<const flow::Program> built, std::string_view type) {
   const std::size_t errors_before = sink.error_count();
   RobotProgram robot;
   robot.name = name;
+  robot.type = type;
   if (built) {
     robot.program = std::move(built);
   } else if (const auto known = library::find_robot(last_part(name))) {
     robot.program = library_program(*known, sink);
   } else if (last_part(name).ends_with(".cnl")) {
     robot.program = load_network(name, place, sources, sink);
+  } else if (names_configuration(last_part(name))) {
+    if (auto configured = load_configuration(name, type, place, sources, sink)) {
+      robot.program = std::move(configured->program);
+      robot.body = std::move(configured->lowered.body);
+    }
   } else {
     text::Diagnostic& d = sink.warning("unknown-program", place,
                                        fmt::format("nothing here answers to the robot program `{}`", name));
     d.label = "robots of this type stand parked";
     d.hints.emplace_back(
-        "`robot` is the standard robot; a network of behaviors is named by its file: `mine.cnl`");
+        "`robot` is the standard robot; a network or a configuration is named by its file: `mine.cnl`, "
+        "`mine.cdl`");
     return robot;
   }
   if (!robot.program) return std::nullopt;

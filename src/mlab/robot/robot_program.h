@@ -1,9 +1,11 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mlab/flow/frame.h"
@@ -24,8 +26,10 @@ struct Setting {
 struct RobotProgram {
   std::string name;  ///< as the mission writes it
   std::shared_ptr<const flow::Program>
-      program;          ///< null: nothing here answers to the name; such a robot stands parked
-  flow::Frame initial;  ///< values before the first cycle
+      program;                         ///< null: nothing here answers to the name; such a robot stands parked
+  flow::Frame initial;                 ///< values before the first cycle
+  std::string type;                    ///< the robot type that it was built for
+  std::map<std::string, double> body;  ///< what a configuration says of the body: `radius`, ... in SI units
 };
 
 /// What finding a program may use.
@@ -39,17 +43,19 @@ struct ProgramSources {
 /// Finds and builds the program of a robot type and sets its parameters.
 ///
 /// A program is told by the last part of its name: `robot`, `mlab-2.0-robot` and `tmr_robot-1998` mean the
-/// standard robot; `x.cnl` is compiled. Nothing else is ever executed: an unknown name is a warning and gives
-/// a parked robot. A parameter that the program does not have is a warning with the nearest name; one with a
-/// value that it can't take is an error.
+/// standard robot; `x.cnl` and `x.cdl` are compiled, and of a configuration `x.cdl#Robot` means one robot.
+/// Nothing else is ever executed: an unknown name is a warning and gives a parked robot. A parameter that the
+/// program does not have is a warning with the nearest name; one with a value that it can't take is an error.
 /// @param name   as the mission writes it, at `place`
 /// @param known_keys  parameter names that somebody else takes (the vehicle)
 /// @param built  the program of that name, where it has been built before; it is not built again then
+/// @param type   name of the robot type: of a configuration with several robots it means the one of that name
 /// @return  nothing where there were errors
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
-                                         std::shared_ptr<const flow::Program> built = nullptr);
+                                         std::shared_ptr<const flow::Program> built = nullptr,
+                                         std::string_view type = {});
 
 /// The component library: all behaviors that come with missionlab.
 const flow::Library& component_library();

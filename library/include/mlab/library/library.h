@@ -23,4 +23,14 @@ struct Robot {
 /// name.
 std::optional<Robot> find_robot(std::string_view name);
 
+/// A configuration of the library: binding points, assemblages, robots. Known to every configuration without
+/// `use`.
+struct ConfigurationText {
+  std::string_view file;  ///< for messages: `library/assemblages/wander.cdl`
+  std::string_view text;  ///< in CDL
+};
+
+/// All of them, in alphabetical order of their files.
+std::span<const ConfigurationText> configuration_texts();
+
 }  // namespace mlab::library

@@ -213,7 +213,8 @@ class Formatter {
     for (std::size_t first = 0; first < trailing_.size();) {
       std::size_t last = first;
       std::size_t widest = column_of(trailing_[first]);
-      for (; last + 1 < trailing_.size(); ++last) {
+      const bool is_opener = trailing_[first] > 2 && out_[trailing_[first] - 3] == '{';
+      for (; !is_opener && last + 1 < trailing_.size(); ++last) {
         const std::string_view between =
             std::string_view(out_).substr(trailing_[last], trailing_[last + 1] - trailing_[last]);
         const std::size_t next = column_of(trailing_[last + 1]);

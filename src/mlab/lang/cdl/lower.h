@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "mlab/flow/library.h"
+#include "mlab/flow/network.h"
+#include "mlab/flow/program.h"
+#include "mlab/lang/cdl/configuration.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cdl {
+
+/// What was said of a configuration already: an assemblage that two robots use is wrong once.
+struct Said {
+  std::set<std::string> keys;
+};
+
+/// A robot made flat: what its program is built from, and what its class says of the body.
+struct LoweredRobot {
+  flow::Network network;
+  std::map<std::string, double> body;  ///< `radius`: 0.35, ... in SI units
+};
+
+/// Flattens one robot: recursion resolved, parameters and arguments bound, binding points served by the
+/// devices of the robot's class, or by the operator of the society that it is in. Each node carries the place
+/// of the CDL that made it.
+///
+/// @param library  knows the procedures of the configuration as well
+/// @errors  everything that is wrong with what the robot uses; the network then is not to be built
+LoweredRobot lower(const Configuration& configuration, const Robot& robot, const flow::Library& library,
+                   text::Diagnostics& sink, Said& said);
+
+/// The program of a flattened robot. Null where there were errors: loops that no delay breaks, and whatever
+/// only shows when all is put together.
+std::shared_ptr<const flow::Program> build(const LoweredRobot& robot, const flow::Library& library,
+                                           text::Diagnostics& sink, Said& said);
+
+/// Checks all that the configuration's own files declare, used or not, except for the robots.
+void check_declarations(const Configuration& configuration, const flow::Library& library,
+                        text::Diagnostics& sink, Said& said);
+
+/// Checks the robots as well: `mlab check`.
+void check(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink);
+
+}  // namespace mlab::cdl

@@ -1,0 +1,375 @@
+// Calls: of procedures, of assemblages, of binding points.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "mlab/lang/cdl/lowering.h"
+
+namespace mlab::cdl {
+namespace {
+
+constexpr std::size_t kMaxNodes = 200'000;  // recursion makes much out of little
+
+std::string bracketed(const std::string& unit) {
+  return unit.empty() ? "" : fmt::format(" [{}]", unit);
+}
+
+// The inputs of a procedure as they are called under the name by which it was found.
+std::vector<InputView> views_of(const flow::Library::Entry& entry) {
+  std::vector<InputView> out;
+  const auto& inputs = entry.behavior->inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const bool is_renamed = entry.alias != nullptr && i < entry.alias->inputs.size();
+    const std::string_view name = is_renamed ? entry.alias->inputs[i].name : inputs[i].name;
+    const std::string_view unit =
+        is_renamed && !entry.alias->inputs[i].unit.empty() ? entry.alias->inputs[i].unit : inputs[i].unit;
+    if (!name.empty())
+      out.push_back({std::string(name.substr(0, name.find('|'))), std::string(unit), &inputs[i]});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Lowering::Given> Lowering::given_by(const Call& call, Scope& scope) const {
+  std::vector<Given> out;
+  for (const Argument& argument : call.arguments)
+    out.push_back({argument.name, argument.value, &scope, {}, argument.value->place});
+  return out;
+}
+
+Value Lowering::lower_call(const Call& call, Scope& scope, const Slot& slot, const text::Place& place) {
+  const std::string& name = call.callee.text;
+  if (const auto binding = configuration_.bindings.find(name); binding != configuration_.bindings.end())
+    return call_binding(call, *binding->second, scope, slot, place);
+  return instantiate(call.callee, given_by(call, scope), slot, place);
+}
+
+Value Lowering::instantiate(const Word& callee, const std::vector<Given>& given, const Slot& slot,
+                            const text::Place& place) {
+  if (network_.nodes.size() > kMaxNodes) {
+    error("too-many-nodes", place, fmt::format("the robot has more than {} nodes", kMaxNodes));
+    return {};
+  }
+  const auto assemblage = configuration_.assemblages.find(callee.text);
+  if (assemblage != configuration_.assemblages.end())
+    return instantiate_assemblage(callee, *assemblage->second, given, slot, place);
+  const flow::Library::Entry entry = library_.find(callee.text);
+  if (entry.behavior != nullptr) return instantiate_procedure(callee, entry, given, slot, place);
+  return unknown_callee(callee);
+}
+
+Value Lowering::unknown_callee(const Word& callee) {
+  text::Diagnostic& d =
+      error("unknown-call", callee.place, fmt::format("unknown assemblage or procedure `{}`", callee.text));
+  std::vector<std::string> names = names_in(configuration_.assemblages);
+  for (const std::string& name : names_in(configuration_.bindings)) names.push_back(name);
+  for (const flow::Behavior* behavior : library_.behaviors()) names.emplace_back(behavior->name);
+  hint_nearest(d, callee.text, names);
+  return {};
+}
+
+std::vector<int> Lowering::match(const Word& callee, const std::vector<Given>& given,
+                                 const std::vector<std::string>& names) {
+  std::vector<int> out;
+  std::vector<const Given*> taken(names.size(), nullptr);
+  bool had_name = false;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Given& one = given[i];
+    const text::Place& place = one.name.text.empty() ? one.place : one.name.place;
+    int index = -1;
+    if (!one.name.text.empty()) {
+      had_name = true;
+      const auto found = std::ranges::find(names, one.name.text);
+      index = found == names.end() ? -1 : static_cast<int>(found - names.begin());
+      if (index < 0) {
+        text::Diagnostic& d = error("unknown-argument", place,
+                                    fmt::format("`{}` has no input `{}`", callee.text, one.name.text));
+        const std::string nearest = text::nearest_name(one.name.text, names);
+        d.hints.push_back(!nearest.empty() ? fmt::format("did you mean `{}`?", nearest)
+                          : names.empty()  ? "it takes no arguments"
+                                           : fmt::format("its inputs are {}", fmt::join(names, ", ")));
+      }
+    } else if (had_name) {
+      error("argument-without-name", place, "behind an argument with a name all have one").hints = {
+          fmt::format("the inputs of `{}` are {}", callee.text, fmt::join(names, ", "))};
+    } else if (i >= names.size()) {
+      error("too-many-arguments", place,
+            names.empty() ? fmt::format("`{}` takes no arguments", callee.text)
+                          : fmt::format("`{}` takes no more than {} argument{}", callee.text, names.size(),
+                                        names.size() == 1 ? "" : "s"));
+    } else {
+      index = static_cast<int>(i);
+    }
+    if (index >= 0 && taken[static_cast<std::size_t>(index)] != nullptr) {
+      error("double-argument", place,
+            fmt::format("`{}` is given twice", names[static_cast<std::size_t>(index)]))
+          .notes.push_back({"first here", taken[static_cast<std::size_t>(index)]->place});
+      index = -1;
+    }
+    if (index >= 0) taken[static_cast<std::size_t>(index)] = &one;
+    out.push_back(index);
+  }
+  return out;
+}
+
+void Lowering::say_missing(const Word& callee, const std::string& name, const PortType& type,
+                           const std::string& help) {
+  error("missing-argument", callee.place, fmt::format("`{}` needs `{}`", callee.text, name))
+      .hints.push_back(fmt::format("`{} = ...` takes {}{}{}{}", name,
+                                   type.type == nullptr ? "a value" : std::string(type.type->name),
+                                   bracketed(type.unit), help.empty() ? "" : ": ", help));
+}
+
+Value Lowering::value_of(const Given& given, const Slot& slot) {
+  return given.ready ? *given.ready : lower(*given.value, *given.scope, slot);
+}
+
+void Lowering::link_argument(const InputView& view, const Given& given, flow::Node& node) {
+  const PortType type{view.input->type, view.unit};
+  const Value value = value_of(given, {node.name, "", false});
+  const text::Place link_place = given.name.text.empty() ? given.place : given.name.place;
+  const auto link = [&](const Value& one, const text::Place& place) {
+    if (auto source = bind(one, type, view.input, view.name, place))
+      node.links.push_back({view.name, std::move(*source), link_place});
+  };
+  if (!view.input->is_list || value.kind != Value::Kind::kList) return link(value, given.place);
+  // `[1, 2]` is one vector for a list of vectors, `[[1, 2]]` another way to say so.
+  for (const Value& item : value.items) link(item, item.place);
+}
+
+Value Lowering::instantiate_procedure(const Word& callee, const flow::Library::Entry& entry,
+                                      const std::vector<Given>& given, const Slot& slot,
+                                      const text::Place& place) {
+  const std::vector<InputView> views = views_of(entry);
+  std::vector<std::string> names;
+  for (const InputView& view : views) names.push_back(view.name);
+  const std::vector<int> matched = match(callee, given, names);
+  const bool is_right = std::ranges::find(matched, -1) == matched.end();
+
+  const std::size_t errors_before = sink_.error_count();
+  flow::Node node;
+  node.name = claim(slot, callee.text);
+  node.behavior = callee.text;
+  node.place = place;
+  node.behavior_place = callee.place;
+  std::vector<bool> is_given(views.size(), false);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (matched[i] < 0) continue;
+    const auto at = static_cast<std::size_t>(matched[i]);
+    is_given[at] = true;
+    link_argument(views[at], given[i], node);
+  }
+  for (std::size_t i = 0; is_right && i < views.size(); ++i) {
+    const flow::Input& input = *views[i].input;
+    if (!is_given[i] && !input.is_list && input.default_text.empty())
+      say_missing(callee, views[i].name, {input.type, views[i].unit}, std::string(input.help));
+  }
+  const std::string_view unit = entry.alias != nullptr && !entry.alias->output_unit.empty()
+                                    ? entry.alias->output_unit
+                                    : entry.behavior->output_unit;
+  if (entry.behavior->output == nullptr) {
+    Value sink;
+    sink.kind = Value::Kind::kSink;
+    sink.text = callee.text;
+    sink.place = place;
+    network_.nodes.push_back(std::move(node));
+    return sink;
+  }
+  // After an error the node is there all the same: who takes its value is not wrong for that.
+  Value out = wire(node.name, {entry.behavior->output, std::string(unit)}, place);
+  if (sink_.error_count() == errors_before) network_.nodes.push_back(std::move(node));
+  return out;
+}
+
+bool Lowering::enter_assemblage(const Assemblage& assemblage, const Word& callee) {
+  const auto first = std::ranges::find(open_, &assemblage);
+  if (first == open_.end()) {
+    open_.push_back(&assemblage);
+    return true;
+  }
+  std::string path;
+  for (auto it = first; it != open_.end(); ++it) path += (*it)->name.text + " -> ";
+  error("recursive-assemblage", callee.place,
+        fmt::format("assemblages contain each other: {}{}", path, assemblage.name.text))
+      .hints = {"a `sequence` comes back to a state by a transition"};
+  return false;
+}
+
+Value Lowering::instantiate_assemblage(const Word& callee, const Assemblage& assemblage,
+                                       const std::vector<Given>& given, const Slot& slot,
+                                       const text::Place& place) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : assemblage.parameters) names.push_back(parameter.name.text);
+  const std::vector<int> matched = match(callee, given, names);
+  const bool is_right = std::ranges::find(matched, -1) == matched.end();
+  const std::string path = claim(slot, callee.text);
+  Scope& scope = new_scope();
+  scope.path = path;
+  std::vector<bool> is_given(names.size(), false);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (matched[i] < 0) continue;
+    const auto at = static_cast<std::size_t>(matched[i]);
+    is_given[at] = true;
+    const Parameter& parameter = assemblage.parameters[at];
+    const Value value = value_of(given[i], {path, "", false});
+    scope.names[parameter.name.text].value = pass(value, parameter, type_of(parameter), given[i].place);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Parameter& parameter = assemblage.parameters[i];
+    if (is_given[i]) continue;
+    if (!parameter.initial && is_right) say_missing(callee, names[i], type_of(parameter), parameter.help);
+    scope.names[names[i]].value = default_of(parameter, scope);
+  }
+  if (!enter_assemblage(assemblage, callee)) return {};
+  Value out = lower_assemblage(assemblage, scope, place);
+  open_.pop_back();
+  return out;
+}
+
+// The value of a parameter that nobody gives; nothing where it has no default.
+Value Lowering::default_of(const Parameter& parameter, Scope& scope) {
+  if (!parameter.initial) return {};
+  // A default may use the parameters before it.
+  const Value value = lower(*parameter.initial, scope, {scope.path, parameter.name.text, false});
+  return pass(value, parameter, type_of(parameter), parameter.initial->place);
+}
+
+// The value of an assemblage whose parameters have theirs.
+Value Lowering::lower_assemblage(const Assemblage& assemblage, Scope& scope, const text::Place& place) {
+  const Assemblage* outer = std::exchange(inside_, &assemblage);
+  declare_lets(assemblage.lets, scope);
+  const PortType result =
+      assemblage.result_type.text.empty() ? PortType{} : type_named(assemblage.result_type);
+  Value out;
+  if (assemblage.body) {
+    out = lower(*assemblage.body, scope, {scope.path, "", true});
+    const bool has_type = result.type != nullptr && out.kind != Value::Kind::kNone;
+    if (has_type && out.kind == Value::Kind::kWire) {
+      if (!fits(out.type, result, assemblage.name.text, assemblage.body->place)) out = {};
+    }
+    if (out.kind == Value::Kind::kNone && result.type != nullptr) out = wire(scope.path, result, place);
+  } else {
+    out = stand_still(assemblage, scope, result, place);
+  }
+  inside_ = outer;
+  return out;
+}
+
+// An assemblage that is declared and empty.
+Value Lowering::stand_still(const Assemblage& assemblage, Scope& scope, const PortType& result,
+                            const text::Place& place) {
+  const std::string_view type = result.type == nullptr ? "Vector" : result.type->name;
+  if (type != "Vector" && type != "bool") {
+    error("empty-assemblage", assemblage.name.place,
+          fmt::format("`{}` is empty, so it gives no {}", assemblage.name.text, type));
+    return {};
+  }
+  warning("empty-assemblage", assemblage.name.place, fmt::format("`{}` is empty", assemblage.name.text))
+      .label = type == "Vector" ? "the robot stands still in its place" : "it is never true";
+  flow::Node node;
+  node.name = scope.path;
+  node.behavior = type == "Vector" ? "Stand" : "Constant";
+  node.place = node.behavior_place = place;
+  if (type == "bool") node.links.push_back({"value", {flow::Source::Kind::kConstant, "false", place}, place});
+  network_.nodes.push_back(node);
+  return wire(node.name, {library_.find_type(type), ""}, place);
+}
+
+// What a configuration asks for by the name of a binding point.
+Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& scope, const Slot& slot,
+                             const text::Place& place) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : binding.parameters) names.push_back(parameter.name.text);
+  std::vector<Given> given = given_by(call, scope);
+  const std::vector<int> matched = match(call.callee, given, names);
+  const std::string path = claim(slot, call.callee.text);
+  std::vector<Given> asked;
+  std::vector<bool> is_given(names.size(), false);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (matched[i] < 0) continue;
+    const Parameter& parameter = binding.parameters[static_cast<std::size_t>(matched[i])];
+    is_given[static_cast<std::size_t>(matched[i])] = true;
+    const Value value = value_of(given[i], {path, "", false});
+    asked.push_back({{parameter.name.text, given[i].place},
+                     nullptr,
+                     nullptr,
+                     pass(value, parameter, type_of(parameter), given[i].place),
+                     given[i].place});
+  }
+  const PortType type = binding.result_type.text.empty() ? PortType{} : type_named(binding.result_type);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Parameter& parameter = binding.parameters[i];
+    if (is_given[i]) continue;
+    if (parameter.initial) {
+      asked.push_back(
+          {{parameter.name.text, place}, nullptr, nullptr, default_of(parameter, scope), place, true});
+    } else if (asked.size() == given.size()) {
+      say_missing(call.callee, names[i], type_of(parameter), parameter.help);
+    }
+  }
+  if (binding.result_type.text.empty()) {
+    error("sink-as-value", call.callee.place,
+          fmt::format("`{}` is an actuator and gives no value", call.callee.text))
+        .hints = {fmt::format("a robot drives it: `{} = ...;`", call.callee.text)};
+    return {};
+  }
+  if (is_checking_) return wire(path, type, place);
+  const DeviceUse* use = device_for(call.callee);
+  if (use == nullptr) return wire(path, type, place);
+  Value out = serve(*use, std::move(asked), {path, "", true}, place);
+  if (out.kind == Value::Kind::kWire &&
+      !fits(out.type, type, binding.name.text, use->device->by.callee.place))
+    return {};
+  return out;
+}
+
+// A device's own arguments, and those with which it is asked: what is asked for expressly holds, then what
+// the device says, then the defaults of the binding point.
+Value Lowering::serve(const DeviceUse& use, std::vector<Given> asked, const Slot& slot,
+                      const text::Place& place) {
+  const Device& device = *use.device;
+  std::vector<Given> given;
+  for (Given& own : given_by(device.by, *use.scope)) {
+    const bool is_asked = std::ranges::any_of(
+        asked, [&](const Given& one) { return one.name.text == own.name.text && !one.is_default; });
+    if (own.name.text.empty() || !is_asked) given.push_back(std::move(own));
+  }
+  for (Given& one : asked) {
+    const bool is_said =
+        std::ranges::any_of(given, [&](const Given& own) { return own.name.text == one.name.text; });
+    one.name.place = device.by.callee.place;  // what the device does not take is the device's mistake
+    if (!is_said) given.push_back(std::move(one));
+  }
+  return instantiate(device.by.callee, given, slot, place);
+}
+
+const Lowering::DeviceUse* Lowering::device_for(const Word& binding) {
+  const DeviceUse* found = nullptr;
+  std::vector<std::string> fitting;
+  for (const DeviceUse& use : devices_) {
+    if (use.device->binds.text != binding.text) continue;
+    if (use.overrides || use.is_chosen) return &use;
+    fitting.push_back(use.device->name.text);
+    found = found == nullptr ? &use : found;
+  }
+  if (fitting.size() > 1) {
+    error("several-devices", robot_name_.place,
+          fmt::format("several devices of `{}` serve `{}`: {}", class_name_, binding.text,
+                      fmt::join(fitting, ", ")))
+        .hints = {fmt::format("choose one: `use {} for {};`", fitting.front(), binding.text)};
+  }
+  if (found == nullptr && !class_is_broken_) {
+    error("device-not-offered", binding.place,
+          fmt::format("robot `{}` has nothing that serves `{}`", robot_name_.text, binding.text))
+        .hints = {class_name_.empty() ? fmt::format("say what it is: `robot {} is CLASS`", robot_name_.text)
+                                      : fmt::format("class `{}` needs a `sensor NAME: ... binds {};`",
+                                                    class_name_, binding.text)};
+  }
+  return found;
+}
+
+}  // namespace mlab::cdl

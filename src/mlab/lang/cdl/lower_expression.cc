@@ -1,0 +1,298 @@
+// Expressions: names, lists, logic, delays, active parts.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/flow/port_types.h"
+#include "mlab/lang/cdl/lowering.h"
+#include "mlab/lang/cdl/units.h"
+
+namespace mlab::cdl {
+namespace {
+
+// Assemblages in assemblages, calls in calls: so deep in all.
+constexpr int kMaxDepth = 1500;
+constexpr int kMaxTypeDepth = 64;
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+}  // namespace
+
+Value Lowering::lower(const Expression& expression, Scope& scope, const Slot& slot) {
+  if (depth_ > kMaxDepth) {
+    error("nested-too-deep", expression.place,
+          fmt::format("calls stand more than {} deep in each other", kMaxDepth));
+    return {};
+  }
+  ++depth_;
+  Slot own = slot;
+  if (!expression.as.text.empty()) {
+    const bool has_name = slot.is_claimed || !slot.name.empty();
+    own = {has_name ? claim(slot, "") : slot.prefix, expression.as.text, false};
+  }
+  Value out = expression.active ? lower_active(expression, scope, own) : lower_what(expression, scope, own);
+  --depth_;
+  return out;
+}
+
+Value Lowering::lower_what(const Expression& expression, Scope& scope, const Slot& slot) {
+  const text::Place& place = expression.place;
+  return std::visit(
+      Overloaded{
+          [&](const Number& number) {
+            Value out;
+            if (!number.unit.text.empty() && !unit_named(number.unit.text)) {
+              text::Diagnostic& d = error("unknown-unit", number.unit.place,
+                                          fmt::format("unknown unit `{}`", number.unit.text));
+              hint_nearest(d, number.unit.text, unit_names());
+              return out;
+            }
+            out.kind = Value::Kind::kNumber;
+            out.number = number.value;
+            out.unit = number.unit.text;
+            out.place = place;
+            return out;
+          },
+          [&](const Text& text) {
+            Value out;
+            out.kind = Value::Kind::kText;
+            out.text = text.value;
+            out.place = place;
+            return out;
+          },
+          [&](const Name& name) { return lower_name(name, scope, place); },
+          [&](const List& list) { return lower_list(list, scope, slot, place); },
+          [&](const Call& call) { return lower_call(call, scope, slot, place); },
+          [&](const Logic& logic) { return lower_logic(logic, scope, slot, place); },
+          [&](const Cooperate& what) { return lower_cooperate(what, scope, slot, place); },
+          [&](const Compete& what) { return lower_compete(what, scope, slot, place); },
+          [&](const Coordinate& what) { return lower_generic(what.by, what.members, scope, slot, place); },
+          [&](const Fuse& what) { return lower_generic(what.by, what.members, scope, slot, place); },
+          [&](const Sequence& what) { return lower_sequence(what, scope, slot, place); },
+          [&](const Select& what) { return lower_select(what, scope, slot, place); },
+          [&](const Delay& what) { return lower_delay(what, scope, slot, place); },
+      },
+      expression.what);
+}
+
+Value Lowering::lower_name(const Name& name, Scope& scope, const text::Place& place) {
+  const auto known = scope.names.find(name.name.text);
+  if (known == scope.names.end()) {
+    Value out;
+    out.kind = Value::Kind::kWord;
+    out.text = name.name.text;
+    out.place = place;
+    out.scope = &scope;
+    return out;
+  }
+  return known->second.let == nullptr ? known->second.value : lower_let(known->second, scope);
+}
+
+// A name that is asked for while it is being read closes a loop. Its node will have this path; whether a
+// delay breaks the loop, the program builder tells.
+Value Lowering::lower_let(Scope::Named& named, Scope& scope) {
+  using Progress = Scope::Named::State;
+  const Let& let = *named.let;
+  if (named.state == Progress::kReady) return named.value;
+  if (named.state == Progress::kOpen) {
+    named.was_promised = true;
+    return wire(named.path, static_type(*let.value, &scope, nullptr, 0), let.name.place);
+  }
+  named.state = Progress::kOpen;
+  named.path = claim({scope.path, let.name.text, false}, "");
+  const std::string path = named.path;
+  Value value = lower(*let.value, scope, {path, "", true});
+  named.state = Progress::kReady;
+  if (named.was_promised && value.kind != Value::Kind::kNone && value.text != path) {
+    error("dataflow-loop", let.name.place, fmt::format("`{}` is defined by itself", let.name.text));
+    value = {};
+  }
+  named.value = std::move(value);
+  return named.value;
+}
+
+Value Lowering::lower_list(const List& list, Scope& scope, const Slot& slot, const text::Place& place) {
+  Value out;
+  out.kind = Value::Kind::kList;
+  out.place = place;
+  const Slot inner =
+      slot.is_claimed || slot.name.empty() ? Slot{slot.prefix, "", false} : Slot{claim(slot, ""), "", false};
+  for (const ExpressionPtr& item : list.items) {
+    Value value = lower(*item, scope, inner);
+    value.place = item->place;
+    out.items.push_back(std::move(value));
+  }
+  return out;
+}
+
+Value Lowering::lower_logic(const Logic& logic, Scope& scope, const Slot& slot, const text::Place& place) {
+  const PortType type{&flow::type_info<bool>(), ""};
+  const char* callee = logic.connective == Connective::kNot   ? "Not"
+                       : logic.connective == Connective::kAnd ? "And"
+                                                              : "Or";
+  const std::string path = claim(slot, callee);
+  std::vector<flow::Source> operands;
+  for (const ExpressionPtr& operand : logic.operands) {
+    const Value value = lower(*operand, scope, {path, "", false});
+    const auto source = bind(value, type, nullptr, callee, operand->place);
+    if (source) operands.push_back(*source);
+  }
+  if (operands.size() < logic.operands.size() || operands.empty()) return {};
+  // `a and b and c` is (a and b) and c.
+  flow::Source left = operands.front();
+  for (std::size_t i = logic.connective == Connective::kNot ? 0 : 1; i < operands.size(); ++i) {
+    flow::Node node;
+    const bool is_last = i + 1 == operands.size();
+    node.name = is_last ? path : claim_path(path + "." + callee);
+    node.behavior = callee;
+    node.place = node.behavior_place = place;
+    node.links.push_back({"a", left, left.place});
+    if (logic.connective != Connective::kNot) node.links.push_back({"b", operands[i], operands[i].place});
+    left = {flow::Source::Kind::kName, node.name, place};
+    network_.nodes.push_back(std::move(node));
+  }
+  return wire(path, type, place);
+}
+
+Value Lowering::lower_delay(const Delay& delay, Scope& scope, const Slot& slot, const text::Place& place) {
+  const std::string path = claim(slot, "delay");
+  const Value value = lower(*delay.value, scope, {path, "value", false});
+  const Value initial = delay.initial ? lower(*delay.initial, scope, {path, "initial", false}) : Value{};
+  PortType type = value.type.type != nullptr ? value.type : initial.type;
+  if (value.kind == Value::Kind::kNone || (delay.initial && initial.kind == Value::Kind::kNone)) return {};
+  if (type.type == nullptr) {
+    error("unknown-type", place, "what type this has can't be told").hints = {
+        "a delay takes the value of a call or of a name"};
+    return {};
+  }
+  type.unit.clear();
+  flow::Node node;
+  node.kind = flow::Node::Kind::kDelay;
+  node.name = path;
+  node.behavior = std::string(type.type->name);
+  node.place = node.behavior_place = place;
+  const auto source = bind(value, type, nullptr, "value", delay.value->place);
+  if (!source) return {};
+  node.links.push_back({"value", *source, delay.value->place});
+  if (delay.initial) {
+    const auto first = bind(initial, type, nullptr, "initial", delay.initial->place);
+    if (!first) return {};
+    node.links.push_back({"initial", *first, delay.initial->place});
+  }
+  network_.nodes.push_back(std::move(node));
+  return wire(path, type, place);
+}
+
+// The active part has to run whenever the value is wanted, and only then: it selects the only case there is.
+Value Lowering::lower_active(const Expression& expression, Scope& scope, const Slot& slot) {
+  const auto* call = std::get_if<Call>(&expression.what);
+  const std::string path = claim(slot, call == nullptr ? "active" : call->callee.text);
+  const Value value = lower_what(expression, scope, {path, "value", false});
+  Value active = lower(*expression.active, scope, {path, "active", false});
+  if (value.kind == Value::Kind::kNone || active.kind == Value::Kind::kNone) return {};
+  if (value.kind != Value::Kind::kWire || value.type.type == nullptr) {
+    error("wrong-type", expression.place, "only a behavior or a percept has an active part");
+    return {};
+  }
+  if (active.kind != Value::Kind::kWire || active.type.type == nullptr) {
+    error("wrong-type", expression.active->place, "an active part is a call that moves a sensor");
+    return {};
+  }
+  if (active.type.type->kind == flow::TypeKind::kVector) {
+    flow::Node node;
+    node.name = claim_path(path + ".is_idle");
+    node.behavior = "IsZero";
+    node.place = node.behavior_place = expression.active->place;
+    node.links.push_back(
+        {"v", {flow::Source::Kind::kName, active.text, active.place}, expression.active->place});
+    active = wire(node.name, {&flow::type_info<bool>(), ""}, active.place);
+    network_.nodes.push_back(std::move(node));
+  }
+  if (active.type.type->kind != flow::TypeKind::kBool && active.type.type->kind != flow::TypeKind::kInteger) {
+    error("wrong-type", expression.active->place,
+          fmt::format("an active part gives a bool or a Vector, and this a {}", active.type.type->name));
+    return {};
+  }
+  flow::Node node;
+  node.kind = flow::Node::Kind::kSelect;
+  node.name = path;
+  node.behavior = std::string(value.type.type->name);
+  node.place = node.behavior_place = expression.place;
+  node.selector = {flow::Source::Kind::kName, active.text, expression.active->place};
+  node.cases.push_back({{}, {flow::Source::Kind::kName, value.text, expression.place}, expression.place});
+  network_.nodes.push_back(std::move(node));
+  return wire(path, value.type, expression.place);
+}
+
+PortType Lowering::static_type_of_name(const std::string& name, const Scope* scope, const Assemblage* inside,
+                                       int depth) const {
+  if (scope != nullptr) {
+    const auto known = scope->names.find(name);
+    if (known == scope->names.end()) return {};
+    const Scope::Named& named = known->second;
+    if (named.let != nullptr && named.state != Scope::Named::State::kReady)
+      return static_type(*named.let->value, scope, nullptr, depth + 1);
+    return named.value.type;
+  }
+  if (inside == nullptr) return {};
+  for (const Let& let : inside->lets) {
+    if (let.name.text == name) return static_type(*let.value, nullptr, inside, depth + 1);
+  }
+  for (const Parameter& parameter : inside->parameters) {
+    if (parameter.name.text == name) return known_type(parameter.type.text);
+  }
+  return {};
+}
+
+PortType Lowering::static_type_of_call(const std::string& callee, int depth) const {
+  if (const auto binding = configuration_.bindings.find(callee); binding != configuration_.bindings.end())
+    return known_type(binding->second->result_type.text);
+  if (const auto found = configuration_.assemblages.find(callee); found != configuration_.assemblages.end()) {
+    const Assemblage& assemblage = *found->second;
+    if (!assemblage.result_type.text.empty()) return known_type(assemblage.result_type.text);
+    return assemblage.body ? static_type(*assemblage.body, nullptr, &assemblage, depth + 1)
+                           : known_type("Vector");
+  }
+  const flow::Library::Entry entry = library_.find(callee);
+  if (entry.behavior == nullptr) return {};
+  return {entry.behavior->output, std::string(entry.behavior->output_unit)};
+}
+
+// What type an expression has, without making anything of it: for what is not there yet.
+PortType Lowering::static_type(const Expression& expression, const Scope* scope, const Assemblage* inside,
+                               int depth) const {
+  if (depth > kMaxTypeDepth) return {};
+  const auto of = [&](const ExpressionPtr& part) {
+    return part ? static_type(*part, scope, inside, depth + 1) : PortType{};
+  };
+  const PortType vector = known_type("Vector");
+  return std::visit(
+      Overloaded{
+          [&](const Number&) { return known_type("double"); },
+          [&](const Text&) { return PortType{}; },
+          [&](const Name& name) { return static_type_of_name(name.name.text, scope, inside, depth); },
+          [&](const List&) { return PortType{}; },
+          [&](const Call& call) { return static_type_of_call(call.callee.text, depth); },
+          [&](const Logic&) { return known_type("bool"); },
+          [&](const Cooperate&) { return vector; },
+          [&](const Compete&) { return vector; },
+          [&](const Coordinate& what) { return static_type_of_call(what.by.callee.text, depth); },
+          [&](const Fuse& what) { return static_type_of_call(what.by.callee.text, depth); },
+          [&](const Sequence& what) {
+            return what.states.empty() ? PortType{} : of(what.states.front().member);
+          },
+          [&](const Select& what) { return what.cases.empty() ? PortType{} : of(what.cases.front().member); },
+          [&](const Delay& what) {
+            const PortType type = of(what.value);
+            return type.type != nullptr ? type : of(what.initial);
+          },
+      },
+      expression.what);
+}
+
+}  // namespace mlab::cdl

@@ -1,0 +1,314 @@
+// Robots: parameters that missions set, devices that serve binding points, what drives the actuators.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "mlab/lang/cdl/lowering.h"
+#include "mlab/lang/cdl/units.h"
+
+namespace mlab::cdl {
+namespace {
+
+// A range in the unit of the parameter.
+double in_unit(const Number& number, const std::string& unit) {
+  const std::optional<Unit> to = unit_named(unit);
+  const std::optional<Unit> from = number.unit.text.empty() ? to : unit_named(number.unit.text);
+  return from && to ? converted(number.value, *from, *to).value_or(number.value) : number.value;
+}
+
+}  // namespace
+
+void Lowering::declare_lets(const std::vector<Let>& lets, Scope& scope) {
+  for (const Let& let : lets) {
+    Scope::Named& named = scope.names[let.name.text];
+    named.let = &let;
+    named.state = Scope::Named::State::kWaiting;
+  }
+}
+
+void Lowering::declare_network_parameter(const Parameter& parameter, Scope& scope) {
+  const PortType type = type_of(parameter);
+  Value& value = scope.names[parameter.name.text].value;
+  if (type.type == nullptr) return;
+  if (!parameter.initial) {
+    error("missing-default", parameter.name.place,
+          fmt::format("parameter `{}` of a robot has no default", parameter.name.text))
+        .hints = {"missions may set it, but need not: `= VALUE` behind its type"};
+    value = wire(parameter.name.text, type, parameter.name.place);
+    return;
+  }
+  value = wire(parameter.name.text, type, parameter.name.place);
+  const Value initial = lower(*parameter.initial, scope, {"", parameter.name.text, false});
+  const auto bound = bind(initial, type, nullptr, parameter.name.text, parameter.initial->place);
+  if (!bound || !check_range(initial, parameter, type)) return;
+  if (bound->kind == flow::Source::Kind::kName) {
+    error("wrong-type", parameter.initial->place, "the default of a robot's parameter is a constant");
+    return;
+  }
+  flow::Parameter out;
+  out.name = parameter.name.text;
+  out.type = std::string(type.type->name);
+  out.unit = type.unit;
+  out.help = parameter.help;
+  out.initial = *bound;
+  out.place = parameter.name.place;
+  if (parameter.low) out.min = in_unit(*parameter.low, type.unit);
+  if (parameter.high) out.max = in_unit(*parameter.high, type.unit);
+  claim_path(out.name);
+  network_.parameters.push_back(std::move(out));
+}
+
+// The class's parameters are the robot's, too; where both have one of a name, the robot's holds.
+Scope& Lowering::declare_class(const RobotClass& robot_class, Scope& own) {
+  Scope& scope = new_scope();
+  for (const Parameter& parameter : robot_class.parameters) {
+    const auto given = own.names.find(parameter.name.text);
+    if (given == own.names.end() || given->second.let != nullptr) {
+      declare_network_parameter(parameter, scope);
+    } else {
+      fits(given->second.value.type, type_of(parameter), parameter.name.text, given->second.value.place);
+      scope.names[parameter.name.text] = given->second;
+    }
+  }
+  return scope;
+}
+
+void Lowering::add_operators(const Robot& robot) {
+  const std::vector<const SocietyOperator*> operators = operators_of(configuration_, robot);
+  // The inner ones come first, so that they are found first.
+  for (auto op = operators.rbegin(); op != operators.rend(); ++op) {
+    for (const Device& device : (*op)->devices) devices_.push_back({&device, &new_scope(), false, true});
+  }
+}
+
+void Lowering::find_devices(const Robot& robot, Scope& own, LoweredRobot& out) {
+  add_operators(robot);
+  if (robot.class_name.text.empty()) return;
+  const auto found = configuration_.classes.find(robot.class_name.text);
+  if (found == configuration_.classes.end()) {
+    text::Diagnostic& d = error("unknown-class", robot.class_name.place,
+                                fmt::format("unknown class of robots `{}`", robot.class_name.text));
+    hint_nearest(d, robot.class_name.text, names_in(configuration_.classes));
+    class_is_broken_ = true;
+    return;
+  }
+  const RobotClass& robot_class = *found->second;
+  class_name_ = robot_class.name.text;
+  Scope& scope = declare_class(robot_class, own);
+  for (const Device& device : robot_class.devices) {
+    devices_.push_back({&device, &scope, false, false});
+    class_is_broken_ |= !configuration_.bindings.contains(device.binds.text);
+  }
+  lower_body(robot_class, scope, out);
+}
+
+void Lowering::choose_devices(const Robot& robot) {
+  for (const Choice& choice : robot.choices) {
+    DeviceUse* chosen = nullptr;
+    std::vector<std::string> names;
+    for (DeviceUse& use : devices_) {
+      if (use.overrides) continue;
+      names.push_back(use.device->name.text);
+      if (use.device->name.text == choice.device.text) chosen = &use;
+    }
+    if (chosen == nullptr) {
+      if (class_is_broken_) continue;
+      text::Diagnostic& d =
+          error("unknown-device", choice.device.place,
+                fmt::format("class `{}` has no device `{}`", class_name_, choice.device.text));
+      hint_nearest(d, choice.device.text, names);
+    } else if (chosen->device->binds.text != choice.binding.text) {
+      error("wrong-device", choice.binding.place,
+            fmt::format("`{}` serves `{}`, not `{}`", choice.device.text, chosen->device->binds.text,
+                        choice.binding.text))
+          .notes.push_back({"the device is here", chosen->device->name.place});
+    } else {
+      chosen->is_chosen = true;
+    }
+  }
+}
+
+void Lowering::lower_body(const RobotClass& robot_class, Scope& scope, LoweredRobot& out) {
+  for (const BodySetting& setting : robot_class.body) {
+    const Value value = lower(*setting.value, scope, {"body", setting.name.text, false});
+    if (value.kind == Value::Kind::kNone) continue;
+    const std::optional<Unit> unit = unit_named(value.unit);
+    if (value.kind != Value::Kind::kNumber || !unit) {
+      error("wrong-type", setting.value->place, "what a body has is a number").label =
+          fmt::format("`{}` takes a number with its unit", setting.name.text);
+      continue;
+    }
+    out.body[setting.name.text] = value.number * unit->numerator / unit->denominator;
+  }
+}
+
+// The actuator that a drive speaks of, by the device's name or by the binding point.
+const Lowering::DeviceUse* Lowering::actuator_for(const Drive& drive) {
+  std::vector<std::string> names;
+  const DeviceUse* found = nullptr;
+  std::vector<std::string> fitting;
+  for (const DeviceUse& use : devices_) {
+    const Device& device = *use.device;
+    if (!device.is_actuator) continue;
+    names.push_back(device.name.text);
+    names.push_back(device.binds.text);
+    if (device.name.text == drive.binding.text) return &use;
+    if (device.binds.text != drive.binding.text) continue;
+    if (use.is_chosen) return &use;
+    fitting.push_back(device.name.text);
+    found = found == nullptr ? &use : found;
+  }
+  if (fitting.size() > 1) {
+    error("several-devices", drive.binding.place,
+          fmt::format("several devices of `{}` serve `{}`: {}", class_name_, drive.binding.text,
+                      fmt::join(fitting, ", ")))
+        .hints = {fmt::format("drive one by its name: `{} = ...;`", fitting.front())};
+  }
+  if (found == nullptr && !class_is_broken_) {
+    text::Diagnostic& d =
+        error("unknown-actuator", drive.binding.place,
+              fmt::format("robot `{}` has no actuator `{}`", robot_name_.text, drive.binding.text));
+    const std::string nearest = text::nearest_name(drive.binding.text, names);
+    if (!nearest.empty()) {
+      d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+    } else if (class_name_.empty()) {
+      d.hints.push_back(fmt::format("say what it is: `robot {} is CLASS`", robot_name_.text));
+    } else if (!names.empty()) {
+      d.hints.push_back(fmt::format("class `{}` has {}", class_name_, fmt::join(names, ", ")));
+    }
+  }
+  return found;
+}
+
+void Lowering::drive_device(const DeviceUse& use, const Value& value, const text::Place& place) {
+  const Device& device = *use.device;
+  std::vector<Given> given = given_by(device.by, *use.scope);
+  const auto binding = configuration_.bindings.find(device.binds.text);
+  std::string input;
+  if (binding != configuration_.bindings.end() && !binding->second->parameters.empty()) {
+    const Parameter& driven = binding->second->parameters.front();
+    input = driven.name.text;
+    if (value.kind == Value::Kind::kWire && !fits(value.type, type_of(driven), device.binds.text, place))
+      return;
+  }
+  given.push_back({{input, device.by.callee.place}, nullptr, nullptr, value, place});
+  if (input.empty()) std::ranges::rotate(given, given.end() - 1);  // by position, the first
+  const Value out = instantiate(device.by.callee, given, {"", device.name.text, false}, device.name.place);
+  if (out.kind == Value::Kind::kWire) {
+    error("not-an-actuator", device.by.callee.place,
+          fmt::format("`{}` gives a value and moves nothing", device.by.callee.text))
+        .hints = {"an actuator is a `procedure void`, such as Drive"};
+  }
+}
+
+void Lowering::lower_drive(const Drive& drive, Scope& scope) {
+  const Value value = lower(*drive.value, scope, {"", drive.binding.text, false});
+  if (value.kind == Value::Kind::kSink) return;  // it is an actuator by itself
+  const DeviceUse* use = actuator_for(drive);
+  if (use == nullptr) return;
+  if (!driven_.insert(use->device).second) {
+    error("driven-twice", drive.binding.place, fmt::format("`{}` is driven twice", use->device->name.text))
+        .hints = {"`cooperate` or `compete` makes one movement of two"};
+    return;
+  }
+  if (value.kind != Value::Kind::kNone) drive_device(*use, value, drive.value->place);
+}
+
+LoweredRobot Lowering::robot(const Robot& robot) {
+  LoweredRobot out;
+  robot_name_ = robot.name;
+  network_.name = robot.name.text;
+  Scope& scope = new_scope();
+  for (const Parameter& parameter : robot.parameters) declare_network_parameter(parameter, scope);
+  declare_lets(robot.lets, scope);
+  find_devices(robot, scope, out);
+  choose_devices(robot);
+  for (const Drive& drive : robot.drives) lower_drive(drive, scope);
+  if (robot.drives.empty()) {
+    warning("nothing-driven", robot.name.place, fmt::format("nothing drives the robot `{}`", robot.name.text))
+        .label = "it will stand still";
+  }
+  out.network = std::move(network_);
+  return out;
+}
+
+// Parameters as somebody will give them: their defaults, or a value of their type.
+void Lowering::declare_typed(const std::vector<Parameter>& parameters, Scope& scope) {
+  for (const Parameter& parameter : parameters) {
+    Value& value = scope.names[parameter.name.text].value;
+    const PortType type = type_of(parameter);
+    if (parameter.initial) {
+      value = default_of(parameter, scope);
+    } else if (type.type != nullptr) {
+      value = wire(parameter.name.text, type, parameter.name.place);
+    }
+  }
+}
+
+void Lowering::check_assemblage(const Assemblage& assemblage) {
+  is_checking_ = true;
+  Scope& scope = new_scope();
+  scope.path = assemblage.name.text;
+  claim_path(scope.path);
+  declare_typed(assemblage.parameters, scope);
+  open_.push_back(&assemblage);
+  const Value out = lower_assemblage(assemblage, scope, assemblage.name.place);
+  for (const Let& let : assemblage.lets) lower_let(scope.names[let.name.text], scope);
+  open_.pop_back();
+  const bool is_constant = out.kind == Value::Kind::kWord || out.kind == Value::Kind::kText;
+  if (is_constant) bind(out, known_type("Vector"), nullptr, assemblage.name.text, assemblage.body->place);
+}
+
+void Lowering::check_device(const Device& device, Scope& scope) {
+  const auto found = configuration_.bindings.find(device.binds.text);
+  if (found == configuration_.bindings.end()) {
+    text::Diagnostic& d = error("unknown-binding", device.binds.place,
+                                fmt::format("unknown binding point `{}`", device.binds.text));
+    hint_nearest(d, device.binds.text, names_in(configuration_.bindings));
+    return;
+  }
+  const Binding& binding = *found->second;
+  const bool is_actuator = binding.result_type.text.empty();
+  if (is_actuator) {
+    Value driven;
+    if (!binding.parameters.empty())
+      driven = wire("driven", type_of(binding.parameters.front()), device.name.place);
+    if (driven.kind != Value::Kind::kNone)
+      drive_device({&device, &scope, false, false}, driven, device.by.callee.place);
+    return;
+  }
+  std::vector<Given> asked;
+  for (const Parameter& parameter : binding.parameters) {
+    const PortType type = type_of(parameter);
+    asked.push_back({{parameter.name.text, device.by.callee.place},
+                     nullptr,
+                     nullptr,
+                     wire(parameter.name.text, type, device.by.callee.place),
+                     device.by.callee.place,
+                     true});
+  }
+  const Value value = serve({&device, &scope, false, false}, std::move(asked), {"", device.name.text, false},
+                            device.name.place);
+  if (value.kind == Value::Kind::kWire)
+    fits(value.type, type_named(binding.result_type), device.binds.text, device.by.callee.place);
+}
+
+void Lowering::check_class(const RobotClass& robot_class) {
+  is_checking_ = true;
+  Scope& scope = new_scope();
+  declare_typed(robot_class.parameters, scope);
+  for (const Device& device : robot_class.devices) check_device(device, scope);
+  LoweredRobot ignored;
+  lower_body(robot_class, scope, ignored);
+}
+
+void Lowering::check_operator(const SocietyOperator& op) {
+  is_checking_ = true;
+  Scope& scope = new_scope();
+  for (const Device& device : op.devices) check_device(device, scope);
+}
+
+}  // namespace mlab::cdl

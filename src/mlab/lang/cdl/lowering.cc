@@ -1,0 +1,66 @@
+#include "mlab/lang/cdl/lowering.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace mlab::cdl {
+
+text::Diagnostic& Lowering::report(text::Severity severity, std::string kind, const text::Place& place,
+                                   std::string message) {
+  const std::string key =
+      kind == "unknown-name"
+          ? fmt::format("{} {} {} {}", kind, static_cast<const void*>(inside_), robot_name_.text, message)
+          : fmt::format("{} {} {} {}", kind, static_cast<const void*>(place.source.get()), place.span.begin,
+                        message);
+  if (!said_.keys.insert(key).second) return muted_ = {};
+  return severity == text::Severity::kError ? sink_.error(std::move(kind), place, std::move(message))
+                                            : sink_.warning(std::move(kind), place, std::move(message));
+}
+
+text::Diagnostic& Lowering::error(std::string kind, const text::Place& place, std::string message) {
+  return report(text::Severity::kError, std::move(kind), place, std::move(message));
+}
+
+text::Diagnostic& Lowering::warning(std::string kind, const text::Place& place, std::string message) {
+  return report(text::Severity::kWarning, std::move(kind), place, std::move(message));
+}
+
+void Lowering::hint_nearest(text::Diagnostic& d, std::string_view name,
+                            const std::vector<std::string>& candidates) const {
+  const std::string nearest = text::nearest_name(name, candidates);
+  if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+}
+
+std::string Lowering::claim_path(std::string path) {
+  const int before = claimed_[path]++;
+  if (before == 0) return path;
+  for (int number = before + 1;; ++number) {
+    std::string numbered = fmt::format("{}_{}", path, number);
+    if (claimed_.try_emplace(numbered, 1).second) {
+      claimed_[path] = number;
+      return numbered;
+    }
+  }
+}
+
+std::string Lowering::claim(const Slot& slot, const std::string& fallback) {
+  if (slot.is_claimed) return slot.prefix;
+  const std::string& name = slot.name.empty() ? fallback : slot.name;
+  return claim_path(slot.prefix.empty() ? name : slot.prefix + "." + name);
+}
+
+Value Lowering::wire(const std::string& node, const PortType& type, const text::Place& place) const {
+  Value out;
+  out.kind = Value::Kind::kWire;
+  out.text = node;
+  out.type = type;
+  out.place = place;
+  return out;
+}
+
+Scope& Lowering::new_scope() {
+  return scopes_.emplace_back();
+}
+
+}  // namespace mlab::cdl

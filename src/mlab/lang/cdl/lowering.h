@@ -1,0 +1,231 @@
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mlab/flow/library.h"
+#include "mlab/flow/network.h"
+#include "mlab/lang/cdl/configuration.h"
+#include "mlab/lang/cdl/lower.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cdl {
+
+/// A type that a parameter or an input has, with the unit of its numbers.
+struct PortType {
+  const flow::TypeInfo* type = nullptr;  ///< null: unknown, and said so
+  std::string unit;
+};
+
+/// What an expression stands for.
+struct Value {
+  enum class Kind {
+    kNone,    ///< it was wrong, and that was said
+    kWire,    ///< the output of a node, or a parameter of the network
+    kNumber,  ///< with `unit`
+    kWord,    ///< a word of the type that is wanted
+    kText,
+    kList,
+    kSink  ///< a node without an output
+  };
+  Kind kind = Kind::kNone;
+  std::string text;  ///< name of the node or parameter, word, text
+  double number = 0.0;
+  std::string unit;  ///< kNumber: as written
+  PortType type;     ///< kWire; a constant that came through a parameter has the parameter's
+  std::vector<Value> items;
+  text::Place place;                    ///< where the author wrote it: for a constant, where it was given
+  const struct Scope* scope = nullptr;  ///< kWord: where it was looked up in vain
+};
+
+/// What one call can be given: an input of a procedure under the name that it has here, or a parameter.
+struct InputView {
+  std::string name;
+  std::string unit;
+  const flow::Input* input = nullptr;
+};
+
+/// Where a node goes: its name, and the names of what it stands in.
+struct Slot {
+  std::string prefix;
+  std::string name;         ///< empty: called as what it instantiates
+  bool is_claimed = false;  ///< `prefix` is the whole path, and nobody else has it
+};
+
+/// The names that expressions of one instance may use.
+struct Scope {
+  struct Named {
+    Value value;
+    const Parameter* parameter = nullptr;
+    const Let* let = nullptr;
+    enum class State { kReady, kWaiting, kOpen } state = State::kReady;
+    bool was_promised = false;  ///< somebody took its wire before it was there
+    std::string path;           ///< of its node
+  };
+  std::string path;
+  std::string owner;  ///< for messages: "assemblage `Forage`"
+  std::map<std::string, Named, std::less<>> names;
+};
+
+/// One flattening of a configuration to the network of a robot. The methods stand in lower_*.cc by construct.
+class Lowering {
+ public:
+  Lowering(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink,
+           Said& said)
+      : configuration_(configuration), library_(library), sink_(sink), said_(said) {}
+
+  LoweredRobot robot(const Robot& robot);
+  /// Checks an assemblage by itself: its parameters have values of their type, or their defaults.
+  void check_assemblage(const Assemblage& assemblage);
+  /// Checks devices and body of a class by themselves.
+  void check_class(const RobotClass& robot_class);
+  void check_operator(const SocietyOperator& op);
+
+ private:
+  using Link = flow::Link;
+
+  // lower_expression.cc
+  Value lower(const Expression& expression, Scope& scope, const Slot& slot);
+  Value lower_what(const Expression& expression, Scope& scope, const Slot& slot);
+  Value lower_name(const Name& name, Scope& scope, const text::Place& place);
+  Value lower_let(Scope::Named& named, Scope& scope);
+  Value lower_list(const List& list, Scope& scope, const Slot& slot, const text::Place& place);
+  Value lower_logic(const Logic& logic, Scope& scope, const Slot& slot, const text::Place& place);
+  Value lower_delay(const Delay& delay, Scope& scope, const Slot& slot, const text::Place& place);
+  Value lower_active(const Expression& expression, Scope& scope, const Slot& slot);
+  PortType static_type(const Expression& expression, const Scope* scope, const Assemblage* inside,
+                       int depth) const;
+  PortType static_type_of_name(const std::string& name, const Scope* scope, const Assemblage* inside,
+                               int depth) const;
+  PortType static_type_of_call(const std::string& callee, int depth) const;
+
+  // lower_call.cc
+  Value lower_call(const Call& call, Scope& scope, const Slot& slot, const text::Place& place);
+  Value call_binding(const Call& call, const Binding& binding, Scope& scope, const Slot& slot,
+                     const text::Place& place);
+  /// An argument with the scope that it is to be read in.
+  struct Given {
+    Word name;  ///< empty: by position
+    ExpressionPtr value;
+    Scope* scope = nullptr;
+    std::optional<Value> ready = {};  ///< instead of `value`
+    text::Place place = {};
+    bool is_default = false;  ///< the binding point says it, not who asks
+  };
+  struct DeviceUse {
+    const Device* device = nullptr;
+    Scope* scope = nullptr;  ///< of its class
+    bool is_chosen = false;
+    bool overrides = false;  ///< an operator of the society brings it
+  };
+  Value serve(const DeviceUse& use, std::vector<Given> asked, const Slot& slot, const text::Place& place);
+  const DeviceUse* device_for(const Word& binding);
+  Value instantiate(const Word& callee, const std::vector<Given>& given, const Slot& slot,
+                    const text::Place& place);
+  Value instantiate_procedure(const Word& callee, const flow::Library::Entry& entry,
+                              const std::vector<Given>& given, const Slot& slot, const text::Place& place);
+  Value instantiate_assemblage(const Word& callee, const Assemblage& assemblage,
+                               const std::vector<Given>& given, const Slot& slot, const text::Place& place);
+  Value lower_assemblage(const Assemblage& assemblage, Scope& scope, const text::Place& place);
+  Value stand_still(const Assemblage& assemblage, Scope& scope, const PortType& result,
+                    const text::Place& place);
+  Value default_of(const Parameter& parameter, Scope& scope);
+  Value value_of(const Given& given, const Slot& slot);
+  void link_argument(const InputView& view, const Given& given, flow::Node& node);
+  std::vector<Given> given_by(const Call& call, Scope& scope) const;
+  /// Per argument the index of what it is for; -1 where that is wrong, which was said.
+  std::vector<int> match(const Word& callee, const std::vector<Given>& given,
+                         const std::vector<std::string>& names);
+  void say_missing(const Word& callee, const std::string& name, const PortType& type,
+                   const std::string& help);
+  Value unknown_callee(const Word& callee);
+  bool enter_assemblage(const Assemblage& assemblage, const Word& callee);
+
+  // lower_operators.cc
+  Value lower_cooperate(const Cooperate& what, Scope& scope, const Slot& slot, const text::Place& place);
+  Value lower_compete(const Compete& what, Scope& scope, const Slot& slot, const text::Place& place);
+  Value lower_generic(const Call& by, const std::vector<Member>& members, Scope& scope, const Slot& slot,
+                      const text::Place& place);
+  Value lower_sequence(const Sequence& what, Scope& scope, const Slot& slot, const text::Place& place);
+  flow::State lower_state(const State& state, Scope& scope, const std::string& path, Value& member);
+  Value lower_select(const Select& what, Scope& scope, const Slot& slot, const text::Place& place);
+  std::optional<std::int64_t> case_value(const Word& word, const flow::TypeInfo& type);
+  /// The values of members, each in the type of the list that takes them.
+  void link_members(flow::Node& node, const flow::Behavior& behavior, const std::vector<Member>& members,
+                    Scope& scope, const std::string& path, const char* missing_weight);
+  bool check_members(const std::vector<Member>& members, const char* what, const text::Place& place);
+  /// The type that members of a sequence or select have in common.
+  PortType common_type(const std::vector<Value>& members, const text::Place& place, const char* what);
+
+  // lower_bind.cc
+  /// What is linked to an input of the type; nothing where the value is none of it, which is said at `place`.
+  std::optional<flow::Source> bind(const Value& value, const PortType& type, const flow::Input* input,
+                                   const std::string& name, const text::Place& place);
+  std::optional<flow::Source> bind_number(const Value& value, const PortType& type, const flow::Input* input,
+                                          const std::string& name, const text::Place& place);
+  std::optional<flow::Source> bind_word(const Value& value, const PortType& type, const std::string& name,
+                                        const text::Place& place);
+  std::optional<flow::Source> bind_coordinates(const Value& value, const PortType& type,
+                                               const std::string& name, const text::Place& place);
+  bool fits(const PortType& have, const PortType& want, const std::string& name, const text::Place& place);
+  /// A value for a parameter: checked against the declaration, and with its type.
+  Value pass(const Value& value, const Parameter& parameter, const PortType& type, const text::Place& place);
+  bool check_range(const Value& value, const Parameter& parameter, const PortType& type);
+  PortType type_of(const Parameter& parameter);
+  PortType type_named(const Word& name);
+  PortType known_type(std::string_view name) const;
+
+  // lower_robot.cc
+  Scope& declare_class(const RobotClass& robot_class, Scope& own);
+  void declare_network_parameter(const Parameter& parameter, Scope& scope);
+  void find_devices(const Robot& robot, Scope& own, LoweredRobot& out);
+  void choose_devices(const Robot& robot);
+  void add_operators(const Robot& robot);
+  void lower_drive(const Drive& drive, Scope& scope);
+  void drive_device(const DeviceUse& use, const Value& value, const text::Place& place);
+  const DeviceUse* actuator_for(const Drive& drive);
+  void lower_body(const RobotClass& robot_class, Scope& scope, LoweredRobot& out);
+  void check_device(const Device& device, Scope& scope);
+  void declare_lets(const std::vector<Let>& lets, Scope& scope);
+  void declare_typed(const std::vector<Parameter>& parameters, Scope& scope);
+
+  // lowering.cc
+  /// Says it once: an assemblage that is used twice is wrong once. A name that is unknown in several places
+  /// of one declaration is one slip.
+  text::Diagnostic& error(std::string kind, const text::Place& place, std::string message);
+  text::Diagnostic& warning(std::string kind, const text::Place& place, std::string message);
+  text::Diagnostic& report(text::Severity severity, std::string kind, const text::Place& place,
+                           std::string message);
+  void hint_nearest(text::Diagnostic& d, std::string_view name,
+                    const std::vector<std::string>& candidates) const;
+  std::string claim(const Slot& slot, const std::string& fallback);
+  std::string claim_path(std::string path);
+  Value wire(const std::string& node, const PortType& type, const text::Place& place) const;
+  Scope& new_scope();
+
+  const Configuration& configuration_;
+  const flow::Library& library_;
+  text::Diagnostics& sink_;
+  flow::Network network_;
+  std::deque<Scope> scopes_;
+  std::map<std::string, int, std::less<>> claimed_;  // path: how many asked for it
+  std::vector<const Assemblage*> open_;              // assemblages that are being instantiated
+  std::vector<DeviceUse> devices_;
+  std::set<const Device*> driven_;
+  Word robot_name_;
+  std::string class_name_;
+  bool class_is_broken_ = false;  // it was said; what it would offer is unknown
+  bool is_checking_ = false;      // nobody runs it: binding points are taken as they are declared
+  int depth_ = 0;
+  Said& said_;
+  text::Diagnostic muted_;              // takes what is said of something that was said before
+  const Assemblage* inside_ = nullptr;  // whose names are being read; null: the robot's
+};
+
+}  // namespace mlab::cdl

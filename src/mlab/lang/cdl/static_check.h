@@ -1,0 +1,48 @@
+#pragma once
+
+#include "mlab/flow/library.h"
+#include "mlab/lang/cdl/configuration.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cdl {
+
+/// What can be told without flattening: names declared twice or never used, states that can't be reached or
+/// left, transitions that are never made. Warnings are kept back where the declaration has errors, since
+/// those may be their cause.
+class StaticCheck {
+ public:
+  StaticCheck(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink)
+      : configuration_(configuration), library_(library), sink_(sink) {}
+
+  /// @errors  `duplicate-name`, `duplicate-state`, `two-start-states`, `no-start-state`, `unknown-state`
+  void errors_of(const Assemblage& assemblage);
+  void errors_of(const Robot& robot);
+  void errors_of(const RobotClass& robot_class);
+  void errors_of(const Society& society);
+  /// Warnings: `unused-parameter`, `unused-let`, `unreachable-state`, `no-way-out`, `same-trigger`,
+  /// `constant-trigger`.
+  void warnings_of(const Assemblage& assemblage);
+  void warnings_of(const Robot& robot);
+
+ private:
+  enum class Constant { kNo, kTrue, kFalse, kSome };
+
+  void check_names(const std::vector<Parameter>& parameters, const std::vector<Let>& lets);
+  void sequence_errors(const Expression& expression);
+  void sequence_errors(const Sequence& sequence, const text::Place& place);
+  void sequence_warnings(const Expression& expression);
+  void sequence_warnings(const Sequence& sequence);
+  void transition_warnings(const State& state);
+  void check_member(const SocietyMember& member);
+  Constant constant(const Expression& expression) const;
+  bool is_literal(const Expression& expression) const;
+  Constant constant_call(const Call& call) const;
+
+  const Configuration& configuration_;
+  const flow::Library& library_;
+  text::Diagnostics& sink_;
+  const std::vector<Parameter>* parameters_ = nullptr;  // whose names may be meant
+  const std::vector<Let>* lets_ = nullptr;
+};
+
+}  // namespace mlab::cdl

@@ -1,0 +1,110 @@
+#include "mlab/robot/configuration_file.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "mlab/lang/cdl/parser.h"
+#include "mlab/library/library.h"
+#include "mlab/robot/native_library.h"
+
+namespace mlab::robot {
+namespace {
+
+// `forager.cdl#Forager` as the file and the robot in it.
+std::pair<std::string, std::string> split(std::string_view program) {
+  const std::size_t hash = program.rfind('#');
+  if (hash == std::string_view::npos) return {std::string(program), ""};
+  return {std::string(program.substr(0, hash)), std::string(program.substr(hash + 1))};
+}
+
+std::optional<ConfiguredRobot> built(cdl::Configuration configuration, const cdl::Robot& robot,
+                                     const flow::Library& library, text::Diagnostics& sink, cdl::Said& said) {
+  ConfiguredRobot out;
+  const std::size_t errors_before = sink.error_count();
+  out.robot = robot.name.text;
+  out.lowered = cdl::lower(configuration, robot, library, sink, said);
+  if (sink.error_count() > errors_before) return std::nullopt;
+  out.program = cdl::build(out.lowered, library, sink, said);
+  if (!out.program) return std::nullopt;
+  out.configuration = std::move(configuration);
+  return out;
+}
+
+}  // namespace
+
+const cdl::Environment& library_environment() {
+  // What is wrong in it is our own mistake; the library's tests read it with their own eyes.
+  static const cdl::Environment kEnvironment = [] {
+    cdl::Environment environment;
+    text::Diagnostics sink;
+    for (const library::ConfigurationText& one : library::configuration_texts()) {
+      const auto source = std::make_shared<const text::Source>(std::string(one.file), std::string(one.text));
+      environment.built_in.push_back(std::make_shared<const cdl::Tree>(cdl::parse(source, sink)));
+    }
+    return environment;
+  }();
+  return kEnvironment;
+}
+
+const cdl::Configuration& library_configuration() {
+  static const cdl::Configuration kConfiguration = [] {
+    text::Diagnostics sink;
+    return cdl::configuration_of(std::make_shared<const cdl::Tree>(), library_environment(), sink);
+  }();
+  return kConfiguration;
+}
+
+bool names_configuration(std::string_view program) {
+  return split(program).first.ends_with(".cdl");
+}
+
+std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::string_view wanted,
+                                         std::string_view type_name, const text::Place& place,
+                                         const ProgramSources& sources, text::Diagnostics& sink) {
+  const std::size_t errors_before = sink.error_count();
+  cdl::Configuration configuration = cdl::load(source, library_environment(), sink);
+  if (sink.error_count() > errors_before) return std::nullopt;
+  const cdl::Robot* robot = cdl::robot_meant(configuration, wanted, type_name, place, sink);
+  if (robot == nullptr) return std::nullopt;
+  const std::optional<flow::Library> library = library_with(configuration.procedures, sources, sink);
+  if (!library) return std::nullopt;
+  cdl::Said said;
+  cdl::check_declarations(configuration, *library, sink, said);
+  if (sink.error_count() > errors_before) return std::nullopt;
+  return built(std::move(configuration), *robot, *library, sink, said);
+}
+
+std::optional<ConfiguredRobot> load_configuration(const std::string& name, std::string_view type_name,
+                                                  const text::Place& place, const ProgramSources& sources,
+                                                  text::Diagnostics& sink) {
+  const auto [path, wanted] = split(name);
+  const std::filesystem::path file =
+      std::filesystem::path(sources.folder) / path;  // an absolute path stays as it is
+  text::Result<text::SourcePtr> source = text::read_source(file.string());
+  if (!source) {
+    text::Diagnostic problem = source.error();
+    problem.place = place;
+    sink.report(std::move(problem));
+    return std::nullopt;
+  }
+  return configure(*source, wanted, type_name, place, sources, sink);
+}
+
+std::optional<ConfiguredRobot> library_robot(std::string_view name, text::Diagnostics& sink) {
+  const cdl::Configuration& configuration = library_configuration();
+  const auto robot = configuration.robots.find(name);
+  if (robot == configuration.robots.end()) return std::nullopt;
+  cdl::Said said;
+  return built(configuration, *robot->second, component_library(), sink, said);
+}
+
+void check_configuration(const text::SourcePtr& source, const ProgramSources& sources,
+                         text::Diagnostics& sink) {
+  const std::size_t errors_before = sink.error_count();
+  const cdl::Configuration configuration = cdl::load(source, library_environment(), sink);
+  if (sink.error_count() > errors_before) return;
+  const auto checked = checked_library_with(configuration.procedures, sources, sink);
+  cdl::check(configuration, checked->library, sink);
+}
+
+}  // namespace mlab::robot

@@ -1,0 +1,105 @@
+#include "mlab/robot/configuration_file.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "mlab/robot/robot_program.h"
+
+namespace mlab::robot {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of files that is gone with the test.
+class Folder {
+ public:
+  Folder() { fs::create_directories(path_); }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+  ProgramSources sources() const { return {path_.string(), "", ""}; }
+
+ private:
+  fs::path path_ = fs::path(testing::TempDir()) /
+                   (std::string("mlab_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+constexpr const char* kWanderer = R"(
+assemblage Wander(curious: gain = 0.8) {
+  cooperate {
+    curious: Noise(persistence = 10 s);
+    1.5: AvoidStaticObstacles(readings = sense_obstacles(range = 200 cm), sphere = 1 m, safety_margin = 0.5 m);
+  }
+}
+class Cart { 
+  body { radius = 35 cm; }
+  sensor bumper: DetectObstacles() binds sense_obstacles;
+  actuator wheels: Drive(max_velocity = 1 m/s) binds movement;
+}
+robot Wanderer(pace: gain = 2 in 0 .. 10) is Cart { movement = Wander(curious = pace); }
+)";
+
+std::optional<RobotProgram> load(const Folder& folder, const std::string& name, const std::string& type,
+                                 text::Diagnostics& sink, const std::vector<Setting>& settings = {}) {
+  return load_program(name, {}, settings, folder.sources(), {}, sink, nullptr, type);
+}
+
+TEST(LoadConfiguration, BuildsTheRobotOfAFile) {
+  const Folder folder;
+  folder.write("wanderer.cdl", kWanderer);
+  text::Diagnostics sink;
+  const auto robot = load(folder, "wanderer.cdl", "anything", sink, {{"pace", "3", {}}});
+  ASSERT_TRUE(robot) << text::render(sink);
+  EXPECT_TRUE(sink.items().empty()) << text::render(sink);
+  EXPECT_DOUBLE_EQ(robot->body.at("radius"), 0.35);
+  const auto value = [&](const char* path) {
+    const flow::Port* port = robot->program->find(path);
+    return port == nullptr ? -1.0 : flow::Program::number(robot->initial.data(), *port).value_or(-1.0);
+  };
+  EXPECT_DOUBLE_EQ(value("pace"), 3.0);
+  EXPECT_DOUBLE_EQ(value("movement.Noise.persistence"), 10.0);
+  EXPECT_DOUBLE_EQ(value("movement.AvoidStaticObstacles.sense_obstacles.range"), 2.0);
+  EXPECT_DOUBLE_EQ(value("wheels.max_velocity"), 1.0);
+  percept::Percepts percepts;
+  percept::Action action;
+  flow::Frame frame = robot->initial;
+  robot->program->step(frame.data(), percepts, action, 1, 1);
+  EXPECT_TRUE(action.drives);
+  EXPECT_NEAR(std::hypot(action.velocity.x, action.velocity.y), 0.3, 1e-12) << "base velocity times pace";
+}
+
+TEST(LoadConfiguration, TakesTheRobotThatIsNamed) {
+  const Folder folder;
+  folder.write("two.cdl", std::string(kWanderer) + "robot Other is Cart { movement = Wander(); }\n");
+  text::Diagnostics sink;
+  EXPECT_TRUE(load(folder, "two.cdl#Other", "x", sink)) << text::render(sink);
+  EXPECT_TRUE(load(folder, "two.cdl", "OTHER", sink)) << text::render(sink);
+  EXPECT_TRUE(sink.items().empty()) << text::render(sink);
+  EXPECT_FALSE(load(folder, "two.cdl", "x", sink));
+  ASSERT_EQ(sink.items().size(), 1U);
+  EXPECT_EQ(sink.items()[0].kind, "several-robots");
+  EXPECT_EQ(sink.items()[0].hints, (std::vector<std::string>{"name one: `two.cdl#Wanderer`"}));
+  EXPECT_FALSE(load(folder, "two.cdl#Othr", "x", sink));
+  EXPECT_EQ(sink.items()[1].hints, (std::vector<std::string>{"did you mean `Other`?"}));
+}
+
+TEST(LoadConfiguration, UsesOtherFilesOnce) {
+  const Folder folder;
+  folder.write("wanderer.cdl", kWanderer);
+  folder.write("b.cdl",
+               "use \"wanderer.cdl\";\nuse \"wanderer.cdl\";\nrobot B is Cart { movement = Wander(); }\n");
+  text::Diagnostics sink;
+  EXPECT_TRUE(load(folder, "b.cdl", "b", sink)) << text::render(sink);
+  folder.write("c.cdl", "use \"c.cdl\";\nuse \"none.cdl\";\n");
+  EXPECT_FALSE(load(folder, "c.cdl", "c", sink));
+  ASSERT_EQ(sink.items().size(), 2U);
+  EXPECT_EQ(sink.items()[0].kind, "use-cycle");
+  EXPECT_EQ(sink.items()[1].kind, "cannot-read");
+}
+
+}  // namespace
+}  // namespace mlab::robot
