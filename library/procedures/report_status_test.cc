@@ -91,5 +91,27 @@ TEST(ReportFlags, TakesTheFlagOfTheCommand) {
   }
 }
 
+TEST(ReportDone, TellsThatTheCommandInForceIsDone) {
+  flow::BehaviorProbe p = probe("ReportDone");
+  p.percepts.order.sequence = 7;
+  p.step();
+  EXPECT_EQ(p.action.status.sequence, 7U);
+  EXPECT_TRUE(p.action.status.done);
+}
+
+TEST(ReportStep, TellsThatLessRemainsOnceEachTimeItStarts) {
+  flow::BehaviorProbe p = probe("ReportStep");
+  p.percepts.order.sequence = 7;
+  p.step();
+  EXPECT_EQ(p.action.status.sequence, 7U);
+  EXPECT_FALSE(p.action.status.done);
+  const double before = p.action.status.remaining;
+  p.step();
+  EXPECT_EQ(p.action.status.sequence, 0U) << "tells nothing";
+  p.skip();
+  p.step();
+  EXPECT_LT(p.action.status.remaining, before);
+}
+
 }  // namespace
 }  // namespace mlab::library_test

@@ -1,11 +1,6 @@
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 #include <gtest/gtest.h>
 
 #include "library_probe.h"
-#include "mlab/base/hash.h"
 
 namespace mlab::library_test {
 namespace {
@@ -52,47 +47,6 @@ TEST(Drop, AsksOnlyWhenItCarriesSomething) {
   p.step();
   ASSERT_EQ(p.action.request_count, 1);
   EXPECT_EQ(p.action.requests[0].kind, Kind::kDrop);
-}
-
-TEST(Notify, TellsOnceEachTimeItStarts) {
-  flow::BehaviorProbe p = probe("NOTIFY_ROBOTS");
-  p.set_text("message", "Enemy found.");
-  p.step();
-  ASSERT_EQ(p.action.request_count, 1);
-  EXPECT_EQ(p.action.requests[0].kind, Kind::kNotify);
-  EXPECT_EQ(p.action.requests[0].notification, base::hash_text("Enemy found."));
-  p.step();
-  EXPECT_EQ(p.action.request_count, 0);
-  p.skip();
-  p.step();
-  EXPECT_EQ(p.action.request_count, 1);
-}
-
-TEST(Notify, ReachesAllRobotsAndNotifySelfOnlyThisOne) {
-  for (const auto& [name, to_self] : {std::pair("NOTIFY_ROBOTS", false), std::pair("NOTIFY", true)}) {
-    flow::BehaviorProbe p = probe(name);
-    p.set_text("message", "Enemy found.");
-    p.step();
-    ASSERT_EQ(p.action.request_count, 1);
-    EXPECT_EQ(p.action.requests[0].to_self, to_self);
-    EXPECT_EQ(p.action.requests[0].notification, base::hash_text("Enemy found."));
-    p.step();
-    EXPECT_EQ(p.action.request_count, 0);
-  }
-}
-
-TEST(NotifiedOnce, HearsItsOwnMessageOnly) {
-  std::vector<std::uint64_t> arrived = {base::hash_text("a"), base::hash_text("b"), base::hash_text("c")};
-  std::ranges::sort(arrived);
-  flow::BehaviorProbe p = probe("NotifiedOnce");
-  p.percepts.notifications = arrived;
-  p.set_text("message", "b").step();
-  EXPECT_TRUE(p.output<bool>());
-  p.set_text("message", "d").step();
-  EXPECT_FALSE(p.output<bool>());
-  p.percepts.notifications = {};
-  p.set_text("message", "b").step();
-  EXPECT_FALSE(p.output<bool>());
 }
 
 TEST(AskToProceed, AsksOnceEachTimeItStarts) {

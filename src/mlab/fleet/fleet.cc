@@ -43,6 +43,24 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
   std::sort(robots_.begin(), robots_.end(),
             [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });
   poses_.resize(robots_.size());
+  form_teams(mission);
+}
+
+/// A team is the outermost unit that a robot belongs to; a robot of no unit is a team of its own.
+void Fleet::form_teams(const mission::Mission& mission) {
+  constexpr std::uint32_t kAlone = 0x80000000U;
+  for (FleetRobot& robot : robots_) robot.team = kAlone + robot.id.value;
+  std::vector<bool> is_part(mission.units.size());
+  for (const mission::Unit& unit : mission.units) {
+    for (const std::uint32_t part : unit.parts) is_part[part] = true;
+  }
+  for (std::uint32_t i = 0; i < mission.units.size(); ++i) {
+    if (is_part[i]) continue;
+    for (const base::RobotId id : mission.units[i].members) {
+      const FleetRobot* const member = find(id);
+      if (member != nullptr && member->team >= kAlone) robots_[index_of(*member)].team = i;
+    }
+  }
 }
 
 FleetRobot Fleet::make_robot(const mission::Mission& mission, const mission::Robot& declared,
@@ -84,6 +102,7 @@ std::optional<sim::Placement> Fleet::start(base::RobotId id, geom::Pose pose) {
   for (const auto& [port, value] : robot.set_parameters)
     robot.program->program->set(robot.frame.data(), robot.program->program->ports()[port], value);
   robot.fault.clear();
+  robot.notifications.clear();
   poses_[index] = placement->pose;
   actions_.resize(simulator_.body_count());
   return placement;
@@ -213,14 +232,13 @@ void Fleet::step(double dt) {
                            });
   for (percept::Action& action : actions_) action = {};
   for (FleetRobot& robot : robots_) {
-    robot.notifications.clear();
     if (robot.life == RobotLife::kFaulted && robot.action.drives) {
       robot.action = {};
       new_faults_.push_back(robot.id);
     }
     if (robot.life == RobotLife::kRunning) actions_[robot.body.value] = robot.action;
   }
-  pass_notifications();
+  messages_.resolve(robots_, simulator_.time());
   simulator_.step(actions_, dt);
   update_poses();
   times_ = {};
@@ -278,7 +296,10 @@ void Fleet::run_program(FleetRobot& robot, double dt, Worker& worker) {
     percepts.unit.leader = percepts.unit.neighbor = percepts.pose;
   }
   percepts.joystick = robot.joystick;
+  percepts.id = robot.id;
   percepts.notifications = robot.notifications;
+  percepts.shared_places = messages_.places();
+  percepts.claims = messages_.claims(robot.team);
   const double t1 = is_timed ? seconds() : 0.0;
   robot.action = {};
   program.step(robot.frame.data(), percepts, robot.action, seed_, robot.id.value, async_.get());
@@ -293,20 +314,6 @@ void Fleet::run_program(FleetRobot& robot, double dt, Worker& worker) {
     worker.sense += (t1 - t0) * kTimedEvery;
     worker.behave += (seconds() - t1) * kTimedEvery;
   }
-}
-
-void Fleet::pass_notifications() {
-  std::vector<std::uint64_t> names;
-  for (const FleetRobot& robot : robots_) {
-    for (std::uint8_t i = 0; i < robot.action.request_count; ++i) {
-      const percept::Request& request = robot.action.requests[i];
-      if (request.kind == percept::Request::Kind::kNotify) names.push_back(request.notification);
-    }
-  }
-  if (names.empty()) return;
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  for (FleetRobot& robot : robots_) robot.notifications = names;
 }
 
 void Fleet::report(std::vector<mission::RobotReport>& out) const {

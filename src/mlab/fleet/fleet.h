@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mlab/fleet/group.h"
+#include "mlab/fleet/messages.h"
 #include "mlab/flow/async_runner.h"
 #include "mlab/mission/effect.h"
 #include "mlab/mission/event.h"
@@ -42,7 +43,8 @@ struct FleetRobot {
   std::uint32_t rank = 0;
   percept::Action action;  ///< of the last cycle
   percept::Joystick joystick;
-  std::vector<std::uint64_t> notifications;  ///< to be seen in the next cycle, ascending
+  std::vector<std::uint64_t> notifications;  ///< its inbox, ascending
+  std::uint32_t team = 0;                    ///< robots of the same number are one team
   geom::Pose start;
   std::string fault;  ///< path of the port that went wrong; empty: none
   /// Parameters that a person set, as written, by index of the program's ports; set again at every start.
@@ -55,7 +57,7 @@ struct FleetRobot {
 /// The robots of a run in this process: steps their programs against the simulator, all by the same seed.
 ///
 /// Per cycle: `step` computes what units have in common, senses, runs every program, moves all bodies, and
-/// passes on notifications. Results are the same for any number of threads.
+/// passes on what robots tell each other. Results are the same for any number of threads.
 class Fleet {
  public:
   /// @param programs  by index of the mission's robot types; outlive the fleet
@@ -124,16 +126,17 @@ class Fleet {
   FleetRobot make_robot(const mission::Mission& mission, const mission::Robot& declared,
                         const std::vector<robot::RobotProgram>& programs,
                         const std::vector<sim::BodySpec>& bodies);
+  void form_teams(const mission::Mission& mission);
   void leave_group(std::uint32_t robot);
   void update_poses();
   void run_program(FleetRobot& robot, double dt, Worker& worker);
-  void pass_notifications();
 
   sim::Simulator& simulator_;
   std::uint64_t seed_;
   std::vector<FleetRobot> robots_;  // by id, ascending
   std::vector<geom::Pose> poses_;   // at the start of the cycle
-  std::vector<Group> groups_;       // slots are used again
+  Messages messages_;
+  std::vector<Group> groups_;  // slots are used again
   std::vector<std::uint32_t> free_groups_;
   std::vector<percept::Action> actions_;  // by body
   std::vector<Worker> workers_;

@@ -68,6 +68,7 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
   robots_ = std::move(robots);
   poses_.assign(robots_.size(), {});
   update_poses();
+  form_teams(mission);
 }
 
 bool Fleet::uses(const std::vector<robot::RobotProgram>& programs) const {

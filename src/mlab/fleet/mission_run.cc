@@ -170,7 +170,18 @@ void MissionRun::happen(const overlay::EnvironmentEvent& event, std::uint64_t ex
   }
 }
 
+void MissionRun::note_deliveries() {
+  for (const sim::Object& object : simulator_->objects()) {
+    if (object.id.value >= carriers_.size()) carriers_.resize(object.id.value + 1);
+    base::RobotId& carrier = carriers_[object.id.value];
+    if (object.basket.value != 0 && carrier.value != 0)
+      deliveries_.push_back({time(), carrier, object.id, object.basket});
+    carrier = object.carrier;
+  }
+}
+
 void MissionRun::measure() {
+  note_deliveries();
   for (const FleetRobot& robot : fleet_->robots()) {
     if (robot.life != RobotLife::kRunning) continue;
     ++robot_cycles_;

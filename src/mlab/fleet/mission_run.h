@@ -47,6 +47,14 @@ struct AnswerRecord {
   bool proceed = false;
 };
 
+/// An object that came into a basket.
+struct Delivery {
+  double time = 0.0;  ///< [s]
+  base::RobotId robot;
+  base::ObjectId object;
+  base::ObjectId basket;
+};
+
 /// A mission that is carried out in simulation: executive, robots and world, one control cycle at a time.
 class MissionRun {
  public:
@@ -119,6 +127,8 @@ class MissionRun {
   const std::vector<AnswerRecord>& answers() const { return answers_; }
   /// By unit of the mission.
   const std::vector<UnitMetrics>& unit_metrics() const { return metrics_; }
+  /// What robots brought into baskets so far, in the order of time, then of objects.
+  const std::vector<Delivery>& deliveries() const { return deliveries_; }
   /// Cycles run by all robots together.
   std::uint64_t robot_cycles() const { return robot_cycles_; }
   /// How many steps of the mission are done, and how many there are.
@@ -139,6 +149,7 @@ class MissionRun {
   void change_environment();
   void happen(const overlay::EnvironmentEvent& event, std::uint64_t execution);
   void measure();
+  void note_deliveries();
   void tell(mission::effect::Tell::Kind kind, std::string text);
   void explain_failures(std::uint32_t command);
 
@@ -157,6 +168,8 @@ class MissionRun {
   bool is_full_ = false;            // the environment had no room once, which was told
   std::vector<UnitMetrics> metrics_;
   std::vector<AnswerRecord> answers_;
+  std::vector<Delivery> deliveries_;
+  std::vector<base::RobotId> carriers_;  // by object id: who carries it; none as well once it was delivered
   bool is_stopped_ = false;
   bool has_braked_ = false;  // for at least one cycle of this stop
   mission::event::Cycle report_;

@@ -62,7 +62,10 @@ void MissionRun::change_world(const overlay::Overlay& before_edit, const overlay
     tell_moved(simulator_->set_walls(new_world.walls), "a wall");
   const std::vector<base::ObjectId> were = sim::same_objects(old_world.objects, new_world.objects);
   const bool stay = std::ranges::equal(were, old_world.objects, {}, {}, &sim::Object::id);
-  if (!stay) simulator_->set_objects(new_world.objects, were);
+  if (!stay) {
+    simulator_->set_objects(new_world.objects, were);
+    carriers_.clear();  // ids may mean others now
+  }
 }
 
 void MissionRun::tell_moved(const std::vector<sim::Placement>& moved, std::string_view by) {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchemaVersion = 1;
+constexpr int kSchemaVersion = 2;
 
 // Micrometres and microseconds are more than anybody reads; rounding keeps 0.1 from becoming
 // 0.1000000000000001.
@@ -97,6 +97,17 @@ Json units_json(const MissionRun& run) {
   return units;
 }
 
+Json deliveries_json(const MissionRun& run) {
+  Json out = Json::array();
+  for (const Delivery& delivery : run.deliveries()) {
+    out.push_back({{"time_s", rounded(delivery.time)},
+                   {"robot", delivery.robot.value},
+                   {"object", delivery.object.value},
+                   {"basket", delivery.basket.value}});
+  }
+  return out;
+}
+
 Json performance_json(const MissionRun& run, const Performance& performance) {
   const auto cycles = static_cast<double>(run.robot_cycles());
   Json out;
@@ -135,6 +146,7 @@ std::string report_json(const MissionRun& run, const Performance& performance, b
   out["steps"] = steps_json(run.state());
   out["robots"] = robots_json(run);
   out["units"] = units_json(run);
+  out["deliveries"] = deliveries_json(run);
   out["performance"] = performance_json(run, performance);
   // What a mission's author wrote may be any bytes; a report is text all the same.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -38,6 +38,11 @@ constexpr Quantity kQuantities[] = {
     {"ring_range", 0.0, 10'000.0, [](sim::BodySpec& b, double v) { b.ring.range = v; }},
     {"ring_beam_width", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.ring.beam_width = base::radians(v); }},
     {"ring_noise", 0.0, 1000.0, [](sim::BodySpec& b, double v) { b.ring.noise = v; }},
+    {"camera_field_of_view", 0.0, 360.0,
+     [](sim::BodySpec& b, double v) { b.camera.field_of_view = base::radians(v); }},
+    {"camera_max_pan", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.camera.max_pan = base::radians(v); }},
+    {"camera_pan_rate", 0.0, kLarge,
+     [](sim::BodySpec& b, double v) { b.camera.max_pan_rate = base::radians(v); }},
     {"ring_dropout", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.ring.dropout = v; }},
 };
 

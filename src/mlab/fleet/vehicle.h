@@ -11,14 +11,18 @@ namespace mlab::fleet {
 
 /// The body that a robot type has in simulation, from its NEW-ROBOT parameters:
 ///
-/// | key | default | meaning |
-/// |---|---|---|
-/// | robot_type | HOLONOMIC | HOLONOMIC, DIFFERENTIAL, CAR; historic: SIMULATION, MRV2, DRV1, HSERVER
-/// (holonomic), NO_HOLONOMIC (car) | | robot_radius | 0.2 | of the body [m] | | max_acceleration,
-/// max_turn_rate, max_turn_acceleration | 0: no limit | [m/s^2], [deg/s], [deg/s^2] | | axle, max_wheel_speed
-/// | 0.4, 0 | differential drive [m], [m/s] | | wheelbase, max_steer | 1.25, 75 | car [m], [deg] | |
-/// ring_count, ring_range, ring_beam_width, ring_noise, ring_dropout | 0, 5, 0, 0, 0 | range sensors: number,
-/// [m], [deg], [m], share |
+/// - robot_type: HOLONOMIC (unless said otherwise), DIFFERENTIAL, CAR; historic: SIMULATION, MRV2, DRV1,
+/// HSERVER
+///   (holonomic), NO_HOLONOMIC (car)
+/// - robot_radius: of the body, 0.2 [m]
+/// - max_acceleration, max_turn_rate, max_turn_acceleration: 0, no limit [m/s^2], [deg/s], [deg/s^2]
+/// - axle, max_wheel_speed: differential drive, 0.4 and 0, no limit [m], [m/s]
+/// - wheelbase, max_steer: car, 1.25 and 75 [m], [deg]
+/// - ring_count, ring_range, ring_beam_width, ring_noise, ring_dropout: range sensors, 0, 5, 0, 0, 0: number,
+///   [m], [deg], [m], share
+/// - camera_field_of_view, camera_max_pan, camera_pan_rate: what sees objects, 360, 180 to each side, 0, no
+/// limit
+///   [deg], [deg], [deg/s]
 ///
 /// @errors  a value of one of these keys that is no number or out of range
 sim::BodySpec body_of(const mission::RobotType& type, text::Diagnostics& sink);

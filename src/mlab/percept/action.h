@@ -4,19 +4,36 @@
 #include <cstdint>
 
 #include "mlab/base/id.h"
+#include "mlab/geom/pose.h"
 #include "mlab/geom/vector.h"
+#include "mlab/percept/percepts.h"
 
 namespace mlab::percept {
 
+/// Whom a notification reaches. A team is the outermost unit of the mission that the robot belongs to.
+enum class Audience : std::uint8_t { kAll, kTeam, kSelf };
+
 /// Something that a behavior asks of the world or of others; resolved after the cycle in the order of robot
-/// ids, then of requests, and seen in the next cycle.
+/// ids, then of requests, and seen in the next cycle. Fields that a kind does not name are ignored.
 struct Request {
-  enum class Kind : std::uint8_t { kPickUp, kDrop, kDropInBasket, kNotify, kProceed };
+  enum class Kind : std::uint8_t {
+    kPickUp,            ///< object, reach
+    kDrop,              ///< what is carried
+    kDropInBasket,      ///< object, reach
+    kNotify,            ///< notification, audience
+    kProceed,           ///< asks the operator
+    kTakeNotification,  ///< notification: it has been heard, and is not to be heard again
+    kSharePlace,        ///< object, object_class, place: told to all others, in place of what was told before
+    kClaim,             ///< object, cost: for the next cycle, and against this robot's team only
+  };
   Kind kind = Kind::kPickUp;
-  base::ObjectId object;           ///< what is picked up, or the basket
+  Audience audience = Audience::kAll;
+  ObjectClass object_class = ObjectClass::kUnknown;
+  base::ObjectId object;           ///< what is picked up or claimed, the basket, or what stands at `place`
   double reach = 0.0;              ///< farthest edge distance at which it may be taken [m]
+  double cost = 0.0;               ///< of several that claim the same object, the one with the least gets it
   std::uint64_t notification = 0;  ///< base::hash_text of the name that others wait for
-  bool to_self = false;            ///< a notification for this robot alone, not for all
+  geom::Point place{};             ///< [m, world]
 };
 
 /// How far a robot is with its order.
@@ -34,6 +51,8 @@ struct Action {
   double spin = 0.0;      ///< wanted turning in place, counter-clockwise [rad/s]
   bool drives = false;    ///< some actuator spoke; else the robot stands
   bool spins = false;     ///< `spin` counts; else the robot turns to where it drives, as its kinematics allow
+  double pan = 0.0;       ///< wanted direction of the camera, counter-clockwise from ahead [rad]
+  bool looks = false;     ///< `pan` counts; else the camera stays as it is
   OrderStatus status;
   std::array<Request, kMaxRequests> requests{};
   std::uint8_t request_count = 0;

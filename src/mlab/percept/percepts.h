@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 #include "mlab/base/id.h"
@@ -50,6 +51,27 @@ struct ObjectReading {
   ObjectStyle style = ObjectStyle::kFixed;
   geom::Vector center;  ///< [m, robot frame]
   double radius = 0.0;  ///< [m]
+};
+
+/// A place that another robot told, and what is there.
+struct SharedPlace {
+  base::RobotId from;
+  base::ObjectId object;  ///< as the teller knows it; 0: just a place
+  ObjectClass object_class = ObjectClass::kUnknown;
+  geom::Point place{};  ///< [m, world]
+  double time = 0.0;    ///< when it was told [s]
+};
+
+/// An object that a robot of the own team, perhaps this one, has claimed: the others leave it alone.
+struct Claim {
+  base::ObjectId object;
+  base::RobotId robot;
+};
+
+/// Where the camera looks, and how much it sees.
+struct Camera {
+  double pan = 0.0;                               ///< of its axis, counter-clockwise from ahead [rad]
+  double field_of_view = 2.0 * std::numbers::pi;  ///< full angle [rad]
 };
 
 /// One beam of a range sensor ring. Beams come in the order of the ring's mounting.
@@ -110,12 +132,14 @@ struct Joystick {
 /// Everything that a robot may know in one cycle. Lists are views into a buffer of the cycle, nearest first,
 /// valid until the cycle ends.
 struct Percepts {
+  base::RobotId id;  ///< of this robot
   geom::Pose pose;
   double time = 0.0;            ///< simulated or real time since the start of the run [s]
   double cycle_duration = 0.1;  ///< [s]
   std::span<const Obstacle> obstacles;
   std::span<const RobotReading> robots;
-  std::span<const ObjectReading> objects;
+  std::span<const ObjectReading> objects;  ///< those in the camera's field of view
+  Camera camera;
   std::span<const RangeReading> ranges;
   double range_limit = 0.0;  ///< how far the ring sees [m]
   base::ObjectId carried;    ///< 0: hands are free
@@ -123,8 +147,13 @@ struct Percepts {
   Order order;
   UnitPercept unit;
   Joystick joystick;
-  /// Notifications that arrived since the last cycle, as hashes of their names (base::hash_text), ascending.
+  /// Notifications that arrived and were not taken yet, as hashes of their names (base::hash_text),
+  /// ascending.
   std::span<const std::uint64_t> notifications;
+  /// What every robot told last, by its id, ascending; this one's own may be among them.
+  std::span<const SharedPlace> shared_places;
+  /// The claims that hold in this robot's team, by object, ascending. At most one for each object.
+  std::span<const Claim> claims;
 };
 
 }  // namespace mlab::percept

@@ -18,11 +18,13 @@
 #include "mlab/percept/action.h"
 #include "mlab/percept/formation.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/schema/camera.h"
 #include "mlab/schema/constants.h"
 #include "mlab/schema/drive.h"
 #include "mlab/schema/field.h"
 #include "mlab/schema/formation_offset.h"
 #include "mlab/schema/historic.h"
+#include "mlab/schema/messages.h"
 #include "mlab/schema/objects.h"
 #include "mlab/schema/ranges.h"
 #include "mlab/schema/requests.h"
@@ -73,7 +75,9 @@ using percept::Task;
 using base::hash_text;
 using base::Random;
 using percept::Action;
+using percept::Audience;
 using percept::Percepts;
 using percept::Request;
+using percept::SharedPlace;
 
 }  // namespace mlab::schema

@@ -4,7 +4,9 @@
 
 #include "mlab/base/hash.h"
 #include "mlab/base/id.h"
+#include "mlab/geom/pose.h"
 #include "mlab/percept/action.h"
+#include "mlab/percept/percepts.h"
 
 namespace mlab::schema {
 
@@ -18,12 +20,48 @@ constexpr percept::Request request(percept::Request::Kind kind, base::ObjectId o
   return out;
 }
 
-/// The request to tell robots, or this robot alone, that `name` is the case.
-constexpr percept::Request notification(std::string_view name, bool to_self) {
+/// The request to tell robots that `name` is the case.
+constexpr percept::Request notification(std::string_view name, percept::Audience audience) {
   percept::Request out;
   out.kind = percept::Request::Kind::kNotify;
+  out.audience = audience;
   out.notification = base::hash_text(name);
-  out.to_self = to_self;
+  return out;
+}
+
+/// The request not to hear of `name` again until somebody tells it anew.
+constexpr percept::Request take_notification(std::string_view name) {
+  percept::Request out;
+  out.kind = percept::Request::Kind::kTakeNotification;
+  out.notification = base::hash_text(name);
+  return out;
+}
+
+/// The request to tell the other robots where an object is.
+inline percept::Request share_place(const percept::ObjectReading& object, const geom::Pose& pose) {
+  percept::Request out;
+  out.kind = percept::Request::Kind::kSharePlace;
+  out.object = object.id;
+  out.object_class = object.object_class;
+  out.place = pose.point_at(object.center);
+  return out;
+}
+
+/// The request to tell the other robots a place [m, world].
+constexpr percept::Request share_place(geom::Point place) {
+  percept::Request out;
+  out.kind = percept::Request::Kind::kSharePlace;
+  out.place = place;
+  return out;
+}
+
+/// The request to have an object for oneself in the next cycle.
+/// @param cost  of several robots that claim it anew, the one with the least gets it
+constexpr percept::Request claim(base::ObjectId object, double cost) {
+  percept::Request out;
+  out.kind = percept::Request::Kind::kClaim;
+  out.object = object;
+  out.cost = cost;
   return out;
 }
 

@@ -49,6 +49,7 @@ struct Bodies {
   std::vector<base::RobotId> robot;
   std::vector<std::uint32_t> unit;
   std::vector<percept::ObjectClass> seen_as;
+  std::vector<double> pan;             ///< of the camera, counter-clockwise from ahead [rad]
   std::vector<std::uint32_t> carried;  ///< index of the object + 1; 0: none
   std::vector<std::uint8_t> present;
   std::vector<std::uint8_t> held;  ///< must stay in the mission area

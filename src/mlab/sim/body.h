@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 
 #include "mlab/base/id.h"
 #include "mlab/geom/pose.h"
@@ -42,11 +43,22 @@ struct RangeRing {
   friend bool operator==(const RangeRing&, const RangeRing&) = default;
 };
 
+/// The sensor of objects, in the middle of the body. It can be turned, and sees those whose centre is in its
+/// field of view.
+struct CameraSpec {
+  double field_of_view = 2.0 * std::numbers::pi;  ///< full angle, 0 .. 2 pi [rad]
+  double max_pan = std::numbers::pi;  ///< to each side; from pi on it turns round without end [rad]
+  double max_pan_rate = 0.0;          ///< [rad/s]; 0: no limit
+
+  friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
+};
+
 /// What bodies of one kind have in common.
 struct BodySpec {
   double radius = 0.2;  ///< of the disc [m], >= 0
   Kinematics kinematics;
   RangeRing ring;
+  CameraSpec camera;
 
   friend bool operator==(const BodySpec&, const BodySpec&) = default;
 };

@@ -39,6 +39,9 @@ void Objects::carry_out(const percept::Action& action, Bodies& bodies, std::uint
         break;
       case Request::Kind::kNotify:
       case Request::Kind::kProceed:
+      case Request::Kind::kTakeNotification:
+      case Request::Kind::kSharePlace:
+      case Request::Kind::kClaim:
         break;  // none of the world's business
     }
   }

@@ -5,6 +5,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/base/random.h"
+#include "mlab/sim/camera.h"
 
 namespace mlab::sim {
 namespace {
@@ -143,6 +144,7 @@ void Sensors::sense_robots(double range, std::uint32_t most, percept::Percepts& 
 
 void Sensors::sense_objects(double range, percept::Percepts& out) {
   const Bodies& bodies = scene_.bodies;
+  const FieldOfView view(scene_.kinds[bodies.kind[body_]].spec.camera, bodies.pan[body_]);
   collect_robots(range);
   for (auto& seen : buffer_.seen_) {
     seen.distance -= seen.radius;
@@ -160,6 +162,8 @@ void Sensors::sense_objects(double range, percept::Percepts& out) {
   scene_.statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
     look(kDiscObjectBase + index, disc.center, disc.radius);
   });
+  std::erase_if(buffer_.seen_,
+                [&](const SenseBuffer::Seen& seen) { return !view.contains({seen.x, seen.y, 0.0}); });
   sort_seen();
   buffer_.objects_.clear();
   for (const auto& seen : buffer_.seen_) {

@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <numbers>
 #include <ranges>
 
+#include "mlab/sim/camera.h"
 #include "mlab/sim/contact.h"
 #include "mlab/sim/objects.h"
 #include "mlab/sim/placement.h"
@@ -28,9 +30,15 @@ double usable_range(double range) {
   return range > 0.0 ? std::min(range, kLongestRange) : 0.0;
 }
 
+double within(double value, double most) {
+  return value >= 0.0 ? std::min(value, most) : 0.0;
+}
+
 BodySpec usable(BodySpec spec) {
   spec.radius = spec.radius >= 0.0 ? std::min(spec.radius, 1e4) : 0.0;
   spec.ring.range = usable_range(spec.ring.range);
+  spec.camera.field_of_view = within(spec.camera.field_of_view, 2.0 * std::numbers::pi);
+  spec.camera.max_pan = within(spec.camera.max_pan, std::numbers::pi);
   return spec;
 }
 
@@ -153,7 +161,8 @@ void Simulator::Parts::want(const percept::Action& action, std::uint32_t body, d
   Offset& motion = contact.motions()[body];
   motion = {};
   if (!bodies.present[body]) return;
-  const Kinematics& kinematics = kinds[bodies.kind[body]].spec.kinematics;
+  const BodySpec& spec = kinds[bodies.kind[body]].spec;
+  const Kinematics& kinematics = spec.kinematics;
   const WantedMotion wanted =
       drive(kinematics, action, bodies.heading[body], bodies.ahead[body], bodies.momentum[body], dt);
   motion = wanted.step;
@@ -164,6 +173,7 @@ void Simulator::Parts::want(const percept::Action& action, std::uint32_t body, d
     bodies.heading[body] = wanted.heading;
     bodies.ahead[body] = {std::cos(wanted.heading), std::sin(wanted.heading)};
   }
+  if (action.looks) bodies.pan[body] = turned_camera(spec.camera, bodies.pan[body], action.pan, dt);
 }
 
 Simulator::Simulator(World world, SimulatorSettings settings) {
@@ -199,6 +209,7 @@ std::optional<Placement> Simulator::add_body(const BodySetup& setup) {
   bodies.robot.push_back(setup.robot);
   bodies.unit.push_back(setup.unit);
   bodies.seen_as.push_back(setup.seen_as);
+  bodies.pan.push_back(0.0);
   bodies.carried.push_back(0);
   bodies.present.push_back(1);
   bodies.held.push_back(is_held ? 1 : 0);
@@ -236,6 +247,9 @@ const BodySpec& Simulator::spec(BodyIndex body) const {
 Offset Simulator::velocity(BodyIndex body) const {
   return parts_->state.bodies.momentum[body.value].velocity;
 }
+double Simulator::pan(BodyIndex body) const {
+  return parts_->state.bodies.pan[body.value];
+}
 double Simulator::distance_driven(BodyIndex body) const {
   return parts_->state.bodies.distance[body.value];
 }
@@ -267,6 +281,7 @@ void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buff
   out.objects = {};
   out.ranges = {};
   out.range_limit = 0.0;
+  out.camera = {bodies.pan[i], spec(body).camera.field_of_view};
   const std::uint32_t carried = bodies.carried[i];
   out.carried = carried == 0 ? base::ObjectId{} : state.objects.list()[carried - 1].id;
   out.carried_class =

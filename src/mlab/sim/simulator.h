@@ -54,6 +54,8 @@ class Simulator {
   const BodySpec& spec(BodyIndex body) const;
   /// As driven in the last cycle: contact and limits included [m/s, world].
   geom::Offset velocity(BodyIndex body) const;
+  /// Where the camera looks, counter-clockwise from ahead [rad].
+  double pan(BodyIndex body) const;
   /// Since it was added [m].
   double distance_driven(BodyIndex body) const;
   /// How often the body met something solid or another body. Meeting the same thing again within kSameContact
@@ -68,9 +70,9 @@ class Simulator {
 
   // ---- the cycle
 
-  /// Fills the fields of `out` that sensing gives: pose, time, obstacles, robots, objects, ranges,
-  /// range_limit, carried, carried_class. All others are left alone. Lists live in `buffer`. Threads may
-  /// sense at the same time, each with buffers of its own. Sensing twice gives the same, noise included.
+  /// Fills the fields of `out` that sensing gives: pose, time, obstacles, robots, objects, camera,
+  /// ranges, range_limit, carried, carried_class. All others are left alone. Lists live in `buffer`. Threads
+  /// may sense at the same time, each with buffers of its own. Sensing twice gives the same, noise included.
   void sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buffer, percept::Percepts& out) const;
 
   /// One cycle: all bodies move by their actions, as their kinematics and whatever is in the way allow; then
