@@ -3,14 +3,16 @@
 namespace mlab::robot_wire {
 namespace {
 
-constexpr auto kLastKind = percept::Request::Kind::kProceed;
+constexpr auto kLastKind = percept::Request::Kind::kClaim;
+constexpr auto kLastAudience = percept::Audience::kSelf;
+constexpr auto kLastObjectClass = percept::ObjectClass::kFriendlyRobot;
 
 }  // namespace
 
 // As in percepts_wire.cc, structs are taken apart so that a field that is added later does not compile.
 
 void encode(const percept::Action& action, wire::Action& out) {
-  const auto& [velocity, spin, drives, spins, status, requests, request_count] = action;
+  const auto& [velocity, spin, drives, spins, pan, looks, status, requests, request_count] = action;
   out.Clear();
   out.set_velocity_x(velocity.x);
   out.set_velocity_y(velocity.y);
@@ -18,18 +20,24 @@ void encode(const percept::Action& action, wire::Action& out) {
   out.set_spin(spin);
   out.set_drives(drives);
   out.set_spins(spins);
+  out.set_pan(pan);
+  out.set_looks(looks);
   const auto& [sequence, done, remaining] = status;
   out.mutable_status()->set_sequence(sequence);
   out.mutable_status()->set_done(done);
   out.mutable_status()->set_remaining(remaining);
   for (std::uint8_t i = 0; i < request_count; ++i) {
-    const auto& [kind, object, reach, notification, to_self] = requests[i];
+    const auto& [kind, audience, object_class, object, reach, cost, notification, place] = requests[i];
     wire::Request& request = *out.add_requests();
     request.set_kind(static_cast<wire::Request::Kind>(kind));
     request.set_object(object.value);
     request.set_reach(reach);
     request.set_notification(notification);
-    request.set_to_self(to_self);
+    request.set_audience(static_cast<wire::Request::Audience>(audience));
+    request.set_object_class(static_cast<wire::ObjectClass>(object_class));
+    request.set_cost(cost);
+    request.set_x(place.x);
+    request.set_y(place.y);
   }
 }
 
@@ -39,16 +47,25 @@ std::optional<std::string> decode(const wire::Action& message, percept::Action& 
   for (const wire::Request& request : message.requests()) {
     if (request.kind() < 0 || request.kind() > static_cast<int>(kLastKind))
       return "an action makes a request that there is not";
+    if (request.audience() < 0 || request.audience() > static_cast<int>(kLastAudience))
+      return "a request is for an audience that there is not";
+    if (request.object_class() < 0 || request.object_class() > static_cast<int>(kLastObjectClass))
+      return "a request is about a class that there is not";
     action.ask({static_cast<percept::Request::Kind>(request.kind()),
+                static_cast<percept::Audience>(request.audience()),
+                static_cast<percept::ObjectClass>(request.object_class()),
                 {request.object()},
                 request.reach(),
+                request.cost(),
                 request.notification(),
-                request.to_self()});
+                {request.x(), request.y()}});
   }
   action.velocity = {message.velocity_x(), message.velocity_y(), message.velocity_z()};
   action.spin = message.spin();
   action.drives = message.drives();
   action.spins = message.spins();
+  action.pan = message.pan();
+  action.looks = message.looks();
   action.status = {message.status().sequence(), message.status().done(), message.status().remaining()};
   out = action;
   return std::nullopt;

@@ -24,9 +24,15 @@ TEST(ActionWire, KeepsEveryBitOfWhatARobotDoes) {
 
 TEST(ActionWire, RefusesRequestsThatThereAreNot) {
   wire::Action message;
-  message.add_requests()->set_kind(static_cast<wire::Request::Kind>(5));
+  message.add_requests()->set_kind(static_cast<wire::Request::Kind>(8));
   percept::Action action;
   EXPECT_EQ(decode(message, action), "an action makes a request that there is not");
+  message.mutable_requests(0)->set_kind(wire::Request::NOTIFY);
+  message.mutable_requests(0)->set_audience(static_cast<wire::Request::Audience>(3));
+  EXPECT_EQ(decode(message, action), "a request is for an audience that there is not");
+  message.mutable_requests(0)->set_audience(wire::Request::SELF);
+  message.mutable_requests(0)->set_object_class(static_cast<wire::ObjectClass>(11));
+  EXPECT_EQ(decode(message, action), "a request is about a class that there is not");
   message.Clear();
   for (int i = 0; i < percept::Action::kMaxRequests; ++i) message.add_requests();
   EXPECT_FALSE(decode(message, action));

@@ -67,6 +67,30 @@ void encode(std::span<const percept::RangeReading> ranges, wire::Ranges& out) {
   }
 }
 
+void encode(const percept::Camera& camera, wire::Camera& out) {
+  const auto& [pan, field_of_view] = camera;
+  out.set_pan(pan);
+  out.set_field_of_view(field_of_view);
+}
+
+void encode(std::span<const percept::SharedPlace> places, wire::SharedPlaces& out) {
+  for (const auto& [from, object, object_class, place, time] : places) {
+    out.add_from(from.value);
+    out.add_object(object.value);
+    out.add_object_class(static_cast<wire::ObjectClass>(object_class));
+    out.add_x(place.x);
+    out.add_y(place.y);
+    out.add_time(time);
+  }
+}
+
+void encode(std::span<const percept::Claim> claims, wire::Claims& out) {
+  for (const auto& [object, robot] : claims) {
+    out.add_object(object.value);
+    out.add_robot(robot.value);
+  }
+}
+
 void encode(const percept::Order& order, wire::Order& out) {
   const auto& [sequence, task, goal, route, formation, reference, heading, has_heading, speed, halted] =
       order;
@@ -123,9 +147,11 @@ bool are(int length, auto... lengths) {
 }  // namespace
 
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
-  const auto& [pose, time, cycle_duration, obstacles, robots, objects, ranges, range_limit, carried,
-               carried_class, order, unit, joystick, notifications] = percepts;
+  const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit,
+               carried, carried_class, order, unit, joystick, notifications, shared_places, claims] =
+      percepts;
   out.Clear();
+  out.set_id(id.value);
   encode(pose, *out.mutable_pose());
   out.set_time(time);
   out.set_cycle_duration(cycle_duration);
@@ -140,6 +166,9 @@ void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   encode(unit, *out.mutable_unit());
   encode(joystick, *out.mutable_joystick());
   for (const std::uint64_t name : notifications) out.add_notifications(name);
+  encode(camera, *out.mutable_camera());
+  if (!shared_places.empty()) encode(shared_places, *out.mutable_shared_places());
+  if (!claims.empty()) encode(claims, *out.mutable_claims());
 }
 
 std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts& message) {
@@ -187,6 +216,30 @@ std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts
   return std::nullopt;
 }
 
+std::optional<std::string> DecodedPercepts::decode_messages(const wire::Percepts& message) {
+  notifications_.assign(message.notifications().begin(), message.notifications().end());
+  const wire::SharedPlaces& places = message.shared_places();
+  if (!are(places.from_size(), places.object_size(), places.object_class_size(), places.x_size(),
+           places.y_size(), places.time_size()))
+    return "the columns of the shared places are not equally long";
+  shared_places_.clear();
+  for (int i = 0; i < places.from_size(); ++i) {
+    if (!fits(places.object_class(i), kLastObjectClass))
+      return "a shared place is of a class that there is not";
+    shared_places_.push_back({{places.from(i)},
+                              {places.object(i)},
+                              static_cast<percept::ObjectClass>(places.object_class(i)),
+                              {places.x(i), places.y(i)},
+                              places.time(i)});
+  }
+  const wire::Claims& claims = message.claims();
+  if (!are(claims.object_size(), claims.robot_size()))
+    return "the columns of the claims are not equally long";
+  claims_.clear();
+  for (int i = 0; i < claims.object_size(); ++i) claims_.push_back({{claims.object(i)}, {claims.robot(i)}});
+  return std::nullopt;
+}
+
 std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& message) {
   if (!fits(message.task(), kLastTask) || !fits(message.formation(), kLastFormation) ||
       !fits(message.reference(), kLastReference))
@@ -212,13 +265,14 @@ std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& mess
 std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message) {
   if (auto problem = decode_readings(message)) return problem;
   if (auto problem = decode_order(message.order())) return problem;
+  if (auto problem = decode_messages(message)) return problem;
   if (!fits(message.carried_class(), kLastObjectClass))
     return "what is carried is of a class that there is not";
   const wire::Unit& unit = message.unit();
   constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
   if (unit.size() > kMost || unit.rank() > kMost) return "the unit is larger than units are";
-  notifications_.assign(message.notifications().begin(), message.notifications().end());
 
+  percepts_.id = {message.id()};
   percepts_.pose = robot_wire::decode(message.pose());
   percepts_.time = message.time();
   percepts_.cycle_duration = message.cycle_duration();
@@ -238,6 +292,9 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
                     unit.formation_heading()};
   percepts_.joystick = robot_wire::decode(message.joystick());
   percepts_.notifications = notifications_;
+  percepts_.camera = {message.camera().pan(), message.camera().field_of_view()};
+  percepts_.shared_places = shared_places_;
+  percepts_.claims = claims_;
   return std::nullopt;
 }
 

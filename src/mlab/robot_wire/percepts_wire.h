@@ -33,6 +33,7 @@ class DecodedPercepts {
  private:
   std::optional<std::string> decode_readings(const wire::Percepts& message);
   std::optional<std::string> decode_order(const wire::Order& message);
+  std::optional<std::string> decode_messages(const wire::Percepts& message);
 
   percept::Percepts percepts_;
   std::vector<percept::Obstacle> obstacles_;
@@ -41,6 +42,8 @@ class DecodedPercepts {
   std::vector<percept::RangeReading> ranges_;
   std::vector<geom::Point> route_;
   std::vector<std::uint64_t> notifications_;
+  std::vector<percept::SharedPlace> shared_places_;
+  std::vector<percept::Claim> claims_;
 };
 
 }  // namespace mlab::robot_wire

@@ -55,6 +55,10 @@ TEST(PerceptsWire, RefusesColumnsOfDifferentLengths) {
             "the columns of the ranges are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_order()->mutable_route()->add_y(1.0); }),
             "the columns of the route are not equally long");
+  EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_shared_places()->add_time(1.0); }),
+            "the columns of the shared places are not equally long");
+  EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_claims()->add_robot(1); }),
+            "the columns of the claims are not equally long");
 }
 
 TEST(PerceptsWire, RefusesNumbersThatStandForNothing) {
@@ -65,6 +69,15 @@ TEST(PerceptsWire, RefusesNumbersThatStandForNothing) {
   message.Clear();
   message.mutable_order()->set_task(static_cast<wire::Order::Task>(-1));
   EXPECT_EQ(decoded.decode(message), "the order has a task, formation or reference that there is not");
+  message.Clear();
+  wire::SharedPlaces& places = *message.mutable_shared_places();
+  places.add_from(1);
+  places.add_object(0);
+  places.add_object_class(static_cast<wire::ObjectClass>(11));
+  places.add_x(0.0);
+  places.add_y(0.0);
+  places.add_time(0.0);
+  EXPECT_EQ(decoded.decode(message), "a shared place is of a class that there is not");
   message.Clear();
   message.mutable_unit()->set_rank(std::numeric_limits<std::uint16_t>::max() + 1U);
   EXPECT_EQ(decoded.decode(message), "the unit is larger than units are");

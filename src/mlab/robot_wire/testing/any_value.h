@@ -55,6 +55,8 @@ struct AnyPercepts {
   std::vector<percept::RangeReading> ranges;
   std::vector<geom::Point> route;
   std::vector<std::uint64_t> notifications;
+  std::vector<percept::SharedPlace> shared_places;
+  std::vector<percept::Claim> claims;
   percept::Percepts percepts;
 
   AnyPercepts() {
@@ -72,6 +74,13 @@ struct AnyPercepts {
     for (int n = count(); n > 0; --n) ranges.push_back({any_float(), any_float(), any_bool()});
     for (int n = count(); n > 0; --n) route.push_back(any_point());
     for (int n = count(); n > 0; --n) notifications.push_back(*rc::gen::arbitrary<std::uint64_t>());
+    for (int n = count(); n > 0; --n) {
+      shared_places.push_back(
+          {{any_id()}, {any_id()}, any_of(percept::ObjectClass::kFriendlyRobot), any_point(), any_double()});
+    }
+    for (int n = count(); n > 0; --n) claims.push_back({{any_id()}, {any_id()}});
+    percepts.id = {any_id()};
+    percepts.camera = {any_double(), any_double()};
     percepts.pose = any_pose();
     percepts.time = any_double();
     percepts.cycle_duration = any_double();
@@ -101,6 +110,8 @@ struct AnyPercepts {
     percepts.objects = objects;
     percepts.ranges = ranges;
     percepts.notifications = notifications;
+    percepts.shared_places = shared_places;
+    percepts.claims = claims;
   }
   AnyPercepts(const AnyPercepts&) = delete;
   AnyPercepts& operator=(const AnyPercepts&) = delete;
@@ -112,13 +123,18 @@ inline percept::Action any_action() {
   action.spin = any_double();
   action.drives = any_bool();
   action.spins = any_bool();
+  action.pan = any_double();
+  action.looks = any_bool();
   action.status = {any_id(), any_bool(), any_double()};
   for (int n = *rc::gen::inRange(0, percept::Action::kMaxRequests + 1); n > 0; --n) {
-    action.ask({any_of(percept::Request::Kind::kProceed),
+    action.ask({any_of(percept::Request::Kind::kClaim),
+                any_of(percept::Audience::kSelf),
+                any_of(percept::ObjectClass::kFriendlyRobot),
                 {any_id()},
                 any_double(),
+                any_double(),
                 *rc::gen::arbitrary<std::uint64_t>(),
-                any_bool()});
+                any_point()});
   }
   return action;
 }

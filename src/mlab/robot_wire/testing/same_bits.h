@@ -56,25 +56,39 @@ inline bool same(const percept::Joystick& a, const percept::Joystick& b) {
          a.is_robot_frame == b.is_robot_frame && a.complete == b.complete;
 }
 
+inline bool same(const percept::Camera& a, const percept::Camera& b) {
+  return same(a.pan, b.pan) && same(a.field_of_view, b.field_of_view);
+}
+inline bool same(const percept::SharedPlace& a, const percept::SharedPlace& b) {
+  return a.from == b.from && a.object == b.object && a.object_class == b.object_class &&
+         same(a.place, b.place) && same(a.time, b.time);
+}
+inline bool same(const percept::Claim& a, const percept::Claim& b) {
+  return a.object == b.object && a.robot == b.robot;
+}
+
 inline bool same(const percept::Percepts& a, const percept::Percepts& b) {
   const auto alike = [](const auto& p, const auto& q) {
     return std::ranges::equal(p, q, [](const auto& x, const auto& y) { return same(x, y); });
   };
-  return same(a.pose, b.pose) && same(a.time, b.time) && same(a.cycle_duration, b.cycle_duration) &&
-         alike(a.obstacles, b.obstacles) && alike(a.robots, b.robots) && alike(a.objects, b.objects) &&
-         alike(a.ranges, b.ranges) && same(a.range_limit, b.range_limit) && a.carried == b.carried &&
-         a.carried_class == b.carried_class && same(a.order, b.order) && same(a.unit, b.unit) &&
-         same(a.joystick, b.joystick) && std::ranges::equal(a.notifications, b.notifications);
+  return a.id == b.id && same(a.camera, b.camera) && alike(a.shared_places, b.shared_places) &&
+         alike(a.claims, b.claims) && same(a.pose, b.pose) && same(a.time, b.time) &&
+         same(a.cycle_duration, b.cycle_duration) && alike(a.obstacles, b.obstacles) &&
+         alike(a.robots, b.robots) && alike(a.objects, b.objects) && alike(a.ranges, b.ranges) &&
+         same(a.range_limit, b.range_limit) && a.carried == b.carried && a.carried_class == b.carried_class &&
+         same(a.order, b.order) && same(a.unit, b.unit) && same(a.joystick, b.joystick) &&
+         std::ranges::equal(a.notifications, b.notifications);
 }
 
 inline bool same(const percept::Request& a, const percept::Request& b) {
   return a.kind == b.kind && a.object == b.object && same(a.reach, b.reach) &&
-         a.notification == b.notification && a.to_self == b.to_self;
+         a.notification == b.notification && a.audience == b.audience && a.object_class == b.object_class &&
+         same(a.cost, b.cost) && same(a.place, b.place);
 }
 inline bool same(const percept::Action& a, const percept::Action& b) {
-  return same(a.velocity, b.velocity) && same(a.spin, b.spin) && a.drives == b.drives && a.spins == b.spins &&
-         a.status.sequence == b.status.sequence && a.status.done == b.status.done &&
-         same(a.status.remaining, b.status.remaining) &&
+  return same(a.pan, b.pan) && a.looks == b.looks && same(a.velocity, b.velocity) && same(a.spin, b.spin) &&
+         a.drives == b.drives && a.spins == b.spins && a.status.sequence == b.status.sequence &&
+         a.status.done == b.status.done && same(a.status.remaining, b.status.remaining) &&
          std::equal(a.requests.begin(), a.requests.begin() + a.request_count, b.requests.begin(),
                     b.requests.begin() + b.request_count,
                     [](const auto& x, const auto& y) { return same(x, y); });
