@@ -13,6 +13,7 @@
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/robot/configuration_file.h"
 #include "mlab/robot/network_file.h"
 #include "mlab/text/diagnostic.h"
 
@@ -42,8 +43,9 @@ void check_mission(const text::SourcePtr& source, text::Diagnostics& sink) {
 void check_source(const text::SourcePtr& source, Checked& out) {
   out.language = language_of(*source);
   if (!out.language) {
-    out.sink.error("unknown-language", {source, {0, 0}}, "this is no mission, overlay or network").hints = {
-        "the name may say it: .mdl, .odl, .cnl"};
+    out.sink
+        .error("unknown-language", {source, {0, 0}}, "this is no mission, overlay, network or configuration")
+        .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
     return;
   }
   switch (*out.language) {
@@ -58,6 +60,9 @@ void check_source(const text::SourcePtr& source, Checked& out) {
     }
     case Language::kNetwork:
       robot::check_network(source, program_sources(folder_of(source->name())), out.sink);
+      break;
+    case Language::kConfiguration:
+      robot::check_configuration(source, program_sources(folder_of(source->name())), out.sink);
       break;
     case Language::kEnvironment:
       envchange::parse(source, {}, out.sink);

@@ -61,6 +61,14 @@ struct DescribeOptions {
 };
 int describe(const DescribeOptions& options);
 
+struct BuildOptions {
+  std::string file;          ///< a configuration (.cdl)
+  std::string emit = "cnl";  ///< what to write
+  std::string robot;         ///< of the file; empty: the one of the file's name, or the only one
+  std::string output;        ///< file; empty: standard output
+};
+int build(const BuildOptions& options);
+
 struct BenchOptions {
   std::uint32_t robots = 1000;
   int threads = 1;

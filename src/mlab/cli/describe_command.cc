@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "mlab/cli/commands.h"
+#include "mlab/cli/describe_configuration.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
+#include "mlab/robot/configuration_file.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/text/diagnostic.h"
 
@@ -131,6 +133,7 @@ int describe_all(const std::string& format) {
     fmt::print("{:<28} {:<12} {}\n", b->name, b->output == nullptr ? "(sink)" : b->output->name,
                first_sentence(b->help));
   }
+  list_declarations();
   fmt::print(
       "\n{} components; `mlab describe NAME` shows one, `mlab describe robot` the parameters of the standard "
       "robot.\n",
@@ -174,10 +177,14 @@ int describe_robot(const std::string& format) {
 int describe(const DescribeOptions& options) {
   if (options.name.empty()) return describe_all(options.format);
   if (options.name == "robot" || options.name == "standard") return describe_robot(options.format);
+  if (robot::names_configuration(options.name)) return describe_configuration_file(options);
   const flow::Library& library = robot::component_library();
   const Behavior* behavior = library.find(options.name).behavior;
+  if (behavior == nullptr && describe_declaration(options)) return kDone;
   if (behavior == nullptr) {
-    const std::string nearest = text::nearest_name(options.name, library.names());
+    std::vector<std::string> names = library.names();
+    for (const std::string& name : declaration_names()) names.push_back(name);
+    const std::string nearest = text::nearest_name(options.name, names);
     fmt::print(stderr, "mlab describe: there is no component `{}`{}\n", options.name,
                nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
     return kBadInput;

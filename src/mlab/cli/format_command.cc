@@ -7,6 +7,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/language.h"
+#include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cnl/format.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
@@ -20,8 +21,8 @@ namespace {
 std::optional<std::string> canonical(const text::SourcePtr& source, text::Diagnostics& sink) {
   const std::optional<Language> language = language_of(*source);
   if (!language) {
-    sink.error("unknown-language", {source, {0, 0}}, "this is no mission, overlay or network").hints = {
-        "the name may say it: .mdl, .odl, .cnl"};
+    sink.error("unknown-language", {source, {0, 0}}, "this is no mission, overlay, network or configuration")
+        .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
     return std::nullopt;
   }
   switch (*language) {
@@ -35,6 +36,8 @@ std::optional<std::string> canonical(const text::SourcePtr& source, text::Diagno
     }
     case Language::kNetwork:
       return cnl::format(source, sink);
+    case Language::kConfiguration:
+      return cdl::format(source, sink);
     case Language::kEnvironment:
       return std::string(source->text());  // has no layout of its own
   }

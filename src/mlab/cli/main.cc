@@ -108,7 +108,8 @@ void add_console(CLI::App& app, RunOptions& o) {
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
-  CLI::App* c = app.add_subcommand("check", "Parse and check files of missions, overlays and networks.");
+  CLI::App* c = app.add_subcommand(
+      "check", "Parse and check files of missions, overlays, networks and configurations.");
   c->add_option("files", o.files, "files; the language is told by name or content")
       ->required()
       ->type_name("FILE");
@@ -127,12 +128,24 @@ void add_fmt(CLI::App& app, FormatOptions& o) {
 
 void add_describe(CLI::App& app, DescribeOptions& o) {
   CLI::App* c = app.add_subcommand("describe", "Show the component library, or one component of it.");
-  c->add_option("name", o.name,
-                "a component, by its own name or a historic one; or `robot`, the standard robot")
+  c->add_option(
+       "name", o.name,
+       "a component or assemblage, by its own name or a historic one; `robot`, the standard robot; or a "
+       "configuration file")
       ->type_name("NAME");
   c->add_option("--format", o.format, "text, json, or markdown")
       ->capture_default_str()
       ->check(CLI::IsMember({"text", "json", "markdown"}));
+}
+
+void add_build(CLI::App& app, BuildOptions& o) {
+  CLI::App* c = app.add_subcommand("build", "Compile the robot of a configuration.");
+  c->add_option("file", o.file, "the configuration (.cdl)")->required()->type_name("FILE");
+  c->add_option("--emit", o.emit, "what to write")->capture_default_str()->check(CLI::IsMember({"cnl"}));
+  c->add_option("--robot", o.robot,
+                "which robot of the file (default: the one of the file's name, or the only one)")
+      ->type_name("NAME");
+  c->add_option("-o,--output", o.output, "where to write it (default: standard output)")->type_name("FILE");
 }
 
 void add_bench(CLI::App& app, BenchOptions& o) {
@@ -180,12 +193,14 @@ int parse_and_run(int argc, char** argv) {
   CheckOptions check_options;
   FormatOptions format_options;
   DescribeOptions describe_options;
+  BuildOptions build_options;
   BenchOptions bench_options;
   add_run(app, run_options);
   add_console(app, run_options);
   add_check(app, check_options);
   add_fmt(app, format_options);
   add_describe(app, describe_options);
+  add_build(app, build_options);
   add_bench(app, bench_options);
   try {
     app.parse(argc, argv);
@@ -196,6 +211,7 @@ int parse_and_run(int argc, char** argv) {
   if (app.got_subcommand("check")) return check(check_options);
   if (app.got_subcommand("fmt")) return format(format_options);
   if (app.got_subcommand("describe")) return describe(describe_options);
+  if (app.got_subcommand("build")) return build(build_options);
   return bench(bench_options);
 }
 

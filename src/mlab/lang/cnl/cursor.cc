@@ -144,6 +144,15 @@ text::Diagnostic& Cursor::expected(std::string_view what) {
 }
 
 std::optional<Word> Cursor::expect_name(std::string_view what) {
+  const std::optional<Word> word = expect_node_name(what);
+  if (word && word->text.find('.') != std::string::npos) {
+    error("dotted-name", word->place,
+          fmt::format("only nodes have dots in their names, and this is {}", what));
+  }
+  return word;
+}
+
+std::optional<Word> Cursor::expect_node_name(std::string_view what) {
   if (!is(Token::Kind::kName)) {
     expected(what);
     return std::nullopt;

@@ -35,6 +35,8 @@ class Cursor {
   bool expect(std::string_view word, std::string_view why);
   /// Takes a name; `what` says which: "the name of the node".
   std::optional<Word> expect_name(std::string_view what);
+  /// The same where dots may stand in it: nodes that stand in others are called `outer.inner`.
+  std::optional<Word> expect_node_name(std::string_view what);
   /// The same into a word that is there; false where there is no name.
   bool read_name(Word& out, std::string_view what);
   /// The text up to `]` after a `[` that the cursor looks at. Without a `[` an empty word.

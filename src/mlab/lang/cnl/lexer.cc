@@ -130,7 +130,9 @@ Token Lexer::next(std::uint32_t offset, std::vector<Comment>* comments) const {
   const char c = text_[i];
   if (is_name_start(c)) {
     std::uint32_t end = i + 1;
-    while (is_name_part(at(end))) ++end;
+    // A dot inside of a name belongs to it: a node may stand in others.
+    while (is_name_part(at(end)) || (at(end) == '.' && (is_name_start(at(end + 1)) || is_digit(at(end + 1)))))
+      ++end;
     return make(Token::Kind::kName, i, end);
   }
   if (const std::uint32_t end = number_end(i); end > i) return make(Token::Kind::kNumber, i, end);

@@ -13,7 +13,7 @@ namespace mlab::cnl {
 struct Token {
   enum class Kind : std::uint8_t {
     kEnd,
-    kName,         ///< `$?L(L|D|_|-)*`
+    kName,         ///< `$?L(L|D|_|-)*`, several of them joined by dots
     kNumber,       ///< also in parentheses: `(.5)`
     kCharacter,    ///< `'c'`
     kString,       ///< `"text"`

@@ -11,6 +11,12 @@ namespace {
 // A node that forgot its `nend` must not swallow the next one.
 const std::initializer_list<std::string_view> kAfterLinks = {"nend", "node", "sequence", "select", "delay"};
 
+bool read_node_name(Cursor& cursor, Word& into, std::string_view what) {
+  const std::optional<Word> name = cursor.expect_node_name(what);
+  if (name) into = *name;
+  return name.has_value();
+}
+
 // A source; `MODULE : NODE` is read whole and refused.
 std::optional<flow::Source> parse_link_source(Cursor& cursor) {
   auto source = cursor.expect_source("a constant or the name of a node");
@@ -202,7 +208,7 @@ void parse_node(Cursor& cursor, Tree& tree) {
   }
   Word name;
   if (!cursor.expect("node", decl.is_public ? "after `public`" : "after `remote`") ||
-      !cursor.read_name(name, "the name of the node")) {
+      !read_node_name(cursor, name, "the name of the node")) {
     cursor.skip_to(kDeclarationWords);
     return;
   }
@@ -250,7 +256,7 @@ void parse_operator(Cursor& cursor, Tree& tree) {
   cursor.advance();
   Word name;
   Word type;
-  if (!cursor.read_name(name, fmt::format("the name of the {}", word)) ||
+  if (!read_node_name(cursor, name, fmt::format("the name of the {}", word)) ||
       !cursor.expect("of", "and the type of its output") ||
       !cursor.read_name(type, "the type of the output")) {
     cursor.skip_to({"nend", "node"});
