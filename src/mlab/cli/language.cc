@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cnl/load.h"
 #include "mlab/lang/envchange/envchange.h"
@@ -31,12 +32,13 @@ std::optional<Language> language_of(const text::Source& source) {
   if (extension == ".mdl") return Language::kMission;
   if (extension == ".odl" || extension == ".ovl") return Language::kOverlay;
   if (extension == ".cnl") return Language::kNetwork;
-  if (extension == ".cdl") return Language::kConfiguration;
+  if (extension == ".cdl" || extension == ".formula") return Language::kConfiguration;
   if (extension == ".env") return Language::kEnvironment;
   if (odl::looks_like_odl(source.text())) return Language::kOverlay;
   if (mdl::looks_like_mdl(source.text())) return Language::kMission;
   if (cnl::looks_like_cnl(source.text())) return Language::kNetwork;
-  if (cdl::looks_like_cdl(source.text())) return Language::kConfiguration;
+  if (cdl::looks_like_cdl(source.text()) || cdl::looks_like_formula(source.text()))
+    return Language::kConfiguration;
   if (envchange::looks_like_envchange(source.text())) return Language::kEnvironment;
   return std::nullopt;
 }

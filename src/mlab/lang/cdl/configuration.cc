@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/load.h"
@@ -209,7 +210,9 @@ Configuration configuration_of(std::shared_ptr<const Tree> tree, const Environme
 }
 
 Configuration load(const text::SourcePtr& source, const Environment& environment, text::Diagnostics& sink) {
-  return configuration_of(std::make_shared<const Tree>(parse(source, sink)), environment, sink);
+  const bool is_formula = source->name().ends_with(".formula") || looks_like_formula(source->text());
+  Tree tree = is_formula ? parse_formula(source, sink) : parse(source, sink);
+  return configuration_of(std::make_shared<const Tree>(std::move(tree)), environment, sink);
 }
 
 const Robot* robot_meant(const Configuration& configuration, std::string_view wanted,

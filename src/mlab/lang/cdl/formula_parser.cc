@@ -18,7 +18,8 @@ struct Spelling {
   std::string_view written;
   char meant;
 };
-constexpr Spelling kSpellings[] = {{"⟨", '<'}, {"⟩", '>'}, {"‘", '\''}, {"’", '\''}, {"′", '\''}, {"`", '\''}, {"−", '-'}};
+constexpr Spelling kSpellings[] = {{"⟨", '<'},  {"⟩", '>'},  {"‘", '\''}, {"’", '\''},
+                                   {"′", '\''}, {"`", '\''}, {"−", '-'}};
 
 class Reader {
  public:
@@ -84,7 +85,8 @@ class Reader {
     if (at_ >= text().size()) return "the end of the text";
     std::uint32_t end = end_;
     while (end < text().size() && (static_cast<unsigned char>(text()[end]) & 0xC0U) == 0x80U) ++end;
-    while (end < text().size() && end < at_ + 40 && std::isalnum(static_cast<unsigned char>(text()[end - 1])) != 0 &&
+    while (end < text().size() && end < at_ + 40 &&
+           std::isalnum(static_cast<unsigned char>(text()[end - 1])) != 0 &&
            std::isalnum(static_cast<unsigned char>(text()[end])) != 0)
       ++end;
     return fmt::format("`{}`", text().substr(at_, end - at_));
@@ -95,7 +97,8 @@ class Reader {
 
   bool enter() {
     if (++depth_ <= kMaxFormulaDepth) return true;
-    fail("nested-too-deep", here(), fmt::format("brackets stand in each other more than {} deep", kMaxFormulaDepth));
+    fail("nested-too-deep", here(),
+         fmt::format("brackets stand in each other more than {} deep", kMaxFormulaDepth));
     return false;
   }
 
@@ -113,10 +116,10 @@ class Reader {
       text::Diagnostic* d = fail("formula-syntax", here(), fmt::format("`{}` has no number", letter));
       if (d != nullptr) d->hints = {fmt::format("each instance has one: `{}1`", letter)};
     } else if (value < smallest || value >= 1'000'000'000) {
-      text::Diagnostic* d = fail("number-out-of-range", {source_, {at_, i}},
-                                 fmt::format("`{}` is no number of an instance", text().substr(begin, i - begin)));
-      if (d != nullptr)
-        d->label = fmt::format("they are counted from {} to 999999999", smallest);
+      text::Diagnostic* d =
+          fail("number-out-of-range", {source_, {at_, i}},
+               fmt::format("`{}` is no number of an instance", text().substr(begin, i - begin)));
+      if (d != nullptr) d->label = fmt::format("they are counted from {} to 999999999", smallest);
     }
     end_ = i;
     next();
@@ -174,7 +177,8 @@ class Reader {
 
   Term assemblage() {
     if (sign_ == '<') return behavior();
-    if (sign_ == '[') return group("+-%@", ']', "`+`, `-`, `%` or `@`", "an assemblage `[...]`, a behavior `<...>`");
+    if (sign_ == '[')
+      return group("+-%@", ']', "`+`, `-`, `%` or `@`", "an assemblage `[...]`, a behavior `<...>`");
     expected("an assemblage `[...]` or a behavior `<...>`");
     return {};
   }
@@ -245,7 +249,8 @@ class Reader {
     return out;
   }
 
-  void close(Term& out, char closer, const text::Place& opener, std::uint32_t begin, std::string_view members) {
+  void close(Term& out, char closer, const text::Place& opener, std::uint32_t begin,
+             std::string_view members) {
     if (failed_) return;
     if (sign_ != closer) {
       text::Diagnostic* d = expected(fmt::format("{} or `{}`", members, closer));
@@ -255,10 +260,11 @@ class Reader {
     next();
     out.place = since(begin);
     if (out.members.size() >= 2) return;
-    text::Diagnostic* d =
-        fail("too-few-members", out.place,
-             fmt::format("`{}{}` has {}", info(out.symbol).letter, out.number, out.members.empty() ? "no members" : "one member"));
-    if (d != nullptr) d->hints = {fmt::format("{} is of two or more; one alone stands without it", info(out.symbol).plain)};
+    text::Diagnostic* d = fail("too-few-members", out.place,
+                               fmt::format("`{}{}` has {}", info(out.symbol).letter, out.number,
+                                           out.members.empty() ? "no members" : "one member"));
+    if (d != nullptr)
+      d->hints = {fmt::format("{} is of two or more; one alone stands without it", info(out.symbol).plain)};
   }
 
   text::SourcePtr source_;
@@ -296,7 +302,8 @@ bool looks_like_formula(std::string_view text) {
     if (!std::string_view(" \t\r\n").contains(c)) start += c;
     i += size;
   }
-  if (start.starts_with("{<")) return start.size() == 3 && (start[2] == 'p' || start[2] == 'a' || start[2] == '(');
+  if (start.starts_with("{<"))
+    return start.size() == 3 && (start[2] == 'p' || start[2] == 'a' || start[2] == '(');
   if (start.starts_with("{[")) return start.size() == 3 && std::string_view("+-%@").contains(start[2]);
   return start.size() == 3 && start[0] == '\'' && (start[1] == '/' || start[1] == '*') && start[2] >= '0' &&
          start[2] <= '9';
