@@ -8,6 +8,7 @@
 #include "mlab/cli/files.h"
 #include "mlab/cli/language.h"
 #include "mlab/lang/cdl/format.h"
+#include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cnl/format.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
@@ -37,6 +38,8 @@ std::optional<std::string> canonical(const text::SourcePtr& source, text::Diagno
     case Language::kNetwork:
       return cnl::format(source, sink);
     case Language::kConfiguration:
+      if (source->name().ends_with(".formula") || cdl::looks_like_formula(source->text()))
+        return std::string(source->text());  // a sentence has no layout of its own
       return cdl::format(source, sink);
     case Language::kEnvironment:
       return std::string(source->text());  // has no layout of its own

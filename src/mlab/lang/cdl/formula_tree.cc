@@ -40,7 +40,10 @@ class Checker {
   explicit Checker(text::Diagnostics& sink) : sink_(sink) {}
 
   bool run(const std::vector<Term>& sentences) {
-    for (const Term& sentence : sentences) check_society(sentence);
+    for (const Term& sentence : sentences) {
+      sentence_ = &sentence;
+      check_society(sentence);
+    }
     return !failed_;
   }
 
@@ -48,6 +51,7 @@ class Checker {
   struct Use {
     const Term* term = nullptr;
     const Term* robot = nullptr;  // null: a society
+    const Term* sentence = nullptr;
   };
 
   void check_society(const Term& term) {
@@ -81,13 +85,13 @@ class Checker {
   }
 
   void note(const Term& term, const Instance& instance, const Term* robot) {
-    const auto [it, is_new] = uses_.try_emplace(instance, Use{&term, robot});
+    const auto [it, is_new] = uses_.try_emplace(instance, Use{&term, robot, sentence_});
     const Use& first = it->second;
     if (is_new || failed_) return;
     if (!equal(*first.term, term)) {
       fail("two-meanings", term, fmt::format("`{}` stands for two different things", written(instance)))
           .hints = {"an instance may be used several times, each time alike; another one has another number"};
-    } else if (first.robot != robot && !equal(*first.robot, *robot)) {
+    } else if (first.sentence != sentence_ || (first.robot != robot && !equal(*first.robot, *robot))) {
       fail("instance-of-another-robot", term,
            fmt::format("`{}` is an instance of another robot", written(instance)))
           .hints = {"robots share no instances: give this one a number of its own"};
@@ -108,6 +112,7 @@ class Checker {
   std::map<Instance, Use> uses_;
   text::Diagnostic* last_ = nullptr;
   const Term* robot_ = nullptr;
+  const Term* sentence_ = nullptr;
   bool failed_ = false;
 };
 
@@ -121,7 +126,10 @@ class Builder {
   Tree run(const text::SourcePtr& source, const std::vector<Term>& sentences) {
     tree_.source = source;
     declare_robot_class();
-    for (const Term& sentence : sentences) society(sentence);
+    for (const Term& sentence : sentences) {
+      societies_.clear();
+      society(sentence);
+    }
     return std::move(tree_);
   }
 
