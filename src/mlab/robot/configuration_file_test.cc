@@ -85,6 +85,9 @@ TEST(LoadConfiguration, TakesTheRobotThatIsNamed) {
   EXPECT_EQ(sink.items()[0].hints, (std::vector<std::string>{"name one: `two.cdl#Wanderer`"}));
   EXPECT_FALSE(load(folder, "two.cdl#Othr", "x", sink));
   EXPECT_EQ(sink.items()[1].hints, (std::vector<std::string>{"did you mean `Other`?"}));
+  folder.write("none.cdl", "assemblage A() { Noise() }\n");
+  EXPECT_FALSE(load(folder, "none.cdl", "x", sink));
+  EXPECT_EQ(sink.items()[2].kind, "no-robot");
 }
 
 TEST(LoadConfiguration, UsesOtherFilesOnce) {

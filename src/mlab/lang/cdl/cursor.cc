@@ -58,6 +58,14 @@ bool Cursor::is_before(std::string_view word) const {
   return !at_end() && source_->text(tokens_[at_ + 1].span) == word;
 }
 
+bool Cursor::is_before_name() const {
+  if (at_end() || tokens_[at_ + 1].kind != Token::Kind::kName) return false;
+  const std::string_view next = source_->text(tokens_[at_ + 1].span);
+  constexpr std::string_view kWords[] = {"as", "active", "and", "or", "by"};
+  if (std::ranges::find(kWords, next) != std::end(kWords)) return false;
+  return source_->text({token().span.end, tokens_[at_ + 1].span.begin}).find('\n') == std::string_view::npos;
+}
+
 bool Cursor::starts_line() const {
   if (at_ == 0) return true;
   const std::uint32_t end = last_end();
@@ -85,6 +93,9 @@ bool Cursor::take(std::string_view word) {
 bool Cursor::expect(std::string_view word, std::string_view why) {
   if (take(word)) return true;
   expected(fmt::format("`{}` {}", word, why));
+  // A misspelt word before what it introduces.
+  const bool is_word = word[0] >= 'a' && word[0] <= 'z';
+  if (is_word && is(Token::Kind::kName) && is_before_name()) advance();
   return !at_end() && !is(";") && !is(Token::Kind::kUnclosed);
 }
 
@@ -175,7 +186,9 @@ std::uint32_t Cursor::indent_of(std::uint32_t offset) const {
 bool Cursor::open(const char* what) {
   const text::Span opener = token().span;
   const bool is_there = expect("{", fmt::format("before what belongs to {}", what));
-  if (!is_there) return false;
+  // What goes on in the same line with anything but a name belongs to something else that is missing.
+  if (!is_there || (tokens_[at_].span.begin == opener.begin && !starts_line() && !is(Token::Kind::kName)))
+    return false;
   blocks_.push_back({what, opener, indent_of(opener.begin), std::exchange(stops_at_brace, false)});
   return true;
 }
@@ -184,9 +197,9 @@ void Cursor::report_unclosed(const Block& block) {
   // Indents tell which one was forgotten.
   const char* what = mismatch_ ? mismatch_->what : block.what;
   const text::Span opener = mismatch_ ? mismatch_->opener : block.opener;
-  const text::Span where = mismatch_ ? mismatch_->closer : token().span;
+  const text::Span where = mismatch_ ? mismatch_->before : last_span();
   if (text::Diagnostic* d =
-          error("unclosed-block", place(where), fmt::format("expected `}}` before this, to close {}", what)))
+          error("unclosed-block", place(where), fmt::format("expected `}}` behind this, to close {}", what)))
     d->notes.push_back({"it opens here", place(opener)});
   mismatch_.reset();
 }
@@ -199,7 +212,7 @@ void Cursor::close() {
     report_unclosed(block);
   } else {
     if (starts_line() && indent_of(begin()) < block.indent && !mismatch_)
-      mismatch_ = Mismatch{block.what, block.opener, token().span};
+      mismatch_ = Mismatch{block.what, block.opener, last_span()};
     advance();
   }
   if (blocks_.empty()) mismatch_.reset();

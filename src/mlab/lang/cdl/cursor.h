@@ -30,6 +30,8 @@ class Cursor {
   bool is_any(std::initializer_list<std::string_view> words) const;
   /// Whether the token after this one is this word.
   bool is_before(std::string_view word) const;
+  /// Whether a name follows on the same line that is no word of an expression.
+  bool is_before_name() const;
   /// Whether this token stands on another line than the one before it.
   bool starts_line() const;
   /// Whether a declaration starts here: one of its words at the start of a line, and a name behind it.
@@ -92,10 +94,11 @@ class Cursor {
   struct Mismatch {
     const char* what;
     text::Span opener;
-    text::Span closer;
+    text::Span before;  ///< what stands before the `}`
   };
 
   std::uint32_t indent_of(std::uint32_t offset) const;
+  text::Span last_span() const { return at_ == 0 ? text::Span{} : tokens_[at_ - 1].span; }
   std::uint32_t last_end() const { return at_ == 0 ? 0 : tokens_[at_ - 1].span.end; }
   void report_unclosed(const Block& block);
   std::string found() const;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "mlab/flow/library.h"
 #include "mlab/flow/network.h"
@@ -16,6 +17,8 @@ namespace mlab::cdl {
 /// What was said of a configuration already: an assemblage that two robots use is wrong once.
 struct Said {
   std::set<std::string> keys;
+  /// Of assemblages that were checked: the type and unit of their value. Calls need not look into them again.
+  std::map<const Assemblage*, std::pair<const flow::TypeInfo*, std::string>> results;
 };
 
 /// A robot made flat: what its program is built from, and what its class says of the body.

@@ -40,6 +40,11 @@ std::string bracketed(const std::string& unit) {
   return unit.empty() ? "" : fmt::format(" [{}]", unit);
 }
 
+std::string with_article(std::string_view name) {
+  const bool is_vowel = std::string_view("AEIOaeio").find(name.front()) != std::string_view::npos;
+  return fmt::format("{} {}", is_vowel ? "an" : "a", name);
+}
+
 std::string described(const PortType& type) {
   return fmt::format("{}{}", type.type->name, bracketed(type.unit));
 }
@@ -110,13 +115,17 @@ PortType Lowering::type_of(const Parameter& parameter) {
 }
 
 bool Lowering::fits(const PortType& have, const PortType& want, const std::string& name,
-                    const text::Place& place) {
+                    const text::Place& place, const Value* about) {
   if (have.type == nullptr || want.type == nullptr) return true;
   const bool widens = have.type->kind == TypeKind::kInteger && want.type->kind == TypeKind::kReal;
   if (!widens && !flow::same_type(*have.type, *want.type)) {
-    error("wrong-type", place,
-          fmt::format("a {} stands where a {} is expected", have.type->name, want.type->name))
-        .label = fmt::format("`{}` takes {}", name, described(want));
+    text::Diagnostic& d = report(text::Severity::kError, "wrong-type", place,
+                                 fmt::format("{} stands where {} is expected", with_article(have.type->name),
+                                             with_article(want.type->name)),
+                                 about == nullptr ? "" : about->named);
+    d.label = fmt::format("`{}` takes {}", name, described(want));
+    const bool is_elsewhere = about != nullptr && !about->named.empty() && about->declared.source;
+    if (is_elsewhere) d.notes.push_back({fmt::format("`{}` comes from here", about->named), about->declared});
     return false;
   }
   if (want.type->kind != TypeKind::kReal || have.unit.empty() || want.unit.empty() || have.unit == want.unit)
@@ -139,14 +148,14 @@ std::optional<flow::Source> Lowering::bind(const Value& value, const PortType& t
           fmt::format("`{}` takes {}", name, type.type == nullptr ? "a value" : described(type));
       return std::nullopt;
     case Value::Kind::kWire:
-      if (!fits(value.type, type, name, place)) return std::nullopt;
+      if (!fits(value.type, type, name, place, &value)) return std::nullopt;
       return flow::Source{flow::Source::Kind::kName, value.text, place};
     default:
       break;
   }
   if (type.type == nullptr) return std::nullopt;
   // What came through a parameter has its type, whatever the words are.
-  if (value.type.type != nullptr && !fits(value.type, type, name, place)) return std::nullopt;
+  if (value.type.type != nullptr && !fits(value.type, type, name, place, &value)) return std::nullopt;
   if (value.kind == Value::Kind::kNumber) return bind_number(value, type, input, name, place);
   if (value.kind == Value::Kind::kList) return bind_coordinates(value, type, name, place);
   return bind_word(value, type, name, place);
@@ -236,8 +245,8 @@ std::optional<flow::Source> Lowering::bind_coordinates(const Value& value, const
     }
     if (is_right) return constant(text + "}", value.place);
   }
-  error("wrong-type", place, fmt::format("a list stands where a {} is expected", type.type->name)).label =
-      fmt::format("`{}` takes {}", name, described(type));
+  error("wrong-type", place, fmt::format("a list stands where {} is expected", with_article(type.type->name)))
+      .label = fmt::format("`{}` takes {}", name, described(type));
   return std::nullopt;
 }
 

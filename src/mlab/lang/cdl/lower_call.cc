@@ -73,7 +73,7 @@ Value Lowering::unknown_callee(const Word& callee) {
 }
 
 std::vector<int> Lowering::match(const Word& callee, const std::vector<Given>& given,
-                                 const std::vector<std::string>& names) {
+                                 const std::vector<std::string>& names, const Assemblage* assemblage) {
   std::vector<int> out;
   std::vector<const Given*> taken(names.size(), nullptr);
   bool had_name = false;
@@ -85,7 +85,13 @@ std::vector<int> Lowering::match(const Word& callee, const std::vector<Given>& g
       had_name = true;
       const auto found = std::ranges::find(names, one.name.text);
       index = found == names.end() ? -1 : static_cast<int>(found - names.begin());
-      if (index < 0) {
+      // Where the assemblage misses that name itself, its parameter is misspelt.
+      const Assemblage* outer = std::exchange(inside_, assemblage);
+      const std::string missed =
+          key_of("unknown-name", {}, fmt::format("unknown name `{}`", one.name.text), "");
+      inside_ = outer;
+      const bool was_said = assemblage != nullptr && said_.keys.contains(missed);
+      if (index < 0 && !was_said) {
         text::Diagnostic& d = error("unknown-argument", place,
                                     fmt::format("`{}` has no input `{}`", callee.text, one.name.text));
         const std::string nearest = text::nearest_name(one.name.text, names);
@@ -204,7 +210,7 @@ Value Lowering::instantiate_assemblage(const Word& callee, const Assemblage& ass
                                        const text::Place& place) {
   std::vector<std::string> names;
   for (const Parameter& parameter : assemblage.parameters) names.push_back(parameter.name.text);
-  const std::vector<int> matched = match(callee, given, names);
+  const std::vector<int> matched = match(callee, given, names, &assemblage);
   const bool is_right = std::ranges::find(matched, -1) == matched.end();
   const std::string path = claim(slot, callee.text);
   Scope& scope = new_scope();
@@ -222,10 +228,14 @@ Value Lowering::instantiate_assemblage(const Word& callee, const Assemblage& ass
     const Parameter& parameter = assemblage.parameters[i];
     if (is_given[i]) continue;
     if (!parameter.initial && is_right) say_missing(callee, names[i], type_of(parameter), parameter.help);
+    const Assemblage* outer = std::exchange(inside_, &assemblage);
     scope.names[names[i]].value = default_of(parameter, scope);
+    inside_ = outer;
   }
   if (!enter_assemblage(assemblage, callee)) return {};
-  Value out = lower_assemblage(assemblage, scope, place);
+  const auto known = is_checking_ ? said_.results.find(&assemblage) : said_.results.end();
+  Value out = known != said_.results.end() ? wire(path, {known->second.first, known->second.second}, place)
+                                           : lower_assemblage(assemblage, scope, place);
   open_.pop_back();
   return out;
 }
@@ -256,6 +266,7 @@ Value Lowering::lower_assemblage(const Assemblage& assemblage, Scope& scope, con
     out = stand_still(assemblage, scope, result, place);
   }
   inside_ = outer;
+  if (is_checking_) said_.results[&assemblage] = {out.type.type, out.type.unit};
   return out;
 }
 
@@ -356,18 +367,23 @@ const Lowering::DeviceUse* Lowering::device_for(const Word& binding) {
     fitting.push_back(use.device->name.text);
     found = found == nullptr ? &use : found;
   }
+  const text::Place& place = class_name_.empty() ? robot_name_.place : class_place_;
   if (fitting.size() > 1) {
-    error("several-devices", robot_name_.place,
+    error("several-devices", place,
           fmt::format("several devices of `{}` serve `{}`: {}", class_name_, binding.text,
                       fmt::join(fitting, ", ")))
         .hints = {fmt::format("choose one: `use {} for {};`", fitting.front(), binding.text)};
   }
   if (found == nullptr && !class_is_broken_) {
-    error("device-not-offered", binding.place,
-          fmt::format("robot `{}` has nothing that serves `{}`", robot_name_.text, binding.text))
-        .hints = {class_name_.empty() ? fmt::format("say what it is: `robot {} is CLASS`", robot_name_.text)
-                                      : fmt::format("class `{}` needs a `sensor NAME: ... binds {};`",
-                                                    class_name_, binding.text)};
+    const std::string who = class_name_.empty() ? fmt::format("robot `{}`", robot_name_.text)
+                                                : fmt::format("class `{}`", class_name_);
+    text::Diagnostic& d =
+        error("device-not-offered", place, fmt::format("{} has nothing that serves `{}`", who, binding.text));
+    d.hints.push_back(class_name_.empty()
+                          ? fmt::format("say what it is: `robot {} is CLASS`", robot_name_.text)
+                          : fmt::format("the class needs `sensor NAME: ... binds {};`", binding.text));
+    d.notes.push_back({"asked for here", binding.place});
+    class_is_broken_ = class_name_.empty();
   }
   return found;
 }

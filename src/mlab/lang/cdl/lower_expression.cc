@@ -90,7 +90,10 @@ Value Lowering::lower_name(const Name& name, Scope& scope, const text::Place& pl
     out.scope = &scope;
     return out;
   }
-  return known->second.let == nullptr ? known->second.value : lower_let(known->second, scope);
+  Value out = known->second.let == nullptr ? known->second.value : lower_let(known->second, scope);
+  out.named = name.name.text;
+  out.declared = known->second.let == nullptr ? out.place : known->second.let->name.place;
+  return out;
 }
 
 // A name that is asked for while it is being read closes a loop. Its node will have this path; whether a

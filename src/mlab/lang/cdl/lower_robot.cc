@@ -97,6 +97,7 @@ void Lowering::find_devices(const Robot& robot, Scope& own, LoweredRobot& out) {
   }
   const RobotClass& robot_class = *found->second;
   class_name_ = robot_class.name.text;
+  class_place_ = robot.class_name.place;
   Scope& scope = declare_class(robot_class, own);
   for (const Device& device : robot_class.devices) {
     devices_.push_back({&device, &scope, false, false});
@@ -176,6 +177,7 @@ const Lowering::DeviceUse* Lowering::actuator_for(const Drive& drive) {
       d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
     } else if (class_name_.empty()) {
       d.hints.push_back(fmt::format("say what it is: `robot {} is CLASS`", robot_name_.text));
+      class_is_broken_ = true;
     } else if (!names.empty()) {
       d.hints.push_back(fmt::format("class `{}` has {}", class_name_, fmt::join(names, ", ")));
     }
@@ -253,6 +255,7 @@ void Lowering::check_assemblage(const Assemblage& assemblage) {
   Scope& scope = new_scope();
   scope.path = assemblage.name.text;
   claim_path(scope.path);
+  inside_ = &assemblage;
   declare_typed(assemblage.parameters, scope);
   open_.push_back(&assemblage);
   const Value out = lower_assemblage(assemblage, scope, assemblage.name.place);

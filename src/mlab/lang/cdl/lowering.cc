@@ -6,14 +6,21 @@
 
 namespace mlab::cdl {
 
+// What is unknown in several places is one slip, and so is what is wrong with one name.
+std::string Lowering::key_of(const std::string& kind, const text::Place& place, const std::string& message,
+                             const std::string& about) const {
+  const void* const inside = inside_;
+  if (kind == "unknown-call" || kind == "unknown-type") return fmt::format("{} {}", kind, message);
+  if (kind == "unknown-name" || !about.empty())
+    return fmt::format("{} {} {} {} {}", kind, inside, inside == nullptr ? robot_name_.text : "", message,
+                       about);
+  return fmt::format("{} {} {} {}", kind, static_cast<const void*>(place.source.get()), place.span.begin,
+                     message);
+}
+
 text::Diagnostic& Lowering::report(text::Severity severity, std::string kind, const text::Place& place,
-                                   std::string message) {
-  const std::string key =
-      kind == "unknown-name"
-          ? fmt::format("{} {} {} {}", kind, static_cast<const void*>(inside_), robot_name_.text, message)
-          : fmt::format("{} {} {} {}", kind, static_cast<const void*>(place.source.get()), place.span.begin,
-                        message);
-  if (!said_.keys.insert(key).second) return muted_ = {};
+                                   std::string message, const std::string& about) {
+  if (!said_.keys.insert(key_of(kind, place, message, about)).second) return muted_ = {};
   return severity == text::Severity::kError ? sink_.error(std::move(kind), place, std::move(message))
                                             : sink_.warning(std::move(kind), place, std::move(message));
 }

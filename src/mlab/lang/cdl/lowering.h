@@ -37,8 +37,10 @@ struct Value {
   Kind kind = Kind::kNone;
   std::string text;  ///< name of the node or parameter, word, text
   double number = 0.0;
-  std::string unit;  ///< kNumber: as written
-  PortType type;     ///< kWire; a constant that came through a parameter has the parameter's
+  std::string unit;      ///< kNumber: as written
+  PortType type;         ///< kWire; a constant that came through a parameter has the parameter's
+  std::string named;     ///< the name by which it was asked for; empty: none
+  text::Place declared;  ///< of that name
   std::vector<Value> items;
   text::Place place;                    ///< where the author wrote it: for a constant, where it was given
   const struct Scope* scope = nullptr;  ///< kWord: where it was looked up in vain
@@ -141,7 +143,7 @@ class Lowering {
   std::vector<Given> given_by(const Call& call, Scope& scope) const;
   /// Per argument the index of what it is for; -1 where that is wrong, which was said.
   std::vector<int> match(const Word& callee, const std::vector<Given>& given,
-                         const std::vector<std::string>& names);
+                         const std::vector<std::string>& names, const Assemblage* assemblage = nullptr);
   void say_missing(const Word& callee, const std::string& name, const PortType& type,
                    const std::string& help);
   Value unknown_callee(const Word& callee);
@@ -173,7 +175,8 @@ class Lowering {
                                         const text::Place& place);
   std::optional<flow::Source> bind_coordinates(const Value& value, const PortType& type,
                                                const std::string& name, const text::Place& place);
-  bool fits(const PortType& have, const PortType& want, const std::string& name, const text::Place& place);
+  bool fits(const PortType& have, const PortType& want, const std::string& name, const text::Place& place,
+            const Value* about = nullptr);
   /// A value for a parameter: checked against the declaration, and with its type.
   Value pass(const Value& value, const Parameter& parameter, const PortType& type, const text::Place& place);
   bool check_range(const Value& value, const Parameter& parameter, const PortType& type);
@@ -201,7 +204,9 @@ class Lowering {
   text::Diagnostic& error(std::string kind, const text::Place& place, std::string message);
   text::Diagnostic& warning(std::string kind, const text::Place& place, std::string message);
   text::Diagnostic& report(text::Severity severity, std::string kind, const text::Place& place,
-                           std::string message);
+                           std::string message, const std::string& about = {});
+  std::string key_of(const std::string& kind, const text::Place& place, const std::string& message,
+                     const std::string& about) const;
   void hint_nearest(text::Diagnostic& d, std::string_view name,
                     const std::vector<std::string>& candidates) const;
   std::string claim(const Slot& slot, const std::string& fallback);
@@ -220,6 +225,7 @@ class Lowering {
   std::set<const Device*> driven_;
   Word robot_name_;
   std::string class_name_;
+  text::Place class_place_;
   bool class_is_broken_ = false;  // it was said; what it would offer is unknown
   bool is_checking_ = false;      // nobody runs it: binding points are taken as they are declared
   int depth_ = 0;

@@ -92,7 +92,8 @@ bool parse_transition(Cursor& cursor, State& state) {
 // `[start] [final] NAME: MEMBER;`
 bool parse_state_head(Cursor& cursor, State& state) {
   state.help = cursor.help_above();
-  while (cursor.is_any({"start", "final"}) && !cursor.is_before(":") && !cursor.is_before("(")) {
+  while (cursor.is_any({"start", "final"}) && !cursor.is_before("(")) {
+    if (cursor.is_before(":") && (state.is_start || state.is_final)) break;  // a state of that name
     (cursor.is("start") ? state.is_start : state.is_final) = true;
     cursor.advance();
   }

@@ -40,6 +40,10 @@ bool parse_parameter(Cursor& cursor, std::vector<Parameter>& into) {
 }
 
 bool parse_result_type(Cursor& cursor, Word& into) {
+  if (cursor.is(Token::Kind::kName) && !cursor.starts_line()) {
+    cursor.expected("`->` before the type");
+    return cursor.read_name(into, "the type");
+  }
   return !cursor.take("->") || cursor.read_name(into, "the type behind `->`");
 }
 
@@ -58,6 +62,11 @@ bool parse_body(Cursor& cursor, Assemblage& into) {
   if (into.body) {
     if (text::Diagnostic* d = cursor.error("syntax", cursor.here(), "an assemblage has one body"))
       d->hints.emplace_back("`cooperate`, `compete` or `sequence` makes one of several");
+    return false;
+  }
+  const bool is_word = cursor.is(Token::Kind::kName) && !cursor.is("not") && !at_block(cursor);
+  if (is_word && (cursor.is_before("=") || cursor.is_before_name())) {
+    cursor.expected("`let` or the body of the assemblage");
     return false;
   }
   into.body = parse_expression(cursor);

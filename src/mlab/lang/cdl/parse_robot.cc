@@ -42,7 +42,7 @@ bool parse_body_setting(Cursor& cursor, std::vector<BodySetting>& into) {
 bool parse_robot_body(Cursor& cursor, RobotClass& into) {
   cursor.advance();
   if (!cursor.open("`body`")) return false;
-  while (!cursor.at_close()) {
+  while (!cursor.at_close() && !(cursor.is_any({"sensor", "actuator"}) && cursor.is_before_name())) {
     if (!parse_body_setting(cursor, into.body)) cursor.skip_statement();
   }
   cursor.close();
@@ -151,8 +151,10 @@ bool parse_robot(Cursor& cursor, Tree& tree, const std::string& help) {
   cursor.advance();
   if (!cursor.read_name(out.name, "the name of the robot")) return false;
   if (cursor.is("(") && !parse_parameters(cursor, out.parameters)) return false;
-  if (!cursor.is("{") && !cursor.expect("is", "and the class of the robot")) return false;
-  if (!cursor.is("{") && !cursor.read_name(out.class_name, "the class of the robot")) return false;
+  if (!cursor.is("{")) {
+    if (!cursor.expect("is", "and the class of the robot")) return false;
+    cursor.read_name(out.class_name, "the class of the robot");
+  }
   if (!cursor.open("the robot")) return false;
   while (!cursor.at_close()) {
     const bool is_let = cursor.is("let") && !cursor.is_before("=");

@@ -113,9 +113,9 @@ TEST(CdlParser, SaysOnceWhatIsMissing) {
             "    3 |     1: Noise()\n"
             "      |              ^ behind this\n");
   EXPECT_EQ(said("assemblage A() {\n  cooperate {\n    1: Noise();\n}\nrobot R { movement = A(); }\n"),
-            "a.cdl:4:1: error: expected `}` before this, to close `cooperate` [unclosed-block]\n"
-            "    4 | }\n"
-            "      | ^\n"
+            "a.cdl:3:15: error: expected `}` behind this, to close `cooperate` [unclosed-block]\n"
+            "    3 |     1: Noise();\n"
+            "      |               ^\n"
             "a.cdl:2:13: note: it opens here\n");
   EXPECT_EQ(said("asemblage A() { Noise() }\nrobot R { movement = A(); }\n"),
             "a.cdl:1:1: error: expected a declaration, found `asemblage` [syntax]\n"
