@@ -45,6 +45,14 @@ TEST_F(CdlGolden, EveryKindOfDiagnosticHasOne) {
   std::erase_if(expected, [](const std::string& kind) {
     return kind != "syntax" && kind.find('-') == std::string::npos;
   });
+  // Sentences of the grammar G are another language; formula_test.cc has its diagnostics.
+  for (const auto& path : golden::golden_files(kFolder, ".cc")) {
+    if (!path.filename().string().starts_with("formula")) continue;
+    const std::string text = golden::read_all(path);
+    std::erase_if(said, [&](const std::string& kind) {
+      return !expected.contains(kind) && text.find('"' + kind + '"') != std::string::npos;
+    });
+  }
   EXPECT_GT(said.size(), 50U);
   EXPECT_EQ(said, expected);
 }
