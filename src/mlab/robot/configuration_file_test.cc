@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/lang/cdl/format.h"
 #include "mlab/robot/robot_program.h"
 
 namespace mlab::robot {
@@ -102,6 +103,49 @@ TEST(LoadConfiguration, UsesOtherFilesOnce) {
   ASSERT_EQ(sink.items().size(), 2U);
   EXPECT_EQ(sink.items()[0].kind, "use-cycle");
   EXPECT_EQ(sink.items()[1].kind, "cannot-read");
+}
+
+TEST(LoadConfiguration, LetsADevicesOwnArgumentsHold) {
+  const Folder folder;
+  std::string text = kWanderer;
+  text.replace(text.find("DetectObstacles()"), 17, "DetectObstacles(range = 1 m)");
+  folder.write("wanderer.cdl", text);
+  text::Diagnostics sink;
+  const auto robot = load(folder, "wanderer.cdl", "w", sink);
+  ASSERT_TRUE(robot) << text::render(sink);
+  const flow::Port* range = robot->program->find("movement.AvoidStaticObstacles.sense_obstacles.range");
+  EXPECT_DOUBLE_EQ(flow::Program::number(robot->initial.data(), *range).value_or(0.0), 1.0);
+}
+
+TEST(TheExamplesOfTheManual, AreRightAndInTheCanonicalLayout) {
+  const fs::path folder = fs::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl/testdata/examples";
+  int count = 0;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
+    const auto source = text::read_source(file.path().string());
+    ASSERT_TRUE(source);
+    text::Diagnostics sink;
+    check_configuration(*source, {}, sink);
+    EXPECT_TRUE(sink.items().empty()) << text::render(sink);
+    EXPECT_EQ(cdl::format(*source, sink).value_or(""), (*source)->text()) << file.path();
+    ++count;
+  }
+  EXPECT_EQ(count, 4);
+}
+
+TEST(TheExamplesOfTheManual, BuildWithTheOperatorsOfTheirSociety) {
+  text::Diagnostics sink;
+  const ProgramSources sources = {std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/cdl/testdata/examples", "",
+                                  ""};
+  const auto fetcher = load_configuration("robots.cdl#Fetcher", "", {}, sources, sink);
+  const auto watcher = load_configuration("robots.cdl", "watcher", {}, sources, sink);
+  ASSERT_TRUE(fetcher && watcher) << text::render(sink);
+  const flow::Port* range =
+      fetcher->program->find("movement.wanted.MoveToGoal.ObjectLocation.NextThing.seen.range");
+  ASSERT_NE(range, nullptr);
+  EXPECT_EQ(flow::Program::print(fetcher->program->initial_frame().data(), *range), "60")
+      << "of the operator";
+  EXPECT_TRUE(fetcher->program->find("inertia") != nullptr && fetcher->program->find("top") != nullptr);
+  EXPECT_DOUBLE_EQ(watcher->lowered.body.at("radius"), 0.35);
 }
 
 }  // namespace

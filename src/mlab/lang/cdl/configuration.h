@@ -50,7 +50,8 @@ struct Configuration {
   std::vector<const SocietyOperator*> own_operators;
 };
 
-/// Reads a configuration, or sentences of G (`formula.h`), and all files that it uses, and collects their declarations.
+/// Reads a configuration, or sentences of G (`formula.h`), and all files that it uses, and collects their
+/// declarations.
 ///
 /// @errors  those of `parse` and of the CNL loader; `cannot-read`, `use-cycle`, `use-too-deep`,
 ///          `unknown-language` for a used file that is neither CDL nor CNL; `duplicate-declaration`

@@ -316,8 +316,7 @@ Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& sc
     const Parameter& parameter = binding.parameters[i];
     if (is_given[i]) continue;
     if (parameter.initial) {
-      asked.push_back(
-          {{parameter.name.text, place}, nullptr, nullptr, default_of(parameter, scope), place, true});
+      asked.push_back({{parameter.name.text, place}, nullptr, nullptr, default_of(parameter, scope), place});
     } else if (asked.size() == given.size()) {
       say_missing(call.callee, names[i], type_of(parameter), parameter.help);
     }
@@ -338,17 +337,11 @@ Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& sc
   return out;
 }
 
-// A device's own arguments, and those with which it is asked: what is asked for expressly holds, then what
-// the device says, then the defaults of the binding point.
+// A device's own arguments hold: they say what it is. What is asked for is added to them.
 Value Lowering::serve(const DeviceUse& use, std::vector<Given> asked, const Slot& slot,
                       const text::Place& place) {
   const Device& device = *use.device;
-  std::vector<Given> given;
-  for (Given& own : given_by(device.by, *use.scope)) {
-    const bool is_asked = std::ranges::any_of(
-        asked, [&](const Given& one) { return one.name.text == own.name.text && !one.is_default; });
-    if (own.name.text.empty() || !is_asked) given.push_back(std::move(own));
-  }
+  std::vector<Given> given = given_by(device.by, *use.scope);
   for (Given& one : asked) {
     const bool is_said =
         std::ranges::any_of(given, [&](const Given& own) { return own.name.text == one.name.text; });

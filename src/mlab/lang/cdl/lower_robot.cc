@@ -290,8 +290,7 @@ void Lowering::check_device(const Device& device, Scope& scope) {
                      nullptr,
                      nullptr,
                      wire(parameter.name.text, type, device.by.callee.place),
-                     device.by.callee.place,
-                     true});
+                     device.by.callee.place});
   }
   const Value value = serve({&device, &scope, false, false}, std::move(asked), {"", device.name.text, false},
                             device.name.place);

@@ -118,7 +118,6 @@ class Lowering {
     Scope* scope = nullptr;
     std::optional<Value> ready = {};  ///< instead of `value`
     text::Place place = {};
-    bool is_default = false;  ///< the binding point says it, not who asks
   };
   struct DeviceUse {
     const Device* device = nullptr;
