@@ -70,7 +70,12 @@ test("an overlay is drawn on an empty map, the mission written beside it, and bo
 test("an example opens from the start page, and is saved as a copy", async () => {
   const { console, project } = await begin();
   const { page } = console;
-  await page.getByRole("region", { name: "Examples" }).getByRole("button").filter({ hasText: "demo_c" }).first().click();
+  await page
+    .getByRole("region", { name: "Examples" })
+    .getByRole("button")
+    .filter({ hasText: "demo_c" })
+    .first()
+    .click();
   await console.reaches("Ready");
   const world = await console.panel("World");
   await world.getByRole("option").first().click();

@@ -53,7 +53,10 @@ test("of two browsers one is the operator, until the place is handed over", asyn
   expect(await second.button("Random obstacles…").isDisabled()).toBe(true);
   await second.commandLine.fill("UNIT scouts STOP");
   await second.commandLine.press("Enter");
-  await second.page.getByText(/operator/).first().waitFor();
+  await second.page
+    .getByText(/operator/)
+    .first()
+    .waitFor();
   await first.reaches("Running");
 
   await second.button("Ask for control").click();
@@ -86,6 +89,9 @@ test("the operator's place is free when its browser has gone", async () => {
   const second = await look(mlab);
   await second.watching.waitFor();
   await first.page.close();
-  await second.button(/^(Take|Ask for) control$/).first().click();
+  await second
+    .button(/^(Take|Ask for) control$/)
+    .first()
+    .click();
   await second.button(/^Operator: you/).waitFor();
 });

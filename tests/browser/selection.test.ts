@@ -49,7 +49,10 @@ test("why a robot moves as it does is told in sums of its schemas", async () => 
   const sum = selection.getByRole("region", { name: /^Sum / }).first();
   await sum.waitFor();
   expect(await sum.getByRole("listitem").count()).toBeGreaterThan(1);
-  await sum.getByText(/drives it|holds against|turns it aside/).first().waitFor();
+  await sum
+    .getByText(/drives it|holds against|turns it aside/)
+    .first()
+    .waitFor();
   await selection.getByText("OCCUPY AA-AA1", { exact: false }).first().waitFor();
   await selection.getByRole("region", { name: "Waits for" }).getByRole("listitem").first().waitFor();
   await page.getByRole("tab", { name: "Ports" }).click();

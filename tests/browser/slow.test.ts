@@ -55,7 +55,10 @@ test("who never acknowledges gets two frames and every question, and slows nobod
   await expect
     .poll(() => console.page.evaluate(() => document.querySelector("[aria-label^='Speed ']")?.textContent ?? ""))
     .not.toContain("reached");
-  await console.questions.getByRole("button", { name: /^PROCEED/ }).first().waitFor({ timeout: 120_000 });
+  await console.questions
+    .getByRole("button", { name: /^PROCEED/ })
+    .first()
+    .waitFor({ timeout: 120_000 });
   await expect.poll(async () => (await heard()).asked ?? 0).toBeGreaterThan(0);
   const counts = await heard();
   expect(counts.frame).toBeLessThanOrEqual(2);
@@ -74,5 +77,7 @@ test("a browser with a twentieth of its speed follows, is asked, and slows nobod
   await console.questions.getByRole("button", proceed).first().waitFor({ timeout: 120_000 });
   await slow.questions.getByRole("button", proceed).first().waitFor({ timeout: 120_000 });
   // It is not behind: the same moment of the mission is shown.
-  await expect.poll(async () => Math.abs((await slow.time()) - (await console.time())), { timeout: 60_000 }).toBeLessThan(10);
+  await expect
+    .poll(async () => Math.abs((await slow.time()) - (await console.time())), { timeout: 60_000 })
+    .toBeLessThan(10);
 });

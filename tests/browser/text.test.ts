@@ -12,7 +12,10 @@ test("a mistake in the mission is underlined as it is typed, mended and saved", 
   await page.keyboard.press("Control+End");
   await page.keyboard.type("\n 12. UNIT scuots STOP\n");
   const problems = panel.getByRole("list", { name: "Problems" });
-  await problems.getByText(/scuots/).first().waitFor();
+  await problems
+    .getByText(/scuots/)
+    .first()
+    .waitFor();
   await text.locator(".cm-lintRange-error").first().waitFor();
   await page.getByText("The mission text has errors. What runs is the last version without.").waitFor();
 
@@ -32,13 +35,18 @@ test("a mistake in the mission is underlined as it is typed, mended and saved", 
 test("a mission with errors opens with its errors, and runs once they are mended", async () => {
   const { console } = await begin({
     mission: "demo_c",
-    prepare: (project) => project.write("demo_c.mdl", project.read("demo_c.mdl").replace("ATK-AP1 FORMATION", "ATK-AP9 FORMATION")),
+    prepare: (project) =>
+      project.write("demo_c.mdl", project.read("demo_c.mdl").replace("ATK-AP1 FORMATION", "ATK-AP9 FORMATION")),
   });
   const { page } = console;
   await console.reaches("No mission");
   await console.main.getByText("Show the errors").click();
   const panel = page.getByRole("region", { name: "Text", exact: true });
-  await panel.getByRole("list", { name: "Problems" }).getByText(/ATK-AP9/).first().waitFor();
+  await panel
+    .getByRole("list", { name: "Problems" })
+    .getByText(/ATK-AP9/)
+    .first()
+    .waitFor();
   await panel.getByRole("list", { name: "Problems" }).getByRole("button").first().click();
   await page.keyboard.press("Home");
   await page.keyboard.press("Shift+End");
