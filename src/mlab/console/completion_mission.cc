@@ -67,8 +67,15 @@ class MissionCompleter {
   }
 
   void run() {
-    if (count() == 0) return part_ == Part::kPreamble ? preamble_words() : command_words();
-    if (is(0, Word::kUnit)) return part_ == Part::kPreamble ? unit_definition() : unit_command();
+    const bool is_preamble = part_ == Part::kPreamble;
+    if (count() == 0) {
+      is_preamble ? preamble_words() : command_words();
+      return;
+    }
+    if (is(0, Word::kUnit)) {
+      is_preamble ? unit_definition() : unit_command();
+      return;
+    }
     if (is(0, Word::kSet)) {
       option();
       return;

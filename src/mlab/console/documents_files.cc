@@ -104,7 +104,7 @@ text::Result<bool> OpenDocuments::save_as(OpenDocument& document, const std::str
   if (!written) return written;
   drafts_.drop(document.path);
   const std::string old_folder = fs::path(document.source->name()).parent_path().string();
-  const std::string old_path = std::exchange(document.path, path);
+  document.path = path;
   document.source = source_of(project_.disk_path(path), std::string(document.source->text()));
   document.saved = std::string(document.source->text());
   document.is_writable = true;

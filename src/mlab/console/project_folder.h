@@ -32,7 +32,7 @@ class ProjectFolder {
     std::string kind;  ///< mission, overlay, picture, other; empty for folders
   };
 
-  explicit ProjectFolder(Settings settings);
+  explicit ProjectFolder(const Settings& settings);
 
   /// As people call it: the last part of the folder's path.
   std::string name() const;

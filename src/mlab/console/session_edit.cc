@@ -168,7 +168,7 @@ Session::Parts::Answered Session::Parts::set_parameter(const std::string& who, c
     if (port == nullptr) return fmt::format("the program of robot {} has no `{}`", id, clean(set.port()));
     before.push_back(flow::Program::print(robot->frame.data(), *port));
   }
-  const std::string port = set.port();
+  const std::string& port = set.port();
   const std::vector<std::string> after(robots.size(), set.value());
   if (auto error = apply_parameters(robots, port, after)) {
     apply_parameters(robots, port, before);

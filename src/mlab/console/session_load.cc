@@ -10,7 +10,7 @@ robot::ProgramSources Session::Parts::program_sources() const {
   return {documents_.mission_folder(), settings_.include_root, settings_.version};
 }
 
-void Session::Parts::load(std::uint64_t seed, std::shared_ptr<const fleet::Crew> known) {
+void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet::Crew>& known) {
   const std::uint64_t number = ++loading_;
   seed_ = seed;
   from_documents_ = plain_ = documents_.mission();

@@ -123,7 +123,7 @@ class Session::Parts {
 
   /// The run is made anew from the documents' mission, on the workshop's thread.
   /// @param known  programs that need not be built again; null: none
-  void load(std::uint64_t seed, std::shared_ptr<const fleet::Crew> known = nullptr);
+  void load(std::uint64_t seed, const std::shared_ptr<const fleet::Crew>& known = nullptr);
   void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
   void report_problems(const text::Diagnostics& problems);
   robot::ProgramSources program_sources() const;
