@@ -85,6 +85,7 @@ test("a unit is sent to a place by mouse, with its formation, as the MDL that it
 test("every command is found by its name", async () => {
   const { console } = await begin({ mission: "demo_c" });
   const { page } = console;
+  await console.reaches("Ready");
   await page.keyboard.press("Control+k");
   await page.getByRole("combobox", { name: "Search all commands" }).fill("emerg");
   await page.getByRole("option", { name: /Emergency stop/ }).waitFor();

@@ -10,7 +10,7 @@ test("a mistake in the mission is underlined as it is typed, mended and saved", 
   await text.getByText("OBJ-Tango").first().waitFor();
   await text.click();
   await page.keyboard.press("Control+End");
-  await page.keyboard.type("\n 12. UNIT scuots STOP\n");
+  await page.keyboard.insertText("\n 12. UNIT scuots STOP");
   const problems = panel.getByRole("list", { name: "Problems" });
   await problems
     .getByText(/scuots/)
@@ -19,10 +19,8 @@ test("a mistake in the mission is underlined as it is typed, mended and saved", 
   await text.locator(".cm-lintRange-error").first().waitFor();
   await page.getByText("The mission text has errors. What runs is the last version without.").waitFor();
 
-  await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("Home");
-  await page.keyboard.press("Shift+End");
-  await page.keyboard.type(" 12. UNIT scouts STOP");
+  await page.keyboard.press("Shift+Home");
+  await page.keyboard.insertText("12. UNIT scouts STOP");
   await problems.waitFor({ state: "detached" });
   await console.panel("Mission");
   await console.steps.getByText(/ of 13 done/).waitFor();
@@ -50,7 +48,7 @@ test("a mission with errors opens with its errors, and runs once they are mended
   await panel.getByRole("list", { name: "Problems" }).getByRole("button").first().click();
   await page.keyboard.press("Home");
   await page.keyboard.press("Shift+End");
-  await page.keyboard.type("  2. UNIT scouts MOVETO ATK-AP1 FORMATION Column");
+  await page.keyboard.insertText("2. UNIT scouts MOVETO ATK-AP1 FORMATION Column");
   await console.reaches("Ready");
   expect(await panel.getByRole("list", { name: "Problems" }).count()).toBe(0);
 });
