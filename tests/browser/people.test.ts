@@ -26,6 +26,7 @@ test("a reload in mid-mission comes back to the same view, and the run goes on",
   await console.passes(1);
   // Whoever reloads is still the operator.
   await console.button("Operator: you").waitFor();
+  await console.panel("Mission");
   await console.main.getByText("Pause").click();
   await console.reaches("Paused");
 });
@@ -69,6 +70,7 @@ test("of two browsers one is the operator, until the place is handed over", asyn
   await first.button("Hand over").click();
   await second.button(/^Operator: you/).waitFor();
   await first.watching.waitFor();
+  await second.panel("Mission");
   await second.main.getByText("Pause").click();
   await first.reaches("Paused");
 });
