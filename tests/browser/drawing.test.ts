@@ -62,8 +62,8 @@ test("an overlay is drawn on an empty map, the mission written beside it, and bo
   await page.keyboard.press("Control+s");
   await console.button("Not saved").waitFor({ state: "detached" });
   expect(project.read("first.mdl")).toContain("UNIT team MOVETO OBJ-Goal");
-  expect(project.read("first.odl")).toMatch(/AA Start 100 100|AA Start 80 100/);
-  expect(project.read("first.odl")).toMatch(/OBJ Goal/);
+  expect(project.read("first.odl")).toMatch(/^AA AA-Start 80 100 80$/m);
+  expect(project.read("first.odl")).toMatch(/^OBJ OBJ-Goal 300 200 60$/m);
   expect(project.read("first.odl")).toMatch(/PL \S+ 200 40 200 260/);
 });
 
