@@ -41,7 +41,7 @@ for (const colours of ["Light", "Dark"] as const) {
       .getByRole("button", { name: /^PROCEED/ })
       .first()
       .waitFor({ timeout: 120_000 });
-    await console.select("ROBOT 1");
+    await console.select("Robot 1");
     const found: string[] = [];
     for (const panel of panels) {
       await console.panel(panel);

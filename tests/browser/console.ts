@@ -84,7 +84,7 @@ export class Console {
     await this.steps.getByText(/^1 of /).waitFor();
   }
 
-  /** By the list of robots: `ROBOT 1`, `scouts`. */
+  /** By the list of robots: `Robot 1`, `scouts`. */
   async select(name: string): Promise<void> {
     const panel = await this.panel("Robots");
     await this.rowOf(panel, name).click();

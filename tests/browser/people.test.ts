@@ -9,7 +9,7 @@ test("a reload in mid-mission comes back to the same view, and the run goes on",
   const { page } = console;
   await console.main.click();
   await console.reaches("Running");
-  await console.select("ROBOT 3");
+  await console.select("Robot 3");
   await console.panel("Log");
   await console.panel("Selection");
   await page.getByRole("tab", { name: "Why?" }).click();
@@ -19,7 +19,7 @@ test("a reload in mid-mission comes back to the same view, and the run goes on",
 
   await page.reload();
   await console.reaches("Running");
-  await page.getByRole("heading", { name: "ROBOT 3" }).waitFor();
+  await page.getByRole("heading", { name: "Robot 3" }).waitFor();
   await page.getByRole("region", { name: "Log", exact: true }).waitFor();
   expect(await console.camera()).toEqual(camera);
   expect(await console.time()).toBeGreaterThan(time);

@@ -85,7 +85,7 @@ test("on the way the steps, the trails and the selected robot show how it goes",
   await current.filter({ hasText: "PP-Delta1" }).waitFor({ timeout: 90_000 });
   await page.waitForTimeout(4000);
   await page.keyboard.press("Escape");
-  await tour.select("ROBOT 2");
+  await tour.select("Robot 2");
   await tour.panel("Mission");
   const selection = await tour.panel("Selection");
   await selection.getByText("To the goal").waitFor();
