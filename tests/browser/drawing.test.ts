@@ -80,6 +80,7 @@ test("an example opens from the start page, and is saved as a copy", async () =>
   const world = await console.panel("World");
   await world.getByRole("option").first().click();
   await world.getByRole("button", { name: "Remove" }).click();
+  await console.button(/^Undo remove/).waitFor();
   await page.keyboard.press("Control+s");
   const dialog = page.getByRole("dialog", { name: /^Save .* as$/ });
   await dialog.getByLabel("Name").fill("mine");
