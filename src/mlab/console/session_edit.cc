@@ -137,7 +137,8 @@ bool Session::Parts::change_mission(std::shared_ptr<const mission::Mission> plai
     ++plan_revision_;
     ++version_;
     has_nothing_to_do_ = false;
-    changes_.roster = changes_.plan = changes_.status = changes_.questions = changes_.scene = true;
+    changes_.roster = changes_.starts = changes_.plan = changes_.status = changes_.questions =
+        changes_.scene = true;
   };
   if (is_quick) {
     text::Diagnostics problems;

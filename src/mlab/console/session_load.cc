@@ -58,8 +58,8 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
   sentences_.clear();
   for (auto& [id, channel] : channels_) channel.series_seen.clear();
   update_watches();
-  changes_.roster = changes_.plan = changes_.status = changes_.questions = changes_.trails = changes_.scene =
-      true;
+  changes_.roster = changes_.starts = changes_.plan = changes_.status = changes_.questions = changes_.trails =
+      changes_.scene = true;
 }
 
 void Session::Parts::report_problems(const text::Diagnostics& problems) {

@@ -8,7 +8,7 @@ import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button, Hint } from "../ui/controls.tsx";
 import { Icon, type IconName } from "../ui/icons.tsx";
 import { MenuButton, type MenuEntry } from "../ui/menus.tsx";
-import { mainButton } from "./main_button.ts";
+import { mainButton, skipWords, stepWords } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";
 import {
@@ -64,10 +64,18 @@ function MainControls() {
         <TransportButton
           icon="step"
           label="Step"
-          hint="Single step of the mission"
+          hint={stepWords(status)}
           shortcut="n"
           isDisabled={stands}
           onPress={run(Control_Action.SINGLE_STEP)}
+        />
+        <TransportButton
+          icon="skip"
+          label="Skip"
+          hint={skipWords(status)}
+          shortcut="shift+n"
+          isDisabled={stands}
+          onPress={run(Control_Action.SKIP_STEP)}
         />
         <TransportButton
           icon="cycle"
