@@ -1,6 +1,7 @@
 // Robots that have not been started, where START will put them: outlines, so that nobody takes them for the real ones.
+import { idRanges } from "../format.ts";
 import { type Box, holds } from "../geometry.ts";
-import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
+import { clustersOf, type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { Model } from "../model.ts";
 import type { RobotTable } from "../robots.ts";
 import { kShape, type RobotStyles } from "./robot_styles.ts";
@@ -10,6 +11,7 @@ import type { Pen } from "./tool.ts";
 
 const kMostNamed = 60;
 const kMostShaped = 1500; // more are drawn as squares
+const kLineHeight = 13; // px
 const kFont = `500 11px ${kSans}`;
 
 /** @param taken  where names of measures stand */
@@ -84,31 +86,56 @@ function drawSelected(pen: Pen, starts: RobotTable, styles: RobotStyles, rows: r
   stroke(pen, { color: palette.selection, width: 2.25 });
 }
 
+/** What the outlines cover, as long as each can be told from the others. */
+export function startBoxes({ camera }: Pen, model: Model, styles: RobotStyles): Box[] {
+  const starts = model.get("starts");
+  if (!model.get("map").layers.robots || starts.count > kMostNamed) return [];
+  return Array.from({ length: starts.count }, (_, row) => {
+    const x = camera.toScreenX(starts.x(row));
+    const y = camera.toScreenY(starts.y(row));
+    const half = styles.pixels(starts.id(row), camera.scale) / 2;
+    return { xMin: x - half, xMax: x + half, yMin: y - half * 0.8, yMax: y + half * 0.8 };
+  });
+}
+
+interface Name {
+  readonly text: string;
+  readonly color: string;
+}
+
 function drawNames(pen: Pen, model: Model, styles: RobotStyles, rows: readonly number[], taken: readonly Box[]): void {
   const { camera, palette } = pen;
   const starts = model.get("starts");
-  const roster = model.get("roster");
-  const named = rows.length <= kMostNamed ? rows : rows.filter((row) => styles.isSelected(starts.id(row)));
   const screen: Box = { xMin: 2, yMin: 2, xMax: camera.width - 2, yMax: camera.height - 2 };
-  const bodies: Box[] = [];
-  const wishes = named.slice(0, kMostNamed).flatMap((row): LabelWish<{ text: string; color: string }>[] => {
-    const id = starts.id(row);
-    const x = camera.toScreenX(starts.x(row));
-    const y = camera.toScreenY(starts.y(row));
-    if (!holds(screen, { x, y })) return [];
-    const text = roster.nameOf(id);
+  const named = rows.length <= kMostNamed ? rows : rows.filter((row) => styles.isSelected(starts.id(row)));
+  const known = new TakenBoxes([...taken, ...startBoxes(pen, model, styles)]);
+  // Where they stand too close for a name each, one names them all.
+  const clusters = clustersOf(
+    named.map((row) => ({ row, x: camera.toScreenX(starts.x(row)), y: camera.toScreenY(starts.y(row)) })),
+  );
+  const wishes = clusters.flatMap((cluster): LabelWish<Name>[] => {
+    const ids = cluster.map(({ row }) => starts.id(row));
+    const text = ids.length === 1 ? model.get("roster").nameOf(ids[0]!) : `Robots ${idRanges(ids)}`;
+    const isSelected = ids.some((id) => styles.isSelected(id));
     const width = textWidth(pen, text, kFont) + 4;
-    const half = styles.pixels(id, camera.scale) / 2;
-    bodies.push({ xMin: x - half, xMax: x + half, yMin: y - half * 0.8, yMax: y + half * 0.8 });
-    const side = half + width / 2 + 3;
-    const places = [0, 7, -7].flatMap((dy) => [
-      { x: x + side, y: y + dy },
-      { x: x - side, y: y + dy },
-    ]);
-    const isSelected = styles.isSelected(id);
-    const key = { text, color: isSelected ? palette.selection : palette.softInk };
-    return [{ key, width, height: 13, weight: isSelected ? 1 : 0, places }];
+    const side = styles.pixels(ids[0]!, camera.scale) / 2 + width / 2 + 3;
+    const xs = cluster.map(({ x }) => x);
+    const ys = cluster.map(({ y }) => y);
+    const [left, right] = [Math.min(...xs), Math.max(...xs)];
+    const [above, below] = [Math.min(...ys), Math.max(...ys)];
+    const [x, y] = [(left + right) / 2, (above + below) / 2];
+    if (!holds(screen, { x, y })) return [];
+    const places = [
+      ...[0, 6, -6].flatMap((dy) => [
+        { x: right + side, y: y + dy },
+        { x: left - side, y: y + dy },
+      ]),
+      { x, y: below + 17 },
+      { x, y: above - 17 },
+    ];
+    const key = { text, color: isSelected ? palette.selection : palette.ink };
+    return [{ key, width, height: kLineHeight, weight: isSelected ? 1 : 0, places }];
   });
-  for (const { key, middle } of placeLabels(wishes, new TakenBoxes([...taken, ...bodies]), screen))
+  for (const { key, middle } of placeLabels(wishes, known, screen))
     writeText(pen, key.text, middle.x, middle.y, key.color, kFont);
 }
