@@ -33,7 +33,7 @@ endif()
 add_custom_target(unit_tests)
 add_custom_target(threaded_tests)
 add_custom_target(fuzzers)
-set(MLAB_THREADED_MODULES flow sim fleet console)
+set(MLAB_THREADED_MODULES flow sim fleet console console_server)
 
 # mlab_module(NAME [SOURCES file...] [TESTS file...] [LINK target...] [TEST_LINK target...])
 #

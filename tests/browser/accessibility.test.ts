@@ -37,8 +37,11 @@ for (const colours of ["Light", "Dark"] as const) {
     await theme(console, colours);
     await console.panel("Mission");
     await console.main.click();
-    await console.questions.getByRole("button", { name: /^PROCEED/ }).first().waitFor({ timeout: 120_000 });
-    await console.select("robot 1");
+    await console.questions
+      .getByRole("button", { name: /^PROCEED/ })
+      .first()
+      .waitFor({ timeout: 120_000 });
+    await console.select("Robot 1");
     const found: string[] = [];
     for (const panel of panels) {
       await console.panel(panel);

@@ -14,7 +14,10 @@ test("a typed command shows who is meant before it goes out, and becomes a step"
   const verdict = page.locator(".command-verdict");
   await verdict.getByText("Enter sends this to").waitFor();
   await verdict.getByText("scouts-1", { exact: true }).waitFor();
-  await verdict.getByText(/2 robots|robots 1/).first().waitFor();
+  await verdict
+    .getByText(/2 robots|robots 1/)
+    .first()
+    .waitFor();
   await page.keyboard.press("Enter");
   const typed = console.steps.getByRole("listitem").filter({ hasText: "typed" });
   await typed.filter({ hasText: "MOVETO" }).waitFor();
@@ -32,7 +35,11 @@ test("a mistyped command is marked with what is expected, and is not sent", asyn
   await console.commandLine.fill("UNIT scouts MOVETO OBJ-Tangoo");
   await page.getByText("Can't be sent yet").waitFor();
   await page.locator("mark").filter({ hasText: "OBJ-Tangoo" }).waitFor();
-  await page.locator(".command-verdict").getByText(/OBJ-Tango\b/).first().waitFor();
+  await page
+    .locator(".command-verdict")
+    .getByText(/OBJ-Tango\b/)
+    .first()
+    .waitFor();
   await console.commandLine.press("Enter");
   expect(await console.steps.getByRole("listitem").filter({ hasText: "typed" }).count()).toBe(0);
 });
@@ -49,11 +56,17 @@ test("a unit is sent to a place by mouse, with its formation, as the MDL that it
   await console.dragMap([300, 300], [380, 300]);
   const order = page.getByRole("dialog", { name: "Command" });
   await order.getByText(/^UNIT scouts MOVETO 300 300/).waitFor();
-  await order.getByText(/4 robots|robots 1/).first().waitFor();
-  await order.getByLabel("Formation").selectOption("Wedge").catch(async () => {
-    await order.getByRole("button", { name: /Formation/ }).click();
-    await page.getByRole("option", { name: "Wedge" }).click();
-  });
+  await order
+    .getByText(/4 robots|robots 1/)
+    .first()
+    .waitFor();
+  await order
+    .getByLabel("Formation")
+    .selectOption("Wedge")
+    .catch(async () => {
+      await order.getByRole("button", { name: /Formation/ }).click();
+      await page.getByRole("option", { name: "Wedge" }).click();
+    });
   await order.getByText(/FORMATION Wedge/i).waitFor();
   const text = (await order.locator("code").textContent()) ?? "";
   await order.getByRole("button", { name: "Send" }).click();
@@ -62,12 +75,17 @@ test("a unit is sent to a place by mouse, with its formation, as the MDL that it
   await typed.filter({ hasText: "MOVETO" }).filter({ hasText: "Wedge" }).waitFor();
   expect(text).toMatch(/^UNIT scouts MOVETO/);
   await console.panel("Log");
-  await page.getByRole("log", { name: "Events" }).getByText(/MOVETO/).first().waitFor();
+  await page
+    .getByRole("log", { name: "Events" })
+    .getByText(/MOVETO/)
+    .first()
+    .waitFor();
 });
 
 test("every command is found by its name", async () => {
   const { console } = await begin({ mission: "demo_c" });
   const { page } = console;
+  await console.reaches("Ready");
   await page.keyboard.press("Control+k");
   await page.getByRole("combobox", { name: "Search all commands" }).fill("emerg");
   await page.getByRole("option", { name: /Emergency stop/ }).waitFor();

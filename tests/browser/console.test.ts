@@ -184,11 +184,11 @@ describe("the page", () => {
     await main(page).click();
     await page.locator("[data-question]").first().waitFor();
     await page.keyboard.press("2");
-    await page.getByRole("row", { name: /ROBOT 3/ }).click();
-    await page.getByRole("heading", { name: "ROBOT 3" }).waitFor();
+    await page.getByRole("row", { name: /Robot 3/ }).click();
+    await page.getByRole("heading", { name: "Robot 3" }).waitFor();
     await page.waitForTimeout(500);
     await page.reload();
-    await page.getByRole("heading", { name: "ROBOT 3" }).waitFor();
+    await page.getByRole("heading", { name: "Robot 3" }).waitFor();
     await page.getByRole("grid", { name: "Robots and units" }).waitFor();
     await page.locator("[data-question]").first().waitFor();
   });

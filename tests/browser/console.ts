@@ -66,6 +66,7 @@ export class Console {
   async time(): Promise<number> {
     const text = (await this.runTime.textContent()) ?? "";
     return text
+      .replace("Run time", "")
       .split(":")
       .map(Number)
       .reduce((sum, part) => sum * 60 + part, 0);
@@ -83,7 +84,7 @@ export class Console {
     await this.steps.getByText(/^1 of /).waitFor();
   }
 
-  /** By the list of robots: `robot 1`, `scouts`. */
+  /** By the list of robots: `Robot 1`, `scouts`. */
   async select(name: string): Promise<void> {
     const panel = await this.panel("Robots");
     await this.rowOf(panel, name).click();

@@ -62,19 +62,25 @@ test("an overlay is drawn on an empty map, the mission written beside it, and bo
   await page.keyboard.press("Control+s");
   await console.button("Not saved").waitFor({ state: "detached" });
   expect(project.read("first.mdl")).toContain("UNIT team MOVETO OBJ-Goal");
-  expect(project.read("first.odl")).toMatch(/AA Start 100 100|AA Start 80 100/);
-  expect(project.read("first.odl")).toMatch(/OBJ Goal/);
+  expect(project.read("first.odl")).toMatch(/^AA AA-Start 80 100 80$/m);
+  expect(project.read("first.odl")).toMatch(/^OBJ OBJ-Goal 300 200 60$/m);
   expect(project.read("first.odl")).toMatch(/PL \S+ 200 40 200 260/);
 });
 
 test("an example opens from the start page, and is saved as a copy", async () => {
   const { console, project } = await begin();
   const { page } = console;
-  await page.getByRole("region", { name: "Examples" }).getByRole("button").filter({ hasText: "demo_c" }).first().click();
+  await page
+    .getByRole("region", { name: "Examples" })
+    .getByRole("button")
+    .filter({ hasText: "demo_c" })
+    .first()
+    .click();
   await console.reaches("Ready");
   const world = await console.panel("World");
   await world.getByRole("option").first().click();
   await world.getByRole("button", { name: "Remove" }).click();
+  await console.button(/^Undo remove/).waitFor();
   await page.keyboard.press("Control+s");
   const dialog = page.getByRole("dialog", { name: /^Save .* as$/ });
   await dialog.getByLabel("Name").fill("mine");

@@ -6,7 +6,10 @@ test("the log tells what happened, is filtered by text and kind, and leads to th
   const { page } = console;
   await console.setSpeed("Max");
   await console.main.click();
-  await console.questions.getByRole("button", { name: /^PROCEED/ }).first().waitFor({ timeout: 120_000 });
+  await console.questions
+    .getByRole("button", { name: /^PROCEED/ })
+    .first()
+    .waitFor({ timeout: 120_000 });
   const log = await console.panel("Log");
   const rows = log.locator(".log-row");
   await rows.first().waitFor();
@@ -25,7 +28,10 @@ test("the log tells what happened, is filtered by text and kind, and leads to th
   await console.button("Zoom in").click();
   await expect.poll(async () => (await console.camera()).scale).toBeGreaterThan(camera.scale);
   const zoomed = await console.camera();
-  await log.getByRole("button", { name: /: show on the map$/ }).first().click();
+  await log
+    .getByRole("button", { name: /: show on the map$/ })
+    .first()
+    .click();
   await expect
     .poll(async () => {
       const now = await console.camera();

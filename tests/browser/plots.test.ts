@@ -13,10 +13,20 @@ test("a plot shows a curve while the mission runs, and is saved as CSV, SVG and 
   await strip.locator("canvas").waitFor();
   await plots.getByRole("button", { name: "Add…" }).click();
   const chooser = page.getByRole("dialog", { name: "Add to the plots" });
-  await chooser.getByRole("listbox", { name: "What" }).getByRole("option", { name: /^Speed/ }).click();
-  await chooser.getByRole("listbox", { name: "Of whom" }).getByRole("option", { name: /^robot 1/i }).first().click();
+  await chooser
+    .getByRole("listbox", { name: "What" })
+    .getByRole("option", { name: /^Speed/ })
+    .click();
+  await chooser
+    .getByRole("listbox", { name: "Of whom" })
+    .getByRole("option", { name: /^robot 1/i })
+    .first()
+    .click();
   await chooser.getByRole("button", { name: "Add", exact: true }).click();
-  await plots.getByRole("region", { name: /^Plot of Speed/i }).first().waitFor();
+  await plots
+    .getByRole("region", { name: /^Plot of Speed/i })
+    .first()
+    .waitFor();
   await console.passes(20);
 
   // Something is drawn in the colour of a curve, not only axes and grid.

@@ -6,12 +6,12 @@ test("a robot on the map is selected by a click, a unit by a double click", asyn
   const { page } = console;
   await console.startRobots();
   await console.panel("Robots");
-  await expect.poll(async () => (await console.place("robot 2")).x).toBeGreaterThan(0);
-  const { x, y } = await console.place("robot 2");
+  await expect.poll(async () => (await console.place("Robot 2")).x).toBeGreaterThan(0);
+  const { x, y } = await console.place("Robot 2");
   await console.panel("Selection");
   const at = await console.onPage(x, y);
   await page.mouse.click(at.x, at.y);
-  await page.getByRole("heading", { name: "robot 2" }).waitFor();
+  await page.getByRole("heading", { name: "Robot 2" }).waitFor();
   const again = await console.onPage(x, y);
   await page.mouse.dblclick(again.x, again.y);
   await page.getByRole("heading", { name: /^Unit scouts/ }).waitFor();
@@ -21,7 +21,7 @@ test("a parameter's slider changes the robot while it runs, and the change can b
   const { console } = await begin({ mission: "demo_c" });
   const { page } = console;
   await console.startRobots();
-  await console.select("robot 1");
+  await console.select("Robot 1");
   const selection = await console.panel("Selection");
   await selection.getByRole("tab", { name: "Parameters" }).click();
   const slider = selection.getByRole("slider").first();
@@ -43,13 +43,16 @@ test("why a robot moves as it does is told in sums of its schemas", async () => 
   const { page } = console;
   await console.main.click();
   await console.reaches("Running");
-  await console.select("robot 1");
+  await console.select("Robot 1");
   const selection = await console.panel("Selection");
   await selection.getByRole("tab", { name: "Why?" }).click();
   const sum = selection.getByRole("region", { name: /^Sum / }).first();
   await sum.waitFor();
   expect(await sum.getByRole("listitem").count()).toBeGreaterThan(1);
-  await sum.getByText(/drives it|holds against|turns it aside/).first().waitFor();
+  await sum
+    .getByText(/drives it|holds against|turns it aside/)
+    .first()
+    .waitFor();
   await selection.getByText("OCCUPY AA-AA1", { exact: false }).first().waitFor();
   await selection.getByRole("region", { name: "Waits for" }).getByRole("listitem").first().waitFor();
   await page.getByRole("tab", { name: "Ports" }).click();

@@ -7,13 +7,13 @@ test("the key of the emergency stop stops the robots from anywhere, also while t
   await console.main.click();
   await console.reaches("Running");
   await console.panel("Robots");
-  await expect.poll(async () => (await console.place("robot 1")).x).toBeGreaterThan(0);
+  await expect.poll(async () => (await console.place("Robot 1")).x).toBeGreaterThan(0);
 
   await console.commandLine.fill("UNIT scouts MOV");
   await page.keyboard.press("Control+.");
   await console.reaches("Emergency stop");
   await page.getByText("EMERGENCY STOP: all robots stand and take no orders.").waitFor();
-  const place = await console.place("robot 1");
+  const place = await console.place("Robot 1");
   const time = await console.time();
 
   // No order moves them.
@@ -23,7 +23,7 @@ test("the key of the emergency stop stops the robots from anywhere, also while t
   await console.panel("Mission");
   expect(await console.button("Step").isDisabled()).toBe(true);
   await console.panel("Robots");
-  expect(await console.place("robot 1")).toEqual(place);
+  expect(await console.place("Robot 1")).toEqual(place);
   expect(await console.time()).toBe(time);
 
   await console.button("Release the stop").first().click();

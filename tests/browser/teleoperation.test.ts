@@ -13,7 +13,7 @@ test("a unit is steered by the stick, and stands when it is let go", async () =>
   await card.waitFor();
   await card.getByText("as on the map").click();
   if (await console.state.filter({ hasText: "Paused" }).isVisible()) await page.keyboard.press("x");
-  const before = await console.place("robot 1");
+  const before = await console.place("Robot 1");
 
   const stick = card.getByRole("application", { name: "Stick of scouts-1" });
   const box = await stick.boundingBox();
@@ -24,13 +24,15 @@ test("a unit is steered by the stick, and stands when it is let go", async () =>
   await page.mouse.move(x + box.width / 2, y, { steps: 5 });
   await card.getByText(/by pointer/).waitFor();
   // To the right is east on the map.
-  await expect.poll(async () => (await console.place("robot 1")).x, { timeout: 60_000 }).toBeGreaterThan(before.x + 5);
+  await expect.poll(async () => (await console.place("Robot 1")).x, { timeout: 60_000 }).toBeGreaterThan(before.x + 5);
   await page.mouse.up();
   await card.getByText("let go: stands").waitFor();
   await card.getByText("0.0 m/s").waitFor();
-  const stands = await console.place("robot 1");
+  const stands = await console.place("Robot 1");
   await console.passes(3);
-  expect(await console.place("robot 1")).toEqual(stands);
+  // Shown in whole metres.
+  const later = await console.place("Robot 1");
+  expect(Math.hypot(later.x - stands.x, later.y - stands.y)).toBeLessThan(2);
 
   await card.getByRole("button", { name: "End teleoperation" }).click();
   await card.waitFor({ state: "detached" });
@@ -47,11 +49,11 @@ test("keys steer while they are held, and only then", async () => {
   const card = steer.getByRole("region", { name: "Teleoperation of scouts" });
   await card.getByText("as on the map").click();
   if (await console.state.filter({ hasText: "Paused" }).isVisible()) await page.keyboard.press("x");
-  const before = await console.place("robot 1");
+  const before = await console.place("Robot 1");
   await card.getByRole("application", { name: "Stick of scouts" }).focus();
   await page.keyboard.down("ArrowUp");
   await card.getByText(/by keys/).waitFor();
-  await expect.poll(async () => (await console.place("robot 1")).y, { timeout: 60_000 }).toBeGreaterThan(before.y + 5);
+  await expect.poll(async () => (await console.place("Robot 1")).y, { timeout: 60_000 }).toBeGreaterThan(before.y + 5);
   await page.keyboard.up("ArrowUp");
   await card.getByText("let go: stands").waitFor();
   await card.getByText("0.0 m/s").waitFor();

@@ -133,7 +133,10 @@ test("control measures are drawn, named and saved as text", async () => {
   const page = await console("--project", folder);
   await button(page, /New mission/).click();
   await page.getByRole("dialog").getByRole("textbox").first().fill("mine.mdl");
-  await page.getByRole("dialog").getByRole("button", { name: /Create/ }).click();
+  await page
+    .getByRole("dialog")
+    .getByRole("button", { name: /Create/ })
+    .click();
   await button(page, "Draw").click();
   await button(page, "Assembly area").click();
   await drag(page, [0.3, 0.6], [0.34, 0.62]);

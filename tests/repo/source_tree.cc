@@ -40,7 +40,8 @@ Tree read_tree(const std::string& root) {
     if (!it->is_regular_file() || it->is_symlink()) continue;
     std::ifstream in(it->path(), std::ios::binary);
     File file{fs::relative(it->path(), root).generic_string(), {std::istreambuf_iterator<char>(in), {}}};
-    if (is_text(file.text)) tree.push_back(std::move(file));
+    if (!is_text(file.text)) file.text.clear();
+    tree.push_back(std::move(file));
   }
   std::ranges::sort(tree, {}, &File::path);
   return tree;

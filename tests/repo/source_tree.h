@@ -7,7 +7,7 @@
 
 namespace mlab::repo {
 
-/// One text file of the project.
+/// One file of the project; pictures and the like are there, without a text.
 struct File {
   std::string path;  ///< from the root of the project, with `/`
   std::string text;

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { count, distance, duration, headingDegrees, idRanges, list, plain, quantity, speedFactor } from "./format.ts";
+import { idRanges } from "../core/format.ts";
+import { count, distance, duration, headingDegrees, list, plain, quantity, speedFactor } from "./format.ts";
 
 describe("duration", () => {
   it("shows minutes and seconds, and hours once there are any", () => {

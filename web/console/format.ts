@@ -52,19 +52,6 @@ export function list(words: readonly string[]): string {
   return `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}`;
 }
 
-/** Robot numbers, runs joined: `1–4, 7`. */
-export function idRanges(ids: readonly number[]): string {
-  const sorted = [...new Set(ids)].sort((a, b) => a - b);
-  const parts: string[] = [];
-  for (let i = 0; i < sorted.length; ) {
-    let j = i;
-    while (j + 1 < sorted.length && sorted[j + 1] === (sorted[j] as number) + 1) j++;
-    parts.push(j - i >= 2 ? `${sorted[i]}–${sorted[j]}` : sorted.slice(i, j + 1).join(", "));
-    i = j + 1;
-  }
-  return parts.join(", ");
-}
-
 /** Names in backticks, as diagnostics have them, in quotes as people have them. */
 export function plain(text: string): string {
   return text.replaceAll(/`([^`]*)`/g, "“$1”");

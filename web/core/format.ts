@@ -60,3 +60,16 @@ export function roundDown(most: number): number {
   const share = most / power;
   return (share >= 5 ? 5 : share >= 2 ? 2 : 1) * power;
 }
+
+/** Robot numbers, runs joined: `1–4, 7`. */
+export function idRanges(ids: readonly number[]): string {
+  const sorted = [...new Set(ids)].sort((a, b) => a - b);
+  const parts: string[] = [];
+  for (let i = 0; i < sorted.length; ) {
+    let j = i;
+    while (j + 1 < sorted.length && sorted[j + 1] === (sorted[j] as number) + 1) j++;
+    parts.push(j - i >= 2 ? `${sorted[i]}–${sorted[j]}` : sorted.slice(i, j + 1).join(", "));
+    i = j + 1;
+  }
+  return parts.join(", ");
+}

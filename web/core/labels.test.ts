@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { overlaps } from "./geometry.ts";
-import { type LabelWish, placeLabels, TakenBoxes } from "./labels.ts";
+import { clustersOf, type LabelWish, placeLabels, TakenBoxes } from "./labels.ts";
 
 const kScreen = { xMin: 0, yMin: 0, xMax: 400, yMax: 300 };
 const wish = (): fc.Arbitrary<LabelWish<number>> =>
@@ -47,4 +47,23 @@ test("of free places the one that hides least is taken, the first of two alike",
   const cost = ({ yMin }: { yMin: number }): number => (yMin < 60 ? 3 : 1);
   const [placed] = placeLabels([{ key: 0, width: 20, height: 10, weight: 1, places, cost }], new TakenBoxes(), kScreen);
   expect(placed?.middle).toEqual({ x: 50, y: 100 });
+});
+
+test("what stands too close for a name each is one group, also by way of a third", () => {
+  const column = [0, 10, 20].map((y) => ({ x: 0, y }));
+  const apart = { x: 0, y: 60 };
+  expect(clustersOf([column[0]!, column[2]!, apart, column[1]!])).toEqual([[column[0], column[2], column[1]], [apart]]);
+  expect(
+    clustersOf([
+      { x: 0, y: 0 },
+      { x: 0, y: 14 },
+    ]),
+  ).toHaveLength(2);
+  const point = fc.record({ x: fc.integer({ max: 500 }), y: fc.integer({ max: 500 }) });
+  fc.assert(
+    fc.property(fc.array(point, { maxLength: 30 }), (points) => {
+      expect(new Set(clustersOf(points).flat())).toEqual(new Set(points));
+      expect(clustersOf(points).flat()).toHaveLength(points.length);
+    }),
+  );
 });

@@ -78,6 +78,25 @@ function bestPlace<Key>(wish: LabelWish<Key>, taken: TakenBoxes, screen: Box): L
   return best;
 }
 
+/**
+ * Things that stand so close that no line of text fits between them, in groups; their order stays.
+ *
+ * @param height  of a line, and what stands beside each other is closer than three of it [px]
+ */
+export function clustersOf<Thing extends Point>(things: readonly Thing[], height = 13): Thing[][] {
+  const groups: Thing[][] = [];
+  for (const thing of things) {
+    const isNear = (other: Thing): boolean =>
+      Math.abs(thing.y - other.y) < height && Math.abs(thing.x - other.x) < 3 * height;
+    const near = groups.filter((group) => group.some(isNear));
+    const merged = [...near.flat(), thing];
+    if (near.length === 0) groups.push(merged);
+    else groups.splice(groups.indexOf(near[0]!), 1, merged);
+    for (const group of near.slice(1)) groups.splice(groups.indexOf(group), 1);
+  }
+  return groups;
+}
+
 export function boxAround(middle: Point, width: number, height: number): Box {
   return {
     xMin: middle.x - width / 2,

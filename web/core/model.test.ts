@@ -1,7 +1,7 @@
 import { create, type MessageInitShape } from "@bufbuild/protobuf";
 import { expect, test, vi } from "vitest";
 import { kLogLength, Model } from "./model.ts";
-import { ToBrowserSchema } from "./protocol.ts";
+import { Status_Mode, ToBrowserSchema } from "./protocol.ts";
 import { kRecordBytes, writeRecord } from "./robots.ts";
 import { selectItem, selectRobots } from "./selection.ts";
 
@@ -117,4 +117,26 @@ test("the operator is who the clients say", () => {
   say(model, { case: "welcome", value: { client: 7 } });
   say(model, { case: "clients", value: { operator: 7 } });
   expect(model.isOperator()).toBe(true);
+});
+
+test("who has not been started has the place where START will put it, until it is on the map", () => {
+  const model = new Model();
+  const starts = vi.fn();
+  model.subscribe("starts", starts);
+  say(model, { case: "starts", value: { robots: record(4, 20) } });
+  expect(model.placeOf(4)?.x).toBe(20);
+  expect(starts).toHaveBeenCalledTimes(1);
+  say(model, { case: "starts", value: {} });
+  say(model, { case: "frame", value: { number: 1n, time: 0.1, robots: record(4, 21) } });
+  expect(model.placeOf(4)?.x).toBe(21);
+  expect(model.get("starts").count).toBe(0);
+});
+
+test("robots of a paused or stepped run are where the frame says", () => {
+  const model = new Model();
+  model.glide.isWanted = true;
+  say(model, { case: "status", value: { mode: Status_Mode.PAUSED } });
+  for (let i = 1; i <= 3; ++i) say(model, { case: "frame", value: { number: 1n, time: i / 10, robots: record(4, i) } });
+  model.robots.share = 0;
+  expect(model.placeOf(4)?.x).toBe(3);
 });

@@ -1,26 +1,28 @@
 // What the browser knows of the session. Parts that people read (scene, status, log, ...) are replaced as a whole and
 // announced by name; what moves (robots, trails, stations) stands in typed arrays that each frame overwrites, for the
 // map and the plots, which listen to frames.
+import { Glide } from "./glide.ts";
 import { applyMissionOptions, kDefaultSettings, type MapSettings } from "./map/settings.ts";
 import { PointTable } from "./packed.ts";
-import type {
-  Clients,
-  Documents,
-  EditState,
-  Frame,
-  Log,
-  Log_Entry,
-  Plan,
-  Project,
-  Questions_Question,
-  RobotDetail,
-  Roster,
-  Scene,
-  SeriesData,
-  Status,
-  ToBrowser,
-  Trails,
-  Welcome,
+import {
+  type Clients,
+  type Documents,
+  type EditState,
+  type Frame,
+  type Log,
+  type Log_Entry,
+  type Plan,
+  type Project,
+  type Questions_Question,
+  type RobotDetail,
+  type Roster,
+  type Scene,
+  type SeriesData,
+  type Status,
+  Status_Mode,
+  type ToBrowser,
+  type Trails,
+  type Welcome,
 } from "./protocol.ts";
 import { RobotTable } from "./robots.ts";
 import { RosterIndex } from "./roster.ts";
@@ -44,6 +46,8 @@ export interface Parts {
   documents: Documents | null;
   scene: Scene | null;
   roster: RosterIndex;
+  /** Where robots that have not been started will be. */
+  starts: RobotTable;
   plan: Plan | null;
   status: Status | null;
   questions: readonly Questions_Question[];
@@ -60,6 +64,8 @@ export interface Parts {
 }
 
 export const kLogLength = 5000;
+/** RobotDetail.life of a robot that stands nowhere yet. */
+export const kNotStarted = "not started";
 const kMany = 1500; // robots
 const kSlow = 100; // ms between announcements of what every frame changes
 
@@ -71,8 +77,14 @@ export interface MovedObject {
   readonly carrier: number;
 }
 
+function placeIn(robots: RobotTable, id: number): { x: number; y: number; heading: number } | undefined {
+  const row = robots.rowOf(id);
+  return row < 0 ? undefined : { x: robots.x(row), y: robots.y(row), heading: robots.heading(row) };
+}
+
 export class Model extends Store<Parts> {
   readonly robots = new RobotTable();
+  readonly glide = new Glide();
   readonly trails = new TrailStore();
   /** Where formations want robots, of the newest frame; empty unless watched. */
   readonly stations = new PointTable();
@@ -102,6 +114,7 @@ export class Model extends Store<Parts> {
       documents: null,
       scene: null,
       roster: new RosterIndex(null),
+      starts: new RobotTable(),
       plan: null,
       status: null,
       questions: [],
@@ -137,12 +150,16 @@ export class Model extends Store<Parts> {
     return client !== 0 && this.get("clients")?.operator === client;
   }
 
-  /** Where the robot is: from the frame, or from its detail where the frame leaves it out. */
+  /**
+   * Where the robot is: from the frame, or from its detail where the frame leaves it out; before it is started where
+   * it will be.
+   */
   placeOf(robot: number): { x: number; y: number; heading: number } | undefined {
-    const row = this.robots.rowOf(robot);
-    if (row >= 0) return { x: this.robots.x(row), y: this.robots.y(row), heading: this.robots.heading(row) };
+    const found = placeIn(this.robots, robot) ?? placeIn(this.get("starts"), robot);
+    if (found) return found;
     const detail = this.newest.get(robot);
-    return detail && { x: detail.x, y: detail.y, heading: detail.heading };
+    if (!detail || detail.life === kNotStarted) return undefined;
+    return { x: detail.x, y: detail.y, heading: detail.heading };
   }
 
   updateMap(change: Partial<MapSettings>): void {
@@ -168,6 +185,9 @@ export class Model extends Store<Parts> {
         break;
       case "roster":
         this.takeRoster(body.value);
+        break;
+      case "starts":
+        this.takeStarts(body.value.robots);
         break;
       case "plan":
         this.set("plan", body.value);
@@ -200,12 +220,14 @@ export class Model extends Store<Parts> {
   }
 
   takeFrame(frame: Frame): void {
-    if (frame.time < this.time) this.forgetPast();
+    const before = this.time;
+    if (frame.time < before) this.forgetPast();
     this.frameNumber = frame.number;
     this.time = frame.time;
     this.cycle = Number(frame.cycle);
     this.robotsElsewhere = frame.robotsElsewhere;
-    this.robots.accept(frame.robots);
+    const advanced = this.isRunning() ? frame.time - before : 0;
+    this.robots.accept(frame.robots, this.glide.take(performance.now(), advanced));
     this.stations.accept(frame.stations);
     this.vectors.accept(frame.vectors);
     this.takeObjects(frame.objects);
@@ -215,6 +237,11 @@ export class Model extends Store<Parts> {
     if (frame.series) for (const listener of this.seriesListeners) listener(frame.series);
     for (const listener of this.frameListeners) listener();
     this.announceSoon();
+  }
+
+  private isRunning(): boolean {
+    const mode = this.get("status")?.mode;
+    return mode === Status_Mode.RUNNING || mode === Status_Mode.WAITING;
   }
 
   private welcome(welcome: Welcome): void {
@@ -255,6 +282,12 @@ export class Model extends Store<Parts> {
     if (robots.length < selection.robots.length || unit !== selection.unit)
       this.set("selection", { ...selection, robots, unit });
     this.set("roster", index);
+  }
+
+  private takeStarts(records: Uint8Array): void {
+    const starts = new RobotTable();
+    starts.accept(records);
+    this.set("starts", starts);
   }
 
   private takeStatus(status: Status): void {

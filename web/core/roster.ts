@@ -24,9 +24,9 @@ export class RosterIndex {
     return this.byId.get(id);
   }
 
-  /** `Robot 3`, for people. */
+  /** The one name of a robot for people, everywhere: `Robot 3`. Messages of a run call it `robot 3`. */
   nameOf(id: number): string {
-    return `${this.byId.get(id)?.type || "robot"} ${id}`;
+    return `Robot ${id}`;
   }
 
   /** Names are told apart without case, as the mission language does. */

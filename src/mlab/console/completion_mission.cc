@@ -67,9 +67,19 @@ class MissionCompleter {
   }
 
   void run() {
-    if (count() == 0) return part_ == Part::kPreamble ? preamble_words() : command_words();
-    if (is(0, Word::kUnit)) return part_ == Part::kPreamble ? unit_definition() : unit_command();
-    if (is(0, Word::kSet)) return option();
+    const bool is_preamble = part_ == Part::kPreamble;
+    if (count() == 0) {
+      is_preamble ? preamble_words() : command_words();
+      return;
+    }
+    if (is(0, Word::kUnit)) {
+      is_preamble ? unit_definition() : unit_command();
+      return;
+    }
+    if (is(0, Word::kSet)) {
+      option();
+      return;
+    }
     if (is(0, Word::kPrint) && count() == 1) {
       out_.add("CONSOLE-DATABASE", "keyword", "what is known of the map");
       out_.add("ROBOT-INFO", "keyword", "what is known of the robots");
@@ -188,22 +198,39 @@ class MissionCompleter {
   }
 
   void robot_types() {
-    if (names_.mission == nullptr) return out_.add("ROBOT", "robot", "the standard robot");
+    if (names_.mission == nullptr) {
+      out_.add("ROBOT", "robot", "the standard robot");
+      return;
+    }
     for (const mission::RobotType& type : names_.mission->types)
       mdl::equal_without_case(type.name, "ROBOT") ? out_.add("ROBOT", "robot", "the standard robot")
                                                   : out_.add_name(type.name, "robot", type.program);
   }
 
   void unit_command() {
-    if (count() == 1) return units();
-    if (token(1).kind == TokenKind::kLess) return robot_types();
-    if (count() == 2) return actions();
+    if (count() == 1) {
+      units();
+      return;
+    }
+    if (token(1).kind == TokenKind::kLess) {
+      robot_types();
+      return;
+    }
+    if (count() == 2) {
+      actions();
+      return;
+    }
     const mdl::Token& action = token(2);
     const bool is_follow = is(2, Word::kFollow);
     if (action.kind != TokenKind::kWord) return;
-    if (is(2, Word::kStop))
-      return out_.add("AND", "keyword", "another command that begins together with this one");
-    if (count() == 3) return places(is_follow);
+    if (is(2, Word::kStop)) {
+      out_.add("AND", "keyword", "another command that begins together with this one");
+      return;
+    }
+    if (count() == 3) {
+      places(is_follow);
+      return;
+    }
     const std::size_t behind_place = token(3).kind == TokenKind::kNumber ? 5 : 4;
     if (count() >= behind_place) clauses(action.word);
   }
@@ -241,15 +268,20 @@ class MissionCompleter {
         is_behind_equals && token(count() - 2).kind == TokenKind::kWord ? token(count() - 2).word : last;
     switch (asked) {
       case Word::kFormation:
-        return formations();
+        formations();
+        return;
       case Word::kTechnique:
-        return techniques();
+        techniques();
+        return;
       case Word::kPhaseLine:
-        return places(false);
+        places(false);
+        return;
       case Word::kUntil:
-        return out_.add("TIMEOUT", "keyword", "seconds, from when the unit is in place");
+        out_.add("TIMEOUT", "keyword", "seconds, from when the unit is in place");
+        return;
       case Word::kOnCompletion:
-        return out_.add("MESSAGE", "keyword", "text");
+        out_.add("MESSAGE", "keyword", "text");
+        return;
       case Word::kSpeed:
       case Word::kTimeout:
       case Word::kAcknowledge:
@@ -307,7 +339,10 @@ class MissionCompleter {
     }
     const bool is_whole = found != kOptions.end() && (count() == 3 || (count() == 2 && !found->is_number));
     if (!is_whole) return;
-    if (part_ == Part::kPreamble) return preamble_words();
+    if (part_ == Part::kPreamble) {
+      preamble_words();
+      return;
+    }
     out_.add("AND", "keyword", "another command that begins together with this one");
   }
 

@@ -30,23 +30,43 @@ class OverlayCompleter {
   }
 
   void run() {
-    if (tokens_.empty()) return statements();
+    if (tokens_.empty()) {
+      statements();
+      return;
+    }
     const odl::Token& keyword = tokens_[first_];
-    if (keyword.kind == TokenKind::kHeader) return statements();
+    if (keyword.kind == TokenKind::kHeader) {
+      statements();
+      return;
+    }
     const odl::Rule& rule = odl::rule_of(keyword.keyword);
     const std::size_t words = tokens_.size() - first_ - 1;
     const Keyword last = tokens_.back().keyword;
-    if (rule.form == odl::Form::kSet && words == 0)
-      return out_.add("ZOOM-FACTOR", "keyword", "per cent, 10 to 400");
+    if (rule.form == odl::Form::kSet && words == 0) {
+      out_.add("ZOOM-FACTOR", "keyword", "per cent, 10 to 400");
+      return;
+    }
     if (last == Keyword::kUtm) {
       out_.add("LAT", "keyword", "degrees north");
       out_.add("LON", "keyword", "degrees east");
       return;
     }
-    if (is_between(Keyword::kLat, Keyword::kLon)) return out_.add("LON", "keyword", "degrees east");
-    if (is_between(Keyword::kLon, Keyword::kLat)) return out_.add("LAT", "keyword", "degrees north");
-    if (rule.form == odl::Form::kHallway) return hallway(words);
-    if (rule.form == odl::Form::kObject) return object();
+    if (is_between(Keyword::kLat, Keyword::kLon)) {
+      out_.add("LON", "keyword", "degrees east");
+      return;
+    }
+    if (is_between(Keyword::kLon, Keyword::kLat)) {
+      out_.add("LAT", "keyword", "degrees north");
+      return;
+    }
+    if (rule.form == odl::Form::kHallway) {
+      hallway(words);
+      return;
+    }
+    if (rule.form == odl::Form::kObject) {
+      object();
+      return;
+    }
     const bool is_named =
         rule.form == odl::Form::kName || rule.form == odl::Form::kFile || rule.form == odl::Form::kNamed;
     if (is_named && words == 0) return;  // a new name
@@ -79,10 +99,19 @@ class OverlayCompleter {
 
   void hallway(std::size_t words) {
     if (words == 0) return;
-    if (!has(Keyword::kCenterline)) return out_.add("CENTERLINE", "keyword", "points");
+    if (!has(Keyword::kCenterline)) {
+      out_.add("CENTERLINE", "keyword", "points");
+      return;
+    }
     out_.add("UTM", "keyword", "LAT degrees LON degrees");
-    if (!has(Keyword::kWidth)) return out_.add("WIDTH", "keyword", "metres");
-    if (!has(Keyword::kExtents)) return out_.add("EXTENTS", "keyword", "points");
+    if (!has(Keyword::kWidth)) {
+      out_.add("WIDTH", "keyword", "metres");
+      return;
+    }
+    if (!has(Keyword::kExtents)) {
+      out_.add("EXTENTS", "keyword", "points");
+      return;
+    }
     statements();
   }
 

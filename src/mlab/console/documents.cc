@@ -6,42 +6,19 @@
 
 #include <fmt/core.h>
 
+#include "mlab/console/document_parts.h"
 #include "mlab/console/mission_text.h"
 #include "mlab/console/utf8.h"
 #include "mlab/lang/mdl/tree.h"
-#include "mlab/text/shown.h"
 
 namespace mlab::console {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kNewMission =
-    "MISSION NAME \"{}\"\n"
-    "OVERLAY \"{}\"\n\n"
-    "UNIT <scouts> ROBOT ROBOT ROBOT ROBOT\n\n"
-    "COMMAND LIST:\n\n"
-    "  0. UNIT scouts START 100 100 0 20\n";
-constexpr const char* kNewOverlay = "MISSION-AREA 1000 1000\n\nCONTROL MEASURES:\n";
-constexpr const char* kEmptyOverlay = "CONTROL MEASURES:\n";
-constexpr double kDraftPause = 1.0;  // between two drafts of a text [s]
-
 template <class List, class Value>
 bool holds(const List& list, const Value& value) {
   return std::ranges::find(list, value) != list.end();
-}
-
-std::unexpected<text::Diagnostic> refused(std::string kind, std::string message) {
-  return std::unexpected(
-      text::Diagnostic{text::Severity::kError, std::move(kind), std::move(message), {}, {}, {}, {}});
-}
-
-text::SourcePtr source_of(std::string name, std::string text) {
-  return std::make_shared<const text::Source>(std::move(name), std::move(text));
-}
-
-std::string shown(std::string_view path) {
-  return fmt::format("`{}`", text::shown(path, 200));
 }
 
 }  // namespace
@@ -434,163 +411,6 @@ bool OpenDocuments::undo() {
 bool OpenDocuments::redo() {
   if (!log_.redo()) return false;
   check();
-  return true;
-}
-
-// ---- files
-
-text::Result<bool> OpenDocuments::save_one(OpenDocument& document) {
-  if (!document.is_writable) {
-    return refused("read-only",
-                   fmt::format("{} can't be changed: save it under another name", shown(document.path)));
-  }
-  const bool is_there = project_.is_file(document.path);
-  if (is_there != document.saved.has_value()) {
-    if (is_there)
-      return refused(
-          "changed-on-disk",
-          fmt::format("{} has come into being meanwhile: save under another name", shown(document.path)));
-  } else if (is_there) {
-    const text::Result<std::string> on_disk = project_.read(document.path);
-    if (!on_disk || *on_disk != *document.saved)
-      return refused("changed-on-disk",
-                     fmt::format("{} has been changed by somebody else since it was opened: save "
-                                 "under another name, or open it anew",
-                                 shown(document.path)));
-  }
-  const text::Result<bool> written = project_.write(document.path, document.source->text());
-  if (!written) return written;
-  document.saved = std::string(document.source->text());
-  drafts_.drop(document.path);
-  document.draft_revision = 0;
-  return true;
-}
-
-text::Result<bool> OpenDocuments::save(const SaveDocuments& request) {
-  ++revision_;
-  log_.separate();
-  std::vector<OpenDocument*> wanted;
-  for (const std::string& path : request.documents()) {
-    OpenDocument* document = find(path);
-    if (document == nullptr) return refused("no-document", fmt::format("{} is not open", shown(path)));
-    wanted.push_back(document);
-  }
-  if (!request.as().empty()) {
-    if (wanted.size() != 1)
-      return refused("one-document", "one document at a time is saved under another name");
-    return save_as(*wanted.front(), request.as());
-  }
-  if (wanted.empty()) {
-    for (const Key key : shown_) {
-      if (open_.at(key).is_dirty()) wanted.push_back(&open_.at(key));
-    }
-  }
-  text::Result<bool> out = true;
-  for (OpenDocument* document : wanted) {
-    text::Result<bool> saved = save_one(*document);
-    if (!saved && out) out = std::move(saved);
-  }
-  update_shown();
-  return out;
-}
-
-void OpenDocuments::keep_drafts(double now) {
-  for (auto& [key, document] : open_) {
-    if (!document.is_dirty() || document.is_nothing()) {
-      if (document.draft_revision != 0) drafts_.drop(document.path);
-      document.draft_revision = 0;
-    } else if (document.draft_revision != document.revision && now - document.draft_time >= kDraftPause) {
-      drafts_.keep(document.path, document.source->text(), document.saved ? &*document.saved : nullptr);
-      document.draft_revision = document.revision;
-      document.draft_time = now;
-    }
-  }
-}
-
-void OpenDocuments::keep_all_drafts() {
-  for (auto& [key, document] : open_) document.draft_time = -1e9;
-  keep_drafts(0.0);
-}
-
-// The same text under another name. A mission takes with it what stands beside it and is not there yet, so
-// that it means the same.
-text::Result<bool> OpenDocuments::save_as(OpenDocument& document, const std::string& path) {
-  if (is_taken(path)) return refused("file-exists", fmt::format("there is {} already", shown(path)));
-  const text::Result<bool> written = project_.write(path, document.source->text());
-  if (!written) return written;
-  drafts_.drop(document.path);
-  const std::string old_folder = fs::path(document.source->name()).parent_path().string();
-  const std::string old_path = std::exchange(document.path, path);
-  document.source = source_of(project_.disk_path(path), std::string(document.source->text()));
-  document.saved = std::string(document.source->text());
-  document.is_writable = true;
-  document.draft_revision = 0;
-  if (document.is_mission) {
-    drafts_.add_recent(path, mission_ ? mission_->name : "");
-    take_along(old_folder, fs::path(document.source->name()).parent_path().string());
-  }
-  check();
-  return true;
-}
-
-// Overlays that are open go along with their text as it is; all else that the mission names has to be there.
-void OpenDocuments::take_along(const std::string& from_folder, const std::string& to_folder) {
-  if (from_folder == to_folder) return;
-  for (const Key key : overlays_) {
-    OpenDocument& overlay = open_.at(key);
-    const std::string below = fs::path(overlay.source->name()).lexically_relative(from_folder).string();
-    const auto to = project_.name_of((fs::path(to_folder) / below).string());
-    if (below.starts_with("..") || !to || project_.is_file(*to) || find(*to) != nullptr) continue;
-    if (!project_.write(*to, overlay.source->text())) continue;
-    drafts_.drop(overlay.path);
-    overlay.path = *to;
-    overlay.source = source_of(project_.disk_path(*to), std::string(overlay.source->text()));
-    overlay.saved = std::string(overlay.source->text());
-    overlay.is_writable = true;
-    overlay.draft_revision = 0;
-    notices_.push_back(fmt::format("saved its overlay as {}", shown(*to)));
-  }
-}
-
-text::Result<bool> OpenDocuments::create(const NewDocument& request, double now) {
-  const std::string& path = request.path();
-  if (!project_.is_writable(path))
-    return refused(
-        "cannot-write",
-        fmt::format("{} can't be made: names end with .mdl or .odl, inside of the project", shown(path)));
-  if (is_taken(path)) return refused("file-exists", fmt::format("there is {} already", shown(path)));
-  return request.kind() == NewDocument::OVERLAY ? create_overlay(path, now) : create_mission(path, now);
-}
-
-text::Result<bool> OpenDocuments::create_mission(const std::string& path, double now) {
-  const fs::path overlay = fs::path(path).replace_extension(".odl");
-  if (overlay == path) return refused("cannot-write", "a mission's name ends with .mdl");
-  const bool has_overlay = project_.is_file(overlay.string());
-  close();
-  const std::string name = fs::path(path).stem().string();
-  OpenDocument mission;
-  mission.path = path;
-  mission.is_mission = true;
-  mission.source =
-      source_of(project_.disk_path(path), fmt::format(kNewMission, name, overlay.filename().string()));
-  mission_file_ = add(std::move(mission));
-  if (!has_overlay) {
-    OpenDocument map;
-    map.path = overlay.string();
-    map.source = source_of(project_.disk_path(map.path), kNewOverlay);
-    add(std::move(map));
-  }
-  check();
-  keep_drafts(now);
-  return true;
-}
-
-text::Result<bool> OpenDocuments::create_overlay(const std::string& path, double now) {
-  if (!is_open()) return refused("no-mission", "an overlay belongs to a mission, and none is open");
-  const std::string name = fs::path(project_.disk_path(path)).lexically_relative(mission_folder()).string();
-  const Splice line = overlay_statement(mission_document().source, name);
-  commit(fmt::format("new overlay {}", path),
-         {{new_document(path), 0, "", kEmptyOverlay}, {mission_file_, line.begin, "", line.text}}, now);
   return true;
 }
 

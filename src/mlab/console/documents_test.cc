@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -233,11 +234,11 @@ RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited,
       other += 3;
       open.add_edit({"other", [&other] { other -= 3; }, [&other] { other += 3; }}, now);
     } else if (what == 3) {
-      (void)open.edit_map(edit_of({add_place("P" + std::to_string(i), i, 2 * i)}, "draw"), now);
+      std::ignore = open.edit_map(edit_of({add_place("P" + std::to_string(i), i, 2 * i)}, "draw"), now);
     } else if (what == 4) {
       MapChange remove;
       remove.set_remove_measure(*rc::gen::inRange(0U, 4U));
-      (void)open.edit_map(edit_of({remove}, "remove"), now);
+      std::ignore = open.edit_map(edit_of({remove}, "remove"), now);
     } else {
       const auto documents = open.documents();
       const OpenDocument& document = *documents[*rc::gen::inRange<std::size_t>(0, documents.size())];

@@ -15,6 +15,11 @@ bool is_of(const mission::State& state, const mission::Run& run, const mission::
   return robot != nullptr && robot->run == static_cast<std::uint32_t>(&run - state.runs.data());
 }
 
+// By hand: where to, only the hand knows.
+bool is_steered(const mission::Run& run) {
+  return run.command->task == percept::Task::kTeleoperate;
+}
+
 double farthest(const mission::State& state, const mission::Run& run) {
   double out = -1.0;
   for (const base::RobotId id : run.needed) out = std::max(out, remaining_of(state, run, id));
@@ -25,7 +30,7 @@ double farthest(const mission::State& state, const mission::Run& run) {
 
 double remaining_of(const mission::State& state, const mission::Run& run, base::RobotId id) {
   const mission::RobotState* robot = find(state, id);
-  if (!is_of(state, run, robot)) return -1.0;
+  if (is_steered(run) || !is_of(state, run, robot)) return -1.0;
   if (robot->done) return 0.0;
   return std::isfinite(robot->remaining) ? robot->remaining : -1.0;
 }
@@ -67,7 +72,7 @@ Estimates::Estimate Estimates::of(const mission::State& state, const mission::Ru
     else if (initial > 0.0 && remaining >= 0.0)
       sum += std::clamp(1.0 - remaining / initial, 0.0, 1.0);
   }
-  if (out.robots > 0) out.progress = sum / out.robots;
+  if (out.robots > 0) out.progress = is_steered(run) ? -1.0 : sum / out.robots;
   if (run.phase == mission::Run::Phase::kRobots && out.remaining >= 0.0) out.arrival = arrival_of(run.record);
   return out;
 }

@@ -19,7 +19,7 @@ class Estimates {
   struct Estimate {
     double remaining = -1.0;  ///< of the robot that has the farthest to go [m]; negative: unknown
     double arrival = -1.0;    ///< run time [s]; negative: unknown
-    double progress = 0.0;    ///< 0..1
+    double progress = 0.0;    ///< 0..1; negative: nothing to measure it by
     std::uint32_t robots = 0;
     std::uint32_t robots_done = 0;
   };

@@ -77,6 +77,14 @@ std::uint32_t RobotRows::encode(const std::optional<Box>& view, std::string& rob
   return left_out;
 }
 
+void encode_starts(fleet::MissionRun& run, std::string& out) {
+  for (const fleet::PlannedStart& start : run.planned_starts()) {
+    const geom::Pose& pose = start.pose;
+    append(out, RobotRows::Row{start.robot.value, static_cast<float>(pose.position.x),
+                               static_cast<float>(pose.position.y), packed_heading(pose.heading), 0, 0});
+  }
+}
+
 void encode_stations(const fleet::MissionRun& run, std::string& out) {
   for (const FleetRobot& robot : run.fleet().robots()) {
     if (robot.life != RobotLife::kRunning) continue;

@@ -44,6 +44,8 @@ class RobotRows {
 /// 65536 is a full turn.
 std::uint16_t packed_heading(double heading);
 
+/// Robots that have not been started, where they will be, as in Starts.robots.
+void encode_starts(fleet::MissionRun& run, std::string& out);
 /// Stations of all robots in a formation, as in Frame.stations.
 void encode_stations(const fleet::MissionRun& run, std::string& out);
 /// Wanted velocities of all running robots, as in Frame.vectors.

@@ -51,6 +51,41 @@ TEST(RobotRows, HoldTheStartedRobotsOfTheView) {
   EXPECT_EQ(rows_of(bytes)[0].id, 1U);
 }
 
+TEST(Frames, TellWhereRobotsWillStartAsTheyThenDo) {
+  const std::string text =
+      "MISSION-AREA 100 100\nUNIT <a> (ROBOT ROBOT)\nUNIT <b> (ROBOT ROBOT ROBOT)\nCOMMAND LIST:\n"
+      "0. UNIT a START 10 20 5 0\n1. UNIT b START 12 20\n2. UNIT a MOVETO 50 50\n";
+  const auto run = testing::run_of(text);
+  const auto untouched = testing::run_of(text);
+  std::string bytes;
+  encode_starts(*run, bytes);
+  const auto planned = rows_of(bytes);
+  ASSERT_EQ(planned.size(), 5U);
+  EXPECT_FLOAT_EQ(planned[1].x, 15.0F);
+  EXPECT_EQ(planned[0].flags, 0);
+  EXPECT_EQ(run->simulator().body_count(), 0U) << "nothing was started by asking";
+  run->post(mission::event::Execute{});
+  testing::step(*run, 1);
+  run->post(mission::event::Pause{});
+  for (const auto& row : planned) {
+    const fleet::FleetRobot& robot = *run->fleet().find({row.id});
+    EXPECT_NEAR(row.x, robot.start.position.x, 1e-3);
+    EXPECT_NEAR(row.y, robot.start.position.y, 1e-3);
+  }
+  bytes.clear();
+  encode_starts(*run, bytes);
+  EXPECT_TRUE(bytes.empty()) << "all have been started";
+  // And the run is the same as one of which nobody asked.
+  untouched->post(mission::event::Execute{});
+  testing::step(*untouched, 1);
+  run->post(mission::event::Resume{});
+  testing::step(*run, 100);
+  testing::step(*untouched, 100);
+  for (std::uint32_t id = 1; id <= 5; ++id)
+    EXPECT_EQ(run->fleet().pose(*run->fleet().find({id})),
+              untouched->fleet().pose(*untouched->fleet().find({id})));
+}
+
 TEST(RobotRows, TenThousandRobotsCostNoHeapForEachOfThem) {
   std::string text = "MISSION-AREA 2000 2000\nUNIT <all>";
   for (int i = 0; i < 10000; ++i) text += " ROBOT";

@@ -89,7 +89,7 @@ std::optional<double> measure_unit(const fleet::MissionRun& run, const mission::
     const fleet::Group* group = run.fleet().group(*robot);
     if (group != nullptr && series.quantity() == Series::HEADING) return group->formation_heading;
     const auto goal = goal_of(run, *robot);
-    if (goal && group->has_center && series.quantity() == Series::DISTANCE_TO_GOAL)
+    if (goal && group != nullptr && group->has_center && series.quantity() == Series::DISTANCE_TO_GOAL)
       return geom::distance(*goal, group->center);
     const std::optional<double> value = measure_robot(run, *robot, series);
     if (!value) continue;

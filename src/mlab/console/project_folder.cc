@@ -76,7 +76,7 @@ std::string shown(std::string_view path) {
 
 }  // namespace
 
-ProjectFolder::ProjectFolder(Settings settings)
+ProjectFolder::ProjectFolder(const Settings& settings)
     : project_(canonical(settings.folder)), examples_(canonical(settings.examples)) {}
 
 std::string ProjectFolder::name() const {

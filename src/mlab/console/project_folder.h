@@ -13,7 +13,7 @@ namespace mlab::console {
 ///
 /// - `scouts/left.mdl`: inside the project folder, read and written;
 /// - `examples:demo_c/demo_c.mdl`: of the examples, read only;
-/// - `outside:/home/me/maps/town.odl`: read only, and only files that `allow_outside` named. They are what a
+/// - `outside:/maps/town.odl`: read only, and only files that `allow_outside` named. They are what a
 /// mission
 ///   given on the command line names, found as `mdl` finds them (beside it, in the current folder, in the
 ///   folders for overlays). Nothing that a browser sends makes another file of the machine readable.
@@ -32,7 +32,7 @@ class ProjectFolder {
     std::string kind;  ///< mission, overlay, picture, other; empty for folders
   };
 
-  explicit ProjectFolder(Settings settings);
+  explicit ProjectFolder(const Settings& settings);
 
   /// As people call it: the last part of the folder's path.
   std::string name() const;

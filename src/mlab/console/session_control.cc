@@ -62,8 +62,9 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
   const bool is_running = state.mode == mission::State::Mode::kRunning;
   if (control.action() == Control::JUMP && control.step() >= state.mission->steps.size())
     return fmt::format("there is no step {} in this mission", control.step());
-  if ((control.action() == Control::PAUSE || control.action() == Control::RESUME) && !is_running)
-    return "nothing runs";
+  if (control.action() == Control::PAUSE && !is_running) return "nothing runs";
+  if (control.action() == Control::SKIP_STEP && !is_running && state.step + 1 >= state.mission->steps.size())
+    return "there is no step after this one";
   note(who, control.action() == Control::JUMP
                 ? fmt::format("jump to step {}", clean(state.mission->steps[control.step()].label))
                 : name_of(control.action()));
@@ -75,11 +76,16 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
       post(event::Pause{});
       break;
     case Control::RESUME:
-      post(event::Resume{});
+      if (is_running)
+        post(event::Resume{});
+      else
+        post(event::Execute{});
       break;
     case Control::SINGLE_STEP:
-      post(event::SingleStep{});
-      if (state.paused) post(event::Resume{});
+      single_step();
+      break;
+    case Control::SKIP_STEP:
+      skip_step();
       break;
     case Control::SINGLE_CYCLE:
       single_cycle();
@@ -97,6 +103,25 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
       return "this control is not known here";
   }
   return std::nullopt;
+}
+
+// What runs is finished, and then nothing goes on by itself.
+void Session::Parts::single_step() {
+  const mission::State& state = live_->run().state();
+  if (state.mode != mission::State::Mode::kRunning) {
+    post(event::SingleStep{});
+    return;
+  }
+  post(event::StopAfterStep{});
+  if (state.paused) post(event::Resume{});
+}
+
+void Session::Parts::skip_step() {
+  const mission::State& state = live_->run().state();
+  if (state.mode != mission::State::Mode::kRunning)
+    post(event::Jump{state.step + 1});
+  else
+    post(event::SingleStep{});
 }
 
 // One cycle, whatever the run was doing before; afterwards it is paused.

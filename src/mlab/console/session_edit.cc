@@ -137,7 +137,8 @@ bool Session::Parts::change_mission(std::shared_ptr<const mission::Mission> plai
     ++plan_revision_;
     ++version_;
     has_nothing_to_do_ = false;
-    changes_.roster = changes_.plan = changes_.status = changes_.questions = changes_.scene = true;
+    changes_.roster = changes_.starts = changes_.plan = changes_.status = changes_.questions =
+        changes_.scene = true;
   };
   if (is_quick) {
     text::Diagnostics problems;
@@ -168,7 +169,7 @@ Session::Parts::Answered Session::Parts::set_parameter(const std::string& who, c
     if (port == nullptr) return fmt::format("the program of robot {} has no `{}`", id, clean(set.port()));
     before.push_back(flow::Program::print(robot->frame.data(), *port));
   }
-  const std::string port = set.port();
+  const std::string& port = set.port();
   const std::vector<std::string> after(robots.size(), set.value());
   if (auto error = apply_parameters(robots, port, after)) {
     apply_parameters(robots, port, before);

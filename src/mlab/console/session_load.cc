@@ -10,7 +10,7 @@ robot::ProgramSources Session::Parts::program_sources() const {
   return {documents_.mission_folder(), settings_.include_root, settings_.version};
 }
 
-void Session::Parts::load(std::uint64_t seed, std::shared_ptr<const fleet::Crew> known) {
+void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet::Crew>& known) {
   const std::uint64_t number = ++loading_;
   seed_ = seed;
   from_documents_ = plain_ = documents_.mission();
@@ -58,8 +58,8 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
   sentences_.clear();
   for (auto& [id, channel] : channels_) channel.series_seen.clear();
   update_watches();
-  changes_.roster = changes_.plan = changes_.status = changes_.questions = changes_.trails = changes_.scene =
-      true;
+  changes_.roster = changes_.starts = changes_.plan = changes_.status = changes_.questions = changes_.trails =
+      changes_.scene = true;
 }
 
 void Session::Parts::report_problems(const text::Diagnostics& problems) {

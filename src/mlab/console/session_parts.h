@@ -86,6 +86,8 @@ class Session::Parts {
   Answered typed(const std::string& who, const Typed& typed, Reply& reply);
   Answered set_option(const std::string& who, const SetOption& option);
   void release_stop(const std::string& who);
+  void single_step();
+  void skip_step();
   void single_cycle();
   /// Why no command can be given now.
   Answered why_not_now() const;
@@ -123,7 +125,7 @@ class Session::Parts {
 
   /// The run is made anew from the documents' mission, on the workshop's thread.
   /// @param known  programs that need not be built again; null: none
-  void load(std::uint64_t seed, std::shared_ptr<const fleet::Crew> known = nullptr);
+  void load(std::uint64_t seed, const std::shared_ptr<const fleet::Crew>& known = nullptr);
   void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
   void report_problems(const text::Diagnostics& problems);
   robot::ProgramSources program_sources() const;
@@ -139,10 +141,13 @@ class Session::Parts {
   Status status_message() const;
   void fill_roster(ToBrowser& out) const;
   void fill_plan(ToBrowser& out) const;
+  void fill_starts(ToBrowser& out);
   void fill_questions(ToBrowser& out) const;
   void fill_scene(ToBrowser& out) const;
   /// Obstacles may come and go by themselves.
   void look_at_world();
+  /// Who has been started is no longer shown where it will be.
+  void look_at_starts();
   void fill_frame(Channel& channel, Frame& out);
   void fill_details(const Watch& watch, Frame& out);
   void fill_series(Channel& channel, SeriesData& out);
@@ -157,6 +162,7 @@ class Session::Parts {
     bool scene = false;
     bool roster = false;
     bool plan = false;
+    bool starts = false;
     bool status = false;
     bool questions = false;
     bool clients = false;
@@ -194,6 +200,7 @@ class Session::Parts {
   std::map<std::uint32_t, std::map<std::string, std::string>>
       parameters_;                  // that people set, by robot and port
   std::uint64_t world_key_ = 0;     // of the obstacles that the scene has
+  std::size_t not_started_ = 0;     // robots, when the starts were told last
   std::uint64_t scene_extras_ = 0;  // how often obstacles came that no document has
   Teleoperations teleoperations_;
   sim::SenseBuffer sense_buffer_;

@@ -33,6 +33,12 @@ void Session::Parts::fill_roster(ToBrowser& out) const {
   if (live_) encode_roster(live_->run(), named_units_, roster);
 }
 
+void Session::Parts::fill_starts(ToBrowser& out) {
+  Starts& starts = *out.mutable_starts();
+  starts.Clear();
+  if (live_) encode_starts(live_->run(), *starts.mutable_robots());
+}
+
 void Session::Parts::fill_plan(ToBrowser& out) const {
   Plan& plan = *out.mutable_plan();
   plan.Clear();
@@ -76,6 +82,7 @@ void Session::Parts::publish() {
 
 void Session::Parts::publish_state() {
   const double wall = now();
+  look_at_starts();
   ToBrowser out;
   if (std::exchange(changes_.project, false)) {
     *out.mutable_project() = documents_.project_message();
@@ -91,6 +98,10 @@ void Session::Parts::publish_state() {
   }
   if (std::exchange(changes_.roster, false)) {
     fill_roster(out);
+    broadcast(out);
+  }
+  if (std::exchange(changes_.starts, false)) {
+    fill_starts(out);
     broadcast(out);
   }
   if (std::exchange(changes_.plan, false)) {

@@ -87,6 +87,8 @@ void Session::Parts::greet(ConnectionId to) {
   send(to, out);
   fill_roster(out);
   send(to, out);
+  fill_starts(out);
+  send(to, out);
   fill_plan(out);
   send(to, out);
   *out.mutable_status() = status_message();

@@ -22,13 +22,17 @@ bool wait_for(Browser& browser, Status::Mode mode) {
   return browser.wait([&] { return browser.status().mode() == mode; });
 }
 
-RobotRows::Row robot_in(const Frame& frame, std::uint32_t id) {
+RobotRows::Row row_in(const std::string& rows, std::uint32_t id) {
   RobotRows::Row row{};
-  for (std::size_t i = 0; i + sizeof row <= frame.robots().size(); i += sizeof row) {
-    std::memcpy(&row, frame.robots().data() + i, sizeof row);
+  for (std::size_t i = 0; i + sizeof row <= rows.size(); i += sizeof row) {
+    std::memcpy(&row, rows.data() + i, sizeof row);
     if (row.id == id) return row;
   }
   return {};
+}
+
+RobotRows::Row robot_in(const Frame& frame, std::uint32_t id) {
+  return row_in(frame.robots(), id);
 }
 
 double distance(const RobotRows::Row& a, const RobotRows::Row& b) {
@@ -65,6 +69,21 @@ TEST(Session, SaysWhoAndWhatThereIsAfterHello) {
   EXPECT_EQ(anna.plan().steps(0).document(), anna.documents().documents(0).path());
   EXPECT_EQ(anna.clients().operator_(), 1U);
   EXPECT_EQ(anna.project().mission(), "examples:demo_c/demo_c.mdl");
+}
+
+TEST(Session, ShowsWhereRobotsWillStartUntilTheyDo) {
+  TestSession session(kDemo, 1.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.starts().robots().size(), 4 * sizeof(RobotRows::Row));
+  const Starts planned = anna.starts();
+  ASSERT_EQ(anna.control(Control::SINGLE_CYCLE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.frame().robots().size() == planned.robots().size(); }));
+  EXPECT_TRUE(anna.starts().robots().empty()) << "told before the robots stand there";
+  for (std::uint32_t id = 1; id <= 4; ++id)
+    EXPECT_LT(distance(row_in(planned.robots(), id), robot_in(anna.frame(), id)), 1.0);
+  ASSERT_EQ(anna.control(Control::RESTART), "");
+  EXPECT_TRUE(anna.wait([&] { return anna.starts().robots() == planned.robots(); }));
 }
 
 TEST(Session, AnswersAConnectionThatDoesNotBeginWithHello) {
@@ -223,6 +242,9 @@ TEST(Session, TeleoperationMovesARobotWhileTheStickIsHeldAndEndsByMessage) {
   ASSERT_EQ(Browser::error_of(anna.ask(end_other)), "");
   ASSERT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 1; }));
   EXPECT_EQ(anna.status().teleoperations(0).unit(), "robot 3");
+  const Status::Command& steered = anna.status().steps(anna.status().steps_size() - 1).commands(0);
+  EXPECT_LT(steered.progress(), 0.0) << "nobody knows where to";
+  EXPECT_LT(steered.remaining(), 0.0);
   anna.watch_for(0.3);
   const RobotRows::Row before = robot_in(anna.frame(), 3);
   EXPECT_EQ(before.flags >> 5 & 1, 1);
@@ -327,6 +349,43 @@ TEST(Session, StepsCyclesAndJumpsOneByOne) {
   ASSERT_TRUE(anna.wait([&] { return anna.status().current_step() == 0; }));
   ASSERT_EQ(anna.control(Control::JUMP, 4), "");
   ASSERT_TRUE(anna.wait([&] { return anna.status().current_step() == 4; }));
+}
+
+TEST(Session, AStepFinishesWhatRunsAndStopsAndSkippingGivesItUp) {
+  TestSession session(kDemo, 0.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  const auto outcome_of = [&](int step) {
+    return anna.status().steps_size() > step ? anna.status().steps(step).outcome() : Status::PENDING;
+  };
+  ASSERT_EQ(anna.control(Control::SINGLE_STEP), "");
+  ASSERT_TRUE(anna.wait([&] { return outcome_of(0) == Status::DONE; }));
+  EXPECT_EQ(anna.status().mode(), Status::PAUSED);
+  EXPECT_EQ(anna.status().current_step(), 1U);
+
+  ASSERT_EQ(anna.control(Control::SINGLE_CYCLE), "");  // step 1 runs, paused
+  ASSERT_TRUE(anna.wait([&] { return outcome_of(1) == Status::UNDER_WAY; }));
+  ASSERT_EQ(anna.control(Control::SINGLE_STEP), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.questions().questions_size() == 1; }));
+  ASSERT_TRUE(anna.wait([&] { return anna.status().stops_after_step(); }));
+  EXPECT_EQ(anna.answer(anna.questions().questions(0).id(), true), "");
+  ASSERT_TRUE(anna.wait([&] { return outcome_of(1) == Status::DONE; }));
+  EXPECT_FALSE(anna.status().stops_after_step());
+  EXPECT_EQ(anna.status().steps_size(), 2);
+  EXPECT_EQ(anna.status().mode(), Status::PAUSED);
+
+  ASSERT_EQ(anna.control(Control::SKIP_STEP), "");  // nothing runs: the next one is 3
+  ASSERT_TRUE(anna.wait([&] { return anna.status().current_step() == 3; }));
+  ASSERT_EQ(anna.control(Control::SINGLE_CYCLE), "");
+  ASSERT_EQ(anna.control(Control::SKIP_STEP), "");
+  ASSERT_TRUE(anna.wait([&] { return outcome_of(2) == Status::SKIPPED; }));
+  EXPECT_EQ(anna.status().current_step(), 4U);
+
+  ASSERT_EQ(anna.control(Control::REWIND), "");
+  ASSERT_EQ(anna.control(Control::JUMP, 11), "");
+  EXPECT_NE(anna.control(Control::SKIP_STEP), "") << "there is none after it";
+  ASSERT_EQ(anna.control(Control::RESUME), "") << "it executes where nothing runs";
+  ASSERT_TRUE(anna.wait([&] { return outcome_of(anna.status().steps_size() - 1) != Status::SKIPPED; }));
 }
 
 TEST(Session, SetsTheSpeedAndKeepsIt) {

@@ -51,7 +51,15 @@ void Session::Parts::look_at_world() {
   const std::uint64_t key = key_of(live_->run().simulator().discs());
   if (std::exchange(world_key_, key) == key) return;
   ++scene_extras_;
-  changes_.scene = true;
+  changes_.scene = changes_.starts = true;
+}
+
+void Session::Parts::look_at_starts() {
+  const auto count = live_ ? std::ranges::count(live_->run().fleet().robots(), fleet::RobotLife::kNotStarted,
+                                                &fleet::FleetRobot::life)
+                           : 0;
+  const auto now = static_cast<std::size_t>(count);
+  if (std::exchange(not_started_, now) != now) changes_.starts = true;
 }
 
 // What came into the world without standing in a text is shown after the rest.

@@ -80,6 +80,7 @@ void encode_run(const fleet::MissionRun& run, const Estimates& estimates, Status
   out.set_cycle_duration(run.cycle_duration());
   out.set_current_step(state.step);
   out.set_outcome(outcome_of(state.outcome));
+  out.set_stops_after_step(state.mode == State::Mode::kRunning && state.single);
   out.set_seed(run.seed());
   out.set_mission_clock(clock_time(state.options, run.time()));
   const std::size_t first = state.steps.size() - std::min(state.steps.size(), kMostSteps);

@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/mission/command.h"
+
 namespace mlab::fleet {
 
 using mission::effect::Tell;
@@ -81,6 +83,33 @@ void MissionRun::start_robot(const mission::effect::Start& start) {
          fmt::format("robot {} starts at ({:.2f}, {:.2f}): its place ({:.2f}, {:.2f}) is taken",
                      start.robot.value, to.x, to.y, start.pose.position.x, start.pose.position.y));
   }
+}
+
+std::vector<PlannedStart> MissionRun::planned_starts() {
+  std::vector<PlannedStart> starts;
+  std::vector<bool> is_planned(fleet_->robots().size());
+  const std::shared_ptr<const sim::Simulator::State> before = simulator_->snapshot();
+  const auto plan = [&](const mission::UnitCommand& command) {
+    std::size_t rank = 0;
+    for (const base::RobotId id : mission().units[command.unit].members) {
+      const FleetRobot* robot = fleet_->find(id);
+      if (robot == nullptr) continue;
+      const geom::Pose wanted = mission::start_pose(mission(), command, rank++);
+      const auto place = static_cast<std::size_t>(robot - fleet_->robots().data());
+      if (robot->life != RobotLife::kNotStarted || is_planned[place]) continue;
+      is_planned[place] = true;
+      if (const auto placement = simulator_->add_body({robot->body_spec, wanted, id, 0}))
+        starts.push_back({id, placement->pose});
+    }
+  };
+  for (const mission::Step& step : mission().steps) {
+    for (const mission::Command& one : step.commands) {
+      const auto* command = std::get_if<mission::UnitCommand>(&one);
+      if (command != nullptr && command->task == percept::Task::kStart) plan(*command);
+    }
+  }
+  simulator_->restore(*before);
+  return starts;
 }
 
 void MissionRun::tell(Tell::Kind kind, std::string text) {

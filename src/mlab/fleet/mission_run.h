@@ -55,6 +55,12 @@ struct Delivery {
   base::ObjectId basket;
 };
 
+/// A robot that has not been started, and where START will put it.
+struct PlannedStart {
+  base::RobotId robot;
+  geom::Pose pose;
+};
+
 /// A mission that is carried out in simulation: executive, robots and world, one control cycle at a time.
 class MissionRun {
  public:
@@ -111,6 +117,11 @@ class MissionRun {
   void set_stands_still_for_operator(bool stands_still) {
     settings_.stands_still_for_operator = stands_still;
   }
+
+  /// Where the plan's first START of each robot will put it if the world stays as it is: the next free place
+  /// included. In the order in which they start; without those that were started, that no START names, or for
+  /// which there is no place. Nothing is changed.
+  std::vector<PlannedStart> planned_starts();
 
   bool is_over() const;
   /// Simulated [s]. Counted in cycles, so that it does not drift; SET CYCLE-DURATION changes the length of

@@ -29,14 +29,15 @@ std::vector<sim::Disc> difference(const std::vector<sim::Disc>& from, const std:
 
 void MissionRun::edit(std::shared_ptr<const Crew> crew) {
   const std::shared_ptr<const mission::Mission> old = state_.mission;
-  crews_.push_back(crew);
-  fleet_->edit(*crew->mission, crew->programs, crew->bodies);
-  rename_metrics(*old, *crew->mission);
-  post(mission::event::Edited{crew->mission});
-  const std::optional<double> duration = crew->mission->options.cycle_duration;
+  crews_.push_back(std::move(crew));
+  const Crew& next = *crews_.back();
+  fleet_->edit(*next.mission, next.programs, next.bodies);
+  rename_metrics(*old, *next.mission);
+  post(mission::event::Edited{next.mission});
+  const std::optional<double> duration = next.mission->options.cycle_duration;
   if (duration && duration != old->options.cycle_duration)
     apply(mission::effect::Set{mission::SetNumber{mission::NumberOption::kCycleDuration, *duration}});
-  change_world(old->overlay, crew->mission->overlay);
+  change_world(old->overlay, next.mission->overlay);
   drop_unused_crews();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "mlab/geom/pose.h"
 #include "mlab/mission/mission.h"
 #include "mlab/percept/formation.h"
@@ -16,6 +18,11 @@ inline percept::Formation formation_of(const UnitCommand& command) {
 inline geom::Point goal_of(const UnitCommand& command) {
   const bool follows = command.task == percept::Task::kFollow && !command.route.empty();
   return follows ? command.route.back() : command.goal;
+}
+
+/// Where START wants the robot that comes `rank`th in its unit, from 0 [m, rad, world].
+inline geom::Pose start_pose(const Mission& mission, const UnitCommand& command, std::size_t rank) {
+  return {command.goal + command.start_step * static_cast<double>(rank), mission.overlay.heading};
 }
 
 }  // namespace mlab::mission

@@ -54,12 +54,10 @@ void claim(Turn& turn, std::uint32_t run_index) {
 
 void start_robots(Turn& turn, Run& run) {
   std::vector<base::RobotId> alive;
-  double k = 0.0;
+  std::size_t rank = 0;
   for (const base::RobotId id : run.needed) {
     RobotState& robot = *find_robot(turn.state, id);
-    const geom::Pose pose{run.command->goal + run.command->start_step * k,
-                          turn.state.mission->overlay.heading};
-    k += 1.0;
+    const geom::Pose pose = start_pose(*turn.state.mission, *run.command, rank++);
     if (robot.is_running && robot.life != RobotState::Life::kStopped) {
       alive.push_back(id);
       robot.done = true;

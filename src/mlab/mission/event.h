@@ -34,6 +34,8 @@ struct Pause {};
 struct Resume {};
 /// Running: abandon the step and start the next. Else: start one step, and stop after it.
 struct SingleStep {};
+/// Running: finish the step (or the typed commands), then stop. Else: nothing.
+struct StopAfterStep {};
 /// Running: start that step now. Else: go there.
 struct Jump {
   std::uint32_t step = 0;
@@ -62,6 +64,6 @@ struct TeleoperationComplete {
 }  // namespace event
 using Event = std::variant<event::Cycle, event::Execute, event::Pause, event::Resume, event::SingleStep,
                            event::Jump, event::Rewind, event::Abort, event::Answer, event::Typed,
-                           event::Edited, event::TeleoperationComplete>;
+                           event::Edited, event::TeleoperationComplete, event::StopAfterStep>;
 
 }  // namespace mlab::mission

@@ -110,6 +110,8 @@ Event any_event(base::Random& random, const State& state) {
       return event::Edited{random.below(4) == 0 ? nullptr : any_mission(random)};
     case 8:
       return event::TeleoperationComplete{id(4)};
+    case 29:
+      return event::StopAfterStep{};
     case 9:
     case 10:
     case 11:

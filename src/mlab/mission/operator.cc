@@ -143,6 +143,15 @@ void handle(Turn& turn, const event::SingleStep&) {
   start_at(turn, next);
 }
 
+void handle(Turn& turn, const event::StopAfterStep&) {
+  State& s = turn.state;
+  if (!is_running(s)) return;
+  if (s.typed)
+    s.goes_on = false;
+  else
+    s.single = true;
+}
+
 void handle(Turn& turn, const event::Jump& event) {
   State& s = turn.state;
   if (event.step >= s.mission->steps.size()) {

@@ -10,6 +10,7 @@ void handle(Turn& turn, const event::Execute& event);
 void handle(Turn& turn, const event::Pause& event);
 void handle(Turn& turn, const event::Resume& event);
 void handle(Turn& turn, const event::SingleStep& event);
+void handle(Turn& turn, const event::StopAfterStep& event);
 void handle(Turn& turn, const event::Jump& event);
 void handle(Turn& turn, const event::Rewind& event);
 void handle(Turn& turn, const event::Abort& event);

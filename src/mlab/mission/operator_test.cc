@@ -89,6 +89,33 @@ TEST_F(Operator, SingleStepOverTheLastStepEndsTheMission) {
   EXPECT_TRUE(fleet_->has_told("step 3 skipped\nmission done"));
 }
 
+TEST_F(Operator, StopAfterStepFinishesTheStepThatRunsAndStops) {
+  start_and_reach(1);
+  fleet_->send(event::StopAfterStep{});
+  ASSERT_TRUE(fleet_->run());
+  EXPECT_EQ(state().steps[1].outcome, Outcome::kDone);
+  EXPECT_EQ(state().step, 2U);
+  EXPECT_EQ(state().mode, State::Mode::kIdle);
+  EXPECT_EQ(state().outcome, Outcome::kRunning);
+}
+
+TEST_F(Operator, StopAfterStepLetsATypedCommandFinishAndGoesOnWithNothing) {
+  start_and_reach(1);
+  fleet_->send(event::Typed{{move_to(a_, "X", {50, 100})}});
+  fleet_->send(event::StopAfterStep{});
+  ASSERT_TRUE(fleet_->run());
+  EXPECT_EQ(state().steps.back().outcome, Outcome::kDone);
+  EXPECT_EQ(state().step, 2U);
+  EXPECT_EQ(state().mode, State::Mode::kIdle);
+}
+
+TEST_F(Operator, StopAfterStepOutsideARunChangesNothing) {
+  fleet_->send(event::StopAfterStep{});
+  fleet_->send(event::Execute{});
+  ASSERT_TRUE(fleet_->run());
+  EXPECT_EQ(state().outcome, Outcome::kDone);
+}
+
 TEST_F(Operator, ExecuteDuringASingleStepMakesItARun) {
   fleet_->send(event::SingleStep{});
   fleet_->send(event::Execute{});

@@ -69,12 +69,21 @@ function runActions(session: Session): Action[] {
     },
     {
       id: "step",
-      label: "Single step of the mission",
+      label: "Single step of the mission, then stop",
       group: "Run",
       icon: "step",
       shortcut: "n",
       blocked: blocked ?? stands,
       run: run(Control_Action.SINGLE_STEP),
+    },
+    {
+      id: "skip",
+      label: "Skip a step",
+      group: "Run",
+      icon: "skip",
+      shortcut: "shift+n",
+      blocked: blocked ?? stands,
+      run: run(Control_Action.SKIP_STEP),
     },
     {
       id: "cycle",

@@ -170,9 +170,11 @@ export function CommandLine() {
         spellCheck={false}
         disabled={link.state !== "open"}
         placeholder={
-          isOperator
-            ? "Type a command: UNIT scouts MOVETO 310 205"
-            : "Commands are checked here; only the operator can send them"
+          link.state !== "open"
+            ? "No connection"
+            : isOperator
+              ? "Type a command: UNIT scouts MOVETO 310 205"
+              : "Commands are checked here; only the operator can send them"
         }
         value={line}
         onChange={(event) => {

@@ -1,6 +1,8 @@
 // Who a command is meant for, in words.
+
+import { idRanges } from "../../core/format.ts";
 import type { Targets } from "../../core/protocol.ts";
-import { count, idRanges } from "../format.ts";
+import { count } from "../format.ts";
 
 export interface TargetLine {
   unit: string;

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { Control_Action, Status_Mode, Status_Outcome, StatusSchema } from "../../core/protocol.ts";
-import { mainButton, type Situation } from "./main_button.ts";
+import { mainButton, type Situation, skipWords, stepWords } from "./main_button.ts";
 
 function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): ReturnType<typeof mainButton> {
   return mainButton({
@@ -16,12 +16,41 @@ function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): Retu
   });
 }
 
+describe("Step and Skip", () => {
+  const standing = create(StatusSchema, { steps: [{ outcome: Status_Outcome.DONE }] });
+  const running = create(StatusSchema, { steps: [{ outcome: Status_Outcome.UNDER_WAY }] });
+  it("say what they do to the step that runs", () => {
+    expect(stepWords(running)).toContain("Finishes the step that runs");
+    expect(skipWords(running)).toContain("Gives up the step that runs");
+  });
+  it("speak of the next one where nothing runs", () => {
+    for (const status of [standing, null]) {
+      expect(stepWords(status)).toContain("next step");
+      expect(skipWords(status)).toContain("Passes over");
+    }
+  });
+});
+
 describe("the large button", () => {
   it("executes, pauses, resumes", () => {
     expect(at(Status_Mode.READY)).toMatchObject({ label: "Execute", does: { action: Control_Action.EXECUTE } });
     expect(at(Status_Mode.RUNNING)).toMatchObject({ label: "Pause", does: { action: Control_Action.PAUSE } });
-    expect(at(Status_Mode.PAUSED)).toMatchObject({ label: "Resume", does: { action: Control_Action.RESUME } });
+    const steps = [{ outcome: Status_Outcome.UNDER_WAY }];
+    expect(at(Status_Mode.PAUSED, {}, { steps })).toMatchObject({
+      label: "Resume",
+      does: { action: Control_Action.RESUME },
+    });
   });
+  it("goes on with the next step where it stands between two", () => {
+    const steps = [{ outcome: Status_Outcome.DONE }];
+    expect(at(Status_Mode.PAUSED, {}, { steps })).toMatchObject({
+      label: "Execute",
+      hint: "Goes on with step 2.",
+      does: { action: Control_Action.EXECUTE },
+    });
+  });
+  it("says that a single step stops by itself", () =>
+    expect(at(Status_Mode.RUNNING, {}, { stopsAfterStep: true }).hint).toContain("stops by itself"));
   it("leads to the question that the mission waits for", () => {
     expect(at(Status_Mode.WAITING, { openQuestions: 1 })).toMatchObject({
       label: "Answer: Proceed?",

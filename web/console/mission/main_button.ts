@@ -60,8 +60,22 @@ export function mainButton(situation: Situation): MainButton {
         "play",
       );
     case Status_Mode.RUNNING:
-      return control("Pause", "All robots stand until you resume.", Control_Action.PAUSE, "hold", "pause");
+      return control(
+        "Pause",
+        status.stopsAfterStep ? "It stops by itself after this step." : "All robots stand until you resume.",
+        Control_Action.PAUSE,
+        "hold",
+        "pause",
+      );
     case Status_Mode.PAUSED:
+      if (!isUnderWay(status))
+        return control(
+          "Execute",
+          stepHint("Goes on with step", situation.nextLabel),
+          Control_Action.EXECUTE,
+          "go",
+          "play",
+        );
       return control("Resume", "Goes on where it stands.", Control_Action.RESUME, "go", "play");
     case Status_Mode.WAITING:
       if (situation.openQuestions > 0) {
@@ -95,6 +109,25 @@ export function mainButton(situation: Situation): MainButton {
     case Status_Mode.ENDED:
       return control("Restart", endHint(status.outcome), Control_Action.RESTART, "hold", "restart");
   }
+}
+
+/** A step, or a typed command, has been begun and not ended. */
+export function isUnderWay(status: Status): boolean {
+  return status.steps.at(-1)?.outcome === Status_Outcome.UNDER_WAY;
+}
+
+/** What Step does now. */
+export function stepWords(status: Status | null): string {
+  return status && isUnderWay(status)
+    ? "Finishes the step that runs, and stops there"
+    : "Carries out the next step, and stops after it";
+}
+
+/** What Skip does now. */
+export function skipWords(status: Status | null): string {
+  return status && isUnderWay(status)
+    ? "Gives up the step that runs, and starts the next"
+    : "Passes over the next step, without starting anything";
 }
 
 function watching(hasAsked: boolean): MainButton {

@@ -8,7 +8,7 @@ import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button, Hint } from "../ui/controls.tsx";
 import { Icon, type IconName } from "../ui/icons.tsx";
 import { MenuButton, type MenuEntry } from "../ui/menus.tsx";
-import { mainButton } from "./main_button.ts";
+import { mainButton, skipWords, stepWords } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";
 import {
@@ -41,7 +41,8 @@ function MainControls() {
   for (const part of ["status", "clients", "welcome", "link", "questions", "documents", "plan"] as const) usePart(part);
   const isOperator = useIsOperator();
   const button = mainButton(situationOf(model));
-  const mode = model.get("status")?.mode ?? Status_Mode.NO_MISSION;
+  const status = model.get("status");
+  const mode = status?.mode ?? Status_Mode.NO_MISSION;
   const isBlocked = !isOperator || mode === Status_Mode.NO_MISSION;
   const stands = isBlocked || mode === Status_Mode.STOPPED;
   const run = (action: Control_Action) => () => control(session, action);
@@ -63,10 +64,18 @@ function MainControls() {
         <TransportButton
           icon="step"
           label="Step"
-          hint="Single step of the mission"
+          hint={stepWords(status)}
           shortcut="n"
           isDisabled={stands}
           onPress={run(Control_Action.SINGLE_STEP)}
+        />
+        <TransportButton
+          icon="skip"
+          label="Skip"
+          hint={skipWords(status)}
+          shortcut="shift+n"
+          isDisabled={stands}
+          onPress={run(Control_Action.SKIP_STEP)}
         />
         <TransportButton
           icon="cycle"
@@ -238,14 +247,11 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
         {label && <span className="step-label number">{label}</span>}
         {(unit || command.unit) && <strong>{unit || command.unit}</strong>} {order}
       </p>
-      {isRunning && (
+      {isRunning && command.progress < 0 && <p className="small muted">Steered by hand</p>}
+      {isRunning && command.progress >= 0 && (
         <div className="step-progress">
           <Bar share={command.progress} />
-          <span className="small number">
-            {Math.round(command.progress * 100)} %
-            {command.remaining >= 0 ? ` · ${distance(command.remaining)} to go` : ""}
-            {command.robots > 1 ? ` · ${command.robotsDone} of ${command.robots} there` : ""}
-          </span>
+          <span className="small number">{progressText(command)}</span>
         </div>
       )}
       {command.message && (
@@ -253,6 +259,14 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
       )}
     </div>
   );
+}
+
+function progressText({ progress, remaining, robots, robotsDone }: CommandRow): string {
+  if (robots > 0 && robotsDone === robots) return robots > 1 ? `all ${robots} there` : "there";
+  const parts = [`${Math.round(progress * 100)} %`];
+  if (remaining >= 0) parts.push(`${distance(remaining)} to go`);
+  if (robots > 1) parts.push(`${robotsDone} of ${robots} there`);
+  return parts.join(" · ");
 }
 
 function StepFoot({ row }: { row: StepRow }) {

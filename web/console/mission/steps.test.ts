@@ -58,6 +58,15 @@ describe("the steps", () => {
     expect(stepRows(plan, status).map((row) => row.step)).toEqual([0, kTyped, 1, 2]);
     expect(runningNow(status)).toHaveLength(2);
   });
+  it("have no measure while a unit is steered by hand", () => {
+    const status = create(StatusSchema, {
+      mode: Status_Mode.RUNNING,
+      steps: [run(1, Status_Outcome.UNDER_WAY, { progress: -1, remaining: -1 })],
+    });
+    const row = stepRows(plan, status)[1];
+    expect(row?.commands[0]?.progress).toBe(-1);
+    expect(row?.progress).toBe(0);
+  });
   it("have no next one when the mission is over", () => {
     const rows = stepRows(plan, create(StatusSchema, { mode: Status_Mode.ENDED, currentStep: 0 }));
     expect(rows.every((row) => row.state === "planned")).toBe(true);

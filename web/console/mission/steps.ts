@@ -140,7 +140,9 @@ function rowOf(step: Status_Step, key: string): StepRow {
     state: kStates[step.outcome],
     commands,
     progress:
-      commands.length === 0 ? 0 : commands.reduce((sum, command) => sum + command.progress, 0) / commands.length,
+      commands.length === 0
+        ? 0
+        : commands.reduce((sum, command) => sum + Math.max(0, command.progress), 0) / commands.length,
     start: step.start,
     end: isRunning || step.outcome === Status_Outcome.PENDING ? -1 : step.end,
     arrival: arrivals.length > 0 && arrivals.every((arrival) => arrival >= 0) ? Math.max(...arrivals) : -1,
@@ -154,7 +156,7 @@ function commandOf(command: Status_Step["commands"][number]): CommandRow {
     text: command.text,
     unit: command.unit,
     state: kStates[command.outcome],
-    progress: command.outcome === Status_Outcome.DONE ? 1 : Math.min(1, Math.max(0, command.progress)),
+    progress: command.outcome === Status_Outcome.DONE ? 1 : command.progress < 0 ? -1 : Math.min(1, command.progress),
     remaining: command.remaining,
     arrival: command.arrival,
     robots: command.robots,

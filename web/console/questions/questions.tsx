@@ -25,6 +25,7 @@ export function Questions() {
 function QuestionCard({ question, isOldest }: { question: Questions_Question; isOldest: boolean }) {
   const session = useSession();
   const isOperator = useIsOperator();
+  const link = usePart("link");
   const status = usePart("status");
   const isDoing = commandOfUnit(status, question.unit);
   const where = question.unit !== "";
@@ -33,8 +34,12 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
       <p className="question-text">{question.text}</p>
       <div className="question-facts small">
         {where && (
-          <Button tone="link" onPress={() => unitPlace(session, [question.unit])}>
-            <Icon name="centre" /> Show {question.unit} on the map
+          <Button
+            tone="link"
+            aria-label={`Show ${question.unit} on the map`}
+            onPress={() => unitPlace(session, [question.unit])}
+          >
+            <Icon name="centre" /> Show
           </Button>
         )}
         <span className="muted">
@@ -62,7 +67,11 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
           ABORT {isOldest && <kbd>Shift P</kbd>}
         </Button>
       </div>
-      {!isOperator && <p className="small muted">Only the operator can answer.</p>}
+      {!isOperator && (
+        <p className="small muted">
+          {link.state === "open" ? "Only the operator can answer." : "Can be answered once the connection is back."}
+        </p>
+      )}
     </section>
   );
 }

@@ -134,7 +134,7 @@ function Facts({ id }: { id: number }) {
   usePart("time");
   const row = model.robots.rowOf(id);
   const state = robotState(row < 0 ? 0 : model.robots.flags(row));
-  const place = model.placeOf(id);
+  const place = model.get("starts").rowOf(id) < 0 ? model.placeOf(id) : undefined;
   return (
     <>
       <span className="small muted number grow robot-place">

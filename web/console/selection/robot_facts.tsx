@@ -1,4 +1,5 @@
 import type { ReactNode } from "react";
+import { kNotStarted } from "../../core/model.ts";
 import { distance, duration, headingDegrees } from "../format.ts";
 import { robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session.ts";
@@ -11,12 +12,12 @@ export function RobotFacts({ id }: { id: number }) {
   const row = model.robots.rowOf(id);
   const state = robotState(row < 0 ? 0 : model.robots.flags(row));
   const roster = usePart("roster");
-  if (!detail) {
+  if (!detail || detail.life === kNotStarted) {
     return (
       <div className="rows tab-body">
         <span className={`pill ${state.tone}`}>{state.word}</span>
         <p className="muted">
-          {row < 0 ? "This robot is not on the map yet. START puts it there." : "Waiting for its data…"}
+          {row < 0 ? "Not started yet: START puts it where its outline stands on the map." : "Waiting for its data…"}
         </p>
       </div>
     );
@@ -27,7 +28,7 @@ export function RobotFacts({ id }: { id: number }) {
     <div className="rows tab-body">
       <div className="columns">
         <span className={`pill ${state.tone}`}>{state.word}</span>
-        {roster.programOf(id) && <span className="small muted">program {roster.programOf(id)}</span>}
+        <span className="small muted">{typeText(roster.robot(id)?.type ?? "", roster.programOf(id))}</span>
       </div>
       {detail.fault && <p className="notice danger">{detail.fault}</p>}
       <Facts
@@ -48,6 +49,11 @@ export function RobotFacts({ id }: { id: number }) {
       />
     </div>
   );
+}
+
+/** `ROBOT · program robot` */
+function typeText(type: string, program: string): string {
+  return [type, program && `program ${program}`].filter((word) => word !== "").join(" · ");
 }
 
 export function Facts({ rows }: { rows: readonly (readonly [string, ReactNode])[] }) {

@@ -3,6 +3,7 @@ import { kMostWatched } from "../../core/watching.ts";
 import { usePart, useSession, useUi } from "../session.ts";
 
 const kManyRobots = 2000; // beyond it frames hold only what the map shows
+const kFewRobots = 1500; // up to it frames come as often as displays draw, not half as often
 
 /** The map wants details of what is selected, and what its layers show. */
 export function useWatching(): void {
@@ -20,6 +21,10 @@ export function useWatching(): void {
   useEffect(() => {
     connection.watching.wish("layers", { stations: layers.stations, vectors: layers.vectors });
   }, [connection, layers.stations, layers.vectors, contributions]);
+  const isFew = roster.robots.length <= kFewRobots;
+  useEffect(() => {
+    connection.watching.wish("rate", isFew ? { rate: 60 } : null);
+  }, [connection, isFew]);
   const isMany = roster.robots.length > kManyRobots;
   useEffect(() => {
     if (!map || !isMany) return;

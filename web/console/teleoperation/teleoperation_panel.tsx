@@ -1,7 +1,8 @@
 // A card with a stick for each unit that is steered by hand, and the way to begin with another one.
 import { useEffect, useMemo, useState } from "react";
+import { idRanges } from "../../core/format.ts";
 import type { RobotDetail, Status_Teleoperation } from "../../core/protocol.ts";
-import { count, idRanges } from "../format.ts";
+import { count } from "../format.ts";
 import { usePart, useSession } from "../session.ts";
 import { bearingText, distanceText, meanPose, objectiveFrom } from "./objective.ts";
 import { StickPad } from "./stick_pad.tsx";

@@ -7,6 +7,7 @@ const kPaths = {
   pause: "M8 5v14M16 5v14",
   stop: "M8.2 3h7.6L21 8.2v7.6L15.8 21H8.2L3 15.8V8.2zM8.5 12h7",
   step: "M6 5.5v13l9-6.5zM18.5 5.5v13",
+  skip: "M5 6l6 6-6 6M13 6l6 6-6 6",
   cycle: "M12 6v6l4 2M21 12a9 9 0 1 1-3-6.7M21 4v4h-4",
   rewind: "M19 18.5v-13L9 12zM5.5 5.5v13",
   restart: "M4 12a8 8 0 1 0 2.6-5.9M4 4v4.5h4.5",

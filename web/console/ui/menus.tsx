@@ -1,5 +1,5 @@
 // Menus, popovers and dialogs.
-import type { ReactNode } from "react";
+import { type ReactNode, useId } from "react";
 import {
   Dialog,
   DialogTrigger,
@@ -90,11 +90,16 @@ export function PopoverButton({
   label: string;
   children: ReactNode;
 }) {
+  const name = useId();
   return (
     <DialogTrigger>
       {trigger}
       {/* Without a Dialog in it the popover is one itself, hidden buttons for closing it included. */}
-      <Popover className="popover" offset={4} aria-label={label}>
+      {/* The trigger would name it by what it shows at the moment, and that name would come before the label. */}
+      <Popover className="popover" offset={4} aria-labelledby={name}>
+        <span id={name} className="hidden-text">
+          {label}
+        </span>
         <div className="content">{children}</div>
       </Popover>
     </DialogTrigger>

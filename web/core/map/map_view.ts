@@ -19,6 +19,7 @@ import { SceneIndex } from "./picking.ts";
 import { PictureLoader } from "./picture.ts";
 import { PlaceReadout } from "./place_readout.ts";
 import { kManyRobots, RobotLayer } from "./robot_layer.ts";
+import { drawStarts, startBoxes } from "./starts.ts";
 import type { MapPick, MapTool, Pen } from "./tool.ts";
 import { SelectTool } from "./tools/select.ts";
 import { drawTop, isTopEmpty } from "./top.ts";
@@ -40,6 +41,8 @@ export interface Statistics {
   readonly drawing: number;
   readonly drawings: number;
 }
+
+const kCheapDrawing = 8; // ms: robots glide between frames as long as a drawing takes no more
 
 /** What has to be drawn anew. */
 const Dirty = { GROUND: 1, TRAILS: 2, ROBOTS: 4, TOP: 8, ALL: 15 } as const;
@@ -193,12 +196,13 @@ export class MapView {
   }
 
   robotsIn(box: Box): number[] {
-    const { robots } = this.model;
     const found: number[] = [];
-    for (let row = 0; row < robots.count; ++row) {
-      const x = robots.x(row);
-      const y = robots.y(row);
-      if (x >= box.xMin && x <= box.xMax && y >= box.yMin && y <= box.yMax) found.push(robots.id(row));
+    for (const robots of [this.model.robots, this.model.get("starts")]) {
+      for (let row = 0; row < robots.count; ++row) {
+        const x = robots.x(row);
+        const y = robots.y(row);
+        if (x >= box.xMin && x <= box.xMax && y >= box.yMin && y <= box.yMax) found.push(robots.id(row));
+      }
     }
     return found;
   }
@@ -255,6 +259,8 @@ export class MapView {
   draw(): void {
     if (!pen2d(this.ground)) return; // a page without pictures, as in unit tests
     const start = performance.now();
+    const { robots, glide } = this.model;
+    robots.share = glide.share(start);
     this.followNow();
     if (this.camera.version !== this.drawnCamera) this.dirty = Dirty.ALL;
     const dirty = this.dirty;
@@ -266,6 +272,8 @@ export class MapView {
     if (dirty & Dirty.TOP) this.drawTop();
     ++this.drawings;
     this.drawing = performance.now() - start;
+    glide.isWanted = this.drawing < kCheapDrawing && this.robotLayer.renderer !== "blocks";
+    if (robots.share < 1) this.change(Dirty.ROBOTS | Dirty.TOP);
   }
 
   /** A few robots stand over names, many under them: else nothing could be read. */
@@ -284,10 +292,14 @@ export class MapView {
     const pen = this.pen(this.ground);
     const scene = this.model.get("scene");
     const settings = this.model.get("map");
-    this.labels = scene ? placeMeasureLabels(pen, scene, settings) : [];
+    this.robotLayer.styles.update(this.model);
+    const bodies = startBoxes(pen, this.model, this.robotLayer.styles);
+    this.labels = scene ? placeMeasureLabels(pen, scene, settings, bodies) : [];
     drawGround(pen, this.model, this.picture.image, this.hover);
     const above = this.pen(this.names);
     drawNames(above, this.labels);
+    const taken = this.labels.map(({ box }) => box);
+    drawStarts(above, this.model, this.robotLayer.styles, taken);
     if (settings.layers.decorations) drawDecorations(above);
   }
 
@@ -328,7 +340,8 @@ export class MapView {
       this.endings.push(this.model.subscribe(name, change));
     };
     part("scene", () => this.takeScene());
-    part("roster", () => this.change(Dirty.ROBOTS | Dirty.TOP | Dirty.TRAILS));
+    part("roster", () => this.change(Dirty.ALL));
+    part("starts", () => this.change(Dirty.GROUND | Dirty.TOP));
     part("map", () => this.change(Dirty.ALL));
     part("selection", () => this.change(Dirty.ALL));
     part("status", () => this.change(Dirty.TOP));
@@ -425,20 +438,21 @@ export class MapView {
   }
 
   private robotsNear(screen: Point, reach: number): MapPick[] {
-    const { robots } = this.model;
     const world = this.camera.toWorld(screen);
     const found: { id: number; distance: number }[] = [];
     const { robotScale } = this.model.get("map");
     const roster = this.model.get("roster");
     const coarse = (reach + 60) / this.camera.scale + 2 * robotScale;
-    for (let row = 0; row < robots.count; ++row) {
-      const dx = robots.x(row) - world.x;
-      const dy = robots.y(row) - world.y;
-      if (Math.abs(dx) > coarse || Math.abs(dy) > coarse) continue;
-      const id = robots.id(row);
-      const body = (roster.robot(id)?.radius ?? 0.2) * robotScale * this.camera.scale;
-      const distance = Math.hypot(dx, dy) * this.camera.scale;
-      if (distance <= Math.max(body, 6) + reach) found.push({ id, distance });
+    for (const robots of [this.model.robots, this.model.get("starts")]) {
+      for (let row = 0; row < robots.count; ++row) {
+        const dx = robots.x(row) - world.x;
+        const dy = robots.y(row) - world.y;
+        if (Math.abs(dx) > coarse || Math.abs(dy) > coarse) continue;
+        const id = robots.id(row);
+        const body = (roster.robot(id)?.radius ?? 0.2) * robotScale * this.camera.scale;
+        const distance = Math.hypot(dx, dy) * this.camera.scale;
+        if (distance <= Math.max(body, 6) + reach) found.push({ id, distance });
+      }
     }
     found.sort((a, b) => a.distance - b.distance);
     return found.map(({ id }) => ({ kind: "robot", id }));

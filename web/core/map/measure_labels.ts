@@ -39,12 +39,18 @@ const kWeights: Partial<Record<Measure_Kind, number>> = {
   [K.PHASE_LINE]: 4,
 };
 
-export function placeMeasureLabels(pen: Pen, scene: Scene, settings: MapSettings): PlacedLabel[] {
+/** @param bodies  what names don't cover either */
+export function placeMeasureLabels(
+  pen: Pen,
+  scene: Scene,
+  settings: MapSettings,
+  bodies: readonly Box[] = [],
+): PlacedLabel[] {
   if (!settings.layers.labels || !settings.layers.measures) return [];
   const lines = linesOnScreen(pen, scene);
   const cost = (box: Box): number => costOf(box, lines);
   const wishes = scene.measures.flatMap((measure) => wishOf(pen, measure)).map((wish) => ({ ...wish, cost }));
-  const taken = new TakenBoxes(signBoxes(pen, scene));
+  const taken = new TakenBoxes([...signBoxes(pen, scene), ...bodies]);
   const { width, height } = pen.camera;
   return placeLabels(wishes, taken, { xMin: 4, yMin: 4, xMax: width - 4, yMax: height - 4 }).map(
     ({ key, box, middle }) => ({ ...key, box, middle }),

@@ -141,9 +141,7 @@ function wishOf(
   const { camera } = pen;
   const { x, y } = camera.toScreen(place);
   if (!holds(screen, { x, y })) return null;
-  const roster = model.get("roster");
-  const unit = roster.robot(id)?.unit ?? "";
-  const text = unit ? `${unit} ${id}` : String(id);
+  const text = model.get("roster").nameOf(id);
   const width = textWidth(pen, text, kFont) + 4;
   const radius = ringRadius(styles, id, camera.scale);
   const half = styles.pixels(id, camera.scale) / 2;

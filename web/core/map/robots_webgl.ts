@@ -8,6 +8,8 @@ import type { Palette } from "./palette.ts";
 import { kTableWidth, type RobotStyles } from "./robot_styles.ts";
 import { arrowMesh, arrowVertex, kArrowFragment, kRingFragment, kRingVertex } from "./shaders.ts";
 
+const kBefore = 3; // texture unit
+
 const kUniforms = [
   "middle",
   "halfScreen",
@@ -15,6 +17,8 @@ const kUniforms = [
   "least",
   "circles",
   "records",
+  "before",
+  "share",
   "colors",
   "sizes",
   "capacity",
@@ -33,7 +37,9 @@ export class RobotsByWebgl {
   private readonly rings: Program;
   private readonly indices: WebGLBuffer;
   private readonly mesh = arrowMesh();
-  private recordRows = 0;
+  private rows = [0, 0]; // of the textures of records, the newest and those before
+  private version = -1; // of the records that are up
+  private versionBefore = -1;
   private indexed = 0; // robots that the indices suffice for
   private stylesVersion = -1;
 
@@ -59,8 +65,8 @@ export class RobotsByWebgl {
     this.arrows = link(gl, arrowVertex(), kArrowFragment);
     this.rings = link(gl, kRingVertex, kRingFragment);
     this.indices = gl.createBuffer();
-    // Records, colours, sizes.
-    for (const unit of [0, 1, 2]) {
+    // Records, colours, sizes, records before.
+    for (const unit of [0, 1, 2, kBefore]) {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
@@ -93,7 +99,9 @@ export class RobotsByWebgl {
       gl.uniform1f(uniforms.pixel, 1 / density);
       gl.uniform3f(uniforms.halo, ...shares(palette.halo));
       gl.uniform3f(uniforms.selection, ...shares(palette.selection));
+      gl.uniform1f(uniforms.share, robots.share);
       gl.uniform1i(uniforms.records, 0);
+      gl.uniform1i(uniforms.before, kBefore);
       gl.uniform1i(uniforms.colors, 1);
       gl.uniform1i(uniforms.sizes, 2);
     };
@@ -109,17 +117,28 @@ export class RobotsByWebgl {
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
+  /** Once a frame; in between only the share of the way changes. */
   private upload(robots: RobotTable): void {
-    const { gl } = this;
     if (robots.count > this.indexed) this.addIndices(Math.max(robots.count, this.indexed * 2));
-    const rows = Math.ceil(robots.count / kTableWidth);
-    gl.activeTexture(gl.TEXTURE0);
+    if (robots.share < 1 && robots.version !== this.versionBefore) {
+      this.uploadRecords(1, robots.wordsBefore, robots.count);
+      this.versionBefore = robots.version;
+    }
+    if (robots.version === this.version) return;
+    this.version = robots.version;
+    this.uploadRecords(0, robots.words, robots.count);
+  }
+
+  private uploadRecords(which: 0 | 1, words: Uint32Array, count: number): void {
+    const { gl } = this;
+    const rows = Math.ceil(count / kTableWidth);
+    gl.activeTexture(gl.TEXTURE0 + (which === 0 ? 0 : kBefore));
     const [format, type] = [gl.RGBA_INTEGER, gl.UNSIGNED_INT];
-    if (rows > this.recordRows) {
-      this.recordRows = rows;
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, kTableWidth, rows, 0, format, type, robots.words);
+    if (rows > this.rows[which]!) {
+      this.rows[which] = rows;
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, kTableWidth, rows, 0, format, type, words);
     } else {
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, kTableWidth, rows, format, type, robots.words);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, kTableWidth, rows, format, type, words);
     }
   }
 

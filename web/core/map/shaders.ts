@@ -5,6 +5,8 @@ const kInstance = `#version 300 es
 precision highp float;
 precision highp int;
 uniform highp usampler2D records; // a frame's, one texel each
+uniform highp usampler2D before;  // where the robots were shown when it came; read while share is below 1
+uniform float share;      // of their way from there
 uniform vec2 middle;      // of the screen, world [m]
 uniform vec2 halfScreen;  // [CSS px]
 uniform float scale;      // [CSS px/m]
@@ -14,12 +16,16 @@ uniform sampler2D sizes;
 uniform int capacity;
 // Not by instances: a processor that draws takes each as a drawing of its own.
 uvec4 record(int row) { return texelFetch(records, ivec2(row % ${kTableWidth}, row / ${kTableWidth}), 0); }
+uvec4 recordBefore(int row) {
+  ivec2 at = ivec2(row % ${kTableWidth}, row / ${kTableWidth});
+  return share < 1.0 ? texelFetch(before, at, 0) : texelFetch(records, at, 0);
+}
 ivec2 texel(uvec4 robot) {
   int index = min(int(robot.x), capacity - 1);
   return ivec2(index % ${kTableWidth}, index / ${kTableWidth});
 }
-vec4 onScreen(uvec4 robot, vec2 fromRobot) {
-  vec2 place = uintBitsToFloat(robot.yz);
+vec4 onScreen(uvec4 robot, uvec4 was, vec2 fromRobot) {
+  vec2 place = mix(uintBitsToFloat(was.yz), uintBitsToFloat(robot.yz), share);
   return vec4(((place - middle) * scale + fromRobot) / halfScreen, 0.0, 1.0);
 }
 `;
@@ -39,16 +45,19 @@ flat out vec3 paint;
 out float cover;
 void main() {
   uvec4 robot = record(gl_VertexID / ${corners.length});
+  uvec4 was = recordBefore(gl_VertexID / ${corners.length});
   vec4 corner = kCorners[gl_VertexID % ${corners.length}];
   vec3 layer = kLayers[gl_VertexID % ${layers.length}];
   float length = max(least, texelFetch(sizes, texel(robot), 0).r * scale);
   vec2 at = corner.xy * length + corner.zw * layer.x * (layer.z > 0.5 ? pixel : 1.0);
-  float angle = float(robot.w & 0xffffu) * ${((2 * Math.PI) / 65536).toExponential(9)};
+  float from = float(was.w & 0xffffu);
+  float turn = mod(float(robot.w & 0xffffu) - from + 32768.0, 65536.0) - 32768.0; // the shorter way round
+  float angle = (from + turn * share) * ${((2 * Math.PI) / 65536).toExponential(9)};
   float c = cos(angle);
   float s = sin(angle);
   paint = layer.z > 0.5 ? texelFetch(colors, texel(robot), 0).rgb : halo;
   cover = layer.y;
-  gl_Position = onScreen(robot, vec2(at.x * c - at.y * s, at.x * s + at.y * c));
+  gl_Position = onScreen(robot, was, vec2(at.x * c - at.y * s, at.x * s + at.y * c));
 }`;
 }
 
@@ -76,7 +85,7 @@ void main() {
   extent = vec2(body, ring);
   float reach = max(body, ring);
   at = kCorners[gl_VertexID % 6] * (reach > 0.0 ? reach + 3.0 : 0.0);
-  gl_Position = onScreen(robot, at);
+  gl_Position = onScreen(robot, recordBefore(gl_VertexID / 6), at);
 }`;
 
 export const kRingFragment = `#version 300 es

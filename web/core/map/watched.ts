@@ -18,7 +18,11 @@ const kNameFont = `600 10.5px ${kSans}`;
 /** Returns the boxes of the names it wrote. */
 export function drawWatched(pen: Pen, model: Model, { styles, taken }: TopState): Box[] {
   const selected = model.get("selection").robots;
-  const details = selected.flatMap((id) => model.detail(id) ?? []);
+  // Where the robot is drawn, which may be on its way to where its detail has it.
+  const details = selected.flatMap((id) => {
+    const detail = model.detail(id);
+    return detail ? { ...detail, ...model.placeOf(id) } : [];
+  });
   const settings = model.get("map");
   const close = details.slice(0, kMostDetailed);
   if (settings.layers.readings) for (const detail of close) drawReadings(pen, detail);

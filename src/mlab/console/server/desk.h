@@ -30,17 +30,17 @@ using Tcp = asio::ip::tcp;
 namespace limits {
 inline constexpr std::size_t kConnections = 192;  ///< the oldest that is no session makes room
 inline constexpr std::size_t kSessions = 64;
-inline constexpr std::uint32_t kHeaderBytes = 16 * 1024;
-inline constexpr std::uint64_t kBodyBytes = 64 * 1024;
-inline constexpr std::size_t kMessageBytes = 4 * 1024 * 1024;
+inline constexpr std::uint32_t kHeaderBytes = 16U * 1024U;
+inline constexpr std::uint64_t kBodyBytes = std::uint64_t{64} * 1024;
+inline constexpr std::size_t kMessageBytes = std::size_t{4} << 20;
 inline constexpr std::chrono::seconds kHandshake{10};  ///< for TLS, for a request, for the WebSocket
 inline constexpr std::chrono::seconds kBetweenRequests{30};
 inline constexpr std::chrono::seconds kAnswer{30};  ///< to take an answer
 inline constexpr std::chrono::seconds kIdle{20};  ///< then a session is pinged; a second time, and it is gone
 inline constexpr std::chrono::seconds kGoodbye{2};  ///< for the other side to agree to an end
 /// What waits for a session that has taken nothing for kStuck, and what waits at most.
-inline constexpr std::size_t kStuckBytes = 8 * 1024 * 1024;
-inline constexpr std::size_t kWaitingBytes = 64 * 1024 * 1024;
+inline constexpr std::size_t kStuckBytes = std::size_t{8} << 20;
+inline constexpr std::size_t kWaitingBytes = std::size_t{64} << 20;
 inline constexpr std::chrono::seconds kStuck{2};
 }  // namespace limits
 

@@ -187,7 +187,10 @@ class Server::Network {
   }
 
   void wait_for_empty() {
-    if (desk_->visitors.empty()) return io_.stop();
+    if (desk_->visitors.empty()) {
+      io_.stop();
+      return;
+    }
     poll_.expires_after(std::chrono::milliseconds(5));
     poll_.async_wait([this](ErrorCode error) {
       if (!error) wait_for_empty();

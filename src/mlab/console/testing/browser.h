@@ -129,6 +129,7 @@ class Browser {
   const Status& status() const { return status_; }
   const Plan& plan() const { return plan_; }
   const Roster& roster() const { return roster_; }
+  const Starts& starts() const { return starts_; }
   const Scene& scene() const { return scene_; }
   const Clients& clients() const { return clients_; }
   const Questions& questions() const { return questions_; }
@@ -169,6 +170,9 @@ class Browser {
         break;
       case ToBrowser::kRoster:
         roster_ = message.roster();
+        break;
+      case ToBrowser::kStarts:
+        starts_ = message.starts();
         break;
       case ToBrowser::kPlan:
         plan_ = message.plan();
@@ -221,6 +225,7 @@ class Browser {
   Status status_;
   Plan plan_;
   Roster roster_;
+  Starts starts_;
   Scene scene_;
   Clients clients_;
   Questions questions_;

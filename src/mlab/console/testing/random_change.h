@@ -210,9 +210,9 @@ inline std::string difference(Scene before, const MapChange& change, const Scene
   }
   if (!is_near(before.width(), after.width()) || !is_near(before.height(), after.height()))
     return "another area";
-  const std::string measures = missing(before.measures(), after.measures());
+  std::string measures = missing(before.measures(), after.measures());
   if (!measures.empty()) return measures;
-  const std::string obstacles = missing(before.obstacles(), after.obstacles());
+  std::string obstacles = missing(before.obstacles(), after.obstacles());
   return obstacles.empty() ? missing(before.objects(), after.objects()) : obstacles;
 }
 

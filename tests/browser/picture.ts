@@ -1,0 +1,21 @@
+import { execFileSync } from "node:child_process";
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+
+const folder = process.env.MLAB_TOUR ?? "";
+
+/** Writes what the page shows as console_NAME.png, where pictures are wanted. Small with pngquant at hand. */
+export async function picture(page: Page, name: string, { pointerStays = false } = {}): Promise<void> {
+  if (folder === "") return;
+  mkdirSync(folder, { recursive: true });
+  const path = join(folder, `console_${name}.png`);
+  if (!pointerStays) await page.mouse.move(640, 799); // where nothing answers to it
+  await page.waitForTimeout(700);
+  await page.screenshot({ path, animations: "disabled", caret: "hide" });
+  try {
+    execFileSync("pngquant", ["--force", "--ext", ".png", "--speed", "1", "--strip", "128", path]);
+  } catch {
+    console.warn(`${path}: as large as it came; pngquant makes it a third`);
+  }
+}
