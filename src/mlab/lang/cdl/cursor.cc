@@ -152,7 +152,7 @@ std::optional<std::string> Cursor::read_text(std::string_view what) {
     expected(what);
     return std::nullopt;
   }
-  const std::string value(text().substr(1, text().size() - 2));
+  std::string value(text().substr(1, text().size() - 2));
   if (value.find('\\') != std::string::npos) {
     error("syntax", here(), "a text has no `\\` in it, since nothing is escaped");
   }
