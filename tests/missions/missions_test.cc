@@ -2,8 +2,10 @@
 // contact, as that file says.
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -120,6 +122,44 @@ TEST(Missions, EveryFolderIsTried) {
   std::sort(folders.begin(), folders.end());
   EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "forage", "formations", "patrol", "robot_lab",
                                                "split_rejoin", "squeeze"}));
+}
+
+// What the foragers that are after an attractor go for, by object.
+std::map<std::uint32_t, int> targets_of(const fleet::MissionRun& run) {
+  std::map<std::uint32_t, int> out;
+  for (const fleet::FleetRobot& robot : run.fleet().robots()) {
+    const flow::Program& program = *robot.program->program;
+    const flow::Port* const port = program.find("movement.target");
+    if (port == nullptr || robot.life != fleet::RobotLife::kRunning) continue;
+    if (!std::ranges::contains(program.active_states(robot.frame.data()), "movement.Acquiring")) continue;
+    percept::ObjectReading target;
+    std::memcpy(&target, robot.frame.data() + port->offset, sizeof target);
+    if (target.id.value != 0) ++out[target.id.value];
+  }
+  return out;
+}
+
+TEST(Forage, NoTwoRobotsGoForTheSameAttractorForLongerThanACycle) {
+  int cycles_with_target = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto run = prepare(kMissions / "forage" / "forage.mdl", seed, 1);
+    ASSERT_TRUE(run);
+    run->post(mission::event::Execute{});
+    std::map<std::uint32_t, int> shared_for;  // by object [cycles]
+    while (run->time() < 300.0 && run->step() == fleet::MissionRun::Progress::kStepped) {
+      const std::map<std::uint32_t, int> targets = targets_of(*run);
+      cycles_with_target += targets.empty() ? 0 : 1;
+      std::erase_if(shared_for, [&](const auto& one) {
+        const auto at = targets.find(one.first);
+        return at == targets.end() || at->second < 2;
+      });
+      for (const auto& [object, robots] : targets) {
+        if (robots > 1)
+          ASSERT_LE(++shared_for[object], 1) << "object " << object << " at " << run->time() << " s";
+      }
+    }
+  }
+  EXPECT_GT(cycles_with_target, 1000);
 }
 
 TEST(DemoC, RunsItsStepsInTheOrderOfTheReport) {
