@@ -131,7 +131,8 @@ std::map<std::uint32_t, int> targets_of(const fleet::MissionRun& run) {
     const flow::Program& program = *robot.program->program;
     const flow::Port* const port = program.find("movement.target");
     if (port == nullptr || robot.life != fleet::RobotLife::kRunning) continue;
-    if (!std::ranges::contains(program.active_states(robot.frame.data()), "movement.Acquiring")) continue;
+    const std::vector<std::string> states = program.active_states(robot.frame.data());
+    if (std::ranges::find(states, "movement.Acquiring") == states.end()) continue;
     percept::ObjectReading target;
     std::memcpy(&target, robot.frame.data() + port->offset, sizeof target);
     if (target.id.value != 0) ++out[target.id.value];
