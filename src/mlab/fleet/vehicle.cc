@@ -37,6 +37,10 @@ constexpr Quantity kQuantities[] = {
      [](sim::BodySpec& b, double v) { b.ring.count = static_cast<std::uint16_t>(v); }},
     {"ring_range", 0.0, 10'000.0, [](sim::BodySpec& b, double v) { b.ring.range = v; }},
     {"ring_beam_width", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.ring.beam_width = base::radians(v); }},
+    {"ring_arc", 0.0, 359.0, [](sim::BodySpec& b, double v) { b.ring.arc = base::radians(v); }},
+    {"ring_obstacles", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.has_ring_obstacles = v != 0.0; }},
+    {"odometry_noise", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.odometry_noise = v; }},
+    {"max_speed", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_speed = v; }},
     {"ring_noise", 0.0, 1000.0, [](sim::BodySpec& b, double v) { b.ring.noise = v; }},
     {"camera_field_of_view", 0.0, 360.0,
      [](sim::BodySpec& b, double v) { b.camera.field_of_view = base::radians(v); }},
@@ -66,12 +70,13 @@ sim::Drive drive_of(const mission::RobotParameter& parameter, text::Diagnostics&
   std::string upper = parameter.value;
   std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
   if (upper == "DIFFERENTIAL") return sim::Drive::kDifferential;
+  if (upper == "SYNCHRO") return sim::Drive::kSynchro;
   if (upper == "CAR" || upper == "NO_HOLONOMIC") return sim::Drive::kCar;
   constexpr std::string_view kHolonomic[] = {"HOLONOMIC", "SIMULATION", "HSERVER", "MRV2", "DRV1"};
   if (std::find(std::begin(kHolonomic), std::end(kHolonomic), upper) == std::end(kHolonomic)) {
     sink.warning("unknown-robot-type", parameter.place,
                  fmt::format("unknown robot_type `{}`", parameter.value))
-        .hints = {"it is simulated as HOLONOMIC; the others are DIFFERENTIAL and CAR"};
+        .hints = {"it is simulated as HOLONOMIC; the others are DIFFERENTIAL, SYNCHRO and CAR"};
   }
   return sim::Drive::kHolonomic;
 }
@@ -96,7 +101,7 @@ sim::BodySpec body_of(const mission::RobotType& type, text::Diagnostics& sink) {
       }
     }
   }
-  body.ring.first_angle = 0.0;
+  body.ring.first_angle = -body.ring.arc / 2;
   return body;
 }
 

@@ -24,6 +24,7 @@
 #include "mlab/schema/field.h"
 #include "mlab/schema/formation_offset.h"
 #include "mlab/schema/historic.h"
+#include "mlab/schema/indoor.h"
 #include "mlab/schema/messages.h"
 #include "mlab/schema/objects.h"
 #include "mlab/schema/ranges.h"
@@ -61,8 +62,10 @@ using flow::Obstacles;
 using flow::Ranges;
 using flow::Robots;
 using flow::Text;
+using percept::Door;
 using percept::Formation;
 using percept::FormationReference;
+using percept::Hallway;
 using percept::ObjectClass;
 using percept::ObjectReading;
 using percept::ObjectStyle;
