@@ -4,6 +4,8 @@
 // uses the namespace mlab::schema.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +48,9 @@ using geom::direction;
 using geom::distance;
 using geom::dot;
 using geom::kZeroLength;
+using geom::intersects;
 using geom::length;
+using geom::nearest_point;
 using geom::Offset;
 using geom::Point;
 using geom::polar;
