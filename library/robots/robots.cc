@@ -11,7 +11,7 @@ namespace {
 constexpr struct {
   std::string_view program;
   std::string_view robot;
-} kRobots[] = {{"scout", "Scout"},          {"standard", "Scout"},        {"robot", "Scout"},
+} kRobots[] = {{"scout", "Scout"},          {"standard", "Scout"},       {"robot", "Scout"},
                {"mlab-2.0-robot", "Scout"}, {"tmr_robot-1998", "Scout"}, {"mrv2", "MRV2"},
                {"rover", "Rover"}};
 

@@ -27,7 +27,8 @@ class AnyCycle {
     obstacles_.clear();
     robots_.clear();
     route_.clear();
-    for (std::uint64_t n = random_.below(5); n > 0; --n) obstacles_.push_back({vector(), random_.uniform(0.0, 5.0)});
+    for (std::uint64_t n = random_.below(5); n > 0; --n)
+      obstacles_.push_back({vector(), random_.uniform(0.0, 5.0)});
     for (std::uint64_t n = random_.below(4); n > 0; --n)
       robots_.push_back({.id = {static_cast<std::uint32_t>(n)}, .center = vector()});
     for (std::uint64_t n = random_.below(5); n > 0; --n) route_.push_back(point());
@@ -36,7 +37,8 @@ class AnyCycle {
     p.obstacles = obstacles_;
     p.robots = robots_;
     p.pose = {point(), random_.uniform(-3.0, 3.0)};
-    p.joystick = {.x = random_.uniform(-1.0, 1.0), .y = random_.uniform(-1.0, 1.0), .magnitude = random_.uniform()};
+    p.joystick = {
+        .x = random_.uniform(-1.0, 1.0), .y = random_.uniform(-1.0, 1.0), .magnitude = random_.uniform()};
     if (random_.below(2) == 0) p.joystick = {};
     p.unit = {.size = 4,
               .rank = static_cast<std::uint16_t>(random_.below(4)),
@@ -70,7 +72,8 @@ class AnyCycle {
 };
 
 // All that the program does in so many cycles, as one number, bit for bit.
-std::uint64_t deeds(const flow::Program& program, const std::vector<std::pair<const char*, const char*>>& parameters) {
+std::uint64_t deeds(const flow::Program& program,
+                    const std::vector<std::pair<const char*, const char*>>& parameters) {
   std::uint64_t hash = 1;
   const auto add = [&](double value) {
     std::uint64_t bits = 0;
@@ -128,7 +131,12 @@ TEST(Scout, SameAsTheNetwork) {
   text << file.rdbuf();
   const auto program = program_of("standard.cnl", text.str());
   EXPECT_EQ(deeds(scout(), {}), deeds(*program, {}));
-  const std::vector<std::pair<const char*, const char*>> other = {{"navigation_swirl_gain", "1"}, {"navigation_move_to_concealment_gain", "0.5"}, {"formation_reference", "leader"}, {"cautious_mode", "true"}, {"swirl_sphere", "20"}};
+  const std::vector<std::pair<const char*, const char*>> other = {
+      {"navigation_swirl_gain", "1"},
+      {"navigation_move_to_concealment_gain", "0.5"},
+      {"formation_reference", "leader"},
+      {"cautious_mode", "true"},
+      {"swirl_sphere", "20"}};
   EXPECT_EQ(deeds(scout(), other), deeds(*program, other));
 }
 }  // namespace

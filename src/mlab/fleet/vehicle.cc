@@ -26,8 +26,7 @@ constexpr double kLarge = 1e6;
 constexpr Quantity kQuantities[] = {
     {"robot_radius", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.radius = v; }},
     {"max_acceleration", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_acceleration = v; }},
-    {"max_turn_rate", 0.0, kLarge,
-     [](sim::BodySpec& b, double v) { b.kinematics.max_turn_rate = v; }, true},
+    {"max_turn_rate", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_turn_rate = v; }, true},
     {"max_turn_acceleration", 0.0, kLarge,
      [](sim::BodySpec& b, double v) { b.kinematics.max_turn_acceleration = v; }, true},
     {"axle", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.kinematics.axle = v; }},
@@ -43,11 +42,10 @@ constexpr Quantity kQuantities[] = {
     {"odometry_noise", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.odometry_noise = v; }},
     {"max_speed", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_speed = v; }},
     {"ring_noise", 0.0, 1000.0, [](sim::BodySpec& b, double v) { b.ring.noise = v; }},
-    {"camera_field_of_view", 0.0, 360.0,
-     [](sim::BodySpec& b, double v) { b.camera.field_of_view = v; }, true},
+    {"camera_field_of_view", 0.0, 360.0, [](sim::BodySpec& b, double v) { b.camera.field_of_view = v; },
+     true},
     {"camera_max_pan", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.camera.max_pan = v; }, true},
-    {"camera_pan_rate", 0.0, kLarge,
-     [](sim::BodySpec& b, double v) { b.camera.max_pan_rate = v; }, true},
+    {"camera_pan_rate", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.camera.max_pan_rate = v; }, true},
     {"ring_dropout", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.ring.dropout = v; }},
 };
 

@@ -12,8 +12,8 @@ namespace mlab::fleet {
 
 /// The body that a robot type has in simulation, from its NEW-ROBOT parameters:
 ///
-/// - robot_type: HOLONOMIC (unless said otherwise), DIFFERENTIAL, SYNCHRO, CAR; historic: SIMULATION, MRV2, DRV1,
-/// HSERVER
+/// - robot_type: HOLONOMIC (unless said otherwise), DIFFERENTIAL, SYNCHRO, CAR; historic: SIMULATION, MRV2,
+/// DRV1, HSERVER
 ///   (holonomic), NO_HOLONOMIC (car)
 /// - robot_radius: of the body, 0.2 [m]
 /// - max_acceleration, max_turn_rate, max_turn_acceleration: 0, no limit [m/s^2], [deg/s], [deg/s^2]

@@ -10,8 +10,8 @@ std::span<const mlab::flow::Behavior* const> mlab_library_behaviors();
 
 namespace mlab::library {
 
-/// The robot of the library's configurations (`Scout`) that a program's name means, letter case aside: its own, or that
-/// of a historic robot program that it stands for. Empty where nobody answers to the name.
+/// The robot of the library's configurations (`Scout`) that a program's name means, letter case aside: its
+/// own, or that of a historic robot program that it stands for. Empty where nobody answers to the name.
 std::string_view find_robot(std::string_view name);
 
 /// A configuration of the library: binding points, assemblages, robots. Known to every configuration without
