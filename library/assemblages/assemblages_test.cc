@@ -237,6 +237,24 @@ TEST(GoTo, ArrivesAndAtGoalKnows) {
   EXPECT_LT(trial.distance_to({6, 3}), 1.2);
 }
 
+TEST(GoTo_Dstar, LeavesATrapThatGoToStaysIn) {
+  std::vector<sim::Disc> trap;
+  for (int i = 0; i < 9; ++i) trap.push_back({{4.0, i - 4.0}, 0.6});
+  for (int i = 0; i < 5; ++i) {
+    trap.push_back({{static_cast<double>(i), 4.0}, 0.6});
+    trap.push_back({{static_cast<double>(i), -4.0}, 0.6});
+  }
+  Trial reactive("GoTo(goal = [12 m, 0 m])", with(trap), {{0, 0}, 0});
+  EXPECT_FALSE(reactive.run(90, [&] { return reactive.distance_to({12, 0}) < 0.5; }));
+  Trial planning("GoTo_Dstar(goal = [12 m, 0 m])", with(trap), {{0, 0}, 0});
+  EXPECT_TRUE(planning.run(90, [&] { return planning.distance_to({12, 0}) < 0.5; }));
+}
+
+TEST(GoTo_LM, ArrivesBehindAnObstacle) {
+  Trial trial("GoTo_LM(goal = [12 m, 0 m])", with({{{6, 0}, 1.0}}), {{0, 0}, 0});
+  EXPECT_TRUE(trial.run(200, [&] { return trial.distance_to({12, 0}) < 0.7; }));
+}
+
 TEST(MoveToward, ReachesTheNearestObjectOfItsClasses) {
   Trial trial("MoveToward(classes = Flag)",
               with({}, {object(1, ObjectClass::kFlag, ObjectStyle::kFixed, {5, 5})}), {{0, 0}, 0});

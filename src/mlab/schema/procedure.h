@@ -27,6 +27,7 @@
 #include "mlab/schema/formation_offset.h"
 #include "mlab/schema/historic.h"
 #include "mlab/schema/indoor.h"
+#include "mlab/schema/local_map.h"
 #include "mlab/schema/messages.h"
 #include "mlab/schema/objects.h"
 #include "mlab/schema/ranges.h"
