@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/flow/program.h"
-#include "mlab/library/library.h"
+#include "mlab/robot/configuration_file.h"
 
 #include "network.h"
 
@@ -28,8 +28,10 @@ constexpr double kNorth = std::numbers::pi / 2.0;
 // The standard robot as a program.
 const flow::Program& standard() {
   static const std::shared_ptr<const flow::Program> kProgram = [] {
-    const library::Robot robot = library::find_robot("standard").value_or(library::Robot{});
-    return program_of(robot.file, robot.text);
+    text::Diagnostics sink;
+    const auto robot = robot::library_robot("Scout", sink);
+    EXPECT_TRUE(robot && sink.items().empty()) << text::render(sink);
+    return robot ? robot->program : nullptr;
   }();
   return *kProgram;
 }

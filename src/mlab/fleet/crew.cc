@@ -41,12 +41,13 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
   for (const mission::Robot& robot : plan.robots) is_used[robot.type] = true;
   const std::size_t errors_before = sink.error_count();
   for (std::size_t i = 0; i < plan.types.size(); ++i) {
-    crew->bodies.push_back(body_of(plan.types[i], sink));
     // A type that nobody uses costs nothing, but what is wrong in it is said all the same; ROBOT alone has no
     // author.
     std::optional<robot::RobotProgram> program;
     if (is_used[i] || plan.types[i].place.source)
       program = load_program_of(plan.types[i], sources, before, sink);
+    crew->bodies.push_back(
+        body_of(plan.types[i], program ? program->body : std::map<std::string, double>{}, sink));
     crew->programs.push_back(
         program ? std::move(*program)
                 : robot::RobotProgram{plan.types[i].program, nullptr, {}, plan.types[i].name, {}});

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 #include <utility>
 
@@ -236,7 +237,9 @@ void Fleet::step(double dt) {
       robot.action = {};
       new_faults_.push_back(robot.id);
     }
-    if (robot.life == RobotLife::kRunning) actions_[robot.body.value] = robot.action;
+    if (robot.life != RobotLife::kRunning) continue;
+    actions_[robot.body.value] = robot.action;
+    note_calls(robot);
   }
   messages_.resolve(robots_, simulator_.time());
   simulator_.step(actions_, dt);
@@ -331,6 +334,25 @@ void Fleet::report(std::vector<mission::RobotReport>& out) const {
     report.remaining = robot.action.status.remaining;
     out.push_back(report);
   }
+}
+
+void Fleet::note_calls(const FleetRobot& robot) {
+  const percept::Action& action = robot.action;
+  if (action.alert.front() != 0) {
+    const std::string_view text(action.alert.data(), ::strnlen(action.alert.data(), action.alert.size()));
+    calls_.push_back({robot.id, RobotCall::Kind::kAlert, std::string(text)});
+  }
+  for (std::uint8_t i = 0; i < action.request_count; ++i) {
+    using Kind = percept::Request::Kind;
+    const Kind kind = action.requests[i].kind;
+    if (kind == Kind::kProceed) calls_.push_back({robot.id, RobotCall::Kind::kProceed, {}});
+    if (kind == Kind::kHalt) calls_.push_back({robot.id, RobotCall::Kind::kHalt, {}});
+    if (kind == Kind::kEndMission) calls_.push_back({robot.id, RobotCall::Kind::kEndMission, {}});
+  }
+}
+
+std::vector<RobotCall> Fleet::take_calls() {
+  return std::exchange(calls_, {});
 }
 
 std::vector<base::RobotId> Fleet::take_new_faults() {

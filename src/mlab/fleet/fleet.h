@@ -30,6 +30,19 @@ enum class RobotLife : std::uint8_t {
 };
 std::string_view name(RobotLife life);
 
+/// Something that a robot wants of its operator, or of the run as a whole.
+struct RobotCall {
+  enum class Kind : std::uint8_t {
+    kAlert,       ///< `text` is to be shown
+    kProceed,     ///< asks whether it may go on
+    kHalt,        ///< its program has ended
+    kEndMission,  ///< the mission is to end for all
+  };
+  base::RobotId robot;
+  Kind kind = Kind::kAlert;
+  std::string text;
+};
+
 /// One robot of the run.
 struct FleetRobot {
   base::RobotId id;
@@ -103,6 +116,9 @@ class Fleet {
   /// What the executive wants to know of every started robot, by id. Fills `out`.
   void report(std::vector<mission::RobotReport>& out) const;
 
+  /// What robots called since the last time that somebody asked, by cycle and robot.
+  std::vector<RobotCall> take_calls();
+
   /// Robots that faulted since the last call, to be told once.
   std::vector<base::RobotId> take_new_faults();
 
@@ -127,6 +143,7 @@ class Fleet {
                         const std::vector<robot::RobotProgram>& programs,
                         const std::vector<sim::BodySpec>& bodies);
   void form_teams(const mission::Mission& mission);
+  void note_calls(const FleetRobot& robot);
   void leave_group(std::uint32_t robot);
   void update_poses();
   void run_program(FleetRobot& robot, double dt, Worker& worker);
@@ -141,6 +158,7 @@ class Fleet {
   std::vector<percept::Action> actions_;  // by body
   std::vector<Worker> workers_;
   std::unique_ptr<flow::AsyncRunner> async_;
+  std::vector<RobotCall> calls_;
   std::vector<base::RobotId> new_faults_;
   Times times_;
 };

@@ -55,6 +55,42 @@ struct TestFleet {
   }
 };
 
+// What a robot calls when its program does as `acts` says.
+std::vector<RobotCall> calls_of(void (*acts)(flow::Call&)) {
+  static flow::Behavior behavior;
+  behavior = {.name = "Act", .fire = acts};
+  flow::Library library;
+  library.add(std::vector<const flow::Behavior*>{&behavior});
+  flow::Network network;
+  network.nodes.push_back(flow::test::node("act", "Act", {}));
+  text::Diagnostics sink;
+  std::vector<robot::RobotProgram> programs(1);
+  programs[0].program = flow::build_program(network, library, sink);
+  EXPECT_TRUE(programs[0].program) << text::render(sink);
+  programs[0].initial = programs[0].program->make_frame();
+  const mission::Mission mission = TestFleet::mission_of(1);
+  sim::Simulator simulator(sim::World{}, {});
+  Fleet fleet(mission, programs, {sim::BodySpec{}}, simulator, 1);
+  fleet.start({1}, {});
+  fleet.step(0.1);
+  return fleet.take_calls();
+}
+
+TEST(Fleet, PassesOnWhatARobotCalls) {
+  const std::vector<RobotCall> calls = calls_of([](flow::Call& call) {
+    percept::Action& action = *call.cycle->action;
+    action.alert = {'f', 'i', 'r', 'e'};
+    percept::Request halt;
+    halt.kind = percept::Request::Kind::kHalt;
+    action.ask(halt);
+  });
+  ASSERT_EQ(calls.size(), 2U);
+  EXPECT_EQ(calls[0].kind, RobotCall::Kind::kAlert);
+  EXPECT_EQ(calls[0].text, "fire");
+  EXPECT_EQ(calls[1].kind, RobotCall::Kind::kHalt);
+  EXPECT_TRUE(calls_of([](flow::Call&) {}).empty());
+}
+
 TEST(Fleet, DrivesEveryRobotByItsProgram) {
   TestFleet t(2);
   t.fleet.step(0.1);

@@ -146,8 +146,33 @@ MissionRun::Progress MissionRun::step() {
          fmt::format("robot {} stands: its program put out something that is no number, first at `{}`",
                      id.value, fleet_->find(id)->fault));
   }
+  answer_calls();
   measure();
   return Progress::kStepped;
+}
+
+void MissionRun::answer_calls() {
+  bool is_to_end = false;
+  for (const RobotCall& call : fleet_->take_calls()) {
+    const std::uint32_t id = call.robot.value;
+    switch (call.kind) {
+      case RobotCall::Kind::kAlert:
+        tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
+        break;
+      case RobotCall::Kind::kProceed:
+        tell(Tell::Kind::kMessage, fmt::format("robot {} asks whether it may proceed", id));
+        break;
+      case RobotCall::Kind::kHalt:
+        fleet_->stop(call.robot);
+        tell(Tell::Kind::kMessage, fmt::format("the program of robot {} has ended", id));
+        break;
+      case RobotCall::Kind::kEndMission:
+        if (!is_to_end) tell(Tell::Kind::kMessage, fmt::format("robot {} ends the mission", id));
+        is_to_end = true;
+        break;
+    }
+  }
+  if (is_to_end) post(mission::event::Abort{});
 }
 
 MissionRun::Progress MissionRun::brake() {

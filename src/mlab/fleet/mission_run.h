@@ -162,6 +162,7 @@ class MissionRun {
   void measure();
   void note_deliveries();
   void tell(mission::effect::Tell::Kind kind, std::string text);
+  void answer_calls();
   void explain_failures(std::uint32_t command);
 
   RunSettings settings_;

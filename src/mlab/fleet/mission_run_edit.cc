@@ -61,6 +61,7 @@ void MissionRun::change_world(const overlay::Overlay& before_edit, const overlay
   tell_moved(simulator_->add_obstacles(come), "an obstacle");
   if (!std::ranges::equal(old_world.walls, new_world.walls, is_same_wall))
     tell_moved(simulator_->set_walls(new_world.walls), "a wall");
+  simulator_->set_building(new_world.building);
   const std::vector<base::ObjectId> were = sim::same_objects(old_world.objects, new_world.objects);
   const bool stay = std::ranges::equal(were, old_world.objects, {}, {}, &sim::Object::id);
   if (!stay) {

@@ -17,7 +17,8 @@ struct Quantity {
   std::string_view key;
   double min;
   double max;
-  void (*set)(sim::BodySpec& body, double value);
+  void (*set)(sim::BodySpec& body, double value);  ///< in SI units
+  bool is_angle = false;                           ///< missions write it, and the bounds, in degrees
 };
 
 constexpr double kLarge = 1e6;
@@ -25,24 +26,26 @@ constexpr double kLarge = 1e6;
 constexpr Quantity kQuantities[] = {
     {"robot_radius", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.radius = v; }},
     {"max_acceleration", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_acceleration = v; }},
-    {"max_turn_rate", 0.0, kLarge,
-     [](sim::BodySpec& b, double v) { b.kinematics.max_turn_rate = base::radians(v); }},
+    {"max_turn_rate", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_turn_rate = v; }, true},
     {"max_turn_acceleration", 0.0, kLarge,
-     [](sim::BodySpec& b, double v) { b.kinematics.max_turn_acceleration = base::radians(v); }},
+     [](sim::BodySpec& b, double v) { b.kinematics.max_turn_acceleration = v; }, true},
     {"axle", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.kinematics.axle = v; }},
     {"max_wheel_speed", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_wheel_speed = v; }},
     {"wheelbase", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.kinematics.wheelbase = v; }},
-    {"max_steer", 0.1, 89.0, [](sim::BodySpec& b, double v) { b.kinematics.max_steer = base::radians(v); }},
+    {"max_steer", 0.1, 89.0, [](sim::BodySpec& b, double v) { b.kinematics.max_steer = v; }, true},
     {"ring_count", 0.0, 720.0,
      [](sim::BodySpec& b, double v) { b.ring.count = static_cast<std::uint16_t>(v); }},
     {"ring_range", 0.0, 10'000.0, [](sim::BodySpec& b, double v) { b.ring.range = v; }},
-    {"ring_beam_width", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.ring.beam_width = base::radians(v); }},
+    {"ring_beam_width", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.ring.beam_width = v; }, true},
+    {"ring_arc", 0.0, 359.0, [](sim::BodySpec& b, double v) { b.ring.arc = v; }, true},
+    {"ring_obstacles", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.has_ring_obstacles = v != 0.0; }},
+    {"odometry_noise", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.odometry_noise = v; }},
+    {"max_speed", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_speed = v; }},
     {"ring_noise", 0.0, 1000.0, [](sim::BodySpec& b, double v) { b.ring.noise = v; }},
-    {"camera_field_of_view", 0.0, 360.0,
-     [](sim::BodySpec& b, double v) { b.camera.field_of_view = base::radians(v); }},
-    {"camera_max_pan", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.camera.max_pan = base::radians(v); }},
-    {"camera_pan_rate", 0.0, kLarge,
-     [](sim::BodySpec& b, double v) { b.camera.max_pan_rate = base::radians(v); }},
+    {"camera_field_of_view", 0.0, 360.0, [](sim::BodySpec& b, double v) { b.camera.field_of_view = v; },
+     true},
+    {"camera_max_pan", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.camera.max_pan = v; }, true},
+    {"camera_pan_rate", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.camera.max_pan_rate = v; }, true},
     {"ring_dropout", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.ring.dropout = v; }},
 };
 
@@ -66,29 +69,62 @@ sim::Drive drive_of(const mission::RobotParameter& parameter, text::Diagnostics&
   std::string upper = parameter.value;
   std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
   if (upper == "DIFFERENTIAL") return sim::Drive::kDifferential;
+  if (upper == "SYNCHRO") return sim::Drive::kSynchro;
   if (upper == "CAR" || upper == "NO_HOLONOMIC") return sim::Drive::kCar;
   constexpr std::string_view kHolonomic[] = {"HOLONOMIC", "SIMULATION", "HSERVER", "MRV2", "DRV1"};
   if (std::find(std::begin(kHolonomic), std::end(kHolonomic), upper) == std::end(kHolonomic)) {
     sink.warning("unknown-robot-type", parameter.place,
                  fmt::format("unknown robot_type `{}`", parameter.value))
-        .hints = {"it is simulated as HOLONOMIC; the others are DIFFERENTIAL and CAR"};
+        .hints = {"it is simulated as HOLONOMIC; the others are DIFFERENTIAL, SYNCHRO and CAR"};
   }
   return sim::Drive::kHolonomic;
 }
 
+std::string_view key_of(std::string_view setting) {
+  return setting == "radius" ? "robot_radius" : setting;
+}
+
+// A setting of the class in a configuration.
+void configure(sim::BodySpec& body, std::string_view name, double value, const mission::RobotType& type,
+               text::Diagnostics& sink) {
+  if (name == "drive") {
+    body.kinematics.drive = static_cast<sim::Drive>(std::clamp(static_cast<int>(value), 0, 3));
+    return;
+  }
+  for (const Quantity& quantity : kQuantities) {
+    if (quantity.key != key_of(name)) continue;
+    const double bound_value = quantity.is_angle ? base::degrees(value) : value;
+    if (bound_value >= quantity.min && bound_value <= quantity.max) {
+      quantity.set(body, value);
+    } else {
+      sink.error("out-of-range", type.place, fmt::format("the body's `{}` can't be {}", name, bound_value))
+          .label = fmt::format("takes a number from {} to {}", quantity.min, quantity.max);
+    }
+    return;
+  }
+  text::Diagnostic& d =
+      sink.error("unknown-body-setting", type.place, fmt::format("a body has no `{}`", name));
+  std::vector<std::string> names = {"radius", "drive"};
+  for (const Quantity& quantity : kQuantities) names.emplace_back(quantity.key);
+  const std::string nearest = text::nearest_name(std::string(name), names);
+  if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+}
+
 }  // namespace
 
-sim::BodySpec body_of(const mission::RobotType& type, text::Diagnostics& sink) {
+sim::BodySpec body_of(const mission::RobotType& type, const std::map<std::string, double>& configured,
+                      text::Diagnostics& sink) {
   sim::BodySpec body;
   body.kinematics.axle = 0.4;
   body.ring.range = 5.0;
+  for (const auto& [name, value] : configured) configure(body, name, value, type, sink);
   for (const mission::RobotParameter& parameter : type.parameters) {
     if (parameter.key == "robot_type") body.kinematics.drive = drive_of(parameter, sink);
     for (const Quantity& quantity : kQuantities) {
       if (quantity.key != parameter.key) continue;
       const std::optional<double> value = number(parameter.value);
       if (value && *value >= quantity.min && *value <= quantity.max) {
-        quantity.set(body, *value);
+        quantity.set(body, quantity.is_angle ? base::radians(*value) : *value);
       } else {
         sink.error("out-of-range", parameter.place,
                    fmt::format("`{}` can't be {}", parameter.key, parameter.value))
@@ -96,7 +132,7 @@ sim::BodySpec body_of(const mission::RobotType& type, text::Diagnostics& sink) {
       }
     }
   }
-  body.ring.first_angle = 0.0;
+  body.ring.first_angle = -body.ring.arc / 2;
   return body;
 }
 

@@ -126,6 +126,34 @@ constexpr std::string_view kClasses[] = {"Mine",        "EnemyRobot",   "Flag", 
                                          "Rock",        "Tree",         "HomeBase",     "Unknown",
                                          "HidingPlace", "YellowMarker", "FriendlyRobot"};
 
+// Other words for a class: its colour, and what historic configurations call it.
+constexpr struct {
+  std::string_view word;
+  std::size_t index;
+} kOtherClassWords[] = {{"Orange", 0},          {"Mines", 0},       {"Biohazard", 0},
+                        {"Victim", 0},          {"Attractor", 0},   {"Red", 1},
+                        {"Enemy", 1},           {"Enemies", 1},     {"Enemy_Robot", 1},
+                        {"Enemy_Robots", 1},    {"Purple", 2},      {"Flags", 2},
+                        {"Green", 3},           {"EOD_Area", 3},    {"EOD_Areas", 3},
+                        {"Baskets", 3},         {"Black", 4},       {"Rocks", 4},
+                        {"DarkSeaGreen", 5},    {"Trees", 5},       {"White", 6},
+                        {"Home_Base", 6},       {"Brown", 7},       {"Possible_Biohazard", 7},
+                        {"Unknowns", 7},        {"LightBlue", 8},   {"Hiding_Place", 8},
+                        {"Hiding_Places", 8},   {"Radioactive", 8}, {"Yellow", 9},
+                        {"Yellow_Marker", 9},   {"Blue", 10},       {"Friendly_Robot", 10},
+                        {"Friendly_Robots", 10}};
+
+// The bit of a class; none for a word that is none.
+std::optional<std::size_t> class_index(std::string_view word) {
+  for (std::size_t i = 0; i < std::size(kClasses); ++i) {
+    if (same_word(kClasses[i], word)) return i;
+  }
+  for (const auto& other : kOtherClassWords) {
+    if (same_word(other.word, word)) return other.index;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::size_t> word_index(std::span<const std::string_view> words, std::string_view text) {
   text = without_brackets(text);
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -170,10 +198,9 @@ bool parse_classes(std::string_view text, void* out) {
     while (true) {
       const std::size_t bar = text.find('|');
       const std::string_view word = trimmed(text.substr(0, bar));
-      std::size_t i = 0;
-      while (i < std::size(kClasses) && !same_word(kClasses[i], word)) ++i;
-      if (i == std::size(kClasses)) return false;
-      mask.bits |= 1U << i;
+      const std::optional<std::size_t> index = class_index(word);
+      if (!index) return false;
+      mask.bits |= 1U << *index;
       if (bar == std::string_view::npos) break;
       text.remove_prefix(bar + 1);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "mlab/base/id.h"
@@ -25,6 +26,13 @@ struct Request {
     kTakeNotification,  ///< notification: it has been heard, and is not to be heard again
     kSharePlace,        ///< object, object_class, place: told to all others, in place of what was told before
     kClaim,             ///< object, cost: for the next cycle, and against this robot's team only
+    kMarkObject,        ///< object, reach, object_class: what it is to be taken for from now on
+    kMarkDoor,          ///< object: number of the door from 1, reach
+    kUnmarkDoor,        ///< the same
+    kShowAs,            ///< object_class: what this robot is to be taken for
+    kLocalize,          ///< place, heading: where this robot says that it is
+    kHalt,              ///< ends this robot's program
+    kEndMission,        ///< ends the mission for all
   };
   Kind kind = Kind::kPickUp;
   Audience audience = Audience::kAll;
@@ -34,6 +42,7 @@ struct Request {
   double cost = 0.0;               ///< of several that claim the same object, the one with the least gets it
   std::uint64_t notification = 0;  ///< base::hash_text of the name that others wait for
   geom::Point place{};             ///< [m, world]
+  double heading = 0.0;            ///< [rad, world]
 };
 
 /// How far a robot is with its order.
@@ -46,6 +55,7 @@ struct OrderStatus {
 /// What a robot does in one cycle. Plain data; the binding carries it out.
 struct Action {
   static constexpr int kMaxRequests = 4;
+  static constexpr std::size_t kMaxAlert = 128;  ///< bytes, with the 0 behind the text
 
   geom::Vector velocity;  ///< wanted [m/s, robot frame]
   double spin = 0.0;      ///< wanted turning in place, counter-clockwise [rad/s]
@@ -56,6 +66,7 @@ struct Action {
   OrderStatus status;
   std::array<Request, kMaxRequests> requests{};
   std::uint8_t request_count = 0;
+  std::array<char, kMaxAlert> alert{};  ///< what the operator is to read; empty: nothing
 
   /// Adds a request. @return false where the cycle already has kMaxRequests; the request is dropped then
   constexpr bool ask(Request request) {

@@ -8,6 +8,7 @@
 #include "mlab/geom/pose.h"
 #include "mlab/geom/vector.h"
 #include "mlab/percept/formation.h"
+#include "mlab/percept/site_map.h"
 
 namespace mlab::percept {
 
@@ -142,6 +143,7 @@ struct Percepts {
   Camera camera;
   std::span<const RangeReading> ranges;
   double range_limit = 0.0;  ///< how far the ring sees [m]
+  SiteMap map;               ///< of the building around
   base::ObjectId carried;    ///< 0: hands are free
   ObjectClass carried_class = ObjectClass::kUnknown;
   Order order;

@@ -9,8 +9,6 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cnl/elaborate.h"
-#include "mlab/lang/cnl/load.h"
 #include "mlab/library/library.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/robot/network_file.h"
@@ -52,15 +50,6 @@ void set_parameters(std::span<const Setting> settings, const std::vector<std::st
   }
 }
 
-// What is wrong in it is our own mistake, and every run would show it.
-std::shared_ptr<const flow::Program> library_program(const library::Robot& known, text::Diagnostics& sink) {
-  const auto source = std::make_shared<const text::Source>(std::string(known.file), std::string(known.text));
-  const cnl::Tree tree = cnl::load(source, sink);
-  flow::Network network = cnl::elaborate(tree, sink);
-  network.name = known.name;
-  return flow::build_program(network, component_library(), sink);
-}
-
 }  // namespace
 
 const flow::Library& component_library() {
@@ -82,8 +71,11 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
   robot.type = type;
   if (built) {
     robot.program = std::move(built);
-  } else if (const auto known = library::find_robot(last_part(name))) {
-    robot.program = library_program(*known, sink);
+  } else if (const std::string_view known = library::find_robot(last_part(name)); !known.empty()) {
+    if (auto configured = library_robot(known, sink)) {
+      robot.program = std::move(configured->program);
+      robot.body = std::move(configured->lowered.body);
+    }
   } else if (last_part(name).ends_with(".cnl")) {
     robot.program = load_network(name, place, sources, sink);
   } else if (names_configuration(last_part(name))) {

@@ -1,9 +1,11 @@
 #include "mlab/robot_wire/action_wire.h"
 
+#include <cstring>
+
 namespace mlab::robot_wire {
 namespace {
 
-constexpr auto kLastKind = percept::Request::Kind::kClaim;
+constexpr auto kLastKind = percept::Request::Kind::kEndMission;
 constexpr auto kLastAudience = percept::Audience::kSelf;
 constexpr auto kLastObjectClass = percept::ObjectClass::kFriendlyRobot;
 
@@ -12,7 +14,7 @@ constexpr auto kLastObjectClass = percept::ObjectClass::kFriendlyRobot;
 // As in percepts_wire.cc, structs are taken apart so that a field that is added later does not compile.
 
 void encode(const percept::Action& action, wire::Action& out) {
-  const auto& [velocity, spin, drives, spins, pan, looks, status, requests, request_count] = action;
+  const auto& [velocity, spin, drives, spins, pan, looks, status, requests, request_count, alert] = action;
   out.Clear();
   out.set_velocity_x(velocity.x);
   out.set_velocity_y(velocity.y);
@@ -22,12 +24,14 @@ void encode(const percept::Action& action, wire::Action& out) {
   out.set_spins(spins);
   out.set_pan(pan);
   out.set_looks(looks);
+  if (alert.front() != 0) out.set_alert(alert.data(), ::strnlen(alert.data(), alert.size() - 1));
   const auto& [sequence, done, remaining] = status;
   out.mutable_status()->set_sequence(sequence);
   out.mutable_status()->set_done(done);
   out.mutable_status()->set_remaining(remaining);
   for (std::uint8_t i = 0; i < request_count; ++i) {
-    const auto& [kind, audience, object_class, object, reach, cost, notification, place] = requests[i];
+    const auto& [kind, audience, object_class, object, reach, cost, notification, place, heading] =
+        requests[i];
     wire::Request& request = *out.add_requests();
     request.set_kind(static_cast<wire::Request::Kind>(kind));
     request.set_object(object.value);
@@ -38,12 +42,15 @@ void encode(const percept::Action& action, wire::Action& out) {
     request.set_cost(cost);
     request.set_x(place.x);
     request.set_y(place.y);
+    request.set_heading(heading);
   }
 }
 
 std::optional<std::string> decode(const wire::Action& message, percept::Action& out) {
   if (message.requests_size() > percept::Action::kMaxRequests) return "an action makes too many requests";
+  if (message.alert().size() >= percept::Action::kMaxAlert) return "an alert is too long";
   percept::Action action;
+  message.alert().copy(action.alert.data(), message.alert().size());
   for (const wire::Request& request : message.requests()) {
     if (request.kind() < 0 || request.kind() > static_cast<int>(kLastKind))
       return "an action makes a request that there is not";
@@ -58,7 +65,8 @@ std::optional<std::string> decode(const wire::Action& message, percept::Action& 
                 request.reach(),
                 request.cost(),
                 request.notification(),
-                {request.x(), request.y()}});
+                {request.x(), request.y()},
+                request.heading()});
   }
   action.velocity = {message.velocity_x(), message.velocity_y(), message.velocity_z()};
   action.spin = message.spin();

@@ -91,6 +91,31 @@ void encode(std::span<const percept::Claim> claims, wire::Claims& out) {
   }
 }
 
+void add(geom::Point point, wire::Points& out) {
+  out.add_x(point.x);
+  out.add_y(point.y);
+}
+
+void encode(const percept::SiteMap& map, wire::Percepts& out) {
+  const auto& [doors, rooms, hallways] = map;
+  if (doors.empty() && rooms.empty() && hallways.empty()) return;
+  wire::SiteMap& site = *out.mutable_map();
+  for (const auto& [a, b, is_marked] : doors) {
+    add(a, *site.mutable_door_a());
+    add(b, *site.mutable_door_b());
+    site.add_door_is_marked(is_marked);
+  }
+  for (const auto& [outline] : rooms) {
+    wire::Points& points = *site.add_rooms();
+    for (const geom::Point point : outline) add(point, points);
+  }
+  for (const auto& [start, end, width] : hallways) {
+    add(start, *site.mutable_hallway_start());
+    add(end, *site.mutable_hallway_end());
+    site.add_hallway_width(width);
+  }
+}
+
 void encode(const percept::Order& order, wire::Order& out) {
   const auto& [sequence, task, goal, route, formation, reference, heading, has_heading, speed, halted] =
       order;
@@ -147,7 +172,7 @@ bool are(int length, auto... lengths) {
 }  // namespace
 
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
-  const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit,
+  const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, map,
                carried, carried_class, order, unit, joystick, notifications, shared_places, claims] =
       percepts;
   out.Clear();
@@ -160,6 +185,7 @@ void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   if (!objects.empty()) encode(objects, *out.mutable_objects());
   if (!ranges.empty()) encode(ranges, *out.mutable_ranges());
   out.set_range_limit(range_limit);
+  encode(map, out);
   out.set_carried(carried.value);
   out.set_carried_class(static_cast<wire::ObjectClass>(carried_class));
   encode(order, *out.mutable_order());
@@ -240,6 +266,33 @@ std::optional<std::string> DecodedPercepts::decode_messages(const wire::Percepts
   return std::nullopt;
 }
 
+std::optional<std::string> DecodedPercepts::decode_map(const wire::SiteMap& message) {
+  const auto point = [](const wire::Points& points, int i) { return geom::Point{points.x(i), points.y(i)}; };
+  const wire::Points& a = message.door_a();
+  const wire::Points& b = message.door_b();
+  const wire::Points& start = message.hallway_start();
+  const wire::Points& end = message.hallway_end();
+  if (!are(message.door_is_marked_size(), a.x_size(), a.y_size(), b.x_size(), b.y_size()) ||
+      !are(message.hallway_width_size(), start.x_size(), start.y_size(), end.x_size(), end.y_size()))
+    return "the columns of the map are not equally long";
+  doors_.clear();
+  for (int i = 0; i < a.x_size(); ++i)
+    doors_.push_back({point(a, i), point(b, i), message.door_is_marked(i)});
+  hallways_.clear();
+  for (int i = 0; i < start.x_size(); ++i)
+    hallways_.push_back({point(start, i), point(end, i), message.hallway_width(i)});
+  outlines_.clear();
+  for (const wire::Points& room : message.rooms()) {
+    if (!are(room.x_size(), room.y_size())) return "the columns of a room are not equally long";
+    std::vector<geom::Point>& outline = outlines_.emplace_back();
+    for (int i = 0; i < room.x_size(); ++i) outline.push_back(point(room, i));
+  }
+  rooms_.clear();
+  for (const auto& outline : outlines_) rooms_.push_back({outline});
+  percepts_.map = {doors_, rooms_, hallways_};
+  return std::nullopt;
+}
+
 std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& message) {
   if (!fits(message.task(), kLastTask) || !fits(message.formation(), kLastFormation) ||
       !fits(message.reference(), kLastReference))
@@ -266,6 +319,7 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
   if (auto problem = decode_readings(message)) return problem;
   if (auto problem = decode_order(message.order())) return problem;
   if (auto problem = decode_messages(message)) return problem;
+  if (auto problem = decode_map(message.map())) return problem;
   if (!fits(message.carried_class(), kLastObjectClass))
     return "what is carried is of a class that there is not";
   const wire::Unit& unit = message.unit();

@@ -34,6 +34,7 @@ class DecodedPercepts {
   std::optional<std::string> decode_readings(const wire::Percepts& message);
   std::optional<std::string> decode_order(const wire::Order& message);
   std::optional<std::string> decode_messages(const wire::Percepts& message);
+  std::optional<std::string> decode_map(const wire::SiteMap& message);
 
   percept::Percepts percepts_;
   std::vector<percept::Obstacle> obstacles_;
@@ -44,6 +45,10 @@ class DecodedPercepts {
   std::vector<std::uint64_t> notifications_;
   std::vector<percept::SharedPlace> shared_places_;
   std::vector<percept::Claim> claims_;
+  std::vector<percept::Door> doors_;
+  std::vector<std::vector<geom::Point>> outlines_;
+  std::vector<percept::Room> rooms_;
+  std::vector<percept::Hallway> hallways_;
 };
 
 }  // namespace mlab::robot_wire

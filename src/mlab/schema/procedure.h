@@ -4,6 +4,8 @@
 // uses the namespace mlab::schema.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +26,8 @@
 #include "mlab/schema/field.h"
 #include "mlab/schema/formation_offset.h"
 #include "mlab/schema/historic.h"
+#include "mlab/schema/indoor.h"
+#include "mlab/schema/local_map.h"
 #include "mlab/schema/messages.h"
 #include "mlab/schema/objects.h"
 #include "mlab/schema/ranges.h"
@@ -45,7 +49,9 @@ using geom::direction;
 using geom::distance;
 using geom::dot;
 using geom::kZeroLength;
+using geom::intersects;
 using geom::length;
+using geom::nearest_point;
 using geom::Offset;
 using geom::Point;
 using geom::polar;
@@ -61,8 +67,10 @@ using flow::Obstacles;
 using flow::Ranges;
 using flow::Robots;
 using flow::Text;
+using percept::Door;
 using percept::Formation;
 using percept::FormationReference;
+using percept::Hallway;
 using percept::ObjectClass;
 using percept::ObjectReading;
 using percept::ObjectStyle;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "mlab/base/hash.h"
@@ -64,5 +65,19 @@ constexpr percept::Request claim(base::ObjectId object, double cost) {
   out.cost = cost;
   return out;
 }
+
+/// The request to take an object for one of another class from now on.
+constexpr percept::Request mark_object(base::ObjectId object, percept::ObjectClass as, double reach) {
+  percept::Request out = request(percept::Request::Kind::kMarkObject, object, reach);
+  out.object_class = as;
+  return out;
+}
+
+/// Puts a text for the operator into an action: `subject: message`, cut to what fits. One for each cycle: a
+/// later one takes the place of an earlier.
+void alert(percept::Action& action, std::string_view subject, std::string_view message);
+
+/// The name of the notification that says that a key was pressed, or that a test came out so: `KEY d`.
+std::uint64_t key_notification(char key);
 
 }  // namespace mlab::schema

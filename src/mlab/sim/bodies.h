@@ -42,7 +42,8 @@ struct Bodies {
   std::vector<geom::Offset> ahead;  ///< cosine and sine of the heading
   std::vector<double> radius;       ///< [m]
   std::vector<Momentum> momentum;
-  std::vector<double> distance;  ///< driven [m]
+  std::vector<geom::Pose> counted;  ///< where a body whose pose is counted from its wheels believes to be
+  std::vector<double> distance;     ///< driven [m]
   std::vector<std::uint32_t> contacts;
   std::vector<Touched> touched;
   std::vector<std::uint32_t> kind;  ///< index of what the spec was prepared to

@@ -13,12 +13,14 @@ namespace mlab::sim {
 using BodyIndex = base::Id<struct BodyTag>;
 
 /// How a body turns wanted velocities into motion. docs/simulator.md has the laws.
-enum class Drive : std::uint8_t { kHolonomic, kDifferential, kCar };
+/// kSynchro: all wheels are steered together and driven together, so it turns on the spot and goes where it
+/// looks, each with a motor of its own.
+enum class Drive : std::uint8_t { kHolonomic, kDifferential, kCar, kSynchro };
 
 struct Kinematics {
   Drive drive = Drive::kHolonomic;
   double axle = 0.0;             ///< differential: distance between the wheels [m]
-  double max_wheel_speed = 0.0;  ///< differential: of each wheel [m/s]; 0: no limit
+  double max_wheel_speed = 0.0;  ///< differential, synchro: of each wheel [m/s]; 0: no limit
   double wheelbase = 1.25;       ///< car: distance between the axles [m], > 0
   double max_steer = 1.309;      ///< car: of the front wheels, to each side [rad], < pi/2
   double max_speed = 0.0;        ///< [m/s]; 0: no limit
@@ -30,9 +32,11 @@ struct Kinematics {
   friend bool operator==(const Kinematics&, const Kinematics&) = default;
 };
 
-/// Range sensors all round, evenly spaced, on the body's surface. They see discs, walls and robots.
+/// Range sensors on the body's surface, evenly spaced: all round, or over an arc as a scanner's. They see
+/// discs, walls and robots.
 struct RangeRing {
   std::uint16_t count = 0;   ///< 0: no ring
+  double arc = 0.0;          ///< from beam 0 to the last one, < 2 pi; 0: all round [rad]
   double first_angle = 0.0;  ///< of beam 0; the others follow counter-clockwise [rad, robot frame]
   double range = 0.0;        ///< from the surface [m]
   double beam_width =
@@ -59,6 +63,11 @@ struct BodySpec {
   Kinematics kinematics;
   RangeRing ring;
   CameraSpec camera;
+  /// Obstacles are what the ring's beams hit, as points; else discs are told as they are, walls by rays.
+  bool has_ring_obstacles = false;
+  /// Its pose is counted from what its wheels turned: standard deviation of a step's length and turn, as a
+  /// share of them. 0: it is told as it is.
+  double odometry_noise = 0.0;
 
   friend bool operator==(const BodySpec&, const BodySpec&) = default;
 };

@@ -90,6 +90,8 @@ WantedMotion drive_steered(const Kinematics& k, const Wish& wish, double heading
   if (k.drive == Drive::kCar) {
     const double most = std::abs(speed) * std::tan(k.max_steer) / k.wheelbase;
     rate = std::clamp(rate, -most, most);
+  } else if (k.drive == Drive::kSynchro) {
+    speed = limited(speed, k.max_wheel_speed);  // steering has a motor of its own
   } else if (k.max_wheel_speed > 0.0) {
     const double faster_wheel = std::abs(speed) + std::abs(rate) * k.axle / 2;
     if (faster_wheel > k.max_wheel_speed) {

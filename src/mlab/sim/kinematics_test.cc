@@ -117,6 +117,14 @@ TEST(Differential, GainsSpeedAndTurnsNoFasterThanItsLimits) {
   }
 }
 
+TEST(Synchro, SteersAndDrivesWithMotorsOfTheirOwn) {
+  const Kinematics synchro{.drive = Drive::kSynchro, .max_wheel_speed = 1.0, .max_turn_rate = 2.0};
+  const WantedMotion motion = drive_from(synchro, unicycle(3.0, 5.0), 0.0, 0.1);
+  EXPECT_NEAR(motion.momentum.speed, 1.0, 1e-12) << "not slowed by turning";
+  EXPECT_NEAR(motion.momentum.turn_rate, 2.0, 1e-12);
+  expect_step(drive_from(synchro, towards(-1, 0), 0.0, 10.0), 0, 0, kPi);
+}
+
 TEST(Car, TurnsNoTighterThanItsSteeringAndNotInPlace) {
   Kinematics k{.drive = Drive::kCar};
   k.wheelbase = 2.0;

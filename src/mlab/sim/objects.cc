@@ -37,12 +37,23 @@ void Objects::carry_out(const percept::Action& action, Bodies& bodies, std::uint
       case Request::Kind::kDropInBasket:
         drop_in_basket(request, bodies, body);
         break;
+      case Request::Kind::kMarkObject:
+        mark(request, bodies, body);
+        break;
+      case Request::Kind::kShowAs:
+        bodies.seen_as[body] = request.object_class;
+        break;
+      case Request::Kind::kMarkDoor:
+      case Request::Kind::kUnmarkDoor:
+      case Request::Kind::kLocalize:
+      case Request::Kind::kHalt:
+      case Request::Kind::kEndMission:
       case Request::Kind::kNotify:
       case Request::Kind::kProceed:
       case Request::Kind::kTakeNotification:
       case Request::Kind::kSharePlace:
       case Request::Kind::kClaim:
-        break;  // none of the world's business
+        break;  // none of the objects' business
     }
   }
 }
@@ -86,6 +97,12 @@ void Objects::drop_in_basket(const Request& request, Bodies& bodies, std::uint32
   object.center = basket->center;
   bodies.carried[body] = 0;
   is_stale_ = true;
+}
+
+void Objects::mark(const Request& request, const Bodies& bodies, std::uint32_t body) {
+  Object* const object = find(request.object);
+  if (object == nullptr || !is_in_sight(*object)) return;
+  if (edge_distance(bodies, body, *object) <= request.reach) object->object_class = request.object_class;
 }
 
 void Objects::follow(const Bodies& bodies) {

@@ -38,6 +38,7 @@ class Objects {
 
  private:
   void pick_up(const percept::Request& request, Bodies& bodies, std::uint32_t body);
+  void mark(const percept::Request& request, const Bodies& bodies, std::uint32_t body);
   void drop_in_basket(const percept::Request& request, Bodies& bodies, std::uint32_t body);
   Object* find(base::ObjectId id);
 

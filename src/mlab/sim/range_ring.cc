@@ -21,7 +21,8 @@ RingBeams::RingBeams(const RangeRing& ring, double body_radius)
     : reach_(ring.range + body_radius),
       first_angle_(ring.first_angle),
       half_width_(std::clamp(ring.beam_width / 2, 0.0, std::numbers::pi / 2)),
-      per_radian_(ring.count / kTurn) {
+      per_radian_(ring.arc > 0.0 && ring.count > 1 ? (ring.count - 1) / ring.arc : ring.count / kTurn),
+      arc_(ring.arc > 0.0 ? ring.arc : 0.0) {
   for (int beam = 0; beam < ring.count; ++beam) {
     const double angle = ring.first_angle + beam / per_radian_;
     const auto direction = [](double a) { return Direction{std::cos(a), std::sin(a)}; };
@@ -37,6 +38,18 @@ RingBeams::RingBeams(const RangeRing& ring, double body_radius)
 template <class Look>
 void RingBeams::for_each_beam(double angle, double half_angle, Look&& look) const {
   const int n = static_cast<int>(axes_.size());
+  if (arc_ > 0.0) {
+    // Measured from the middle of the arc; what reaches round behind it may touch both ends.
+    const double from_middle = base::wrap_angle(angle - first_angle_ - arc_ / 2);
+    const double half = half_angle * per_radian_ + kHair;
+    for (const double round : {0.0, -kTurn, kTurn}) {
+      const double middle = (from_middle + arc_ / 2 + round) * per_radian_;
+      const int first = static_cast<int>(std::ceil(std::clamp(middle - half, 0.0, static_cast<double>(n))));
+      const int last = static_cast<int>(std::floor(std::clamp(middle + half, -1.0, n - 1.0)));
+      for (int beam = first; beam <= last; ++beam) look(static_cast<std::size_t>(beam));
+    }
+    return;
+  }
   const double middle = (angle - first_angle_) * per_radian_;
   const double half = half_angle * per_radian_ + kHair;
   const int first = static_cast<int>(std::ceil(middle - half));

@@ -47,6 +47,7 @@ class RingBeams {
   double first_angle_;
   double half_width_;
   double per_radian_;  ///< beams
+  double arc_;         ///< from the first beam to the last [rad]; 0: all round
 };
 
 }  // namespace mlab::sim

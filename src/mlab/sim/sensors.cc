@@ -75,7 +75,30 @@ void Sensors::collect_walls(double reach) {
   walls.erase(doubles.begin(), doubles.end());
 }
 
+/// Obstacles as the ring's beams tell them: a point for each that hit something.
+void Sensors::see_by_ring(double range, percept::Percepts& out) {
+  percept::Percepts ring;
+  sense_ranges(ring);
+  const double radius = scene_.bodies.radius[body_];
+  buffer_.seen_.clear();
+  for (std::uint32_t beam = 0; beam < ring.ranges.size(); ++beam) {
+    const percept::RangeReading& reading = ring.ranges[beam];
+    const double distance = static_cast<double>(reading.distance) + radius;
+    if (!reading.hit || distance > range) continue;
+    const Vector hit = geom::polar(distance, static_cast<double>(reading.angle));
+    buffer_.seen_.push_back({distance, beam, hit.x, hit.y, 0.0});
+  }
+  sort_seen();
+  buffer_.obstacles_.clear();
+  for (const auto& seen : buffer_.seen_) buffer_.obstacles_.push_back({{seen.x, seen.y, 0.0}, 0.0});
+  out.obstacles = buffer_.obstacles_;
+}
+
 void Sensors::sense_obstacles(double range, percept::Percepts& out) {
+  if (scene_.kinds[scene_.bodies.kind[body_]].spec.has_ring_obstacles) {
+    see_by_ring(range, out);
+    return;
+  }
   buffer_.seen_.clear();
   scene_.statics.visit_discs(Box::around(here_.x, here_.y, range),
                              [&](std::uint32_t index, const Disc& disc) {

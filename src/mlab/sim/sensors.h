@@ -39,6 +39,7 @@ class Sensors {
 
  private:
   geom::Vector to_robot(geom::Point point) const;
+  void see_by_ring(double range, percept::Percepts& out);
   void collect_walls(double reach);
   void collect_robots(double range);
   void see(double distance, std::uint32_t id, geom::Point center, double radius);

@@ -256,14 +256,17 @@ TEST(Ring, AgreesWithRayCastingInRandomWorlds) {
     Simulator simulator(world);
     BodySpec spec = with_ring(static_cast<std::uint16_t>(1 + random.below(40)), random.uniform(0.1, 15.0));
     spec.ring.first_angle = random.angle();
+    if (seed % 2 == 0) spec.ring.arc = random.uniform(0.05, 6.25);
+    const double spacing = spec.ring.arc > 0.0 && spec.ring.count > 1
+                               ? spec.ring.arc / (spec.ring.count - 1)
+                               : 2.0 * std::numbers::pi / spec.ring.count;
     for (std::uint32_t i = 0; i < 20; ++i) {
       simulator.add_body({.spec = spec, .pose = {place(), random.angle()}, .robot = {i + 1}, .unit = 0});
     }
     for (std::uint32_t i = 0; i < 20; ++i) {
       const Sensed sensed(simulator, {i}, {.ranges = true});
       for (int beam = 0; beam < spec.ring.count; ++beam) {
-        const double angle = simulator.pose({i}).heading + spec.ring.first_angle +
-                             2.0 * std::numbers::pi * beam / spec.ring.count;
+        const double angle = simulator.pose({i}).heading + spec.ring.first_angle + spacing * beam;
         const double expected = ray_cast(simulator, {i}, angle, spec.ring.range + spec.radius) - spec.radius;
         const percept::RangeReading& reading = sensed.percepts.ranges[static_cast<std::size_t>(beam)];
         // Rays that graze an edge may go either way.
@@ -274,6 +277,36 @@ TEST(Ring, AgreesWithRayCastingInRandomWorlds) {
       }
     }
   }
+}
+
+TEST(Ring, AScannerLooksOnlyOverItsArc) {
+  Simulator simulator({});
+  BodySpec spec = with_ring(3, 5.0);
+  spec.ring.arc = std::numbers::pi;
+  spec.ring.first_angle = -spec.ring.arc / 2;
+  const BodyIndex self = simulator.add_body({.spec = spec, .pose = {}, .robot = {1}, .unit = 0})->body;
+  add(simulator, {{-2, 0}, 0.0});
+  add(simulator, {{0, 3}, 0.0});
+  const Sensed sensed(simulator, self, {.ranges = true});
+  ASSERT_EQ(sensed.percepts.ranges.size(), 3U);
+  EXPECT_FALSE(sensed.percepts.ranges[0].hit) << "right";
+  EXPECT_FALSE(sensed.percepts.ranges[1].hit) << "ahead; what is behind is not seen";
+  EXPECT_TRUE(sensed.percepts.ranges[2].hit) << "left";
+}
+
+TEST(Obstacles, AreWhatTheRingHitsWhereTheBodySeesByIt) {
+  World world;
+  world.discs.push_back({{3.0, 0.0}, 1.0});
+  Simulator simulator(world);
+  BodySpec spec = with_ring(4, 5.0);
+  spec.has_ring_obstacles = true;
+  const BodyIndex self = simulator.add_body({.spec = spec, .pose = {}, .robot = {1}, .unit = 0})->body;
+  const Sensed sensed(simulator, self, {.obstacle_range = 5.0});
+  ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
+  EXPECT_NEAR(sensed.percepts.obstacles[0].center.x, 2.0, 1e-6);
+  EXPECT_EQ(sensed.percepts.obstacles[0].radius, 0.0);
+  EXPECT_TRUE(sensed.percepts.ranges.empty()) << "not asked for";
+  EXPECT_TRUE(Sensed(simulator, self, {.obstacle_range = 1.5}).percepts.obstacles.empty());
 }
 
 TEST(Ring, AConeTellsTheNearestOfAllRaysInIt) {

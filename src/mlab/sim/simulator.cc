@@ -8,9 +8,13 @@
 #include <numbers>
 #include <ranges>
 
+#include "mlab/base/angle.h"
+#include "mlab/base/hash.h"
+#include "mlab/base/random.h"
 #include "mlab/sim/camera.h"
 #include "mlab/sim/contact.h"
 #include "mlab/sim/objects.h"
+#include "mlab/sim/odometry.h"
 #include "mlab/sim/placement.h"
 #include "mlab/sim/sensors.h"
 
@@ -39,6 +43,8 @@ BodySpec usable(BodySpec spec) {
   spec.ring.range = usable_range(spec.ring.range);
   spec.camera.field_of_view = within(spec.camera.field_of_view, 2.0 * std::numbers::pi);
   spec.camera.max_pan = within(spec.camera.max_pan, std::numbers::pi);
+  spec.ring.arc = spec.ring.arc > 0.0 && spec.ring.arc < 2.0 * std::numbers::pi ? spec.ring.arc : 0.0;
+  spec.odometry_noise = spec.odometry_noise > 0.0 ? std::min(spec.odometry_noise, 1.0) : 0.0;
   return spec;
 }
 
@@ -91,6 +97,7 @@ class Simulator::State {
  public:
   Bodies bodies;
   Objects objects;
+  Site site;
   std::shared_ptr<const Statics> statics;
   double time = 0.0;
   std::uint64_t cycle = 0;
@@ -104,12 +111,19 @@ struct Simulator::Parts {
              world.area_high.y - kAreaMargin},
         state{{},
               Objects(std::move(world.objects)),
+              Site(std::move(world.building)),
               std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls))} {}
 
   /// Sorts bodies and objects anew where they moved since. Whichever thread comes first does it.
   void refresh();
   std::uint32_t kind_of(const BodySpec& spec);
   void want(const percept::Action& action, std::uint32_t body, double dt);
+  bool counts_wheels(std::uint32_t body) const {
+    return kinds[state.bodies.kind[body]].spec.odometry_noise > 0.0;
+  }
+  void carry_out(const percept::Action& action, std::uint32_t body);
+  void localize(const percept::Request& request, std::uint32_t body);
+  void count_wheels();
   std::vector<Placement> replace_statics(std::vector<Disc> discs, std::vector<Wall> walls);
 
   SimulatorSettings settings;
@@ -118,6 +132,8 @@ struct Simulator::Parts {
   State state;
   std::vector<Kind> kinds;
   std::vector<std::uint32_t> by_robot;  ///< body indices in the order of robot ids
+  bool has_odometry = false;            ///< some kind counts its wheels
+  std::vector<geom::Pose> departure;    ///< of all bodies, before they move; where has_odometry
   PointGrid grid;
   std::vector<PointGrid::Item> items;
   std::atomic<bool> is_stale{true};
@@ -150,6 +166,7 @@ std::uint32_t Simulator::Parts::kind_of(const BodySpec& spec) {
   const auto found = std::ranges::find_if(kinds, [&](const Kind& kind) { return kind.spec == spec; });
   if (found == kinds.end()) {
     kinds.push_back({spec, RingBeams(spec.ring, spec.radius)});
+    has_odometry = has_odometry || spec.odometry_noise > 0.0;
     return static_cast<std::uint32_t>(kinds.size() - 1);
   }
   return static_cast<std::uint32_t>(found - kinds.begin());
@@ -174,6 +191,50 @@ void Simulator::Parts::want(const percept::Action& action, std::uint32_t body, d
     bodies.ahead[body] = {std::cos(wanted.heading), std::sin(wanted.heading)};
   }
   if (action.looks) bodies.pan[body] = turned_camera(spec.camera, bodies.pan[body], action.pan, dt);
+}
+
+void Simulator::Parts::carry_out(const percept::Action& action, std::uint32_t body) {
+  state.objects.carry_out(action, state.bodies, body);
+  const int count = std::min<int>(action.request_count, percept::Action::kMaxRequests);
+  for (int i = 0; i < count; ++i) {
+    const percept::Request& request = action.requests[static_cast<std::size_t>(i)];
+    const bool marks = request.kind == percept::Request::Kind::kMarkDoor;
+    if (marks || request.kind == percept::Request::Kind::kUnmarkDoor)
+      state.site.mark(request.object.value, marks, state.bodies.position(body), request.reach);
+    if (request.kind == percept::Request::Kind::kLocalize) localize(request, body);
+  }
+}
+
+/// Who counts its wheels goes on counting from what it was told; any other body is put there.
+void Simulator::Parts::localize(const percept::Request& request, std::uint32_t body) {
+  if (!is_inside(kWholeWorld, request.place) || !std::isfinite(request.heading)) return;
+  Bodies& bodies = state.bodies;
+  const double heading = base::wrap_angle(request.heading);
+  if (counts_wheels(body)) {
+    bodies.counted[body] = {request.place, heading};
+    return;
+  }
+  placer.rebuild(bodies);
+  const auto place = placer.nearest_free(bodies, *state.statics, request.place, bodies.radius[body],
+                                         bodies.held[body] ? area : kWholeWorld, body);
+  if (!place) return;
+  bodies.x[body] = place->x;
+  bodies.y[body] = place->y;
+  bodies.heading[body] = heading;
+  bodies.ahead[body] = {std::cos(heading), std::sin(heading)};
+  bodies.momentum[body] = {};
+  state.objects.follow(bodies);
+}
+
+void Simulator::Parts::count_wheels() {
+  Bodies& bodies = state.bodies;
+  for (std::uint32_t i = 0; i < bodies.count(); ++i) {
+    if (!bodies.present[i] || !counts_wheels(i)) continue;
+    const OdometryStep step{departure[i], {bodies.position(i), bodies.heading[i]}};
+    base::Random random =
+        base::Random::of(settings.seed, bodies.robot[i].value, base::hash_text("odometry"), state.cycle);
+    bodies.counted[i] = counted(bodies.counted[i], step, kinds[bodies.kind[i]].spec.odometry_noise, random);
+  }
 }
 
 Simulator::Simulator(World world, SimulatorSettings settings) {
@@ -202,6 +263,7 @@ std::optional<Placement> Simulator::add_body(const BodySetup& setup) {
   bodies.ahead.push_back({std::cos(pose.heading), std::sin(pose.heading)});
   bodies.radius.push_back(spec.radius);
   bodies.momentum.emplace_back();
+  bodies.counted.push_back({*place, pose.heading});
   bodies.distance.push_back(0.0);
   bodies.contacts.push_back(0);
   bodies.touched.emplace_back();
@@ -274,7 +336,8 @@ void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buff
   const State& state = parts_->state;
   const Bodies& bodies = state.bodies;
   const std::uint32_t i = body.value;
-  out.pose = pose(body);
+  out.pose = parts_->counts_wheels(i) ? bodies.counted[i] : pose(body);
+  out.map = state.site.map();
   out.time = state.time;
   out.obstacles = {};
   out.robots = {};
@@ -301,6 +364,10 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   Stopwatch watch;
   p.refresh();
   p.contact.resize(bodies.count());
+  if (p.has_odometry) {
+    p.departure.resize(bodies.count());
+    for (std::uint32_t i = 0; i < bodies.count(); ++i) p.departure[i] = pose(BodyIndex{i});
+  }
   std::atomic<bool> has_requests = false;
   p.workers.run(bodies.count(), kPiece, [&](std::size_t begin, std::size_t end, int) {
     bool any = false;
@@ -317,6 +384,7 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   p.times.contact += watch.lap();
 
   p.state.objects.follow(bodies);
+  if (p.has_odometry) p.count_wheels();
   if (has_requests) {
     p.by_robot.resize(bodies.count());
     for (std::uint32_t i = 0; i < bodies.count(); ++i) p.by_robot[i] = i;
@@ -324,7 +392,7 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
       return bodies.robot[a] != bodies.robot[b] ? bodies.robot[a] < bodies.robot[b] : a < b;
     });
     for (const std::uint32_t i : p.by_robot) {
-      if (bodies.present[i] && i < actions.size()) p.state.objects.carry_out(actions[i], bodies, i);
+      if (bodies.present[i] && i < actions.size()) p.carry_out(actions[i], i);
     }
   }
   p.state.time += dt;
@@ -423,6 +491,18 @@ std::size_t Simulator::remove_obstacles(const std::function<bool(const Disc&)>& 
   const std::size_t count = std::erase_if(all, is_gone);
   if (count > 0) set_obstacles(all);
   return count;
+}
+
+void Simulator::set_building(Building building) {
+  const Site before = std::move(parts_->state.site);
+  parts_->state.site = Site(std::move(building));
+  for (std::uint32_t i = 0; i < parts_->state.site.doors().size(); ++i) {
+    const percept::Door& door = parts_->state.site.doors()[i];
+    for (const percept::Door& was : before.doors()) {
+      if (was.is_marked && was.a == door.a && was.b == door.b)
+        parts_->state.site.mark(i + 1, true, door.a, 0.0);
+    }
+  }
 }
 
 bool Simulator::is_free(Point place, double radius) const {

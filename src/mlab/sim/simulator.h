@@ -71,12 +71,13 @@ class Simulator {
   // ---- the cycle
 
   /// Fills the fields of `out` that sensing gives: pose, time, obstacles, robots, objects, camera,
-  /// ranges, range_limit, carried, carried_class. All others are left alone. Lists live in `buffer`. Threads
-  /// may sense at the same time, each with buffers of its own. Sensing twice gives the same, noise included.
+  /// ranges, map, range_limit, carried, carried_class. All others are left alone. Lists live in `buffer`.
+  /// Threads may sense at the same time, each with buffers of its own. Sensing twice gives the same, noise
+  /// included.
   void sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buffer, percept::Percepts& out) const;
 
   /// One cycle: all bodies move by their actions, as their kinematics and whatever is in the way allow; then
-  /// requests (pick up, drop, drop in basket) are carried out in the order of robot ids.
+  /// requests (pick up, drop, drop in basket, marks, localize) are carried out in the order of robot ids.
   /// @param actions  by BodyIndex, body_count() of them. Values that are not finite count as 0
   /// @param dt       cycle duration [s], > 0
   void step(std::span<const percept::Action> actions, double dt);
@@ -111,6 +112,8 @@ class Simulator {
   ///                 (it is carried, lies in a basket that stays, was put down elsewhere) remains as it is.
   ///                 May be shorter than `objects`: the rest is new
   void set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were);
+  /// Another building than before; doors that stay keep their marks.
+  void set_building(Building building);
   /// True where a disc of this radius would touch nothing solid and no body.
   bool is_free(geom::Point place, double radius) const;
   /// True where no wall crosses the line between the two points.

@@ -65,6 +65,19 @@ void add_walls(World& world, const std::vector<geom::Point>& points, bool is_clo
   if (is_closed && points.size() > 2) world.walls.push_back({{points.back(), points.front()}, group});
 }
 
+void add_to_building(Building& building, const overlay::ControlMeasure& measure) {
+  const std::vector<geom::Point>& points = measure.points;
+  const bool is_sane = std::ranges::all_of(points, [](geom::Point p) { return is_usable(p); });
+  const bool has_axis = measure.centerline.size() > 1 && is_usable(measure.centerline[0]) &&
+                        is_usable(measure.centerline[1]) && is_usable(measure.size);
+  if (measure.kind == overlay::MeasureKind::kDoor && is_sane && points.size() > 1)
+    building.doors.push_back({points[0], points[1]});
+  if (measure.kind == overlay::MeasureKind::kRoom && is_sane && points.size() > 2)
+    building.rooms.push_back(points);
+  if (measure.kind == overlay::MeasureKind::kHallway && has_axis)
+    building.hallways.push_back({measure.centerline[0], measure.centerline[1], measure.size});
+}
+
 }  // namespace
 
 World world_of(const overlay::Overlay& overlay) {
@@ -81,6 +94,7 @@ World world_of(const overlay::Overlay& overlay) {
     } else if (zone_kind(measure) == overlay::ZoneKind::kWeather) {
       add_walls(world, measure.points, true, group++);
     }
+    add_to_building(world.building, measure);
   }
   std::uint32_t id = 0;
   for (const overlay::WorldObject& object : overlay.objects) {

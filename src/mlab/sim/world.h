@@ -8,6 +8,7 @@
 #include "mlab/geom/pose.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/sim/site.h"
 
 namespace mlab::sim {
 
@@ -44,6 +45,7 @@ struct World {
   std::vector<Disc> discs;
   std::vector<Wall> walls;
   std::vector<Object> objects;
+  Building building;
 
   /// No coordinate is ever farther from 0 than this: within it a micrometre still counts [m].
   static constexpr double kFarthest = 1e8;
@@ -52,8 +54,9 @@ struct World {
 inline constexpr double kAreaMargin = 0.5;
 
 /// The discs, walls and objects of an overlay as robots on the ground meet them: OBSTACLE, WALL, the edges of
-/// weather zones; OBJECT, ATTRACTOR, BASKET with their class told by colour. Objects get the ids 1, 2, ... in
-/// file order. Coordinates that are not finite or beyond World::kFarthest are left out.
+/// weather zones; OBJECT, ATTRACTOR, BASKET with their class told by colour; ROOM, DOOR, HALLWAY as the
+/// building. Objects get the ids 1, 2, ... in file order. Coordinates that are not finite or beyond
+/// World::kFarthest are left out.
 World world_of(const overlay::Overlay& overlay);
 
 /// Which of the objects of a changed map are those of the map before: for each of `after` the id of an equal

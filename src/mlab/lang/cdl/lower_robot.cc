@@ -1,6 +1,8 @@
 // Robots: parameters that missions set, devices that serve binding points, what drives the actuators.
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -18,6 +20,9 @@ double in_unit(const Number& number, const std::string& unit) {
   const std::optional<Unit> from = number.unit.text.empty() ? to : unit_named(number.unit.text);
   return from && to ? converted(number.value, *from, *to).value_or(number.value) : number.value;
 }
+
+// What `drive` may be, by the number that a body has for it.
+constexpr std::array<std::string_view, 4> kDrives = {"holonomic", "differential", "car", "synchro"};
 
 }  // namespace
 
@@ -136,6 +141,16 @@ void Lowering::lower_body(const RobotClass& robot_class, Scope& scope, LoweredRo
   for (const BodySetting& setting : robot_class.body) {
     const Value value = lower(*setting.value, scope, {"body", setting.name.text, false});
     if (value.kind == Value::Kind::kNone) continue;
+    if (setting.name.text == "drive") {
+      const auto* const drive = std::ranges::find(kDrives, value.text);
+      if (value.kind == Value::Kind::kWord && drive != kDrives.end()) {
+        out.body["drive"] = static_cast<double>(drive - kDrives.begin());
+      } else {
+        error("unknown-drive", setting.value->place, "a drive is one of four").hints = {
+            fmt::format("{}", fmt::join(kDrives, ", "))};
+      }
+      continue;
+    }
     const std::optional<Unit> unit = unit_named(value.unit);
     if (value.kind != Value::Kind::kNumber || !unit) {
       error("wrong-type", setting.value->place, "what a body has is a number").label =

@@ -57,6 +57,10 @@ struct AnyPercepts {
   std::vector<std::uint64_t> notifications;
   std::vector<percept::SharedPlace> shared_places;
   std::vector<percept::Claim> claims;
+  std::vector<percept::Door> doors;
+  std::vector<std::vector<geom::Point>> outlines;
+  std::vector<percept::Room> rooms;
+  std::vector<percept::Hallway> hallways;
   percept::Percepts percepts;
 
   AnyPercepts() {
@@ -79,6 +83,14 @@ struct AnyPercepts {
           {{any_id()}, {any_id()}, any_of(percept::ObjectClass::kFriendlyRobot), any_point(), any_double()});
     }
     for (int n = count(); n > 0; --n) claims.push_back({{any_id()}, {any_id()}});
+    for (int n = count(); n > 0; --n) doors.push_back({any_point(), any_point(), any_bool()});
+    for (int n = count(); n > 0; --n) hallways.push_back({any_point(), any_point(), any_double()});
+    for (int n = count(); n > 0; --n) {
+      std::vector<geom::Point>& outline = outlines.emplace_back();
+      for (int m = count(); m > 0; --m) outline.push_back(any_point());
+    }
+    for (const auto& outline : outlines) rooms.push_back({outline});
+    percepts.map = {doors, rooms, hallways};
     percepts.id = {any_id()};
     percepts.camera = {any_double(), any_double()};
     percepts.pose = any_pose();
@@ -127,15 +139,17 @@ inline percept::Action any_action() {
   action.looks = any_bool();
   action.status = {any_id(), any_bool(), any_double()};
   for (int n = *rc::gen::inRange(0, percept::Action::kMaxRequests + 1); n > 0; --n) {
-    action.ask({any_of(percept::Request::Kind::kClaim),
+    action.ask({any_of(percept::Request::Kind::kEndMission),
                 any_of(percept::Audience::kSelf),
                 any_of(percept::ObjectClass::kFriendlyRobot),
                 {any_id()},
                 any_double(),
                 any_double(),
                 *rc::gen::arbitrary<std::uint64_t>(),
-                any_point()});
+                any_point(),
+                any_double()});
   }
+  for (int n = *rc::gen::inRange(0, 127); n > 0; --n) action.alert[static_cast<std::size_t>(n - 1)] = 'a';
   return action;
 }
 

@@ -67,28 +67,44 @@ inline bool same(const percept::Claim& a, const percept::Claim& b) {
   return a.object == b.object && a.robot == b.robot;
 }
 
+inline bool same(const percept::SiteMap& a, const percept::SiteMap& b) {
+  const auto same_points = [](geom::Point p, geom::Point q) { return same(p, q); };
+  return std::ranges::equal(a.doors, b.doors,
+                            [](const percept::Door& p, const percept::Door& q) {
+                              return same(p.a, q.a) && same(p.b, q.b) && p.is_marked == q.is_marked;
+                            }) &&
+         std::ranges::equal(a.rooms, b.rooms,
+                            [&](const percept::Room& p, const percept::Room& q) {
+                              return std::ranges::equal(p.outline, q.outline, same_points);
+                            }) &&
+         std::ranges::equal(a.hallways, b.hallways, [](const percept::Hallway& p, const percept::Hallway& q) {
+           return same(p.start, q.start) && same(p.end, q.end) && same(p.width, q.width);
+         });
+}
+
 inline bool same(const percept::Percepts& a, const percept::Percepts& b) {
   const auto alike = [](const auto& p, const auto& q) {
     return std::ranges::equal(p, q, [](const auto& x, const auto& y) { return same(x, y); });
   };
-  return a.id == b.id && same(a.camera, b.camera) && alike(a.shared_places, b.shared_places) &&
-         alike(a.claims, b.claims) && same(a.pose, b.pose) && same(a.time, b.time) &&
-         same(a.cycle_duration, b.cycle_duration) && alike(a.obstacles, b.obstacles) &&
-         alike(a.robots, b.robots) && alike(a.objects, b.objects) && alike(a.ranges, b.ranges) &&
-         same(a.range_limit, b.range_limit) && a.carried == b.carried && a.carried_class == b.carried_class &&
-         same(a.order, b.order) && same(a.unit, b.unit) && same(a.joystick, b.joystick) &&
-         std::ranges::equal(a.notifications, b.notifications);
+  return same(a.map, b.map) && a.id == b.id && same(a.camera, b.camera) &&
+         alike(a.shared_places, b.shared_places) && alike(a.claims, b.claims) && same(a.pose, b.pose) &&
+         same(a.time, b.time) && same(a.cycle_duration, b.cycle_duration) &&
+         alike(a.obstacles, b.obstacles) && alike(a.robots, b.robots) && alike(a.objects, b.objects) &&
+         alike(a.ranges, b.ranges) && same(a.range_limit, b.range_limit) && a.carried == b.carried &&
+         a.carried_class == b.carried_class && same(a.order, b.order) && same(a.unit, b.unit) &&
+         same(a.joystick, b.joystick) && std::ranges::equal(a.notifications, b.notifications);
 }
 
 inline bool same(const percept::Request& a, const percept::Request& b) {
   return a.kind == b.kind && a.object == b.object && same(a.reach, b.reach) &&
          a.notification == b.notification && a.audience == b.audience && a.object_class == b.object_class &&
-         same(a.cost, b.cost) && same(a.place, b.place);
+         same(a.cost, b.cost) && same(a.place, b.place) && same(a.heading, b.heading);
 }
 inline bool same(const percept::Action& a, const percept::Action& b) {
-  return same(a.pan, b.pan) && a.looks == b.looks && same(a.velocity, b.velocity) && same(a.spin, b.spin) &&
-         a.drives == b.drives && a.spins == b.spins && a.status.sequence == b.status.sequence &&
-         a.status.done == b.status.done && same(a.status.remaining, b.status.remaining) &&
+  return a.alert == b.alert && same(a.pan, b.pan) && a.looks == b.looks && same(a.velocity, b.velocity) &&
+         same(a.spin, b.spin) && a.drives == b.drives && a.spins == b.spins &&
+         a.status.sequence == b.status.sequence && a.status.done == b.status.done &&
+         same(a.status.remaining, b.status.remaining) &&
          std::equal(a.requests.begin(), a.requests.begin() + a.request_count, b.requests.begin(),
                     b.requests.begin() + b.request_count,
                     [](const auto& x, const auto& y) { return same(x, y); });

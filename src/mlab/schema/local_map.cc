@@ -1,0 +1,146 @@
+#include "mlab/schema/local_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mlab::schema {
+namespace {
+
+using geom::Point;
+
+constexpr int kSize = LocalMap::kSize;
+constexpr int kCells = kSize * kSize;
+/// No world is larger, counted in cells: keeps the arithmetic of integers whole.
+constexpr double kFarthest = 1e15;
+
+std::int64_t index_of(double at, double cell) {
+  return static_cast<std::int64_t>(std::clamp(std::floor(at / cell), -kFarthest, kFarthest));
+}
+
+struct Step {
+  int dx, dy, cost;
+};
+constexpr std::array<Step, 8> kSteps = {
+    {{1, 0, 10}, {0, 1, 10}, {-1, 0, 10}, {0, -1, 10}, {1, 1, 14}, {-1, 1, 14}, {-1, -1, 14}, {1, -1, 14}}};
+
+}  // namespace
+
+void LocalMap::center(Point robot, double cell) {
+  const std::int64_t x = index_of(robot.x, cell) - kSize / 2;
+  const std::int64_t y = index_of(robot.y, cell) - kSize / 2;
+  const std::int64_t dx = x - x0_;
+  const std::int64_t dy = y - y0_;
+  x0_ = x;
+  y0_ = y;
+  if (std::abs(dx) >= kSize || std::abs(dy) >= kSize) {
+    rows_ = {};
+    return;
+  }
+  const std::array<std::uint64_t, kSize> before = rows_;
+  for (int row = 0; row < kSize; ++row) {
+    const std::int64_t from = row + dy;
+    const std::uint64_t bits = from >= 0 && from < kSize ? before[static_cast<std::size_t>(from)] : 0;
+    rows_[static_cast<std::size_t>(row)] = dx >= 0 ? bits >> dx : bits << -dx;
+  }
+}
+
+void LocalMap::block(Point center, double radius, double cell) {
+  const auto clamped = [](double v) { return static_cast<int>(std::clamp(v, -1.0, kSize + 0.0)); };
+  const double left = center.x / cell - static_cast<double>(x0_);
+  const double low = center.y / cell - static_cast<double>(y0_);
+  const double reach = radius / cell;
+  for (int y = std::max(0, clamped(low - reach)); y <= std::min(kSize - 1, clamped(low + reach)); ++y) {
+    for (int x = std::max(0, clamped(left - reach)); x <= std::min(kSize - 1, clamped(left + reach)); ++x) {
+      const double ox = x + 0.5 - left;
+      const double oy = y + 0.5 - low;
+      if (ox * ox + oy * oy <= reach * reach) rows_[static_cast<std::size_t>(y)] |= 1ULL << x;
+    }
+  }
+}
+
+bool LocalMap::is_blocked(Point place, double cell) const {
+  const std::int64_t x = index_of(place.x, cell) - x0_;
+  const std::int64_t y = index_of(place.y, cell) - y0_;
+  return x >= 0 && x < kSize && y >= 0 && y < kSize && !is_free(static_cast<int>(x), static_cast<int>(y));
+}
+
+bool LocalMap::sees(Point from, Point to, double cell) const {
+  const geom::Offset way = to - from;
+  const int steps = static_cast<int>(std::clamp(length(way) / (cell / 2), 1.0, 4.0 * kSize));
+  for (int i = 1; i <= steps; ++i) {
+    if (is_blocked(from + way * (static_cast<double>(i) / steps), cell)) return false;
+  }
+  return true;
+}
+
+Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
+  const auto middle = [&](int x, int y) {
+    return Point{(static_cast<double>(x0_ + x) + 0.5) * cell, (static_cast<double>(y0_ + y) + 0.5) * cell};
+  };
+  const auto inside = [](std::int64_t v) {
+    return static_cast<int>(std::clamp<std::int64_t>(v, 0, kSize - 1));
+  };
+  const int goal_x = inside(index_of(goal.x, cell) - x0_);
+  const int goal_y = inside(index_of(goal.y, cell) - y0_);
+  const bool is_far = distance(middle(goal_x, goal_y), goal) > cell;
+  const Point wanted = is_far ? middle(goal_x, goal_y) : goal;
+  if (sees(robot, wanted, cell)) return wanted;
+
+  // Ways from the goal outwards, until no cell gets a shorter one.
+  constexpr int kNoWay = std::numeric_limits<int>::max();
+  std::array<int, kCells> ways;
+  ways.fill(kNoWay);
+  std::array<std::uint16_t, kCells> queue;
+  std::array<bool, kCells> is_queued{};
+  std::size_t head = 0;
+  std::size_t count = 1;
+  const int start = goal_y * kSize + goal_x;
+  ways[static_cast<std::size_t>(start)] = 0;
+  queue[0] = static_cast<std::uint16_t>(start);
+  while (count > 0) {
+    const int at = queue[head];
+    head = (head + 1) % kCells;
+    --count;
+    is_queued[static_cast<std::size_t>(at)] = false;
+    for (const Step& step : kSteps) {
+      const int x = at % kSize + step.dx;
+      const int y = at / kSize + step.dy;
+      if (x < 0 || y < 0 || x >= kSize || y >= kSize || !is_free(x, y)) continue;
+      const auto next = static_cast<std::size_t>(y * kSize + x);
+      const int way = ways[static_cast<std::size_t>(at)] + step.cost;
+      if (way >= ways[next]) continue;
+      ways[next] = way;
+      if (is_queued[next]) continue;
+      is_queued[next] = true;
+      queue[(head + count) % kCells] = static_cast<std::uint16_t>(next);
+      ++count;
+    }
+  }
+
+  // Down the shortest way, as far as the robot sees.
+  int x = inside(index_of(robot.x, cell) - x0_);
+  int y = inside(index_of(robot.y, cell) - y0_);
+  Point stop = robot;
+  for (int i = 0; i < kSize; ++i) {
+    int best = ways[static_cast<std::size_t>(y * kSize + x)];
+    const int here_x = x;
+    const int here_y = y;
+    for (const Step& step : kSteps) {
+      const int nx = here_x + step.dx;
+      const int ny = here_y + step.dy;
+      if (nx < 0 || ny < 0 || nx >= kSize || ny >= kSize) continue;
+      const int way = ways[static_cast<std::size_t>(ny * kSize + nx)];
+      if (way == kNoWay || way >= best) continue;
+      best = way;
+      x = nx;
+      y = ny;
+    }
+    if (x == here_x && y == here_y) break;
+    if (i > 0 && !sees(robot, middle(x, y), cell)) break;
+    stop = middle(x, y);
+  }
+  return stop;
+}
+
+}  // namespace mlab::schema
