@@ -201,6 +201,8 @@ Draft coordinates(std::string_view text, std::size_t most, const text::Place& pl
 std::optional<bool> truth(std::string_view text) {
   const std::string word = folded(text);
   if (word == "true" || word == "ye" || word == "on" || word == "1") return true;  // `yes` without its s
+  if (word == "enterunmarkedonly" || word == "detectunmarkedonly") return true;
+  if (word.starts_with("enter") || word.starts_with("detect")) return false;  // marked doors as well
   if (word == "false" || word == "no" || word == "off" || word == "0") return false;
   return std::nullopt;
 }
@@ -211,9 +213,10 @@ std::optional<double> whole(std::string_view text) {
     std::string_view word;
     double value;
   };
-  static constexpr NamedNumber kNumbers[] = {{"right", 0},    {"left", 1},     {"both", 2},   {"facing", 3},
-                                             {"opposite", 4}, {"danger", 'd'}, {"safe", 's'}, {"abort", 'a'},
-                                             {"true", 1},     {"false", 0}};
+  static constexpr NamedNumber kNumbers[] = {
+      {"right", 0},   {"left", 1},     {"both", 2},     {"bothleftandright", 2},
+      {"facing", 3},  {"opposite", 4}, {"danger", 'd'}, {"safe", 's'},
+      {"abort", 'a'}, {"true", 1},     {"false", 0}};
   if (text.size() == 3 && text.front() == '\'' && text.back() == '\'') return static_cast<double>(text[1]);
   const std::string word = folded(text);
   for (const NamedNumber& named : kNumbers) {

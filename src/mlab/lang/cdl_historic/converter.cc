@@ -46,7 +46,7 @@ Word Converter::with_names(const Word& constant) const {
                                : Word{with_named_values(constant.text, named_values_), constant.place};
 }
 
-void Converter::warn_once(const std::string& key, std::string kind, text::Place place, std::string message) {
+void Converter::warn_once(std::string kind, const std::string& key, text::Place place, std::string message) {
   if (warned_.insert(kind + " " + key).second)
     sink_.warning(std::move(kind), std::move(place), std::move(message));
 }
@@ -96,7 +96,7 @@ Made Converter::make(const Expr& expr, const Level* level, std::string_view want
   }
   if (is_too_large_) return nothing(wanted, expr.place);
   if (depth_ >= kMaxDepth) {
-    warn_once("", "nested-too-deeply", expr.place,
+    warn_once("nested-too-deeply", "", expr.place,
               fmt::format("parts are nested more than {} deep; the rest is left out", kMaxDepth));
     return nothing(wanted, expr.place);
   }
@@ -152,14 +152,14 @@ Made Converter::make_members(const std::vector<Setting>& members, const Level* o
     Made made = make(*member.value.expr, own, wanted);
     if (made.expr == nullptr || made.type.empty()) continue;
     if (first.expr != nullptr) {
-      warn_once("", "several-members", member.value.expr->place,
+      warn_once("several-members", "", member.value.expr->place,
                 "a group stands for one value; the others are left out");
       break;
     }
     first = std::move(made);
   }
   if (first.expr != nullptr) return first;
-  warn_once(fmt::format("{}", place.span.begin), "empty-group", place,
+  warn_once("empty-group", fmt::format("{}", place.span.begin), place,
             "this group holds nothing that has a value");
   return nothing(wanted, place);
 }

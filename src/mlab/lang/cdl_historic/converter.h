@@ -83,7 +83,7 @@ class Converter {
   std::vector<cdl::Assemblage>& assemblages() { return assemblages_; }
   std::vector<Drawing>& drawings() { return drawings_; }
   Holes& holes() { return holes_; }
-  void warn_once(const std::string& key, std::string kind, text::Place place, std::string message);
+  void warn_once(std::string kind, const std::string& key, text::Place place, std::string message);
 
  private:
   Made make_bare(const Expr& expr, const Level* level, std::string_view wanted);

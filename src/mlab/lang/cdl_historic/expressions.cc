@@ -123,7 +123,7 @@ Made Converter::call_library(const Signature& ours, const LibraryName& row, cons
     if (!listed.historic.empty()) found = look_up(outer, listed.historic, true);
     if (port == nullptr || std::ranges::any_of(arguments, is_same)) {
       if (found && port == nullptr) {
-        warn_once(fmt::format("{} {}", row.historic, listed.historic), "lost-parameter", place,
+        warn_once("lost-parameter", fmt::format("{} {}", row.historic, listed.historic), place,
                   fmt::format("`{}` takes no `{}`; it is left out", ours.name, listed.historic));
       }
       continue;
@@ -192,7 +192,7 @@ Made Converter::make_library(std::string_view name, const Level* outer, std::str
 Made Converter::make_hole(const std::string& historic, const std::string& type,
                           std::vector<Holes::Given> given, const text::Place& place) {
   const std::string free = holes_.knows(historic, type, given) ? std::string{} : free_name(historic);
-  warn_once(historic, "no-counterpart", place,
+  warn_once("no-counterpart", historic, place,
             fmt::format("nothing here answers to `{}`; it is declared as an empty assemblage",
                         text::shown(historic)));
   return holes_.use(historic, type, std::move(given), place, free);
@@ -238,19 +238,19 @@ Made Converter::make_constant(const Word& said, const Port& port, const std::str
     if (auto* cut = std::get_if<cdl::Text>(&value->what);
         cut != nullptr && cut->value.size() > kMaxTextBytes) {
       cut->value.resize(kMaxTextBytes);
-      warn_once(cut->value, "text-too-long", text.place,
+      warn_once("text-too-long", cut->value, text.place,
                 fmt::format("a text holds {} bytes; the rest is left out", kMaxTextBytes));
     }
     return {value, port.type};
   }
   if (port.type == "ObjectClasses") {
-    warn_once(text.text, "unknown-object-class", text.place,
+    warn_once("unknown-object-class", text.text, text.place,
               fmt::format("no class of objects here is called `{}`; `Unknown` stands in its place",
                           text::shown(text.text)));
     return {name("Unknown", text.place), port.type};
   }
   warn_once(
-      text.text + " " + port.type, "odd-constant", text.place,
+      "odd-constant", text.text + " " + port.type, text.place,
       fmt::format("`{}` is no value of the type {}; it is left out", text::shown(text.text), port.type));
   return {};
 }
@@ -259,7 +259,7 @@ Made Converter::make_constant(const Word& said, const Port& port, const std::str
 Made Converter::fitting(Made made, std::string_view type, const text::Place& place) {
   if (made.expr == nullptr || made.type == type || type.empty()) return made;
   if (made.type == "int" && type == "double") return made;
-  warn_once(made.type + " " + std::string(type), "type-differs", place,
+  warn_once("type-differs", made.type + " " + std::string(type), place,
             fmt::format("this gives {} where {} is wanted; it is left out",
                         made.type.empty() ? "nothing" : made.type, type));
   return nothing(type, place);
@@ -291,7 +291,7 @@ Made Converter::make_call(const Expr& expr, const HistoricSignature& historic, c
     Made value =
         port.is_list ? make_list(expr, historic, port, own) : make_argument(expr, historic, port, own);
     if (value.expr == nullptr && port.needs_value) {
-      warn_once(expr.name.text + " " + port.name, "missing-parameter", expr.name.place,
+      warn_once("missing-parameter", expr.name.text + " " + port.name, expr.name.place,
                 fmt::format("`{}` needs `{}`, which nothing sets", text::shown(expr.name.text), port.name));
       value = nothing(port.type, expr.name.place);
     }
@@ -300,7 +300,7 @@ Made Converter::make_call(const Expr& expr, const HistoricSignature& historic, c
   for (const Setting& setting : expr.settings) {
     if (setting.is_pushed || setting.name.text.empty() || setting.value.kind == Value::Kind::kNone) continue;
     if (historic.ports.contains(setting.name.text) || setting.name.text == "bound_to") continue;
-    warn_once(expr.name.text + " " + setting.name.text, "unknown-parameter", setting.name.place,
+    warn_once("unknown-parameter", expr.name.text + " " + setting.name.text, setting.name.place,
               fmt::format("`{}` has no `{}`; it is left out", text::shown(expr.name.text),
                           text::shown(setting.name.text)));
   }

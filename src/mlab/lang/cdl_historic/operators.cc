@@ -82,7 +82,7 @@ Made Converter::make_blackboard(const Expr& expr, const Level* own) {
   const std::string said = key == nullptr || key->value.kind != Value::Kind::kConstant
                                ? std::string("?")
                                : key->value.constant.text;
-  warn_once(said, "blackboard", expr.name.place,
+  warn_once("blackboard", said, expr.name.place,
             fmt::format("the blackboard's {} is what it was at the start; nothing here changes it",
                         text::shown(said)));
   const Setting* initial = setting_of(expr, port.type == "Vector" ? "new_vector" : "initial");

@@ -31,6 +31,17 @@ const Setting* driven_input(const Expr& expr) {
   return first;
 }
 
+bool has_actuator(const cdl::RobotClass& robot_class, const cdl::Drive& drive) {
+  return std::ranges::any_of(robot_class.devices, [&](const cdl::Device& device) {
+    return device.is_actuator && device.binds.text == drive.binding.text;
+  });
+}
+
+bool lacks(const cdl::RobotClass& robot_class, const cdl::Robot& robot) {
+  return !std::ranges::all_of(robot.drives,
+                              [&](const cdl::Drive& drive) { return has_actuator(robot_class, drive); });
+}
+
 }  // namespace
 
 const Expr* Robots::resolved(const Expr& expr) const {
@@ -182,25 +193,27 @@ void Robots::choose_class(const Expr& robot, const std::vector<Driven>& driven, 
       robot_class_named(is_output_point(historic) ? std::string_view{} : std::string_view(historic));
   const cdl::RobotClass* known =
       converter_.vocabulary().robot_class(ours.empty() ? std::string_view("Scout") : ours);
+  if (const cdl::RobotClass* scout = converter_.vocabulary().robot_class("Scout");
+      known != nullptr && scout != nullptr) {
+    if (lacks(*known, into) && !lacks(*scout, into)) known = scout;  // with a camera that turns, say
+  }
   if (known == nullptr) {
     converter_.warn_once(
-        historic, "no-robot-class", robot.name.place,
+        "no-robot-class", historic, robot.name.place,
         fmt::format("no class of robots here answers to `{}`; the robot has none", text::shown(historic)));
     into.drives.clear();
     return;
   }
   if (ours.empty() && !is_output_point(historic)) {
-    converter_.warn_once(historic, "unknown-robot-class", robot.name.place,
+    converter_.warn_once("unknown-robot-class", historic, robot.name.place,
                          fmt::format("no class of robots is called `{}`; `{}` is taken",
                                      text::shown(historic), known->name.text));
   }
   into.class_name.text = known->name.text;
   std::erase_if(into.drives, [&](const cdl::Drive& drive) {
-    const bool is_there = std::ranges::any_of(known->devices, [&](const cdl::Device& d) {
-      return d.is_actuator && d.binds.text == drive.binding.text;
-    });
+    const bool is_there = has_actuator(*known, drive);
     if (!is_there) {
-      converter_.warn_once(into.name.text + drive.binding.text, "no-actuator", drive.binding.place,
+      converter_.warn_once("no-actuator", into.name.text + drive.binding.text, drive.binding.place,
                            fmt::format("`{}` has no `{}`; what drove it is left as an assemblage",
                                        known->name.text, text::shown(drive.binding.text)));
     }
@@ -222,7 +235,13 @@ void Robots::set_parameters(const Expr& device, const cdl::RobotClass& known, cd
     const std::string& name = port->second.port->name;
     const auto declared =
         std::ranges::find_if(known.parameters, [&](const cdl::Parameter& p) { return p.name.text == name; });
-    if (declared == known.parameters.end()) continue;
+    if (declared == known.parameters.end()) {
+      const std::string& said = setting.value.constant.text;
+      if (name == "cautious_mode" && (said == "false" || said == "FALSE" || said == "0")) continue;
+      converter_.warn_once("lost-parameter", into.name.text + name, setting.name.place,
+                           fmt::format("`{}` takes no `{}`; it is left out", known.name.text, name));
+      continue;
+    }
     const bool is_set =
         std::ranges::any_of(into.parameters, [&](const cdl::Parameter& p) { return p.name.text == name; });
     const Draft value = constant(converter_.with_names(setting.value.constant), port->second.port->type,

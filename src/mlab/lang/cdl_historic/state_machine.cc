@@ -185,7 +185,7 @@ void StateMachine::read_rule(const Setting& setting) {
 Made Converter::make_state_machine(const Expr& expr, const Level* own, std::string_view wanted) {
   if (std::ranges::none_of(expr.settings,
                            [](const Setting& s) { return !s.is_pushed && s.name.text == "society"; })) {
-    warn_once(expr.name.text, "no-states", expr.name.place, "a state machine without states stands still");
+    warn_once("no-states", expr.name.text, expr.name.place, "a state machine without states stands still");
     return nothing(wanted, expr.place);
   }
   const bool is_named = !expr.inline_names.empty() && !expr.inline_names[0].text.starts_with('$');
