@@ -26,7 +26,9 @@ Converter::Converter(const Tree& tree, const Vocabulary& vocabulary, text::Diagn
   if (!tree.architectures.empty()) {
     const Word& bound = tree.architectures.back();
     architecture_ = architecture_named(bound.text);
-    if (architecture_ == 0 && bound.text != "free") {
+    const bool is_own =
+        std::ranges::any_of(tree.own_architectures, [&](const Word& own) { return own.text == bound.text; });
+    if (architecture_ == 0 && bound.text != "free" && !is_own) {
       sink.warning("unknown-architecture", bound.place,
                    fmt::format("no architecture `{}` is known; names are looked for in all of them",
                                text::shown(bound.text)));

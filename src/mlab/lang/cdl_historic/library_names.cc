@@ -11,7 +11,7 @@ constexpr std::string_view kCsb = "which belonged to the communication-sensitive
 constexpr std::string_view kCaseBased = "which belonged to case-based selection";
 constexpr std::string_view kLearningMomentum = "which belonged to learning momentum";
 constexpr std::string_view kLineOfSight = "which belonged to the line-of-sight demonstration";
-constexpr std::string_view kDisplay = "which only changed how the historic screen showed the robot";
+constexpr std::string_view kDisplay = "which changed the historic screen or simulator, not the robot";
 constexpr std::string_view kDstar = "which belonged to the D* planner";
 
 }  // namespace
@@ -32,9 +32,9 @@ const std::vector<LibraryName>& library_names() {
        "Alert",
        {{"alert_subject", "subject", "\"Warning: Biohazard Found!!!\""},
         {"alert_message", "message", "\"The robot has found a biohazard.\""},
-        {"", "sends_email", "NO_Email"},
-        {"", "recipient", "\"\""},
-        {"", "sends_image", "NO_Image"}},
+        {"sends_email", "", "NO_Email"},
+        {"recipient", "", "\"\""},
+        {"sends_image", "", "NO_Image"}},
        "Vector",
        {}},
       {"CARMEN_GoTo", kUrban, "", {}, "Vector", kCarmen},
@@ -233,13 +233,7 @@ const std::vector<LibraryName>& library_names() {
       {"ProbeObject", kAura, "ProbeNearestObject", {}, "Vector", {}},
       {"PutInEOD", kAura, "PutInBasket", {{"", "classes", "EOD_Areas"}, {"", "reach", "1"}}, "Vector", {}},
       {"PutInEOD", kUrban, "PutInBasket", {{"Object", "classes", "Mine"}, {"", "reach", "15"}}, "Vector", {}},
-      {"ResetWorld",
-       kUrban,
-       "ResetWorld",
-       {{"load_new_overlay", "load_new_overlay", "USE_NEW_MAP"},
-        {"new_overlay", "new_overlay", "\"Empty.ovl\""}},
-       "Vector",
-       {}},
+      {"ResetWorld", kUrban, "", {}, "Vector", kDisplay},
       {"Run_EODTask", kNaval, "", {}, "Vector", kContractNet},
       {"Run_InspectTask", kNaval, "", {}, "Vector", kContractNet},
       {"Run_InterceptTask", kNaval, "", {}, "Vector", kContractNet},
