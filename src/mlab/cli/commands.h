@@ -69,6 +69,13 @@ struct BuildOptions {
 };
 int build(const BuildOptions& options);
 
+struct ImportOptions {
+  std::string file;
+  std::string output;  ///< file; empty: standard output
+  bool strict = false;
+};
+int import(const ImportOptions& options);
+
 struct BenchOptions {
   std::uint32_t robots = 1000;
   int threads = 1;

@@ -148,6 +148,13 @@ void add_build(CLI::App& app, BuildOptions& o) {
   c->add_option("-o,--output", o.output, "where to write it (default: standard output)")->type_name("FILE");
 }
 
+void add_import(CLI::App& app, ImportOptions& o) {
+  CLI::App* c = app.add_subcommand("import", "Turn a configuration of the historic tools into one of ours.");
+  c->add_option("file", o.file, "the historic configuration (.cdl)")->required()->type_name("FILE");
+  c->add_option("-o,--output", o.output, "write it to this file, not to the terminal")->type_name("FILE");
+  c->add_flag("--strict", o.strict, "warnings count as problems (exit status 1)");
+}
+
 void add_bench(CLI::App& app, BenchOptions& o) {
   CLI::App* c =
       app.add_subcommand("bench", "Measure the simulator and the behavior runtime (docs/performance.md).");
@@ -194,6 +201,7 @@ int parse_and_run(int argc, char** argv) {
   FormatOptions format_options;
   DescribeOptions describe_options;
   BuildOptions build_options;
+  ImportOptions import_options;
   BenchOptions bench_options;
   add_run(app, run_options);
   add_console(app, run_options);
@@ -201,6 +209,7 @@ int parse_and_run(int argc, char** argv) {
   add_fmt(app, format_options);
   add_describe(app, describe_options);
   add_build(app, build_options);
+  add_import(app, import_options);
   add_bench(app, bench_options);
   try {
     app.parse(argc, argv);
@@ -212,6 +221,7 @@ int parse_and_run(int argc, char** argv) {
   if (app.got_subcommand("fmt")) return format(format_options);
   if (app.got_subcommand("describe")) return describe(describe_options);
   if (app.got_subcommand("build")) return build(build_options);
+  if (app.got_subcommand("import")) return import(import_options);
   return bench(bench_options);
 }
 

@@ -112,7 +112,8 @@ void parse_definition(Cursor& cursor, std::string_view keyword, Tree& tree) {
   if (says(keyword, "defType")) return parse_type(cursor, tree);
   if (keyword == "defNamedValue") return parse_named_value(cursor, tree);
   if (says(keyword, "defArch")) {
-    cursor.expect_name("the name of an architecture");
+    Word name = cursor.expect_name("the name of an architecture");
+    if (!name.text.empty()) tree.own_architectures.push_back(std::move(name));
     return;
   }
   const std::optional<Definition::Kind> kind = definition_kind(keyword);

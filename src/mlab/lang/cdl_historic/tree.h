@@ -131,8 +131,9 @@ struct NamedValue {
 /// One file, in the order of its statements. After errors it has holes, never wrong parts.
 struct Tree {
   text::SourcePtr source;
-  std::vector<Word> architectures;  ///< `bindArch`, in order
-  std::vector<Word> types;          ///< `defType`
+  std::vector<Word> architectures;      ///< `bindArch`, in order
+  std::vector<Word> own_architectures;  ///< `defArch`
+  std::vector<Word> types;              ///< `defType`
   std::vector<Definition> definitions;
   std::vector<NamedValue> named_values;
   std::vector<Instance> instances;

@@ -1,0 +1,40 @@
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/lang/cdl_historic/import.h"
+#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/robot_program.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cli {
+
+int import(const ImportOptions& options) {
+  text::Diagnostics sink;
+  const text::Result<text::SourcePtr> source = text::read_source(options.file);
+  if (!source) {
+    fmt::print(stderr, "{}", text::render(source.error()));
+    return kBadInput;
+  }
+  const cdl_historic::Vocabulary vocabulary(robot::component_library(),
+                                            robot::library_environment().built_in);
+  const std::string out = cdl_historic::import_as_text(*source, vocabulary, sink);
+  fmt::print(stderr, "{}", text::render(sink));
+  if (sink.has_errors()) {
+    fmt::print(stderr, "mlab import: {} has errors; nothing is written\n", options.file);
+    return kBadInput;
+  }
+  if (options.output.empty()) {
+    fmt::print("{}", out);
+  } else if (!write_file(options.output, out)) {
+    fmt::print(stderr, "mlab import: {} can't be written\n", options.output);
+    return kBadInput;
+  }
+  return options.strict && sink.warning_count() > 0 ? kFailed : kDone;
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,173 @@
+#include "mlab/lang/cdl_historic/vocabulary.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace mlab::cdl_historic {
+namespace {
+
+constexpr int kMaxBodyDepth = 50;  // of calls in calls, when the type of a body is looked for
+
+template <class Map>
+auto found(const Map& map, std::string_view name) -> const typename Map::mapped_type* {
+  const auto it = map.find(name);
+  return it == map.end() ? nullptr : &it->second;
+}
+
+template <class T>
+const T* found_pointer(const std::map<std::string, const T*, std::less<>>& map, std::string_view name) {
+  const auto it = map.find(name);
+  return it == map.end() ? nullptr : it->second;
+}
+
+// `a|b`: both names mean the port.
+void add_names(HistoricSignature& into, std::string_view names, const HistoricSignature::Renamed& renamed) {
+  while (!names.empty()) {
+    const std::size_t bar = names.find('|');
+    into.ports.emplace(names.substr(0, bar), renamed);
+    names = bar == std::string_view::npos ? std::string_view{} : names.substr(bar + 1);
+  }
+}
+
+HistoricSignature historic_signature(const Signature& signature, const flow::Alias* alias) {
+  HistoricSignature out{&signature, {}};
+  for (std::size_t i = 0; i < signature.ports.size(); ++i) {
+    const Port& port = signature.ports[i];
+    if (alias != nullptr && i < alias->inputs.size()) {
+      add_names(out, alias->inputs[i].name, {&port, std::string(alias->inputs[i].unit)});
+    } else {
+      add_names(out, port.name, {&port, {}});
+    }
+  }
+  if (alias != nullptr) {
+    for (const std::string_view ignored : alias->ignored_inputs)
+      out.ports.emplace(ignored, HistoricSignature::Renamed{});
+  }
+  return out;
+}
+
+}  // namespace
+
+const Port* Signature::find(std::string_view port) const {
+  const auto it = std::ranges::find(ports, port, &Port::name);
+  return it == ports.end() ? nullptr : &*it;
+}
+
+Vocabulary::Vocabulary(const flow::Library& procedures,
+                       std::span<const std::shared_ptr<const cdl::Tree>> library)
+    : procedures_(procedures) {
+  for (const std::shared_ptr<const cdl::Tree>& tree : library) {
+    for (const cdl::Item& item : tree->items) {
+      if (const auto* a = std::get_if<cdl::Assemblage>(&item)) assemblages_.emplace(a->name.text, a);
+      if (const auto* c = std::get_if<cdl::RobotClass>(&item)) classes_.emplace(c->name.text, c);
+      if (const auto* b = std::get_if<cdl::Binding>(&item)) bindings_.emplace(b->name.text, b);
+    }
+  }
+  add_procedures();
+  for (const auto& [name, assemblage] : assemblages_) add(*assemblage);
+  for (const auto& [name, assemblage] : assemblages_) {
+    for (const cdl::Word& historic : assemblage->historic_names) {
+      aliased_.emplace(historic.text, &signatures_.at(name));
+      historic_.emplace(historic.text, historic_signature(signatures_.at(name), nullptr));
+    }
+  }
+}
+
+void Vocabulary::add_procedures() {
+  for (const flow::Behavior* behavior : procedures_.behaviors()) {
+    Signature signature{std::string(behavior->name),
+                        {},
+                        behavior->output == nullptr ? "" : std::string(behavior->output->name)};
+    for (const flow::Input& input : behavior->inputs) {
+      signature.ports.push_back({std::string(input.name), std::string(input.type->name),
+                                 std::string(input.unit), input.is_list,
+                                 input.default_text.empty() && !input.is_list, nullptr});
+    }
+    signatures_[signature.name] = std::move(signature);
+  }
+  for (const std::string& alias : procedures_.names()) {
+    const flow::Library::Entry entry = procedures_.find(alias);
+    if (entry.behavior == nullptr) continue;
+    historic_.emplace(alias,
+                      historic_signature(signatures_.at(std::string(entry.behavior->name)), entry.alias));
+  }
+}
+
+void Vocabulary::add(const cdl::Assemblage& assemblage) {
+  Signature signature{assemblage.name.text, {}, type(assemblage.result_type.text)};
+  if (assemblage.result_type.text.empty() && assemblage.body != nullptr) {
+    signature.result = result_of(*assemblage.body, 0);
+  }
+  for (const cdl::Parameter& p : assemblage.parameters) {
+    signature.ports.push_back(
+        {p.name.text, type(p.type.text), p.unit.text, false, p.initial == nullptr, p.initial});
+  }
+  signatures_[signature.name] = std::move(signature);
+}
+
+// What a body gives, as far as the importer needs it: it only has to tell movements, triggers and percepts
+// apart.
+std::string Vocabulary::result_of(const cdl::Expression& body, int depth) const {
+  if (depth > kMaxBodyDepth) return {};
+  if (std::holds_alternative<cdl::Logic>(body.what)) return "bool";
+  if (std::holds_alternative<cdl::Cooperate>(body.what) || std::holds_alternative<cdl::Compete>(body.what))
+    return "Vector";
+  if (const auto* sequence = std::get_if<cdl::Sequence>(&body.what)) {
+    return sequence->states.empty() || sequence->states[0].member == nullptr
+               ? "Vector"
+               : result_of(*sequence->states[0].member, depth + 1);
+  }
+  if (const auto* select = std::get_if<cdl::Select>(&body.what)) {
+    return select->cases.empty() || select->cases[0].member == nullptr
+               ? ""
+               : result_of(*select->cases[0].member, depth + 1);
+  }
+  if (const auto* called = std::get_if<cdl::Call>(&body.what)) {
+    if (const Signature* known = find(called->callee.text); known != nullptr && !known->result.empty())
+      return known->result;
+    const cdl::Assemblage* other = found_pointer(assemblages_, called->callee.text);
+    if (other == nullptr) return {};
+    if (!other->result_type.text.empty()) return type(other->result_type.text);
+    return other->body == nullptr ? std::string{} : result_of(*other->body, depth + 1);
+  }
+  return {};
+}
+
+const Signature* Vocabulary::find(std::string_view name) const {
+  return found(signatures_, name);
+}
+const HistoricSignature* Vocabulary::find_historic(std::string_view name) const {
+  return found(historic_, name);
+}
+const Signature* Vocabulary::find_assemblage(std::string_view historic) const {
+  return found_pointer(aliased_, historic);
+}
+const cdl::RobotClass* Vocabulary::robot_class(std::string_view name) const {
+  return found_pointer(classes_, name);
+}
+const cdl::Binding* Vocabulary::binding(std::string_view name) const {
+  return found_pointer(bindings_, name);
+}
+
+bool Vocabulary::is_taken(std::string_view name) const {
+  return signatures_.contains(name) || historic_.contains(name) || classes_.contains(name) ||
+         bindings_.contains(name);
+}
+
+std::string Vocabulary::type(std::string_view name) const {
+  static const std::map<std::string_view, std::string_view> kQuantities = {
+      {"gain", "double"},     {"length", "double"},
+      {"speed", "double"},    {"angle", "double"},
+      {"duration", "double"}, {"flag", "bool"},
+      {"count", "int"},       {"object_class", "ObjectClasses"},
+      {"text", "Text"},       {"number", "double"},
+      {"string", "Text"},     {"direction", "double"},
+      {"location", "Pose"},   {"displacement", "Vector"},
+      {"UTM", "Point"},       {"Map_Location", "Point"}};
+  if (const auto it = kQuantities.find(name); it != kQuantities.end()) return std::string(it->second);
+  const flow::TypeInfo* info = procedures_.find_type(name);
+  return info == nullptr ? std::string{} : std::string(info->name);
+}
+
+}  // namespace mlab::cdl_historic

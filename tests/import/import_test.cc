@@ -1,0 +1,105 @@
+// Historic configurations become programs that run; the table of library names agrees with the library.
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include "mlab/flow/program.h"
+#include "mlab/lang/cdl/format.h"
+#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl_historic/import.h"
+#include "mlab/lang/cdl_historic/library_names.h"
+#include "mlab/percept/percepts.h"
+#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/robot_program.h"
+#include "mlab/text/testing/golden.h"
+
+namespace mlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path corpus() {
+  const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
+  return (named != nullptr ? fs::path(named) : fs::path(MLAB_SOURCE_DIR) / "../shared/corpus") /
+         "configurations";
+}
+
+const cdl_historic::Vocabulary& vocabulary() {
+  static const cdl_historic::Vocabulary kVocabulary(robot::component_library(),
+                                                    robot::library_environment().built_in);
+  return kVocabulary;
+}
+
+// The file as a text of ours.
+text::SourcePtr imported(const fs::path& path) {
+  const auto source = text::read_source(path.string());
+  if (!source) return nullptr;
+  text::Diagnostics sink;
+  std::string out = cdl_historic::import_as_text(*source, vocabulary(), sink);
+  EXPECT_FALSE(sink.has_errors()) << text::render(sink);
+  return std::make_shared<const text::Source>(path.filename().string(), std::move(out));
+}
+
+void expect_runs(const text::SourcePtr& source, const std::string& name) {
+  text::Diagnostics sink;
+  const auto robot = robot::configure(source, name, "", {}, {}, sink);
+  ASSERT_TRUE(robot.has_value()) << name << "\n" << text::render(sink) << source->text();
+  flow::Frame frame = robot->program->make_frame();
+  percept::Percepts percepts;
+  for (std::uint64_t cycle = 1; cycle <= 50; ++cycle) {
+    percept::Action action;
+    robot->program->step(frame.data(), percepts, action, cycle, 1);
+  }
+}
+
+TEST(Import, EveryFileOfTheCorpusChecksAndItsRobotsRun) {
+  if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
+  for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
+    const text::SourcePtr source = imported(path);
+    ASSERT_NE(source, nullptr) << path;
+    text::Diagnostics sink;
+    robot::check_configuration(source, {}, sink);
+    EXPECT_FALSE(sink.has_errors()) << path << "\n" << text::render(sink);
+    if (sink.has_errors()) continue;
+    text::Diagnostics again;
+    for (const cdl::Item& item : cdl::parse(source, again).items) {
+      if (const auto* robot = std::get_if<cdl::Robot>(&item)) expect_runs(source, robot->name.text);
+    }
+  }
+}
+
+TEST(Import, WritesTheCanonicalLayout) {
+  if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
+  for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
+    const text::SourcePtr source = imported(path);
+    text::Diagnostics sink;
+    const auto formatted = cdl::format(source, sink);
+    ASSERT_TRUE(formatted.has_value()) << text::render(sink);
+    EXPECT_EQ(*formatted, source->text()) << path;
+  }
+}
+
+TEST(Import, EveryLibraryNameIsInTheLibraryWithItsParameters) {
+  for (const cdl_historic::LibraryName& row : cdl_historic::library_names()) {
+    if (row.ours.empty()) {
+      EXPECT_FALSE(row.reason.empty()) << row.historic;
+      continue;
+    }
+    const cdl_historic::Signature* ours = vocabulary().find(row.ours);
+    ASSERT_NE(ours, nullptr) << row.historic << " should be " << row.ours;
+    EXPECT_EQ(ours->result, row.type) << row.historic;
+    for (const cdl_historic::LibraryPort& port : row.ports) {
+      if (port.ours.empty()) continue;  // means nothing here
+      EXPECT_NE(ours->find(port.ours), nullptr)
+          << row.historic << ": " << row.ours << " has no " << port.ours;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mlab
