@@ -151,6 +151,7 @@ class MissionRun {
   void measure();
   void note_deliveries();
   void tell(mission::effect::Tell::Kind kind, std::string text);
+  void tell_faults();
   void explain_failures(std::uint32_t command);
 
   RunSettings settings_;

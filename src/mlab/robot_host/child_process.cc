@@ -182,8 +182,8 @@ std::string ChildProcess::end(double patience) {
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience));
   // Seen, but not taken away yet: as long as it is there, nobody else can have its number.
   siginfo_t seen{};
-  while (waitid(P_PID, static_cast<id_t>(pid_), &seen, WEXITED | WNOHANG | WNOWAIT) == 0 && seen.si_pid == 0 &&
-         Clock::now() < deadline) {
+  while (waitid(P_PID, static_cast<id_t>(pid_), &seen, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         seen.si_pid == 0 && Clock::now() < deadline) {
     take_errors();
     ::poll(nullptr, 0, 1);
   }
