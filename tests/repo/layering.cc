@@ -32,7 +32,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"lang/cdl_historic", {"text", "flow", "lang/cdl"}},
     {"library", {"schema"}},
     {"robot", {"percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
-    {"robot_build", {"flow", "lang/cnl"}},
+    {"robot_build", {"robot"}},
     {"fleet", {"robot", "mission", "sim"}},
     {"console/server", {"base"}},
     {"console", {"fleet", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},

@@ -69,6 +69,7 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
                                                 text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
   auto native = std::make_shared<NativeProgram>();
+  native->limits.answer = sources.native_patience;
   native->executable = path_of(robot.name, sources).string();
   std::vector<Setting> asked;
   for (const Setting& setting : settings) {

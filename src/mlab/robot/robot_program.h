@@ -45,6 +45,8 @@ struct ProgramSources {
       include_root;     ///< where "mlab/schema/procedure.h" is found, for procedures of the mission's own
   std::string version;  ///< of this program: code compiled for another one is not used again
   bool allow_native = false;  ///< executables that a mission names may be run
+  double native_patience =
+      5.0;  ///< how long one of those may take for an answer, by the clock on the wall [s]
 };
 
 /// Finds and builds the program of a robot type and sets its parameters.

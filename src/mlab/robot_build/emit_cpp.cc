@@ -130,7 +130,8 @@ void write_states(const flow::Node& node, std::string& out) {
 }
 
 void write_node(const flow::Node& node, std::string& out) {
-  out += fmt::format("  w.{}({}, {})", kind_word(node.kind), cpp_string(node.name), cpp_string(node.behavior));
+  out +=
+      fmt::format("  w.{}({}, {})", kind_word(node.kind), cpp_string(node.name), cpp_string(node.behavior));
   for (const flow::Link& link : node.links)
     out += fmt::format("\n      .input({}, {})", cpp_string(link.input), value(link.source));
   write_states(node, out);
@@ -156,7 +157,8 @@ CppFile group_file(const RobotSource& robot, const Group& group) {
       "#include \"mlab/robot_process/wiring.h\"\n\n"
       "namespace robot_program {{\n\nusing namespace mlab::robot_process;\n\n"
       "void add_{}(Wiring& w);\n\nvoid add_{}(Wiring& w) {{\n",
-      group.part.empty() ? "at the top" : "of " + group.part, robot.name, robot.origin, group.name, group.name);
+      group.part.empty() ? "at the top" : "of " + group.part, robot.name, robot.origin, group.name,
+      group.name);
   for (const flow::Node* node : group.nodes) write_node(*node, out.text);
   out.text += "}\n\n}  // namespace robot_program\n";
   return out;

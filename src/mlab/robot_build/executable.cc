@@ -1,5 +1,6 @@
 #include "mlab/robot_build/executable.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -9,7 +10,6 @@
 #include <optional>
 #include <system_error>
 #include <thread>
-#include <unistd.h>
 #include <utility>
 
 #include <fmt/core.h>
@@ -59,18 +59,23 @@ class ExecutableBuild {
  private:
   bool has_all() {
     if (toolchain_.include_root.empty()) {
-      sink_.error("no-headers", {}, "robot programs can't be compiled: the headers of missionlab are not there")
+      sink_
+          .error("no-headers", {},
+                 "robot programs can't be compiled: the headers of missionlab are not there")
           .hints.emplace_back("install missionlab with its headers, or run it from its source tree");
       return false;
     }
     if (toolchain_.link_file.empty() || !read_link_file()) {
-      sink_.error("no-libraries", {}, "robot programs can't be linked: the libraries of missionlab are not there")
+      sink_
+          .error("no-libraries", {},
+                 "robot programs can't be linked: the libraries of missionlab are not there")
           .hints.emplace_back("install missionlab with its libraries, or build it: ./mlab");
       return false;
     }
     if (compiler_.empty()) {
-      sink_.error("no-compiler", {},
-                  fmt::format("robot programs need a C++ compiler, and there is no `{}`", toolchain_.compiler))
+      sink_
+          .error("no-compiler", {},
+                 fmt::format("robot programs need a C++ compiler, and there is no `{}`", toolchain_.compiler))
           .hints = {"on Debian: apt-get install g++",
                     "a mission can name the configuration itself, which needs no compiler"};
       return false;

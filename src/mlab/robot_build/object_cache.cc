@@ -102,7 +102,8 @@ ObjectCache::Object ObjectCache::get(const std::string& name, const std::string&
       std::ofstream(own + ".d", std::ios::binary | std::ios::trunc) << dependencies;
       fs::rename(own + ".d", folder_ + "/" + key + ".d", failure);
       out.path = path_of(key);
-      if (!out.compiler.output.empty()) std::ofstream(out.path + ".txt", std::ios::binary) << out.compiler.output;
+      if (!out.compiler.output.empty())
+        std::ofstream(out.path + ".txt", std::ios::binary) << out.compiler.output;
       if (!failure) fs::rename(own + ".o", out.path, failure);
       if (failure) out.failure = fmt::format("cannot write into `{}`: {}", folder_, failure.message());
     }

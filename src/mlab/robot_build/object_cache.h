@@ -16,7 +16,7 @@ class ObjectCache {
   ObjectCache(std::string folder, std::string compiler, std::string version, cnl::ProcessLimits limits);
 
   struct Object {
-    std::string path;      ///< empty: it could not be made
+    std::string path;  ///< empty: it could not be made
     bool was_compiled = false;
     cnl::ProcessResult compiler;  ///< where it was compiled now; its messages in any case
     std::string failure;          ///< of the cache itself; empty: none

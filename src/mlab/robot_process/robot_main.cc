@@ -51,7 +51,8 @@ std::shared_ptr<const flow::Program> program_of(const RobotProgramText& text) {
 void print_help(const RobotProgramText& text, const flow::Program& program) {
   fmt::print(
       "{}: a robot program, made by mlab build {}\n\n"
-      "A mission runs it: NEW-ROBOT {} \"./{}\", and mlab run --allow-native. It reads percepts from standard\n"
+      "A mission runs it: NEW-ROBOT {} \"./{}\", and mlab run --allow-native. It reads percepts from "
+      "standard\n"
       "input and writes actions to standard output, as docs/robot_programs.md describes.\n\n"
       "parameters\n",
       text.name, text.version, text.name, text.name);
