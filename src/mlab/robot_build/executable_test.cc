@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ExecutableTest : public testing::Test {
+class ExecutableTest : public ::testing::Test {
  protected:
   ExecutableTest() {
     fs::create_directories(folder_);
@@ -61,7 +61,7 @@ class ExecutableTest : public testing::Test {
     return build_executable(emit_cpp(robot), program_, toolchain_, sink_);
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / ("mlab_executable_test_" + std::to_string(::getpid()));
+  fs::path folder_ = fs::path(::testing::TempDir()) / ("mlab_executable_test_" + std::to_string(::getpid()));
   std::string program_ = (folder_ / "robot").string();
   Toolchain toolchain_;
   text::Diagnostics sink_;
