@@ -355,16 +355,46 @@ TEST_F(Command, StrictTurnsWarningsIntoStatusOne) {
   EXPECT_EQ(mlab("run --headless --strict m.mdl").status, 1);
 }
 
-TEST_F(Command, NeverExecutesWhatAMissionNames) {
+TEST_F(Command, ExecutesWhatAMissionNamesOnlyWhereThatIsAllowed) {
   write("map.odl", kMap);
   write("evil", "#!/bin/sh\ntouch executed\n");
   fs::permissions(folder_ / "evil", fs::perms::owner_all);
   write("m.mdl",
         "OVERLAY map.odl\nNEW-ROBOT e \"./evil\"\nUNIT <u> e\nCOMMAND LIST:\n0. UNIT u START Here\n");
-  const Outcome o = mlab("run m.mdl --headless --proceed --allow-native");
+  const Outcome o = mlab("run m.mdl --headless --proceed");
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_TRUE(has(o.err, "parked")) << o.err;
+  EXPECT_TRUE(has(o.err, "m.mdl:2:13: warning: the executable `./evil` is not run")) << o.err;
   EXPECT_FALSE(fs::exists(folder_ / "executed"));
+  const Outcome allowed = mlab("run m.mdl --headless --proceed --allow-native");
+  EXPECT_EQ(allowed.status, 2);
+  EXPECT_TRUE(has(allowed.err, "`./evil` is no robot program: it ended with exit status 0")) << allowed.err;
+  EXPECT_TRUE(fs::exists(folder_ / "executed"));
+}
+
+TEST_F(Command, BuildMakesAnExecutableThatRunsAsTheNetworkDoes) {
+  write("map.odl", kMap);
+  write("walker.cnl",
+        "parameter double pace = 1;\nnode noise is Noise with persistence = 3; nend\n"
+        "node on is ScaleVector with v = noise; multiplier = pace; nend\n"
+        "node wheels is Drive with v = on; base_velocity = 1; max_velocity = 9; nend\n");
+  const auto mission = [](const std::string& program) {
+    return "OVERLAY map.odl\nNEW-ROBOT w \"" + program +
+           "\" (pace = 2)\nUNIT <u> w w w\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u MOVETO There\n";
+  };
+  write("embedded.mdl", mission("walker.cnl"));
+  write("native.mdl", mission("./walker"));
+  const Outcome built = mlab("build walker.cnl");
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_TRUE(has(built.out, "walker: 2 of 2 files compiled")) << built.out;
+  EXPECT_TRUE(has(mlab("build walker.cnl").out, "walker: 0 of 2 files compiled"));
+  EXPECT_TRUE(has(mlab("build walker.cnl --emit cpp").out, "w.behavior(\"noise\", \"Noise\")"));
+  const auto robots = [&](const std::string& file, const std::string& options) {
+    mlab("run " + file + " --headless --proceed --limit 60 --report r.json" + options);
+    return Json::parse(text_of(folder_ / "r.json")).at("robots");
+  };
+  const Json embedded = robots("embedded.mdl", "");
+  EXPECT_GT(embedded.at(0).at("distance_m").get<double>(), 50.0);
+  EXPECT_EQ(robots("native.mdl", " --allow-native --threads 2"), embedded);
 }
 
 TEST_F(Command, FmtRewritesOnlyWhatIsNotInTheCanonicalLayout) {

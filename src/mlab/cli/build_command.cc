@@ -1,17 +1,29 @@
+#include <unistd.h>
+
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/version.h"
 #include "mlab/lang/cdl/emit_cnl.h"
 #include "mlab/robot/configuration_file.h"
+#include "mlab/robot/network_file.h"
+#include "mlab/robot_build/emit_cpp.h"
+#include "mlab/robot_build/executable.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 // To the file that was asked for, or to standard output.
 int put(const std::string& text, const std::string& file) {
@@ -24,17 +36,88 @@ int put(const std::string& text, const std::string& file) {
   return kBadInput;
 }
 
+std::optional<robot_build::RobotSource> configured(const BuildOptions& options, text::Diagnostics& sink) {
+  const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
+  auto robot =
+      robot::load_configuration(name, fs::path(options.file).stem().string(), {}, program_sources(""), sink);
+  if (!robot) return std::nullopt;
+  robot_build::RobotSource out;
+  out.network = std::move(robot->lowered.network);
+  out.body = std::move(robot->lowered.body);
+  out.procedures = robot->configuration.procedures;
+  return out;
+}
+
+std::optional<robot_build::RobotSource> networked(const BuildOptions& options, text::Diagnostics& sink) {
+  auto read = robot::read_network(options.file, {}, program_sources(""), sink);
+  if (!read) return std::nullopt;
+  robot_build::RobotSource out;
+  if (read->network.nodes.empty()) {
+    sink.error("no-network", {},
+               fmt::format("`{}` holds procedures, and no network that uses them", options.file));
+    return std::nullopt;
+  }
+  out.network = std::move(read->network);
+  out.procedures = {read->tree};
+  return out;
+}
+
+// Where progress is shown to a person; nothing in a pipe.
+class ProgressLine {
+ public:
+  void show(std::size_t done, std::size_t total, const std::string& what) {
+    if (is_shown_) fmt::print(stderr, "\r\x1b[K[{}/{}] {}", done, total, what);
+    std::fflush(stderr);
+  }
+  ~ProgressLine() {
+    if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+  }
+
+ private:
+  bool is_shown_ = isatty(STDERR_FILENO) != 0;
+};
+
+int build_program(const BuildOptions& options, const robot_build::RobotSource& robot,
+                  text::Diagnostics& sink) {
+  const std::string output =
+      options.output.empty() ? fs::path(options.file).replace_extension().string() : options.output;
+  std::error_code error;
+  if (!is_writable(output) || fs::equivalent(output, options.file, error)) {
+    fmt::print(stderr, "mlab build: {} can't be written; -o names another file\n", output);
+    return kBadInput;
+  }
+  const auto began = std::chrono::steady_clock::now();
+  std::optional<robot_build::BuildReport> report;
+  {
+    ProgressLine line;
+    report = robot_build::build_executable(
+        robot_build::emit_cpp(robot), output, toolchain(), sink,
+        [&](std::size_t done, std::size_t total, const std::string& what) { line.show(done, total, what); });
+  }
+  fmt::print(stderr, "{}", text::render(sink));
+  if (!report) return kBadInput;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  fmt::print("{}: {} of {} files compiled, {:.1f} s\n", output, report->compiled.size(),
+             report->compiled.size() + report->reused, took.count());
+  return kDone;
+}
+
 }  // namespace
 
 int build(const BuildOptions& options) {
   text::Diagnostics sink;
-  const std::filesystem::path path(options.file);
-  const std::string name = options.robot.empty() ? path.string() : path.string() + "#" + options.robot;
-  const std::string type = path.stem().string();
-  const auto robot = robot::load_configuration(name, type, {}, program_sources(""), sink);
+  const fs::path path(options.file);
+  auto robot = path.extension() == ".cnl" ? networked(options, sink) : configured(options, sink);
+  if (robot) {
+    robot->name = path.stem().string();
+    robot->origin = path.filename().string();
+    robot->version = kVersion;
+  }
+  if (robot && options.emit.empty()) return build_program(options, *robot, sink);
   fmt::print(stderr, "{}", text::render(sink));
   if (!robot) return kBadInput;
-  return put(cdl::cnl_text(robot->lowered.network), options.output);
+  if (options.emit == "cpp") return put(robot_build::joined(robot_build::emit_cpp(*robot)), options.output);
+  return put(cdl::cnl_text(robot->network), options.output);
 }
 
 }  // namespace mlab::cli

@@ -62,10 +62,10 @@ struct DescribeOptions {
 int describe(const DescribeOptions& options);
 
 struct BuildOptions {
-  std::string file;          ///< a configuration (.cdl)
-  std::string emit = "cnl";  ///< what to write
-  std::string robot;         ///< of the file; empty: the one of the file's name, or the only one
-  std::string output;        ///< file; empty: standard output
+  std::string file;    ///< a configuration (.cdl) or a network (.cnl)
+  std::string emit;    ///< what to write instead of an executable; empty: nothing
+  std::string robot;   ///< of the file; empty: the one of the file's name, or the only one
+  std::string output;  ///< file; empty: the executable beside the file, anything else to standard output
 };
 int build(const BuildOptions& options);
 

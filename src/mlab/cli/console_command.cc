@@ -178,6 +178,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.mission = options.mission;
   out.version = kVersion;
   out.include_root = program_sources("").include_root;
+  out.allow_native = options.allow_native;
   out.state_folder = state_folder();
   out.speed = manner.speed;
   out.run = std::move(manner.settings);

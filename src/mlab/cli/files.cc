@@ -62,8 +62,18 @@ std::string variable(const char* name) {
 
 }  // namespace
 
-robot::ProgramSources program_sources(const std::string& folder) {
-  return {folder, include_root(), kVersion};
+robot::ProgramSources program_sources(const std::string& folder, bool allow_native) {
+  return {folder, include_root(), kVersion, allow_native};
+}
+
+robot_build::Toolchain toolchain() {
+  robot_build::Toolchain out;
+  out.include_root = include_root();
+  out.version = kVersion;
+  std::error_code error;
+  const fs::path list = prefix() / "share" / "mlab" / "robot_link.txt";
+  if (fs::exists(list, error)) out.link_file = list.string();
+  return out;
 }
 
 std::vector<std::string> overlay_folders() {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mlab/robot/robot_program.h"
+#include "mlab/robot_build/executable.h"
 
 namespace mlab::cli {
 
@@ -15,7 +16,11 @@ bool write_file(const std::string& path, const std::string& text);
 
 /// Where robot programs come from that a file in `folder` names. The headers for procedures that it brings
 /// are those of the installation, or of the source tree that mlab was built from.
-robot::ProgramSources program_sources(const std::string& folder);
+///
+/// @param allow_native  executables that a mission names may be run
+robot::ProgramSources program_sources(const std::string& folder, bool allow_native = false);
+/// What robot executables are made with, of the installation or of what mlab was built from.
+robot_build::Toolchain toolchain();
 /// Where overlays are looked for after the mission's own folder.
 std::vector<std::string> overlay_folders();
 /// The web client of the operator console, and the missions that come with mlab: of the installation, or of

@@ -75,8 +75,10 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->type_name("SECONDS");
   c->add_flag("--strict", o.strict, "warnings keep the mission from running (exit status 1)");
   c->add_flag("--quiet", o.quiet, "print only the summary");
-  c->add_flag("--allow-native", o.allow_native,
-              "accepted for scripts; this version runs no executables as robot programs");
+  c->add_flag(
+      "--allow-native", o.allow_native,
+      "run executables that the mission names as robot programs (mlab build makes them), and let people on\n"
+      "other machines bring code of their own");
 }
 
 void add_console(CLI::App& app, RunOptions& o) {
@@ -139,13 +141,26 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
 }
 
 void add_build(CLI::App& app, BuildOptions& o) {
-  CLI::App* c = app.add_subcommand("build", "Compile the robot of a configuration.");
-  c->add_option("file", o.file, "the configuration (.cdl)")->required()->type_name("FILE");
-  c->add_option("--emit", o.emit, "what to write")->capture_default_str()->check(CLI::IsMember({"cnl"}));
+  CLI::App* c = app.add_subcommand(
+      "build",
+      "Compile the robot of a configuration to an executable, through CNL and C++. A mission runs it as\n"
+      "NEW-ROBOT forager \"./forager\", in lock-step, with mlab run --allow-native. It needs g++; a mission "
+      "that\n"
+      "names the configuration itself does not.");
+  c->add_option("file", o.file, "the configuration (.cdl), or a network (.cnl)")
+      ->required()
+      ->type_name("FILE");
+  c->add_option("--emit", o.emit, "what to write instead of an executable: cnl or cpp")
+      ->check(CLI::IsMember({"cnl", "cpp"}))
+      ->type_name("WHAT");
   c->add_option("--robot", o.robot,
                 "which robot of the file (default: the one of the file's name, or the only one)")
       ->type_name("NAME");
-  c->add_option("-o,--output", o.output, "where to write it (default: standard output)")->type_name("FILE");
+  c->add_option(
+       "-o,--output", o.output,
+       "where to write it (default: the executable beside the file, without its ending; anything else to\n"
+       "standard output)")
+      ->type_name("FILE");
 }
 
 void add_import(CLI::App& app, ImportOptions& o) {

@@ -168,7 +168,7 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   if (mission) {
     fleet::RunSettings& settings = manner->settings;
     const robot::ProgramSources sources =
-        program_sources(std::filesystem::path(options.mission).parent_path().string());
+        program_sources(std::filesystem::path(options.mission).parent_path().string(), options.allow_native);
     if (!options.environment.empty()) {
       settings.environment = envchange::load(options.environment, mission->overlay.origin, sink)
                                  .value_or(overlay::EnvironmentChanges{});

@@ -137,7 +137,7 @@ void Alarms::look_for_silence(const fleet::MissionRun& run, const FleetRobot& ro
 
 void Alarms::look_for_states(const fleet::MissionRun& run, const FleetRobot& robot, Robot& known,
                              EventLog& log) {
-  if (!known.is_watched) {
+  if (!known.is_watched || !robot.program->program) {
     known.knows_states = false;
     return;
   }

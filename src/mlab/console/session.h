@@ -24,6 +24,7 @@ struct SessionSettings {
   std::string state_folder;                  ///< drafts, recent files
   double speed = 10.0;                       ///< simulated seconds per second; 0: as fast as it goes
   bool may_compile = true;                   ///< native code of missions may be compiled and run
+  bool allow_native = false;                 ///< as robot::ProgramSources
   fleet::RunSettings run;
 };
 

@@ -44,11 +44,16 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
     return {
         fmt::format("{} stands parked: nothing here answers to its program `{}`", who, robot.program->name)};
   }
+  if (!robot.failure.empty())
+    return {fmt::format("{} stands: its program `{}` {}", who, robot.program->name, robot.failure)};
   if (robot.life == RobotLife::kFaulted) return {fmt::format("{} stands: fault at `{}`", who, robot.fault)};
   if (robot.life != RobotLife::kRunning) return {fmt::format("{} is {}", who, name(robot.life))};
 
   std::string motion;
-  for (const flow::Contribution& part : robot.program->program->contributions(robot.frame.data())) {
+  // What a process of its own sums up, it keeps to itself.
+  std::vector<flow::Contribution> parts;
+  if (robot.program->program) parts = robot.program->program->contributions(robot.frame.data());
+  for (const flow::Contribution& part : parts) {
     const double strength = geom::length(part.weighted);
     if (strength < kWorthTelling) continue;
     const std::string size = strength > 1e6 ? "absolute" : fmt::format("{:.2f}", strength);

@@ -23,6 +23,10 @@ double seconds() {
 }
 
 double parameter(const robot::RobotProgram& program, std::string_view name, double otherwise) {
+  if (program.native) {
+    const wire::Port* port = program.native->find(name);
+    return port != nullptr && port->value().has_number() ? port->value().number() : otherwise;
+  }
   if (!program.program) return otherwise;
   const flow::Port* port = program.program->find(name);
   if (port == nullptr) return otherwise;
@@ -38,7 +42,10 @@ std::string_view name(RobotLife life) {
 
 Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
              const std::vector<sim::BodySpec>& bodies, sim::Simulator& simulator, std::uint64_t seed)
-    : simulator_(simulator), seed_(seed), workers_(static_cast<std::size_t>(simulator.workers().count())) {
+    : simulator_(simulator),
+      seed_(seed),
+      workers_(static_cast<std::size_t>(simulator.workers().count())),
+      lock_step_(simulator.workers().count(), seed) {
   for (const mission::Robot& declared : mission.robots)
     robots_.push_back(make_robot(mission, declared, programs, bodies));
   std::sort(robots_.begin(), robots_.end(),
@@ -98,15 +105,34 @@ std::optional<sim::Placement> Fleet::start(base::RobotId id, geom::Pose pose) {
   if (!placement) return std::nullopt;
   robot.body = placement->body;
   robot.start = placement->pose;
-  robot.life = robot.program->program ? RobotLife::kRunning : RobotLife::kParked;
-  robot.frame = robot.program->initial;
-  for (const auto& [port, value] : robot.set_parameters)
-    robot.program->program->set(robot.frame.data(), robot.program->program->ports()[port], value);
-  robot.fault.clear();
-  robot.notifications.clear();
+  start_program(robot);
   poses_[index] = placement->pose;
   actions_.resize(simulator_.body_count());
   return placement;
+}
+
+void Fleet::start_program(FleetRobot& robot) {
+  robot.life = robot.program->can_run() ? RobotLife::kRunning : RobotLife::kParked;
+  robot.fault.clear();
+  robot.failure.clear();
+  robot.notifications.clear();
+  if (const auto& native = robot.program->native) {
+    robot_host::Settings own;
+    for (const auto& [port, value] : robot.set_parameters)
+      own.emplace_back(native->description.ports(static_cast<int>(port)).path(), value);
+    auto member = lock_step_.start(robot.lock_step, robot.id.value, native, own);
+    if (member) {
+      robot.lock_step = *member;
+      return;
+    }
+    robot.failure = member.error();
+    robot.life = RobotLife::kFaulted;
+    new_faults_.push_back(robot.id);
+    return;
+  }
+  robot.frame = robot.program->initial;
+  for (const auto& [port, value] : robot.set_parameters)
+    robot.program->program->set(robot.frame.data(), robot.program->program->ports()[port], value);
 }
 
 void Fleet::leave_group(std::uint32_t index) {
@@ -224,6 +250,10 @@ void Fleet::update_poses() {
 void Fleet::step(double dt) {
   update_poses();
   for (Group& group : groups_) update_group(group, poses_);
+  lock_step_.begin();
+  for (const FleetRobot& robot : robots_) {
+    if (robot.life == RobotLife::kRunning && robot.program->native) lock_step_.join(robot.lock_step);
+  }
   simulator_.workers().run(robots_.size(), kRobotsPerPiece,
                            [&](std::size_t begin, std::size_t end, int worker) {
                              for (std::size_t i = begin; i < end; ++i) {
@@ -231,6 +261,7 @@ void Fleet::step(double dt) {
                                  run_program(robots_[i], dt, workers_[static_cast<std::size_t>(worker)]);
                              }
                            });
+  run_lock_step();
   for (percept::Action& action : actions_) action = {};
   for (FleetRobot& robot : robots_) {
     if (robot.life == RobotLife::kFaulted && robot.action.drives) {
@@ -273,6 +304,7 @@ std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_vi
   const FleetRobot* found = find(id);
   if (found == nullptr) return fmt::format("there is no robot {}", id.value);
   FleetRobot& robot = robots_[index_of(*found)];
+  if (robot.program->native) return set_native_parameter(robot, path, value);
   if (!robot.program->program) return fmt::format("robot {} has no program", id.value);
   const flow::Program& program = *robot.program->program;
   const flow::Port* port = program.find(path);
@@ -282,36 +314,52 @@ std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_vi
   return std::nullopt;
 }
 
+void Fleet::perceive(const FleetRobot& robot, const flow::Needs& needs, double dt, Worker& worker,
+                     percept::Percepts& out) {
+  out.cycle_duration = dt;
+  simulator_.sense(robot.body, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges}, worker.buffer,
+                   out);
+  if (robot.group != FleetRobot::kNoGroup) {
+    out.order = groups_[robot.group].order;
+    out.unit = unit_percept(groups_[robot.group], robot.rank, poses_);
+  } else {
+    out.unit.center = out.pose.position;
+    out.unit.leader = out.unit.neighbor = out.pose;
+  }
+  out.joystick = robot.joystick;
+  out.id = robot.id;
+  out.notifications = robot.notifications;
+  out.shared_places = messages_.places();
+  out.claims = messages_.claims(robot.team);
+}
+
+// An action that is no number stops the robot.
+void Fleet::check_action(FleetRobot& robot) {
+  const geom::Vector v = robot.action.velocity;
+  if (std::isfinite(v.x + v.y + v.z + robot.action.spin)) return;
+  if (robot.fault.empty()) robot.fault = "its action";
+  robot.life = RobotLife::kFaulted;
+  robot.action.drives = true;  // tells step() that this fault is new
+}
+
 void Fleet::run_program(FleetRobot& robot, double dt, Worker& worker) {
-  const flow::Program& program = *robot.program->program;
   const bool is_timed = worker.steps++ % kTimedEvery == 0;
   const double t0 = is_timed ? seconds() : 0.0;
   percept::Percepts percepts;
-  percepts.cycle_duration = dt;
-  const flow::Needs needs = program.needs(robot.frame.data());
-  simulator_.sense(robot.body, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges}, worker.buffer,
-                   percepts);
-  if (robot.group != FleetRobot::kNoGroup) {
-    percepts.order = groups_[robot.group].order;
-    percepts.unit = unit_percept(groups_[robot.group], robot.rank, poses_);
-  } else {
-    percepts.unit.center = percepts.pose.position;
-    percepts.unit.leader = percepts.unit.neighbor = percepts.pose;
+  if (robot.program->native) {
+    perceive(robot, lock_step_.needs(robot.lock_step), dt, worker, percepts);
+    lock_step_.percepts(robot.lock_step, percepts);
+    if (is_timed) worker.sense += (seconds() - t0) * kTimedEvery;
+    return;
   }
-  percepts.joystick = robot.joystick;
-  percepts.id = robot.id;
-  percepts.notifications = robot.notifications;
-  percepts.shared_places = messages_.places();
-  percepts.claims = messages_.claims(robot.team);
+  const flow::Program& program = *robot.program->program;
+  perceive(robot, program.needs(robot.frame.data()), dt, worker, percepts);
   const double t1 = is_timed ? seconds() : 0.0;
   robot.action = {};
   program.step(robot.frame.data(), percepts, robot.action, seed_, robot.id.value, async_.get());
-  const geom::Vector v = robot.action.velocity;
-  if (!std::isfinite(v.x + v.y + v.z + robot.action.spin)) {
-    const flow::Port* port = program.find_fault(robot.frame.data());
-    robot.fault = port == nullptr ? "its action" : port->path;
-    robot.life = RobotLife::kFaulted;
-    robot.action.drives = true;  // tells step() that this fault is new
+  check_action(robot);
+  if (robot.life == RobotLife::kFaulted) {
+    if (const flow::Port* port = program.find_fault(robot.frame.data())) robot.fault = port->path;
   }
   if (is_timed) {
     worker.sense += (t1 - t0) * kTimedEvery;

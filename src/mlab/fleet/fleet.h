@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mlab/fleet/group.h"
+#include "mlab/fleet/lock_step.h"
 #include "mlab/fleet/messages.h"
 #include "mlab/flow/async_runner.h"
 #include "mlab/mission/effect.h"
@@ -59,7 +60,9 @@ struct FleetRobot {
   std::vector<std::uint64_t> notifications;  ///< its inbox, ascending
   std::uint32_t team = 0;                    ///< robots of the same number are one team
   geom::Pose start;
-  std::string fault;  ///< path of the port that went wrong; empty: none
+  std::string fault;    ///< path of the port that went wrong; empty: none
+  std::string failure;  ///< what the process of its program did instead of acting: `ended with exit status 3`
+  LockStep::Member lock_step = LockStep::kNone;  ///< where its program runs in a process of its own
   /// Parameters that a person set, as written, by index of the program's ports; set again at every start.
   std::map<std::uint32_t, std::string> set_parameters;
 
@@ -146,7 +149,15 @@ class Fleet {
   void note_calls(const FleetRobot& robot);
   void leave_group(std::uint32_t robot);
   void update_poses();
+  void start_program(FleetRobot& robot);
+  void perceive(const FleetRobot& robot, const flow::Needs& needs, double dt, Worker& worker,
+                percept::Percepts& out);
   void run_program(FleetRobot& robot, double dt, Worker& worker);
+  void run_lock_step();
+  static void check_action(FleetRobot& robot);
+  std::optional<std::string> set_native_parameter(FleetRobot& robot, std::string_view path,
+                                                  const std::string& value);
+  void take_over_native_parameters(FleetRobot& robot, const robot::NativeProgram& after);
 
   sim::Simulator& simulator_;
   std::uint64_t seed_;
@@ -159,6 +170,7 @@ class Fleet {
   std::vector<Worker> workers_;
   std::unique_ptr<flow::AsyncRunner> async_;
   std::vector<RobotCall> calls_;
+  LockStep lock_step_;
   std::vector<base::RobotId> new_faults_;
   Times times_;
 };

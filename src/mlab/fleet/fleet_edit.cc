@@ -37,12 +37,18 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
       continue;
     }
     FleetRobot& known = robots_[at->second];
-    const bool same_program = fresh.program->program && fresh.program->program == known.program->program;
+    const bool same_native = fresh.program->native && known.program->native &&
+                             fresh.program->native->executable == known.program->native->executable;
+    const bool same_program =
+        same_native || (fresh.program->program && fresh.program->program == known.program->program);
     if (known.life == RobotLife::kNotStarted) {
       if (same_program) fresh.set_parameters = known.set_parameters;
       fresh.group = known.group;
       fresh.rank = known.rank;
       known = std::move(fresh);
+    } else if (same_native) {
+      take_over_native_parameters(known, *fresh.program->native);
+      known.program = fresh.program;
     } else if (same_program) {
       take_over_parameters(*known.program, *fresh.program, known.frame);
       known.program = fresh.program;

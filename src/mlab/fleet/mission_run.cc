@@ -15,7 +15,7 @@ using mission::effect::Tell;
 
 namespace {
 
-constexpr std::size_t kMostMoved = 8;  // robots of a START that are named because they were moved
+constexpr std::size_t kMostMoved = 8;  // robots that are named, each with what happened to it
 
 }  // namespace
 
@@ -141,11 +141,7 @@ MissionRun::Progress MissionRun::step() {
   ++cycle_;
   change_environment();
   fleet_->step(dt_);
-  for (const base::RobotId id : fleet_->take_new_faults()) {
-    tell(Tell::Kind::kWarning,
-         fmt::format("robot {} stands: its program put out something that is no number, first at `{}`",
-                     id.value, fleet_->find(id)->fault));
-  }
+  tell_faults();
   answer_calls();
   measure();
   return Progress::kStepped;
@@ -173,6 +169,24 @@ void MissionRun::answer_calls() {
     }
   }
   if (is_to_end) post(mission::event::Abort{});
+}
+
+void MissionRun::tell_faults() {
+  const std::vector<base::RobotId> faults = fleet_->take_new_faults();
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    const FleetRobot& robot = *fleet_->find(faults[i]);
+    if (i == kMostMoved) {
+      tell(Tell::Kind::kWarning,
+           fmt::format("{} more robots stand, because of faults of their programs", faults.size() - i));
+      break;
+    }
+    tell(Tell::Kind::kWarning,
+         robot.failure.empty()
+             ? fmt::format("robot {} stands: its program put out something that is no number, first at `{}`",
+                           robot.id.value, robot.fault)
+             : fmt::format("robot {} stands: its program `{}` {}", robot.id.value, robot.program->name,
+                           robot.failure));
+  }
 }
 
 MissionRun::Progress MissionRun::brake() {

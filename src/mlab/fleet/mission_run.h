@@ -163,6 +163,7 @@ class MissionRun {
   void note_deliveries();
   void tell(mission::effect::Tell::Kind kind, std::string text);
   void answer_calls();
+  void tell_faults();
   void explain_failures(std::uint32_t command);
 
   RunSettings settings_;

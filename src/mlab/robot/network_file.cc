@@ -12,14 +12,9 @@
 namespace mlab::robot {
 namespace {
 
-struct Parsed {
-  std::shared_ptr<const cnl::Tree> tree;
-  flow::Network network;
-};
-
-std::optional<Parsed> parse(const text::SourcePtr& source, text::Diagnostics& sink) {
+std::optional<NetworkFile> parse(const text::SourcePtr& source, text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
-  Parsed out;
+  NetworkFile out;
   out.tree = std::make_shared<const cnl::Tree>(cnl::load(source, sink));
   cnl::check_declarations(*out.tree, sink);
   out.network = cnl::elaborate(*out.tree, sink);
@@ -30,8 +25,8 @@ std::optional<Parsed> parse(const text::SourcePtr& source, text::Diagnostics& si
 
 }  // namespace
 
-std::shared_ptr<const flow::Program> load_network(const std::string& path, const text::Place& place,
-                                                  const ProgramSources& sources, text::Diagnostics& sink) {
+std::optional<NetworkFile> read_network(const std::string& path, const text::Place& place,
+                                        const ProgramSources& sources, text::Diagnostics& sink) {
   const std::filesystem::path file =
       std::filesystem::path(sources.folder) / path;  // an absolute path stays as it is
   text::Result<text::SourcePtr> source = text::read_source(file.string());
@@ -39,16 +34,25 @@ std::shared_ptr<const flow::Program> load_network(const std::string& path, const
     text::Diagnostic problem = source.error();
     problem.place = place;
     sink.report(std::move(problem));
-    return nullptr;
+    return std::nullopt;
   }
-  const std::optional<Parsed> parsed = parse(*source, sink);
-  if (!parsed) return nullptr;
-  const std::optional<flow::Library> library = library_with({&parsed->tree, 1}, sources, sink);
-  return library ? flow::build_program(parsed->network, *library, sink) : nullptr;
+  std::optional<NetworkFile> out = parse(*source, sink);
+  if (!out) return std::nullopt;
+  const std::optional<flow::Library> library = library_with({&out->tree, 1}, sources, sink);
+  if (!library) return std::nullopt;
+  out->program = flow::build_program(out->network, *library, sink);
+  if (!out->program) return std::nullopt;
+  return out;
+}
+
+std::shared_ptr<const flow::Program> load_network(const std::string& path, const text::Place& place,
+                                                  const ProgramSources& sources, text::Diagnostics& sink) {
+  const std::optional<NetworkFile> read = read_network(path, place, sources, sink);
+  return read ? read->program : nullptr;
 }
 
 void check_network(const text::SourcePtr& source, const ProgramSources& sources, text::Diagnostics& sink) {
-  const std::optional<Parsed> parsed = parse(source, sink);
+  const std::optional<NetworkFile> parsed = parse(source, sink);
   if (!parsed) return;
   // Nothing of the file is run: its C++ is read by the compiler, and the network is checked by what the
   // procedures say of themselves.

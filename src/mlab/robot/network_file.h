@@ -1,13 +1,27 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "mlab/flow/network.h"
 #include "mlab/flow/program.h"
+#include "mlab/lang/cnl/tree.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::robot {
+
+/// A CNL file whose network was built.
+struct NetworkFile {
+  std::shared_ptr<const cnl::Tree> tree;
+  flow::Network network;
+  std::shared_ptr<const flow::Program> program;
+};
+
+/// As `load_network`, with what the program was built from.
+std::optional<NetworkFile> read_network(const std::string& path, const text::Place& place,
+                                        const ProgramSources& sources, text::Diagnostics& sink);
 
 /// Builds the program of a robot that is written in CNL. Procedures that the file brings itself are compiled
 /// and loaded.

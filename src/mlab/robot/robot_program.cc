@@ -11,6 +11,7 @@
 
 #include "mlab/library/library.h"
 #include "mlab/robot/configuration_file.h"
+#include "mlab/robot/native_program.h"
 #include "mlab/robot/network_file.h"
 
 namespace mlab::robot {
@@ -83,6 +84,15 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
       robot.program = std::move(configured->program);
       robot.body = std::move(configured->lowered.body);
     }
+  } else if (is_executable(name, sources)) {
+    if (sources.allow_native)
+      return load_native_program(std::move(robot), place, settings, sources, known_keys, sink);
+    text::Diagnostic& d =
+        sink.warning("native-program", place,
+                     fmt::format("the executable `{}` is not run without being allowed to", name));
+    d.label = "robots of this type stand parked";
+    d.hints.emplace_back("where you trust it, say `--allow-native`");
+    return robot;
   } else {
     text::Diagnostic& d = sink.warning("unknown-program", place,
                                        fmt::format("nothing here answers to the robot program `{}`", name));

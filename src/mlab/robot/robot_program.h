@@ -22,6 +22,8 @@ struct Setting {
   text::Place place;  ///< of the key
 };
 
+struct NativeProgram;
+
 /// The program of one robot type, with the type's parameters set. Shared by all robots of the type.
 struct RobotProgram {
   std::string name;  ///< as the mission writes it
@@ -30,6 +32,10 @@ struct RobotProgram {
   flow::Frame initial;                 ///< values before the first cycle
   std::string type;                    ///< the robot type that it was built for
   std::map<std::string, double> body;  ///< what a configuration says of the body: `radius`, ... in SI units
+  std::shared_ptr<const NativeProgram> native = nullptr;  ///< runs in processes of its own; then no `program`
+
+  /// Somebody answers to the name.
+  bool can_run() const { return program != nullptr || native != nullptr; }
 };
 
 /// What finding a program may use.
@@ -38,14 +44,18 @@ struct ProgramSources {
   std::string
       include_root;     ///< where "mlab/schema/procedure.h" is found, for procedures of the mission's own
   std::string version;  ///< of this program: code compiled for another one is not used again
+  bool allow_native = false;  ///< executables that a mission names may be run
+  double native_patience =
+      5.0;  ///< how long one of those may take for an answer, by the clock on the wall [s]
 };
 
 /// Finds and builds the program of a robot type and sets its parameters.
 ///
 /// A program is told by the last part of its name: `robot`, `mlab-2.0-robot` and `tmr_robot-1998` mean the
 /// standard robot; `x.cnl` and `x.cdl` are compiled, and of a configuration `x.cdl#Robot` means one robot.
-/// Nothing else is ever executed: an unknown name is a warning and gives a parked robot. A parameter that the
-/// program does not have is a warning with the nearest name; one with a value that it can't take is an error.
+/// An executable is run only where `sources` allow it. Everything else is a warning and gives a parked robot.
+/// A parameter that the program does not have is a warning with the nearest name; one with a value that it
+/// can't take is an error.
 /// @param name   as the mission writes it, at `place`
 /// @param known_keys  parameter names that somebody else takes (the vehicle)
 /// @param built  the program of that name, where it has been built before; it is not built again then

@@ -41,8 +41,9 @@ std::optional<std::string> take(const Program& program, const wire::Setting& set
 
 }  // namespace
 
-Conversation::Conversation(std::shared_ptr<const Program> program, std::string version)
-    : program_(std::move(program)), version_(std::move(version)) {}
+Conversation::Conversation(std::shared_ptr<const Program> program, std::string version,
+                           std::map<std::string, double> body)
+    : program_(std::move(program)), version_(std::move(version)), body_(std::move(body)) {}
 
 const wire::FromRobot& Conversation::answer(std::string_view bytes) {
   answer_.clear_body();
@@ -108,6 +109,7 @@ void Conversation::answer(const wire::Describe& describe) {
       if (auto problem = take(*program_, setting, frame)) result.set_problem(std::move(*problem));
     }
   }
+  for (const auto& [name, value] : body_) (*out.mutable_body())[name] = value;
   for (const Port& port : program_->ports()) {
     wire::Port& described = *out.add_ports();
     described.set_path(port.path);

@@ -19,7 +19,9 @@ namespace mlab::robot_process {
 class Conversation {
  public:
   /// @param version  of the missionlab that the executable was made with
-  Conversation(std::shared_ptr<const flow::Program> program, std::string version);
+  /// @param body     what the configuration says of the body, in SI units
+  Conversation(std::shared_ptr<const flow::Program> program, std::string version,
+               std::map<std::string, double> body = {});
 
   /// The answer to one message, valid until the next call. Bytes that are no message, and messages that make
   /// no sense, are answered by a Problem and change nothing.
@@ -44,6 +46,7 @@ class Conversation {
 
   std::shared_ptr<const flow::Program> program_;
   std::string version_;
+  std::map<std::string, double> body_;
   std::map<std::uint32_t, Robot> robots_;
   wire::ToRobot message_;
   wire::FromRobot answer_;

@@ -25,14 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string cache_folder(const NativeOptions& options) {
-  if (!options.cache_folder.empty()) return options.cache_folder;
-  // NOLINTBEGIN(concurrency-mt-unsafe): nobody sets them here
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
-    return std::string(cache) + "/mlab";
-  if (const char* home = std::getenv("HOME"); home && *home == '/') return std::string(home) + "/.cache/mlab";
-  // NOLINTEND(concurrency-mt-unsafe)
-  std::error_code failure;
-  return (fs::temp_directory_path(failure) / fmt::format("mlab-{}", getuid())).string();
+  return options.cache_folder.empty() ? default_cache_folder() : options.cache_folder;
 }
 
 // Size and time of change: enough to see that a file is another one.
@@ -263,6 +256,16 @@ class NativeBuild {
 };
 
 }  // namespace
+
+std::string default_cache_folder() {
+  // NOLINTBEGIN(concurrency-mt-unsafe): nobody sets them here
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
+    return std::string(cache) + "/mlab";
+  if (const char* home = std::getenv("HOME"); home && *home == '/') return std::string(home) + "/.cache/mlab";
+  // NOLINTEND(concurrency-mt-unsafe)
+  std::error_code failure;
+  return (fs::temp_directory_path(failure) / fmt::format("mlab-{}", getuid())).string();
+}
 
 bool has_procedures(const Tree& tree) {
   const std::vector<const Procedure*> all = items_of<Procedure>(tree);

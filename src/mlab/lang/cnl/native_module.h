@@ -20,6 +20,9 @@ struct NativeOptions {
   ProcessLimits limits;
 };
 
+/// `$XDG_CACHE_HOME/mlab`, or `~/.cache/mlab`: where compiled code is kept.
+std::string default_cache_folder();
+
 /// True where the file has procedures of its own, which only a C++ compiler can make run.
 bool has_procedures(const Tree& tree);
 

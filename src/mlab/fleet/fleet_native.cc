@@ -1,0 +1,54 @@
+// What a fleet does with robots whose programs run in processes of their own.
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/fleet/fleet.h"
+
+namespace mlab::fleet {
+
+void Fleet::run_lock_step() {
+  lock_step_.exchange();
+  for (FleetRobot& robot : robots_) {
+    if (robot.life != RobotLife::kRunning || !robot.program->native) continue;
+    const LockStep::Result& result = lock_step_.result(robot.lock_step);
+    robot.action = result.action;
+    robot.fault = result.fault;
+    if (result.failure.empty()) {
+      check_action(robot);
+      continue;
+    }
+    robot.failure = result.failure;
+    robot.life = RobotLife::kFaulted;
+    robot.action.drives = true;  // tells step() that this fault is new
+  }
+}
+
+std::optional<std::string> Fleet::set_native_parameter(FleetRobot& robot, std::string_view path,
+                                                       const std::string& value) {
+  const robot::NativeProgram& native = *robot.program->native;
+  const wire::Port* port = native.find(path);
+  if (port == nullptr) return fmt::format("the program of robot {} has no `{}`", robot.id.value, path);
+  if (robot.lock_step == LockStep::kNone) return fmt::format("robot {} has not started", robot.id.value);
+  if (auto problem = lock_step_.set(robot.lock_step, port->path(), value)) return problem;
+  int index = 0;
+  while (&native.description.ports(index) != port) ++index;
+  robot.set_parameters[static_cast<std::uint32_t>(index)] = value;
+  return std::nullopt;
+}
+
+void Fleet::take_over_native_parameters(FleetRobot& robot, const robot::NativeProgram& after) {
+  if (robot.lock_step == LockStep::kNone || robot.life != RobotLife::kRunning) return;
+  for (const wire::Port& port : after.description.ports()) {
+    const wire::Port* before = robot.program->native->find(port.path());
+    if (port.role() == wire::Port::OUTPUT || before == nullptr ||
+        before->value().text() == port.value().text())
+      continue;
+    // It is a value that the new version's own process took: the old process takes it as well, or is another
+    // version, and keeps what it has.
+    static_cast<void>(lock_step_.set(robot.lock_step, port.path(), port.value().text()));
+  }
+}
+
+}  // namespace mlab::fleet

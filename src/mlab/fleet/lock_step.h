@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/flow/program.h"
+#include "mlab/percept/action.h"
+#include "mlab/percept/percepts.h"
+#include "mlab/robot/native_program.h"
+
+namespace mlab::fleet {
+
+/// The robots of a run whose programs run in processes of their own. All robots of one executable share a few
+/// processes, which compute a cycle side by side, and the run waits for all of them: results are the same for
+/// any number.
+///
+/// Per cycle: `begin`; `join` and then `percepts` for each robot that runs (`percepts` on any thread);
+/// `exchange`; `result` for each of them.
+class LockStep {
+ public:
+  /// @param most  processes for each executable, >= 1
+  LockStep(int most, std::uint64_t seed) : most_(most), seed_(seed) {}
+
+  /// A robot among those of the run.
+  using Member = std::uint32_t;
+  static constexpr Member kNone = 0xffffffffU;
+
+  /// Brings a robot to life with the settings of its type and then its own; a process that has failed is
+  /// started again.
+  /// @param member  of the robot, where it lived before; else kNone
+  /// @errors  what the process did instead
+  std::expected<Member, std::string> start(Member member, std::uint32_t robot,
+                                           const std::shared_ptr<const robot::NativeProgram>& program,
+                                           const robot_host::Settings& own);
+  /// What the robot's next cycle may read.
+  const flow::Needs& needs(Member member) const { return members_[member].needs; }
+  /// @errors  a sentence that says what is wrong
+  std::optional<std::string> set(Member member, const std::string& port, const std::string& value);
+
+  void begin();
+  void join(Member member);
+  /// Tells what the robot perceives in this cycle.
+  void percepts(Member member, const percept::Percepts& percepts);
+  void exchange();
+
+  struct Result {
+    percept::Action action;
+    std::string fault;    ///< path of the port that holds no number; empty: all is well
+    std::string failure;  ///< what the process did instead of acting; empty: it acted
+  };
+  const Result& result(Member member) const { return members_[member].result; }
+
+ private:
+  struct Process {
+    std::string executable;
+    std::optional<robot_host::RobotProgramProcess> running;
+    wire::ToRobot cycle;
+    std::vector<Member> joined;
+    bool is_asked = false;
+  };
+  struct MemberState {
+    std::uint32_t robot = 0;
+    std::size_t process = 0;
+    int place = 0;  // in the cycle's message
+    flow::Needs needs;
+    Result result;
+  };
+  std::size_t process_for(const std::string& executable);
+  void take(Process& process, const wire::Actions& actions);
+
+  int most_;
+  std::uint64_t seed_;
+  std::vector<Process> processes_;
+  std::vector<MemberState> members_;
+};
+
+}  // namespace mlab::fleet

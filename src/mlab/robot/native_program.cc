@@ -1,0 +1,97 @@
+#include "mlab/robot/native_program.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace mlab::robot {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path path_of(const std::string& name, const ProgramSources& sources) {
+  std::error_code failure;
+  return fs::weakly_canonical(fs::absolute(fs::path(sources.folder) / name, failure), failure);
+}
+
+void say_results(const NativeProgram& native, std::span<const Setting> asked, const std::string& program,
+                 const std::vector<std::string>& known_keys, text::Diagnostics& sink) {
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const wire::SettingResult& result = native.description.results(static_cast<int>(i));
+    if (!result.problem().empty()) sink.error("bad-parameter", asked[i].place, result.problem());
+    if (!result.is_unknown()) continue;
+    std::vector<std::string> names = known_keys;
+    for (const wire::Port& port : native.description.ports()) {
+      if (port.role() == wire::Port::PARAMETER) names.push_back(port.path());
+    }
+    text::Diagnostic& d =
+        sink.warning("unknown-parameter", asked[i].place,
+                     fmt::format("program `{}` has no parameter `{}`", program, asked[i].key));
+    const std::string nearest = text::nearest_name(asked[i].key, names);
+    if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+  }
+}
+
+// Those that the program did not know would be refused at every start.
+void drop_unknown(NativeProgram& native) {
+  robot_host::Settings known;
+  for (std::size_t i = 0; i < native.settings.size(); ++i) {
+    if (!native.description.results(static_cast<int>(i)).is_unknown())
+      known.push_back(std::move(native.settings[i]));
+  }
+  native.settings = std::move(known);
+}
+
+}  // namespace
+
+const wire::Port* NativeProgram::find(std::string_view path) const {
+  const auto at =
+      std::ranges::find_if(description.ports(), [&](const wire::Port& port) { return port.path() == path; });
+  return at == description.ports().end() ? nullptr : &*at;
+}
+
+bool is_executable(const std::string& name, const ProgramSources& sources) {
+  std::error_code failure;
+  const fs::path path = path_of(name, sources);
+  return fs::is_regular_file(path, failure) && access(path.c_str(), X_OK) == 0;
+}
+
+std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::Place& place,
+                                                std::span<const Setting> settings,
+                                                const ProgramSources& sources,
+                                                const std::vector<std::string>& known_keys,
+                                                text::Diagnostics& sink) {
+  const std::size_t errors_before = sink.error_count();
+  auto native = std::make_shared<NativeProgram>();
+  native->limits.answer = sources.native_patience;
+  native->executable = path_of(robot.name, sources).string();
+  std::vector<Setting> asked;
+  for (const Setting& setting : settings) {
+    if (std::ranges::find(known_keys, setting.key) != known_keys.end()) continue;
+    asked.push_back(setting);
+    native->settings.emplace_back(setting.key, setting.value);
+  }
+  auto description = robot_host::describe(native->executable, native->settings, native->limits);
+  if (!description) {
+    text::Diagnostic& d =
+        sink.error("bad-robot-program", place,
+                   fmt::format("`{}` is no robot program: it {}", robot.name, description.error()));
+    d.hints.emplace_back("`mlab build` makes robot programs out of configurations");
+    return std::nullopt;
+  }
+  native->description = std::move(*description);
+  say_results(*native, asked, robot.name, known_keys, sink);
+  drop_unknown(*native);
+  if (sink.error_count() > errors_before) return std::nullopt;
+  robot.body.insert(native->description.body().begin(), native->description.body().end());
+  robot.native = std::move(native);
+  return robot;
+}
+
+}  // namespace mlab::robot

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mlab/robot/robot_program.h"
+#include "mlab/robot_host/robot_program_process.h"
+
+namespace mlab::robot {
+
+/// A robot program in an executable, that runs in processes of its own.
+struct NativeProgram {
+  std::string executable;         ///< absolute path
+  robot_host::Settings settings;  ///< of the robot type; every robot starts with them
+  wire::Description description;  ///< with these settings
+  robot_host::Limits limits;
+
+  /// Null where there is none of that path.
+  const wire::Port* find(std::string_view path) const;
+};
+
+/// Whether the name means an executable file, relative to the mission's folder.
+bool is_executable(const std::string& name, const ProgramSources& sources);
+
+/// Starts the executable that `robot.name` means to ask what it is, and checks the type's settings.
+/// @return  nothing where there were errors: `bad-robot-program` where it is no robot program, and those of
+///          parameters
+std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::Place& place,
+                                                std::span<const Setting> settings,
+                                                const ProgramSources& sources,
+                                                const std::vector<std::string>& known_keys,
+                                                text::Diagnostics& sink);
+
+}  // namespace mlab::robot

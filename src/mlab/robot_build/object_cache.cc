@@ -1,0 +1,118 @@
+#include "mlab/robot_build/object_cache.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/base/hash.h"
+
+namespace mlab::robot_build {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Size and time of change: enough to see that a file is another one.
+std::string state_of(const std::string& path) {
+  std::error_code failure;
+  const auto size = fs::file_size(path, failure);
+  if (failure) return path + " is gone";
+  return fmt::format("{} {} {}", path, size, fs::last_write_time(path, failure).time_since_epoch().count());
+}
+
+std::string read_text(const std::string& path) {
+  const std::ifstream file(path, std::ios::binary);
+  std::ostringstream out;
+  out << file.rdbuf();
+  return out.str();
+}
+
+// The headers of a list of dependencies, as compilers write it.
+std::vector<std::string> headers_of(const std::string& dependencies) {
+  std::istringstream words(dependencies);
+  std::vector<std::string> out;
+  std::string word;
+  while (words >> word) {
+    if (word != "\\" && !word.ends_with(':')) out.push_back(word);
+  }
+  return out;
+}
+
+}  // namespace
+
+ObjectCache::ObjectCache(std::string folder, std::string compiler, std::string version,
+                         cnl::ProcessLimits limits)
+    : folder_(std::move(folder)),
+      compiler_(std::move(compiler)),
+      version_(std::move(version)),
+      limits_(limits) {
+  std::error_code ignored;  // what can't be written there is said where it is
+  fs::create_directories(folder_, ignored);
+}
+
+// Ends with the state of all headers; which those are, the first compilation said.
+std::string ObjectCache::path_of(const std::string& key) const {
+  const std::vector<std::string> headers = headers_of(read_text(folder_ + "/" + key + ".d"));
+  if (headers.empty()) return "";
+  std::uint64_t h = base::hash_text("");
+  for (const std::string& header : headers) h = base::combine_bits(h, base::hash_text(state_of(header)));
+  return fmt::format("{}/{}-{:016x}.o", folder_, key, h);
+}
+
+ObjectCache::Object ObjectCache::get(const std::string& name, const std::string& text,
+                                     const std::vector<std::string>& flags) const {
+  std::uint64_t h = base::hash_text(text);
+  for (const std::string& flag : flags) h = base::combine_bits(h, base::hash_text(flag));
+  h = base::combine_bits(h, base::hash_text(version_));
+  h = base::combine_bits(h, base::hash_text(state_of(compiler_)));
+  const std::string key = fmt::format("{}-{:016x}", name, h);
+  Object out;
+  out.path = path_of(key);
+  std::error_code failure;
+  if (!out.path.empty() && fs::exists(out.path, failure)) {
+    out.compiler.output = read_text(out.path + ".txt");
+    return out;
+  }
+  static std::atomic<unsigned> count{0};
+  // For this process alone, so that two that build the same do not disturb each other. The text comes on
+  // its own, because its name would stand among the dependencies.
+  const std::string own = fmt::format("{}/{}.{}.{}", folder_, key, getpid(), count++);
+  out.was_compiled = true;
+  out.path.clear();
+  std::ofstream file(own + ".cc", std::ios::binary);
+  file << text;
+  file.close();
+  if (file) {
+    std::vector<std::string> words = {compiler_};
+    words.insert(words.end(), flags.begin(), flags.end());
+    for (const char* word : {"-MMD", "-MT", "x", "-MF"}) words.emplace_back(word);
+    words.insert(words.end(), {own + ".d", "-c", own + ".cc", "-o", own + ".o"});
+    out.compiler = cnl::run_process(words, limits_);
+    if (out.compiler.end == cnl::ProcessResult::End::kExited && out.compiler.status == 0) {
+      std::string dependencies = read_text(own + ".d");
+      if (const std::size_t at = dependencies.find(own + ".cc"); at != std::string::npos)
+        dependencies.erase(at, own.size() + 3);
+      std::ofstream(own + ".d", std::ios::binary | std::ios::trunc) << dependencies;
+      fs::rename(own + ".d", folder_ + "/" + key + ".d", failure);
+      out.path = path_of(key);
+      if (!out.compiler.output.empty())
+        std::ofstream(out.path + ".txt", std::ios::binary) << out.compiler.output;
+      if (!failure) fs::rename(own + ".o", out.path, failure);
+      if (failure) out.failure = fmt::format("cannot write into `{}`: {}", folder_, failure.message());
+    }
+  } else {
+    out.failure = fmt::format("cannot write `{}.cc`", own);
+  }
+  std::error_code ignored;
+  for (const char* end : {".cc", ".d", ".o"}) fs::remove(own + end, ignored);
+  return out;
+}
+
+}  // namespace mlab::robot_build

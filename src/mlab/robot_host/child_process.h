@@ -1,0 +1,53 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <expected>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mlab::robot_host {
+
+using Clock = std::chrono::steady_clock;
+
+/// An executable that runs, without a shell, in a process group of its own. It ends with this object: its
+/// standard input is closed, and where that does not move it, it is killed with all that it started.
+class ChildProcess {
+ public:
+  /// @errors  why it can't be started, as the system says it
+  static std::expected<ChildProcess, std::string> start(const std::string& executable);
+
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&& other) noexcept;
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess();
+
+  enum class Io { kDone, kEnded, kTimedOut };
+  /// Writes all of it. kEnded: nobody reads.
+  Io write(std::string_view bytes, Clock::time_point deadline);
+  /// Waits for some bytes and says how many came.
+  Io read(std::span<char> room, std::size_t& count, Clock::time_point deadline);
+
+  /// Ends it, kindly at first. @return how it ended, for a person: `exit status 3`, `signal 11 (Segmentation
+  /// fault)`
+  std::string end(double patience);
+  /// The last words of its standard error, one line; empty: it said nothing.
+  std::string last_words();
+
+ private:
+  ChildProcess() = default;
+  void take_errors();
+  void close_all();
+
+  pid_t pid_ = -1;  // -1: it is no more
+  int in_ = -1;     // our end of its standard input
+  int out_ = -1;
+  int err_ = -1;
+  std::string errors_;  // the end of what it said
+};
+
+}  // namespace mlab::robot_host

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mlab/robot.pb.h"
+#include "mlab/robot_host/child_process.h"
+#include "mlab/robot_wire/framing.h"
+
+namespace mlab::robot_host {
+
+/// How long a robot program may take, by the clock on the wall [s].
+struct Limits {
+  double start = 10.0;  ///< from its start to its Welcome
+  double answer = 5.0;  ///< to anything else
+};
+
+/// Something that a person wants of a program: path of the port, value as written.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// A robot program that runs. One that failed stays failed: nothing is sent to it any more.
+class RobotProgramProcess {
+ public:
+  /// Starts the executable and has it say Welcome.
+  /// @errors  a sentence that says what it did instead
+  static std::expected<RobotProgramProcess, std::string> start(const std::string& executable, Limits limits);
+
+  /// Sends without waiting for the answer, which has to be received before anything else is sent.
+  void send(const wire::ToRobot& message);
+  /// The answer to what was sent last; null where the program failed. A Problem is a failure. Valid until the
+  /// next call.
+  const wire::FromRobot* receive(wire::FromRobot::BodyCase wanted);
+  /// Both.
+  const wire::FromRobot* ask(const wire::ToRobot& message, wire::FromRobot::BodyCase wanted) {
+    send(message);
+    return receive(wanted);
+  }
+
+  /// Ends it because of something that its owner saw.
+  void fail(std::string why);
+  bool has_failed() const { return !failure_.empty(); }
+  /// What it did: `ended with signal 11 (Segmentation fault)`, `gave no answer for 5 s`. Empty: nothing.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  RobotProgramProcess(ChildProcess child, Limits limits) : child_(std::move(child)), limits_(limits) {}
+  Clock::time_point deadline() const;
+  void fail(ChildProcess::Io io);
+
+  ChildProcess child_;
+  Limits limits_;
+  double patience_ = 0.0;  // for the answer that is awaited [s]
+  Clock::time_point sent_;
+  robot_wire::FrameReader reader_;
+  std::string bytes_;
+  wire::FromRobot answer_;
+  std::string failure_;
+};
+
+/// What an executable says of itself, with these settings.
+/// @errors  a sentence that says what it did instead
+std::expected<wire::Description, std::string> describe(const std::string& executable,
+                                                       const Settings& settings, Limits limits);
+
+}  // namespace mlab::robot_host

@@ -1,0 +1,211 @@
+// Robots whose programs are executables, in a mission: their run is the run of the embedded program, and
+// whatever an executable does, the mission goes on.
+
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mlab/fleet/mission_run.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/robot/network_file.h"
+#include "mlab/robot_build/executable.h"
+
+namespace mlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWalker = R"(
+parameter double [m/s] pace = 2 in 0 .. 10;
+node order_goal is GetOrderGoal with nend
+node goal is DetectGoal with goal = order_goal; nend
+node to_goal is MoveToGoal with goal = goal; success_radius = 1; nend
+node obstacles is DetectObstacles with range = 20; nend
+node from_obstacles is AvoidStaticObstacles with readings = obstacles; sphere = 8; safety_margin = 1; nend
+node others is DetectRobots with range = 10; nend
+node from_others is AvoidRobots with readings = others; sphere = 6; min_range = 1; nend
+node noise is Noise with persistence = 2; nend
+node sum is WeightedSum with
+  members = to_goal; members = from_obstacles; members = from_others; members = noise;
+  gains = 1; gains = 1.5; gains = 1; gains = 0.3;
+nend
+node wheels is Drive with v = sum; base_velocity = pace; max_velocity = 5; nend
+)";
+
+/// A mission with five robots in a folder of its own, and the executable of their program.
+class RobotProgramsTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fs::path(testing::TempDir()) / ("mlab_robot_programs_test_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "walker.cnl") << kWalker;
+    std::ofstream(folder_ / "map.odl")
+        << "SITE Test\nMISSION-AREA 300 200\nCONTROL MEASURES:\nPP Here 30 100\n"
+           "PP There 270 100\nOBSTACLE 120 103 6\nOBSTACLE 170 95 8\n";
+    text::Diagnostics sink;
+    const auto read = robot::read_network((folder_ / "walker.cnl").string(), {}, {}, sink);
+    ASSERT_TRUE(read) << text::render(sink);
+    robot_build::RobotSource source;
+    source.name = "walker";
+    source.network = read->network;
+    robot_build::Toolchain toolchain;
+    toolchain.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+    toolchain.link_file = MLAB_LINK_FILE;
+    toolchain.cache_folder = (folder_ / "cache").string();
+    ASSERT_TRUE(robot_build::build_executable(robot_build::emit_cpp(source), (folder_ / "walker").string(),
+                                              toolchain, sink))
+        << text::render(sink);
+  }
+  static void TearDownTestSuite() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+  static std::string script(const std::string& name, const std::string& lines) {
+    std::ofstream(folder_ / name) << "#!/bin/sh\n" << lines << "\n";
+    fs::permissions(folder_ / name, fs::perms::owner_all);
+    return "./" + name;
+  }
+  std::unique_ptr<fleet::MissionRun> prepare(const std::string& program, int threads,
+                                             const std::string& parameters = "(pace 3)",
+                                             bool allow_native = true) {
+    std::ofstream(folder_ / "m.mdl")
+        << "MISSION NAME Test\nOVERLAY map.odl\nNEW-ROBOT walker \"" << program << "\" " << parameters
+        << "\nUNIT <u> walker walker walker walker walker\nCOMMAND LIST:\n0. UNIT u START Here 0 10\n"
+           "1. UNIT u MOVETO There\n";
+    sink_ = {};
+    const auto mission = mdl::load_mission((folder_ / "m.mdl").string(), sink_, {1, {}});
+    if (!mission) return nullptr;
+    fleet::RunSettings settings;
+    settings.seed = 5;
+    settings.threads = threads;
+    settings.executive.proceed_all = true;
+    robot::ProgramSources sources{folder_.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
+    sources.allow_native = allow_native;
+    sources.native_patience = 1.0;
+    auto run = fleet::MissionRun::create(mission, sources, settings, sink_);
+    if (run) {
+      run->set_observer([this](const mission::Effect& effect) {
+        const auto* told = std::get_if<mission::effect::Tell>(&effect);
+        if (told != nullptr && told->kind == mission::effect::Tell::Kind::kWarning)
+          warnings_.push_back(told->text);
+      });
+    }
+    return run;
+  }
+  // Where all robots are, cycle by cycle.
+  static std::vector<geom::Pose> ways(fleet::MissionRun& run, int cycles) {
+    std::vector<geom::Pose> out;
+    run.post(mission::event::Execute{});
+    for (int i = 0; i < cycles && run.step() == fleet::MissionRun::Progress::kStepped; ++i) {
+      for (const fleet::FleetRobot& robot : run.fleet().robots()) out.push_back(run.fleet().pose(robot));
+    }
+    return out;
+  }
+  // What a run tells whose robots' program is this.
+  std::vector<std::string> told_of(const std::string& program, int cycles = 60) {
+    warnings_.clear();
+    const auto run = prepare(program, 1);
+    EXPECT_TRUE(run) << text::render(sink_);
+    if (!run) return {};
+    EXPECT_EQ(ways(*run, cycles).size(), static_cast<std::size_t>(5 * cycles)) << "the run goes on";
+    for (const fleet::FleetRobot& robot : run->fleet().robots())
+      EXPECT_EQ(robot.life, fleet::RobotLife::kFaulted);
+    EXPECT_FALSE(run->fleet().is_moving());
+    return warnings_;
+  }
+
+  static fs::path folder_;
+  text::Diagnostics sink_;
+  std::vector<std::string> warnings_;
+};
+
+fs::path RobotProgramsTest::folder_;
+
+TEST_F(RobotProgramsTest, RunAsTheEmbeddedProgramBitForBit) {
+  const auto embedded = prepare("walker.cnl", 1);
+  ASSERT_TRUE(embedded) << text::render(sink_);
+  const std::vector<geom::Pose> expected = ways(*embedded, 400);
+  ASSERT_EQ(expected.size(), 2000U);
+  ASSERT_GT(geom::distance(expected.front().position, expected[1995].position), 50.0);
+  for (const int threads : {1, 3}) {
+    const auto native = prepare("./walker", threads);
+    ASSERT_TRUE(native) << text::render(sink_);
+    EXPECT_EQ(ways(*native, 400), expected) << threads << " threads";
+    EXPECT_TRUE(warnings_.empty());
+  }
+}
+
+TEST_F(RobotProgramsTest, TakeParametersWhileTheyRun) {
+  const auto embedded = prepare("walker.cnl", 1);
+  const auto native = prepare("./walker", 2);
+  ASSERT_TRUE(embedded && native);
+  std::vector<std::vector<geom::Pose>> all;
+  for (fleet::MissionRun* run : {embedded.get(), native.get()}) {
+    ways(*run, 50);
+    EXPECT_EQ(run->set_parameter({2}, "pace", "0.5"), std::nullopt);
+    EXPECT_EQ(run->set_parameter({2}, "obstacles.range", "3"), std::nullopt);
+    EXPECT_EQ(run->set_parameter({2}, "pace", "fast"), "`fast` is no double");
+    EXPECT_TRUE(run->set_parameter({2}, "peace", "1"));
+    std::vector<geom::Pose>& poses = all.emplace_back();
+    for (int i = 0; i < 100; ++i) {
+      run->step();
+      for (const fleet::FleetRobot& robot : run->fleet().robots()) poses.push_back(run->fleet().pose(robot));
+    }
+  }
+  EXPECT_EQ(all[0], all[1]);
+}
+
+TEST_F(RobotProgramsTest, AreNotRunUnlessThatIsAllowed) {
+  const auto run = prepare("./walker", 1, "", false);
+  ASSERT_TRUE(run);
+  ASSERT_EQ(sink_.warning_count(), 1U);
+  EXPECT_EQ(sink_.items()[0].kind, "native-program");
+  EXPECT_EQ(sink_.items()[0].hints, (std::vector<std::string>{"where you trust it, say `--allow-native`"}));
+  ways(*run, 10);
+  EXPECT_EQ(run->fleet().robots()[0].life, fleet::RobotLife::kParked);
+}
+
+TEST_F(RobotProgramsTest, AreCheckedBeforeTheRun) {
+  EXPECT_FALSE(prepare(script("no_robot", "echo hello"), 1));
+  ASSERT_EQ(sink_.error_count(), 1U);
+  EXPECT_EQ(sink_.items()[0].kind, "bad-robot-program");
+  EXPECT_TRUE(sink_.items()[0].place.source) << "at the place in the mission";
+  EXPECT_FALSE(prepare("./walker", 1, "(pace 11)"));
+  EXPECT_EQ(sink_.items()[0].message, "11 is out of range: `pace` takes 0 .. 10 m/s");
+  EXPECT_TRUE(prepare("./walker", 1, "(peace 1)"));
+  ASSERT_EQ(sink_.warning_count(), 1U);
+  EXPECT_EQ(sink_.items()[0].hints, (std::vector<std::string>{"did you mean `pace`?"}));
+}
+
+TEST_F(RobotProgramsTest, ThatEndInTheMiddleLeaveTheirRobotsStanding) {
+  const auto told = told_of(script("dies", "head -c 20000 | ./walker; echo battery empty >&2; exit 7"));
+  ASSERT_EQ(told.size(), 5U);
+  EXPECT_EQ(told[0], "robot 1 stands: its program `./dies` ended with exit status 7, saying: battery empty");
+}
+
+TEST_F(RobotProgramsTest, ThatHangLeaveTheirRobotsStandingAfterTheirTime) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto told = told_of(script("hangs", "head -c 20000 | ./walker; sleep 100"));
+  ASSERT_EQ(told.size(), 5U);
+  EXPECT_EQ(told[0], "robot 1 stands: its program `./hangs` gave no answer for 1 s");
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+}
+
+TEST_F(RobotProgramsTest, ThatTalkNonsenseLeaveTheirRobotsStanding) {
+  const auto told = told_of(script("raves", "head -c 20000 | ./walker; yes nonsense"));
+  ASSERT_EQ(told.size(), 5U);
+  EXPECT_EQ(
+      told[0],
+      "robot 1 stands: its program `./raves` writes something to its standard output that is no message of "
+      "the robot protocol");
+}
+
+}  // namespace
+}  // namespace mlab
