@@ -14,6 +14,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/version.h"
+#include "mlab/export/format.h"
 
 namespace mlab::cli {
 namespace {
@@ -141,7 +142,9 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
 void add_build(CLI::App& app, BuildOptions& o) {
   CLI::App* c = app.add_subcommand("build", "Compile the robot of a configuration.");
   c->add_option("file", o.file, "the configuration (.cdl)")->required()->type_name("FILE");
-  c->add_option("--emit", o.emit, "what to write")->capture_default_str()->check(CLI::IsMember({"cnl"}));
+  std::vector<std::string> formats = {"cnl"};
+  for (const exports::Format& format : exports::formats()) formats.emplace_back(format.name);
+  c->add_option("--emit", o.emit, "what to write")->capture_default_str()->check(CLI::IsMember(formats));
   c->add_option("--robot", o.robot,
                 "which robot of the file (default: the one of the file's name, or the only one)")
       ->type_name("NAME");
