@@ -30,6 +30,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"lang/cnl", {"text", "flow"}},
     {"lang/cdl", {"text", "flow", "lang/cnl"}},
     {"lang/cdl_historic", {"text", "flow", "lang/cdl"}},
+    {"export", {"flow", "lang/cdl"}},
     {"library", {"schema"}},
     {"robot", {"percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
     {"robot_build", {"robot"}},

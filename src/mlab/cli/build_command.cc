@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "mlab/cli/commands.h"
+#include "mlab/cli/export_command.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/version.h"
 #include "mlab/lang/cdl/emit_cnl.h"
@@ -24,17 +25,6 @@ namespace mlab::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// To the file that was asked for, or to standard output.
-int put(const std::string& text, const std::string& file) {
-  if (file.empty()) {
-    fmt::print("{}", text);
-    return kDone;
-  }
-  if (write_file(file, text)) return kDone;
-  fmt::print(stderr, "mlab build: {} can't be written\n", file);
-  return kBadInput;
-}
 
 std::optional<robot_build::RobotSource> configured(const BuildOptions& options, text::Diagnostics& sink) {
   const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
@@ -105,8 +95,14 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
 }  // namespace
 
 int build(const BuildOptions& options) {
-  text::Diagnostics sink;
   const fs::path path(options.file);
+  if (is_export(options.emit)) {
+    if (path.extension() != ".cnl") return export_configuration(options);
+    fmt::print(stderr, "mlab build: {} is a network; --emit {} is of a configuration (.cdl)\n", options.file,
+               options.emit);
+    return kBadInput;
+  }
+  text::Diagnostics sink;
   auto robot = path.extension() == ".cnl" ? networked(options, sink) : configured(options, sink);
   if (robot) {
     robot->name = path.stem().string();
@@ -116,8 +112,9 @@ int build(const BuildOptions& options) {
   if (robot && options.emit.empty()) return build_program(options, *robot, sink);
   fmt::print(stderr, "{}", text::render(sink));
   if (!robot) return kBadInput;
-  if (options.emit == "cpp") return put(robot_build::joined(robot_build::emit_cpp(*robot)), options.output);
-  return put(cdl::cnl_text(robot->network), options.output);
+  return put(options.emit == "cpp" ? robot_build::joined(robot_build::emit_cpp(*robot))
+                                   : cdl::cnl_text(robot->network),
+             options.output);
 }
 
 }  // namespace mlab::cli

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "mlab/cli/commands.h"
+#include "mlab/cli/export_command.h"
 #include "mlab/cli/version.h"
 
 namespace mlab::cli {
@@ -150,8 +151,10 @@ void add_build(CLI::App& app, BuildOptions& o) {
   c->add_option("file", o.file, "the configuration (.cdl), or a network (.cnl)")
       ->required()
       ->type_name("FILE");
-  c->add_option("--emit", o.emit, "what to write instead of an executable: cnl or cpp")
-      ->check(CLI::IsMember({"cnl", "cpp"}))
+  std::vector<std::string> formats = {"cnl", "cpp"};
+  for (const std::string& format : export_formats()) formats.push_back(format);
+  c->add_option("--emit", o.emit, "what to write instead of an executable")
+      ->check(CLI::IsMember(formats))
       ->type_name("WHAT");
   c->add_option("--robot", o.robot,
                 "which robot of the file (default: the one of the file's name, or the only one)")
