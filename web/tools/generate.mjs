@@ -6,11 +6,12 @@ import { fileURLToPath } from "node:url";
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const definitions = join(web, "..", "proto");
-const definition = join(definitions, "mlab", "console.proto");
 const generated = join(web, "generated");
-const result = join(generated, "mlab", "console_pb.ts");
 
-if (!existsSync(result) || statSync(result).mtimeMs < statSync(definition).mtimeMs) {
+for (const name of ["console", "designer"]) {
+  const definition = join(definitions, "mlab", `${name}.proto`);
+  const result = join(generated, "mlab", `${name}_pb.ts`);
+  if (existsSync(result) && statSync(result).mtimeMs >= statSync(definition).mtimeMs) continue;
   mkdirSync(generated, { recursive: true });
   const plugin = join(web, "node_modules", ".bin", "protoc-gen-es");
   execFileSync(
