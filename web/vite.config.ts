@@ -8,11 +8,23 @@ const handedOn = { target: server, changeOrigin: true };
 export default defineConfig({
   base: "./",
   plugins: [react()],
-  build: { outDir: "dist", target: "es2022", chunkSizeWarningLimit: 900 },
+  build: {
+    outDir: "dist",
+    target: "es2022",
+    // The layout's worker is large, and loaded only when something is to be laid out.
+    chunkSizeWarningLimit: 1600,
+    rolldownOptions: { input: { index: "index.html", designer: "designer.html" } },
+  },
   server: {
     host: "127.0.0.1",
     proxy: {
       "/session": { ...handedOn, ws: true, rewriteWsOrigin: true },
+      "/designer": {
+        ...handedOn,
+        ws: true,
+        rewriteWsOrigin: true,
+        bypass: (request) => (request.url?.startsWith("/designer?") ? undefined : request.url),
+      },
       "/picture": handedOn,
       "/stop": handedOn,
       "/report": handedOn,
@@ -23,6 +35,10 @@ export default defineConfig({
     projects: [
       { extends: true, test: { name: "core", environment: "node", include: ["core/**/*.test.ts"] } },
       { extends: true, test: { name: "console", environment: "happy-dom", include: ["console/**/*.test.{ts,tsx}"] } },
+      {
+        extends: true,
+        test: { name: "designer", environment: "happy-dom", include: ["designer/**/*.test.{ts,tsx}"] },
+      },
       {
         extends: true,
         test: {

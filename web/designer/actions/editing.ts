@@ -1,0 +1,230 @@
+// What is done to the selection: removed, copied, grouped, framed, moved.
+import { arrangeChange } from "../arrange/arrange.ts";
+import { onPitch } from "../arrange/elk.ts";
+import { canvasStore } from "../canvas/canvas_store.ts";
+import { isArranged, keepMoved, placesOf, sizesOf } from "../canvas/use_places.ts";
+import { disconnectChange, endOf } from "../canvas/wiring.ts";
+import type { Designer } from "../designer.ts";
+import { type ChangeInit, Drawing_Kind } from "../protocol.ts";
+import { transitionOf } from "../states/flow.ts";
+
+/** The selection by what it is. */
+export function parted(designer: Designer): {
+  nodes: string[];
+  notes: string[];
+  wires: string[];
+  transitions: string[];
+} {
+  const { drawing } = designer;
+  const parts = { nodes: [] as string[], notes: [] as string[], wires: [] as string[], transitions: [] as string[] };
+  if (!drawing) return parts;
+  const names = new Set([...drawing.nodes, ...drawing.states].map((one) => one.name));
+  const notes = new Set(drawing.notes.map((note) => note.id));
+  for (const id of designer.state.selection) {
+    if (names.has(id)) parts.nodes.push(id);
+    else if (notes.has(id)) parts.notes.push(id);
+    else if (drawing.kind === Drawing_Kind.STATES && transitionOf(drawing, id)) parts.transitions.push(id);
+    else parts.wires.push(id);
+  }
+  return parts;
+}
+
+export async function removeSelection(designer: Designer): Promise<void> {
+  const { page, selection } = designer.state;
+  const { nodes, notes, wires, transitions } = parted(designer);
+  const changes: ChangeInit[] = [];
+  for (const id of wires) {
+    const { node, row } = endOf(id);
+    if (!nodes.includes(node)) changes.push(disconnectChange(page, node, row));
+  }
+  // Later ones first: indices of those before them stay.
+  const ordered = transitions.map((id) => ({
+    from: id.slice(0, id.lastIndexOf("/")),
+    index: Number(id.slice(id.lastIndexOf("/") + 1)),
+  }));
+  for (const one of ordered.sort((a, b) => b.index - a.index)) {
+    if (!nodes.includes(one.from)) changes.push({ case: "removeTransition", value: { page, ...one } });
+  }
+  for (const id of notes) changes.push({ case: "setNote", value: { page, id, text: "" } });
+  if (nodes.length > 0) changes.push({ case: "remove", value: { page, nodes } });
+  if (changes.length === 0) return;
+  const name =
+    selection.length === 1 && nodes.length === 1
+      ? `remove ${nodes[0]}`
+      : nodes.length > 0
+        ? `remove ${nodes.length} nodes`
+        : "";
+  const answer = await designer.edit(name, ...changes);
+  if (!answer.ok) return;
+  designer.select([]);
+  designer.say(`Removed ${selection.length === 1 ? selection[0] : `${selection.length} things`}`);
+}
+
+/** CDL of the selected nodes. */
+async function textOf(designer: Designer): Promise<string> {
+  const { document, page } = designer.state;
+  const { nodes } = parted(designer);
+  if (nodes.length === 0) return "";
+  const answer = await designer.ask({ case: "copy", value: { document, page, nodes } });
+  return answer.result.case === "text" ? answer.result.value : "";
+}
+
+export async function copySelection(designer: Designer): Promise<boolean> {
+  const text = await textOf(designer);
+  if (text === "") return false;
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    designer.tell("The browser does not let the page write to the clipboard.");
+    return false;
+  }
+  designer.say("Copied");
+  return true;
+}
+
+export async function cutSelection(designer: Designer): Promise<void> {
+  if (await copySelection(designer)) await removeSelection(designer);
+}
+
+export async function paste(designer: Designer): Promise<void> {
+  let text = "";
+  try {
+    text = await navigator.clipboard.readText();
+  } catch {
+    designer.tell("The browser does not let the page read the clipboard. Ctrl V on the text does it.");
+    return;
+  }
+  await pasteText(designer, text);
+}
+
+export async function pasteText(designer: Designer, text: string): Promise<void> {
+  if (text.trim() === "") return;
+  const { pointer, view } = canvasStore.getState();
+  const isInside =
+    pointer.x > view.x && pointer.x < view.x + view.width && pointer.y > view.y && pointer.y < view.y + view.height;
+  const at = isInside ? pointer : { x: view.x + view.width / 2, y: view.y + view.height / 2 };
+  await designer.edit("paste", {
+    case: "paste",
+    value: { page: designer.state.page, text, x: onPitch(at.x), y: onPitch(at.y) },
+  });
+}
+
+export async function duplicate(designer: Designer): Promise<void> {
+  const text = await textOf(designer);
+  const { drawing } = designer;
+  const places = drawing && placesOf(drawing);
+  const first = parted(designer).nodes[0];
+  const at = first ? places?.get(first) : undefined;
+  if (text === "" || !at) return;
+  await designer.edit("duplicate", {
+    case: "paste",
+    value: { page: designer.state.page, text, x: at.x + 40, y: at.y + 40 },
+  });
+}
+
+/** By arrow keys; several strokes become one step of undo. */
+let pending: { dx: number; dy: number; timer: ReturnType<typeof setTimeout> } | null = null;
+
+export function nudge(designer: Designer, dx: number, dy: number): void {
+  const { drawing } = designer;
+  if (!drawing || drawing.isReadOnly) return;
+  clearTimeout(pending?.timer);
+  const sum = { dx: (pending?.dx ?? 0) + dx, dy: (pending?.dy ?? 0) + dy };
+  pending = { ...sum, timer: setTimeout(() => finish(designer, sum.dx, sum.dy), 350) };
+}
+
+function finish(designer: Designer, dx: number, dy: number): void {
+  pending = null;
+  const { drawing } = designer;
+  const places = drawing && placesOf(drawing);
+  if (!drawing || !places) return;
+  const { nodes, notes } = parted(designer);
+  const moved = [
+    ...nodes.flatMap((id) => {
+      const at = places.get(id);
+      return at ? [{ id, position: { x: at.x + dx, y: at.y + dy } }] : [];
+    }),
+    ...drawing.notes
+      .filter((note) => notes.includes(note.id))
+      .map((note) => ({ id: note.id, position: { x: note.x + dx, y: note.y + dy } })),
+  ];
+  if (moved.length === 0) return;
+  const { changes, places: now } = arrangeChange(drawing, moved, places, isArranged(drawing));
+  keepMoved(drawing, now);
+  void designer.edit(moved.length === 1 ? `move ${moved[0]!.id}` : `move ${moved.length} nodes`, ...changes);
+}
+
+export function addNote(designer: Designer): void {
+  const { view } = canvasStore.getState();
+  const at = { x: onPitch(view.x + view.width / 2 - 100), y: onPitch(view.y + 60) };
+  void designer.edit("add a comment", {
+    case: "setNote",
+    value: { page: designer.state.page, id: "", text: "Comment", width: 200, height: 80, ...at },
+  });
+}
+
+const kFrameRoom = 24;
+
+export function frameSelection(designer: Designer): void {
+  const { drawing } = designer;
+  const places = drawing && placesOf(drawing);
+  if (!drawing || !places) return;
+  const sizes = sizesOf(drawing);
+  const boxes = parted(designer).nodes.flatMap((id) => {
+    const at = places.get(id);
+    const size = sizes.get(id);
+    return at && size ? [{ ...at, right: at.x + size.width, bottom: at.y + size.height }] : [];
+  });
+  if (boxes.length === 0) return addFrameInView(designer);
+  const x = Math.min(...boxes.map((box) => box.x)) - kFrameRoom;
+  const y = Math.min(...boxes.map((box) => box.y)) - kFrameRoom - 20;
+  const width = Math.max(...boxes.map((box) => box.right)) + kFrameRoom - x;
+  const height = Math.max(...boxes.map((box) => box.bottom)) + kFrameRoom - y;
+  void designer.edit("add a frame", {
+    case: "setNote",
+    value: { page: designer.state.page, id: "", text: "Frame", x, y, width, height, isFrame: true },
+  });
+}
+
+function addFrameInView(designer: Designer): void {
+  const { view } = canvasStore.getState();
+  void designer.edit("add a frame", {
+    case: "setNote",
+    value: {
+      page: designer.state.page,
+      id: "",
+      text: "Frame",
+      x: onPitch(view.x + view.width / 4),
+      y: onPitch(view.y + view.height / 4),
+      width: onPitch(view.width / 2),
+      height: onPitch(view.height / 2),
+      isFrame: true,
+    },
+  });
+}
+
+/** The nearest node in a direction becomes the selected one. */
+export function walk(designer: Designer, dx: number, dy: number): void {
+  const { drawing } = designer;
+  const places = drawing && placesOf(drawing);
+  if (!drawing || !places || places.size === 0) return;
+  const from = parted(designer).nodes[0];
+  const at = from ? places.get(from) : undefined;
+  if (!at) {
+    designer.select([[...places.keys()][0]!]);
+    return;
+  }
+  let best = "";
+  let least = Number.POSITIVE_INFINITY;
+  for (const [name, to] of places) {
+    const along = (to.x - at.x) * dx + (to.y - at.y) * dy;
+    const across = Math.abs((to.x - at.x) * dy + (to.y - at.y) * dx);
+    if (name === from || along <= 0) continue;
+    const cost = along + 2 * across;
+    if (cost < least) [best, least] = [name, cost];
+  }
+  if (best) {
+    designer.select([best]);
+    designer.say(best);
+  }
+}

@@ -1,0 +1,275 @@
+import { ReactFlowProvider } from "@xyflow/react";
+import { lazy, type ReactNode, Suspense, useEffect } from "react";
+import { IconButton } from "../console/ui/controls.tsx";
+import { Commands, ShortcutSheet } from "./actions/dialogs.tsx";
+import { useShortcuts } from "./actions/use_shortcuts.ts";
+import { Canvas } from "./canvas/canvas.tsx";
+import { CanvasTools } from "./canvas/canvas_tools.tsx";
+import { type Designer, titleOf } from "./designer.ts";
+import Details from "./details/details.tsx";
+import { extensions } from "./extensions.ts";
+import { Banners } from "./files/banners.tsx";
+import { LibraryDialog, OpenDialog, SaveAsDialog } from "./files/dialogs.tsx";
+import { Fence } from "./files/fence.tsx";
+import { StartPage } from "./files/start_page.tsx";
+import { TopBar } from "./files/top_bar.tsx";
+import { DeclarationDialog, GroupDialog, ParameterDialog, RenameDialog } from "./pages/dialogs.tsx";
+import { EmptyHint } from "./pages/empty_hint.tsx";
+import { pageKey } from "./pages/pages.ts";
+import { Splitter } from "./pages/splitter.tsx";
+import { ConnectChooser } from "./palette/connect_chooser.tsx";
+import { PalettePanel } from "./palette/palette_panel.tsx";
+import { SearchPalette } from "./palette/search_palette.tsx";
+import { ProblemsPanel } from "./problems/problems_panel.tsx";
+import type { Shown } from "./state.ts";
+import { Tour } from "./tour/tour.tsx";
+import { DesignerContext, useDesigner, useDocument, useDrawing, usePart } from "./use.ts";
+import "@xyflow/react/dist/base.css";
+import "../console/styles/tokens.css";
+import "../console/styles/base.css";
+import "../console/styles/controls.css";
+import "../console/styles/shell.css";
+import "./styles/tokens.css";
+import "./styles/designer.css";
+import "./styles/canvas.css";
+
+const TextPane = lazy(() => import("./text/text_pane.tsx"));
+
+export function App({ designer }: { designer: Designer }) {
+  return (
+    <DesignerContext value={designer}>
+      <Page />
+    </DesignerContext>
+  );
+}
+
+function Page() {
+  const designer = useDesigner();
+  const document = usePart((state) => state.document);
+  useTheme();
+  useShortcuts(designer);
+  useTitle();
+  return (
+    <div className="app designer">
+      <TopBar />
+      <Banners />
+      {document === "" ? <StartPage /> : <Work />}
+      <Dialogs />
+      <Spoken />
+    </div>
+  );
+}
+
+function Work() {
+  const shown = usePart((state) => state.shown);
+  const Live = extensions.live;
+  return (
+    <>
+      <div className="work">
+        {shown.palette && (
+          <Side name="palette" title="Components" width="paletteWidth" side="left">
+            <PalettePanel />
+          </Side>
+        )}
+        <main className="centre">
+          <Fence name="The drawing">
+            <Centre />
+          </Fence>
+        </main>
+        {shown.text && (
+          <Side name="text" title="Text" width="textWidth" side="right">
+            <Suspense fallback={<p className="empty small">Loading…</p>}>
+              <TextPane />
+            </Suspense>
+          </Side>
+        )}
+        {shown.live && Live && (
+          <Side name="live" title="Simulator" width="liveWidth" side="right">
+            <Live />
+          </Side>
+        )}
+        {shown.details && (
+          <Side name="details" title="Details" width="detailsWidth" side="right">
+            <Details />
+          </Side>
+        )}
+      </div>
+      {shown.problems && <Problems height={shown.problemsHeight} />}
+      <Strip />
+    </>
+  );
+}
+
+function Centre() {
+  const drawing = useDrawing();
+  const key = usePart((state) => pageKey(state.document, state.page));
+  if (!drawing) return <p className="empty">Reading…</p>;
+  return (
+    <ReactFlowProvider key={key}>
+      <Canvas drawing={drawing} />
+      <CanvasTools />
+      <EmptyHint drawing={drawing} />
+      <Tour />
+    </ReactFlowProvider>
+  );
+}
+
+interface SideProps {
+  name: "palette" | "text" | "live" | "details";
+  title: string;
+  width: "paletteWidth" | "textWidth" | "liveWidth" | "detailsWidth";
+  side: "left" | "right";
+  children: ReactNode;
+}
+
+function Side({ name, title, width, side, children }: SideProps) {
+  const designer = useDesigner();
+  const size = usePart((state) => state.shown[width]);
+  return (
+    <section className={`dock ${side}`} style={{ width: size }} aria-label={title}>
+      <Splitter
+        side={side}
+        label={`Width of ${title}`}
+        size={size}
+        onSize={(next) => designer.show({ [width]: next } as Partial<Shown>)}
+      />
+      <header>
+        <h2>{title}</h2>
+        <IconButton icon="close" label={`Hide ${title}`} onPress={() => designer.show({ [name]: false })} />
+      </header>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
+      <section className="panel" tabIndex={0} aria-label={`${title} content`}>
+        <Fence name={title}>{children}</Fence>
+      </section>
+    </section>
+  );
+}
+
+function Problems({ height }: { height: number }) {
+  const designer = useDesigner();
+  return (
+    <section className="dock bottom" style={{ height }} aria-label="Problems">
+      <Splitter
+        side="bottom"
+        label="Height of Problems"
+        size={height}
+        onSize={(next) => designer.show({ problemsHeight: next })}
+      />
+      <header>
+        <h2>Problems</h2>
+        <IconButton icon="close" label="Hide Problems" onPress={() => designer.show({ problems: false })} />
+      </header>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
+      <section className="panel" tabIndex={0} aria-label="Problems content">
+        <ProblemsPanel />
+      </section>
+    </section>
+  );
+}
+
+const kPanes = [
+  ["palette", "Components"],
+  ["text", "Text"],
+  ["problems", "Problems"],
+  ["live", "Simulator"],
+  ["details", "Details"],
+] as const;
+
+/** Opens and closes what stands around the canvas; says where one is. */
+function Strip() {
+  const designer = useDesigner();
+  const shown = usePart((state) => state.shown);
+  const selection = usePart((state) => state.selection);
+  const drawing = useDrawing();
+  const count = (drawing?.nodes.length ?? 0) + (drawing?.states.length ?? 0);
+  return (
+    <footer className="strip">
+      <span className="columns" style={{ gap: 2 }}>
+        {kPanes
+          .filter(([name]) => name !== "live" || extensions.live)
+          .map(([name, title]) => (
+            <button
+              key={name}
+              type="button"
+              className="strip-toggle"
+              aria-pressed={shown[name]}
+              onClick={() => designer.show({ [name]: !shown[name] })}
+            >
+              {title}
+            </button>
+          ))}
+      </span>
+      <span className="gap" />
+      <span className="small muted" data-testid="selected">
+        {selection.length === 0
+          ? `${count} on this page`
+          : selection.length === 1
+            ? selection[0]
+            : `${selection.length} selected`}
+      </span>
+      <span className="small muted">
+        <kbd>/</kbd> place <kbd>?</kbd> all keys
+      </span>
+    </footer>
+  );
+}
+
+function Dialogs() {
+  switch (usePart((state) => state.dialog)) {
+    case "place":
+      return <SearchPalette />;
+    case "connect":
+      return <ConnectChooser />;
+    case "commands":
+      return <Commands />;
+    case "shortcuts":
+      return <ShortcutSheet />;
+    case "open":
+      return <OpenDialog />;
+    case "save-as":
+      return <SaveAsDialog />;
+    case "library":
+      return <LibraryDialog />;
+    case "group":
+      return <GroupDialog />;
+    case "rename":
+      return <RenameDialog />;
+    case "declaration":
+      return <DeclarationDialog />;
+    case "parameter":
+      return <ParameterDialog />;
+    default:
+      return null;
+  }
+}
+
+function Spoken() {
+  const spoken = usePart((state) => state.spoken);
+  return (
+    <div className="hidden-text" role="status" aria-live="polite">
+      {spoken}
+    </div>
+  );
+}
+
+function useTheme(): void {
+  const choice = usePart((state) => state.theme);
+  useEffect(() => {
+    const system = window.matchMedia("(prefers-color-scheme: dark)");
+    const apply = () => {
+      document.documentElement.dataset.theme = choice === "auto" ? (system.matches ? "dark" : "light") : choice;
+    };
+    apply();
+    system.addEventListener("change", apply);
+    return () => system.removeEventListener("change", apply);
+  }, [choice]);
+}
+
+function useTitle(): void {
+  const document = useDocument();
+  const page = usePart((state) => state.page);
+  useEffect(() => {
+    const name = document ? `${document.isDirty ? "• " : ""}${page || titleOf(document.path)} – ` : "";
+    window.document.title = `${name}missionlab designer`;
+  }, [document, page]);
+}

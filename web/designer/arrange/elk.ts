@@ -1,0 +1,99 @@
+// A graph as elk wants it, and elk's answer as places. Pure; elk itself runs in the worker.
+import type { ElkNode } from "elkjs/lib/elk-api";
+import type { LayoutGraph } from "./graph.ts";
+
+export const kPitch = 8; // places are multiples of it, as on the canvas's grid [px]
+
+const kDataflow: Record<string, string> = {
+  "elk.algorithm": "layered",
+  "elk.direction": "RIGHT",
+  "elk.spacing.nodeNode": "32",
+  "elk.spacing.componentComponent": "48",
+  "elk.layered.spacing.nodeNodeBetweenLayers": "88",
+  "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
+  "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
+  "elk.separateConnectedComponents": "true",
+};
+const kStates: Record<string, string> = {
+  "elk.algorithm": "layered",
+  "elk.direction": "RIGHT",
+  "elk.spacing.nodeNode": "90",
+  "elk.spacing.edgeNode": "40",
+  "elk.layered.spacing.nodeNodeBetweenLayers": "190",
+  "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
+  "elk.layered.considerModelOrder.strategy": "PREFER_NODES",
+};
+
+export function toElk(graph: LayoutGraph): ElkNode {
+  const isFlow = graph.kind === "dataflow";
+  return {
+    id: "page",
+    layoutOptions: isFlow ? kDataflow : kStates,
+    children: graph.nodes.map((node) => ({
+      id: node.id,
+      width: node.width,
+      height: node.height,
+      ...(isFlow
+        ? {
+            layoutOptions: { "elk.portConstraints": "FIXED_POS" },
+            ports: [
+              ...node.inputs.map((input) => ({
+                id: `${node.id}/${input.id}`,
+                x: 0,
+                y: input.y,
+                width: 0,
+                height: 0,
+                layoutOptions: { "elk.port.side": "WEST" },
+              })),
+              ...(node.outputY >= 0
+                ? [
+                    {
+                      id: `${node.id}>`,
+                      x: node.width,
+                      y: node.outputY,
+                      width: 0,
+                      height: 0,
+                      layoutOptions: { "elk.port.side": "EAST" },
+                    },
+                  ]
+                : []),
+            ],
+          }
+        : {}),
+    })),
+    edges: graph.wires
+      .filter((wire) => wire.from !== wire.to)
+      .map((wire, i) => ({
+        id: `wire ${i}`,
+        sources: [isFlow ? `${wire.from}>` : wire.from],
+        targets: [isFlow ? `${wire.to}/${wire.port}` : wire.to],
+      })),
+  };
+}
+
+export interface Spot {
+  id: string;
+  x: number;
+  y: number;
+}
+
+export function fromElk(result: ElkNode): Spot[] {
+  return (result.children ?? []).map(({ id, x = 0, y = 0 }) => ({ id, x: onPitch(x), y: onPitch(y) }));
+}
+
+export function onPitch(value: number): number {
+  return Math.round(value / kPitch) * kPitch;
+}
+
+/** Things that have no wires: in rows, as wide as the widest. */
+export function gridSpots(graph: LayoutGraph, columns = 4): Spot[] {
+  const width = Math.max(160, ...graph.nodes.map((node) => node.width)) + 40;
+  const spots: Spot[] = [];
+  let y = 0;
+  for (let begin = 0; begin < graph.nodes.length; begin += columns) {
+    const row = graph.nodes.slice(begin, begin + columns);
+    row.forEach((node, i) => spots.push({ id: node.id, x: onPitch(i * width), y: onPitch(y) }));
+    y += Math.max(...row.map((node) => node.height)) + 40;
+  }
+  return spots;
+}

@@ -1,0 +1,354 @@
+// The canvas: what stands on the page that is shown, to be moved, wired and entered.
+import {
+  applyEdgeChanges,
+  applyNodeChanges,
+  Background,
+  BackgroundVariant,
+  type Connection,
+  type Edge,
+  type FinalConnectionState,
+  type Node as FlowNode,
+  MiniMap,
+  type OnSelectionChangeParams,
+  ReactFlow,
+  SelectionMode,
+  useReactFlow,
+} from "@xyflow/react";
+import { type DragEvent, type MouseEvent, useCallback, useEffect, useMemo, useRef, useState } from "react";
+import { arrangeChange } from "../arrange/arrange.ts";
+import { kPitch, onPitch } from "../arrange/elk.ts";
+import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import { stateNodes, transitionEdges } from "../states/flow.ts";
+import { StateView, spokenState } from "../states/state_view.tsx";
+import { TransitionView } from "../states/transition_view.tsx";
+import { useDesigner, usePart } from "../use.ts";
+import { canvasStore, distanceAt, useCanvas } from "./canvas_store.ts";
+import { ConnectReason } from "./connect_reason.tsx";
+import { FarWires } from "./far_wires.tsx";
+import { type CanvasNode, type CanvasWire, nodesOf, wiresOf } from "./flow.ts";
+import { NodeView, spokenNode } from "./node_view.tsx";
+import { NoteView, ResultView } from "./small_views.tsx";
+import { forgetMoved, isArranged, keepMoved, usePlaces } from "./use_places.ts";
+import { ValueEditor } from "./value_editor.tsx";
+import { setView } from "./view.ts";
+import { WireView } from "./wire_view.tsx";
+import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "./wiring.ts";
+
+const kNodeTypes = { node: NodeView, result: ResultView, note: NoteView, state: StateView };
+const kEdgeTypes = { wire: WireView, transition: TransitionView };
+const kFit = { padding: 0.14, maxZoom: 1 };
+/** What is dragged out of the palette. */
+export const kDragged = "application/x-mlab-component";
+
+export function Canvas({ drawing }: { drawing: Drawing }) {
+  const designer = useDesigner();
+  const flow = useReactFlow();
+  const [nodes, setNodes] = useState<FlowNode[]>([]);
+  const [edges, setEdges] = useState<Edge[]>([]);
+  const places = usePlaces(drawing);
+  const shown = usePart((state) => state.shown);
+  const distance = useCanvas((state) => state.distance);
+  const isStates = drawing.kind === Drawing_Kind.STATES;
+  const isReadOnly = drawing.isReadOnly;
+  const page = drawing.page?.path ?? "";
+  const isDragging = useRef(false);
+  const hasFitted = useRef(false);
+
+  useEffect(() => {
+    if (!places || isDragging.current) return;
+    const selection = new Set(designer.state.selection);
+    const mark = (node: FlowNode): FlowNode =>
+      (node.selected ?? false) === selection.has(node.id) ? node : { ...node, selected: selection.has(node.id) };
+    setNodes((before) =>
+      (isStates ? stateNodes(drawing, places, before) : nodesOf(drawing, places, before as CanvasNode[]))
+        .map((node) => withLabel(node as FlowNode))
+        .map(mark),
+    );
+    setEdges((before) => (isStates ? transitionEdges(drawing, before) : wiresOf(drawing, before as CanvasWire[])));
+  }, [drawing, places, isStates, designer]);
+
+  // Once, when the page has come into sight; later only where somebody asks for it.
+  useEffect(() => {
+    if (hasFitted.current || nodes.length === 0) return;
+    hasFitted.current = true;
+    const only = designer.state.selection.map((id) => ({ id }));
+    void flow.fitView(only.length > 0 && nodes.length > 40 ? { ...kFit, nodes: only } : kFit);
+  }, [nodes, flow, designer]);
+
+  // What is selected elsewhere (a problem, a link, the details) is selected here.
+  const selection = usePart((state) => state.selection);
+  useEffect(() => {
+    const wanted = new Set(selection);
+    const mark = <T extends { id: string; selected?: boolean }>(items: T[]): T[] =>
+      items.every((item) => (item.selected ?? false) === wanted.has(item.id))
+        ? items
+        : items.map((item) =>
+            (item.selected ?? false) === wanted.has(item.id) ? item : { ...item, selected: wanted.has(item.id) },
+          );
+    setNodes(mark);
+    setEdges(mark);
+  }, [selection]);
+
+  useEffect(() => setView(flow), [flow]);
+
+  const onSelection = useCallback(
+    ({ nodes: chosen, edges: wires }: OnSelectionChangeParams) =>
+      designer.select([...chosen.map((node) => node.id), ...wires.map((wire) => wire.id)]),
+    [designer],
+  );
+
+  const moveEnds = (moved: readonly FlowNode[]) => {
+    isDragging.current = false;
+    if (moved.length === 0 || isReadOnly) return;
+    const changed = moved.filter((node) => nodes.find((one) => one.id === node.id));
+    const { changes, places: now } = arrangeChange(drawing, changed, places ?? new Map(), isArranged(drawing));
+    keepMoved(drawing, now);
+    const name = changed.length === 1 ? `move ${changed[0]!.id}` : `move ${changed.length} nodes`;
+    void designer.edit(name, ...changes).then((answer) => !answer.ok && forgetMoved(drawing));
+  };
+
+  const connect = ({ source, target, targetHandle }: Connection) => {
+    if (isStates) {
+      void designer.edit(`transition from ${source} to ${target}`, {
+        case: "addTransition",
+        value: { page, from: source, to: target, trigger: "" },
+      });
+      return;
+    }
+    void designer.edit("", connectChange(page, source, target, targetHandle ?? ""));
+  };
+
+  const connectStarts = (
+    _: unknown,
+    { nodeId, handleId, handleType }: { nodeId: string | null; handleId: string | null; handleType: string | null },
+  ) => {
+    if (isStates || !nodeId) return;
+    void askFits(designer, handleType === "source" ? { node: nodeId } : { to: { node: nodeId, row: handleId ?? "" } });
+  };
+
+  /** Let go where nothing is: the search palette offers what fits there. */
+  const connectEnds = (event: globalThis.MouseEvent | TouchEvent, end: FinalConnectionState) => {
+    const reason = end.toHandle && !end.isValid ? whyNot(end) : "";
+    stopFits();
+    if (reason) designer.tell(reason, "hold");
+    if (end.toHandle || end.toNode || !end.fromHandle || isReadOnly || isStates) return;
+    const at = flow.screenToFlowPosition(pointOf(event));
+    const from = end.fromHandle;
+    designer.store.setState({
+      dialog: "place",
+      placing: {
+        x: onPitch(at.x),
+        y: onPitch(at.y),
+        ...(from.type === "source" ? { from: from.nodeId } : { to: placeFor(from.nodeId, from.id ?? "") }),
+      },
+    });
+  };
+
+  const reconnect = (old: Edge, { source, target, targetHandle }: Connection) => {
+    if (isStates) return;
+    const end = endOf(old.id);
+    if (end.node === target && end.row === targetHandle && old.source === source) return;
+    const cut = disconnectChange(page, end.node, end.row);
+    const wire = connectChange(page, source, target, targetHandle ?? "");
+    void designer.edit(
+      `move a wire of ${source}`,
+      ...(end.node === target && end.row === targetHandle ? [wire] : [cut, wire]),
+    );
+  };
+
+  const drop = (event: DragEvent) => {
+    const component = event.dataTransfer.getData(kDragged);
+    if (!component || isReadOnly) return;
+    event.preventDefault();
+    const at = flow.screenToFlowPosition({ x: event.clientX, y: event.clientY });
+    const where = { x: onPitch(at.x - 80), y: onPitch(at.y - 20) };
+    if (isStates) void designer.edit("", { case: "addState", value: { page, component, ...where } });
+    else void designer.edit(`place ${component}`, { case: "place", value: { page, component, ...where } });
+  };
+
+  const isLarge = nodes.length > 120;
+  const showsFarWires = !isStates && distance !== "near" && edges.length > 150;
+  const noEdges = useMemo<Edge[]>(() => [], []);
+  return (
+    <section
+      className={`canvas ${distance} ${isReadOnly ? "read-only" : ""}`}
+      aria-label={`Drawing of ${page || "the file"}`}
+      onDragOver={(event) => {
+        if (!event.dataTransfer.types.includes(kDragged) || isReadOnly) return;
+        event.preventDefault();
+        event.dataTransfer.dropEffect = "copy";
+      }}
+      onDrop={drop}
+      onMouseMove={(event) =>
+        canvasStore.setState({ pointer: flow.screenToFlowPosition({ x: event.clientX, y: event.clientY }) })
+      }
+    >
+      <Markers />
+      <ReactFlow
+        nodes={nodes}
+        edges={showsFarWires ? noEdges : edges}
+        nodeTypes={kNodeTypes}
+        edgeTypes={kEdgeTypes}
+        onNodesChange={(changes) => setNodes((before) => applyNodeChanges(changes, before))}
+        onEdgesChange={(changes) => setEdges((before) => applyEdgeChanges(changes, before))}
+        onSelectionChange={onSelection}
+        onNodeDragStart={() => {
+          isDragging.current = true;
+        }}
+        onNodeDragStop={(_, __, moved) => moveEnds(moved)}
+        onSelectionDragStart={() => {
+          isDragging.current = true;
+        }}
+        onSelectionDragStop={(_, moved) => moveEnds(moved)}
+        onConnect={connect}
+        onConnectStart={connectStarts}
+        onConnectEnd={connectEnds}
+        onReconnect={reconnect}
+        onReconnectEnd={(_, wire, __, end) => {
+          stopFits();
+          if (isReadOnly || isStates || end.toHandle) return;
+          const { node, row } = endOf(wire.id);
+          void designer.edit(`disconnect ${wire.source}`, disconnectChange(page, node, row));
+        }}
+        isValidConnection={(wire) =>
+          isStates || reasonAgainst(wire.source, wire.target, wire.targetHandle ?? "") === ""
+        }
+        onEdgeClick={(event: MouseEvent, wire) => {
+          if (!event.altKey || isReadOnly) return;
+          void cutWire(designer, page, wire.id, isStates);
+        }}
+        onNodeDoubleClick={(_, node) => enter(designer, drawing, node.id)}
+        onMove={(_, view) => noteView(view, nodes.length)}
+        onInit={(started) => noteView(started.getViewport(), nodes.length)}
+        nodesConnectable={!isReadOnly}
+        nodesDraggable={!isReadOnly}
+        edgesReconnectable={!isReadOnly && !isStates}
+        edgesFocusable={false}
+        disableKeyboardA11y
+        deleteKeyCode={null}
+        selectionKeyCode="Shift"
+        multiSelectionKeyCode={["Shift", "Control", "Meta"]}
+        panActivationKeyCode={null}
+        selectionMode={SelectionMode.Partial}
+        panOnDrag={[1, 2]}
+        selectionOnDrag
+        panOnScroll
+        zoomOnDoubleClick={false}
+        snapToGrid
+        snapGrid={[kPitch, kPitch]}
+        minZoom={0.04}
+        maxZoom={2}
+        connectionRadius={26}
+        onlyRenderVisibleElements={isLarge}
+        elevateNodesOnSelect={false}
+        proOptions={{ hideAttribution: true }}
+      >
+        {shown.grid && <Background variant={BackgroundVariant.Dots} gap={kPitch * 3} size={1.4} />}
+        {showsFarWires && <FarWires nodes={nodes} edges={edges} />}
+        {shown.minimap && nodes.length > 0 && (
+          <MiniMap
+            pannable
+            zoomable
+            ariaLabel="Overview of the drawing"
+            nodeStrokeWidth={0}
+            className="minimap"
+            nodeClassName={toneClass}
+          />
+        )}
+        <ConnectReason />
+      </ReactFlow>
+      <ValueEditor />
+    </section>
+  );
+}
+
+function withLabel(node: FlowNode): FlowNode {
+  if (node.ariaLabel) return node;
+  const data = node.data as Record<string, never>;
+  const label =
+    node.type === "node"
+      ? spokenNode(data.node!)
+      : node.type === "state"
+        ? spokenState(data.state!)
+        : node.type === "result"
+          ? "Result of the page"
+          : "Comment";
+  return { ...node, ariaLabel: label };
+}
+
+function toneClass(node: FlowNode): string {
+  if (node.type === "state") return "tone-sequence";
+  if (node.type !== "node") return `mini-${node.type}`;
+  return `tone-${(node.data as { form: { tone: string } }).form.tone}`;
+}
+
+function placeFor(node: string, row: string) {
+  const found = /^(.*)\[(\d+)\]$/.exec(row);
+  return found ? { node, port: found[1]!, index: Number(found[2]) } : { node, port: row };
+}
+
+function whyNot(end: FinalConnectionState): string {
+  const [from, to] = [end.fromHandle, end.toHandle];
+  if (!from || !to) return "";
+  return from.type === "source"
+    ? reasonAgainst(from.nodeId, to.nodeId, to.id ?? "")
+    : reasonAgainst(to.nodeId, from.nodeId, from.id ?? "");
+}
+
+function pointOf(event: globalThis.MouseEvent | TouchEvent): { x: number; y: number } {
+  const touch = "changedTouches" in event ? event.changedTouches[0] : event;
+  return { x: touch?.clientX ?? 0, y: touch?.clientY ?? 0 };
+}
+
+function noteView({ x, y, zoom }: { x: number; y: number; zoom: number }, nodes: number): void {
+  const element = document.querySelector(".canvas");
+  const { width = 800, height = 600 } = element?.getBoundingClientRect() ?? {};
+  const distance = distanceAt(zoom, nodes);
+  canvasStore.setState({ distance, view: { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom } });
+}
+
+export function enter(designer: ReturnType<typeof useDesigner>, drawing: Drawing, name: string): boolean {
+  const inner =
+    drawing.nodes.find((node) => node.name === name)?.inner ??
+    drawing.states.find((state) => state.name === name)?.inner;
+  if (!inner) return false;
+  designer.goTo(inner.document || designer.state.document, inner.path);
+  return true;
+}
+
+export function cutWire(designer: ReturnType<typeof useDesigner>, page: string, id: string, isStates: boolean) {
+  if (isStates) {
+    const at = id.lastIndexOf("/");
+    return designer.edit("", {
+      case: "removeTransition",
+      value: { page, from: id.slice(0, at), index: Number(id.slice(at + 1)) },
+    });
+  }
+  const { node, row } = endOf(id);
+  return designer.edit("", disconnectChange(page, node, row));
+}
+
+/** Heads of transitions. */
+function Markers() {
+  return (
+    <svg className="markers" aria-hidden="true">
+      <defs>
+        {["arrow", "arrow-strong"].map((id) => (
+          <marker
+            key={id}
+            id={id}
+            viewBox="0 0 10 10"
+            refX="9"
+            refY="5"
+            markerWidth="9"
+            markerHeight="9"
+            markerUnits="userSpaceOnUse"
+            orient="auto-start-reverse"
+          >
+            <path d="M0 0L10 5L0 10z" />
+          </marker>
+        ))}
+      </defs>
+    </svg>
+  );
+}

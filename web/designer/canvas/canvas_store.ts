@@ -1,0 +1,36 @@
+// What the canvas knows from one moment to the next: how far away it is looked at from, which inputs a wire that is being
+// drawn may lead to, which value is edited.
+import { createStore, useStore } from "zustand";
+
+export type Distance = "near" | "far" | "farthest";
+
+export interface CanvasState {
+  distance: Distance;
+  /** While a wire is drawn: for every input (`node/port`) or, drawn backwards, node, why it does not fit; empty: it does. */
+  fits: ReadonlyMap<string, string> | null;
+  /** The input whose value is edited. */
+  editing: { node: string; row: string; what: "value" | "weight" } | null;
+  /** Where the pointer last was on the canvas, in its coordinates. */
+  pointer: { x: number; y: number };
+  /** In its coordinates: what of it is in sight. */
+  view: { x: number; y: number; width: number; height: number };
+}
+
+export const canvasStore = createStore<CanvasState>(() => ({
+  distance: "near",
+  fits: null,
+  editing: null,
+  pointer: { x: 0, y: 0 },
+  view: { x: 0, y: 0, width: 800, height: 600 },
+}));
+
+export function useCanvas<T>(pick: (state: CanvasState) => T): T {
+  return useStore(canvasStore, pick);
+}
+
+/** Inner parts of nodes are left out where they could not be read. */
+export function distanceAt(zoom: number, nodes: number): Distance {
+  const isCrowd = nodes > 300;
+  if (zoom < (isCrowd ? 0.2 : 0.12)) return "farthest";
+  return zoom < (isCrowd ? 0.5 : 0.35) ? "far" : "near";
+}

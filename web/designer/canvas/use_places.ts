@@ -1,0 +1,90 @@
+import { useEffect, useReducer } from "react";
+import { layOut } from "../arrange/layout.ts";
+import { placeNew, type Sized } from "../arrange/place_new.ts";
+import { pageKey } from "../pages/pages.ts";
+import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import { stateSize } from "../states/form.ts";
+import { type At, ownPlaces, type Places, wiredOf } from "./flow.ts";
+import { formOf } from "./form.ts";
+
+/** Of nodes that the file says nothing of, by page: what automatic layout said. */
+const laidOut = new Map<string, Map<string, At>>();
+
+interface Moved {
+  /** Of the document when they were moved: a later drawing knows better. */
+  revision: bigint;
+  places: Map<string, At>;
+}
+/** What was moved here and is on its way to the server. */
+const moved = new Map<string, Moved>();
+
+/** Where everything on the page stands; null while that is being worked out. */
+export function usePlaces(drawing: Drawing): Places | null {
+  const [, again] = useReducer((count: number) => count + 1, 0);
+  const places = placesOf(drawing);
+  const isWhole = places !== null;
+  useEffect(() => {
+    if (isWhole) return;
+    let isCurrent = true;
+    void layOut(drawing).then((spots) => {
+      const key = keyOf(drawing);
+      const own = ownPlaces(drawing);
+      const known = new Map([...(laidOut.get(key) ?? []), ...own].filter(([name]) => sizesOf(drawing).has(name)));
+      laidOut.set(key, placeNew(known, spots, [...sizesOf(drawing).values()]));
+      if (isCurrent) again();
+    });
+    return () => {
+      isCurrent = false;
+    };
+  }, [drawing, isWhole]);
+  return places;
+}
+
+/** As drawn now, or null where something has no place yet. */
+export function placesOf(drawing: Drawing): Places | null {
+  const key = keyOf(drawing);
+  const places = ownPlaces(drawing);
+  const automatic = laidOut.get(key);
+  for (const name of sizesOf(drawing).keys()) {
+    if (places.has(name)) continue;
+    const at = automatic?.get(name);
+    if (!at) return null;
+    places.set(name, at);
+  }
+  const here = moved.get(key);
+  if (here && here.revision >= drawing.revision) for (const [name, at] of here.places) places.set(name, at);
+  return places;
+}
+
+/** Whether the file says where everything stands. */
+export function isArranged(drawing: Drawing): boolean {
+  return ownPlaces(drawing).size === sizesOf(drawing).size;
+}
+
+export function keepMoved(drawing: Drawing, places: ReadonlyMap<string, At>): void {
+  const before = moved.get(keyOf(drawing));
+  const same = before && before.revision >= drawing.revision ? before.places : [];
+  moved.set(keyOf(drawing), { revision: drawing.revision, places: new Map([...same, ...places]) });
+}
+
+export function forgetMoved(drawing: Drawing): void {
+  moved.delete(keyOf(drawing));
+}
+
+export function sizesOf(drawing: Drawing): Map<string, Sized> {
+  const sizes = new Map<string, Sized>();
+  if (drawing.kind === Drawing_Kind.STATES) {
+    for (const state of drawing.states) sizes.set(state.name, { id: state.name, ...stateSize(state) });
+    return sizes;
+  }
+  const wired = wiredOf(drawing);
+  for (const node of drawing.nodes) {
+    const { width, height } = formOf(node, wired);
+    sizes.set(node.name, { id: node.name, width, height });
+  }
+  return sizes;
+}
+
+function keyOf(drawing: Drawing): string {
+  return pageKey(drawing.page?.document ?? "", drawing.page?.path ?? "");
+}

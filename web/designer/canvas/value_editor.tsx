@@ -1,0 +1,163 @@
+// The editor of one input's value, beside its row: a field, a slider where there is a range, the words that it may be.
+import { useEffect, useState } from "react";
+import { Dialog, Popover } from "react-aria-components";
+import { Button, Field, RangeSlider } from "../../console/ui/controls.tsx";
+import type { Node, Port } from "../protocol.ts";
+import { useDesigner, useDrawing, useIsReadOnly } from "../use.ts";
+import { canvasStore, useCanvas } from "./canvas_store.ts";
+import { portOf } from "./form.ts";
+import { numberIn, sliderValue } from "./quantity.ts";
+import { shownType } from "./types.ts";
+
+export function ValueEditor() {
+  const editing = useCanvas((state) => state.editing);
+  const drawing = useDrawing();
+  if (!editing) return null;
+  const { port: name, index } = portOf(editing.row);
+  const node = drawing?.nodes.find((one) => one.name === editing.node);
+  const port = node?.inputs.find((one) => one.name === name && one.index === index);
+  const row = document.querySelector(`[data-row="${CSS.escape(`${editing.node}/${editing.row}`)}"]`);
+  if (!node || !port || !row) return null;
+  return (
+    <Editor
+      key={`${editing.node}/${editing.row}/${editing.what}`}
+      node={node}
+      port={port}
+      what={editing.what}
+      row={row}
+    />
+  );
+}
+
+function Editor({ node, port, what, row }: { node: Node; port: Port; what: "value" | "weight"; row: Element }) {
+  const close = () => canvasStore.setState({ editing: null });
+  const label = what === "weight" ? `Weight of ${port.label || port.name}` : port.label || port.name;
+  return (
+    <Popover
+      className="popover value-editor"
+      triggerRef={{ current: row }}
+      isOpen
+      onOpenChange={(open) => !open && close()}
+      placement="bottom start"
+      offset={2}
+    >
+      <Dialog aria-label={label} className="content">
+        <ValueField node={node} port={port} what={what} onDone={close} />
+      </Dialog>
+    </Popover>
+  );
+}
+
+interface ValueFieldProps {
+  node: Node;
+  port: Port;
+  what: "value" | "weight";
+  onDone: () => void;
+}
+
+/** Also in the details, where it stays. */
+export function ValueField({ node, port, what, onDone }: ValueFieldProps) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const given = what === "weight" ? port.weight : port.value;
+  const [typed, setTyped] = useState(given || (what === "value" ? port.initial : ""));
+  const [problem, setProblem] = useState<string | undefined>();
+  useEffect(() => setTyped(given || (what === "value" ? port.initial : "")), [given, port.initial, what]);
+  const label = what === "weight" ? `Weight of ${port.label || port.name}` : port.label || port.name;
+  const send = async (value: string) => {
+    if (value === given || isReadOnly) return onDone();
+    const answer = await designer.link.ask({
+      case: "edit",
+      value: {
+        document: designer.state.document,
+        revision: designer.drawing?.revision ?? 0n,
+        name: value === "" ? `default of ${label}` : `set ${label} of ${node.name}`,
+        changes: [{ change: setValue(designer.state.page, node.name, port, what, value) }],
+      },
+    });
+    if (answer.ok) onDone();
+    else setProblem(answer.error);
+  };
+  const { min, max } = port;
+  const number = numberIn(typed);
+  const hasRange =
+    what === "value" && min !== undefined && max !== undefined && Number.isFinite(max - min) && number !== undefined;
+  const choices = what === "value" ? port.choices : [];
+  return (
+    <div className="rows" style={{ gap: 8 }}>
+      <Field
+        label={what === "weight" ? label : `${label}, ${shownType(port.type, port.unit)}`}
+        value={typed}
+        onChange={(next) => {
+          setTyped(next);
+          setProblem(undefined);
+        }}
+        onCommit={(next) => void send(next.trim())}
+        problem={problem}
+        autoFocus
+        isDisabled={isReadOnly}
+        help={port.help}
+      />
+      {hasRange && (
+        <RangeSlider
+          label={`${label}, slider`}
+          hiddenLabel
+          value={number}
+          min={min}
+          max={max}
+          step={(max - min) / 100}
+          isDisabled={isReadOnly}
+          onChange={(next) => setTyped(sliderValue(next, typed, port.unit))}
+          onCommit={(next) => void send(sliderValue(next, typed, port.unit))}
+        />
+      )}
+      {choices.length > 0 && (
+        <div className="columns" style={{ gap: 4 }}>
+          {choices.slice(0, 24).map((choice) => (
+            <Button
+              key={choice}
+              tone={choice === typed ? "primary" : "plain"}
+              isDisabled={isReadOnly}
+              onPress={() => void send(choice)}
+            >
+              {choice}
+            </Button>
+          ))}
+        </div>
+      )}
+      {what === "value" && !isReadOnly && (
+        <div className="columns" style={{ gap: 4 }}>
+          {port.initial !== "" && given !== "" && (
+            <Button tone="quiet" icon="restart" onPress={() => void send("")}>
+              Default: {port.initial}
+            </Button>
+          )}
+          {!port.isExposed && (
+            <Button
+              tone="quiet"
+              icon="plus"
+              onPress={() => {
+                void designer.edit(`make ${label} a parameter`, {
+                  case: "expose",
+                  value: { page: designer.state.page, node: node.name, port: port.name, ...indexOf(port) },
+                });
+                onDone();
+              }}
+            >
+              Make it a parameter
+            </Button>
+          )}
+        </div>
+      )}
+    </div>
+  );
+}
+
+function indexOf(port: Port): { index?: number } {
+  return port.index === undefined ? {} : { index: port.index };
+}
+
+function setValue(page: string, node: string, port: Port, what: "value" | "weight", value: string) {
+  const name = what === "weight" ? "weight" : port.name;
+  return { case: "setValue" as const, value: { page, node, port: name, value, ...indexOf(port) } };
+}

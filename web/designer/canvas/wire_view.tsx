@@ -1,0 +1,31 @@
+// A wire: coloured by what flows in it, with its value beside it while robots run.
+import { BaseEdge, EdgeLabelRenderer, type EdgeProps } from "@xyflow/react";
+import { memo } from "react";
+import { useLive } from "../live/use_live.ts";
+import { useCanvas } from "./canvas_store.ts";
+import type { CanvasWire } from "./flow.ts";
+import { wirePath } from "./wire_path.ts";
+
+export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
+  const { sourceX, sourceY, targetX, targetY, data, selected } = props;
+  const distance = useCanvas((state) => state.distance);
+  const value = useLive(data?.page ?? "", data?.wire.live ?? "");
+  const { path, middle } = wirePath({ x: sourceX, y: sourceY }, { x: targetX, y: targetY });
+  const classes = `wire flow-${data?.flow ?? "percept"} ${data?.wire.isActive ? "moves-sensor" : ""} ${selected ? "selected" : ""}`;
+  if (distance !== "near") return <path d={path} className={`react-flow__edge-path ${classes}`} fill="none" />;
+  return (
+    <>
+      <BaseEdge path={path} className={classes} interactionWidth={16} />
+      {(value || selected) && (
+        <EdgeLabelRenderer>
+          <span
+            className={`wire-label number ${value ? "live" : ""}`}
+            style={{ transform: `translate(-50%, -50%) translate(${middle.x}px, ${middle.y}px)` }}
+          >
+            {value ? value.text : `${data?.wire.type}${data?.wire.unit ? ` [${data.wire.unit}]` : ""}`}
+          </span>
+        </EdgeLabelRenderer>
+      )}
+    </>
+  );
+});

@@ -1,0 +1,232 @@
+// What can be asked of the server, and what its messages change here. One per page.
+import { Link } from "./link/link.ts";
+import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
+import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Request } from "./protocol.ts";
+import type { Notice, Shown, State, Store } from "./state.ts";
+
+export class Designer {
+  readonly link: Link;
+  private pendingNode = "";
+
+  constructor(
+    readonly store: Store,
+    readonly page: URL,
+    open?: (url: string) => WebSocket,
+  ) {
+    this.link = new Link({
+      page,
+      receive: (message) => this.receive(message),
+      changed: (link) => store.setState({ link }),
+      ...(open ? { open } : {}),
+    });
+  }
+
+  get state(): State {
+    return this.store.getState();
+  }
+
+  /** The document that is shown. */
+  get document(): Document | undefined {
+    return this.state.documents[this.state.document];
+  }
+
+  /** The page that is shown. */
+  get drawing(): Drawing | undefined {
+    return drawingOf(this.state);
+  }
+
+  tell(text: string, tone: Notice["tone"] = "danger"): void {
+    this.store.setState({ notice: { text, tone } });
+  }
+
+  /** For who listens to the page instead of looking at it. */
+  say(spoken: string): void {
+    this.store.setState({ spoken });
+  }
+
+  show(change: Partial<Shown>): void {
+    this.store.setState((state) => ({ shown: { ...state.shown, ...change } }));
+  }
+
+  select(selection: readonly string[]): void {
+    const before = this.state.selection;
+    if (before.length === selection.length && before.every((one, i) => one === selection[i])) return;
+    this.store.setState({ selection });
+  }
+
+  /** Asks, and tells the person where the answer is no. */
+  async ask(request: Request): Promise<Answer> {
+    const answer = await this.link.ask(request);
+    if (!answer.ok) this.tell(answer.error);
+    return answer;
+  }
+
+  /** Opens a document and shows its page; an empty path: a new one. */
+  async open(path: string, page?: string, node = ""): Promise<boolean> {
+    const answer = await this.ask({ case: "open", value: { path } });
+    if (!answer.ok) return false;
+    const document = answer.result.case === "text" && answer.result.value !== "" ? answer.result.value : path;
+    this.goTo(document, page ?? this.firstPage(document), node);
+    return true;
+  }
+
+  /** Shows a page of a document that is open, or opens it. */
+  goTo(document: string, page: string, node = ""): void {
+    if (document !== "" && !this.state.documents[document] && this.state.hello) {
+      void this.open(document, page, node);
+      return;
+    }
+    const isSame = this.state.document === document && this.state.page === page;
+    this.pendingNode = node;
+    this.store.setState({ document, page, selection: node && this.hasNode(document, page, node) ? [node] : [] });
+    this.look();
+    this.keepAddress(!isSame, node);
+  }
+
+  /** To the start page; what is not saved stays with the server. */
+  leave(): void {
+    this.store.setState({ document: "", page: "", selection: [] });
+    window.history.pushState(null, "", window.location.pathname + window.location.search);
+    this.look();
+  }
+
+  /** The address's fragment, as when the page is loaded or somebody goes back. */
+  followAddress(): void {
+    const place = fromFragment(window.location.hash);
+    if (place.document === "") this.store.setState({ document: "", page: "", selection: [] });
+    else if (place.document !== this.state.document || place.page !== this.state.page) {
+      this.goTo(place.document, place.page, place.node);
+    }
+  }
+
+  /** All changes or none, as one step of undo. */
+  async edit(name: string, ...changes: ChangeInit[]): Promise<Answer> {
+    const { document } = this.state;
+    const revision = this.drawing?.revision ?? this.document?.revision ?? 0n;
+    return this.ask({
+      case: "edit",
+      value: { document, revision, name, changes: changes.map((change) => ({ change })) },
+    });
+  }
+
+  undo(): void {
+    const document = this.document;
+    if (!document?.undo) return;
+    this.say(`Undid ${document.undo}`);
+    void this.ask({ case: "undo", value: { document: document.path } });
+  }
+
+  redo(): void {
+    const document = this.document;
+    if (!document?.redo) return;
+    this.say(`Did again ${document.redo}`);
+    void this.ask({ case: "redo", value: { document: document.path } });
+  }
+
+  /** Under its name, or asks for one where it has none or can't be changed. */
+  async save(overwrite = false): Promise<void> {
+    const document = this.document;
+    if (!document) return;
+    if (document.isReadOnly || isNew(document.path)) {
+      this.store.setState({ dialog: "save-as" });
+      return;
+    }
+    const answer = await this.ask({ case: "save", value: { document: document.path, overwrite } });
+    if (answer.ok) this.say(`Saved ${document.path}`);
+  }
+
+  private look(): void {
+    const { document, page } = this.state;
+    this.link.tell({ case: "look", value: { pages: document ? [{ document, path: page }] : [] } });
+  }
+
+  private receive(message: FromDesigner): void {
+    const { body } = message;
+    const { store } = this;
+    switch (body.case) {
+      case "hello":
+        store.setState({ hello: body.value });
+        this.arrive();
+        break;
+      case "document": {
+        const document = body.value;
+        store.setState(({ documents }) => ({ documents: { ...documents, [document.path]: document } }));
+        break;
+      }
+      case "drawing":
+        this.take(body.value);
+        break;
+      case "palette": {
+        const palette = body.value;
+        store.setState(({ palettes }) => ({ palettes: { ...palettes, [palette.document]: palette } }));
+        break;
+      }
+      case "fileChanged": {
+        const changed = body.value;
+        store.setState((state) => ({ changed: { ...state.changed, [changed.document]: changed } }));
+        break;
+      }
+    }
+  }
+
+  private take(drawing: Drawing): void {
+    const key = pageKey(drawing.page?.document ?? "", drawing.page?.path ?? "");
+    this.store.setState(({ drawings }) => ({ drawings: { ...drawings, [key]: drawing } }));
+    const { document, page } = this.state;
+    if (key !== pageKey(document, page)) return;
+    if (this.pendingNode && this.hasNode(document, page, this.pendingNode)) {
+      this.store.setState({ selection: [this.pendingNode] });
+      this.pendingNode = "";
+    }
+  }
+
+  /** After Hello: what was open before a loss is opened again; else what the address or the command line names. */
+  private arrive(): void {
+    const { document, page, hello } = this.state;
+    if (document) {
+      void this.link.ask({ case: "open", value: { path: document } }).then((answer) => {
+        if (answer.ok) this.look();
+        else this.tell(answer.error);
+      });
+      return;
+    }
+    const place = fromFragment(window.location.hash);
+    if (place.document) void this.open(place.document, place.page, place.node);
+    else if (hello?.open) void this.open(hello.open, page || undefined);
+  }
+
+  private hasNode(document: string, page: string, node: string): boolean {
+    const drawing = this.state.drawings[pageKey(document, page)];
+    return [...(drawing?.nodes ?? []), ...(drawing?.states ?? [])].some((one) => one.name === node);
+  }
+
+  /** A file with one declaration that can be drawn opens on it. */
+  private firstPage(document: string): string {
+    const shown = (this.state.documents[document]?.declarations ?? []).filter(({ kind }) =>
+      ["assemblage", "robot", "society"].includes(kind),
+    );
+    return shown.length === 1 ? shown[0]!.name : "";
+  }
+
+  private keepAddress(isNewPlace: boolean, node: string): void {
+    const { document, page } = this.state;
+    const address = window.location.pathname + window.location.search + toFragment({ document, page, node });
+    if (isNewPlace) window.history.pushState(null, "", address);
+    else window.history.replaceState(null, "", address);
+  }
+}
+
+export function drawingOf(state: State): Drawing | undefined {
+  return state.drawings[pageKey(state.document, state.page)];
+}
+
+/** A document that has no file yet. */
+export function isNew(path: string): boolean {
+  return /^new:\d+$/.test(path);
+}
+
+/** What a document is called in the title: its file's name. */
+export function titleOf(path: string): string {
+  if (isNew(path)) return "New configuration";
+  return path.slice(Math.max(path.lastIndexOf("/"), path.lastIndexOf(":")) + 1);
+}

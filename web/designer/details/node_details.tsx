@@ -1,0 +1,172 @@
+import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { wiredOf } from "../canvas/flow.ts";
+import { kindOf, rowId } from "../canvas/form.ts";
+import { shownType } from "../canvas/types.ts";
+import { ValueField } from "../canvas/value_editor.tsx";
+import { disconnectChange } from "../canvas/wiring.ts";
+import type { Designer } from "../designer.ts";
+import { type Drawing, type Node, Node_Shape, type Port } from "../protocol.ts";
+import { useDesigner, useIsReadOnly, usePart } from "../use.ts";
+import { Heading, Section, SentField } from "./parts.tsx";
+
+export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const page = drawing.page?.path ?? "";
+  const help = useHelp(node);
+  return (
+    <div className="details">
+      <Heading name={node.title || node.name} kind={kindLine(node)} help={help} />
+      {page !== "" && node.shape !== Node_Shape.ACTUATOR && node.shape !== Node_Shape.BINDING && (
+        <SentField
+          label="Name"
+          value={node.name}
+          send={(name) => void designer.edit("", { case: "rename", value: { page, node: node.name, name } })}
+        />
+      )}
+      <NodeButtons designer={designer} node={node} isReadOnly={isReadOnly} />
+      {node.inputs.length > 0 && (
+        <Section title="Inputs">
+          <ul className="inputs">
+            {node.inputs.map((port) => (
+              <Input key={rowId(port.name, port.index)} drawing={drawing} node={node} port={port} />
+            ))}
+          </ul>
+        </Section>
+      )}
+      {node.type !== "" && (
+        <Section title="Output">
+          <p className="small">
+            {shownType(node.type, node.unit)}
+            <span className="muted"> · {readersOf(drawing, node.name)}</span>
+          </p>
+        </Section>
+      )}
+    </div>
+  );
+}
+
+function kindLine(node: Node): string {
+  const kind = kindOf(node.shape);
+  return node.component && node.component !== node.name ? `${node.component}, ${kind}` : kind;
+}
+
+/** The node's own, or else its component's. */
+function useHelp(node: Node): string {
+  const component = usePart((state) =>
+    state.palettes[state.document]?.components.find((one) => one.name === node.component),
+  );
+  return node.help || component?.help || "";
+}
+
+function readersOf(drawing: Drawing, name: string): string {
+  const to = drawing.wires
+    .filter((wire) => wire.from === name)
+    .map((wire) => (wire.to.startsWith("$") ? "the result" : wire.to));
+  if (drawing.resultNode === name && !to.includes("the result")) to.push("the result");
+  return to.length === 0 ? "leads nowhere yet" : `leads to ${[...new Set(to)].join(", ")}`;
+}
+
+function NodeButtons({ designer, node, isReadOnly }: { designer: Designer; node: Node; isReadOnly: boolean }) {
+  const { page, document } = designer.state;
+  const canOpen = node.inner !== undefined;
+  const isLibrary = canOpen && node.inner!.document !== "" && node.inner!.document !== document;
+  return (
+    <div className="columns" style={{ gap: 4 }}>
+      {canOpen && (
+        <Button icon="right" onPress={() => designer.goTo(node.inner!.document || document, node.inner!.path)}>
+          Look inside
+        </Button>
+      )}
+      {!isReadOnly && page !== "" && node.type !== "" && (
+        <Button icon="draw" onPress={() => designer.store.setState({ dialog: "connect", subject: node.name })}>
+          Connect…
+        </Button>
+      )}
+      {!isReadOnly && isLibrary && (
+        <Button
+          icon="file"
+          onPress={() =>
+            void designer.edit(`own copy of ${node.component}`, {
+              case: "copyComponent",
+              value: { component: node.component, name: "" },
+            })
+          }
+        >
+          Make my own copy
+        </Button>
+      )}
+      {!isReadOnly && page !== "" && canOpen && node.shape === Node_Shape.ASSEMBLAGE && (
+        <Button
+          onPress={() =>
+            void designer.edit(`ungroup ${node.name}`, { case: "ungroup", value: { page, node: node.name } })
+          }
+        >
+          Ungroup
+        </Button>
+      )}
+      {!isReadOnly && page !== "" && (
+        <Button
+          onPress={() => designer.store.setState({ dialog: "place", placing: { x: 0, y: 0, replace: node.name } })}
+        >
+          Replace…
+        </Button>
+      )}
+    </div>
+  );
+}
+
+function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Port }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const page = drawing.page?.path ?? "";
+  const row = rowId(port.name, port.index);
+  const wires = drawing.wires.filter((wire) => wire.to === node.name && rowId(wire.port, wire.index) === row);
+  const isWired = wiredOf(drawing).has(`${node.name}/${row}`) && !port.isExposed;
+  const label = port.label || row;
+  const drive = () =>
+    designer.store.setState({
+      dialog: "place",
+      placing: {
+        ...leftOf(node),
+        to: { node: node.name, port: port.name, ...(port.index === undefined ? {} : { index: port.index }) },
+      },
+    });
+  if (isWired || (port.isList && port.index === undefined) || (port.isMember && port.value === "")) {
+    return (
+      <li className="input-row">
+        <div className="columns spread" style={{ flexWrap: "nowrap" }}>
+          <span className="small ellipsis">
+            <b>{label}</b>{" "}
+            <span className="muted">
+              {wires.length > 0 ? `from ${wires.map((wire) => wire.from).join(", ")}` : shownType(port.type, port.unit)}
+            </span>
+          </span>
+          {!isReadOnly &&
+            (isWired ? (
+              <IconButton
+                icon="close"
+                label={`Disconnect ${label}`}
+                onPress={() => void designer.edit("", disconnectChange(page, node.name, row))}
+              />
+            ) : (
+              <IconButton icon="plus" label={`Place something for ${label}`} onPress={drive} />
+            ))}
+        </div>
+        {port.isMember && isWired && <ValueField node={node} port={port} what="weight" onDone={() => {}} />}
+      </li>
+    );
+  }
+  return (
+    <li className="input-row">
+      <ValueField node={node} port={port} what="value" onDone={() => {}} />
+      {!isReadOnly && (
+        <IconButton className="input-drive" icon="plus" label={`Place something for ${label}`} onPress={drive} />
+      )}
+    </li>
+  );
+}
+
+function leftOf(node: Node): { x: number; y: number } {
+  return { x: (node.x ?? 0) - 280, y: node.y ?? 0 };
+}

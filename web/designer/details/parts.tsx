@@ -1,0 +1,89 @@
+// Fields that send what is typed in them when they are left, and headings: the same in all details.
+import { type ReactNode, useEffect, useId, useState } from "react";
+import { Field } from "../../console/ui/controls.tsx";
+import { useIsReadOnly } from "../use.ts";
+
+interface SentFieldProps {
+  label: string;
+  value: string;
+  send: (value: string) => void;
+  help?: string;
+  placeholder?: string;
+  isDisabled?: boolean;
+  hiddenLabel?: boolean;
+}
+
+/** One line; sent by Enter or by leaving it, where it is another one than before. */
+export function SentField({ value, send, isDisabled, ...rest }: SentFieldProps) {
+  const isReadOnly = useIsReadOnly();
+  const [typed, setTyped] = useState(value);
+  useEffect(() => setTyped(value), [value]);
+  return (
+    <Field
+      {...rest}
+      value={typed}
+      onChange={setTyped}
+      onCommit={(next) => next.trim() !== value && send(next.trim())}
+      isDisabled={isReadOnly || (isDisabled ?? false)}
+    />
+  );
+}
+
+/** Several lines; sent by leaving it. */
+export function SentText({
+  label,
+  value,
+  send,
+  rows = 3,
+  isCode = false,
+}: {
+  label: string;
+  value: string;
+  send: (value: string) => void;
+  rows?: number;
+  isCode?: boolean;
+}) {
+  const isReadOnly = useIsReadOnly();
+  const id = useId();
+  const [typed, setTyped] = useState(value);
+  useEffect(() => setTyped(value), [value]);
+  return (
+    <div className="field">
+      <label htmlFor={id}>{label}</label>
+      <textarea
+        id={id}
+        className={`input area ${isCode ? "mono" : ""}`}
+        rows={Math.max(rows, Math.min(10, typed.split("\n").length))}
+        value={typed}
+        disabled={isReadOnly}
+        onChange={(event) => setTyped(event.target.value)}
+        onBlur={() => typed.trim() !== value && send(typed.trim())}
+        onKeyDown={(event) =>
+          event.key === "Enter" && (event.ctrlKey || event.metaKey) && typed.trim() !== value && send(typed.trim())
+        }
+      />
+    </div>
+  );
+}
+
+export function Section({ title, children, tools }: { title: string; children: ReactNode; tools?: ReactNode }) {
+  return (
+    <section className="details-section" aria-label={title}>
+      <header>
+        <h3>{title}</h3>
+        {tools}
+      </header>
+      {children}
+    </section>
+  );
+}
+
+export function Heading({ name, kind, help }: { name: string; kind: string; help?: string }) {
+  return (
+    <header className="details-head">
+      <h2 className="ellipsis">{name}</h2>
+      <span className="small muted">{kind}</span>
+      {help && <p className="small details-help">{help}</p>}
+    </header>
+  );
+}

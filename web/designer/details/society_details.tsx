@@ -1,0 +1,105 @@
+// A society: its members, in each other as they are drawn.
+import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { type Drawing, type Node, Node_Shape } from "../protocol.ts";
+import { useDesigner, useIsReadOnly } from "../use.ts";
+import { Section, SentField } from "./parts.tsx";
+
+export function SocietyDetails({ drawing }: { drawing: Drawing }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const society = drawing.page?.path ?? "";
+  const set = (
+    name: string,
+    value: { path: number[]; name?: string; count?: number; by?: string; isCaste?: boolean },
+  ) => void designer.edit(name, { case: "setMember", value: { society, ...value } });
+  const robots = useRobots();
+  return (
+    <Section title="Members">
+      <ul className="inputs">
+        {drawing.nodes.map((node) => (
+          <Member key={node.name} node={node} isReadOnly={isReadOnly} set={set} society={society} />
+        ))}
+      </ul>
+      {!isReadOnly && (
+        <div className="columns" style={{ gap: 4 }}>
+          {robots.map((robot) => (
+            <Button
+              key={robot}
+              icon="plus"
+              onPress={() => set(`add ${robot}`, { path: [memberCount(drawing)], name: robot, count: 1 })}
+            >
+              {robot}
+            </Button>
+          ))}
+          {robots.length === 0 && <p className="small muted">This file has no robots to be members yet.</p>}
+        </div>
+      )}
+    </Section>
+  );
+}
+
+interface MemberProps {
+  node: Node;
+  society: string;
+  isReadOnly: boolean;
+  set: (name: string, value: { path: number[]; name?: string; count?: number; by?: string; isCaste?: boolean }) => void;
+}
+
+function Member({ node, society, isReadOnly, set }: MemberProps) {
+  const designer = useDesigner();
+  const path = pathOf(node.name);
+  const isCaste = node.shape === Node_Shape.CASTE;
+  const by = node.inputs.find((port) => port.name === "by")?.value ?? "";
+  const same = { path, name: node.component, count: node.count, by, isCaste };
+  return (
+    <li className="member">
+      <div className="columns spread" style={{ flexWrap: "nowrap" }}>
+        <b className="ellipsis">{node.title || node.component || "caste"}</b>
+        {!isReadOnly && path.length > 0 && (
+          <IconButton
+            icon="close"
+            label={`Remove ${node.title || node.component}`}
+            onPress={() =>
+              void designer.edit(`remove ${node.component}`, { case: "removeMember", value: { society, path } })
+            }
+          />
+        )}
+      </div>
+      {!isCaste && (
+        <SentField
+          label="How many"
+          value={String(Math.max(1, node.count))}
+          send={(count) =>
+            set(`${count} ${node.component}`, { ...same, count: Math.max(1, Math.round(Number(count)) || 1) })
+          }
+        />
+      )}
+      <SentField
+        label="Coordinated by"
+        value={by}
+        placeholder="nothing"
+        send={(operator) => set(`coordinate ${node.component}`, { ...same, by: operator })}
+      />
+    </li>
+  );
+}
+
+/** `0.1`: the second member of the first group. */
+export function pathOf(name: string): number[] {
+  return name
+    .split(/[._]/)
+    .filter((part) => /^\d+$/.test(part))
+    .map(Number);
+}
+
+function memberCount(drawing: Drawing): number {
+  return drawing.nodes.filter((node) => pathOf(node.name).length === 1).length;
+}
+
+function useRobots(): string[] {
+  const designer = useDesigner();
+  return (designer.document?.declarations ?? [])
+    .filter((one) => one.kind === "robot" || one.kind === "society")
+    .map((one) => one.name)
+    .filter((name) => name !== designer.state.page);
+}

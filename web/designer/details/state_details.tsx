@@ -1,0 +1,85 @@
+import { Button, IconButton, Switch } from "../../console/ui/controls.tsx";
+import type { Drawing, State } from "../protocol.ts";
+import { transitionId } from "../states/flow.ts";
+import { useDesigner, useIsReadOnly } from "../use.ts";
+import { Heading, Section, SentField, SentText } from "./parts.tsx";
+
+export function StateDetails({ drawing, state }: { drawing: Drawing; state: State }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const page = drawing.page?.path ?? "";
+  const out = drawing.transitions.filter((one) => one.from === state.name).sort((a, b) => a.index - b.index);
+  const set = (name: string, value: { isStart?: boolean; isFinal?: boolean; member?: string }) =>
+    void designer.edit(name, { case: "setState", value: { page, state: state.name, ...value } });
+  return (
+    <div className="details">
+      <Heading name={state.name} kind="state" />
+      <SentField
+        label="Name"
+        value={state.name}
+        send={(name) => void designer.edit("", { case: "rename", value: { page, node: state.name, name } })}
+      />
+      <SentText
+        label="What the robot does in it"
+        value={state.member}
+        isCode
+        rows={2}
+        send={(member) => set(`change what ${state.name} does`, { member })}
+      />
+      <div className="columns" style={{ gap: 4 }}>
+        {state.inner && (
+          <Button
+            icon="right"
+            onPress={() => designer.goTo(state.inner!.document || designer.state.document, state.inner!.path)}
+          >
+            Look inside
+          </Button>
+        )}
+        {!isReadOnly && (
+          <Button
+            onPress={() => designer.store.setState({ dialog: "place", placing: { x: 0, y: 0, replace: state.name } })}
+          >
+            Replace…
+          </Button>
+        )}
+      </div>
+      <div>
+        <Switch
+          label="The start state"
+          value={state.isStart}
+          isDisabled={isReadOnly || state.isStart}
+          onChange={() => set(`start with ${state.name}`, { isStart: true })}
+        />
+        <Switch
+          label="Final: no way out on purpose"
+          value={state.isFinal}
+          isDisabled={isReadOnly}
+          onChange={(isFinal) => set(isFinal ? `${state.name} is final` : `${state.name} is not final`, { isFinal })}
+        />
+      </div>
+      <Section
+        title="Transitions, in the order in which they are asked"
+        tools={
+          !isReadOnly && (
+            <IconButton
+              icon="plus"
+              label="Add a transition"
+              onPress={() => designer.store.setState({ dialog: "connect", subject: state.name })}
+            />
+          )
+        }
+      >
+        {out.length === 0 && <p className="small muted">It has no way out{state.isFinal ? "." : " yet."}</p>}
+        <ol className="transitions">
+          {out.map((one) => (
+            <li key={transitionId(one)}>
+              <Button tone="link" onPress={() => designer.select([transitionId(one)])}>
+                <span className="mono">{one.trigger || "when?"}</span> → {one.to}
+              </Button>
+            </li>
+          ))}
+        </ol>
+      </Section>
+    </div>
+  );
+}

@@ -1,0 +1,34 @@
+import { Button } from "../../console/ui/controls.tsx";
+import { wireId } from "../canvas/flow.ts";
+import { shownType } from "../canvas/types.ts";
+import { disconnectChange, endOf } from "../canvas/wiring.ts";
+import { type Drawing, kResult } from "../protocol.ts";
+import { useDesigner, useIsReadOnly } from "../use.ts";
+import { Heading } from "./parts.tsx";
+
+export function WireDetails({ drawing, id }: { drawing: Drawing; id: string }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const wire = drawing.wires.find((one) => (one.to === kResult ? kResult : wireId(one)) === id);
+  const from = wire?.from ?? (id === kResult ? drawing.resultNode : "");
+  if (from === "") return <p className="empty small">It is not there any more.</p>;
+  const { node, row } = endOf(id);
+  const to = node === kResult ? "the result of the page" : `${row} of ${node}`;
+  return (
+    <div className="details">
+      <Heading name="Wire" kind={wire ? shownType(wire.type, wire.unit) : drawing.resultType} />
+      <p className="small">
+        From <b>{from}</b> to <b>{to}</b>.
+      </p>
+      {wire?.isActive && <p className="small muted">It leads to the part that moves a sensor.</p>}
+      {!isReadOnly && (
+        <Button
+          icon="close"
+          onPress={() => void designer.edit("", disconnectChange(drawing.page?.path ?? "", node, row))}
+        >
+          Disconnect
+        </Button>
+      )}
+    </div>
+  );
+}

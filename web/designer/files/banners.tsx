@@ -1,0 +1,171 @@
+// Lines above the canvas: the connection is lost, the file changed on disk, the text does not parse, something went wrong.
+import { type ReactNode, useEffect, useState } from "react";
+import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { Icon } from "../../console/ui/icons.tsx";
+import { titleOf } from "../designer.ts";
+import type { FileChanged } from "../protocol.ts";
+import { useDesigner, useDocument, usePart } from "../use.ts";
+
+export function Banners() {
+  return (
+    <>
+      <LinkBanner />
+      <ChangedBanner />
+      <ReadOnlyBanner />
+      <OutdatedBanner />
+      <NoticeBanner />
+    </>
+  );
+}
+
+function Banner({ tone, children, role = "status" }: { tone: string; children: ReactNode; role?: "status" | "alert" }) {
+  return (
+    <div className={`banner ${tone}`} role={role}>
+      {children}
+    </div>
+  );
+}
+
+function LinkBanner() {
+  const designer = useDesigner();
+  const link = usePart((state) => state.link);
+  const hello = usePart((state) => state.hello);
+  const seconds = useSecondsUntil(link.retryAt);
+  if (link.state === "open" || (link.state === "connecting" && !hello)) return null;
+  const isRefused = link.state === "refused";
+  return (
+    <Banner tone={isRefused ? "danger" : "hold"} role="alert">
+      <Icon name="warning" />
+      <span className="grow">
+        {isRefused
+          ? `The server refuses this page: ${link.reason}. Open the address that mlab printed.`
+          : `Connection lost: ${link.reason}. Nothing can be changed until it is back; what you did is kept by the server.`}
+      </span>
+      {!isRefused && (
+        <>
+          <span className="number">{seconds > 0 ? `again in ${seconds} s` : "connecting…"}</span>
+          <Button onPress={() => designer.link.connect()}>Try now</Button>
+        </>
+      )}
+    </Banner>
+  );
+}
+
+function ChangedBanner() {
+  const designer = useDesigner();
+  const document = useDocument();
+  const changed = usePart((state) => state.changed[state.document]);
+  if (!document || !changed) return null;
+  const dismiss = () => forget(designer, changed);
+  const reload = async (merge: boolean) => {
+    const answer = await designer.ask({ case: "reload", value: { document: document.path, merge } });
+    if (answer.ok) dismiss();
+  };
+  const name = titleOf(document.path);
+  if (changed.isGone) {
+    return (
+      <Banner tone="hold">
+        <Icon name="file" />
+        <span className="grow">{name} is gone from the disk. Save writes it anew.</span>
+        <Button onPress={() => void designer.save(true).then(dismiss)}>Save</Button>
+        <IconButton icon="close" label="Dismiss" onPress={dismiss} />
+      </Banner>
+    );
+  }
+  if (!changed.isDirtyHere) {
+    return (
+      <Banner tone="accent">
+        <Icon name="file" />
+        <span className="grow">{name} was changed on the disk; this is the new text.</span>
+        <IconButton icon="close" label="Dismiss" onPress={dismiss} />
+      </Banner>
+    );
+  }
+  return (
+    <Banner tone="hold" role="alert">
+      <Icon name="file" />
+      <span className="grow">{name} was changed on the disk, and you have changes that are not saved.</span>
+      <Button tone="primary" onPress={() => void reload(true)}>
+        Merge both
+      </Button>
+      <Button onPress={() => void reload(false)}>Take the disk's</Button>
+      <Button onPress={() => void designer.save(true).then(dismiss)}>Keep mine</Button>
+    </Banner>
+  );
+}
+
+function forget(designer: ReturnType<typeof useDesigner>, { document }: FileChanged): void {
+  designer.store.setState(({ changed }) => {
+    const rest = { ...changed };
+    delete rest[document];
+    return { changed: rest };
+  });
+}
+
+function ReadOnlyBanner() {
+  const designer = useDesigner();
+  const document = useDocument();
+  if (!document?.isReadOnly) return null;
+  return (
+    <Banner tone="accent">
+      <Icon name="lock" />
+      <span className="grow">
+        {document.path.startsWith("library:")
+          ? "A component of the library: look, but not change."
+          : "An example: look, or save it as your own."}
+      </span>
+      <Button onPress={() => designer.store.setState({ dialog: "save-as" })}>Make my own copy…</Button>
+    </Banner>
+  );
+}
+
+function OutdatedBanner() {
+  const designer = useDesigner();
+  const document = useDocument();
+  if (!document?.isOutdated) return null;
+  return (
+    <Banner tone="hold">
+      <Icon name="warning" />
+      <span className="grow">
+        The text can't be read as it stands. The drawing is that of the last text that could.
+      </span>
+      <Button onPress={() => designer.show({ problems: true, text: true })}>Show why</Button>
+    </Banner>
+  );
+}
+
+function NoticeBanner() {
+  const designer = useDesigner();
+  const notice = usePart((state) => state.notice);
+  useEffect(() => {
+    if (!notice || notice.tone === "danger") return;
+    const timer = setTimeout(() => designer.store.setState({ notice: null }), 6000);
+    return () => clearTimeout(timer);
+  }, [notice, designer]);
+  if (!notice) return null;
+  return (
+    <Banner tone={notice.tone} role="alert">
+      <Icon name="warning" />
+      <span className="grow">{sentence(notice.text)}</span>
+      <IconButton icon="close" label="Dismiss" onPress={() => designer.store.setState({ notice: null })} />
+    </Banner>
+  );
+}
+
+/** As a sentence: capital first, a full stop, no marks of code. */
+export function sentence(text: string): string {
+  const plain = text.replaceAll("`", "").trim();
+  if (plain === "") return "";
+  const capital = plain[0]!.toUpperCase() + plain.slice(1);
+  return /[.!?]$/.test(capital) ? capital : `${capital}.`;
+}
+
+function useSecondsUntil(time: number): number {
+  const [now, setNow] = useState(() => Date.now());
+  useEffect(() => {
+    if (time === 0) return;
+    const timer = setInterval(() => setNow(Date.now()), 250);
+    return () => clearInterval(timer);
+  }, [time]);
+  return time === 0 ? 0 : Math.max(0, Math.ceil((time - now) / 1000));
+}

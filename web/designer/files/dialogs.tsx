@@ -1,0 +1,170 @@
+// Open, save as, save to the library.
+import { useState } from "react";
+import { folderOf, join, nameOf, nameProblem, withEnding } from "../../console/start/paths.ts";
+import { Button, Field } from "../../console/ui/controls.tsx";
+import { DialogBox } from "../../console/ui/menus.tsx";
+import { isNew, titleOf } from "../designer.ts";
+import { Choice } from "../details/choice.tsx";
+import { declarationOf } from "../pages/pages.ts";
+import { useDesigner, useDocument, usePart } from "../use.ts";
+import { FileList } from "./file_list.tsx";
+
+export function OpenDialog() {
+  const designer = useDesigner();
+  const [folder, setFolder] = useState(folderOf(inProject(designer.state.document)));
+  const [chosen, setChosen] = useState("");
+  const close = () => designer.store.setState({ dialog: "" });
+  const open = async (path: string) => {
+    if (await designer.open(path)) close();
+  };
+  return (
+    <DialogBox
+      title="Open a configuration"
+      onClose={close}
+      footer={
+        <>
+          <Button onPress={close}>Cancel</Button>
+          <Button tone="primary" isDisabled={chosen === ""} onPress={() => void open(chosen)}>
+            Open
+          </Button>
+        </>
+      }
+    >
+      <FileList
+        folder={folder}
+        onFolder={(next) => {
+          setFolder(next);
+          setChosen("");
+        }}
+        chosen={chosen}
+        onChoose={setChosen}
+        onOpen={(path) => void open(path)}
+      />
+      <p className="help">What is not saved of the open ones is kept.</p>
+    </DialogBox>
+  );
+}
+
+export function SaveAsDialog() {
+  const designer = useDesigner();
+  const document = useDocument();
+  const before = inProject(document?.path ?? "");
+  const [folder, setFolder] = useState(folderOf(before));
+  const [name, setName] = useState(() => firstName(document?.path ?? "", document?.declarations[0]?.name ?? ""));
+  const [isThere, setIsThere] = useState(false);
+  const [refusal, setRefusal] = useState("");
+  const close = () => designer.store.setState({ dialog: "" });
+  if (!document) return null;
+  const path = join(folder, withEnding(name, ".cdl"));
+  const problem = nameProblem(name);
+  const save = async () => {
+    const { page } = designer.state;
+    const answer = await designer.link.ask({
+      case: "save",
+      value: { document: document.path, as: path, overwrite: isThere },
+    });
+    if (!answer.ok) {
+      setRefusal(answer.error);
+      setIsThere(true);
+      return;
+    }
+    close();
+    const saved = answer.result.case === "text" && answer.result.value !== "" ? answer.result.value : path;
+    if (saved !== document.path) await designer.open(saved, page);
+    designer.say(`Saved ${saved}`);
+  };
+  return (
+    <DialogBox
+      title={`Save ${titleOf(document.path)} as`}
+      onClose={close}
+      footer={
+        <>
+          <Button onPress={close}>Cancel</Button>
+          <Button tone={isThere ? "danger" : "primary"} isDisabled={problem !== undefined} onPress={() => void save()}>
+            {isThere ? "Replace it" : "Save"}
+          </Button>
+        </>
+      }
+    >
+      {document.isReadOnly && <p className="notice">This stays as it is: what is saved is a copy of your own.</p>}
+      {refusal && <p className="notice hold">{refusal}</p>}
+      <Field
+        label="Name"
+        value={name}
+        onChange={(next) => {
+          setName(next);
+          setIsThere(false);
+          setRefusal("");
+        }}
+        problem={problem}
+        autoFocus
+        help={`Becomes ${path}`}
+      />
+      <FileList
+        folder={folder}
+        onFolder={setFolder}
+        chosen=""
+        onChoose={(chosen) => setName(nameOf(chosen))}
+        onOpen={() => {}}
+      />
+    </DialogBox>
+  );
+}
+
+/** An assemblage goes to the project's own library, and so into the palette of every file. */
+export function LibraryDialog() {
+  const designer = useDesigner();
+  const document = useDocument();
+  const page = usePart((state) => state.page);
+  const own = (document?.declarations ?? []).filter((one) => one.kind === "assemblage");
+  const [name, setName] = useState(own.find((one) => one.name === declarationOf(page))?.name ?? own[0]?.name ?? "");
+  const close = () => designer.store.setState({ dialog: "" });
+  if (!document) return null;
+  const save = async () => {
+    const answer = await designer.ask({ case: "save", value: { document: document.path, library: name } });
+    if (!answer.ok) return;
+    close();
+    designer.tell(
+      `${name} is in the library now, and in the palette of every configuration of this project.`,
+      "accent",
+    );
+  };
+  return (
+    <DialogBox
+      title="Save to the library"
+      onClose={close}
+      footer={
+        <>
+          <Button onPress={close}>Cancel</Button>
+          <Button tone="primary" isDisabled={name === ""} onPress={() => void save()}>
+            Save to the library
+          </Button>
+        </>
+      }
+    >
+      {own.length === 0 ? (
+        <p className="notice">This file has no assemblage that could be saved.</p>
+      ) : (
+        <Choice
+          label="Assemblage"
+          value={name}
+          choices={own.map((one) => [one.name, one.name, one.help])}
+          onChange={setName}
+        />
+      )}
+      <p className="help">
+        With its documentation and its parameters. Other configurations of this project use it by its name.
+      </p>
+    </DialogBox>
+  );
+}
+
+function firstName(path: string, declaration: string): string {
+  if (!isNew(path)) return nameOf(titleOf(path));
+  return declaration === "" ? "configuration" : declaration.replaceAll(/(?<=[a-z0-9])(?=[A-Z])/g, "_").toLowerCase();
+}
+
+/** Examples and the library are outside of the project. */
+function inProject(path: string): string {
+  return path.includes(":") ? "" : path;
+}

@@ -1,0 +1,94 @@
+// Without a document: what there is to open, and how to begin.
+import { shownPath, shownTitle } from "../../console/start/paths.ts";
+import { Button } from "../../console/ui/controls.tsx";
+import { Icon, type IconName } from "../../console/ui/icons.tsx";
+import { useDesigner, usePart } from "../use.ts";
+import "../../console/start/start.css";
+
+interface Entry {
+  path: string;
+  title: string;
+}
+
+export function StartPage() {
+  const designer = useDesigner();
+  const hello = usePart((state) => state.hello);
+  if (!hello) {
+    return (
+      <main className="start">
+        <p className="empty">Connecting…</p>
+      </main>
+    );
+  }
+  return (
+    <main className="start">
+      <div className="start-box wide">
+        <header>
+          <h1>What shall the robots do?</h1>
+          <p className="muted">
+            Project folder <span className="mono">{hello.folder}</span>
+          </p>
+        </header>
+        <div className="columns">
+          <Button tone="primary" className="large" icon="why" onPress={() => void beginTour(designer)}>
+            Guided first tour
+          </Button>
+          <Button className="large" icon="plus" onPress={() => void designer.open("", "")}>
+            New configuration
+          </Button>
+          <Button className="large" icon="folder" onPress={() => designer.store.setState({ dialog: "open" })}>
+            Open…
+          </Button>
+        </div>
+        <div className="start-lists">
+          <Entries title="Recent" icon="restart" entries={hello.recent} none="What you have opened appears here." />
+          <Entries
+            title="In this project"
+            icon="file"
+            entries={hello.files}
+            none="This folder has no configurations yet."
+          />
+          <Entries title="Examples" icon="map" entries={hello.examples} none="No examples are installed." />
+        </div>
+      </div>
+    </main>
+  );
+}
+
+/** From an empty canvas to a robot that wanders. */
+export async function beginTour(designer: ReturnType<typeof useDesigner>): Promise<void> {
+  if (await designer.open("", "")) designer.store.setState({ tour: 0 });
+}
+
+function Entries({
+  title,
+  icon,
+  entries,
+  none,
+}: {
+  title: string;
+  icon: IconName;
+  entries: readonly Entry[];
+  none: string;
+}) {
+  const designer = useDesigner();
+  return (
+    <section aria-label={title}>
+      <h2>{title}</h2>
+      {entries.length === 0 && <p className="small muted">{none}</p>}
+      <ul>
+        {entries.map((entry) => (
+          <li key={entry.path}>
+            <Button tone="quiet" className="start-entry" onPress={() => void designer.open(entry.path)}>
+              <Icon name={icon} />
+              <span className="grow">
+                <span className="start-title">{shownTitle(entry)}</span>
+                <span className="small muted ellipsis">{shownPath(entry.path)}</span>
+              </span>
+            </Button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,71 @@
+// What runs now, as the drawing shows it: the value of every wire and node output, which states are active, which
+// transitions have just been made. Empty while nothing runs. Who shows one value hears of its changes and of no others.
+
+export interface LiveValue {
+  /** As a person reads it, with its unit. */
+  readonly text: string;
+  /** Where it is a number (or a flag: 0 or 1). */
+  readonly number?: number;
+  /** Where it is a vector, robot frame, share of full strength. */
+  readonly vector?: { readonly x: number; readonly y: number };
+  /** Of a state: it is the one. Of a node: it fired in this cycle. */
+  readonly isActive?: boolean;
+  /** Number of times that it happened; a change flashes (transitions). */
+  readonly times?: number;
+}
+
+/** By page (as in `Drawing.page.path`) and the `live` of what is drawn on it. */
+export function liveKey(page: string, live: string): string {
+  return `${page}|${live}`;
+}
+
+export class LiveValues {
+  private values: ReadonlyMap<string, LiveValue> = new Map();
+  private readonly listeners = new Map<string, Set<() => void>>();
+
+  get(key: string): LiveValue | undefined {
+    return this.values.get(key);
+  }
+
+  get isEmpty(): boolean {
+    return this.values.size === 0;
+  }
+
+  /** All that is known now; what is not in it is known no more. */
+  set(values: ReadonlyMap<string, LiveValue>): void {
+    const before = this.values;
+    this.values = values;
+    for (const [key, listeners] of this.listeners) {
+      if (!isSame(before.get(key), values.get(key))) for (const listener of [...listeners]) listener();
+    }
+  }
+
+  subscribe(key: string, listener: () => void): () => void {
+    let known = this.listeners.get(key);
+    if (!known) {
+      known = new Set();
+      this.listeners.set(key, known);
+    }
+    known.add(listener);
+    return () => {
+      known.delete(listener);
+      if (known.size === 0 && this.listeners.get(key) === known) this.listeners.delete(key);
+    };
+  }
+}
+
+function isSame(a: LiveValue | undefined, b: LiveValue | undefined): boolean {
+  if (a === b) return true;
+  if (!a || !b) return false;
+  return (
+    a.text === b.text &&
+    a.number === b.number &&
+    a.vector?.x === b.vector?.x &&
+    a.vector?.y === b.vector?.y &&
+    a.isActive === b.isActive &&
+    a.times === b.times
+  );
+}
+
+/** The page's. */
+export const liveValues = new LiveValues();

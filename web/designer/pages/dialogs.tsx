@@ -1,0 +1,241 @@
+// Small dialogs about what is on the page: names, new declarations, parameters, groups.
+import { useState } from "react";
+import { Button, Field } from "../../console/ui/controls.tsx";
+import { DialogBox } from "../../console/ui/menus.tsx";
+import { parted } from "../actions/editing.ts";
+import { Choice } from "../details/choice.tsx";
+import { transitionOf } from "../states/flow.ts";
+import { useDesigner, useDrawing, usePart } from "../use.ts";
+import { cdlName } from "./names.ts";
+
+interface AskProps {
+  title: string;
+  label: string;
+  first: string;
+  button: string;
+  help?: string;
+  isFree?: boolean;
+  /** Gives what is wrong; nothing: done. */
+  done: (value: string) => Promise<string>;
+}
+
+function Ask({ title, label, first, button, help, isFree = false, done }: AskProps) {
+  const designer = useDesigner();
+  const [value, setValue] = useState(first);
+  const [problem, setProblem] = useState<string | undefined>();
+  const close = () => designer.store.setState({ dialog: "" });
+  const wrong = isFree ? undefined : cdlName(value);
+  const go = async () => {
+    if (wrong) return;
+    const error = await done(value.trim());
+    if (error) setProblem(error);
+    else close();
+  };
+  return (
+    <DialogBox
+      title={title}
+      onClose={close}
+      width={420}
+      footer={
+        <>
+          <Button onPress={close}>Cancel</Button>
+          <Button tone="primary" isDisabled={wrong !== undefined} onPress={() => void go()}>
+            {button}
+          </Button>
+        </>
+      }
+    >
+      {/* biome-ignore lint/a11y/noStaticElementInteractions: Enter in the field is the button's */}
+      <div onKeyDown={(event) => event.key === "Enter" && void go()}>
+        <Field
+          label={label}
+          value={value}
+          onChange={(next) => {
+            setValue(next);
+            setProblem(undefined);
+          }}
+          problem={problem ?? (value === "" ? undefined : wrong)}
+          autoFocus
+          {...(help ? { help } : {})}
+        />
+      </div>
+    </DialogBox>
+  );
+}
+
+export function RenameDialog() {
+  const designer = useDesigner();
+  const drawing = useDrawing();
+  const node = usePart((state) => state.subject);
+  const page = usePart((state) => state.page);
+  const transition = drawing && transitionOf(drawing, node);
+  if (transition) {
+    return (
+      <Ask
+        title={`Transition from ${transition.from} to ${transition.to}`}
+        label="When"
+        first={transition.trigger}
+        button="Set"
+        isFree
+        done={async (trigger) => {
+          const { from, index } = transition;
+          const answer = await designer.link.ask(
+            editOf(designer, `trigger of ${from}`, { case: "setTransition", value: { page, from, index, trigger } }),
+          );
+          return answer.error;
+        }}
+      />
+    );
+  }
+  return (
+    <Ask
+      title={`Rename ${node}`}
+      label="Name"
+      first={node}
+      button="Rename"
+      done={async (name) => {
+        if (name === node) return "";
+        const answer = await designer.link.ask(editOf(designer, "", { case: "rename", value: { page, node, name } }));
+        if (answer.ok) designer.select([name]);
+        return answer.error;
+      }}
+    />
+  );
+}
+
+const kKinds: Record<string, string> = { assemblage: "an assemblage", robot: "a robot", society: "a society" };
+
+export function DeclarationDialog() {
+  const designer = useDesigner();
+  const kind = usePart((state) => state.subject);
+  return (
+    <Ask
+      title={`Add ${kKinds[kind] ?? kind}`}
+      label="Name"
+      first=""
+      button="Add"
+      help="Begins with a capital, as Wander or ForageTeam."
+      done={async (name) => {
+        const answer = await designer.link.ask(
+          editOf(designer, `add ${kind} ${name}`, { case: "addDeclaration", value: { kind, name } }),
+        );
+        if (answer.ok) designer.goTo(designer.state.document, name);
+        return answer.error;
+      }}
+    />
+  );
+}
+
+export function GroupDialog() {
+  const designer = useDesigner();
+  const page = usePart((state) => state.page);
+  const { nodes } = parted(designer);
+  return (
+    <Ask
+      title={`Make an assemblage of ${nodes.length === 1 ? nodes[0] : `${nodes.length} nodes`}`}
+      label="Name"
+      first=""
+      button="Make it"
+      help="What drives them from outside becomes its parameters."
+      done={async (name) => {
+        const answer = await designer.link.ask(
+          editOf(designer, `make assemblage ${name}`, { case: "group", value: { page, nodes, name } }),
+        );
+        return answer.error;
+      }}
+    />
+  );
+}
+
+const kTypes = [
+  "gain",
+  "number",
+  "length",
+  "speed",
+  "angle",
+  "duration",
+  "turning",
+  "flag",
+  "count",
+  "text",
+  "object_class",
+  "Vector",
+  "Point",
+  "Object",
+];
+
+export function ParameterDialog() {
+  const designer = useDesigner();
+  const drawing = useDrawing();
+  const subject = usePart((state) => state.subject);
+  const before = drawing?.parameters.find((one) => one.name === subject);
+  const [name, setName] = useState(before?.name ?? "");
+  const [type, setType] = useState(before?.type ?? "gain");
+  const [initial, setInitial] = useState(before?.initial ?? "");
+  const [low, setLow] = useState(before?.min === undefined ? "" : String(before.min));
+  const [high, setHigh] = useState(before?.max === undefined ? "" : String(before.max));
+  const [help, setHelp] = useState(before?.help ?? "");
+  const [problem, setProblem] = useState("");
+  const owner = drawing?.page?.path ?? "";
+  const close = () => designer.store.setState({ dialog: "" });
+  const save = async () => {
+    const changes = [
+      ...(before && before.name !== name
+        ? [{ case: "rename" as const, value: { page: owner, node: before.name, name } }]
+        : []),
+      { case: "setParameter" as const, value: { owner, name, type, initial, low, high, help } },
+    ];
+    const answer = await designer.link.ask(
+      editOf(designer, before ? `change parameter ${name}` : `add parameter ${name}`, ...changes),
+    );
+    if (answer.ok) close();
+    else setProblem(answer.error);
+  };
+  const types = kTypes.includes(type) ? kTypes : [type, ...kTypes];
+  return (
+    <DialogBox
+      title={before ? `Parameter ${before.name}` : "Add a parameter"}
+      onClose={close}
+      width={460}
+      footer={
+        <>
+          <Button onPress={close}>Cancel</Button>
+          <Button tone="primary" isDisabled={cdlName(name) !== undefined} onPress={() => void save()}>
+            {before ? "Change" : "Add"}
+          </Button>
+        </>
+      }
+    >
+      {problem && <p className="notice danger">{problem}</p>}
+      <Field label="Name" value={name} onChange={setName} problem={name === "" ? undefined : cdlName(name)} autoFocus />
+      <Choice label="Type" value={type} choices={types.map((one) => [one, one])} onChange={setType} />
+      <Field
+        label="Default"
+        value={initial}
+        onChange={setInitial}
+        help="Without one it has to be given wherever the assemblage is used."
+      />
+      <div className="columns" style={{ flexWrap: "nowrap" }}>
+        <Field label="Least" value={low} onChange={setLow} />
+        <Field label="Most" value={high} onChange={setHigh} />
+      </div>
+      <Field label="What it is for" value={help} onChange={setHelp} />
+    </DialogBox>
+  );
+}
+
+function editOf(
+  designer: ReturnType<typeof useDesigner>,
+  name: string,
+  ...changes: Parameters<typeof designer.edit>[1][]
+) {
+  return {
+    case: "edit" as const,
+    value: {
+      document: designer.state.document,
+      revision: designer.drawing?.revision ?? 0n,
+      name,
+      changes: changes.map((change) => ({ change })),
+    },
+  };
+}

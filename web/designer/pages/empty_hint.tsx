@@ -1,0 +1,33 @@
+// What to do on a page on which nothing stands yet.
+import { Button } from "../../console/ui/controls.tsx";
+import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import { useDesigner } from "../use.ts";
+
+export function EmptyHint({ drawing }: { drawing: Drawing }) {
+  const designer = useDesigner();
+  if (drawing.nodes.length + drawing.states.length > 0 || drawing.isReadOnly) return null;
+  const isFile = drawing.kind === Drawing_Kind.FILE;
+  return (
+    <div className="empty-hint">
+      <h2>{isFile ? "An empty configuration" : "An empty page"}</h2>
+      <p className="muted">
+        {isFile
+          ? "Begin with an assemblage: a skill, put together out of behaviors."
+          : "Drag components from the left, or press / and type what you look for."}
+      </p>
+      {isFile ? (
+        <Button
+          tone="primary"
+          icon="plus"
+          onPress={() => designer.store.setState({ dialog: "declaration", subject: "assemblage" })}
+        >
+          New assemblage
+        </Button>
+      ) : (
+        <Button tone="primary" icon="plus" onPress={() => designer.store.setState({ dialog: "place", placing: null })}>
+          Place a component
+        </Button>
+      )}
+    </div>
+  );
+}

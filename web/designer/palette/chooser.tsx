@@ -1,0 +1,118 @@
+// A list to be searched by a few letters, in the middle of the page: components to place, inputs to connect, commands.
+import { type ReactNode, useRef, useState } from "react";
+import { Dialog, Modal, ModalOverlay } from "react-aria-components";
+import { Icon } from "../../console/ui/icons.tsx";
+import "../../console/actions/actions.css";
+
+export interface Choice {
+  id: string;
+  label: string;
+  detail?: string | undefined;
+  tail?: string | undefined;
+  icon?: ReactNode;
+  /** Why it can't be chosen. */
+  blocked?: string | undefined;
+}
+
+interface ChooserProps {
+  title: string;
+  placeholder: string;
+  /** What is found, the best first. */
+  find: (query: string) => readonly Choice[];
+  onChoose: (id: string) => void;
+  onClose: () => void;
+  empty?: string;
+}
+
+const kMostShown = 80;
+
+export function Chooser({
+  title,
+  placeholder,
+  find,
+  onChoose,
+  onClose,
+  empty = "Nothing is called that.",
+}: ChooserProps) {
+  const [query, setQuery] = useState("");
+  const [at, setAt] = useState(0);
+  const list = useRef<HTMLDivElement>(null);
+  const choices = find(query).slice(0, kMostShown);
+  const choose = (place: number) => {
+    const choice = choices[place];
+    if (!choice || choice.blocked) return;
+    onClose();
+    // After the dialog has given the focus back, so that what is done may move it.
+    setTimeout(() => onChoose(choice.id), 0);
+  };
+  const go = (place: number) => {
+    const next = Math.max(0, Math.min(choices.length - 1, place));
+    setAt(next);
+    list.current?.children[next]?.scrollIntoView({ block: "nearest" });
+  };
+  const keys: Record<string, () => void> = {
+    ArrowDown: () => go(at + 1),
+    ArrowUp: () => go(at - 1),
+    PageDown: () => go(at + 8),
+    PageUp: () => go(at - 8),
+    Enter: () => choose(at),
+  };
+  return (
+    <ModalOverlay className="scrim" isOpen isDismissable onOpenChange={(open) => !open && onClose()}>
+      <Modal className="dialog">
+        <Dialog aria-label={title}>
+          <div className="palette-field">
+            <Icon name="search" />
+            <input
+              autoFocus
+              role="combobox"
+              aria-label={title}
+              aria-expanded="true"
+              aria-controls="chooser-list"
+              aria-activedescendant={choices[at] ? `choice-${at}` : undefined}
+              placeholder={placeholder}
+              value={query}
+              onChange={(event) => {
+                setQuery(event.target.value);
+                setAt(0);
+              }}
+              onKeyDown={(event) => {
+                const act = keys[event.key];
+                if (!act) return;
+                event.preventDefault();
+                act();
+              }}
+            />
+            <kbd>Esc</kbd>
+          </div>
+          <div className="palette-list" id="chooser-list" role="listbox" aria-label={title} ref={list} tabIndex={-1}>
+            {choices.map((choice, place) => (
+              // biome-ignore lint/a11y/useKeyWithClickEvents: keys go to the field, which holds the focus
+              <div
+                key={choice.id}
+                id={`choice-${place}`}
+                role="option"
+                tabIndex={-1}
+                className="palette-item"
+                aria-selected={place === at}
+                aria-disabled={choice.blocked !== undefined}
+                onClick={() => choose(place)}
+                onMouseMove={() => setAt(place)}
+              >
+                {choice.icon ?? <span className="icon-room" />}
+                <span className="grow choice-names">
+                  <span className="ellipsis">{choice.label}</span>
+                  {(choice.blocked || choice.detail) && (
+                    <span className="small muted ellipsis">{choice.blocked || choice.detail}</span>
+                  )}
+                </span>
+                {choice.tail && <span className="small muted">{choice.tail}</span>}
+              </div>
+            ))}
+            {choices.length === 0 && <p className="empty">{empty}</p>}
+          </div>
+        </Dialog>
+      </Modal>
+    </ModalOverlay>
+  );
+}

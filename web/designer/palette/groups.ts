@@ -1,0 +1,41 @@
+// The palette's components in groups, and found by a few letters.
+import { ranked } from "../../console/actions/search.ts";
+import { type Component, Node_Shape } from "../protocol.ts";
+
+export interface Group {
+  name: string;
+  components: Component[];
+}
+
+/** In the order in which they came, own ones first; what a page of states can't hold is left out there. */
+export function groupsOf(components: readonly Component[]): Group[] {
+  const groups = new Map<string, Component[]>();
+  for (const component of components) {
+    const name = component.group || "Others";
+    groups.set(name, [...(groups.get(name) ?? []), component]);
+  }
+  return [...groups].map(([name, members]) => ({ name, components: members }));
+}
+
+/** Of those, what is called so; the best first. */
+export function found(query: string, components: readonly Component[]): Component[] {
+  const names = ranked(query, components, (one) => `${one.title || one.name} ${one.name} ${one.aliases.join(" ")}`);
+  if (names.length > 0 || query.trim() === "") return names;
+  return ranked(query, components, (one) => one.help).slice(0, 20);
+}
+
+/** What a state can do, or a node of dataflow can be. */
+export function isForPage(component: Component, isStates: boolean): boolean {
+  if (!isStates) return true;
+  return (
+    component.shape === Node_Shape.ASSEMBLAGE ||
+    component.shape === Node_Shape.BEHAVIOR ||
+    component.shape === Node_Shape.SEQUENCE
+  );
+}
+
+/** The first sentence of a component's documentation. */
+export function firstSentence(help: string): string {
+  const end = /[.!?](\s|$)/.exec(help);
+  return (end ? help.slice(0, end.index + 1) : help).replaceAll(/\s+/g, " ").trim();
+}

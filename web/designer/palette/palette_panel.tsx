@@ -1,0 +1,139 @@
+// The component library at the left: by groups, searched, dragged onto the canvas or placed by Enter.
+import { useMemo, useState } from "react";
+import { Search } from "../../console/ui/controls.tsx";
+import { Icon } from "../../console/ui/icons.tsx";
+import { kDragged } from "../canvas/canvas.tsx";
+import { toneOf } from "../canvas/form.ts";
+import { NodeIcon } from "../canvas/icons.tsx";
+import { type Component, Drawing_Kind } from "../protocol.ts";
+import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../use.ts";
+import { firstSentence, found, groupsOf, isForPage } from "./groups.ts";
+import { place } from "./place.ts";
+
+const kNone: readonly Component[] = [];
+
+export function PalettePanel() {
+  const components = usePart((state) => state.palettes[state.document]?.components ?? kNone);
+  const drawing = useDrawing();
+  const [query, setQuery] = useState("");
+  const [closed, setClosed] = useState<ReadonlySet<string>>(new Set());
+  const isStates = drawing?.kind === Drawing_Kind.STATES;
+  const groups = useMemo(() => {
+    const usable = components.filter((one) => isForPage(one, isStates));
+    return groupsOf(query ? found(query, usable) : usable);
+  }, [components, query, isStates]);
+  const kind = drawing?.kind ?? Drawing_Kind.FILE;
+  if (kind === Drawing_Kind.FILE || kind === Drawing_Kind.SOCIETY)
+    return <Declarations isSociety={kind === Drawing_Kind.SOCIETY} />;
+  return (
+    <div className="palette">
+      <div className="palette-search">
+        <Search label="Find a component" value={query} onChange={setQuery} />
+      </div>
+      {groups.map((group) => {
+        const isOpen = query !== "" || !closed.has(group.name);
+        return (
+          <section key={group.name} aria-label={group.name}>
+            <h3>
+              <button
+                type="button"
+                className="palette-group"
+                aria-expanded={isOpen}
+                onClick={() => setClosed(toggled(closed, group.name))}
+              >
+                <Icon name={isOpen ? "down" : "right"} />
+                {group.name}
+                <span className="muted">{group.components.length}</span>
+              </button>
+            </h3>
+            {isOpen && (
+              <ul>
+                {group.components.map((component) => (
+                  <Entry key={component.name} component={component} />
+                ))}
+              </ul>
+            )}
+          </section>
+        );
+      })}
+      {groups.length === 0 && <p className="empty small">Nothing is called that.</p>}
+    </div>
+  );
+}
+
+function Entry({ component }: { component: Component }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const title = component.title || component.name;
+  return (
+    <li>
+      <button
+        type="button"
+        className={`palette-entry tone-${toneOf(component.shape)}`}
+        draggable={!isReadOnly}
+        disabled={isReadOnly}
+        title={component.help || undefined}
+        onDragStart={(event) => {
+          event.dataTransfer.setData(kDragged, component.name);
+          event.dataTransfer.setData("text/plain", component.name);
+          event.dataTransfer.effectAllowed = "copy";
+        }}
+        onClick={() => void place(designer, component.name, null)}
+      >
+        <span className="node-icon">
+          <NodeIcon icon={component.icon} component={component.name} shape={component.shape} />
+        </span>
+        <span className="palette-names">
+          <span className="ellipsis">{title}</span>
+          <span className="small muted ellipsis">{firstSentence(component.help)}</span>
+        </span>
+      </button>
+    </li>
+  );
+}
+
+const kKinds = [
+  ["assemblage", "Assemblage", "A skill, put together out of behaviors and other skills."],
+  ["robot", "Robot", "What one robot does, and which body it has."],
+  ["society", "Society", "Robots together: teams of the same, castes of different ones."],
+] as const;
+
+/** What can be added to a file. */
+function Declarations({ isSociety }: { isSociety: boolean }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  if (isSociety) return <p className="empty small">Members are added and changed in the details at the right.</p>;
+  return (
+    <div className="palette">
+      <section aria-label="New in this file">
+        <h3 className="palette-group">New in this file</h3>
+        <ul>
+          {kKinds.map(([kind, title, help]) => (
+            <li key={kind}>
+              <button
+                type="button"
+                className={`palette-entry tone-${kind === "assemblage" ? "skill" : kind === "robot" ? "body" : "society"}`}
+                disabled={isReadOnly}
+                onClick={() => designer.store.setState({ dialog: "declaration", subject: kind })}
+              >
+                <span className="node-icon">
+                  <Icon name="plus" />
+                </span>
+                <span className="palette-names">
+                  <span>{title}</span>
+                  <span className="small muted">{help}</span>
+                </span>
+              </button>
+            </li>
+          ))}
+        </ul>
+      </section>
+    </div>
+  );
+}
+
+function toggled(set: ReadonlySet<string>, name: string): ReadonlySet<string> {
+  const next = new Set(set);
+  if (!next.delete(name)) next.add(name);
+  return next;
+}

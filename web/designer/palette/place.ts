@@ -1,0 +1,84 @@
+// Puts a component on the page that is shown.
+
+import { onPitch } from "../arrange/elk.ts";
+import { canvasStore } from "../canvas/canvas_store.ts";
+import { rowId } from "../canvas/form.ts";
+import { placesOf, sizesOf } from "../canvas/use_places.ts";
+import { connectChange } from "../canvas/wiring.ts";
+import type { Designer } from "../designer.ts";
+import { type ChangeInit, Drawing_Kind } from "../protocol.ts";
+import type { Placing } from "../state.ts";
+
+/** Where a new node comes that nobody said a place for: in the middle of what is in sight, not on another one. */
+export function freePlace(designer: Designer): { x: number; y: number } {
+  const { view } = canvasStore.getState();
+  const drawing = designer.drawing;
+  const x = onPitch(view.x + view.width / 2 - 90);
+  let y = onPitch(view.y + view.height / 2 - 40);
+  const places = drawing ? placesOf(drawing) : null;
+  if (!drawing || !places) return { x, y };
+  const sizes = sizesOf(drawing);
+  for (let moved = true; moved; ) {
+    moved = false;
+    for (const [name, at] of places) {
+      const size = sizes.get(name);
+      if (!size || x + 200 < at.x || at.x + size.width < x || y + 60 < at.y || at.y + size.height + 16 < y) continue;
+      y = onPitch(at.y + size.height + 32);
+      moved = true;
+    }
+  }
+  return { x, y };
+}
+
+export async function place(designer: Designer, component: string, placing: Placing | null): Promise<boolean> {
+  const { page } = designer.state;
+  const drawing = designer.drawing;
+  if (!drawing) return false;
+  const { x, y } = placing ?? freePlace(designer);
+  if (placing?.replace) {
+    return (await designer.edit("", { case: "replace", value: { page, node: placing.replace, component } })).ok;
+  }
+  if (drawing.kind === Drawing_Kind.STATES) {
+    return (await designer.edit("", { case: "addState", value: { page, component, x, y } })).ok;
+  }
+  const to = placing?.to ? { toNode: placing.to.node, toPort: placing.to.port } : {};
+  const before = new Set(drawing.nodes.map((node) => node.name));
+  const change: ChangeInit = { case: "place", value: { page, component, x, y, ...to } };
+  const answer = await designer.edit(`place ${component}`, change);
+  if (!answer.ok) return false;
+  // The drawing with it may come a moment after the answer.
+  const made = await newNode(designer, before);
+  if (made) {
+    designer.select([made]);
+    designer.say(`Placed ${made}`);
+    if (placing?.from) await connectFrom(designer, placing.from, made);
+  }
+  return true;
+}
+
+function newNode(designer: Designer, before: ReadonlySet<string>): Promise<string> {
+  const look = () => designer.drawing?.nodes.find((node) => !before.has(node.name))?.name ?? "";
+  return new Promise((resolve) => {
+    if (look() !== "") return resolve(look());
+    const done = () => {
+      clearTimeout(timer);
+      stop();
+      resolve(look());
+    };
+    const timer = setTimeout(done, 1500);
+    const stop = designer.store.subscribe(() => look() !== "" && done());
+  });
+}
+
+/** To the first input of the new node that the output fits. */
+async function connectFrom(designer: Designer, from: string, made: string): Promise<void> {
+  const { document, page } = designer.state;
+  const answer = await designer.link.ask({ case: "fits", value: { document, page, fromNode: from } });
+  if (answer.result.case !== "fits") return;
+  const fit = answer.result.value.fits.find((one) => one.node === made && one.reason === "");
+  if (!fit) {
+    designer.tell(`Nothing of ${made} takes what ${from} gives.`, "hold");
+    return;
+  }
+  await designer.edit("", connectChange(page, from, made, rowId(fit.port, fit.index)));
+}

@@ -1,0 +1,71 @@
+// All that is wrong, errors first; a click leads there, offered mends apply.
+import { Button } from "../../console/ui/controls.tsx";
+import { Icon } from "../../console/ui/icons.tsx";
+import { sentence } from "../files/banners.tsx";
+import { lastPart } from "../pages/pages.ts";
+import type { Problem } from "../protocol.ts";
+import { useDesigner, useDocument, useIsReadOnly } from "../use.ts";
+import { applyFix } from "./apply_fix.ts";
+
+const kMostShown = 300;
+
+export function ProblemsPanel() {
+  const document = useDocument();
+  const problems = document?.problems ?? [];
+  const sorted = [...problems].sort((a, b) => Number(a.diagnostic?.isWarning) - Number(b.diagnostic?.isWarning));
+  if (sorted.length === 0) {
+    return (
+      <p className="empty small">
+        Nothing is wrong
+        {document && document.compileMs > 0 ? `: it compiles in ${Math.round(document.compileMs)} ms` : ""}.
+      </p>
+    );
+  }
+  return (
+    <ul className="problem-list">
+      {sorted.slice(0, kMostShown).map((problem) => (
+        <Entry key={keyOf(problem)} problem={problem} />
+      ))}
+      {sorted.length > kMostShown && <li className="small muted">and {sorted.length - kMostShown} more</li>}
+    </ul>
+  );
+}
+
+function keyOf({ diagnostic, page, node }: Problem): string {
+  return `${diagnostic?.begin} ${diagnostic?.message} ${page} ${node}`;
+}
+
+function Entry({ problem }: { problem: Problem }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const document = useDocument()!;
+  const { diagnostic, page, node, fixes } = problem;
+  if (!diagnostic) return null;
+  const go = () => {
+    const path = diagnostic.document || document.path;
+    if (path !== document.path) designer.goTo(path, page, node);
+    else if (page !== "" || node !== "") designer.goTo(path, page, node);
+    designer.store.setState({ reveal: { begin: diagnostic.begin, end: diagnostic.end, focus: false } });
+    if (page === "" && node === "") designer.show({ text: true });
+  };
+  const where = node ? `${lastPart(page)} · ${node}` : page;
+  return (
+    <li className={diagnostic.isWarning ? "warning" : "error"}>
+      <Icon name="warning" />
+      <span className="hidden-text">{diagnostic.isWarning ? "Warning" : "Error"}: </span>
+      <Button tone="link" onPress={go}>
+        {sentence(diagnostic.message)}
+      </Button>
+      <span className="muted small">
+        {diagnostic.hints.map((hint) => sentence(hint)).join(" ")} {where}
+        {diagnostic.line > 0 && `${where ? ", " : ""}line ${diagnostic.line}`}
+      </span>
+      {!isReadOnly &&
+        fixes.map((fix) => (
+          <Button key={fix.title} icon="check" onPress={() => void applyFix(designer, fix)}>
+            {fix.title}
+          </Button>
+        ))}
+    </li>
+  );
+}

@@ -1,0 +1,169 @@
+// What the page knows: what the server tells, what is looked at, what is open. Values are replaced, never changed in place.
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { LinkState } from "./link/link.ts";
+import type { Document, Drawing, FileChanged, Hello, Palette } from "./protocol.ts";
+
+export type DialogName =
+  | ""
+  | "place" // search palette
+  | "connect"
+  | "commands"
+  | "shortcuts"
+  | "open"
+  | "save-as"
+  | "library"
+  | "group"
+  | "rename"
+  | "parameter"
+  | "declaration"
+  | "welcome";
+
+export type Theme = "auto" | "light" | "dark";
+
+/** What is shown beside the canvas; kept over reloads. */
+export interface Shown {
+  palette: boolean;
+  details: boolean;
+  text: boolean;
+  problems: boolean;
+  /** The map of the embedded simulator. */
+  live: boolean;
+  minimap: boolean;
+  grid: boolean;
+  /** [px] */
+  paletteWidth: number;
+  detailsWidth: number;
+  textWidth: number;
+  liveWidth: number;
+  problemsHeight: number;
+}
+
+export interface Notice {
+  text: string;
+  tone: "danger" | "hold" | "accent";
+}
+
+/** What the search palette is for: a place on the canvas, perhaps an input that waits for it. */
+export interface Placing {
+  x: number;
+  y: number;
+  /** Connected to this input at once. */
+  to?: { node: string; port: string; index?: number | undefined };
+  /** An output that the new one is to take. */
+  from?: string;
+  /** Puts it in this node's place. */
+  replace?: string;
+}
+
+/** Where the text editor shall go; a new object each time. */
+export interface Reveal {
+  begin: number;
+  end: number;
+  focus: boolean;
+}
+
+export interface State {
+  link: LinkState;
+  hello: Hello | null;
+  /** Those that this page has opened, by path. */
+  documents: Readonly<Record<string, Document>>;
+  /** By pageKey. */
+  drawings: Readonly<Record<string, Drawing>>;
+  palettes: Readonly<Record<string, Palette>>;
+  changed: Readonly<Record<string, FileChanged>>;
+  /** Path of the document that is shown; empty: the start page. */
+  document: string;
+  /** Path of the page that is shown. */
+  page: string;
+  /** Names of nodes, states or declarations; `From/0` for a transition; `note:1`. */
+  selection: readonly string[];
+  dialog: DialogName;
+  placing: Placing | null;
+  /** What a dialog is about: the node that is renamed, say. */
+  subject: string;
+  shown: Shown;
+  theme: Theme;
+  notice: Notice | null;
+  reveal: Reveal | null;
+  /** Step of the first tour; -1: not shown. */
+  tour: number;
+  /** Said to people who can't see it. */
+  spoken: string;
+}
+
+export type Store = StoreApi<State>;
+
+const kKey = "mlab.designer";
+
+export function firstShown(windowWidth: number): Shown {
+  return {
+    palette: true,
+    details: true,
+    text: windowWidth >= 1700,
+    problems: false,
+    live: false,
+    minimap: true,
+    grid: true,
+    paletteWidth: 232,
+    detailsWidth: 288,
+    textWidth: 440,
+    liveWidth: 420,
+    problemsHeight: 180,
+  };
+}
+
+export function createState(storage: Storage, windowWidth: number): Store {
+  const stored = read(storage);
+  const store = createStore<State>(() => ({
+    link: { state: "connecting", reason: "", retryAt: 0 },
+    hello: null,
+    documents: {},
+    drawings: {},
+    palettes: {},
+    changed: {},
+    document: "",
+    page: "",
+    selection: [],
+    dialog: "",
+    placing: null,
+    subject: "",
+    shown: readShown(stored.shown, firstShown(windowWidth)),
+    theme: stored.theme === "light" || stored.theme === "dark" ? stored.theme : "auto",
+    notice: null,
+    reveal: null,
+    tour: -1,
+    spoken: "",
+  }));
+  store.subscribe((state, before) => {
+    if (state.shown === before.shown && state.theme === before.theme) return;
+    try {
+      storage.setItem(kKey, JSON.stringify({ shown: state.shown, theme: state.theme }));
+    } catch {
+      // A full or forbidden storage: the designer works, it only forgets.
+    }
+  });
+  return store;
+}
+
+/** What was stored may be of another version, or anything at all: what can't be used is as at first. */
+export function readShown(stored: unknown, first: Shown): Shown {
+  if (typeof stored !== "object" || stored === null) return first;
+  const from = stored as Record<string, unknown>;
+  const shown = { ...first } as Record<keyof Shown, boolean | number>;
+  for (const name of Object.keys(first) as (keyof Shown)[]) {
+    const value = from[name];
+    if (typeof value !== typeof first[name]) continue;
+    if (typeof value === "number") shown[name] = Math.min(1200, Math.max(160, value));
+    else if (typeof value === "boolean") shown[name] = value;
+  }
+  return shown as unknown as Shown;
+}
+
+function read(storage: Storage): Record<string, unknown> {
+  try {
+    const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "{}");
+    return typeof stored === "object" && stored !== null ? (stored as Record<string, unknown>) : {};
+  } catch {
+    return {};
+  }
+}

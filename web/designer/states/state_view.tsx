@@ -1,0 +1,71 @@
+// A state: its name, what it does in it, marks of start and end.
+import { Handle, type NodeProps, Position } from "@xyflow/react";
+import { memo } from "react";
+import { Icon } from "../../console/ui/icons.tsx";
+import { useLive } from "../live/use_live.ts";
+import { useDesigner, usePart } from "../use.ts";
+import type { StateNode } from "./flow.ts";
+import { stateSize } from "./form.ts";
+
+export const StateView = memo(function StateView({ data, selected }: NodeProps<StateNode>) {
+  const { state, page } = data;
+  const designer = useDesigner();
+  const isActive = useLive(page, state.live)?.isActive ?? false;
+  const trouble = usePart((all) => {
+    const own = (all.documents[all.document]?.problems ?? []).filter(
+      (problem) => problem.node === state.name && problem.page === all.page,
+    );
+    if (own.length === 0) return "";
+    return own.some((problem) => !problem.diagnostic?.isWarning) ? "has-error" : "has-warning";
+  });
+  const classes = [
+    "state",
+    selected ? "selected" : "",
+    isActive ? "active" : "",
+    trouble,
+    state.isFinal ? "final" : "",
+  ];
+  return (
+    <div className={classes.join(" ")} style={stateSize(state)} title={state.help || undefined}>
+      <Handle id="in" type="target" position={Position.Left} className="state-in" isConnectableStart={false} />
+      {state.isStart && (
+        <svg className="state-start" viewBox="0 0 34 20" aria-hidden="true">
+          <circle cx="6" cy="10" r="5" />
+          <path d="M11 10h20M26 5l6 5-6 5" />
+        </svg>
+      )}
+      <span className="state-name ellipsis">{state.name}</span>
+      <span className="state-does ellipsis">{state.title || state.member}</span>
+      {state.isFinal && <span className="state-mark">end</span>}
+      {state.inner && (
+        <button
+          type="button"
+          className="node-enter nodrag"
+          tabIndex={-1}
+          title={`Look inside of ${state.name}`}
+          aria-label={`Look inside of ${state.name}`}
+          onClick={(event) => {
+            event.stopPropagation();
+            designer.goTo(state.inner!.document || designer.state.document, state.inner!.path);
+          }}
+        >
+          <Icon name="right" />
+        </button>
+      )}
+      <Handle
+        id="out"
+        type="source"
+        position={Position.Right}
+        className="state-out"
+        title="Drag to another state: a transition"
+        isConnectableEnd={false}
+      />
+    </div>
+  );
+});
+
+/** What a screen reader says of a state. */
+export function spokenState(state: StateNode["data"]["state"]): string {
+  const marks = [state.isStart ? "start state" : "state", state.isFinal ? "final" : ""].filter((mark) => mark !== "");
+  return `${state.name}, ${marks.join(", ")}, does ${state.title || state.member || "nothing"}`;
+}

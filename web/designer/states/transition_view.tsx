@@ -1,0 +1,85 @@
+// A transition: the way from state to state, with its trigger and its place in the order of asking.
+import { EdgeLabelRenderer, type EdgeProps, useInternalNode } from "@xyflow/react";
+import { memo, useEffect, useRef, useState } from "react";
+import { useLive } from "../live/use_live.ts";
+import { useDesigner, usePart } from "../use.ts";
+import { curveOf, type TransitionEdge, transitionId } from "./flow.ts";
+
+export const TransitionView = memo(function TransitionView({
+  source,
+  target,
+  data,
+  selected,
+}: EdgeProps<TransitionEdge>) {
+  const from = useInternalNode(source);
+  const to = useInternalNode(target);
+  const flashes = useFlash(data?.page ?? "", data ? `${transitionId(data.transition)}` : "");
+  if (!from || !to || !data) return null;
+  const curve = curveOf(data, rectOf(from), rectOf(to));
+  const classes = `transition ${selected ? "selected" : ""} ${flashes ? "flashes" : ""}`;
+  return (
+    <>
+      <path
+        d={curve.path}
+        className={`react-flow__edge-path ${classes}`}
+        markerEnd={`url(#${selected || flashes ? "arrow-strong" : "arrow"})`}
+        fill="none"
+      />
+      <path d={curve.path} className="react-flow__edge-interaction" fill="none" stroke="transparent" strokeWidth={18} />
+      <EdgeLabelRenderer>
+        <TransitionLabel data={data} at={curve.middle} className={classes} />
+      </EdgeLabelRenderer>
+    </>
+  );
+});
+
+function TransitionLabel({
+  data,
+  at,
+  className,
+}: {
+  data: NonNullable<TransitionEdge["data"]>;
+  at: { x: number; y: number };
+  className: string;
+}) {
+  const designer = useDesigner();
+  const { transition, siblings } = data;
+  const id = transitionId(transition);
+  const isSelected = usePart((state) => state.selection.includes(id));
+  return (
+    <button
+      type="button"
+      className={`transition-label nodrag nopan ${className} ${isSelected ? "selected" : ""}`}
+      style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px)` }}
+      title={transition.help || undefined}
+      aria-label={`Transition ${transition.index + 1} of ${transition.from}: when ${transition.trigger}, to ${transition.to}`}
+      aria-pressed={isSelected}
+      onClick={(event) => designer.select(event.shiftKey ? [...designer.state.selection, id] : [id])}
+      onDoubleClick={() => designer.store.setState({ dialog: "rename", subject: id })}
+    >
+      {siblings > 1 && <span className="transition-order">{transition.index + 1}</span>}
+      <span className="ellipsis">{transition.trigger || "when?"}</span>
+      {transition.restarts && <span title="Starts the state anew">↻</span>}
+    </button>
+  );
+}
+
+/** True for a moment after the transition was made. */
+function useFlash(page: string, live: string): boolean {
+  const times = useLive(page, live)?.times ?? 0;
+  const before = useRef(times);
+  const [flashes, setFlashes] = useState(false);
+  useEffect(() => {
+    if (times === before.current) return;
+    before.current = times;
+    setFlashes(true);
+    const timer = setTimeout(() => setFlashes(false), 900);
+    return () => clearTimeout(timer);
+  }, [times]);
+  return flashes;
+}
+
+function rectOf(node: NonNullable<ReturnType<typeof useInternalNode>>) {
+  const { x, y } = node.internals.positionAbsolute;
+  return { x, y, width: node.measured.width ?? 0, height: node.measured.height ?? 0 };
+}

@@ -1,0 +1,82 @@
+// The guided first tour: from an empty canvas to a robot that wanders. Each step says what to do, and knows when it is done
+// by what stands in the drawing, however it came there.
+
+import { drawingOf } from "../designer.ts";
+import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import type { State } from "../state.ts";
+
+export interface Step {
+  title: string;
+  text: string;
+  /** What of the page it is about: a selector. */
+  at?: string;
+  /** Done; the tour goes on by itself. Without: by a button. */
+  isDone?: (state: State) => boolean;
+}
+
+const kMotors = ["Noise", "AvoidStaticObstacles", "Probe"];
+
+export const kSteps: readonly Step[] = [
+  {
+    title: "A first skill",
+    text: "In a few minutes a robot will wander about in the simulator. Everything here can be undone with Ctrl Z, so try things. The file is empty: add an assemblage, which is a skill, and call it Wander.",
+    at: "[aria-label='New in this file']",
+    isDone: (state) => state.page !== "" && drawingOf(state)?.kind === Drawing_Kind.DATAFLOW,
+  },
+  {
+    title: "Three motor schemas",
+    text: "A motor schema says where the robot wants to go. Drag Noise (a random direction), AvoidStaticObstacles (away from what is in the way) and Probe (towards free space) onto the canvas. Or press / and type a few letters of the name.",
+    at: "[aria-label='Components']",
+    isDone: (state) => kMotors.every((name) => has(drawingOf(state), name)),
+  },
+  {
+    title: "An operator",
+    text: "Now something that makes one movement out of three: place cooperate. It adds up what its members want, each with a weight.",
+    at: "[aria-label='Components']",
+    isDone: (state) => has(drawingOf(state), "cooperate"),
+  },
+  {
+    title: "Wires",
+    text: "Drag from the round output at the right of Noise to an input of cooperate. While you drag, the inputs that fit light up. Then the same with the other two.",
+    at: ".canvas",
+    isDone: (state) => readersOf(drawingOf(state), kMotors).size >= 3,
+  },
+  {
+    title: "Eyes",
+    text: "The two lower ones have to see obstacles: place sense_obstacles and lead its output to the readings of both.",
+    at: ".canvas",
+    isDone: (state) => isFed(drawingOf(state), "AvoidStaticObstacles") && isFed(drawingOf(state), "Probe"),
+  },
+  {
+    title: "The result",
+    text: "Lead the output of cooperate to Result: that is what Wander makes a robot do.",
+    at: ".canvas",
+    isDone: (state) => (drawingOf(state)?.resultNode ?? "") !== "",
+  },
+  {
+    title: "Values",
+    text: "Click on a value, such as persistence of Noise, to change it: how long the robot keeps a direction. At the top right you see whether anything is wrong.",
+    at: "[data-testid='verdict']",
+  },
+  {
+    title: "Run",
+    text: "Press Run: robots start in the simulator beside the canvas and do what you have drawn. Save keeps it as a file that missions can use. That was the tour.",
+    at: "[data-tour='run']",
+  },
+];
+
+function has(drawing: Drawing | undefined, component: string): boolean {
+  return drawing?.nodes.some((node) => node.component === component || node.name === component) ?? false;
+}
+
+/** Of these components, those that lead somewhere. */
+function readersOf(drawing: Drawing | undefined, components: readonly string[]): Set<string> {
+  const names = new Map((drawing?.nodes ?? []).map((node) => [node.name, node.component]));
+  const led = (drawing?.wires ?? []).map((wire) => names.get(wire.from) ?? "");
+  return new Set(led.filter((component) => components.includes(component)));
+}
+
+function isFed(drawing: Drawing | undefined, component: string): boolean {
+  const node = drawing?.nodes.find((one) => one.component === component || one.name === component);
+  return node !== undefined && drawing!.wires.some((wire) => wire.to === node.name && wire.port === "readings");
+}

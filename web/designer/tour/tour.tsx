@@ -1,0 +1,76 @@
+// The card of the guided first tour, and the ring round what it is about.
+import { useEffect, useState } from "react";
+import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { useDesigner, usePart } from "../use.ts";
+import { kSteps } from "./steps.ts";
+import "./tour.css";
+
+export function Tour() {
+  const designer = useDesigner();
+  const at = usePart((state) => state.tour);
+  const step = kSteps[at];
+  const isDone = usePart((state) => kSteps[state.tour]?.isDone?.(state) ?? false);
+  useEffect(() => {
+    if (!isDone) return;
+    const timer = setTimeout(() => go(designer, at + 1), 500);
+    return () => clearTimeout(timer);
+  }, [isDone, at, designer]);
+  if (!step) return null;
+  const isLast = at === kSteps.length - 1;
+  return (
+    <>
+      <Ring selector={step.at ?? ""} />
+      <section className="tour-card" aria-label="Guided tour" aria-live="polite">
+        <header>
+          <h2>{step.title}</h2>
+          <span className="small muted">
+            {at + 1} of {kSteps.length}
+          </span>
+          <IconButton icon="close" label="Leave the tour" onPress={() => go(designer, -1)} />
+        </header>
+        <p>{step.text}</p>
+        <footer>
+          {at > 0 && (
+            <Button tone="quiet" onPress={() => go(designer, at - 1)}>
+              Back
+            </Button>
+          )}
+          <span className="grow" />
+          {isDone && !isLast && <span className="pill go">Done</span>}
+          <Button
+            tone={step.isDone && !isDone ? "plain" : "primary"}
+            onPress={() => go(designer, isLast ? -1 : at + 1)}
+          >
+            {isLast ? "Finish" : step.isDone && !isDone ? "Skip" : "Next"}
+          </Button>
+        </footer>
+      </section>
+    </>
+  );
+}
+
+function go(designer: ReturnType<typeof useDesigner>, step: number): void {
+  designer.store.setState({ tour: step < kSteps.length ? step : -1 });
+}
+
+/** Round the part of the page that the step is about. */
+function Ring({ selector }: { selector: string }) {
+  const [box, setBox] = useState<DOMRect | null>(null);
+  useEffect(() => {
+    const look = () => {
+      const found = selector ? document.querySelector(selector) : null;
+      setBox(found?.getBoundingClientRect() ?? null);
+    };
+    look();
+    const timer = setInterval(look, 400);
+    return () => clearInterval(timer);
+  }, [selector]);
+  if (!box || box.width > window.innerWidth * 0.6) return null;
+  return (
+    <div
+      className="tour-ring"
+      aria-hidden="true"
+      style={{ left: box.x - 4, top: box.y - 4, width: box.width + 8, height: box.height + 8 }}
+    />
+  );
+}
