@@ -9,16 +9,19 @@ const here = dirname(fileURLToPath(import.meta.url));
 /** The missions that come with mlab. */
 export const missions = process.env.MLAB_MISSIONS ?? join(here, "..", "..", "missions");
 
-/** A running `mlab run`, with a folder of its own for what it remembers. */
+/** A running `mlab run` or `mlab edit`, with a folder of its own for what it remembers. */
 export class Mlab {
   private readonly process: ChildProcess;
-  private readonly state = mkdtempSync(join(tmpdir(), "mlab-state-"));
   private readonly ended: Promise<number | null>;
   output = "";
 
-  private constructor(options: string[]) {
+  private constructor(
+    what: "run" | "edit",
+    options: string[],
+    private readonly state = mkdtempSync(join(tmpdir(), "mlab-state-")),
+  ) {
     const command = process.env.MLAB_COMMAND ?? "mlab";
-    this.process = spawn(command, ["run", "--no-browser", "--port", "0", ...options], {
+    this.process = spawn(command, [what, "--no-browser", "--port", "0", ...options], {
       stdio: ["ignore", "pipe", "pipe"],
       env: { ...process.env, XDG_STATE_HOME: this.state },
     });
@@ -31,8 +34,16 @@ export class Mlab {
   }
 
   /** Starts it, as `mlab run OPTIONS`, and waits for its address. */
-  static async start(...options: string[]): Promise<Mlab> {
-    const mlab = new Mlab(options);
+  static start(...options: string[]): Promise<Mlab> {
+    return Mlab.answering(new Mlab("run", options));
+  }
+
+  /** As `mlab edit OPTIONS`. `state`: the folder of what one before it remembered. */
+  static edit(options: string[], state?: string): Promise<Mlab> {
+    return Mlab.answering(new Mlab("edit", options, state));
+  }
+
+  private static async answering(mlab: Mlab): Promise<Mlab> {
     for (let tries = 0; mlab.url === ""; tries++) {
       if (tries > 1000 || mlab.process.exitCode !== null) throw new Error(`mlab did not start:\n${mlab.output}`);
       await new Promise((resolve) => setTimeout(resolve, 20));
@@ -43,6 +54,13 @@ export class Mlab {
   /** With its token. */
   get url(): string {
     return /https?:\/\/\S+/.exec(this.output)?.[0] ?? "";
+  }
+
+  /** As when the machine is switched off: nothing is said to it. @returns the folder of what it remembers */
+  async kill(): Promise<string> {
+    this.process.kill("SIGKILL");
+    await this.ended;
+    return this.state;
   }
 
   /** As Ctrl-C. @returns the exit status */

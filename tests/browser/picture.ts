@@ -5,11 +5,18 @@ import type { Page } from "playwright-core";
 
 const folder = process.env.MLAB_TOUR ?? "";
 
+interface PictureOptions {
+  pointerStays?: boolean;
+  /** What the file's name begins with. */
+  of?: string;
+}
+
 /** Writes what the page shows as console_NAME.png, where pictures are wanted. Small with pngquant at hand. */
-export async function picture(page: Page, name: string, { pointerStays = false } = {}): Promise<void> {
+export async function picture(page: Page, name: string, options: PictureOptions = {}): Promise<void> {
+  const { pointerStays = false, of = "console" } = options;
   if (folder === "") return;
   mkdirSync(folder, { recursive: true });
-  const path = join(folder, `console_${name}.png`);
+  const path = join(folder, `${of}_${name}.png`);
   if (!pointerStays) await page.mouse.move(640, 799); // where nothing answers to it
   await page.waitForTimeout(700);
   await page.screenshot({ path, animations: "disabled", caret: "hide" });

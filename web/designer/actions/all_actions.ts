@@ -221,7 +221,7 @@ function editActions(designer: Designer): Action[] {
       id: "place",
       label: "Place a component",
       group: "Place",
-      icon: "plus",
+      icon: "search",
       shortcut: "/",
       also: ["space"],
       blocked: noPlace,

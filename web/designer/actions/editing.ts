@@ -175,7 +175,10 @@ export function frameSelection(designer: Designer): void {
     const size = sizes.get(id);
     return at && size ? [{ ...at, right: at.x + size.width, bottom: at.y + size.height }] : [];
   });
-  if (boxes.length === 0) return addFrameInView(designer);
+  if (boxes.length === 0) {
+    addFrameInView(designer);
+    return;
+  }
   const x = Math.min(...boxes.map((box) => box.x)) - kFrameRoom;
   const y = Math.min(...boxes.map((box) => box.y)) - kFrameRoom - 20;
   const width = Math.max(...boxes.map((box) => box.right)) + kFrameRoom - x;

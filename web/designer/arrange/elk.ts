@@ -92,7 +92,7 @@ export function gridSpots(graph: LayoutGraph, columns = 4): Spot[] {
   let y = 0;
   for (let begin = 0; begin < graph.nodes.length; begin += columns) {
     const row = graph.nodes.slice(begin, begin + columns);
-    row.forEach((node, i) => spots.push({ id: node.id, x: onPitch(i * width), y: onPitch(y) }));
+    for (const [i, node] of row.entries()) spots.push({ id: node.id, x: onPitch(i * width), y: onPitch(y) });
     y += Math.max(...row.map((node) => node.height)) + 40;
   }
   return spots;

@@ -29,7 +29,7 @@ export function graphOf(drawing: Drawing): LayoutGraph {
       id: node.name,
       width: form.width,
       height: form.height,
-      inputs: form.rows.map((row) => ({ id: row.id, y: row.y })),
+      inputs: [...form.rows, ...form.extras].map(({ id, y }) => ({ id, y })),
       outputY: form.outputY,
     };
   });

@@ -36,6 +36,7 @@ import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFit
 
 const kNodeTypes = { node: NodeView, result: ResultView, note: NoteView, state: StateView };
 const kEdgeTypes = { wire: WireView, transition: TransitionView };
+const kMiniSize = { width: 160, height: 110 };
 const kFit = { padding: 0.14, maxZoom: 1 };
 /** What is dragged out of the palette. */
 export const kDragged = "application/x-mlab-component";
@@ -64,7 +65,9 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         .map((node) => withLabel(node as FlowNode))
         .map(mark),
     );
-    setEdges((before) => (isStates ? transitionEdges(drawing, before) : wiresOf(drawing, before as CanvasWire[])));
+    setEdges((before) =>
+      isStates ? transitionEdges(drawing, places, before) : wiresOf(drawing, before as CanvasWire[]),
+    );
   }, [drawing, places, isStates, designer]);
 
   // Once, when the page has come into sight; later only where somebody asks for it.
@@ -243,10 +246,11 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         elevateNodesOnSelect={false}
         proOptions={{ hideAttribution: true }}
       >
-        {shown.grid && <Background variant={BackgroundVariant.Dots} gap={kPitch * 3} size={1.4} />}
+        {shown.grid && <Background variant={BackgroundVariant.Dots} gap={kPitch * 3} size={1.6} />}
         {showsFarWires && <FarWires nodes={nodes} edges={edges} />}
         {shown.minimap && nodes.length > 0 && (
           <MiniMap
+            style={kMiniSize}
             pannable
             zoomable
             ariaLabel="Overview of the drawing"

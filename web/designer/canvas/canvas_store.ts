@@ -12,6 +12,8 @@ export interface CanvasState {
   editing: { node: string; row: string; what: "value" | "weight" } | null;
   /** Where the pointer last was on the canvas, in its coordinates. */
   pointer: { x: number; y: number };
+  /** Grows whenever something has another place than the drawing says. */
+  moves: number;
   /** In its coordinates: what of it is in sight. */
   view: { x: number; y: number; width: number; height: number };
 }
@@ -21,6 +23,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   fits: null,
   editing: null,
   pointer: { x: 0, y: 0 },
+  moves: 0,
   view: { x: 0, y: 0, width: 800, height: 600 },
 }));
 

@@ -40,7 +40,12 @@ export const kOut = "out";
 const kGap = 72;
 
 export function wiredOf(drawing: Drawing): Wired {
-  return new Set(drawing.wires.map((wire) => `${wire.to}/${rowId(wire.port, wire.index)}`));
+  const wired = new Map<string, Set<string>>();
+  for (const wire of drawing.wires) {
+    const rows = wired.get(wire.to) ?? new Set();
+    wired.set(wire.to, rows.add(rowId(wire.port, wire.index)));
+  }
+  return wired;
 }
 
 export function wireId(wire: { to: string; port: string; index?: number | undefined }): string {
@@ -140,6 +145,17 @@ function handlesOf(form: Form): FlowNode["handles"] {
     y: row.y - kHandle / 2,
     ...size,
   }));
+  for (const extra of form.extras) {
+    handles.push({
+      id: extra.id,
+      type: "target",
+      position: Position.Left,
+      x: -4,
+      y: extra.y - 4,
+      width: 8,
+      height: 8,
+    });
+  }
   if (form.outputY >= 0) {
     handles.push({
       id: kOut,
@@ -208,16 +224,13 @@ function noteOf(note: Note, isReadOnly: boolean, before: CanvasNode | undefined)
 export function wiresOf(drawing: Drawing, before: readonly CanvasWire[]): CanvasWire[] {
   const known = new Map(before.map((one) => [one.id, one]));
   const names = new Set(drawing.nodes.map((node) => node.name));
-  const rows = new Set(
-    drawing.nodes.flatMap((node) => node.inputs.map((port) => `${node.name}/${rowId(port.name, port.index)}`)),
-  );
   const page = drawing.page?.path ?? "";
   const wires: CanvasWire[] = [];
   let hasEnd = false;
   for (const wire of drawing.wires) {
     const isEnd = wire.to === kResult;
     hasEnd ||= isEnd;
-    if (!names.has(wire.from) || !(isEnd || rows.has(wireId(wire)))) continue;
+    if (!names.has(wire.from) || !(isEnd || names.has(wire.to))) continue;
     wires.push(wireOf(wire, page, known.get(isEnd ? kResult : wireId(wire))));
   }
   if (!hasEnd && names.has(drawing.resultNode)) {
@@ -322,6 +335,8 @@ function isSameForm(a: Form, b: Form): boolean {
     a.width === b.width &&
     a.height === b.height &&
     a.rows.length === b.rows.length &&
+    a.extras.length === b.extras.length &&
+    a.extras.every((extra, i) => extra.id === b.extras[i]!.id) &&
     a.rows.every((row, i) => row.kind === b.rows[i]!.kind && row.value === b.rows[i]!.value)
   );
 }

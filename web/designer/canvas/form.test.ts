@@ -17,20 +17,20 @@ const noise = create(NodeSchema, {
 });
 
 test("each input has a row, and says where its value comes from", () => {
-  const form = formOf(noise, new Set());
+  const form = formOf(noise, new Map());
   expect(form.rows.map(({ kind, value }) => [kind, value])).toEqual([
     ["given", "10 s"],
     ["default", "1 m"],
     ["needed", ""],
   ]);
   expect(form.rows[2]!.y).toBe(kHeadHeight + 2.5 * kRowHeight);
-  expect(formOf(noise, new Set(["drift/readings"])).rows[2]!.kind).toBe("wired");
+  expect(formOf(noise, new Map([["drift", new Set(["readings"])]])).rows[2]!.kind).toBe("wired");
 });
 
 test("the component stands below a name of its own", () => {
-  expect(formOf(noise, new Set())).toMatchObject({ title: "drift", subtitle: "Noise" });
+  expect(formOf(noise, new Map())).toMatchObject({ title: "drift", subtitle: "Noise" });
   const plain = create(NodeSchema, { name: "Noise", component: "Noise", shape: Node_Shape.BEHAVIOR });
-  expect(formOf(plain, new Set())).toMatchObject({ title: "Noise", subtitle: "motor schema" });
+  expect(formOf(plain, new Map())).toMatchObject({ title: "Noise", subtitle: "motor schema" });
 });
 
 test("inputs of lists are told apart by their place", () => {
@@ -51,4 +51,19 @@ test("outlines are closed", () => {
     expect(outlinePath(outline, 200, 80)).toMatch(/^M.*Z$/);
     expect(outlinePath(outline, 40, 10)).not.toMatch(/NaN|-/);
   }
+});
+
+test("wires that lead to no row still arrive", () => {
+  const sum = create(NodeSchema, {
+    name: "cooperate",
+    shape: Node_Shape.COOPERATION,
+    type: "Vector",
+    inputs: [{ name: "members", index: 0, isMember: true, type: "Vector" }],
+  });
+  const form = formOf(sum, new Map([["cooperate", new Set(["members[0]", "weight[0]", "active"])]]));
+  expect(form.rows[0]!.kind).toBe("wired");
+  expect(form.extras).toEqual([
+    { id: "weight[0]", y: form.rows[0]!.y + 6 },
+    { id: "active", y: form.outputY },
+  ]);
 });

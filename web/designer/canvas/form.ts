@@ -37,6 +37,8 @@ export interface Form {
   readonly outline: Outline;
   readonly tone: Tone;
   readonly rows: readonly Row[];
+  /** Inputs that have a wire but no row: weights of members, the part that moves a sensor, what uses what. */
+  readonly extras: readonly { id: string; y: number }[];
   /** Of the output's middle, from the top [px]; negative: it has none. */
   readonly outputY: number;
 }
@@ -79,6 +81,14 @@ const kLooks: Record<Node_Shape, Look> = {
   [Node_Shape.SOCIETY]: { outline: "octagon", tone: "society", symbol: "", kind: "society" },
 };
 
+const kDeclarations: Record<string, Tone> = {
+  robot: "body",
+  class: "body",
+  binding: "sense",
+  society: "society",
+  operator: "operator",
+};
+
 /** What kind of thing it is, in words. */
 export function kindOf(shape: Node_Shape): string {
   return kLooks[shape]?.kind ?? "node";
@@ -102,8 +112,8 @@ export function isOperator(shape: Node_Shape): boolean {
   );
 }
 
-/** Which inputs have wires: `node/readings`, by rowId. */
-export type Wired = ReadonlySet<string>;
+/** Which inputs have wires, by node: `readings`, as rowId. */
+export type Wired = ReadonlyMap<string, ReadonlySet<string>>;
 
 /** `readings`, `members[1]`: what the input is called in handles and wires. */
 export function rowId(port: string, index?: number): string {
@@ -116,25 +126,26 @@ export function portOf(id: string): { port: string; index?: number } {
   return found ? { port: found[1]!, index: Number(found[2]) } : { port: id };
 }
 
+const kNothing: ReadonlySet<string> = new Set();
 const known = new WeakMap<Node, { key: string; form: Form }>();
 
 export function formOf(node: Node, wired: Wired): Form {
-  const key = node.inputs
-    .map((port) => (wired.has(`${node.name}/${rowId(port.name, port.index)}`) ? "1" : "0"))
-    .join("");
+  const own = wired.get(node.name) ?? kNothing;
+  const key = [...own].join();
   const before = known.get(node);
   if (before?.key === key) return before.form;
-  const form = shape(node, wired);
+  const form = shape(node, own);
   known.set(node, { key, form });
   return form;
 }
 
-function shape(node: Node, wired: Wired): Form {
+function shape(node: Node, wired: ReadonlySet<string>): Form {
   const look = kLooks[node.shape] ?? kLooks[Node_Shape.UNKNOWN];
   const { title, subtitle } = namesOf(node, look.kind);
+  const tone = node.shape === Node_Shape.DECLARATION ? (kDeclarations[node.component] ?? look.tone) : look.tone;
   const isSmall = node.inputs.length === 0 && (look.outline === "tag" || look.outline === "pill");
   const head = isSmall ? kSmallHeight : kHeadHeight;
-  const rows = node.inputs.map((port, i) => rowOf(node, port, wired, head + i * kRowHeight + kRowHeight / 2));
+  const rows = node.inputs.map((port, i) => rowOf(port, wired, head + i * kRowHeight + kRowHeight / 2));
   const symbol = look.symbol === "" ? 0 : kSymbolWidth;
   const icon = 34;
   const wanted = Math.max(
@@ -148,8 +159,34 @@ function shape(node: Node, wired: Wired): Form {
   );
   const width = even(Math.min(kMaxWidth, wanted + symbol + (look.outline === "box" ? 0 : 14)));
   const height = head + rows.length * kRowHeight + (rows.length > 0 ? kFoot : 0);
-  const outputY = node.type === "" ? -1 : head / 2;
-  return { width, height, title, subtitle, symbol: look.symbol, outline: look.outline, tone: look.tone, rows, outputY };
+  const outputY = node.type === "" && !isUsed(node.shape) ? -1 : head / 2;
+  return {
+    width,
+    height,
+    title,
+    subtitle,
+    symbol: look.symbol,
+    outline: look.outline,
+    tone,
+    rows,
+    extras: extrasOf(rows, wired, head / 2),
+    outputY,
+  };
+}
+
+/** What has no value and is used all the same. */
+function isUsed(shape: Node_Shape): boolean {
+  return shape >= Node_Shape.DECLARATION;
+}
+
+function extrasOf(rows: readonly Row[], wired: ReadonlySet<string>, headY: number): { id: string; y: number }[] {
+  return [...wired]
+    .filter((id) => !rows.some((row) => row.id === id))
+    .map((id) => {
+      const { port, index } = portOf(id);
+      const member = port === "weight" ? rows.find((row) => row.port.isMember && row.port.index === index) : undefined;
+      return { id, y: member ? member.y + 6 : headY };
+    });
 }
 
 function weightWidth(row: Row): number {
@@ -165,18 +202,23 @@ function namesOf(node: Node, kind: string): { title: string; subtitle: string } 
   return { title, subtitle: node.count > 1 ? `${node.count} robots` : kind };
 }
 
-function rowOf(node: Node, port: Port, wired: Wired, y: number): Row {
+function rowOf(port: Port, wired: ReadonlySet<string>, y: number): Row {
   const id = rowId(port.name, port.index);
   const base = { port, id, y };
-  const label = port.label || (port.index === undefined ? port.name : `${port.name} ${port.index + 1}`);
-  if (port.isList && port.index === undefined && !port.value && !wired.has(`${node.name}/${id}`)) {
+  const label = port.label || (port.isMember ? `member ${(port.index ?? 0) + 1}` : rowName(port));
+  if (port.isList && port.index === undefined && !port.value && !wired.has(id)) {
     return { ...base, label, value: "", kind: "more" };
   }
   if (port.isExposed) return { ...base, label, value: port.value || port.name, kind: "parameter" };
-  if (wired.has(`${node.name}/${id}`)) return { ...base, label, value: "", kind: "wired" };
+  if (wired.has(id)) return { ...base, label, value: "", kind: "wired" };
   if (port.value !== "") return { ...base, label, value: withUnit(port.value, port.unit), kind: "given" };
   if (port.initial !== "") return { ...base, label, value: withUnit(port.initial, port.unit), kind: "default" };
   return { ...base, label, value: "", kind: port.isRequired ? "needed" : "open" };
+}
+
+function rowName(port: Port): string {
+  const name = port.name.replaceAll("_", " ");
+  return port.index === undefined ? name : `${name} ${port.index + 1}`;
 }
 
 /** A bare number gets the input's unit. */

@@ -26,6 +26,20 @@ const kPaths: Record<string, string> = {
   class: "M4 17h16M6 17V9h9l3 4v4M8.500 19.500a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM16 19.500a2 2 0 1 0 0-4 2 2 0 0 0 0 4z",
 };
 
+const kAlso: Record<string, string> = {
+  cooperate: "operator",
+  compete: "operator",
+  select: "operator",
+  parameter: "value",
+  assemblage: "skill",
+  class: "class",
+  actuator: "motor",
+  robot: "body",
+  team: "society",
+  caste: "society",
+  binding: "body",
+};
+
 const kByShape: Partial<Record<Node_Shape, string>> = {
   [Node_Shape.BEHAVIOR]: "motor",
   [Node_Shape.PERCEPTION]: "sense",
@@ -46,7 +60,7 @@ const kByShape: Partial<Record<Node_Shape, string>> = {
 
 /** The path of an icon: by what the palette calls it, by what the component's name says, by its shape. */
 export function iconPath(icon: string, component: string, shape: Node_Shape): string {
-  const byName = icon !== "" ? kPaths[icon] : undefined;
+  const byName = icon !== "" ? kPaths[kAlso[icon] ?? icon] : undefined;
   if (byName) return byName;
   if (shape === Node_Shape.BEHAVIOR) {
     if (/avoid|swirl|escape/i.test(component)) return kPaths.avoid!;

@@ -66,6 +66,17 @@ function Parts({ node, form, page }: { node: Node; form: Form; page: string }) {
       {form.rows.map((row) => (
         <InputRow key={row.id} node={node} row={row} />
       ))}
+      {form.extras.map((extra) => (
+        <Handle
+          key={extra.id}
+          type="target"
+          id={extra.id}
+          position={Position.Left}
+          className="port extra"
+          style={{ top: extra.y }}
+          title={extra.id.startsWith("weight") ? "Weight of the member" : extra.id}
+        />
+      ))}
       {form.symbol.length > 0 && form.rows.length > 1 && (
         <span className="node-symbol" aria-hidden="true">
           {form.symbol}

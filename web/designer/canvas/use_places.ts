@@ -1,9 +1,10 @@
-import { useEffect, useReducer } from "react";
+import { useEffect, useMemo } from "react";
 import { layOut } from "../arrange/layout.ts";
 import { placeNew, type Sized } from "../arrange/place_new.ts";
 import { pageKey } from "../pages/pages.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { stateSize } from "../states/form.ts";
+import { canvasStore, useCanvas } from "./canvas_store.ts";
 import { type At, ownPlaces, type Places, wiredOf } from "./flow.ts";
 import { formOf } from "./form.ts";
 
@@ -20,8 +21,9 @@ const moved = new Map<string, Moved>();
 
 /** Where everything on the page stands; null while that is being worked out. */
 export function usePlaces(drawing: Drawing): Places | null {
-  const [, again] = useReducer((count: number) => count + 1, 0);
-  const places = placesOf(drawing);
+  const moves = useCanvas((state) => state.moves);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: moves says that what placesOf reads has changed
+  const places = useMemo(() => placesOf(drawing), [drawing, moves]);
   const isWhole = places !== null;
   useEffect(() => {
     if (isWhole) return;
@@ -31,7 +33,7 @@ export function usePlaces(drawing: Drawing): Places | null {
       const own = ownPlaces(drawing);
       const known = new Map([...(laidOut.get(key) ?? []), ...own].filter(([name]) => sizesOf(drawing).has(name)));
       laidOut.set(key, placeNew(known, spots, [...sizesOf(drawing).values()]));
-      if (isCurrent) again();
+      if (isCurrent) tellMoved();
     });
     return () => {
       isCurrent = false;
@@ -65,10 +67,16 @@ export function keepMoved(drawing: Drawing, places: ReadonlyMap<string, At>): vo
   const before = moved.get(keyOf(drawing));
   const same = before && before.revision >= drawing.revision ? before.places : [];
   moved.set(keyOf(drawing), { revision: drawing.revision, places: new Map([...same, ...places]) });
+  tellMoved();
 }
 
 export function forgetMoved(drawing: Drawing): void {
   moved.delete(keyOf(drawing));
+  tellMoved();
+}
+
+function tellMoved(): void {
+  canvasStore.setState(({ moves }) => ({ moves: moves + 1 }));
 }
 
 export function sizesOf(drawing: Drawing): Map<string, Sized> {

@@ -1,7 +1,8 @@
 // The editor of one input's value, beside its row: a field, a slider where there is a range, the words that it may be.
 import { useEffect, useState } from "react";
 import { Dialog, Popover } from "react-aria-components";
-import { Button, Field, RangeSlider } from "../../console/ui/controls.tsx";
+import { Button, Field, IconButton, RangeSlider } from "../../console/ui/controls.tsx";
+import type { IconName } from "../../console/ui/icons.tsx";
 import type { Node, Port } from "../protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly } from "../use.ts";
 import { canvasStore, useCanvas } from "./canvas_store.ts";
@@ -53,10 +54,12 @@ interface ValueFieldProps {
   port: Port;
   what: "value" | "weight";
   onDone: () => void;
+  /** In the details: more of them stand below each other, and none takes the focus. */
+  isCompact?: boolean;
 }
 
 /** Also in the details, where it stays. */
-export function ValueField({ node, port, what, onDone }: ValueFieldProps) {
+export function ValueField({ node, port, what, onDone, isCompact = false }: ValueFieldProps) {
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const given = what === "weight" ? port.weight : port.value;
@@ -78,6 +81,11 @@ export function ValueField({ node, port, what, onDone }: ValueFieldProps) {
     if (answer.ok) onDone();
     else setProblem(answer.error);
   };
+  const expose = () => {
+    const value = { page: designer.state.page, node: node.name, port: port.name, ...indexOf(port) };
+    void designer.edit(`make ${label} a parameter`, { case: "expose", value });
+    onDone();
+  };
   const { min, max } = port;
   const number = numberIn(typed);
   const hasRange =
@@ -94,9 +102,9 @@ export function ValueField({ node, port, what, onDone }: ValueFieldProps) {
         }}
         onCommit={(next) => void send(next.trim())}
         problem={problem}
-        autoFocus
+        autoFocus={!isCompact}
         isDisabled={isReadOnly}
-        help={port.help}
+        help={isCompact ? "" : port.help}
       />
       {hasRange && (
         <RangeSlider
@@ -126,30 +134,38 @@ export function ValueField({ node, port, what, onDone }: ValueFieldProps) {
         </div>
       )}
       {what === "value" && !isReadOnly && (
-        <div className="columns" style={{ gap: 4 }}>
+        <div className={isCompact ? "value-tools" : "columns"} style={{ gap: 4 }}>
           {port.initial !== "" && given !== "" && (
-            <Button tone="quiet" icon="restart" onPress={() => void send("")}>
-              Default: {port.initial}
-            </Button>
+            <Tool
+              icon="restart"
+              label={`Default: ${port.initial}`}
+              isCompact={isCompact}
+              onPress={() => void send("")}
+            />
           )}
-          {!port.isExposed && (
-            <Button
-              tone="quiet"
-              icon="plus"
-              onPress={() => {
-                void designer.edit(`make ${label} a parameter`, {
-                  case: "expose",
-                  value: { page: designer.state.page, node: node.name, port: port.name, ...indexOf(port) },
-                });
-                onDone();
-              }}
-            >
-              Make it a parameter
-            </Button>
-          )}
+          {!port.isExposed && <Tool icon="gear" label="Make it a parameter" isCompact={isCompact} onPress={expose} />}
         </div>
       )}
     </div>
+  );
+}
+
+function Tool({
+  icon,
+  label,
+  isCompact,
+  onPress,
+}: {
+  icon: IconName;
+  label: string;
+  isCompact: boolean;
+  onPress: () => void;
+}) {
+  if (isCompact) return <IconButton icon={icon} label={label} onPress={onPress} />;
+  return (
+    <Button tone="quiet" icon={icon} onPress={onPress}>
+      {label}
+    </Button>
   );
 }
 

@@ -1,6 +1,6 @@
 // Drawing wires and transitions: which inputs fit, asked of the server while the wire is drawn; what the end of it means.
 import type { Designer } from "../designer.ts";
-import type { ChangeInit, FitList } from "../protocol.ts";
+import { type ChangeInit, type FitList, kResult } from "../protocol.ts";
 import { canvasStore } from "./canvas_store.ts";
 import { portOf, rowId } from "./form.ts";
 
@@ -54,7 +54,7 @@ export function disconnectChange(page: string, to: string, row: string): ChangeI
 
 /** The node and row of a wire's id. */
 export function endOf(wire: string): { node: string; row: string } {
-  if (wire.startsWith("$")) return { node: wire, row: "value" };
+  if (wire === kResult) return { node: wire, row: "value" };
   const at = wire.indexOf("/");
   return { node: wire.slice(0, at), row: wire.slice(at + 1) };
 }

@@ -5,6 +5,7 @@ import { shownType } from "../canvas/types.ts";
 import { ValueField } from "../canvas/value_editor.tsx";
 import { disconnectChange } from "../canvas/wiring.ts";
 import type { Designer } from "../designer.ts";
+import { lastPart } from "../pages/pages.ts";
 import { type Drawing, type Node, Node_Shape, type Port } from "../protocol.ts";
 import { useDesigner, useIsReadOnly, usePart } from "../use.ts";
 import { Heading, Section, SentField } from "./parts.tsx";
@@ -20,7 +21,7 @@ export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node })
       {page !== "" && node.shape !== Node_Shape.ACTUATOR && node.shape !== Node_Shape.BINDING && (
         <SentField
           label="Name"
-          value={node.name}
+          value={lastPart(node.name)}
           send={(name) => void designer.edit("", { case: "rename", value: { page, node: node.name, name } })}
         />
       )}
@@ -122,7 +123,7 @@ function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Po
   const page = drawing.page?.path ?? "";
   const row = rowId(port.name, port.index);
   const wires = drawing.wires.filter((wire) => wire.to === node.name && rowId(wire.port, wire.index) === row);
-  const isWired = wiredOf(drawing).has(`${node.name}/${row}`) && !port.isExposed;
+  const isWired = (wiredOf(drawing).get(node.name)?.has(row) ?? false) && !port.isExposed;
   const label = port.label || row;
   const drive = () =>
     designer.store.setState({
@@ -153,13 +154,13 @@ function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Po
               <IconButton icon="plus" label={`Place something for ${label}`} onPress={drive} />
             ))}
         </div>
-        {port.isMember && isWired && <ValueField node={node} port={port} what="weight" onDone={() => {}} />}
+        {port.isMember && isWired && <ValueField node={node} port={port} what="weight" isCompact onDone={() => {}} />}
       </li>
     );
   }
   return (
     <li className="input-row">
-      <ValueField node={node} port={port} what="value" onDone={() => {}} />
+      <ValueField node={node} port={port} what="value" isCompact onDone={() => {}} />
       {!isReadOnly && (
         <IconButton className="input-drive" icon="plus" label={`Place something for ${label}`} onPress={drive} />
       )}

@@ -7,7 +7,8 @@ import { kFont } from "../canvas/text_width.ts";
 import { flowOf } from "../canvas/types.ts";
 import { wirePath } from "../canvas/wire_path.ts";
 import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
-import { curveBetween, lanesOf, loopAt, type Rect } from "../states/curve.ts";
+import { curveBetween, loopAt, type Rect } from "../states/curve.ts";
+import { transitionBends } from "../states/flow.ts";
 import { stateSize } from "../states/form.ts";
 
 const kMargin = 32;
@@ -84,7 +85,7 @@ function dataflowSvg(drawing: Drawing, places: Places): Parts {
     const from = places.get(wire.from);
     const out = forms.get(wire.from);
     const at = wire.to === kResult ? end : places.get(wire.to);
-    const y = wire.to === kResult ? kResultHeight / 2 : forms.get(wire.to)?.rows.find((row) => row.id === wire.row)?.y;
+    const y = wire.to === kResult ? kResultHeight / 2 : inputY(forms.get(wire.to), wire.row);
     if (!from || !out || !at || y === undefined) continue;
     const { path } = wirePath({ x: from.x + out.width, y: from.y + out.outputY }, { x: at.x, y: at.y + y });
     lines.push(`<path d="${path}" fill="none" stroke="${kFlowColors[flowOf(wire.type)]}" stroke-width="2"/>`);
@@ -106,6 +107,10 @@ function dataflowSvg(drawing: Drawing, places: Places): Parts {
     );
   }
   return { lines, boxes };
+}
+
+function inputY(form: Form | undefined, row: string): number | undefined {
+  return [...(form?.rows ?? []), ...(form?.extras ?? [])].find((one) => one.id === row)?.y;
 }
 
 function nodeSvg(form: Form, x: number, y: number): string {
@@ -140,16 +145,16 @@ function statesSvg(drawing: Drawing, places: Places): Parts {
     const at = places.get(state.name);
     if (at) rects.set(state.name, { ...at, ...stateSize(state) });
   }
-  const lanes = lanesOf(drawing.transitions);
+  const bends = transitionBends(drawing, places);
   const labels: string[] = [];
   drawing.transitions.forEach((transition, i) => {
     const [from, to] = [rects.get(transition.from), rects.get(transition.to)];
     if (!from || !to) return;
-    const lane = lanes[i]!;
+    const bend = bends[i]!;
     const curve =
       transition.from === transition.to
-        ? loopAt(from, lane.place)
-        : curveBetween(from, to, lane.place, lane.count, lane.isBack);
+        ? loopAt(from, bend)
+        : curveBetween(from, to, bend, transition.from > transition.to);
     lines.push(`<path d="${curve.path}" fill="none" stroke="#4d5766" stroke-width="1.5" marker-end="url(#arrow)"/>`);
     const label = `${transition.index + 1}  ${transition.trigger}`;
     const width = Math.min(280, label.length * 6 + 14);

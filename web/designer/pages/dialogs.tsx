@@ -7,6 +7,7 @@ import { Choice } from "../details/choice.tsx";
 import { transitionOf } from "../states/flow.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
 import { cdlName } from "./names.ts";
+import { lastPart } from "./pages.ts";
 
 interface AskProps {
   title: string;
@@ -91,10 +92,10 @@ export function RenameDialog() {
     <Ask
       title={`Rename ${node}`}
       label="Name"
-      first={node}
+      first={lastPart(node)}
       button="Rename"
       done={async (name) => {
-        if (name === node) return "";
+        if (name === lastPart(node)) return "";
         const answer = await designer.link.ask(editOf(designer, "", { case: "rename", value: { page, node, name } }));
         if (answer.ok) designer.select([name]);
         return answer.error;

@@ -1,9 +1,10 @@
 // A page of states as what the canvas shows.
 import type { Edge, Node as FlowNode } from "@xyflow/react";
 import { Position } from "@xyflow/react";
-import type { CanvasNode, Places } from "../canvas/flow.ts";
+import type { Places } from "../canvas/flow.ts";
 import type { Drawing, State, Transition } from "../protocol.ts";
-import { type Curve, curveBetween, lanesOf, loopAt, type Rect } from "./curve.ts";
+import { bendsOf } from "./bends.ts";
+import { type Curve, curveBetween, loopAt, type Rect } from "./curve.ts";
 import { stateSize } from "./form.ts";
 
 export interface StateData extends Record<string, unknown> {
@@ -13,7 +14,8 @@ export interface StateData extends Record<string, unknown> {
 }
 export interface TransitionData extends Record<string, unknown> {
   transition: Transition;
-  lane: { place: number; count: number; isBack: boolean };
+  /** As bendsOf says. */
+  bend: number;
   /** How many the state it leaves has: the order matters where there are several. */
   siblings: number;
   page: string;
@@ -68,9 +70,9 @@ export function stateNodes(drawing: Drawing, places: Places, before: readonly { 
   });
 }
 
-export function transitionEdges(drawing: Drawing, before: readonly { id: string }[]): TransitionEdge[] {
+export function transitionEdges(drawing: Drawing, places: Places, before: readonly { id: string }[]): TransitionEdge[] {
   const known = new Map(before.map((one) => [one.id, one as TransitionEdge]));
-  const lanes = lanesOf(drawing.transitions);
+  const bends = transitionBends(drawing, places);
   const page = drawing.page?.path ?? "";
   const names = new Set(drawing.states.map((state) => state.name));
   return drawing.transitions.flatMap((transition, i) => {
@@ -84,22 +86,34 @@ export function transitionEdges(drawing: Drawing, before: readonly { id: string 
         sourceHandle: "out",
         target: transition.to,
         targetHandle: "in",
-        data: { transition, lane: lanes[i]!, siblings, page },
+        data: { transition, bend: bends[i]!, siblings, page },
         selected: known.get(transitionId(transition))?.selected ?? false,
       },
     ];
   });
 }
 
-/** The way of a transition between where the two states are. */
-export function curveOf(data: TransitionData, from: Rect, to: Rect): Curve {
-  const { transition, lane } = data;
-  if (transition.from === transition.to) return loopAt(from, lane.place);
-  return curveBetween(from, to, lane.place, lane.count, lane.isBack);
+export function transitionBends(drawing: Drawing, places: Places): number[] {
+  const rects = new Map<string, Rect>();
+  for (const state of drawing.states) {
+    const at = places.get(state.name);
+    if (at) rects.set(state.name, { ...at, ...stateSize(state) });
+  }
+  return bendsOf(
+    drawing.transitions.map(({ from, to, trigger }) => ({
+      from,
+      to,
+      labelWidth: Math.min(240, 44 + trigger.length * 6.7),
+    })),
+    rects,
+  );
 }
 
-export function rectOf(node: Pick<CanvasNode, "position" | "width" | "height">): Rect {
-  return { ...node.position, width: node.width ?? 0, height: node.height ?? 0 };
+/** The way of a transition between where the two states are. */
+export function curveOf(data: TransitionData, from: Rect, to: Rect): Curve {
+  const { transition, bend } = data;
+  if (transition.from === transition.to) return loopAt(from, bend);
+  return curveBetween(from, to, bend, transition.from > transition.to);
 }
 
 function isSameState(a: State, b: State): boolean {
