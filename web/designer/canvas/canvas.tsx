@@ -17,6 +17,7 @@ import {
 import { type DragEvent, type MouseEvent, useCallback, useEffect, useMemo, useRef, useState } from "react";
 import { arrangeChange } from "../arrange/arrange.ts";
 import { kPitch, onPitch } from "../arrange/elk.ts";
+import { placeState } from "../palette/place.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { stateNodes, transitionEdges } from "../states/flow.ts";
 import { StateView, spokenState } from "../states/state_view.tsx";
@@ -165,7 +166,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     event.preventDefault();
     const at = flow.screenToFlowPosition({ x: event.clientX, y: event.clientY });
     const where = { x: onPitch(at.x - 80), y: onPitch(at.y - 20) };
-    if (isStates) void designer.edit("", { case: "addState", value: { page, component, ...where } });
+    if (isStates) void placeState(designer, component, "", where);
     else void designer.edit(`place ${component}`, { case: "place", value: { page, component, ...where } });
   };
 

@@ -1,6 +1,7 @@
 // The palette's components in groups, and found by a few letters.
 import { ranked } from "../../console/actions/search.ts";
-import { type Component, Node_Shape } from "../protocol.ts";
+import type { Component } from "../protocol.ts";
+import { canBeDone } from "../states/member.ts";
 
 export interface Group {
   name: string;
@@ -26,12 +27,7 @@ export function found(query: string, components: readonly Component[]): Componen
 
 /** What a state can do, or a node of dataflow can be. */
 export function isForPage(component: Component, isStates: boolean): boolean {
-  if (!isStates) return true;
-  return (
-    component.shape === Node_Shape.ASSEMBLAGE ||
-    component.shape === Node_Shape.BEHAVIOR ||
-    component.shape === Node_Shape.SEQUENCE
-  );
+  return !isStates || canBeDone(component);
 }
 
 /** The first sentence of a component's documentation. */

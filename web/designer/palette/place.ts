@@ -8,6 +8,7 @@ import { connectChange } from "../canvas/wiring.ts";
 import type { Designer } from "../designer.ts";
 import { type ChangeInit, Drawing_Kind } from "../protocol.ts";
 import type { Placing } from "../state.ts";
+import { memberOf, stateName } from "../states/member.ts";
 
 /** Where a new node comes that nobody said a place for: in the middle of what is in sight, not on another one. */
 export function freePlace(designer: Designer): { x: number; y: number } {
@@ -35,11 +36,9 @@ export async function place(designer: Designer, component: string, placing: Plac
   const drawing = designer.drawing;
   if (!drawing) return false;
   const { x, y } = placing ?? freePlace(designer);
+  if (drawing.kind === Drawing_Kind.STATES) return placeState(designer, component, placing?.replace ?? "", { x, y });
   if (placing?.replace) {
     return (await designer.edit("", { case: "replace", value: { page, node: placing.replace, component } })).ok;
-  }
-  if (drawing.kind === Drawing_Kind.STATES) {
-    return (await designer.edit("", { case: "addState", value: { page, component, x, y } })).ok;
   }
   const to = placing?.to ? { toNode: placing.to.node, toPort: placing.to.port } : {};
   const before = new Set(drawing.nodes.map((node) => node.name));
@@ -54,6 +53,28 @@ export async function place(designer: Designer, component: string, placing: Plac
     if (placing?.from) await connectFrom(designer, placing.from, made);
   }
   return true;
+}
+
+/** A new state that does this, or a state does it from now on. */
+export async function placeState(
+  designer: Designer,
+  component: string,
+  replaced: string,
+  at: { x: number; y: number },
+): Promise<boolean> {
+  const { page } = designer.state;
+  const member = memberOf(component);
+  if (replaced) {
+    const value = { page, state: replaced, member };
+    return (await designer.edit(`change what ${replaced} does`, { case: "setState", value })).ok;
+  }
+  const taken = designer.drawing?.states.map((one) => one.name) ?? [];
+  const name = stateName(component, taken);
+  const add: ChangeInit = { case: "addState", value: { page, name, ...at } };
+  const set: ChangeInit = { case: "setState", value: { page, state: name, member } };
+  const answer = await designer.edit(`add state ${name}`, add, set);
+  if (answer.ok) designer.select([name]);
+  return answer.ok;
 }
 
 function newNode(designer: Designer, before: ReadonlySet<string>): Promise<string> {

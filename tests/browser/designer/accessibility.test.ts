@@ -1,0 +1,73 @@
+// No violation that axe knows, in every view, light and dark.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { expect, test } from "vitest";
+import { begin, type DesignerPage } from "./designer.ts";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+interface Violation {
+  id: string;
+  help: string;
+  nodes: { html: string }[];
+}
+
+async function violations({ page }: DesignerPage, view: string): Promise<string[]> {
+  // Not by a script element: the page's content security policy allows none.
+  await page.evaluate(`if (!window.axe) { ${axe} }`);
+  const found = await page.evaluate(() => {
+    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: Violation[] }> } };
+    return axe.run().then((result) => result.violations);
+  });
+  return found.map(({ id, help, nodes }) => `${view}: ${id}: ${help}: ${nodes.map((node) => node.html).join(" ")}`);
+}
+
+for (const colours of ["light", "dark"] as const) {
+  test(`every view is accessible, ${colours}`, async () => {
+    const { designer } = await begin({ mission: "forage", width: 1600, height: 900 });
+    const { page } = designer;
+    await page.emulateMedia({ colorScheme: colours });
+    await page.locator(`[data-theme=${colours}]`).first().waitFor();
+    const found = await violations(designer, "start");
+    await page
+      .getByRole("region", { name: "In this project" })
+      .getByRole("button", { name: /forager/ })
+      .click();
+    await designer.on("");
+    await page.locator(".react-flow__node").first().waitFor();
+    found.push(...(await violations(designer, "file")));
+    for (const [name, declaration] of [
+      ["dataflow", "Wander"],
+      ["states", "Forage"],
+      ["robot", "Forager"],
+      ["society", "Foragers"],
+    ] as const) {
+      await designer.toFile();
+      await designer.details.getByRole("button", { name: declaration, exact: true }).click();
+      await designer.on(declaration);
+      await page.locator(".react-flow__node").first().waitFor();
+      found.push(...(await violations(designer, name)));
+      await page
+        .locator(".react-flow__node")
+        .first()
+        .click({ position: { x: 60, y: 10 } });
+      found.push(...(await violations(designer, `${name}, one selected`)));
+    }
+    if (!(await designer.text.isVisible())) await designer.button("Text").click();
+    await designer.button("Problems").click();
+    await designer.text.waitFor();
+    found.push(...(await violations(designer, "text and problems")));
+    for (const [key, title] of [
+      ["Control+k", "All commands"],
+      ["?", "Keyboard shortcuts"],
+      ["Control+o", "Open a configuration"],
+    ] as const) {
+      await page.locator("body").press(key);
+      await page.getByRole("dialog", { name: title }).waitFor();
+      found.push(...(await violations(designer, title)));
+      await page.keyboard.press("Escape");
+      await page.getByRole("dialog").waitFor({ state: "detached" });
+    }
+    expect(found).toEqual([]);
+  });
+}

@@ -1,0 +1,193 @@
+// What can be done on the canvas: each its own small test.
+import { expect, test } from "vitest";
+import { begin, look } from "./designer.ts";
+
+const kTwo = `// Kept as it is.
+assemblage Two() {
+  let near = Detect(Mine);
+  cooperate {
+    1: Noise(persistence = 10 s);  // drifts
+    0.5: AvoidStaticObstacles(readings = sense_obstacles(range = 2 m), sphere = 1 m, safety_margin = 0.3 m);
+  }
+}
+`;
+
+const opened = () =>
+  begin({ file: "two.cdl", prepare: (project) => project.write("two.cdl", kTwo), width: 1600, height: 900 });
+
+test("a wire of another type is refused while it is drawn, with the reason, and fitting inputs light up", async () => {
+  const { designer } = await opened();
+  await designer.on("Two");
+  const sum = designer.named("cooperate");
+  const noise = designer.named("Noise");
+  await designer.hold(designer.output(designer.named("near")), designer.input(sum, "members[0]"));
+  await designer.page.getByText("it takes Vector, and this is bool").waitFor();
+  await sum.locator(".row.refused").first().waitFor();
+  await designer.page.mouse.up();
+  await designer.hold(designer.output(noise), designer.result);
+  await designer.page.locator(".result.fits").waitFor();
+  await designer.page.keyboard.press("Escape");
+  await designer.page.mouse.up();
+});
+
+test("one value changed is one line of the file, and undo takes it back by its name", async () => {
+  const { designer, project } = await opened();
+  await designer.on("Two");
+  await designer.setValue(designer.named("Noise"), "persistence", "4 s");
+  await designer.button(/^Undo .*persistence/).waitFor();
+  await designer.page.keyboard.press("Control+s");
+  await expect
+    .poll(() => project.read("two.cdl"))
+    .toBe(kTwo.replace("10 s", "4 s").replace("  // drifts", "   // drifts"));
+  await designer.button(/^Undo .*persistence/).click();
+  await designer.named("Noise").getByText("10 s").waitFor();
+  await designer.button(/^Redo .*persistence/).click();
+  await designer.named("Noise").getByText("4 s").waitFor();
+});
+
+test("nodes are moved by keys, removed, and brought back", async () => {
+  const { designer } = await opened();
+  await designer.on("Two");
+  const { page } = designer;
+  await designer.select(designer.named("Noise"));
+  const before = (await designer.named("Noise").boundingBox())!;
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("ArrowDown");
+  await designer.button(/^Undo move/).waitFor();
+  await expect.poll(async () => (await designer.named("Noise").boundingBox())!.y).toBeGreaterThan(before.y);
+  await page.keyboard.press("Delete");
+  await designer.named("Noise").waitFor({ state: "detached" });
+  await page.keyboard.press("Control+z");
+  await designer.named("Noise").waitFor();
+});
+
+test("what is copied is CDL, and is pasted into another window", async () => {
+  const { designer, mlab } = await opened();
+  await designer.on("Two");
+  await designer.select(designer.named("Noise"));
+  await designer.page.keyboard.press("Control+c");
+  await expect
+    .poll(() => designer.page.evaluate(() => navigator.clipboard.readText()))
+    .toContain("Noise(persistence = 10 s)");
+  const text = await designer.page.evaluate(() => navigator.clipboard.readText());
+  const other = await look(mlab.url.replace(/#.*/, ""));
+  await other.on("Two");
+  await other.page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
+  await other.canvas.hover({ position: { x: 300, y: 400 } });
+  await other.page.keyboard.press("Control+v");
+  await expect.poll(() => other.page.locator(".react-flow__node", { hasText: "Noise" }).count()).toBe(2);
+  // Both windows show the same document.
+  await expect.poll(() => designer.page.locator(".react-flow__node", { hasText: "Noise" }).count()).toBe(2);
+});
+
+test("nodes become an assemblage, which is entered by a double click and taken apart again", async () => {
+  const { designer } = await opened();
+  await designer.on("Two");
+  const { page } = designer;
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Control+g");
+  const dialog = page.getByRole("dialog");
+  await dialog.getByRole("textbox", { name: "Name" }).fill("Drift");
+  await dialog.getByRole("button", { name: "Make it" }).click();
+  await designer.named("Drift").waitFor();
+  await designer.named("Drift").dblclick({ position: { x: 70, y: 10 } });
+  await designer.on("Drift");
+  await designer.named("Noise").waitFor();
+  await page.keyboard.press("u");
+  await page.goBack();
+  await designer.toFile();
+  await page.getByRole("navigation", { name: "Where you are" }).getByRole("button", { name: "two.cdl" }).waitFor();
+});
+
+test("text and drawing follow each other", async () => {
+  const { designer } = await opened();
+  await designer.on("Two");
+  if (!(await designer.text.isVisible())) await designer.button("Text").click();
+  await designer.text.getByText("persistence").first().waitFor();
+  await designer.text.getByText("10 s").first().click();
+  await designer.page.keyboard.press("Control+f");
+  await designer.page.getByRole("textbox", { name: "Find" }).fill("10 s");
+  await designer.page.keyboard.press("Enter");
+  await designer.page.keyboard.press("Escape");
+  await designer.page.keyboard.type("7 s");
+  await designer.named("Noise").getByText("7 s").waitFor();
+  await designer.setValue(designer.named("Noise"), "persistence", "9 s");
+  await designer.text.getByText("persistence = 9 s").waitFor();
+});
+
+test("problems lead to their node", async () => {
+  const { designer } = await begin({
+    file: "bad.cdl",
+    prepare: (project) => project.write("bad.cdl", "assemblage Bad() {\n  cooperate {\n    1: Nosie();\n  }\n}\n"),
+  });
+  await designer.on("Bad");
+  await expect.poll(() => designer.verdict.textContent()).toMatch(/\d error/);
+  await designer.verdict.click();
+  await designer.problems.getByRole("button", { name: /Nosie/ }).first().click();
+  await expect.poll(() => designer.page.locator(".react-flow__node.selected").count()).toBe(1);
+  await designer.page.locator(".node.has-error").first().waitFor();
+});
+
+test("a link leads to a node", async () => {
+  const { designer, mlab, project } = await opened();
+  await designer.on("Two");
+  const url = new URL(mlab.url);
+  url.hash = "file=two.cdl&page=Two&node=Noise";
+  const other = await look(url.href);
+  await other.on("Two");
+  await expect.poll(() => other.page.locator(".react-flow__node.selected").getAttribute("data-id")).toBe("Noise");
+  expect(project.read("two.cdl")).toBe(kTwo);
+});
+
+test("comments and frames are kept in the file", async () => {
+  const { designer, project } = await opened();
+  await designer.on("Two");
+  await designer.page.keyboard.press("Shift+C");
+  await designer.page.locator(".note").click();
+  const field = designer.details.getByRole("textbox", { name: "Text" });
+  await field.fill("Off things");
+  await field.press("Control+Enter");
+  await designer.page.locator(".note", { hasText: "Off things" }).waitFor();
+  await designer.page.keyboard.press("Control+s");
+  await expect.poll(() => project.read("two.cdl")).toContain("Off things");
+});
+
+test("automatic layout is one step that can be undone", async () => {
+  const { designer } = await opened();
+  await designer.on("Two");
+  await designer.page.keyboard.press("l");
+  await designer.button("Undo automatic layout").waitFor();
+  const boxes = await designer.page.locator(".react-flow__node").evaluateAll((nodes) =>
+    nodes.map((node) => {
+      const { x, y, width, height } = node.getBoundingClientRect();
+      return { x, y, width, height };
+    }),
+  );
+  for (let i = 0; i < boxes.length; ++i) {
+    for (let j = 0; j < i; ++j) {
+      const [a, b] = [boxes[i]!, boxes[j]!];
+      const isOver = a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+      expect(isOver).toBe(false);
+    }
+  }
+});
+
+test("a drawing is exported as SVG and as PNG", async () => {
+  const { designer } = await opened();
+  await designer.on("Two");
+  for (const [name, begin] of [
+    ["SVG", "<svg "],
+    ["PNG", "\u0089PNG".slice(1)],
+  ] as const) {
+    await designer.page.keyboard.press("Control+k");
+    await designer.page.getByRole("combobox", { name: "All commands" }).fill(`as ${name}`);
+    const coming = designer.page.waitForEvent("download");
+    await designer.page.keyboard.press("Enter");
+    const download = await coming;
+    expect(download.suggestedFilename()).toBe(`Two.${name.toLowerCase()}`);
+    const stream = await download.createReadStream();
+    const chunks: Buffer[] = [];
+    for await (const chunk of stream) chunks.push(chunk as Buffer);
+    expect(Buffer.concat(chunks).toString("latin1").slice(0, 40)).toContain(begin);
+  }
+});

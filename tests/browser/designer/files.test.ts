@@ -1,0 +1,64 @@
+// Files: what is not saved survives, what changes on disk is noticed, examples become copies.
+import { expect, onTestFinished, test } from "vitest";
+import { Mlab } from "../mlab.ts";
+import { begin, look } from "./designer.ts";
+
+const kOne = "assemblage One() {\n  cooperate {\n    1: Noise(persistence = 10 s);\n  }\n}\n";
+
+const opened = () => begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", kOne) });
+
+test("what is not saved survives a closed tab and a killed server", async () => {
+  const { designer, mlab, project } = await opened();
+  await designer.on("One");
+  await designer.setValue(designer.named("Noise"), "persistence", "3 s");
+  await designer.button("Not saved").waitFor();
+  await designer.page.goto("about:blank");
+  await new Promise((resolve) => setTimeout(resolve, 1500));
+  const state = await mlab.kill();
+  const again = await Mlab.edit([project.path("one.cdl"), "--project", project.folder], state);
+  onTestFinished(async () => {
+    await again.stop();
+  });
+  const page = await look(again.url);
+  await page.on("One");
+  await page.named("Noise").getByText("3 s").waitFor();
+  await page.button("Not saved").waitFor();
+  expect(project.read("one.cdl")).toBe(kOne);
+});
+
+test("a file that is changed on disk is taken over, or asked about where there is something to lose", async () => {
+  const { designer, project } = await opened();
+  await designer.on("One");
+  project.write("one.cdl", kOne.replace("10 s", "20 s"));
+  await designer.named("Noise").getByText("20 s").waitFor();
+  await designer.page.getByText("was changed on the disk; this is the new text").waitFor();
+  await designer.setValue(designer.named("Noise"), "persistence", "3 s");
+  project.write("one.cdl", `// From elsewhere.\n${kOne}`);
+  await designer.button("Take the disk's").click();
+  await designer.named("Noise").getByText("10 s").waitFor();
+});
+
+test("an example is looked at, and saved as a copy of one's own", async () => {
+  const { designer, project } = await begin();
+  await designer.page
+    .getByRole("region", { name: "Examples" })
+    .getByRole("button", { name: /forager/ })
+    .first()
+    .click();
+  await designer.page.getByText("An example: look, or save it as your own.").waitFor();
+  await designer.button("Make my own copy…").click();
+  const dialog = designer.page.getByRole("dialog");
+  await dialog.getByRole("textbox", { name: "Name" }).fill("mine");
+  await dialog.getByRole("button", { name: "Save", exact: true }).click();
+  await dialog.waitFor({ state: "detached" });
+  await expect.poll(() => project.read("mine.cdl")).toContain("robot Forager");
+});
+
+test("without a connection the page says so, and goes on when it is back", async () => {
+  const { designer } = await opened();
+  await designer.on("One");
+  await designer.page.context().setOffline(true);
+  await designer.page.context().setOffline(false);
+  await designer.setValue(designer.named("Noise"), "persistence", "5 s");
+  await designer.named("Noise").getByText("5 s").waitFor();
+});
