@@ -32,6 +32,7 @@ import "../console/styles/shell.css";
 import "./styles/tokens.css";
 import "./styles/designer.css";
 import "./styles/canvas.css";
+import "./styles/states.css";
 
 const TextPane = lazy(() => import("./text/text_pane.tsx"));
 

@@ -29,7 +29,7 @@ export function toElk(graph: LayoutGraph): ElkNode {
   return {
     id: "page",
     layoutOptions: isFlow ? kDataflow : kStates,
-    children: graph.nodes.map((node) => ({
+    children: graph.nodes.map((node): ElkNode => ({
       id: node.id,
       width: node.width,
       height: node.height,
@@ -59,7 +59,9 @@ export function toElk(graph: LayoutGraph): ElkNode {
                 : []),
             ],
           }
-        : {}),
+        : node.isFirst
+          ? { layoutOptions: { "elk.layered.layering.layerConstraint": "FIRST" } }
+          : {}),
     })),
     edges: graph.wires
       .filter((wire) => wire.from !== wire.to)

@@ -12,6 +12,8 @@ export interface LayoutNode {
   /** From the top, of inputs at the left and the output at the right. */
   inputs: { id: string; y: number }[];
   outputY: number;
+  /** Nothing stands left of it. */
+  isFirst?: boolean;
 }
 
 export interface LayoutGraph {
@@ -55,7 +57,13 @@ function statesGraph(drawing: Drawing): LayoutGraph {
   const others = drawing.states.filter((state) => !state.isStart);
   return {
     kind: "states",
-    nodes: [...start, ...others].map((state) => ({ id: state.name, ...stateSize(state), inputs: [], outputY: -1 })),
+    nodes: [...start, ...others].map((state) => ({
+      id: state.name,
+      ...stateSize(state),
+      inputs: [],
+      outputY: -1,
+      isFirst: state.isStart,
+    })),
     wires: drawing.transitions.map(({ from, to }) => ({ from, to, port: "" })),
   };
 }

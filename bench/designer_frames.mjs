@@ -1,0 +1,128 @@
+// How fluid the designer is in a real browser: the time to the first drawing, and how long frames take while a person moves
+// the canvas, zooms and drags a node. `node bench/designer_frames.mjs [NODES...]`; MLAB_COMMAND is the mlab.
+import { spawn } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { openBrowser } from "../web/tools/browser.mjs";
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const command = process.env.MLAB_COMMAND ?? join(root, "build", "test", "bin", "mlab");
+const counts = process.argv.slice(2).map(Number);
+const size = { width: 1920, height: 1080 };
+
+/** An assemblage of about so many nodes: sums of a noise and two that keep off things, and one sum of all. */
+function configuration(nodes) {
+  const groups = Math.max(1, Math.round((nodes - 1) / 6));
+  const lines = ["assemblage Many() {", "  cooperate {"];
+  for (let i = 0; i < groups; ++i) {
+    const sense = `sense_obstacles(range = ${1 + (i % 9)} m)`;
+    lines.push(
+      "    1: cooperate {",
+      `      1: Noise(persistence = ${1 + (i % 20)} s);`,
+      `      0.5: AvoidStaticObstacles(readings = ${sense}, sphere = 1 m, safety_margin = 0.5 m);`,
+      `      0.8: Probe(readings = ${sense});`,
+      "    };",
+    );
+  }
+  return [...lines, "  }", "}", ""].join("\n");
+}
+
+async function start(folder, file) {
+  const mlab = spawn(command, ["edit", file, "--no-browser", "--port", "0", "--project", folder], {
+    stdio: ["ignore", "pipe", "pipe"],
+    env: { ...process.env, XDG_STATE_HOME: folder },
+  });
+  let output = "";
+  for (const stream of [mlab.stdout, mlab.stderr]) stream.on("data", (bytes) => (output += bytes));
+  for (let tries = 0; tries < 600; ++tries) {
+    const url = /https?:\/\/\S+/.exec(output)?.[0];
+    if (url) return { mlab, url };
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  throw new Error(`mlab did not start:\n${output}`);
+}
+
+/** Lengths of frames [ms] while `act` goes on. */
+async function frames(page, act) {
+  await page.evaluate(() => {
+    window.frameTimes = [];
+    let before = performance.now();
+    const next = (now) => {
+      window.frameTimes.push(now - before);
+      before = now;
+      window.frameTimer = requestAnimationFrame(next);
+    };
+    window.frameTimer = requestAnimationFrame(next);
+  });
+  await act();
+  const times = await page.evaluate(() => {
+    cancelAnimationFrame(window.frameTimer);
+    return window.frameTimes;
+  });
+  const sorted = times.slice(2).sort((a, b) => a - b);
+  const at = (share) => sorted[Math.floor(share * (sorted.length - 1))] ?? 0;
+  const sum = sorted.reduce((total, time) => total + time, 0);
+  return { "mean fps": (1000 * sorted.length) / sum, "median ms": at(0.5), "95 % ms": at(0.95) };
+}
+
+async function measure(nodes) {
+  const folder = mkdtempSync(join(tmpdir(), "mlab-bench-"));
+  const file = join(folder, "many.cdl");
+  writeFileSync(file, configuration(nodes));
+  const { mlab, url } = await start(folder, file);
+  const browser = await openBrowser();
+  try {
+    const page = await browser.page(size);
+    page.setDefaultTimeout(120_000);
+    const begin = performance.now();
+    await page.goto(url);
+    await page.locator(".react-flow__node").first().waitFor();
+    const load = performance.now() - begin;
+    await page.waitForTimeout(3000);
+    const shown = await page.locator(".react-flow__node").count();
+    const box = await page.locator(".canvas").boundingBox();
+    const centre = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    await page.mouse.move(centre.x, centre.y);
+    const pan = await frames(page, async () => {
+      for (let i = 0; i < 90; ++i) {
+        await page.mouse.wheel(i % 30 < 15 ? 24 : -24, i % 30 < 15 ? 10 : -10);
+        await page.waitForTimeout(12);
+      }
+    });
+    await page.keyboard.down("Control");
+    const zoom = await frames(page, async () => {
+      for (let i = 0; i < 60; ++i) {
+        await page.mouse.wheel(0, i % 20 < 10 ? -30 : 30);
+        await page.waitForTimeout(12);
+      }
+    });
+    await page.keyboard.up("Control");
+    const node = await page.locator(".react-flow__node").nth(Math.floor(shown / 2)).boundingBox();
+    await page.mouse.move(node.x + node.width / 2, node.y + 6);
+    await page.mouse.down();
+    const drag = await frames(page, async () => {
+      for (let i = 0; i < 90; ++i) {
+        await page.mouse.move(node.x + node.width / 2 + 80 * Math.sin(i / 12), node.y + 6 + 60 * Math.sin(i / 9));
+        await page.waitForTimeout(12);
+      }
+    });
+    await page.mouse.up();
+    return { shown, load, pan, zoom, drag };
+  } finally {
+    await browser.close();
+    mlab.kill("SIGINT");
+    await new Promise((resolve) => mlab.on("exit", resolve));
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+for (const nodes of counts.length > 0 ? counts : [10, 500, 2000]) {
+  const { shown, load, ...acts } = await measure(nodes);
+  console.log(`${nodes} nodes: ${shown} elements, first drawing after ${Math.round(load)} ms`);
+  for (const [act, figures] of Object.entries(acts)) {
+    const shownFigures = Object.entries(figures).map(([name, value]) => `${name} ${value.toFixed(1)}`);
+    console.log(`  ${act.padEnd(5)} ${shownFigures.join("   ")}`);
+  }
+}

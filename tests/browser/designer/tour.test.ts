@@ -1,0 +1,120 @@
+// The tour of docs/designer.md, step by step. MLAB_TOUR=FOLDER also writes its pictures there (`npm run tour`).
+import { expect, test } from "vitest";
+import { picture } from "../picture.ts";
+import { begin, type DesignerPage } from "./designer.ts";
+
+const shot = (designer: DesignerPage, name: string, pointerStays = false) =>
+  picture(designer.page, name, { of: "designer", pointerStays });
+
+test("the start page offers a tour, a new configuration, and what there is", async () => {
+  const { designer } = await begin({ mission: "forage" });
+  await designer.button("Guided first tour").waitFor();
+  await designer.page.getByRole("region", { name: "Examples" }).getByRole("button").first().waitFor();
+  await shot(designer, "start");
+});
+
+test("the guided tour leads from an empty canvas to a skill that can run, by the names that it says", async () => {
+  const { designer } = await begin();
+  const { page } = designer;
+  const card = page.getByRole("region", { name: "Guided tour" });
+  await designer.button("Guided first tour").click();
+  await card.getByRole("heading", { name: "A first skill" }).waitFor();
+  await shot(designer, "tour");
+  await designer.declare("Assemblage", "Wander");
+  await card.getByRole("heading", { name: "Three motor schemas" }).waitFor();
+  await designer.dragFromPalette("Noise", 330, 60);
+  await designer.dragFromPalette("AvoidStaticObstacles", 330, 190);
+  await designer.dragFromPalette("Probe", 330, 360);
+  await card.getByRole("heading", { name: "An operator" }).waitFor();
+  await designer.dragFromPalette("cooperate", 600, 120);
+  await card.getByRole("heading", { name: "Wires" }).waitFor();
+  const sum = designer.named("cooperate");
+  await designer.hold(designer.output(designer.named("Noise")), designer.input(sum, "members[0]"));
+  await sum.locator(".row.fits").first().waitFor();
+  await shot(designer, "wire", true);
+  await page.mouse.up();
+  await designer.hasWires(1);
+  await designer.wire(designer.output(designer.named("AvoidStaticObstacles")), designer.input(sum, "members[1]"));
+  await designer.hasWires(2);
+  await designer.wire(designer.output(designer.named("Probe")), designer.input(sum, "members[2]"));
+  await card.getByRole("heading", { name: "Eyes" }).waitFor();
+  await designer.dragFromPalette("sense_obstacles", 110, 300);
+  const sensor = () => designer.output(designer.named("sense_obstacles"));
+  await designer.wire(sensor(), designer.input(designer.named("AvoidStaticObstacles"), "readings"));
+  await designer.hasWires(4);
+  await designer.wire(sensor(), designer.input(designer.named("Probe"), "readings"));
+  await card.getByRole("heading", { name: "The result" }).waitFor();
+  await designer.wire(designer.output(sum), designer.result);
+  await card.getByRole("heading", { name: "Values" }).waitFor();
+  await card.getByRole("button", { name: "Next" }).click();
+  await card.getByRole("heading", { name: "Run" }).waitFor();
+  await card.getByRole("button", { name: "Finish" }).click();
+  await card.waitFor({ state: "detached" });
+});
+
+test("the pages of the forage example", async () => {
+  const { designer } = await begin({ mission: "forage", file: "forager.cdl" });
+  const { page } = designer;
+  await designer.toFile();
+  await page.locator(".react-flow__node").first().waitFor();
+  await shot(designer, "file");
+  await designer.details.getByRole("button", { name: "Wander", exact: true }).click();
+  await designer.on("Wander");
+  await designer.select(designer.named("Probe"));
+  await shot(designer, "dataflow");
+  await page.locator(".row-value").first().click();
+  await page.locator(".value-editor").waitFor();
+  await shot(designer, "value", true);
+  await page.keyboard.press("Escape");
+  await page.locator("body").press("/");
+  await page.getByRole("combobox", { name: "Place a component" }).fill("goal");
+  await shot(designer, "search");
+  await page.keyboard.press("Escape");
+  await designer.toFile();
+  await designer.details.getByRole("button", { name: "Forage", exact: true }).click();
+  await designer.node("Searching").waitFor();
+  await designer.select(designer.node("Searching"));
+  await shot(designer, "states");
+  await designer.toFile();
+  await designer.details.getByRole("button", { name: "Forager", exact: true }).click();
+  await designer.on("Forager");
+  await page.locator(".react-flow__node").first().waitFor();
+  await shot(designer, "robot");
+  await designer.toFile();
+  await designer.details.getByRole("button", { name: "Foragers", exact: true }).click();
+  await designer.on("Foragers");
+  await page.locator(".react-flow__node").first().waitFor();
+  await shot(designer, "society");
+  expect(designer.troubles).toEqual([]);
+});
+
+test("text beside the drawing, with what is wrong", async () => {
+  const { designer } = await begin({
+    mission: "forage",
+    file: "forager.cdl",
+    width: 1600,
+    height: 900,
+    prepare: (project) =>
+      project.write("forager.cdl", project.read("forager.cdl").replace("Noise(persistence = 12 s)", "Nosie(persistence = 12 s)")),
+  });
+  await designer.toFile();
+  await designer.details.getByRole("button", { name: "Wander", exact: true }).click();
+  await designer.on("Wander");
+  if (!(await designer.text.isVisible())) await designer.button("Text").click();
+  await designer.verdict.click();
+  await designer.problems.getByRole("button", { name: /Nosie/ }).first().click();
+  await designer.page.waitForTimeout(600);
+  await shot(designer, "text");
+});
+
+test("dark colours, and the sheet of shortcuts", async () => {
+  const { designer } = await begin({ mission: "forage", file: "forager.cdl", width: 1600, height: 900 });
+  await designer.page.emulateMedia({ colorScheme: "dark" });
+  await designer.toFile();
+  await designer.details.getByRole("button", { name: "Forage", exact: true }).click();
+  await designer.node("Searching").waitFor();
+  await shot(designer, "dark");
+  await designer.page.locator("body").press("?");
+  await designer.page.getByRole("dialog", { name: "Keyboard shortcuts" }).waitFor();
+  await shot(designer, "shortcuts");
+});
