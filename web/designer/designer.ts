@@ -66,7 +66,8 @@ export class Designer {
     const answer = await this.ask({ case: "open", value: { path } });
     if (!answer.ok) return false;
     const document = answer.result.case === "text" && answer.result.value !== "" ? answer.result.value : path;
-    this.goTo(document, page ?? this.firstPage(document), node);
+    await this.arrived(document);
+    this.turnTo(document, page ?? this.firstPage(document), node);
     return true;
   }
 
@@ -76,6 +77,10 @@ export class Designer {
       void this.open(document, page, node);
       return;
     }
+    this.turnTo(document, page, node);
+  }
+
+  private turnTo(document: string, page: string, node: string): void {
     const isSame = this.state.document === document && this.state.page === page;
     this.pendingNode = node;
     this.store.setState({ document, page, selection: node && this.hasNode(document, page, node) ? [node] : [] });
@@ -133,6 +138,20 @@ export class Designer {
     }
     const answer = await this.ask({ case: "save", value: { document: document.path, overwrite } });
     if (answer.ok) this.say(`Saved ${document.path}`);
+  }
+
+  /** The document itself may come a moment after the answer that it is open. */
+  private arrived(document: string): Promise<void> {
+    return new Promise((resolve) => {
+      if (this.state.documents[document]) return resolve();
+      const done = () => {
+        clearTimeout(timer);
+        stop();
+        resolve();
+      };
+      const timer = setTimeout(done, 3000);
+      const stop = this.store.subscribe((state) => state.documents[document] && done());
+    });
   }
 
   private look(): void {

@@ -20,7 +20,7 @@ test("a wire of another type is refused while it is drawn, with the reason, and 
   await designer.on("Two");
   const sum = designer.named("cooperate");
   const noise = designer.named("Noise");
-  await designer.hold(designer.output(designer.named("near")), designer.input(sum, "members[0]"));
+  await designer.hold(designer.output(designer.named("near")), designer.input(sum, "members"));
   await designer.page.getByText("it takes Vector, and this is bool").waitFor();
   await sum.locator(".row.refused").first().waitFor();
   await designer.page.mouse.up();

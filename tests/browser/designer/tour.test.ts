@@ -29,14 +29,14 @@ test("the guided tour leads from an empty canvas to a skill that can run, by the
   await designer.dragFromPalette("cooperate", 600, 120);
   await card.getByRole("heading", { name: "Wires" }).waitFor();
   const sum = designer.named("cooperate");
-  await designer.hold(designer.output(designer.named("Noise")), designer.input(sum, "members[0]"));
+  await designer.hold(designer.output(designer.named("Noise")), designer.input(sum, "members"));
   await sum.locator(".row.fits").first().waitFor();
   await shot(designer, "wire", true);
   await page.mouse.up();
   await designer.hasWires(1);
-  await designer.wire(designer.output(designer.named("AvoidStaticObstacles")), designer.input(sum, "members[1]"));
+  await designer.wire(designer.output(designer.named("AvoidStaticObstacles")), designer.input(sum, "members"));
   await designer.hasWires(2);
-  await designer.wire(designer.output(designer.named("Probe")), designer.input(sum, "members[2]"));
+  await designer.wire(designer.output(designer.named("Probe")), designer.input(sum, "members"));
   await card.getByRole("heading", { name: "Eyes" }).waitFor();
   await designer.dragFromPalette("sense_obstacles", 110, 300);
   const sensor = () => designer.output(designer.named("sense_obstacles"));

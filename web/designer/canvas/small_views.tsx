@@ -1,6 +1,7 @@
 // What stands on the canvas beside nodes: where the page's value goes, comments, frames.
 import { Handle, type NodeProps, NodeResizer, Position } from "@xyflow/react";
 import { memo, useState } from "react";
+import { kResult } from "../protocol.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { useCanvas } from "./canvas_store.ts";
 import type { CanvasNode } from "./flow.ts";
@@ -10,7 +11,7 @@ type ResultProps = NodeProps<Extract<CanvasNode, { type?: "result" }>>;
 type NoteProps = NodeProps<Extract<CanvasNode, { type?: "note" }>>;
 
 export const ResultView = memo(function ResultView({ data }: ResultProps) {
-  const fit = useCanvas((state) => state.fits?.get("$result/value") ?? state.fits?.get("$result/"));
+  const fit = useCanvas((state) => state.fits?.get(kResult));
   const state = fit === undefined ? "" : fit === "" ? "fits" : "refused";
   return (
     <div className={`result ${state} ${data.isFed ? "" : "open"}`}>

@@ -34,7 +34,8 @@ export function stopFits(): void {
 /** Why a wire from here can't lead there; empty: it can, as far as is known. */
 export function reasonAgainst(source: string, target: string, row: string): string {
   const { fits } = canvasStore.getState();
-  return fits?.get(`${target}/${row}`) ?? fits?.get(source) ?? "";
+  const onResult = target === kResult ? fits?.get(kResult) : undefined;
+  return fits?.get(`${target}/${row}`) ?? onResult ?? fits?.get(source) ?? "";
 }
 
 export function connectChange(page: string, from: string, to: string, row: string): ChangeInit {
