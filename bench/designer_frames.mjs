@@ -99,7 +99,10 @@ async function measure(nodes) {
       }
     });
     await page.keyboard.up("Control");
-    const node = await page.locator(".react-flow__node").nth(Math.floor(shown / 2)).boundingBox();
+    const node = await page
+      .locator(".react-flow__node")
+      .nth(Math.floor(shown / 2))
+      .boundingBox();
     await page.mouse.move(node.x + node.width / 2, node.y + 6);
     await page.mouse.down();
     const drag = await frames(page, async () => {

@@ -95,7 +95,10 @@ test("text beside the drawing, with what is wrong", async () => {
     width: 1600,
     height: 900,
     prepare: (project) =>
-      project.write("forager.cdl", project.read("forager.cdl").replace("Noise(persistence = 12 s)", "Nosie(persistence = 12 s)")),
+      project.write(
+        "forager.cdl",
+        project.read("forager.cdl").replace("Noise(persistence = 12 s)", "Nosie(persistence = 12 s)"),
+      ),
   });
   await designer.toFile();
   await designer.details.getByRole("button", { name: "Wander", exact: true }).click();

@@ -4,6 +4,7 @@ import type { Designer } from "../designer.ts";
 import { isNew } from "../designer.ts";
 import { extensions } from "../extensions.ts";
 import { withToken } from "../link/link.ts";
+import { innerOf } from "../pages/inside.ts";
 import { outer } from "../pages/pages.ts";
 import { Drawing_Kind } from "../protocol.ts";
 import type { Action } from "./action.ts";
@@ -341,7 +342,7 @@ function arrowActions(designer: Designer, blocked: string | undefined, closed: s
 function goActions(designer: Designer): Action[] {
   const { state, drawing } = designer;
   const parent = outer(state.page);
-  const chosen = [...(drawing?.nodes ?? []), ...(drawing?.states ?? [])].find((one) => one.name === state.selection[0]);
+  const to = drawing && innerOf(drawing, state.selection[0] ?? "");
   return [
     {
       id: "enter",
@@ -349,8 +350,8 @@ function goActions(designer: Designer): Action[] {
       group: "Go",
       icon: "right",
       shortcut: "enter",
-      blocked: chosen?.inner ? undefined : "Select something that has an inside",
-      run: () => designer.goTo(chosen!.inner!.document || state.document, chosen!.inner!.path),
+      blocked: to ? undefined : "Select something that has an inside",
+      run: () => designer.goTo(to!.document || state.document, to!.path),
     },
     {
       id: "up",

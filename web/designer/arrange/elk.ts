@@ -29,40 +29,42 @@ export function toElk(graph: LayoutGraph): ElkNode {
   return {
     id: "page",
     layoutOptions: isFlow ? kDataflow : kStates,
-    children: graph.nodes.map((node): ElkNode => ({
-      id: node.id,
-      width: node.width,
-      height: node.height,
-      ...(isFlow
-        ? {
-            layoutOptions: { "elk.portConstraints": "FIXED_POS" },
-            ports: [
-              ...node.inputs.map((input) => ({
-                id: `${node.id}/${input.id}`,
-                x: 0,
-                y: input.y,
-                width: 0,
-                height: 0,
-                layoutOptions: { "elk.port.side": "WEST" },
-              })),
-              ...(node.outputY >= 0
-                ? [
-                    {
-                      id: `${node.id}>`,
-                      x: node.width,
-                      y: node.outputY,
-                      width: 0,
-                      height: 0,
-                      layoutOptions: { "elk.port.side": "EAST" },
-                    },
-                  ]
-                : []),
-            ],
-          }
-        : node.isFirst
-          ? { layoutOptions: { "elk.layered.layering.layerConstraint": "FIRST" } }
-          : {}),
-    })),
+    children: graph.nodes.map(
+      (node): ElkNode => ({
+        id: node.id,
+        width: node.width,
+        height: node.height,
+        ...(isFlow
+          ? {
+              layoutOptions: { "elk.portConstraints": "FIXED_POS" },
+              ports: [
+                ...node.inputs.map((input) => ({
+                  id: `${node.id}/${input.id}`,
+                  x: 0,
+                  y: input.y,
+                  width: 0,
+                  height: 0,
+                  layoutOptions: { "elk.port.side": "WEST" },
+                })),
+                ...(node.outputY >= 0
+                  ? [
+                      {
+                        id: `${node.id}>`,
+                        x: node.width,
+                        y: node.outputY,
+                        width: 0,
+                        height: 0,
+                        layoutOptions: { "elk.port.side": "EAST" },
+                      },
+                    ]
+                  : []),
+              ],
+            }
+          : node.isFirst
+            ? { layoutOptions: { "elk.layered.layering.layerConstraint": "FIRST" } }
+            : {}),
+      }),
+    ),
     edges: graph.wires
       .filter((wire) => wire.from !== wire.to)
       .map((wire, i) => ({

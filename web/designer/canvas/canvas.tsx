@@ -17,6 +17,7 @@ import {
 import { type DragEvent, type MouseEvent, useCallback, useEffect, useMemo, useRef, useState } from "react";
 import { arrangeChange } from "../arrange/arrange.ts";
 import { kPitch, onPitch } from "../arrange/elk.ts";
+import { innerOf } from "../pages/inside.ts";
 import { placeState } from "../palette/place.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { stateNodes, transitionEdges } from "../states/flow.ts";
@@ -313,9 +314,7 @@ function noteView({ x, y, zoom }: { x: number; y: number; zoom: number }, nodes:
 }
 
 export function enter(designer: ReturnType<typeof useDesigner>, drawing: Drawing, name: string): boolean {
-  const inner =
-    drawing.nodes.find((node) => node.name === name)?.inner ??
-    drawing.states.find((state) => state.name === name)?.inner;
+  const inner = innerOf(drawing, name);
   if (!inner) return false;
   designer.goTo(inner.document || designer.state.document, inner.path);
   return true;

@@ -26,7 +26,7 @@ export function SocietyDetails({ drawing }: { drawing: Drawing }) {
             <Button
               key={robot}
               icon="plus"
-              onPress={() => set(`add ${robot}`, { path: [memberCount(drawing)], name: robot, count: 1 })}
+              onPress={() => set(`add ${robot}`, { path: [Math.max(1, memberCount(drawing))], name: robot, count: 1 })}
             >
               {robot}
             </Button>
@@ -47,7 +47,7 @@ interface MemberProps {
 
 function Member({ node, society, isReadOnly, set }: MemberProps) {
   const designer = useDesigner();
-  const path = pathOf(node.name);
+  const path = node.member;
   const isCaste = node.shape === Node_Shape.CASTE;
   const by = node.inputs.find((port) => port.name === "by")?.value ?? "";
   const same = { path, name: node.component, count: node.count, by, isCaste };
@@ -84,16 +84,8 @@ function Member({ node, society, isReadOnly, set }: MemberProps) {
   );
 }
 
-/** `0.1`: the second member of the first group. */
-export function pathOf(name: string): number[] {
-  return name
-    .split(/[._]/)
-    .filter((part) => /^\d+$/.test(part))
-    .map(Number);
-}
-
 function memberCount(drawing: Drawing): number {
-  return drawing.nodes.filter((node) => pathOf(node.name).length === 1).length;
+  return drawing.nodes.filter((node) => node.member.length === 1).length;
 }
 
 function useRobots(): string[] {

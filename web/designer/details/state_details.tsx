@@ -27,12 +27,20 @@ export function StateDetails({ drawing, state }: { drawing: Drawing; state: Stat
         send={(member) => set(`change what ${state.name} does`, { member })}
       />
       <div className="columns" style={{ gap: 4 }}>
-        {state.inner && (
+        {state.calls && (
           <Button
             icon="right"
-            onPress={() => designer.goTo(state.inner!.document || designer.state.document, state.inner!.path)}
+            onPress={() => designer.goTo(state.calls!.document || designer.state.document, state.calls!.path)}
           >
             Look inside
+          </Button>
+        )}
+        {state.inner && (
+          <Button
+            icon="draw"
+            onPress={() => designer.goTo(state.inner!.document || designer.state.document, state.inner!.path)}
+          >
+            As a drawing
           </Button>
         )}
         {!isReadOnly && (

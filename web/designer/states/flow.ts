@@ -125,6 +125,7 @@ function isSameState(a: State, b: State): boolean {
     a.title === b.title &&
     a.help === b.help &&
     a.live === b.live &&
-    a.inner?.path === b.inner?.path
+    a.inner?.path === b.inner?.path &&
+    a.calls?.path === b.calls?.path
   );
 }

@@ -46,7 +46,8 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
           aria-label={`Look inside of ${state.name}`}
           onClick={(event) => {
             event.stopPropagation();
-            designer.goTo(state.inner!.document || designer.state.document, state.inner!.path);
+            const to = state.calls ?? state.inner!;
+            designer.goTo(to.document || designer.state.document, to.path);
           }}
         >
           <Icon name="right" />
