@@ -149,7 +149,7 @@ function InputRow({ node, row }: { node: Node; row: Row }) {
           type="button"
           tabIndex={-1}
           className={`row-weight nodrag ${port.weight ? "" : "none"}`}
-          aria-label={`Weight of ${row.label}: ${port.weight || "none"}`}
+          aria-label={`Weight of ${row.label}: × ${port.weightWire || port.weight || "1"}`}
           onClick={edit("weight")}
         >
           × {port.weightWire || port.weight || "1"}
@@ -160,14 +160,18 @@ function InputRow({ node, row }: { node: Node; row: Row }) {
           type="button"
           tabIndex={-1}
           className="row-value nodrag ellipsis"
-          aria-label={`${row.label} of ${node.name}: ${row.value || "no value"}`}
+          aria-label={`${row.label} of ${node.name}: ${shownValue(row)}`}
           onClick={edit("value")}
         >
-          {row.value || (row.kind === "needed" ? "needed" : "–")}
+          {shownValue(row)}
         </button>
       )}
     </div>
   );
+}
+
+function shownValue(row: Row): string {
+  return row.value || (row.kind === "needed" ? "needed" : "–");
 }
 
 function Output({ node, form }: { node: Node; form: Form }) {
