@@ -77,6 +77,7 @@ bool Cursor::at_declaration() const {
   if (std::ranges::find(kDeclarationWords, text()) == std::end(kDeclarationWords)) return false;
   const Token::Kind next = tokens_[at_ + 1].kind;
   if (text() == "use") return next == Token::Kind::kText;  // a robot has `use DEVICE for BINDING`
+  if (text() == "layout" && is_before("{")) return true;
   return next == Token::Kind::kName;
 }
 

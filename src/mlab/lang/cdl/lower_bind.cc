@@ -9,6 +9,7 @@
 
 #include "mlab/flow/frame.h"
 #include "mlab/lang/cdl/lowering.h"
+#include "mlab/lang/cdl/quantities.h"
 #include "mlab/lang/cdl/units.h"
 
 namespace mlab::cdl {
@@ -16,20 +17,6 @@ namespace {
 
 using flow::TypeKind;
 
-// Types of parameters that say what is meant: a type of flow and a unit.
-struct Quantity {
-  std::string_view name;
-  std::string_view type;
-  std::string_view unit;
-};
-constexpr Quantity kQuantities[] = {
-    {"gain", "double", ""},         {"number", "double", ""},
-    {"length", "double", "m"},      {"speed", "double", "m/s"},
-    {"angle", "double", "rad"},     {"duration", "double", "s"},
-    {"turning", "double", "rad/s"}, {"flag", "bool", ""},
-    {"count", "int", ""},           {"object_class", "ObjectClasses", ""},
-    {"text", "Text", ""},
-};
 // For "did you mean"; a library finds more.
 constexpr const char* kTypeNames[] = {
     "bool",   "int",     "double", "Vector", "Point",         "Pose",      "Obstacles",
@@ -70,9 +57,8 @@ flow::Source constant(std::string text, const text::Place& place) {
 }  // namespace
 
 PortType Lowering::known_type(std::string_view name) const {
-  for (const Quantity& quantity : kQuantities) {
-    if (quantity.name == name) return {library_.find_type(quantity.type), std::string(quantity.unit)};
-  }
+  if (const Quantity* quantity = quantity_named(name))
+    return {library_.find_type(quantity->type), std::string(quantity->unit)};
   return {library_.find_type(name), ""};
 }
 
@@ -81,7 +67,7 @@ PortType Lowering::type_named(const Word& name) {
   if (known.type != nullptr) return known;
   text::Diagnostic& d = error("unknown-type", name.place, fmt::format("unknown type `{}`", name.text));
   std::vector<std::string> names(std::begin(kTypeNames), std::end(kTypeNames));
-  for (const Quantity& quantity : kQuantities) names.emplace_back(quantity.name);
+  for (const Quantity& quantity : quantities()) names.emplace_back(quantity.name);
   hint_nearest(d, name.text, names);
   return {};
 }

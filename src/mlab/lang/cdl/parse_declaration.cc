@@ -148,12 +148,41 @@ bool read_path(Cursor& cursor, Word& into, std::string_view what) {
   return true;
 }
 
+// `note 40 200 "words"`, `frame 20 20 400 300 "words"`; the cursor stands behind the first two numbers.
+bool parse_note(Cursor& cursor, LayoutNote note, std::uint32_t begin, Layout& layout) {
+  if (cursor.is(Token::Kind::kNumber)) {
+    const std::optional<double> width = cursor.read_number();
+    const std::optional<double> height = width ? cursor.read_number() : std::nullopt;
+    if (!height) return false;
+    note.width = *width;
+    note.height = *height;
+  }
+  while (cursor.is(Token::Kind::kText) || cursor.is(Token::Kind::kUnclosed)) {
+    std::optional<std::string> line = cursor.read_text("words");
+    if (!line) return false;
+    note.lines.push_back(std::move(*line));
+  }
+  note.place = cursor.since(begin);
+  layout.notes.push_back(std::move(note));
+  return cursor.expect_semicolon("behind the note");
+}
+
+// A node's place, or a note: `note` and `frame` may be names of nodes as well.
 bool parse_layout_entry(Cursor& cursor, Layout& layout) {
   LayoutEntry entry;
+  const std::uint32_t begin = cursor.begin();
   if (!read_path(cursor, entry.node, "the name of a node")) return false;
   const std::optional<double> x = cursor.read_number();
   const std::optional<double> y = x ? cursor.read_number() : std::nullopt;
   if (!y) return false;
+  const bool is_word = entry.node.text == "note" || entry.node.text == "frame";
+  if (is_word && !cursor.is(";")) {
+    LayoutNote note;
+    note.is_frame = entry.node.text == "frame";
+    note.x = *x;
+    note.y = *y;
+    return parse_note(cursor, std::move(note), begin, layout);
+  }
   entry.x = *x;
   entry.y = *y;
   layout.entries.push_back(std::move(entry));
@@ -163,8 +192,8 @@ bool parse_layout_entry(Cursor& cursor, Layout& layout) {
 bool parse_layout(Cursor& cursor, Tree& tree) {
   cursor.advance();
   Layout out;
-  if (!read_path(cursor, out.owner, "the name of what is laid out") || !cursor.open("the layout"))
-    return false;
+  if (!cursor.is("{") && !read_path(cursor, out.owner, "the name of what is laid out")) return false;
+  if (!cursor.open("the layout")) return false;
   while (!cursor.at_close()) {
     if (!parse_layout_entry(cursor, out)) cursor.skip_statement();
   }

@@ -90,6 +90,13 @@ society Foragers: caste {
 layout Wander {
   Noise 120 40;
   Searching.Probe -3.5 160;
+  note 40 200 "looks around" "for a while";
+  note 40 300 120 60 "sized";
+  frame 0 0 400 300;
+}
+
+layout {
+  Wander 0 0;
 }
 )";
 

@@ -322,10 +322,18 @@ class Printer {
     }
     out_ += "}\n";
   }
+  void put(const LayoutNote& note) {
+    out_ += fmt::format("{} {} {}", note.is_frame ? "frame" : "note", note.x, note.y);
+    const bool has_size = note.width != 0.0 || note.height != 0.0 || note.lines.empty();
+    if (has_size) out_ += fmt::format(" {} {}", note.width, note.height);
+    for (const std::string& line : note.lines) out_ += fmt::format(" \"{}\"", line);
+    out_ += ";\n";
+  }
   void put(const Layout& layout) {
-    out_ += "layout " + layout.owner.text + " {\n";
+    out_ += layout.owner.text.empty() ? "layout {\n" : "layout " + layout.owner.text + " {\n";
     for (const LayoutEntry& entry : layout.entries)
       out_ += fmt::format("{} {} {};\n", entry.node.text, entry.x, entry.y);
+    for (const LayoutNote& note : layout.notes) put(note);
     out_ += "}\n";
   }
 

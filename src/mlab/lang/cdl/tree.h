@@ -277,10 +277,23 @@ struct LayoutEntry {
   double y = 0.0;
 };
 
+/// A comment on the canvas (`note 40 200 "words";`, perhaps `note 40 200 120 60 "words";`), or a frame around
+/// nodes (`frame 20 20 400 300 "words";`). Texts behind each other are its lines.
+struct LayoutNote {
+  bool is_frame = false;
+  double x = 0.0;
+  double y = 0.0;
+  double width = 0.0;  ///< 0: as wide as its words
+  double height = 0.0;
+  std::vector<std::string> lines;
+  text::Place place;  ///< of the statement, without its `;`
+};
+
 /// `layout Wander { Noise 120 40; Probe 120 160; }` at the end of the file.
 struct Layout {
-  Word owner;
+  Word owner;  ///< empty: the file, whose declarations are laid out
   std::vector<LayoutEntry> entries;
+  std::vector<LayoutNote> notes;
 };
 
 using Item =

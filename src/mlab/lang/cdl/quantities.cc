@@ -1,0 +1,29 @@
+#include "mlab/lang/cdl/quantities.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace mlab::cdl {
+namespace {
+
+constexpr Quantity kQuantities[] = {
+    {"gain", "double", ""},         {"number", "double", ""},
+    {"length", "double", "m"},      {"speed", "double", "m/s"},
+    {"angle", "double", "rad"},     {"duration", "double", "s"},
+    {"turning", "double", "rad/s"}, {"flag", "bool", ""},
+    {"count", "int", ""},           {"object_class", "ObjectClasses", ""},
+    {"text", "Text", ""},
+};
+
+}  // namespace
+
+std::span<const Quantity> quantities() {
+  return kQuantities;
+}
+
+const Quantity* quantity_named(std::string_view name) {
+  const auto* const found = std::ranges::find(kQuantities, name, &Quantity::name);
+  return found == std::end(kQuantities) ? nullptr : found;
+}
+
+}  // namespace mlab::cdl
