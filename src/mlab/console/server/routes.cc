@@ -28,8 +28,8 @@ std::optional<std::uint64_t> number(std::string_view text) {
 }
 
 bool is_private(std::string_view path) {
-  return path == "/session" || path == "/report" || path == "/stop" || path == "/health" ||
-         path.starts_with(kPicture);
+  return path == "/session" || path == "/designer" || path == "/report" || path == "/stop" ||
+         path == "/health" || path.starts_with(kPicture);
 }
 
 HttpResponse wrong_method(std::string allowed) {
@@ -109,6 +109,8 @@ HttpResponse Routes::choose(const HttpRequest& request, const ServerHandlers& ha
     if (path == "/report") return say("application/json", handlers.report());
     if (path == "/health") return say("application/json", "{\"ok\": true}\n");
     if (path.starts_with(kPicture)) return picture(handlers, path.substr(kPicture.size()));
+    if (path == "/designer" && !handlers.receive_design)
+      return refusal(404, "the designer is not open here; start it with `mlab edit`");
     HttpResponse out = refusal(426, "this address is a WebSocket");
     if (request.is_upgrade && request.method == Method::kGet)
       out.status = 101;
@@ -117,20 +119,21 @@ HttpResponse Routes::choose(const HttpRequest& request, const ServerHandlers& ha
     return out;
   }
   if (!reads) return wrong_method("GET, HEAD");
-  if (path == "/" || path == "/index.html") return page(request);
+  if (path == "/" || path == "/index.html") return page(request, "/index.html");
+  if (path == "/designer.html") return page(request, "/designer.html");
   if (const WebFiles::File* found = files_.find(path)) return file(request, *found);
   return refusal(404, "there is nothing here");
 }
 
-HttpResponse Routes::page(const HttpRequest& request) const {
+HttpResponse Routes::page(const HttpRequest& request, std::string_view name) const {
   if (!access_.has_token(request)) {
     return refusal(
         403,
-        "This is the operator console of mlab. It opens with the whole address that `mlab run` printed, "
+        "This is a page of mlab. It opens with the whole address that `mlab run` or `mlab edit` printed, "
         "`?token=...` included;\na new start of mlab has a new one.");
   }
-  const WebFiles::File* index = files_.find("/index.html");
-  if (index == nullptr) return refusal(503, "the web files of the console are not installed with this mlab");
+  const WebFiles::File* index = files_.find(name);
+  if (index == nullptr) return refusal(503, "the web files of this page are not installed with this mlab");
   HttpResponse out;
   out.content_type = index->content_type;
   out.body = index->bytes;

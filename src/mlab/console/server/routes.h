@@ -29,7 +29,8 @@ class Routes {
 
  private:
   HttpResponse choose(const HttpRequest& request, const ServerHandlers& handlers) const;
-  HttpResponse page(const HttpRequest& request) const;
+  /// A page that opens with the token only.
+  HttpResponse page(const HttpRequest& request, std::string_view name) const;
   HttpResponse file(const HttpRequest& request, const WebFiles::File& file) const;
 
   Access access_;

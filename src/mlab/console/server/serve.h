@@ -151,7 +151,8 @@ asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
     const HttpResponse answer = co_await answer_of(request, desk);
     if (answer.status == 101) {
       visit.set_socket(nullptr);
-      const auto session = std::make_shared<SessionSocket<Stream>>(std::move(stream), desk);
+      const auto session = std::make_shared<SessionSocket<Stream>>(
+          std::move(stream), desk, request.path() == "/designer" ? Party::kDesigner : Party::kSession);
       co_await session->run(asked);
       co_return;
     }

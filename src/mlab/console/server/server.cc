@@ -125,21 +125,21 @@ class Server::Network {
   bool is_encrypted() const { return tls_ != nullptr; }
   bool is_loopback() const { return is_loopback_; }
 
-  std::vector<std::string> urls() const {
+  std::vector<std::string> urls(const std::string& page) const {
     const bool is_v6 = address_.find(':') != std::string::npos;
     std::vector<std::string> out;
     if (!is_any_) {
-      out.push_back(url(is_v6 ? "[" + address_ + "]" : address_));
+      out.push_back(url(is_v6 ? "[" + address_ + "]" : address_, page));
     } else {
-      out.push_back(url(is_v6 ? "[::1]" : "127.0.0.1"));
-      if (const std::string name = hostname(); !name.empty()) out.push_back(url(name));
+      out.push_back(url(is_v6 ? "[::1]" : "127.0.0.1", page));
+      if (const std::string name = hostname(); !name.empty()) out.push_back(url(name, page));
     }
     return out;
   }
 
  private:
-  std::string url(const std::string& host) const {
-    return fmt::format("{}://{}:{}/?token={}", is_encrypted() ? "https" : "http", host, port_,
+  std::string url(const std::string& host, const std::string& page) const {
+    return fmt::format("{}://{}:{}/{}?token={}", is_encrypted() ? "https" : "http", host, port_, page,
                        desk_->routes.access().token());
   }
 
@@ -238,8 +238,8 @@ void Server::send(ConnectionId to, std::shared_ptr<const std::string> bytes) {
 std::uint16_t Server::port() const {
   return network_->port();
 }
-std::vector<std::string> Server::urls() const {
-  return network_->urls();
+std::vector<std::string> Server::urls(const std::string& page) const {
+  return network_->urls(page);
 }
 bool Server::is_encrypted() const {
   return network_->is_encrypted();

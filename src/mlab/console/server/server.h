@@ -8,6 +8,10 @@
 
 #include "mlab/console/server/connection_id.h"
 
+namespace mlab::designer {
+class ToDesigner;
+}
+
 namespace mlab::console {
 
 class ToServer;
@@ -38,6 +42,9 @@ struct ServerHandlers {
   std::function<void()> emergency_stop;
   std::function<Content(std::uint64_t revision)> picture;
   std::function<std::string()> report;  ///< JSON
+  /// As `receive` and `closed`, of the designer's socket (`/designer`). None: there is no designer.
+  std::function<void(ConnectionId, std::unique_ptr<designer::ToDesigner>)> receive_design = {};
+  std::function<void(ConnectionId)> closed_design = {};
 };
 
 /// HTTP and WebSocket for the operator console, on one thread. Knows browsers, tokens and files, and nothing
@@ -56,14 +63,15 @@ class Server {
   /// Ends all connections and the thread. Afterwards no handler is called, and `send` does nothing.
   void stop();
 
-  /// Hands a serialised ToBrowser to a connection; from any thread, at once. Who does not take what is sent
-  /// is disconnected; for a connection that is gone nothing happens.
+  /// Hands a serialised ToBrowser (or FromDesigner) to a connection; from any thread, at once. Who does not
+  /// take what is sent is disconnected; for a connection that is gone nothing happens.
   void send(ConnectionId to, std::shared_ptr<const std::string> bytes);
 
   std::uint16_t port() const;
   /// What to open in a browser, token included: first from this machine, then, where it listens to others,
   /// from elsewhere.
-  std::vector<std::string> urls() const;
+  /// @param page  `designer.html`; empty: the console's
+  std::vector<std::string> urls(const std::string& page = "") const;
   bool is_encrypted() const;
   /// Only this machine reaches it.
   bool is_loopback() const;

@@ -27,6 +27,7 @@
 #include <boost/beast/websocket/ssl.hpp>
 
 #include "mlab/console.pb.h"
+#include "mlab/designer.pb.h"
 
 namespace mlab::console {
 namespace {
@@ -50,6 +51,12 @@ class Told {
       note([&] { received.emplace_back(from, message->request()); });
     };
     out.closed = [this](ConnectionId connection) { note([&] { closed.push_back(connection); }); };
+    out.receive_design = [this](ConnectionId from, std::unique_ptr<designer::ToDesigner> message) {
+      note([&] { designs.emplace_back(from, message->request()); });
+    };
+    out.closed_design = [this](ConnectionId connection) {
+      note([&] { closed_designs.push_back(connection); });
+    };
     out.emergency_stop = [this] { note([&] { ++stops; }); };
     out.picture = [](std::uint64_t) { return Content{}; };
     out.report = [this] {
@@ -76,6 +83,8 @@ class Told {
   std::condition_variable changed;
   std::vector<std::pair<ConnectionId, std::uint32_t>> received;
   std::vector<ConnectionId> closed;
+  std::vector<std::pair<ConnectionId, std::uint32_t>> designs;
+  std::vector<ConnectionId> closed_designs;
   int stops = 0;
   bool report_is_slow = false;
 };
@@ -125,7 +134,8 @@ class RunningServer : public testing::Test {
   }
   // A session, or the status of the refusal.
   std::optional<Socket> open_session(const std::string& token = kToken, const std::string& origin = "",
-                                     unsigned* status = nullptr, const std::string& host_name = "") {
+                                     unsigned* status = nullptr, const std::string& host_name = "",
+                                     const std::string& path = "/session") {
     Socket socket(connect());
     socket.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
       if (!origin.empty()) request.set(http::field::origin, origin);
@@ -133,7 +143,7 @@ class RunningServer : public testing::Test {
     socket.read_message_max(256U << 20U);
     websocket::response_type response;
     beast::error_code error;
-    socket.handshake(response, host_name.empty() ? host() : host_name, "/session?token=" + token, error);
+    socket.handshake(response, host_name.empty() ? host() : host_name, path + "?token=" + token, error);
     if (status != nullptr) *status = response.result_int();
     if (error) return std::nullopt;
     socket.binary(true);
@@ -262,6 +272,24 @@ TEST_F(RunningServer, WhatIsNoRequestIsRefusedAndTheConnectionEnds) {
   EXPECT_TRUE(
       exchange(std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11)).starts_with("HTTP/1.1 400"))
       << "TLS";
+  expect_alive();
+}
+
+TEST_F(RunningServer, ADesignerHasASocketOfItsOwn) {
+  unsigned status = 0;
+  EXPECT_FALSE(open_session("wrong", "", &status, "", "/designer"));
+  EXPECT_EQ(status, 403U);
+  auto socket = open_session(kToken, "", nullptr, "", "/designer");
+  ASSERT_TRUE(socket);
+  designer::ToDesigner message;
+  message.set_request(12);
+  socket->write(asio::buffer(message.SerializeAsString()));
+  ASSERT_TRUE(told_.wait_for([&] { return told_.designs.size() == 1; }));
+  EXPECT_EQ(told_.designs.front().second, 12U);
+  socket->write(asio::buffer(std::string("\xff\xff\xff\xff\xff")));
+  EXPECT_EQ(end_of(*socket).code, 1007);
+  EXPECT_TRUE(told_.wait_for([&] { return told_.closed_designs.size() == 1; }));
+  EXPECT_TRUE(told_.closed.empty());
   expect_alive();
 }
 

@@ -20,19 +20,28 @@
 
 #include "mlab/console.pb.h"
 #include "mlab/console/server/desk.h"
+#include "mlab/designer.pb.h"
 
 namespace mlab::console {
 
 namespace beast = boost::beast;
 inline constexpr auto kReturned = asio::as_tuple(asio::use_awaitable);
 
+/// Whose messages a socket carries.
+enum class Party : std::uint8_t { kSession, kDesigner };
+
 /// A browser's WebSocket: hands on what comes, and sends what waits, one message after the other.
 /// @tparam Stream  beast::tcp_stream, with TLS around it or without
 template <class Stream>
 class SessionSocket final : public Recipient, public std::enable_shared_from_this<SessionSocket<Stream>> {
  public:
-  SessionSocket(Stream stream, Desk& desk)
-      : desk_(desk), socket_(std::move(stream)), wake_(desk.io), deadline_(desk.io), end_(desk.io) {}
+  SessionSocket(Stream stream, Desk& desk, Party party)
+      : desk_(desk),
+        party_(party),
+        socket_(std::move(stream)),
+        wake_(desk.io),
+        deadline_(desk.io),
+        end_(desk.io) {}
 
   /// From the handshake to the end.
   template <class Request>
@@ -70,6 +79,7 @@ class SessionSocket final : public Recipient, public std::enable_shared_from_thi
   }
 
   Desk& desk_;
+  Party party_;
   beast::websocket::stream<Stream> socket_;
   beast::flat_buffer incoming_;
   std::deque<std::shared_ptr<const std::string>> waiting_;
@@ -115,7 +125,7 @@ asio::awaitable<void> SessionSocket<Stream>::run(const Request& request) {
       asio::bind_cancellation_slot(stop_reading_.slot(), [self](const std::exception_ptr&) { self->end(); }));
   while (!is_over_) co_await end_.async_wait(kReturned);
   desk_.sessions.erase(id_);
-  desk_.handlers.closed(id_);
+  (party_ == Party::kDesigner ? desk_.handlers.closed_design : desk_.handlers.closed)(id_);
 }
 
 template <class Stream>
@@ -137,8 +147,14 @@ asio::awaitable<void> SessionSocket<Stream>::read() {
 
 template <class Stream>
 bool SessionSocket<Stream>::take(ConnectionId id) {
-  auto message = std::make_unique<ToServer>();
   const auto bytes = incoming_.cdata();
+  if (party_ == Party::kDesigner) {
+    auto design = std::make_unique<designer::ToDesigner>();
+    if (!design->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
+    desk_.handlers.receive_design(id, std::move(design));
+    return true;
+  }
+  auto message = std::make_unique<ToServer>();
   if (!message->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
   desk_.handlers.receive(id, std::move(message));
   return true;
