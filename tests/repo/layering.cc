@@ -37,6 +37,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"fleet", {"robot", "mission", "sim"}},
     {"console/server", {"base"}},
     {"console", {"fleet", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
+    {"designer", {"console", "lang/cdl", "lang/cdl_historic"}},
 };
 
 /// The module of a path such as `mlab/lang/odl/parser.h`; empty where it is none of ours.

@@ -1,0 +1,261 @@
+#include "mlab/designer/components.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "mlab/flow/frame.h"
+#include "mlab/lang/cdl/lexer.h"
+#include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/quantities.h"
+#include "mlab/lang/cdl/units.h"
+#include "mlab/percept/formation.h"
+
+namespace mlab::designer {
+namespace {
+
+using flow::TypeKind;
+
+constexpr int kMaxDepth = 64;
+constexpr double kUnbounded = 1e299;
+
+// A constant of CNL as CDL writes it: `{1, 2}` is `[1, 2]`, `Flag|Basket` stands in quotes.
+std::string as_cdl(std::string_view text, const flow::TypeInfo* type) {
+  std::string out(text);
+  const TypeKind kind = type == nullptr ? TypeKind::kOther : type->kind;
+  if (kind == TypeKind::kVector || kind == TypeKind::kPoint) {
+    std::ranges::replace(out, '{', '[');
+    std::ranges::replace(out, '}', ']');
+    return out;
+  }
+  const bool is_word = cdl::is_name(out) && kind != TypeKind::kText;
+  const bool is_number =
+      !out.empty() && (std::isdigit(static_cast<unsigned char>(out.front())) != 0 || out.front() == '-');
+  if (is_word || is_number || out.empty() || out.front() == '"') return out;
+  return '"' + out + '"';
+}
+
+Socket socket_of(const flow::Input& input, std::string_view name, std::string_view unit) {
+  Socket out;
+  out.name = std::string(name.substr(0, name.find('|')));
+  out.type = {input.type, std::string(unit)};
+  out.help = std::string(input.help);
+  out.initial = as_cdl(input.default_text, input.type);
+  if (input.min > -kUnbounded) out.min = input.min;
+  if (input.max < kUnbounded) out.max = input.max;
+  out.is_list = input.is_list;
+  out.is_required = input.default_text.empty() && !input.is_list;
+  return out;
+}
+
+double in_unit(const cdl::Number& number, const std::string& unit) {
+  const auto to = cdl::unit_named(unit);
+  const auto from = number.unit.text.empty() ? to : cdl::unit_named(number.unit.text);
+  return from && to ? cdl::converted(number.value, *from, *to).value_or(number.value) : number.value;
+}
+
+std::string with_unit(const ValueType& type) {
+  return type.unit.empty() ? type.name() : fmt::format("{} [{}]", type.name(), type.unit);
+}
+
+bool is_angle(const std::string& unit) {
+  return unit == "rad" || unit == "deg";
+}
+
+}  // namespace
+
+ValueType Components::named(std::string_view type) const {
+  if (const cdl::Quantity* quantity = cdl::quantity_named(type))
+    return {library_.find_type(quantity->type), std::string(quantity->unit)};
+  return {library_.find_type(type), ""};
+}
+
+ValueType Components::of(const cdl::Parameter& parameter) const {
+  ValueType out = named(parameter.type.text);
+  if (!parameter.unit.text.empty()) out.unit = parameter.unit.text;
+  return out;
+}
+
+Socket Components::socket(const cdl::Parameter& parameter) const {
+  Socket out;
+  out.name = parameter.name.text;
+  out.type = of(parameter);
+  out.help = parameter.help;
+  if (parameter.initial) out.initial = cdl::print(*parameter.initial);
+  if (parameter.low) out.min = in_unit(*parameter.low, out.type.unit);
+  if (parameter.high) out.max = in_unit(*parameter.high, out.type.unit);
+  out.is_required = parameter.initial == nullptr;
+  return out;
+}
+
+std::optional<Callable> Components::find(std::string_view name) const {
+  if (const auto binding = configuration_.bindings.find(name); binding != configuration_.bindings.end())
+    return of(*binding->second);
+  if (const auto found = configuration_.assemblages.find(name); found != configuration_.assemblages.end())
+    return of(*found->second);
+  const flow::Library::Entry entry = library_.find(name);
+  if (entry.behavior == nullptr) return std::nullopt;
+  return of(entry);
+}
+
+Callable Components::of(const cdl::Assemblage& assemblage) const {
+  Callable out;
+  out.kind = Callable::Kind::kAssemblage;
+  out.name = assemblage.name.text;
+  out.help = assemblage.help;
+  out.assemblage = &assemblage;
+  for (const cdl::Word& word : assemblage.historic_names) out.historic_names += word.text + " ";
+  out.output = result_of(assemblage, 0);
+  for (const cdl::Parameter& parameter : assemblage.parameters) out.inputs.push_back(socket(parameter));
+  return out;
+}
+
+Callable Components::of(const cdl::Binding& binding) const {
+  Callable out;
+  out.kind = Callable::Kind::kBinding;
+  out.name = binding.name.text;
+  out.help = binding.help;
+  out.binding = &binding;
+  out.output = named(binding.result_type.text);
+  out.gives_nothing = binding.result_type.text.empty();
+  for (const cdl::Parameter& parameter : binding.parameters) out.inputs.push_back(socket(parameter));
+  return out;
+}
+
+Callable Components::of(const flow::Library::Entry& entry) const {
+  const flow::Behavior& behavior = *entry.behavior;
+  Callable out;
+  out.kind = Callable::Kind::kProcedure;
+  out.name = std::string(entry.alias == nullptr ? behavior.name : entry.alias->name);
+  out.help = std::string(behavior.help);
+  out.behavior = &behavior;
+  out.gives_nothing = behavior.output == nullptr;
+  const bool has_unit = entry.alias != nullptr && !entry.alias->output_unit.empty();
+  out.output = {behavior.output, std::string(has_unit ? entry.alias->output_unit : behavior.output_unit)};
+  for (const flow::Alias& alias : behavior.aliases) out.historic_names += std::string(alias.name) + " ";
+  for (std::size_t i = 0; i < behavior.inputs.size(); ++i) {
+    const flow::Input& input = behavior.inputs[i];
+    const bool is_renamed = entry.alias != nullptr && i < entry.alias->inputs.size();
+    const std::string_view name = is_renamed ? entry.alias->inputs[i].name : input.name;
+    const bool has_own_unit = is_renamed && !entry.alias->inputs[i].unit.empty();
+    if (!name.empty())
+      out.inputs.push_back(socket_of(input, name, has_own_unit ? entry.alias->inputs[i].unit : input.unit));
+  }
+  return out;
+}
+
+ValueType Components::result_of(const cdl::Assemblage& assemblage, int depth) const {
+  if (!assemblage.result_type.text.empty()) return named(assemblage.result_type.text);
+  if (!assemblage.body) return named("Vector");
+  return depth > kMaxDepth ? ValueType{} : of(*assemblage.body, scope_of(assemblage), depth + 1);
+}
+
+ValueType Components::of_call(const std::string& callee, int depth) const {
+  if (const auto binding = configuration_.bindings.find(callee); binding != configuration_.bindings.end())
+    return named(binding->second->result_type.text);
+  if (const auto found = configuration_.assemblages.find(callee); found != configuration_.assemblages.end())
+    return result_of(*found->second, depth);
+  const flow::Library::Entry entry = library_.find(callee);
+  if (entry.behavior == nullptr) return {};
+  const bool has_unit = entry.alias != nullptr && !entry.alias->output_unit.empty();
+  return {entry.behavior->output,
+          std::string(has_unit ? entry.alias->output_unit : entry.behavior->output_unit)};
+}
+
+ValueType Components::of_name(const std::string& name, const Scope& scope, int depth) const {
+  if (scope.lets != nullptr) {
+    for (const cdl::Let& let : *scope.lets) {
+      if (let.name.text == name && let.value) return of(*let.value, scope, depth + 1);
+    }
+  }
+  if (scope.parameters != nullptr) {
+    for (const cdl::Parameter& parameter : *scope.parameters) {
+      if (parameter.name.text == name) return of(parameter);
+    }
+  }
+  return {};
+}
+
+ValueType Components::of(const cdl::Expression& expression, const Scope& scope, int depth) const {
+  if (depth > kMaxDepth) return {};
+  const auto part = [&](const cdl::ExpressionPtr& one) {
+    return one ? of(*one, scope, depth + 1) : ValueType{};
+  };
+  const auto& what = expression.what;
+  if (const auto* name = std::get_if<cdl::Name>(&what)) return of_name(name->name.text, scope, depth);
+  if (const auto* call = std::get_if<cdl::Call>(&what)) return of_call(call->callee.text, depth + 1);
+  if (std::holds_alternative<cdl::Logic>(what)) return named("bool");
+  if (std::holds_alternative<cdl::Cooperate>(what) || std::holds_alternative<cdl::Compete>(what))
+    return named("Vector");
+  if (const auto* by = std::get_if<cdl::Coordinate>(&what)) return of_call(by->by.callee.text, depth + 1);
+  if (const auto* by = std::get_if<cdl::Fuse>(&what)) return of_call(by->by.callee.text, depth + 1);
+  ValueType out;
+  if (const auto* sequence = std::get_if<cdl::Sequence>(&what)) {
+    for (const cdl::State& state : sequence->states) {
+      if (out.type == nullptr) out = part(state.member);
+    }
+  } else if (const auto* select = std::get_if<cdl::Select>(&what)) {
+    for (const cdl::Case& one : select->cases) {
+      if (out.type == nullptr) out = part(one.member);
+    }
+  } else if (const auto* delay = std::get_if<cdl::Delay>(&what)) {
+    out = part(delay->value);
+    if (out.type == nullptr) out = part(delay->initial);
+  }
+  out.unit.clear();
+  return out;
+}
+
+std::string misfit(const ValueType& have, const ValueType& want) {
+  if (have.type == nullptr || want.type == nullptr) return "";
+  const bool widens = have.type->kind == TypeKind::kInteger && want.type->kind == TypeKind::kReal;
+  if (!widens && !flow::same_type(*have.type, *want.type))
+    return fmt::format("it takes {}, and this is {}", with_unit(want), with_unit(have));
+  if (want.type->kind != TypeKind::kReal || have.unit.empty() || want.unit.empty() || have.unit == want.unit)
+    return "";
+  if (is_angle(have.unit) && is_angle(want.unit)) return "";
+  return fmt::format("it takes a value in {}, and this is in {}", want.unit, have.unit);
+}
+
+std::vector<std::string> choices_of(const ValueType& type) {
+  std::vector<std::string> out;
+  if (type.type == nullptr || type.type->print == nullptr) return out;
+  if (type.type->kind == TypeKind::kBool) return {"true", "false"};
+  alignas(flow::Frame::kAlignment) std::array<std::byte, 64> value{};
+  const auto add = [&](std::size_t bits) {
+    value.fill(std::byte{0});
+    for (std::size_t i = 0; i < type.type->size; ++i) value[i] = static_cast<std::byte>(bits >> (8 * i));
+    const std::string word = type.type->print(value.data());
+    const bool is_word = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0;
+    if (is_word) out.push_back(as_cdl(word, type.type));
+    return is_word;
+  };
+  constexpr std::size_t kMost = 64;
+  if (type.type->kind == TypeKind::kMask && type.type->size == 4) {
+    for (std::size_t i = 0; i < 32 && add(std::size_t{1} << i);) ++i;
+  } else if (type.type->kind == TypeKind::kChoice && type.type->size == 1) {
+    const std::size_t count =
+        type.type->name == "Formation" ? static_cast<std::size_t>(percept::kFormationCount) : kMost;
+    for (std::size_t i = 0; i < count && add(i);) ++i;
+  }
+  return out;
+}
+
+bool is_wired(const ValueType& type) {
+  if (type.type == nullptr) return false;
+  switch (type.type->kind) {
+    case TypeKind::kVector:
+    case TypeKind::kPose:
+    case TypeKind::kList:
+    case TypeKind::kOther:
+      return true;
+    default:
+      return type.type->parse == nullptr;
+  }
+}
+
+}  // namespace mlab::designer

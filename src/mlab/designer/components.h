@@ -1,0 +1,98 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/flow/library.h"
+#include "mlab/lang/cdl/configuration.h"
+
+namespace mlab::designer {
+
+/// What flows: a type, and the unit of its numbers.
+struct ValueType {
+  const flow::TypeInfo* type = nullptr;  ///< null: it can't be told
+  std::string unit;
+
+  std::string name() const { return type == nullptr ? std::string() : std::string(type->name); }
+};
+
+/// One input of a component, as its author declared it.
+struct Socket {
+  std::string name;
+  ValueType type;
+  std::string help;
+  std::string initial;  ///< default as a person writes it; empty: none
+  std::optional<double> min;
+  std::optional<double> max;
+  bool is_list = false;
+  bool is_required = false;
+};
+
+/// What can be called: an assemblage, a binding point, or a procedure.
+struct Callable {
+  enum class Kind { kProcedure, kAssemblage, kBinding };
+  Kind kind = Kind::kProcedure;
+  std::string name;
+  std::string help;
+  std::string historic_names;  ///< for searching
+  ValueType output;            ///< no type: a sink
+  bool gives_nothing = false;  ///< it is a sink
+  std::vector<Socket> inputs;
+  const cdl::Assemblage* assemblage = nullptr;
+  const cdl::Binding* binding = nullptr;
+  const flow::Behavior* behavior = nullptr;
+};
+
+/// Types and signatures of everything that one configuration may name. Answers from descriptors and
+/// declarations; nothing is lowered. Both must outlive it.
+class Components {
+ public:
+  Components(const cdl::Configuration& configuration, const flow::Library& library)
+      : configuration_(configuration), library_(library) {}
+
+  const cdl::Configuration& configuration() const { return configuration_; }
+  const flow::Library& library() const { return library_; }
+
+  /// Nothing where nobody answers to the name.
+  std::optional<Callable> find(std::string_view name) const;
+  Callable of(const cdl::Assemblage& assemblage) const;
+  Callable of(const cdl::Binding& binding) const;
+  Callable of(const flow::Library::Entry& entry) const;
+
+  ValueType named(std::string_view type) const;
+  ValueType of(const cdl::Parameter& parameter) const;
+  Socket socket(const cdl::Parameter& parameter) const;
+
+  /// Names that an expression may use besides components: where it stands.
+  struct Scope {
+    const std::vector<cdl::Parameter>* parameters = nullptr;
+    const std::vector<cdl::Let>* lets = nullptr;
+  };
+  static Scope scope_of(const cdl::Assemblage& assemblage) {
+    return {&assemblage.parameters, &assemblage.lets};
+  }
+  static Scope scope_of(const cdl::Robot& robot) { return {&robot.parameters, &robot.lets}; }
+  /// The type of what an expression gives; without a type where it is a constant or wrong.
+  ValueType of(const cdl::Expression& expression, const Scope& scope, int depth = 0) const;
+
+ private:
+  ValueType of_name(const std::string& name, const Scope& scope, int depth) const;
+  ValueType of_call(const std::string& callee, int depth) const;
+  ValueType result_of(const cdl::Assemblage& assemblage, int depth) const;
+
+  const cdl::Configuration& configuration_;
+  const flow::Library& library_;
+};
+
+/// Why a value of the one type can't be given to an input of the other; empty: it can.
+std::string misfit(const ValueType& have, const ValueType& want);
+
+/// The words that a type's constants are chosen from; empty where there are too many.
+std::vector<std::string> choices_of(const ValueType& type);
+
+/// Whether values of this type come on wires only: no person writes them.
+bool is_wired(const ValueType& type);
+
+}  // namespace mlab::designer

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "mlab/console/server/connection_id.h"
+
+namespace mlab::designer {
+
+class ToDesigner;
+
+/// What a designer is started with.
+struct DesignerSettings {
+  std::string project_folder;  ///< nothing outside of it (but examples and library) is read or written
+  std::string example_folder;  ///< configurations that come with mlab, read only; empty: none
+  std::string open;            ///< file on the machine to open first; empty: none
+  std::string version;         ///< of mlab
+  std::string include_root;    ///< as robot::ProgramSources
+  std::string state_folder;    ///< drafts, recent files; empty: nothing is kept
+};
+
+/// Open configurations, and the people who draw them. Has a thread of its own, on which everything happens;
+/// the public functions may be called from any thread and return at once.
+class Designer {
+ public:
+  /// Hands a message to a connection. Called on the designer's thread; must not block. The bytes are a
+  /// serialised FromDesigner.
+  using Send = std::function<void(console::ConnectionId to, std::shared_ptr<const std::string> bytes)>;
+
+  Designer(DesignerSettings settings, Send send);
+  /// Ends the thread. Drafts are kept.
+  ~Designer();
+  Designer(const Designer&) = delete;
+  Designer& operator=(const Designer&) = delete;
+
+  /// A message of a connection, in order of arrival. The first one has to be a Greeting.
+  void receive(console::ConnectionId from, std::unique_ptr<ToDesigner> message);
+  void closed(console::ConnectionId connection);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace mlab::designer

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "mlab/console/inbox.h"
+#include "mlab/designer.pb.h"
+#include "mlab/designer/designer.h"
+#include "mlab/designer/desk.h"
+
+namespace mlab::designer {
+
+/// How a designer stands inside. Everything but `inbox_` belongs to its thread.
+class Designer::Parts {
+ public:
+  Parts(DesignerSettings settings, Send send);
+  ~Parts();
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  void receive(console::ConnectionId from, std::unique_ptr<ToDesigner> message);
+  void closed(console::ConnectionId connection);
+
+ private:
+  /// A browser: what it looks at, and what it has been sent last.
+  struct Client {
+    bool has_greeted = false;
+    std::set<std::string, std::less<>> documents;
+    std::vector<Page> pages;
+    std::map<std::string, std::string> sent;  ///< of each document, page, palette, by a name for it
+  };
+
+  void work();
+  void handle(console::ConnectionId from, const ToDesigner& message);
+  /// What is asked for; the answer's `ok` is set already.
+  void answer(console::ConnectionId from, Client& client, const ToDesigner& message, Answer& out);
+  void fail(Answer& out, const text::Diagnostic& why) const;
+  /// The document of a request that changes it; null where it can't, which the answer says then.
+  OpenConfiguration* editable(const std::string& path, Answer& out);
+
+  void greet(console::ConnectionId from, Client& client, const Greeting& greeting, Answer& out);
+  void open(Client& client, const Open& request, Answer& out);
+  void close(Client& client, const Close& request);
+  void edit_text(const EditText& request, Answer& out);
+  void edit(const Edit& request, Answer& out);
+  void undo(const std::string& path, bool again, Answer& out);
+  void copy(const Copy& request, Answer& out);
+  void save(const Save& request, Answer& out);
+  void reload(const Reload& request, Answer& out);
+  void list_files(const ListFiles& request, Answer& out);
+  void ask_language(const AskLanguage& request, Answer& out);
+  void describe(const Describe& request, Answer& out);
+  void fits(const Fits& request, Answer& out);
+
+  /// Sends everybody what has changed of what he looks at.
+  void publish();
+  void publish_to(console::ConnectionId to, Client& client);
+  Document document_message(const OpenConfiguration& one) const;
+  /// Sends it unless the same has been sent.
+  void send_once(console::ConnectionId to, Client& client, const std::string& what,
+                 const FromDesigner& message);
+  void send(console::ConnectionId to, const FromDesigner& message);
+  void look_at_disk();
+  double now() const;
+
+  DesignerSettings settings_;
+  Send send_;
+  Desk desk_;
+  std::map<console::ConnectionId, Client> clients_;
+  std::string first_;  ///< path of the document that the command line named
+  std::string first_error_;
+  double last_look_ = 0.0;
+  console::Inbox inbox_;
+  std::atomic<bool> ends_ = false;
+  std::thread thread_;
+};
+
+}  // namespace mlab::designer

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/console/drafts.h"
+#include "mlab/console/project_folder.h"
+#include "mlab/designer.pb.h"
+#include "mlab/designer/drawing.h"
+#include "mlab/designer/model.h"
+#include "mlab/designer/open_text.h"
+#include "mlab/text/files.h"
+
+namespace mlab::designer {
+
+/// The file of a project that holds assemblages for all its configurations.
+inline constexpr const char* kProjectLibrary = "library.cdl";
+
+/// A configuration that is open, whoever looks at it.
+struct OpenConfiguration {
+  std::string path;  ///< its id: as ProjectFolder names it, `library:...`, or `new:1`
+  OpenText text;
+  std::optional<std::string> saved;  ///< as it stands on disk; nothing: it has no file
+  std::optional<std::string> asked;  ///< what stands on disk and was asked about already
+  bool is_writable = true;
+  std::shared_ptr<Model> model;  ///< of the text as it stands
+  std::shared_ptr<Model> drawn;  ///< of the last text without slips of grammar
+  std::uint64_t drawn_revision = 0;
+  bool is_checked = false;
+  std::uint64_t model_number = 0;  ///< grows with every new model
+  double compile_ms = -1.0;
+  double draft_time = -1e9;
+  std::uint64_t draft_revision = 0;  ///< 0: there is no draft
+
+  explicit OpenConfiguration(std::string content) : text(std::move(content)) {}
+  bool is_dirty() const { return saved ? *saved != text.text() : !text.text().empty(); }
+  bool is_outdated() const { return model != drawn || !model->is_readable(); }
+};
+
+/// The open configurations of one project, and the files behind them. Has no thread. Functions that return a
+/// Result change nothing where they fail; the message is a sentence for a person.
+class Desk {
+ public:
+  struct Settings {
+    std::string project_folder;
+    std::string example_folder;
+    std::string state_folder;
+  };
+  explicit Desk(const Settings& settings);
+
+  console::ProjectFolder& project() { return project_; }
+  const console::Drafts& drafts() const { return drafts_; }
+
+  /// Null where it is not open.
+  OpenConfiguration* find(std::string_view path);
+  /// Opens it, or gives it where it is open already. Empty: a new one.
+  text::Result<OpenConfiguration*> open(const std::string& path, double now);
+  /// A file given on the command line, wherever it stands.
+  text::Result<OpenConfiguration*> open_on_disk(const std::string& disk_path, double now);
+  /// Nobody looks at it any more; what is not saved stays as a draft.
+  void close(std::string_view path);
+  std::vector<OpenConfiguration*> all();
+
+  /// The text has changed: everything anew that follows from it, also in those that use it.
+  void changed(OpenConfiguration& one);
+  /// What the checker says of one that was not checked yet. False where all are.
+  bool check_next();
+
+  /// @return  its path afterwards
+  text::Result<std::string> save(OpenConfiguration& one, const Save& request);
+  text::Result<bool> reload(OpenConfiguration& one, bool merge, double now);
+  /// Looks at the files on disk. What was changed there is taken over where nothing is unsaved here.
+  struct Change {
+    OpenConfiguration* document = nullptr;
+    bool is_gone = false;
+    bool is_dirty_here = false;
+  };
+  std::vector<Change> look_at_disk(double now);
+  void keep_drafts(double now);
+
+  DrawingContext context(const OpenConfiguration& one) const;
+  /// The id of the document that a source is the text of; empty where it can't be opened.
+  std::string document_of(std::string_view source_name) const;
+  /// With the project's own library, for an own text.
+  const cdl::Environment& environment();
+  /// Configurations below a folder (`""`, `examples:`).
+  std::vector<std::string> configurations(std::string_view folder) const;
+  std::vector<std::string> overlays() const;
+
+ private:
+  text::Result<std::string> read(const std::string& path) const;
+  bool is_writable(std::string_view path) const;
+  text::Result<bool> write(const std::string& path, std::string_view text) const;
+  std::string source_name(const std::string& path) const;
+  OpenConfiguration* add(std::unique_ptr<OpenConfiguration> one);
+  void model(OpenConfiguration& one);
+  void restore_draft(OpenConfiguration& one, double now);
+  text::Result<bool> save_to_library(OpenConfiguration& one, const std::string& declaration);
+  text::Files files();
+  std::vector<std::string> found(std::string_view folder, std::string_view ending, int depth) const;
+
+  console::ProjectFolder project_;
+  console::Drafts drafts_;
+  text::Files files_;
+  cdl::Environment environment_;
+  std::map<std::string, std::unique_ptr<OpenConfiguration>, std::less<>> open_;
+  int last_new_ = 0;
+};
+
+}  // namespace mlab::designer

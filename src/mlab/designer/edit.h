@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mlab/designer.pb.h"
+#include "mlab/designer/model.h"
+#include "mlab/designer/workspace.h"
+
+namespace mlab::designer {
+
+/// What an Edit makes of a text.
+struct Edited {
+  std::string text;
+  std::string name;  ///< for undo
+};
+
+/// Does all changes of an edit, one after the other, or none.
+///
+/// @errors  `cannot-edit`: why it can't be done, as a sentence for a person
+text::Result<Edited> edited(std::shared_ptr<const Model> model, const cdl::Environment& environment,
+                            const Edit& edit);
+
+/// The CDL text of nodes, states, or (page empty) declarations, for the clipboard.
+text::Result<std::string> copied(const Model& model, const Copy& request);
+
+/// Where a wire from a node or a component may lead, or what may drive an input.
+FitList fitting(const Model& model, const Fits& request);
+
+}  // namespace mlab::designer

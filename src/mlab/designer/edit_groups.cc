@@ -1,0 +1,515 @@
+// Several nodes at once: assemblages made of them and put back, the clipboard.
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "mlab/designer/edit.h"
+#include "mlab/designer/editor.h"
+#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl/walk.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::designer {
+namespace {
+
+using Kind = GraphNode::Kind;
+
+// Other words in place of some of the words of a text.
+struct Swap {
+  text::Span span;
+  std::string by;
+};
+
+// An expression's words, with some of them swapped.
+Fragment swapped(const Workspace& work, text::Span span, std::vector<Swap> swaps) {
+  std::ranges::sort(swaps, {}, [](const Swap& swap) { return swap.span.begin; });
+  Fragment out;
+  std::uint32_t done = span.begin;
+  for (const Swap& swap : swaps) {
+    if (swap.span.begin < done || swap.span.end > span.end) continue;
+    if (swap.span.begin > done) out.add(work.moved({done, swap.span.begin}));
+    out.add(swap.by);
+    done = swap.span.end;
+  }
+  if (done < span.end) out.add(work.moved({done, span.end}));
+  return out;
+}
+
+std::string swapped(std::string_view text, text::Span span, std::vector<Swap> swaps) {
+  std::ranges::sort(swaps, {}, [](const Swap& swap) { return swap.span.begin; });
+  std::string out;
+  std::uint32_t done = span.begin;
+  for (const Swap& swap : swaps) {
+    if (swap.span.begin < done || swap.span.end > span.end) continue;
+    out += text.substr(done, swap.span.begin - done);
+    out += swap.by;
+    done = swap.span.end;
+  }
+  return out + std::string(text.substr(done, span.end - done));
+}
+
+void for_each_name(const cdl::Expression& expression, const auto& visit) {
+  cdl::for_each_expression(expression, [&](const cdl::Expression& one) {
+    if (const auto* name = std::get_if<cdl::Name>(&one.what)) visit(*name, one);
+  });
+}
+
+std::string unique(const std::string& wanted, const std::set<std::string>& taken) {
+  std::string out = wanted;
+  for (int number = 2; taken.contains(out); ++number) out = fmt::format("{}_{}", wanted, number);
+  return out;
+}
+
+}  // namespace
+
+// The nodes have one value that others take: it is what the new assemblage gives.
+Done Editor::group(const Group& change) {
+  const text::Result<PageView> found = page(change.page());
+  if (!found) return std::unexpected(found.error());
+  const PageView view = *found;
+  const std::string& name = change.name();
+  if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
+  const bool is_known = anchors_of(work_.model(), "", work_.tokens()).contains(name) ||
+                        work_.model().components().find(name).has_value();
+  if (is_known) return refusal(fmt::format("there is a `{}` already", name));
+  std::set<int> chosen;
+  for (const std::string& one : change.nodes()) {
+    const text::Result<int> at = node(view, one);
+    if (!at) return std::unexpected(at.error());
+    if (view.node(*at).expression != nullptr) chosen.insert(*at);
+  }
+  if (chosen.empty()) return refusal("no node is chosen that could be a part of an assemblage");
+
+  // Which of them others read: inline elsewhere, by name elsewhere, as the page's result.
+  const auto is_inside = [&](int at) { return chosen.contains(at); };
+  std::set<int> outputs;
+  for (const int at : chosen) {
+    const GraphNode& one = view.node(at);
+    bool is_read_inside = false;
+    bool is_read_outside = view.page->result == at;
+    for (std::size_t k = 0; k < view.page->nodes.size(); ++k) {
+      for (const GraphInput& input : view.page->nodes[k].inputs) {
+        if (input.from != at) continue;
+        (is_inside(static_cast<int>(k)) ? is_read_inside : is_read_outside) = true;
+      }
+    }
+    if (one.let != nullptr) {
+      int inside = 0;
+      for (const int other : chosen) {
+        for (const GraphInput& input : view.node(other).inputs) {
+          const auto* reads = input.written ? std::get_if<cdl::Name>(&input.written->what) : nullptr;
+          if (reads != nullptr && reads->name.text == one.let->name.text) ++inside;
+        }
+      }
+      if (count_uses(*view.graph, one.let->name.text) > inside) is_read_outside = true;
+    }
+    if (is_read_outside || !is_read_inside) outputs.insert(at);
+  }
+  if (outputs.size() != 1) {
+    std::vector<std::string> names;
+    for (const int at : outputs) names.push_back(fmt::format("`{}`", view.node(at).name));
+    return refusal(
+        fmt::format("an assemblage gives one value, and these give several: {}", fmt::join(names, ", ")));
+  }
+  const int top = *outputs.begin();
+  const GraphNode& output = view.node(top);
+
+  // What drives them from outside becomes parameters.
+  struct Given {
+    std::string name;
+    std::string words;    // type and default
+    std::string outside;  // what the caller gives
+  };
+  std::vector<Given> given;
+  std::set<std::string> taken;
+  for (const int at : chosen) {
+    if (view.node(at).let != nullptr) taken.insert(view.node(at).let->name.text);
+  }
+  std::vector<Swap> swaps;
+  std::vector<text::Span> hoisted;  // expressions that go to the caller
+  const auto text_of = [&](text::Span span) {
+    return std::string(work_.text().substr(span.begin, span.end - span.begin));
+  };
+  const auto add = [&](const std::string& wanted, const std::string& words, const std::string& outside) {
+    for (const Given& one : given) {
+      if (one.outside == outside) return one.name;
+    }
+    const std::string free = unique(wanted, taken);
+    taken.insert(free);
+    given.push_back({free, words, outside});
+    return free;
+  };
+  const auto is_chosen_let = [&](std::string_view let) {
+    return std::ranges::any_of(
+        chosen, [&](int at) { return view.node(at).let != nullptr && view.node(at).let->name.text == let; });
+  };
+  for (const int at : chosen) {
+    for (const GraphInput& input : view.node(at).inputs) {
+      if (!input.written || (input.is_inline && is_inside(input.from))) continue;
+      if (input.is_inline) {  // written here, and stays outside
+        const ValueType type = this->given(view, input.from);
+        if (type.type == nullptr)
+          return refusal(fmt::format("what type `{}` has can't be told", view.node(input.from).name));
+        const std::string param = add(input.port == "members" ? default_name(*input.written) : input.port,
+                                      type_words(type), text_of(input.written->place.span));
+        swaps.push_back({input.written->place.span, param});
+        hoisted.push_back(input.written->place.span);
+      }
+    }
+  }
+  const auto is_hoisted = [&](text::Span span) {
+    return std::ranges::any_of(
+        hoisted, [&](text::Span one) { return one.begin <= span.begin && span.end <= one.end; });
+  };
+  std::string trouble;
+  const auto look = [&](const cdl::Expression& expression) {
+    for_each_name(expression, [&](const cdl::Name& one, const cdl::Expression& whole) {
+      const std::string& word = one.name.text;
+      if (is_hoisted(whole.place.span) || is_chosen_let(word)) return;
+      for (const cdl::Parameter& parameter : view.graph->parameters()) {
+        if (parameter.name.text != word) continue;
+        const text::Span span = parameter_span(parameter);
+        const std::string words = text_of({parameter.type.place.span.begin, span.end});
+        const std::string param = add(word, words, word);
+        if (param != word) swaps.push_back({one.name.place.span, param});
+      }
+      for (const cdl::Let& let : view.graph->lets()) {
+        if (let.name.text != word) continue;
+        const ValueType type = work_.model().components().of(*let.value, view.graph->scope);
+        if (type.type == nullptr) trouble = word;
+        const std::string param = add(word, type.type == nullptr ? "" : type_words(type), word);
+        if (param != word) swaps.push_back({one.name.place.span, param});
+      }
+    });
+  };
+  look(*output.expression);
+  for (const int at : chosen) {
+    if (view.node(at).let != nullptr && at != top) look(*view.node(at).let->value);
+  }
+  if (!trouble.empty()) return refusal(fmt::format("what type `{}` has can't be told", trouble));
+  // Parameters with a default come behind those without.
+  std::ranges::stable_partition(given,
+                                [](const Given& one) { return one.words.find('=') == std::string::npos; });
+
+  Fragment declaration(fmt::format("assemblage {}(", name));
+  for (std::size_t i = 0; i < given.size(); ++i)
+    declaration.add(fmt::format("{}{}: {}", i == 0 ? "" : ", ", given[i].name, given[i].words));
+  declaration.add(") {\n");
+  for (const cdl::Let& let : view.graph->lets()) {
+    for (const int at : chosen) {
+      if (view.node(at).let != &let || at == top) continue;
+      declaration.add(fmt::format("let {} = ", let.name.text))
+          .add(swapped(work_, let.value->place.span, swaps))
+          .add(";\n");
+    }
+  }
+  const cdl::Expression& body = *output.expression;
+  text::Span words = body.place.span;
+  const bool has_name = !body.as.text.empty() && !body.active;
+  if (has_name) words.end = work_.tokens().tokens()[work_.tokens().at(body.as.place.span.begin) - 2].span.end;
+  const Fragment made = swapped(work_, words, swaps);
+  declaration.add(made).add(made.text().ends_with('}') ? "\n}\n\n" : ";\n}\n\n");
+
+  std::string call = name + "(";
+  for (std::size_t i = 0; i < given.size(); ++i)
+    call += fmt::format("{}{} = {}", i == 0 ? "" : ", ", given[i].name, given[i].outside);
+  call += ")";
+  if (has_name) call += " as " + body.as.text;
+  // Before the declaration that they come from.
+  const text::Span owner = declaration_span(work_.model(), view.graph->name);
+  work_.insert(owner.begin, declaration);
+  work_.replace_all(body.place.span, call);
+  for (const int at : chosen) {
+    if (view.node(at).let != nullptr && at != top) erase_let(*view.node(at).let);
+  }
+  return work_.commit();
+}
+
+// What the called assemblage is made of, with the call's values in place of its parameters.
+Done Editor::ungroup(const Ungroup& change) {
+  const text::Result<PageView> found = page(change.page());
+  if (!found) return std::unexpected(found.error());
+  const PageView view = *found;
+  const text::Result<int> at = node(view, change.node());
+  if (!at) return std::unexpected(at.error());
+  const GraphNode& there = view.node(*at);
+  const auto* call = there.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&there.expression->what);
+  const auto& assemblages = work_.model().configuration().assemblages;
+  const auto called = call == nullptr ? assemblages.end() : assemblages.find(call->callee.text);
+  if (called == assemblages.end()) return refusal("only an assemblage is made of something");
+  const cdl::Assemblage& assemblage = *called->second;
+  if (!assemblage.body) return refusal("the assemblage is empty");
+  const std::string_view source = assemblage.name.place.source->text();
+
+  std::map<std::string, std::string> values;
+  for (std::size_t i = 0; i < call->arguments.size(); ++i) {
+    const cdl::Argument& argument = call->arguments[i];
+    std::string name = argument.name.text;
+    if (name.empty() && i < assemblage.parameters.size()) name = assemblage.parameters[i].name.text;
+    const text::Span span = argument.value->place.span;
+    values[name] = work_.text().substr(span.begin, span.end - span.begin);
+  }
+  std::set<std::string> taken;
+  for (const cdl::Let& let : view.graph->lets()) taken.insert(let.name.text);
+  for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
+  std::vector<std::string> statements;
+  std::map<std::string, std::string> names;
+  std::map<std::string, int> uses;
+  const auto count = [&](const cdl::ExpressionPtr& expression) {
+    for_each_name(*expression,
+                  [&](const cdl::Name& name, const cdl::Expression&) { ++uses[name.name.text]; });
+  };
+  count(assemblage.body);
+  for (const cdl::Let& let : assemblage.lets) count(let.value);
+  for (const cdl::Parameter& parameter : assemblage.parameters) {
+    const std::string& name = parameter.name.text;
+    const auto value = values.find(name);
+    if (value == values.end() && !parameter.initial)
+      return refusal(fmt::format("`{}` has no value here", name));
+    std::string words = value != values.end()
+                            ? value->second
+                            : std::string(source.substr(
+                                  parameter.initial->place.span.begin,
+                                  parameter.initial->place.span.end - parameter.initial->place.span.begin));
+    // A node that several of its parts read stays one node.
+    const bool is_node = words.find('(') != std::string::npos || words.find('{') != std::string::npos;
+    if (is_node && uses[name] > 1) {
+      const std::string own = unique(name, taken);
+      taken.insert(own);
+      statements.push_back(fmt::format("let {} = {};", own, words));
+      words = own;
+    }
+    names[name] = words;
+  }
+  for (const cdl::Let& let : assemblage.lets) {
+    names[let.name.text] = unique(let.name.text, taken);
+    taken.insert(names[let.name.text]);
+  }
+  const auto words_of = [&](const cdl::Expression& expression) {
+    std::vector<Swap> swaps;
+    for_each_name(expression, [&](const cdl::Name& name, const cdl::Expression&) {
+      const auto known = names.find(name.name.text);
+      if (known != names.end() && known->second != name.name.text)
+        swaps.push_back({name.name.place.span, known->second});
+    });
+    return swapped(source, expression.place.span, std::move(swaps));
+  };
+  for (const cdl::Let& let : assemblage.lets)
+    statements.push_back(fmt::format("let {} = {};", names[let.name.text], words_of(*let.value)));
+  std::string body = words_of(*assemblage.body);
+  if (!there.expression->as.text.empty() && assemblage.body->as.text.empty() && !assemblage.body->active &&
+      !default_name(*assemblage.body).empty())
+    body += " as " + there.expression->as.text;
+  const bool is_line = there.reader < 0 || there.let != nullptr;
+  const GraphInput* input =
+      there.reader < 0 ? nullptr
+                       : &view.node(there.reader).inputs[static_cast<std::size_t>(there.reader_input)];
+  const bool takes_block =
+      is_line || (input != nullptr && (input->role == Role::kMember || input->role == Role::kCase ||
+                                       input->role == Role::kDrive));
+  if (!takes_block && body.find('{') != std::string::npos) {
+    const std::string own = unique(default_name(*assemblage.body), taken);
+    statements.push_back(fmt::format("let {} = {};", own, body));
+    body = own;
+  }
+  if (!statements.empty()) {
+    std::string all;
+    for (const std::string& one : statements) all += (all.empty() ? "" : "\n") + one;
+    // One statement after the other behind the last `let`.
+    const std::size_t first = all.find(" = ");
+    const std::string name = all.substr(4, first - 4);
+    add_let(view, name, all.substr(first + 3, all.size() - first - 4));
+  }
+  work_.replace(there.expression->place.span, body);
+  return work_.commit();
+}
+
+Done Editor::paste(const Paste& change) {
+  if (change.text().find_first_not_of(" \t\r\n") == std::string::npos)
+    return refusal("there is nothing to paste");
+  if (change.page().empty()) {
+    // Declarations, each under a free name.
+    text::Diagnostics sink;
+    const auto source = std::make_shared<const text::Source>("clipboard", change.text());
+    const auto tree = std::make_shared<const Model>(
+        source, cdl::Environment{work_.model().configuration().built_in, nullptr});
+    if (!tree->is_readable() || tree->tree().items.empty())
+      return refusal("the clipboard holds no declarations");
+    const std::map<std::string, Anchor> all = anchors_of(*tree, "", TokenMap(source->text()));
+    std::string words(change.text());
+    std::set<std::string> taken;
+    for (const auto& [name, at] : anchors_of(work_.model(), "", work_.tokens())) taken.insert(name);
+    std::vector<std::pair<Anchor, std::string>> order;
+    for (const auto& [name, at] : all) order.emplace_back(at, name);
+    std::ranges::sort(order, std::greater<>());
+    for (const auto& [at, name] : order) {
+      const std::string free = unique(name, taken);
+      taken.insert(free);
+      words.replace(at, name.size(), free);
+    }
+    while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
+    if (const Done done = add_text(words); !done) return done;
+    return work_.commit();
+  }
+  const text::Result<PageView> found = page(change.page());
+  if (!found) return std::unexpected(found.error());
+  // Nodes come as `let`s, states as they stand in a sequence.
+  const bool is_states = !change.text().starts_with("let ");
+  const std::string wrapped = is_states
+                                  ? fmt::format("assemblage A() {{ sequence {{\n{}\n}} }}", change.text())
+                                  : fmt::format("assemblage A() {{\n{}\n}}", change.text());
+  text::Diagnostics sink;
+  const auto source = std::make_shared<const text::Source>("clipboard", wrapped);
+  const cdl::Tree tree = cdl::parse(source, sink);
+  const auto* holder = tree.items.size() == 1 ? std::get_if<cdl::Assemblage>(&tree.items.front()) : nullptr;
+  if (sink.has_errors() || holder == nullptr)
+    return refusal("the clipboard holds nothing that can stand here");
+  const PageView view = *found;
+  std::vector<Swap> swaps;
+  std::set<std::string> taken;
+  std::vector<std::string> names;
+  std::map<std::string, std::string> renamed;
+  if (is_states) {
+    const auto* pasted = holder->body ? std::get_if<cdl::Sequence>(&holder->body->what) : nullptr;
+    if (pasted == nullptr || view.page->sequence == nullptr || view.page->sequence->states.empty())
+      return refusal("states can only be pasted between states");
+    for (const cdl::State& state : view.page->sequence->states) taken.insert(state.name.text);
+    const TokenMap tokens(source->text());
+    for (const cdl::State& state : pasted->states) {
+      renamed[state.name.text] = unique(state.name.text, taken);
+      taken.insert(renamed[state.name.text]);
+      names.push_back(renamed[state.name.text]);
+      std::size_t first = tokens.at(state.name.place.span.begin);
+      while (tokens.word(first - 1) == "start" || tokens.word(first - 1) == "final") --first;
+      swaps.push_back({{tokens.tokens()[first].span.begin, state.name.place.span.end},
+                       (state.is_final ? "final " : "") + renamed[state.name.text]});
+    }
+    for (const cdl::State& state : pasted->states) {
+      for (const cdl::Transition& transition : state.transitions) {
+        const auto target = renamed.find(transition.target.text);
+        if (target != renamed.end()) {
+          swaps.push_back({transition.target.place.span, target->second});
+        } else if (!taken.contains(transition.target.text)) {
+          const std::size_t semicolon = tokens.at(transition.place.span.end);
+          swaps.push_back({{transition.place.span.begin, tokens.tokens()[semicolon].span.end}, ""});
+        }
+      }
+    }
+    const auto begin = static_cast<std::uint32_t>(wrapped.find('\n') + 1);
+    const std::string words =
+        swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(change.text().size())}, swaps);
+    const cdl::State& last = view.page->sequence->states.back();
+    const std::uint32_t end =
+        last.transitions.empty() ? last.member->place.span.end : last.transitions.back().place.span.end;
+    work_.insert_statement_behind(work_.tokens().statement_end(end), words);
+  } else {
+    if (holder->body || holder->lets.empty()) return refusal("the clipboard holds no nodes");
+    for (const cdl::Let& let : view.graph->lets()) taken.insert(let.name.text);
+    for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
+    for (const GraphNode& one : view.graph->pages.front().nodes) taken.insert(one.name);
+    for (const cdl::Let& let : holder->lets) {
+      renamed[let.name.text] = unique(let.name.text, taken);
+      taken.insert(renamed[let.name.text]);
+      names.push_back(renamed[let.name.text]);
+      swaps.push_back({let.name.place.span, renamed[let.name.text]});
+    }
+    for (const cdl::Let& let : holder->lets) {
+      for_each_name(*let.value, [&](const cdl::Name& name, const cdl::Expression&) {
+        const auto known = renamed.find(name.name.text);
+        if (known != renamed.end()) swaps.push_back({name.name.place.span, known->second});
+      });
+    }
+    const auto begin = static_cast<std::uint32_t>(wrapped.find('\n') + 1);
+    std::string words =
+        swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(change.text().size())}, swaps);
+    // Its first words are `let NAME = `, its last `;`: what stands between is what add_let puts there.
+    while (!words.empty() && (words.back() == '\n' || words.back() == ' ' || words.back() == ';'))
+      words.pop_back();
+    const std::size_t first = words.find('=');
+    add_let(view, names.front(), words.substr(first + 2));
+  }
+  if (const Done done = work_.commit(); !done) return done;
+  Arrange where;
+  where.set_page(change.page());
+  constexpr double kStep = 40.0;  // [px]
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Arrange::At& at = *where.add_nodes();
+    at.set_node(names[i]);
+    at.set_x(change.x() + kStep * static_cast<double>(i));
+    at.set_y(change.y() + kStep * static_cast<double>(i));
+  }
+  return arrange(where);
+}
+
+text::Result<std::string> copied(const Model& model, const Copy& request) {
+  std::string out;
+  const auto words = [&](text::Span span) {
+    return std::string(model.text().substr(span.begin, span.end - span.begin));
+  };
+  if (request.page().empty()) {
+    for (const std::string& name : request.nodes()) {
+      const text::Span span = declaration_span(model, name);
+      if (span.begin == span.end) return refusal(fmt::format("there is no `{}`", text::shown(name)));
+      out += (out.empty() ? "" : "\n\n") + words(span);
+    }
+    return out + "\n";
+  }
+  const Model::Found found = model.page(request.page());
+  if (found.graph == nullptr)
+    return refusal(fmt::format("there is no page `{}`", text::shown(request.page())));
+  const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
+  const TokenMap tokens(model.text());
+  std::set<int> chosen;
+  std::vector<std::string> states;
+  for (const std::string& name : request.nodes()) {
+    bool is_state = false;
+    for (const cdl::State& state :
+         page.sequence == nullptr ? std::vector<cdl::State>{} : page.sequence->states) {
+      if (state.name.text != name) continue;
+      is_state = true;
+      std::size_t first = tokens.at(state.name.place.span.begin);
+      while (first > 0 && (tokens.word(first - 1) == "start" || tokens.word(first - 1) == "final")) --first;
+      const std::uint32_t last =
+          state.transitions.empty() ? state.member->place.span.end : state.transitions.back().place.span.end;
+      states.push_back(words({tokens.tokens()[first].span.begin, tokens.statement_end(last)}));
+    }
+    if (is_state) continue;
+    const int at = page.find(name);
+    if (at < 0) return refusal(fmt::format("there is no `{}` on this page", text::shown(name)));
+    if (page.nodes[static_cast<std::size_t>(at)].expression != nullptr) chosen.insert(at);
+  }
+  for (const std::string& one : states) out += one + "\n";
+  if (!states.empty()) return out;
+  std::set<std::string> taken;
+  for (const int at : chosen) {
+    const GraphNode& node = page.nodes[static_cast<std::size_t>(at)];
+    // What is written inside of another chosen node comes with it.
+    bool is_inside = false;
+    for (int reader = node.reader; reader >= 0; reader = page.nodes[static_cast<std::size_t>(reader)].reader)
+      is_inside |= chosen.contains(reader);
+    if (is_inside) continue;
+    const cdl::Expression& expression = *node.expression;
+    std::string name = node.let != nullptr           ? node.let->name.text
+                       : !expression.as.text.empty() ? expression.as.text
+                                                     : default_name(expression);
+    name = unique(name, taken);
+    taken.insert(name);
+    std::string value = words(expression.place.span);
+    if (node.let == nullptr && !expression.as.text.empty()) {
+      const std::uint32_t begin = expression.place.span.begin;
+      const std::size_t as = tokens.at(expression.as.place.span.begin);
+      const std::uint32_t from = tokens.tokens()[as - 2].span.end;
+      value.erase(from - begin, expression.as.place.span.end - from);
+    }
+    out += fmt::format("let {} = {};\n", name, value);
+  }
+  if (out.empty()) return refusal("nothing of this can be copied");
+  return out;
+}
+
+}  // namespace mlab::designer

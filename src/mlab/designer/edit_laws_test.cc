@@ -1,0 +1,130 @@
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "mlab/designer/open_text.h"
+#include "mlab/designer/testing/drawn_text.h"
+#include "mlab/designer/testing/random_edit.h"
+#include "mlab/lang/cdl/format.h"
+#include "mlab/lang/cdl/lexer.h"
+#include "mlab/robot/configuration_file.h"
+
+namespace mlab::designer {
+namespace {
+
+constexpr int kEdits = 12;
+
+std::string forager() {
+  std::ifstream in(std::string(MLAB_SOURCE_DIR) + "/missions/forage/forager.cdl");
+  std::stringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+// Forage's configuration, or a file of the library.
+std::string some_text() {
+  const auto& library = robot::library_environment().built_in;
+  const auto which = *rc::gen::inRange<std::size_t>(0, library.size() * 2);
+  return which < library.size() ? std::string(library[which]->source->text()) : forager();
+}
+
+// Comments that are no help: they belong to nobody.
+std::multiset<std::string> comments_of(const std::string& text) {
+  std::multiset<std::string> out;
+  for (const cdl::Comment& comment : cdl::lex(text).comments) {
+    const std::string words = text.substr(comment.span.begin, comment.span.end - comment.span.begin);
+    if (!words.starts_with("///")) out.insert(words);
+  }
+  return out;
+}
+
+RC_GTEST_PROP(EditLaws, WhateverIsEditedCanBeReadIsLaidOutAndKeepsItsComments, ()) {
+  testing::DrawnText text(some_text());
+  const auto comments = comments_of(text.text());
+  base::Random random(*rc::gen::arbitrary<std::uint64_t>());
+  for (int i = 0; i < kEdits; ++i) {
+    const Edit edit = testing::RandomEdit(text.model(), random).make();
+    const std::string before = text.text();
+    const text::Result<Edited> done = text.try_edit(edit);
+    RC_ASSERT(done.has_value() || !done.error().message.empty());
+    if (!done) continue;
+    RC_LOG() << edit.DebugString() << done->text << "\n";
+    text.set(done->text);
+    RC_ASSERT(text.model().is_readable());
+    RC_ASSERT(cdl::laid_out(text.text()) == text.text());
+    const auto now = comments_of(text.text());
+    for (const std::string& comment : comments) RC_ASSERT(now.contains(comment));
+  }
+}
+
+RC_GTEST_PROP(EditLaws, UndoGivesEveryByteBack, ()) {
+  const std::string first = some_text();
+  testing::DrawnText text(first);
+  OpenText open(first);
+  base::Random random(*rc::gen::arbitrary<std::uint64_t>());
+  std::vector<std::string> texts{first};
+  for (int i = 0; i < kEdits; ++i) {
+    const text::Result<Edited> done = text.try_edit(testing::RandomEdit(text.model(), random).make());
+    if (!done || done->text == text.text()) continue;
+    text.set(done->text);
+    open.change(done->text, done->name, i * 10.0);
+    texts.push_back(done->text);
+  }
+  for (std::size_t i = texts.size() - 1; i > 0; --i) {
+    RC_ASSERT(open.undo());
+    RC_ASSERT(open.text() == texts[i - 1]);
+  }
+  RC_ASSERT(!open.undo());
+  for (std::size_t i = 1; i < texts.size(); ++i) {
+    RC_ASSERT(open.redo());
+    RC_ASSERT(open.text() == texts[i]);
+  }
+}
+
+RC_GTEST_PROP(EditLaws, AConnectedWireIsDrawn, ()) {
+  testing::DrawnText text(some_text());
+  base::Random random(*rc::gen::arbitrary<std::uint64_t>());
+  for (int i = 0; i < kEdits * 3; ++i) {
+    const Edit edit = testing::RandomEdit(text.model(), random).make();
+    if (!edit.changes(0).has_place() || edit.changes(0).place().page().find('.') != std::string::npos)
+      continue;
+    const text::Result<Edited> done = text.try_edit(edit);
+    if (!done) continue;
+    const auto page = edit.changes(0).place().page();
+    const auto nodes = [&] {
+      return draw(text.model(), page, {"a.cdl", 1, false, [](std::string_view) { return std::string(); }})
+          .nodes_size();
+    };
+    const int before = nodes();
+    text.set(done->text);
+    RC_ASSERT(nodes() > before);
+  }
+}
+
+TEST(Merged, TakesWhatEachSideChanged) {
+  EXPECT_EQ(merged("a\nb\nc\n", "A\nb\nc\n", "a\nb\nC\n"), "A\nb\nC\n");
+  EXPECT_EQ(merged("a\nb\nc\n", "a\nx\nc\n", "a\ny\nc\n"), std::nullopt);
+  EXPECT_EQ(merged("a\nb\n", "a\nb\n", "a\nb\nc\n"), "a\nb\nc\n");
+  EXPECT_EQ(merged("", "a\n", ""), "a\n");
+  EXPECT_EQ(merged("a\nb\nc\nd\n", "a\nc\nd\n", "a\nb\nc\ne\nd\n"), "a\nc\ne\nd\n");
+}
+
+RC_GTEST_PROP(Merged, GivesOneSideWhereTheOtherDidNothing, ()) {
+  const auto lines = [] {
+    std::string out;
+    for (const int one : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 5)))
+      out += std::to_string(one) + "\n";
+    return out;
+  };
+  const std::string base = lines();
+  const std::string other = lines();
+  RC_ASSERT(merged(base, other, base) == other);
+  RC_ASSERT(merged(base, base, other) == other);
+  RC_ASSERT(merged(base, other, other) == other);
+}
+
+}  // namespace
+}  // namespace mlab::designer

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mlab/designer.pb.h"
+#include "mlab/designer/drawing.h"
+#include "mlab/designer/graph.h"
+#include "mlab/designer/model.h"
+
+// Parts of drawings: what things look like, and the pages that are no dataflow.
+
+namespace mlab::designer {
+
+/// An operator as it is drawn and as Place names it.
+struct OperatorShape {
+  Node::Shape shape = Node::COOPERATION;
+  std::string component;  ///< `compete by priority`, `coordinate by WeightedSum`, `not`
+  std::string icon;
+  std::string help;
+};
+/// Nothing where the expression is a call or a constant.
+std::optional<OperatorShape> operator_of(const cdl::Expression& expression);
+
+Node::Shape shape_of(const Callable& component);
+std::string icon_of(const Callable& component);
+/// The heading under which the palette has it.
+std::string group_of(const Callable& component);
+/// Whether it coordinates movements: a procedure with a list of vectors that gives one.
+bool is_operator(const Callable& component);
+
+/// The inputs that a node has, by name: of its component, or of the operator.
+std::vector<Socket> sockets(const GraphNode& node, const Components& components,
+                            const Components::Scope& scope);
+
+void draw_file(const Model& model, const DrawingContext& context, Drawing& out);
+void draw_society(const Model& model, const cdl::Society& society, const DrawingContext& context,
+                  Drawing& out);
+void add_robot(const Model& model, const cdl::Robot& robot, Drawing& out);
+
+}  // namespace mlab::designer

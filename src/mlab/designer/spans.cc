@@ -1,0 +1,105 @@
+#include "mlab/designer/spans.h"
+
+#include <algorithm>
+
+namespace mlab::designer {
+namespace {
+
+text::Place name_place(const cdl::Item& item, std::string_view name) {
+  return std::visit(
+      [&](const auto& one) -> text::Place {
+        if constexpr (requires { one.name.place; }) {
+          if (one.name.text == name && !std::is_same_v<std::decay_t<decltype(one)>, cdl::Architecture>)
+            return one.name.place;
+        }
+        return {};
+      },
+      item);
+}
+
+}  // namespace
+
+std::size_t TokenMap::at(std::uint32_t byte) const {
+  const auto found =
+      std::ranges::lower_bound(lexed_.tokens, byte, {}, [](const cdl::Token& t) { return t.span.begin; });
+  return static_cast<std::size_t>(std::min(found, lexed_.tokens.end() - 1) - lexed_.tokens.begin());
+}
+
+std::optional<std::size_t> TokenMap::before(std::uint32_t byte) const {
+  std::optional<std::size_t> out;
+  for (std::size_t i = at(byte) + 1; i-- > 0;) {
+    if (lexed_.tokens[i].kind != cdl::Token::Kind::kEnd && lexed_.tokens[i].span.end <= byte) return i;
+  }
+  return out;
+}
+
+std::uint32_t TokenMap::statement_end(std::uint32_t byte) const {
+  int depth = 0;
+  for (std::size_t i = at(byte); i < lexed_.tokens.size(); ++i) {
+    const std::string_view here = word(i);
+    if (here == "{" || here == "(" || here == "[") ++depth;
+    if (here == "}" || here == ")" || here == "]") --depth;
+    if (depth < 0) return i == 0 ? byte : lexed_.tokens[i - 1].span.end;
+    if (depth == 0 && here == ";") return lexed_.tokens[i].span.end;
+  }
+  return static_cast<std::uint32_t>(text_.size());
+}
+
+std::size_t TokenMap::closer(std::size_t opener) const {
+  int depth = 0;
+  for (std::size_t i = opener; i < lexed_.tokens.size(); ++i) {
+    const std::string_view here = word(i);
+    if (here == "{" || here == "(" || here == "[") ++depth;
+    if ((here == "}" || here == ")" || here == "]") && --depth == 0) return i;
+  }
+  return lexed_.tokens.size() - 1;
+}
+
+std::uint32_t TokenMap::help_begin(std::uint32_t statement) const {
+  const std::size_t token = at(statement);
+  const std::uint32_t last = lexed_.tokens[token].comments;
+  const std::uint32_t first = token == 0 ? 0 : lexed_.tokens[token - 1].comments;
+  const std::uint32_t behind = token == 0 ? 0 : lexed_.tokens[token - 1].span.end;
+  std::uint32_t out = statement;
+  for (std::uint32_t i = last; i-- > first;) {
+    const text::Span span = lexed_.comments[i].span;
+    const std::string_view words = text_.substr(span.begin, span.end - span.begin);
+    const std::string_view between = text_.substr(behind, span.begin - behind);
+    const bool is_own_line = behind == 0 || between.find('\n') != std::string_view::npos;
+    const std::string_view gap = text_.substr(span.end, out - span.end);
+    if (!words.starts_with("///") || words.starts_with("///<") || !is_own_line ||
+        std::ranges::count(gap, '\n') > 1)
+      break;
+    out = span.begin;
+  }
+  return out;
+}
+
+text::Span declaration_span(const Model& model, std::string_view name) {
+  for (const cdl::Item& item : model.tree().items) {
+    const text::Place place = name_place(item, name);
+    if (!place.source) continue;
+    const TokenMap map(model.text());
+    const std::size_t at = map.at(place.span.begin);
+    const bool is_society = std::holds_alternative<cdl::Society>(item);
+    text::Span out{at == 0 ? place.span.begin : map.tokens()[at - 1].span.begin, place.span.end};
+    int depth = 0;
+    for (std::size_t i = at; i < map.tokens().size(); ++i) {
+      const std::string_view here = map.word(i);
+      if (here == "{" || here == "(" || here == "[") ++depth;
+      if (here == "}" || here == ")" || here == "]") --depth;
+      out.end = map.tokens()[i].span.end;
+      if (depth == 0 && (here == ";" || (here == "}" && !is_society))) break;
+    }
+    out.begin = map.help_begin(out.begin);
+    return out;
+  }
+  return {};
+}
+
+std::string declaration_text(const Model& model, std::string_view name) {
+  const text::Span span = declaration_span(model, name);
+  return std::string(model.text().substr(span.begin, span.end - span.begin));
+}
+
+}  // namespace mlab::designer
