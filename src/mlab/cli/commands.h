@@ -37,10 +37,16 @@ struct RunOptions {
   std::string key;                    ///< PEM file
   std::string project;                ///< folder; empty: the mission's, or the current one
   bool no_browser = false;
+
+  // Of the designer, which is the console with one page more.
+  bool edits = false;
+  std::string configuration;  ///< file to open first; empty: none
 };
 int run(const RunOptions& options);
 /// `run` without `headless`: serves the operator console until it is interrupted.
 int run_console(const RunOptions& options);
+/// The designer, and beside it a console without a mission, until it is interrupted.
+int edit(RunOptions options);
 
 struct CheckOptions {
   std::vector<std::string> files;

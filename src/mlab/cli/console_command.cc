@@ -26,6 +26,8 @@
 #include "mlab/console.pb.h"
 #include "mlab/console/server/server.h"
 #include "mlab/console/session.h"
+#include "mlab/designer.pb.h"
+#include "mlab/designer/designer.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
 
@@ -139,8 +141,10 @@ Look look_at(const RunOptions& options, fleet::RunSettings& settings) {
 }
 
 void show_start(const console::Server& server, const RunOptions& options, const Look& look, bool was_opened) {
-  const std::vector<std::string> urls = server.urls();
-  if (options.mission.empty())
+  const std::vector<std::string> urls = server.urls(options.edits ? "designer.html" : "");
+  if (options.edits)
+    fmt::print("The designer{}.\n", options.configuration.empty() ? "" : " for " + options.configuration);
+  else if (options.mission.empty())
     fmt::print("The operator console, without a mission: open one or write one there.\n");
   else if (!look.mission)
     fmt::print("The operator console; {} has errors, and can be mended there.\n", options.mission);
@@ -149,7 +153,8 @@ void show_start(const console::Server& server, const RunOptions& options, const 
                options.mission, look.mission->robots.size(), look.mission->steps.size());
   fmt::print("{} in a browser:\n\n", was_opened ? "It opens" : "Open this address");
   for (const std::string& url : urls) fmt::print("    {}\n", url);
-  fmt::print("\nCtrl-C here ends the run and the console.\n");
+  fmt::print("\nCtrl-C here ends {}.\n",
+             options.edits ? "the designer; what is not saved is kept" : "the run and the console");
   std::fflush(stdout);
   if (!server.is_loopback() && !server.is_encrypted()) {
     fmt::print(
@@ -170,9 +175,10 @@ int exit_status(const std::string& report) {
 
 console::SessionSettings session_settings(const RunOptions& options, RunManner manner) {
   console::SessionSettings out;
-  out.project_folder = !options.project.empty()  ? options.project
-                       : options.mission.empty() ? "."
-                                                 : fs::absolute(options.mission).parent_path().string();
+  const std::string& first = options.edits ? options.configuration : options.mission;
+  out.project_folder = !options.project.empty() ? options.project
+                       : first.empty()          ? "."
+                                                : fs::absolute(first).parent_path().string();
   out.example_folder = example_folder();
   out.overlay_folders = overlay_folders();
   out.mission = options.mission;
@@ -185,13 +191,27 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   return out;
 }
 
+designer::DesignerSettings designer_settings(const RunOptions& options,
+                                             const console::SessionSettings& settings) {
+  designer::DesignerSettings out;
+  out.project_folder = settings.project_folder;
+  out.example_folder = settings.example_folder;
+  out.open = options.configuration;
+  out.version = settings.version;
+  out.include_root = settings.include_root;
+  out.state_folder = settings.state_folder;
+  return out;
+}
+
 int serve(const RunOptions& options, console::SessionSettings settings, const Look& look,
           console::Server& server) {
   settings.may_compile = server.is_loopback() || options.allow_native;
-  console::Session session(std::move(settings), [&server](console::ConnectionId to, auto bytes) {
-    server.send(to, std::move(bytes));
-  });
-  server.start({
+  const auto send = [&server](console::ConnectionId to, auto bytes) { server.send(to, std::move(bytes)); };
+  std::unique_ptr<designer::Designer> designer;
+  if (options.edits)
+    designer = std::make_unique<designer::Designer>(designer_settings(options, settings), send);
+  console::Session session(std::move(settings), send);
+  console::ServerHandlers handlers = {
       [&](console::ConnectionId from, auto message) { session.receive(from, std::move(message)); },
       [&](console::ConnectionId connection) { session.closed(connection); },
       [&] { session.emergency_stop(); },
@@ -200,9 +220,17 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
         return console::Content{std::move(picture.content_type), std::move(picture.bytes)};
       },
       [&] { return session.report(); },
-  });
+  };
+  if (designer) {
+    handlers.receive_design = [&](console::ConnectionId from, auto message) {
+      designer->receive(from, std::move(message));
+    };
+    handlers.closed_design = [&](console::ConnectionId connection) { designer->closed(connection); };
+  }
+  server.start(std::move(handlers));
   Browser browser;
-  show_start(server, options, look, !options.no_browser && browser.open(server.urls().front()));
+  const std::string page = options.edits ? "designer.html" : "";
+  show_start(server, options, look, !options.no_browser && browser.open(server.urls(page).front()));
   wait_for_interrupt();
   fmt::print("\nending\n");
   const std::string report = session.report();
@@ -227,6 +255,14 @@ int run_console(const RunOptions& options) {
   if (!server) return usage_error(error);
   if (!listen_for_interrupts()) return usage_error("the operating system has no descriptor left");
   return serve(options, session_settings(options, std::move(*manner)), look, *server);
+}
+
+int edit(RunOptions options) {
+  options.edits = true;
+  std::error_code error;
+  if (!options.configuration.empty() && !fs::is_regular_file(options.configuration, error))
+    return usage_error(fmt::format("{}: there is no such file", options.configuration));
+  return run_console(options);
 }
 
 }  // namespace mlab::cli

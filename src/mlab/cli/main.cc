@@ -82,9 +82,7 @@ void add_run(CLI::App& app, RunOptions& o) {
       "other machines bring code of their own");
 }
 
-void add_console(CLI::App& app, RunOptions& o) {
-  CLI::App* c = app.get_subcommand("run");
-  const std::string group = "Operator console";
+void add_console(CLI::App* c, RunOptions& o, const std::string& group) {
   c->add_option("--port", o.port, "where it listens (default: 8642, or any other that is free; 0: any)")
       ->type_name("N")
       ->group(group);
@@ -108,6 +106,15 @@ void add_console(CLI::App& app, RunOptions& o) {
       ->type_name("FOLDER")
       ->group(group);
   c->add_flag("--no-browser", o.no_browser, "only print the address")->group(group);
+}
+
+void add_edit(CLI::App& app, RunOptions& o) {
+  CLI::App* c = app.add_subcommand(
+      "edit",
+      "Draw configurations of robots and see them live, in the browser. Without a file it starts with the\n"
+      "examples and the component library.");
+  c->add_option("file", o.configuration, "the configuration (.cdl)")->type_name("FILE");
+  add_console(c, o, "Where and how");
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
@@ -222,7 +229,9 @@ int parse_and_run(int argc, char** argv) {
   ImportOptions import_options;
   BenchOptions bench_options;
   add_run(app, run_options);
-  add_console(app, run_options);
+  add_console(app.get_subcommand("run"), run_options, "Operator console");
+  RunOptions edit_options = run_options;
+  add_edit(app, edit_options);
   add_check(app, check_options);
   add_fmt(app, format_options);
   add_describe(app, describe_options);
@@ -235,6 +244,7 @@ int parse_and_run(int argc, char** argv) {
     return app.exit(e) == 0 ? kDone : kBadInput;
   }
   if (app.got_subcommand("run")) return run(run_options);
+  if (app.got_subcommand("edit")) return edit(edit_options);
   if (app.got_subcommand("check")) return check(check_options);
   if (app.got_subcommand("fmt")) return format(format_options);
   if (app.got_subcommand("describe")) return describe(describe_options);
