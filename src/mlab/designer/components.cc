@@ -92,7 +92,13 @@ Socket Components::socket(const cdl::Parameter& parameter) const {
   return out;
 }
 
-std::optional<Callable> Components::find(std::string_view name) const {
+const std::optional<Callable>& Components::find(std::string_view name) const {
+  const auto known = found_.find(name);
+  if (known != found_.end()) return known->second;
+  return found_.emplace(name, made(name)).first->second;
+}
+
+std::optional<Callable> Components::made(std::string_view name) const {
   if (const auto binding = configuration_.bindings.find(name); binding != configuration_.bindings.end())
     return of(*binding->second);
   if (const auto found = configuration_.assemblages.find(name); found != configuration_.assemblages.end())

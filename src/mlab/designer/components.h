@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,7 +47,7 @@ struct Callable {
 };
 
 /// Types and signatures of everything that one configuration may name. Answers from descriptors and
-/// declarations; nothing is lowered. Both must outlive it.
+/// declarations; nothing is lowered. Both must outlive it. For one thread.
 class Components {
  public:
   Components(const cdl::Configuration& configuration, const flow::Library& library)
@@ -56,7 +57,7 @@ class Components {
   const flow::Library& library() const { return library_; }
 
   /// Nothing where nobody answers to the name.
-  std::optional<Callable> find(std::string_view name) const;
+  const std::optional<Callable>& find(std::string_view name) const;
   Callable of(const cdl::Assemblage& assemblage) const;
   Callable of(const cdl::Binding& binding) const;
   Callable of(const flow::Library::Entry& entry) const;
@@ -78,12 +79,14 @@ class Components {
   ValueType of(const cdl::Expression& expression, const Scope& scope, int depth = 0) const;
 
  private:
+  std::optional<Callable> made(std::string_view name) const;
   ValueType of_name(const std::string& name, const Scope& scope, int depth) const;
   ValueType of_call(const std::string& callee, int depth) const;
   ValueType result_of(const cdl::Assemblage& assemblage, int depth) const;
 
   const cdl::Configuration& configuration_;
   const flow::Library& library_;
+  mutable std::map<std::string, std::optional<Callable>, std::less<>> found_;  // asked for already
 };
 
 /// Why a value of the one type can't be given to an input of the other; empty: it can.

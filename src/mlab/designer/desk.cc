@@ -12,8 +12,10 @@
 #include "mlab/console/utf8.h"
 #include "mlab/lang/cdl/lexer.h"
 #include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl_historic/import.h"
 #include "mlab/library/library.h"
 #include "mlab/robot/configuration_file.h"
+#include "mlab/robot/robot_program.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -218,6 +220,7 @@ text::Result<OpenConfiguration*> Desk::open(const std::string& path, double now)
   }
   text::Result<std::string> content = read(path);
   if (!content) return std::unexpected(content.error());
+  if (cdl_historic::looks_historic(*content)) return import(path, *content, now);
   auto one = std::make_unique<OpenConfiguration>(*content);
   one->path = path;
   one->saved = std::move(*content);
@@ -227,6 +230,25 @@ text::Result<OpenConfiguration*> Desk::open(const std::string& path, double now)
     drafts_.add_recent(path, "");
   }
   return add(std::move(one));
+}
+
+// A configuration of the historic tools opens as a new one that says the same; its file stays as it is.
+text::Result<OpenConfiguration*> Desk::import(const std::string& path, const std::string& content,
+                                              double now) {
+  const cdl_historic::Vocabulary vocabulary(robot::component_library(),
+                                            robot::library_environment().built_in);
+  text::Diagnostics sink;
+  const auto source = std::make_shared<const text::Source>(source_name(path), content);
+  std::string ours = cdl_historic::import_as_text(source, vocabulary, sink);
+  for (const text::Diagnostic& d : sink.items()) {
+    if (d.severity == text::Severity::kError)
+      return refused("cannot-import", fmt::format("{} can't be imported: {}", shown(path), d.message));
+  }
+  text::Result<OpenConfiguration*> out = open("", now);
+  if (!out) return out;
+  (*out)->text.change(std::move(ours), "import " + path, now);
+  changed(**out);
+  return out;
 }
 
 text::Result<OpenConfiguration*> Desk::open_on_disk(const std::string& disk_path, double now) {

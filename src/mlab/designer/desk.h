@@ -98,6 +98,7 @@ class Desk {
   std::string source_name(const std::string& path) const;
   OpenConfiguration* add(std::unique_ptr<OpenConfiguration> one);
   void model(OpenConfiguration& one);
+  text::Result<OpenConfiguration*> import(const std::string& path, const std::string& content, double now);
   void restore_draft(OpenConfiguration& one, double now);
   text::Result<bool> save_to_library(OpenConfiguration& one, const std::string& declaration);
   text::Files files();

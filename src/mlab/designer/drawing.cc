@@ -1,6 +1,7 @@
 #include "mlab/designer/drawing.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -28,8 +29,15 @@ class Drawer {
         context_(context),
         graph_(*found.graph),
         page_(found.graph->pages[static_cast<std::size_t>(found.page)]),
-        layout_(model.layout(page_.path)),
-        out_(out) {}
+        uses_(names_used(graph_)),
+        out_(out) {
+    const cdl::Layout* layout = model.layout(page_.path);
+    if (layout == nullptr) return;
+    for (const cdl::LayoutEntry& entry : layout->entries) {
+      const bool is_actuator = entry.node.text.starts_with("actuator.");
+      places_.try_emplace(is_actuator ? "$" + entry.node.text.substr(9) : entry.node.text, &entry);
+    }
+  }
 
   void run() {
     const bool is_owner = page_.parent < 0;
@@ -88,7 +96,7 @@ class Drawer {
     if (node.inner >= 0)
       set_page(*out.mutable_inner(), graph_.pages[static_cast<std::size_t>(node.inner)].path);
     const bool is_let = node.let != nullptr && node.kind != Kind::kOuter;
-    out.set_is_loose(is_let && count_uses(graph_, node.let->name.text) == 0);
+    out.set_is_loose(is_let && !uses_.contains(node.let->name.text));
     place(out);
     add_inputs(node, out);
   }
@@ -153,7 +161,7 @@ class Drawer {
     }
     const std::string callee = default_name(expression);
     out.set_component(callee);
-    const std::optional<Callable> component = model_.components().find(callee);
+    const std::optional<Callable>& component = model_.components().find(callee);
     if (!component) {
       out.set_shape(Node::UNKNOWN);
       out.set_icon("unknown");
@@ -181,12 +189,10 @@ class Drawer {
   }
 
   void place(Node& out) const {
-    if (layout_ == nullptr) return;
-    for (const cdl::LayoutEntry& entry : layout_->entries) {
-      if (entry.node.text != out.name()) continue;
-      out.set_x(entry.x);
-      out.set_y(entry.y);
-    }
+    const auto there = places_.find(out.name());
+    if (there == places_.end()) return;
+    out.set_x(there->second->x);
+    out.set_y(there->second->y);
   }
 
   // ---- inputs
@@ -315,12 +321,10 @@ class Drawer {
   }
 
   void place_state(State& out) const {
-    if (layout_ == nullptr) return;
-    for (const cdl::LayoutEntry& entry : layout_->entries) {
-      if (entry.node.text != out.name()) continue;
-      out.set_x(entry.x);
-      out.set_y(entry.y);
-    }
+    const auto there = places_.find(out.name());
+    if (there == places_.end()) return;
+    out.set_x(there->second->x);
+    out.set_y(there->second->y);
   }
 
   // What a state does, in a few words.
@@ -360,7 +364,8 @@ class Drawer {
   const DrawingContext& context_;
   const OwnerGraph& graph_;
   const GraphPage& page_;
-  const cdl::Layout* layout_;
+  std::set<std::string, std::less<>> uses_;  // names that something reads
+  std::map<std::string, const cdl::LayoutEntry*, std::less<>> places_;
   Drawing& out_;
 };
 

@@ -1,6 +1,7 @@
 #include "mlab/designer/drawing.h"
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <set>
@@ -131,6 +132,23 @@ TEST(Drawing, DrawsEveryPageOfTheLibrary) {
       }
     }
   }
+}
+
+TEST(Drawing, DrawsTwoThousandNodesInATenthOfASecond) {
+  std::string text = "assemblage A() {\n";
+  for (int i = 0; i < 1000; ++i) text += "let n" + std::to_string(i) + " = Noise();\n";
+  text += "cooperate {\n";
+  for (int i = 0; i < 1000; ++i) text += "1: AvoidStaticObstacles(sphere = 2 m);\n";
+  text += "}\n}\nlayout A {\n";
+  for (int i = 0; i < 1000; ++i) text += "n" + std::to_string(i) + " 1 2;\n";
+  double best = 1e9;  // [s], of several: other work may be going on
+  for (int i = 0; i < 5; ++i) {
+    const auto fresh = model_of(text + "}\n");
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(draw(*fresh, "A", context()).nodes_size(), 2001);
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  EXPECT_LT(best, 0.1);
 }
 
 TEST(Palette, GroupsWhatCanBePlaced) {

@@ -28,7 +28,7 @@ std::string forager() {
 std::string some_text() {
   const auto& library = robot::library_environment().built_in;
   const auto which = *rc::gen::inRange<std::size_t>(0, library.size() * 2);
-  return which < library.size() ? std::string(library[which]->source->text()) : forager();
+  return cdl::laid_out(which < library.size() ? library[which]->source->text() : forager());
 }
 
 // Comments that are no help: they belong to nobody.

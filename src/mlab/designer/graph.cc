@@ -294,10 +294,11 @@ class Builder {
   }
 
   void walk_arguments(const cdl::Call& call, const std::string& path, int on, int at, bool is_operator) {
-    const std::optional<Callable> component = components_.find(call.callee.text);
+    const std::optional<Callable>& component = components_.find(call.callee.text);
     std::vector<Socket> sockets;
     int lists = 0;
-    for (const Socket& socket : component ? component->inputs : std::vector<Socket>{}) {
+    static const std::vector<Socket> kNone;
+    for (const Socket& socket : component ? component->inputs : kNone) {
       const bool is_members = is_operator && socket.is_list && lists++ < 2;
       if (!is_members) sockets.push_back(socket);
     }
@@ -497,21 +498,35 @@ std::string default_name(const cdl::Expression& expression) {
                                                       : "Or";
 }
 
-int count_uses(const OwnerGraph& graph, std::string_view name) {
-  int out = 0;
-  const auto count = [&](const cdl::ExpressionPtr& expression) {
+namespace {
+
+// Calls `visit` with every name in an expression of the owner.
+void for_each_use(const OwnerGraph& graph, const auto& visit) {
+  const auto look = [&](const cdl::ExpressionPtr& expression) {
     if (!expression) return;
     cdl::for_each_expression(*expression, [&](const Expression& one) {
-      const auto* known = std::get_if<cdl::Name>(&one.what);
-      if (known != nullptr && known->name.text == name) ++out;
+      if (const auto* name = std::get_if<cdl::Name>(&one.what)) visit(name->name.text);
     });
   };
-  for (const cdl::Let& let : graph.lets()) count(let.value);
-  for (const cdl::Parameter& parameter : graph.parameters()) count(parameter.initial);
-  if (graph.assemblage != nullptr) count(graph.assemblage->body);
+  for (const cdl::Let& let : graph.lets()) look(let.value);
+  for (const cdl::Parameter& parameter : graph.parameters()) look(parameter.initial);
+  if (graph.assemblage != nullptr) look(graph.assemblage->body);
   if (graph.robot != nullptr) {
-    for (const cdl::Drive& drive : graph.robot->drives) count(drive.value);
+    for (const cdl::Drive& drive : graph.robot->drives) look(drive.value);
   }
+}
+
+}  // namespace
+
+int count_uses(const OwnerGraph& graph, std::string_view name) {
+  int out = 0;
+  for_each_use(graph, [&](const std::string& used) { out += used == name ? 1 : 0; });
+  return out;
+}
+
+std::set<std::string, std::less<>> names_used(const OwnerGraph& graph) {
+  std::set<std::string, std::less<>> out;
+  for_each_use(graph, [&](const std::string& used) { out.insert(used); });
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -111,5 +112,7 @@ OwnerGraph graph_of(const cdl::Robot& robot, const Components& components,
 std::string default_name(const cdl::Expression& expression);
 /// How often the name of a `let` or parameter is used inside of its owner.
 int count_uses(const OwnerGraph& graph, std::string_view name);
+/// All names that something of the owner uses.
+std::set<std::string, std::less<>> names_used(const OwnerGraph& graph);
 
 }  // namespace mlab::designer

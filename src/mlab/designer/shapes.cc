@@ -34,7 +34,7 @@ Socket socket(std::string name, ValueType type, std::string help, bool is_requir
 // The operator's own inputs: its first two lists are its members and their weights.
 std::vector<Socket> generic(const cdl::Call& by, const Components& components) {
   std::vector<Socket> out;
-  const std::optional<Callable> component = components.find(by.callee.text);
+  const std::optional<Callable>& component = components.find(by.callee.text);
   if (!component) return out;
   int lists = 0;
   for (const Socket& input : component->inputs) {
@@ -144,8 +144,8 @@ std::vector<Socket> sockets(const GraphNode& node, const Components& components,
   if (node.expression == nullptr) return {};
   const auto& what = node.expression->what;
   if (const auto* call = std::get_if<cdl::Call>(&what)) {
-    std::optional<Callable> component = components.find(call->callee.text);
-    return component ? std::move(component->inputs) : std::vector<Socket>{};
+    const std::optional<Callable>& component = components.find(call->callee.text);
+    return component ? component->inputs : std::vector<Socket>{};
   }
   if (std::holds_alternative<cdl::Cooperate>(what)) return movements(components, "how much it counts");
   if (const auto* compete = std::get_if<cdl::Compete>(&what)) {

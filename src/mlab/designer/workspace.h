@@ -33,7 +33,7 @@ struct Fragment {
   Fragment() = default;
   Fragment(std::string text) {
     pieces.push_back({std::move(text), std::nullopt});
-  }                                                            // NOLINT(google-explicit-constructor)
+  }  // NOLINT(google-explicit-constructor)
   Fragment(const char* text) : Fragment(std::string(text)) {}  // NOLINT(google-explicit-constructor)
   Fragment& add(const Fragment& other) {
     pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
