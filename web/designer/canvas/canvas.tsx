@@ -74,11 +74,13 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
 
   // Once, when the page has come into sight; later only where somebody asks for it.
   useEffect(() => {
+    // On an empty page the camera stays where the first thing is put.
+    if (drawing.nodes.length + drawing.states.length === 0) hasFitted.current = true;
     if (hasFitted.current || nodes.length === 0) return;
     hasFitted.current = true;
     const only = designer.state.selection.map((id) => ({ id }));
     void flow.fitView(only.length > 0 && nodes.length > 40 ? { ...kFit, nodes: only } : kFit);
-  }, [nodes, flow, designer]);
+  }, [nodes, flow, designer, drawing]);
 
   // What is selected elsewhere (a problem, a link, the details) is selected here.
   const selection = usePart((state) => state.selection);
