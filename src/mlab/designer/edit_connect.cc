@@ -229,7 +229,10 @@ Done Editor::remove_node(const std::string& owner, int handle, const std::vector
                               const auto there = followed(owner, other);
                               return there && there->first.page == view.page && there->second == input.from;
                             });
-    if (!input.is_inline || is_removed) {
+    // What stands in for a case that nobody fills is no node that was there.
+    const bool is_filler =
+        input.role == Role::kCase && input.written && default_name(*input.written) == "Stand";
+    if (!input.is_inline || is_removed || is_filler) {
       ++i;
       continue;
     }

@@ -259,6 +259,8 @@ void Workspace::set_text(std::string text) {
 
 Done Workspace::commit() {
   if (splices_.empty()) return true;
+  constexpr int kMostCommits = 5000;
+  if (++commits_ > kMostCommits) return refusal("that is too much at once");
   // Before: what the names in layout blocks stand for.
   std::map<std::string, std::map<std::string, Anchor>> places;
   for (const cdl::Item& item : model_->tree().items) {

@@ -106,6 +106,7 @@ class Workspace {
   std::vector<Splice> splices_;
   std::vector<std::optional<std::uint32_t>> followed_;
   bool is_formatted_ = false;
+  int commits_ = 0;
 };
 
 /// The byte by which a node is followed; nothing where it stands nowhere.
