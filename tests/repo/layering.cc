@@ -35,8 +35,10 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"robot", {"percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
     {"robot_build", {"robot"}},
     {"fleet", {"robot", "mission", "sim"}},
+    {"language", {"fleet", "lang/mdl", "lang/odl", "lang/envchange"}},
+    {"lsp", {"language"}},
     {"console/server", {"base"}},
-    {"console", {"fleet", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
+    {"console", {"fleet", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
     {"designer", {"console", "lang/cdl", "lang/cdl_historic"}},
 };
 

@@ -1,6 +1,4 @@
 #include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <string>
 
 #include <fmt/core.h>
@@ -8,16 +6,13 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
-#include "mlab/cli/language.h"
-#include "mlab/fleet/mission_run.h"
-#include "mlab/lang/envchange/envchange.h"
-#include "mlab/lang/mdl/mdl.h"
-#include "mlab/lang/odl/odl.h"
-#include "mlab/robot/configuration_file.h"
-#include "mlab/robot/network_file.h"
+#include "mlab/language/service.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
+
+using language::Language;
+using language::language_of;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -28,18 +23,6 @@ struct Checked {
   text::Diagnostics sink;
 };
 
-std::string folder_of(const std::string& path) {
-  return std::filesystem::path(path).parent_path().string();
-}
-
-// A mission is right when everything that a run needs can be made ready: overlays, programs, parameters,
-// bodies.
-void check_mission(const text::SourcePtr& source, text::Diagnostics& sink) {
-  const auto mission = mdl::check_mission(source, folder_of(source->name()), sink, {1, overlay_folders()});
-  if (!mission) return;
-  fleet::MissionRun::create(mission, program_sources(folder_of(source->name())), {}, sink);
-}
-
 void check_source(const text::SourcePtr& source, Checked& out) {
   out.language = language_of(*source);
   if (!out.language) {
@@ -48,26 +31,7 @@ void check_source(const text::SourcePtr& source, Checked& out) {
         .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
     return;
   }
-  switch (*out.language) {
-    case Language::kMission:
-      check_mission(source, out.sink);
-      break;
-    case Language::kOverlay: {
-      overlay::Overlay overlay;
-      const odl::Tree tree = odl::parse(source, out.sink);
-      odl::apply(tree, overlay, out.sink);
-      break;
-    }
-    case Language::kNetwork:
-      robot::check_network(source, program_sources(folder_of(source->name())), out.sink);
-      break;
-    case Language::kConfiguration:
-      robot::check_configuration(source, program_sources(folder_of(source->name())), out.sink);
-      break;
-    case Language::kEnvironment:
-      envchange::parse(source, {}, out.sink);
-      break;
-  }
+  out.sink = language::problems({source, *out.language}, surroundings());
 }
 
 Json place_json(const text::Place& place) {

@@ -82,6 +82,9 @@ struct ImportOptions {
 };
 int import(const ImportOptions& options);
 
+/// The language server, until it is told to exit.
+int lsp();
+
 struct BenchOptions {
   std::uint32_t robots = 1000;
   int threads = 1;

@@ -80,6 +80,13 @@ std::vector<std::string> overlay_folders() {
   return {(prefix() / "share" / "mlab" / "overlays").string()};
 }
 
+language::Surroundings surroundings() {
+  language::Surroundings out;
+  out.overlay_folders = overlay_folders();
+  out.programs = program_sources("");
+  return out;
+}
+
 std::string web_folder() {
   return (prefix() / "share" / "mlab" / "web").string();
 }
@@ -88,6 +95,15 @@ std::string example_folder() {
   std::error_code error;
   for (const fs::path& folder :
        {prefix() / "share" / "mlab" / "missions", fs::path(MLAB_SOURCE_INCLUDE).parent_path() / "missions"}) {
+    if (fs::is_directory(folder, error)) return folder.string();
+  }
+  return "";
+}
+
+std::string library_folder() {
+  std::error_code error;
+  for (const fs::path& folder :
+       {prefix() / "share" / "mlab" / "library", fs::path(MLAB_SOURCE_INCLUDE).parent_path() / "library"}) {
     if (fs::is_directory(folder, error)) return folder.string();
   }
   return "";

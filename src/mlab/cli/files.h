@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/language/service.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/robot_build/executable.h"
 
@@ -23,6 +24,10 @@ robot::ProgramSources program_sources(const std::string& folder, bool allow_nati
 robot_build::Toolchain toolchain();
 /// Where overlays are looked for after the mission's own folder.
 std::vector<std::string> overlay_folders();
+/// The component library's texts: of the installation, or of what it was built from.
+std::string library_folder();
+/// What stands beside a text that is checked or edited.
+language::Surroundings surroundings();
 /// The web client of the operator console, and the missions that come with mlab: of the installation, or of
 /// what it was built from.
 std::string web_folder();

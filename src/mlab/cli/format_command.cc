@@ -6,16 +6,13 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
-#include "mlab/cli/language.h"
-#include "mlab/lang/cdl/format.h"
-#include "mlab/lang/cdl/formula.h"
-#include "mlab/lang/cnl/format.h"
-#include "mlab/lang/mdl/mdl.h"
-#include "mlab/lang/mdl/tree.h"
-#include "mlab/lang/odl/odl.h"
+#include "mlab/language/service.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
+
+using language::Language;
+using language::language_of;
 namespace {
 
 // The canonical layout; nothing where the file has errors, which are then in the sink.
@@ -26,25 +23,7 @@ std::optional<std::string> canonical(const text::SourcePtr& source, text::Diagno
         .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
     return std::nullopt;
   }
-  switch (*language) {
-    case Language::kMission: {
-      const mdl::Tree tree = mdl::parse(source, sink);
-      return sink.has_errors() ? std::nullopt : std::optional(mdl::print(tree));
-    }
-    case Language::kOverlay: {
-      const odl::Tree tree = odl::parse(source, sink);
-      return sink.has_errors() ? std::nullopt : std::optional(odl::print(tree));
-    }
-    case Language::kNetwork:
-      return cnl::format(source, sink);
-    case Language::kConfiguration:
-      if (source->name().ends_with(".formula") || cdl::looks_like_formula(source->text()))
-        return std::string(source->text());  // a sentence has no layout of its own
-      return cdl::format(source, sink);
-    case Language::kEnvironment:
-      return std::string(source->text());  // has no layout of its own
-  }
-  return std::nullopt;
+  return language::formatted({source, *language}, sink);
 }
 
 }  // namespace

@@ -212,6 +212,12 @@ void add_bench(CLI::App& app, BenchOptions& o) {
   c->add_option("--json", o.json, "write the figures to a file")->type_name("FILE");
 }
 
+void add_lsp(CLI::App& app, bool& says_stdio) {
+  CLI::App* c = app.add_subcommand(
+      "lsp", "Language server for editors: LSP 3.17 over standard input and output (docs/editors.md).");
+  c->add_flag("--stdio", says_stdio, "what it does anyway; many editors say it");
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Specify, check and carry out missions of teams of robots.", "mlab");
   app.set_version_flag("--version", fmt::format("mlab {}", kVersion));
@@ -238,6 +244,8 @@ int parse_and_run(int argc, char** argv) {
   add_build(app, build_options);
   add_import(app, import_options);
   add_bench(app, bench_options);
+  bool says_stdio = false;
+  add_lsp(app, says_stdio);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -250,6 +258,7 @@ int parse_and_run(int argc, char** argv) {
   if (app.got_subcommand("describe")) return describe(describe_options);
   if (app.got_subcommand("build")) return build(build_options);
   if (app.got_subcommand("import")) return import(import_options);
+  if (app.got_subcommand("lsp")) return lsp();
   return bench(bench_options);
 }
 

@@ -104,9 +104,7 @@ void configure(sim::BodySpec& body, std::string_view name, double value, const m
   }
   text::Diagnostic& d =
       sink.error("unknown-body-setting", type.place, fmt::format("a body has no `{}`", name));
-  std::vector<std::string> names = {"radius", "drive"};
-  for (const Quantity& quantity : kQuantities) names.emplace_back(quantity.key);
-  const std::string nearest = text::nearest_name(std::string(name), names);
+  const std::string nearest = text::nearest_name(std::string(name), body_settings());
   if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
 }
 
@@ -144,6 +142,12 @@ const std::vector<std::string>& vehicle_keys() {
     return keys;
   }();
   return kKeys;
+}
+
+std::vector<std::string> body_settings() {
+  std::vector<std::string> names = {"radius", "drive"};
+  for (const Quantity& quantity : kQuantities) names.emplace_back(quantity.key);
+  return names;
 }
 
 }  // namespace mlab::fleet

@@ -1,6 +1,5 @@
 #include "mlab/robot/configuration_file.h"
 
-#include <filesystem>
 #include <utility>
 
 #include "mlab/lang/cdl/parser.h"
@@ -15,6 +14,12 @@ std::pair<std::string, std::string> split(std::string_view program) {
   const std::size_t hash = program.rfind('#');
   if (hash == std::string_view::npos) return {std::string(program), ""};
   return {std::string(program.substr(0, hash)), std::string(program.substr(hash + 1))};
+}
+
+cdl::Environment environment_of(const ProgramSources& sources) {
+  cdl::Environment out = library_environment();
+  out.files = sources.files;
+  return out;
 }
 
 std::optional<ConfiguredRobot> built(cdl::Configuration configuration, const cdl::Robot& robot,
@@ -62,7 +67,7 @@ std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::str
                                          std::string_view type_name, const text::Place& place,
                                          const ProgramSources& sources, text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
-  cdl::Configuration configuration = cdl::load(source, library_environment(), sink);
+  cdl::Configuration configuration = cdl::load(source, environment_of(sources), sink);
   if (sink.error_count() > errors_before) return std::nullopt;
   const cdl::Robot* robot = cdl::robot_meant(configuration, wanted, type_name, place, sink);
   if (robot == nullptr) return std::nullopt;
@@ -78,16 +83,9 @@ std::optional<ConfiguredRobot> load_configuration(const std::string& name, std::
                                                   const text::Place& place, const ProgramSources& sources,
                                                   text::Diagnostics& sink) {
   const auto [path, wanted] = split(name);
-  const std::filesystem::path file =
-      std::filesystem::path(sources.folder) / path;  // an absolute path stays as it is
-  text::Result<text::SourcePtr> source = text::read_source(file.string());
-  if (!source) {
-    text::Diagnostic problem = source.error();
-    problem.place = place;
-    sink.report(std::move(problem));
-    return std::nullopt;
-  }
-  return configure(*source, wanted, type_name, place, sources, sink);
+  const text::SourcePtr source = read_program(path, place, sources, sink);
+  if (!source) return std::nullopt;
+  return configure(source, wanted, type_name, place, sources, sink);
 }
 
 std::optional<ConfiguredRobot> library_robot(std::string_view name, text::Diagnostics& sink) {
@@ -101,7 +99,7 @@ std::optional<ConfiguredRobot> library_robot(std::string_view name, text::Diagno
 void check_configuration(const text::SourcePtr& source, const ProgramSources& sources,
                          text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
-  const cdl::Configuration configuration = cdl::load(source, library_environment(), sink);
+  const cdl::Configuration configuration = cdl::load(source, environment_of(sources), sink);
   if (sink.error_count() > errors_before) return;
   const auto checked = checked_library_with(configuration.procedures, sources, sink);
   cdl::check(configuration, checked->library, sink);

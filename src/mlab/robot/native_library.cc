@@ -45,7 +45,7 @@ std::unique_ptr<CheckedLibrary> checked_library_with(std::span<const std::shared
   auto out = std::make_unique<CheckedLibrary>();
   out->library = component_library();
   for (const auto& tree : files) {
-    if (cnl::has_procedures(*tree) && can_compile(*tree, sources, sink, false)) {
+    if (sources.checks_code && cnl::has_procedures(*tree) && can_compile(*tree, sources, sink, false)) {
       cnl::check_native(*tree, native_options(sources), sink);
     }
     const flow::Library& library = out->library;

@@ -12,10 +12,12 @@
 namespace mlab::robot {
 namespace {
 
-std::optional<NetworkFile> parse(const text::SourcePtr& source, text::Diagnostics& sink) {
+std::optional<NetworkFile> parse(const text::SourcePtr& source, const ProgramSources& sources,
+                                 text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
   NetworkFile out;
-  out.tree = std::make_shared<const cnl::Tree>(cnl::load(source, sink));
+  const text::Files& files = sources.files != nullptr ? *sources.files : text::files_on_disk();
+  out.tree = std::make_shared<const cnl::Tree>(cnl::load(source, sink, nullptr, files));
   cnl::check_declarations(*out.tree, sink);
   out.network = cnl::elaborate(*out.tree, sink);
   out.network.name = std::filesystem::path(source->name()).stem().string();
@@ -27,16 +29,9 @@ std::optional<NetworkFile> parse(const text::SourcePtr& source, text::Diagnostic
 
 std::optional<NetworkFile> read_network(const std::string& path, const text::Place& place,
                                         const ProgramSources& sources, text::Diagnostics& sink) {
-  const std::filesystem::path file =
-      std::filesystem::path(sources.folder) / path;  // an absolute path stays as it is
-  text::Result<text::SourcePtr> source = text::read_source(file.string());
-  if (!source) {
-    text::Diagnostic problem = source.error();
-    problem.place = place;
-    sink.report(std::move(problem));
-    return std::nullopt;
-  }
-  std::optional<NetworkFile> out = parse(*source, sink);
+  const text::SourcePtr source = read_program(path, place, sources, sink);
+  if (!source) return std::nullopt;
+  std::optional<NetworkFile> out = parse(source, sources, sink);
   if (!out) return std::nullopt;
   const std::optional<flow::Library> library = library_with({&out->tree, 1}, sources, sink);
   if (!library) return std::nullopt;
@@ -52,7 +47,7 @@ std::shared_ptr<const flow::Program> load_network(const std::string& path, const
 }
 
 void check_network(const text::SourcePtr& source, const ProgramSources& sources, text::Diagnostics& sink) {
-  const std::optional<NetworkFile> parsed = parse(source, sink);
+  const std::optional<NetworkFile> parsed = parse(source, sources, sink);
   if (!parsed) return;
   // Nothing of the file is run: its C++ is read by the compiler, and the network is checked by what the
   // procedures say of themselves.

@@ -62,6 +62,18 @@ const flow::Library& component_library() {
   return kLibrary;
 }
 
+text::SourcePtr read_program(const std::string& path, const text::Place& place, const ProgramSources& sources,
+                             text::Diagnostics& sink) {
+  const text::Files& files = sources.files != nullptr ? *sources.files : text::files_on_disk();
+  // An absolute path stays as it is.
+  auto source = files.read((std::filesystem::path(sources.folder) / path).string());
+  if (source) return *source;
+  text::Diagnostic problem = source.error();
+  problem.place = place;
+  sink.report(std::move(problem));
+  return nullptr;
+}
+
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,

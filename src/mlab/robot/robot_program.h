@@ -12,6 +12,7 @@
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
 #include "mlab/text/diagnostic.h"
+#include "mlab/text/files.h"
 
 namespace mlab::robot {
 
@@ -44,7 +45,9 @@ struct ProgramSources {
   std::string
       include_root;     ///< where "mlab/schema/procedure.h" is found, for procedures of the mission's own
   std::string version;  ///< of this program: code compiled for another one is not used again
-  bool allow_native = false;  ///< executables that a mission names may be run
+  bool allow_native = false;           ///< executables that a mission names may be run
+  const text::Files* files = nullptr;  ///< how configurations and networks are read; null: from disk
+  bool checks_code = true;             ///< a check gives C++ of procedures to the compiler
   double native_patience =
       5.0;  ///< how long one of those may take for an answer, by the clock on the wall [s]
 };
@@ -66,6 +69,11 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
                                          std::shared_ptr<const flow::Program> built = nullptr,
                                          std::string_view type = {});
+
+/// A file that a mission or its author names, relative to the folder of `sources`.
+/// @errors  as `text::read_source`, at `place`
+text::SourcePtr read_program(const std::string& path, const text::Place& place, const ProgramSources& sources,
+                             text::Diagnostics& sink);
 
 /// The component library: all behaviors that come with missionlab.
 const flow::Library& component_library();

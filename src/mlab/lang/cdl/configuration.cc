@@ -86,7 +86,7 @@ class Loader {
   void read(const text::SourcePtr& source, const Word& name) {
     const std::string ending = fs::path(name.text).extension().string();
     if (ending == ".cnl" || (ending != ".cdl" && cnl::looks_like_cnl(source->text()))) {
-      const auto tree = std::make_shared<const cnl::Tree>(cnl::load(source, sink_, &out_.files));
+      const auto tree = std::make_shared<const cnl::Tree>(cnl::load(source, sink_, &out_.files, files_));
       cnl::check_declarations(*tree, sink_);
       out_.procedures.push_back(tree);
     } else if (ending == ".cdl" || looks_like_cdl(source->text())) {

@@ -17,12 +17,6 @@ namespace {
 
 using flow::TypeKind;
 
-// For "did you mean"; a library finds more.
-constexpr const char* kTypeNames[] = {
-    "bool",   "int",     "double", "Vector", "Point",         "Pose",      "Obstacles",
-    "Robots", "Objects", "Object", "Ranges", "ObjectClasses", "Formation", "FormationReference",
-    "Task",   "Text"};
-
 std::string bracketed(const std::string& unit) {
   return unit.empty() ? "" : fmt::format(" [{}]", unit);
 }
@@ -66,9 +60,7 @@ PortType Lowering::type_named(const Word& name) {
   const PortType known = known_type(name.text);
   if (known.type != nullptr) return known;
   text::Diagnostic& d = error("unknown-type", name.place, fmt::format("unknown type `{}`", name.text));
-  std::vector<std::string> names(std::begin(kTypeNames), std::end(kTypeNames));
-  for (const Quantity& quantity : quantities()) names.emplace_back(quantity.name);
-  hint_nearest(d, name.text, names);
+  hint_nearest(d, name.text, type_names());
   return {};
 }
 

@@ -15,6 +15,11 @@ constexpr Quantity kQuantities[] = {
     {"text", "Text", ""},
 };
 
+constexpr const char* kTypeNames[] = {
+    "bool",   "int",     "double", "Vector", "Point",         "Pose",      "Obstacles",
+    "Robots", "Objects", "Object", "Ranges", "ObjectClasses", "Formation", "FormationReference",
+    "Task",   "Text"};
+
 }  // namespace
 
 std::span<const Quantity> quantities() {
@@ -24,6 +29,12 @@ std::span<const Quantity> quantities() {
 const Quantity* quantity_named(std::string_view name) {
   const auto* const found = std::ranges::find(kQuantities, name, &Quantity::name);
   return found == std::end(kQuantities) ? nullptr : found;
+}
+
+std::vector<std::string> type_names() {
+  std::vector<std::string> names(std::begin(kTypeNames), std::end(kTypeNames));
+  for (const Quantity& quantity : kQuantities) names.emplace_back(quantity.name);
+  return names;
 }
 
 }  // namespace mlab::cdl

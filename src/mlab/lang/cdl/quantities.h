@@ -1,7 +1,9 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace mlab::cdl {
 
@@ -15,5 +17,7 @@ struct Quantity {
 std::span<const Quantity> quantities();
 /// Null where there is none of that name.
 const Quantity* quantity_named(std::string_view name);
+/// All types that a parameter may have, quantities too, for "did you mean"; a library finds more.
+std::vector<std::string> type_names();
 
 }  // namespace mlab::cdl

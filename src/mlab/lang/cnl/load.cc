@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 class Loader {
  public:
-  Loader(text::Diagnostics& diagnostics, std::vector<std::string>* files)
-      : diagnostics_(diagnostics), files_(files) {}
+  Loader(text::Diagnostics& diagnostics, std::vector<std::string>* files, const text::Files& reader)
+      : diagnostics_(diagnostics), files_(files), reader_(reader) {}
 
   Tree read(const text::SourcePtr& source) {
     const std::string path = normal(source->name());
@@ -58,7 +58,7 @@ class Loader {
                          fmt::format("more than {} files include each other", kMaxIncludeDepth));
       return;
     }
-    const auto source = text::read_source(path);
+    const auto source = reader_.read(path);
     if (!source) {
       text::Diagnostic failure = source.error();
       failure.place = include.path.place;
@@ -71,6 +71,7 @@ class Loader {
 
   text::Diagnostics& diagnostics_;
   std::vector<std::string>* files_;
+  const text::Files& reader_;
   std::set<std::string> seen_;
   std::vector<std::string> open_;
 };
@@ -95,8 +96,9 @@ Declared declared(const Item& item) {
 
 }  // namespace
 
-Tree load(const text::SourcePtr& source, text::Diagnostics& diagnostics, std::vector<std::string>* files) {
-  Tree tree = Loader(diagnostics, files).read(source);
+Tree load(const text::SourcePtr& source, text::Diagnostics& diagnostics, std::vector<std::string>* files,
+          const text::Files& reader) {
+  Tree tree = Loader(diagnostics, files, reader).read(source);
   check_order(tree, diagnostics);
   return tree;
 }

@@ -5,6 +5,7 @@
 
 #include "mlab/lang/cnl/tree.h"
 #include "mlab/text/diagnostic.h"
+#include "mlab/text/files.h"
 
 namespace mlab::cnl {
 
@@ -14,10 +15,11 @@ inline constexpr int kMaxIncludeDepth = 64;
 /// Reads a CNL file and everything it includes. Paths are relative to the including file. A file that was
 /// read before is not read again, so headers need no guards.
 ///
-/// @param files  takes the paths of all files that were read, the first one not among them; may be null
+/// @param files   takes the paths of all files that were read, the first one not among them; may be null
+/// @param reader  how they are read
 /// @errors  those of `parse`; `cannot-read` for a missing file; `include-cycle`; `include-too-deep`
 Tree load(const text::SourcePtr& source, text::Diagnostics& diagnostics,
-          std::vector<std::string>* files = nullptr);
+          std::vector<std::string>* files = nullptr, const text::Files& reader = text::files_on_disk());
 
 /// Says where a declaration stands behind the first node: procedures come before the network that uses them.
 void check_order(const Tree& tree, text::Diagnostics& diagnostics);

@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "mlab/console/completion.h"
 #include "mlab/lang/odl/grammar.h"
 #include "mlab/lang/odl/lexer.h"
+#include "mlab/language/statement_candidates.h"
 
-namespace mlab::console::completion {
+namespace mlab::language {
 namespace {
 
 using odl::Keyword;
@@ -16,7 +16,7 @@ using odl::TokenKind;
 /// Looks at the words of the statement that the cursor is in.
 class OverlayCompleter {
  public:
-  OverlayCompleter(const std::string& before, Candidates& out) : out_(out) {
+  OverlayCompleter(const std::string& before, StatementCandidates& out) : out_(out) {
     text::Diagnostics unsaid;
     std::vector<odl::Comment> comments;
     odl::lex(std::make_shared<const text::Source>("", before), tokens_, comments, unsaid);
@@ -141,7 +141,7 @@ class OverlayCompleter {
     if (!has_header_) out_.add("CONTROL MEASURES:", "keyword", "the features follow");
   }
 
-  Candidates& out_;
+  StatementCandidates& out_;
   std::vector<odl::Token> tokens_;
   std::size_t first_ = 0;  // word of the statement at the cursor
   bool has_header_ = false;
@@ -149,8 +149,8 @@ class OverlayCompleter {
 
 }  // namespace
 
-void complete_overlay(const std::string& before, Candidates& out) {
+void complete_overlay(const std::string& before, StatementCandidates& out) {
   OverlayCompleter(before, out).run();
 }
 
-}  // namespace mlab::console::completion
+}  // namespace mlab::language

@@ -3,11 +3,11 @@
 #include <memory>
 #include <string_view>
 
-#include "mlab/console/completion.h"
 #include "mlab/lang/mdl/token.h"
+#include "mlab/language/statement_candidates.h"
 #include "mlab/percept/formation.h"
 
-namespace mlab::console::completion {
+namespace mlab::language {
 namespace {
 
 using mdl::TokenKind;
@@ -58,7 +58,8 @@ enum class Part { kPreamble, kSteps, kTyped };
 /// Looks at the words of the statement that the cursor is in.
 class MissionCompleter {
  public:
-  MissionCompleter(const std::string& before, bool is_typed, const KnownNames& names, Candidates& out)
+  MissionCompleter(const std::string& before, bool is_typed, const KnownNames& names,
+                   StatementCandidates& out)
       : names_(names), out_(out), part_(is_typed ? Part::kTyped : Part::kPreamble) {
     text::Diagnostics unsaid;
     tokens_ = mdl::lex(std::make_shared<const text::Source>("", before), unsaid).tokens;
@@ -347,7 +348,7 @@ class MissionCompleter {
   }
 
   const KnownNames& names_;
-  Candidates& out_;
+  StatementCandidates& out_;
   Part part_;
   std::vector<mdl::Token> tokens_;
   std::size_t first_ = 0;  // word of the statement at the cursor
@@ -355,8 +356,9 @@ class MissionCompleter {
 
 }  // namespace
 
-void complete_mission(const std::string& before, bool is_typed, const KnownNames& names, Candidates& out) {
+void complete_mission(const std::string& before, bool is_typed, const KnownNames& names,
+                      StatementCandidates& out) {
   MissionCompleter(before, is_typed, names, out).run();
 }
 
-}  // namespace mlab::console::completion
+}  // namespace mlab::language

@@ -1,4 +1,4 @@
-#include "mlab/cli/language.h"
+#include "mlab/language/language.h"
 
 #include <filesystem>
 
@@ -9,7 +9,7 @@
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/odl/odl.h"
 
-namespace mlab::cli {
+namespace mlab::language {
 
 std::string_view name(Language language) {
   switch (language) {
@@ -43,4 +43,4 @@ std::optional<Language> language_of(const text::Source& source) {
   return std::nullopt;
 }
 
-}  // namespace mlab::cli
+}  // namespace mlab::language

@@ -6,7 +6,7 @@
 
 #include "mlab/text/source.h"
 
-namespace mlab::cli {
+namespace mlab::language {
 
 enum class Language { kMission, kOverlay, kNetwork, kConfiguration, kEnvironment };
 std::string_view name(Language language);
@@ -15,4 +15,4 @@ std::string_view name(Language language);
 /// stands in it. Nothing where neither tells.
 std::optional<Language> language_of(const text::Source& source);
 
-}  // namespace mlab::cli
+}  // namespace mlab::language

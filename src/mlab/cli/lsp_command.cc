@@ -1,0 +1,18 @@
+#include <unistd.h>
+
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/version.h"
+#include "mlab/lsp/server.h"
+
+namespace mlab::cli {
+
+int lsp() {
+  lsp::Options options;
+  options.version = kVersion;
+  options.around = surroundings();
+  options.library_folder = library_folder();
+  return lsp::serve(std::move(options), STDIN_FILENO, STDOUT_FILENO);
+}
+
+}  // namespace mlab::cli

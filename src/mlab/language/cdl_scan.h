@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mlab/lang/cdl/lexer.h"
+#include "mlab/language/component.h"
+#include "mlab/language/name.h"
+#include "mlab/text/source.h"
+
+/// A configuration as far as it is written. Other than the parser this reader says nothing, keeps everything
+/// that has a name, and knows what could come next where the text ends: so it is right for text that somebody
+/// is typing.
+namespace mlab::language {
+
+/// What an expression is, as far as that can be told without looking any name up.
+struct CdlGuess {
+  enum class Kind : std::uint8_t { kUnknown, kType, kCall, kName };
+  Kind kind = Kind::kUnknown;
+  std::string text;  ///< type, or what is called or named
+  std::string unit;  ///< kType
+};
+
+struct CdlLet {
+  std::string name;
+  text::Span span;
+  text::Span whole;
+  std::string help;
+  CdlGuess guess;
+};
+
+struct CdlState {
+  std::string name;
+  text::Span span;
+  text::Span whole;  ///< with its transitions
+  std::string help;
+  int sequence = -1;
+  bool is_start = false;
+  bool is_final = false;
+};
+
+/// `... as NAME`
+struct CdlNode {
+  std::string name;
+  text::Span span;
+  CdlGuess guess;
+};
+
+struct CdlDevice {
+  std::string name;
+  text::Span span;
+  text::Span whole;
+  std::string binds;
+  std::string by;
+  std::string help;
+  bool is_actuator = false;
+};
+
+struct CdlParameter {
+  ComponentInput input;
+  text::Span span;  ///< of its name
+  text::Span whole;
+};
+
+struct CdlDeclaration {
+  NameKind kind = NameKind::kAssemblage;
+  std::string name;
+  text::Span span;
+  text::Span whole;
+  std::string help;
+  std::vector<CdlParameter> parameters;
+  std::string result_type;
+  CdlGuess result;
+  std::vector<CdlLet> lets;
+  std::vector<CdlState> states;
+  std::vector<CdlNode> nodes;
+  std::vector<CdlDevice> devices;
+  std::string class_name;  ///< of a robot
+};
+
+/// Which value is expected at a place.
+struct CdlWanted {
+  int call = -1;              ///< index of the callee among the names; -1: no call
+  std::string argument = {};  ///< its name; empty: by position
+  int position = 0;
+  ValueType type = {};   ///< where it is no call that says it
+  bool in_list = false;  ///< inside of `[...]`
+};
+
+struct CdlName {
+  text::Span span;
+  NameKind kind = NameKind::kNode;
+  bool is_declaration = false;
+  bool is_value = false;  ///< a name that stands for a value: let, parameter or word
+  std::string text = {};
+  int declaration = -1;   ///< that it stands in
+  int sequence = -1;      ///< of a state
+  CdlWanted wanted = {};  ///< of a value; the call of an argument
+  int owner = -1;         ///< of a layout: index of its owner's name
+};
+
+/// What could come where the text ends.
+struct CdlWant {
+  enum class Kind : std::uint8_t {
+    kKeyword,   ///< one of `words`
+    kValue,     ///< an expression of what is wanted
+    kArgument,  ///< the name of an argument of `wanted.call`, or a value
+    kUnit,      ///< a unit for what is wanted
+    kUnitName,  ///< any unit
+    kType,      ///< a type
+    kState,     ///< a state of `sequence`
+    kOperator,  ///< a procedure with a list input
+    kClass,     ///< a class of robots
+    kMember,    ///< a robot or society
+    kSocietyOperator,
+    kDevice,    ///< a device of the robot's class
+    kBinding,   ///< a binding point
+    kActuator,  ///< a binding point or device that a robot drives
+    kBodySetting,
+    kCaseValue,  ///< a word of what `guess` is
+    kNode,       ///< a node or state of what a layout is of
+    kOwner,      ///< a declaration
+    kFile
+  };
+  Kind kind = Kind::kKeyword;
+  std::vector<std::string> words = {};
+  CdlWanted wanted = {};
+  CdlGuess guess = {};
+  std::set<std::string> given = {};  ///< arguments that are there already
+  int positional = 0;                ///< how many are given by position
+  int sequence = -1;
+  std::string device = {};  ///< chosen one, where its binding is wanted
+};
+
+struct CdlScan {
+  text::SourcePtr source;
+  cdl::Tokens lexed;
+  std::vector<CdlDeclaration> declarations;
+  std::vector<CdlName> names;     ///< ascending
+  std::vector<text::Span> words;  ///< words of the language, ascending
+  std::vector<CdlName> uses;      ///< files, without quotes
+  // Where the text ends:
+  std::vector<CdlWant> wants;
+  int open_declaration = -1;  ///< that the end stands in
+  /// Calls whose parentheses are open at the end, the innermost last: index of the callee, arguments before.
+  struct OpenCall {
+    int callee = -1;
+    int position = 0;
+    std::string argument;
+  };
+  std::vector<OpenCall> open_calls;
+};
+
+/// Reads any text. Never fails; deep nesting is cut off.
+CdlScan scan_cdl(const text::SourcePtr& source);
+
+}  // namespace mlab::language

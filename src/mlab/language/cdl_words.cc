@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <utility>
+
+#include "mlab/language/words.h"
+
+namespace mlab::language {
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+    {"use",
+     "`use \"FILE\";` reads another configuration, or procedures; in a robot `use DEVICE for BINDING;` "
+     "chooses a device"},
+    {"architecture", "the family of robots that the file is meant for"},
+    {"assemblage", "a skill put together out of others: `assemblage NAME(parameters) -> TYPE { ... }`"},
+    {"binding", "what configurations ask for and classes of robots offer"},
+    {"class", "a kind of robot: its body and devices"},
+    {"robot", "what drives the actuators of a robot: `robot NAME(parameters) is CLASS { ... }`"},
+    {"operator", "how members of a society serve binding points: `operator NAME { BINDING = CALL; }`"},
+    {"society", "robots together: `society NAME: team of 3 ROBOT by OPERATOR;`"},
+    {"layout", "where things stand on the designer's canvas; means nothing else"},
+    {"alias", "a historic name of the assemblage"},
+    {"let", "a name for one node that any number of readers share"},
+    {"as", "names the node: `Noise() as drift`"},
+    {"active", "what runs along whenever this is wanted: it moves a sensor"},
+    {"not", "true where the trigger is false"},
+    {"and", "true where both are"},
+    {"or", "true where one of them is"},
+    {"delay", "the value of the cycle before; breaks loops"},
+    {"initial", "what a `delay` gives in the first cycle"},
+    {"cooperate", "cooperation: all members at once, each with its gain in front of a colon"},
+    {"compete", "competition: one member at a time, `by priority` or `by strength`"},
+    {"priority", "the first member that wants anything"},
+    {"strength", "the member with the strongest activation, which stands in front of the colon"},
+    {"coordinate", "generic coordination: `coordinate by OPERATOR { ... }`"},
+    {"fuse", "perceptual fusion: `fuse by OPERATOR { ... }`"},
+    {"sequence", "sequencing: one state at a time, triggers make transitions"},
+    {"select", "what the selector says: `select by SELECTOR { case ...: ...; otherwise: ...; }`"},
+    {"by", "the operator, rule or selector follows"},
+    {"start", "the state that the sequence begins in"},
+    {"final", "a state that has no way out on purpose"},
+    {"when", "a transition: `when TRIGGER goto STATE;`"},
+    {"goto", "the state that the transition leads to"},
+    {"restart", "starts the state anew even where it is in it already"},
+    {"case", "values of the selector, `:` and what is done then"},
+    {"otherwise", "what is done for all other values"},
+    {"body", "numbers of the simulated body: `body { radius = 35 cm; }`"},
+    {"sensor", "a device that perceives: `sensor NAME: CALL binds BINDING;`"},
+    {"actuator", "a device that acts: `actuator NAME: CALL binds BINDING;`"},
+    {"binds", "the binding point that the device serves"},
+    {"for", "the binding point that the device is to serve"},
+    {"is", "the class of the robot"},
+    {"in", "the range of a parameter: `in 0 .. 5`"},
+    {"team", "robots that are alike: `team of 3 Forager`"},
+    {"of", "how many of which robot"},
+    {"caste", "robots that are different: `caste { Forager; Guard; }`"},
+};
+
+}  // namespace
+
+std::string_view cdl_word_help(std::string_view word) {
+  const auto* const found =
+      std::ranges::find(kWords, word, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kWords) ? std::string_view() : found->second;
+}
+
+}  // namespace mlab::language

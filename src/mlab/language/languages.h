@@ -1,0 +1,45 @@
+#pragma once
+
+#include "mlab/language/name.h"
+#include "mlab/language/service.h"
+
+/// What each language answers; service.cc chooses.
+namespace mlab::language {
+
+Completions complete_cdl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+Completions complete_cnl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+Completions complete_mdl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+Completions complete_odl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+
+std::optional<Signature> signature_cdl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+
+/// All names of a text, ascending.
+std::vector<Name> names_cdl(const Text& text, const Surroundings& around);
+std::vector<Name> names_cnl(const Text& text, const Surroundings& around);
+std::vector<Name> names_mdl(const Text& text, const Surroundings& around);
+std::vector<Name> names_odl(const Text& text, const Surroundings& around);
+
+std::optional<Hover> hover_cdl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+std::optional<Hover> hover_cnl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+std::optional<Hover> hover_mdl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+std::optional<Hover> hover_odl(const Text& text, std::uint32_t cursor, const Surroundings& around);
+
+std::vector<Symbol> symbols_cdl(const Text& text, const Surroundings& around);
+std::vector<Symbol> symbols_cnl(const Text& text, const Surroundings& around);
+std::vector<Symbol> symbols_mdl(const Text& text, const Surroundings& around);
+std::vector<Symbol> symbols_odl(const Text& text, const Surroundings& around);
+
+/// Tokens that are no names: comments, words, numbers, texts.
+std::vector<Shade> tokens_cdl(const Text& text);
+std::vector<Shade> tokens_cnl(const Text& text);
+std::vector<Shade> tokens_mdl(const Text& text);
+std::vector<Shade> tokens_odl(const Text& text);
+
+std::vector<Name> names_in(const Text& text, const Surroundings& around);
+/// A cursor past the end stands at the end.
+std::uint32_t within(const Text& text, std::uint32_t cursor);
+
+/// The name that the cursor is in or right behind; null where there is none.
+const Name* name_at(const std::vector<Name>& names, std::uint32_t cursor);
+
+}  // namespace mlab::language

@@ -1,0 +1,417 @@
+// What is answered about missions.
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/core.h>
+
+#include "mlab/fleet/vehicle.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/lang/mdl/names.h"
+#include "mlab/lang/mdl/token.h"
+#include "mlab/lang/mdl/tree.h"
+#include "mlab/language/candidates.h"
+#include "mlab/language/component.h"
+#include "mlab/language/languages.h"
+#include "mlab/language/statement_candidates.h"
+#include "mlab/language/statement_names.h"
+#include "mlab/language/words.h"
+
+namespace mlab::language {
+namespace {
+
+mdl::LoadOptions options_of(const Surroundings& around) {
+  return {1, around.overlay_folders, around.files};
+}
+
+/// A mission that may be half written: what it defines, and the map that it means.
+class MdlWorld {
+ public:
+  MdlWorld(const Text& text, const Surroundings& around) : text_(text), around_(around) {
+    text::Diagnostics unsaid;
+    tree_ = mdl::parse(text.source, unsaid);
+    map_ = mdl::check_map(text.source, folder_of(text), unsaid, options_of(around));
+    // Of equal names in the overlays and in the mission, those of the mission come later and hold.
+    for (const mdl::Statement& one : tree_.preamble) define(one);
+  }
+
+  const mdl::Tree& tree() const { return tree_; }
+  const overlay::Overlay& map() const { return map_; }
+  const Text& text() const { return text_; }
+  const Surroundings& around() const { return around_; }
+
+  struct Team {
+    text::Span span;
+    std::size_t robots = 0;
+  };
+  const std::map<std::string, Team>& teams() const { return teams_; }
+  const std::map<std::string, const mdl::statement::NewRobot*>& types() const { return types_; }
+
+  const mdl::statement::NewRobot* type(const std::string& name) const {
+    const auto found = types_.find(mdl::lower_case(name));
+    return found == types_.end() ? nullptr : found->second;
+  }
+
+  /// For completion: as far as the mission can be understood.
+  mission::Mission sketch() const {
+    mission::Mission out;
+    out.types.clear();
+    const auto add_type = [&](const std::string& name, const std::string& program) {
+      mission::RobotType& made = out.types.emplace_back();
+      made.name = name;
+      made.program = program;
+    };
+    add_type("ROBOT", "robot");
+    for (const mdl::Statement& one : tree_.preamble) {
+      if (const auto* type = std::get_if<mdl::statement::NewRobot>(&one.what))
+        add_type(type->name.text, type->program.text);
+      const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&one.what);
+      if (unit == nullptr) continue;
+      for (const mdl::Group& group : unit->groups) {
+        if (!group.name) continue;
+        mission::Unit made;
+        made.name = group.name->text;
+        made.members.resize(teams_.at(made.name).robots);
+        out.units.push_back(std::move(made));
+      }
+    }
+    return out;
+  }
+
+ private:
+  static std::size_t robots_of(const mdl::statement::UnitDefinition& unit, std::size_t group) {
+    std::size_t out = unit.groups[group].robots.size();
+    for (const std::uint32_t part : unit.groups[group].parts) out += robots_of(unit, part);
+    return out;
+  }
+
+  void define(const mdl::Statement& statement) {
+    if (const auto* type = std::get_if<mdl::statement::NewRobot>(&statement.what))
+      types_.try_emplace(mdl::lower_case(type->name.text), type);
+    const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&statement.what);
+    if (unit == nullptr) return;
+    for (std::size_t i = 0; i < unit->groups.size(); ++i) {
+      if (unit->groups[i].name)
+        teams_.try_emplace(unit->groups[i].name->text,
+                           Team{bare_name(text_.source, unit->groups[i].name->span), robots_of(*unit, i)});
+    }
+  }
+
+  Text text_;
+  const Surroundings& around_;
+  mdl::Tree tree_;
+  overlay::Overlay map_;
+  std::map<std::string, Team> teams_;
+  std::map<std::string, const mdl::statement::NewRobot*> types_;
+};
+
+/// Goes through a mission and gathers its names.
+class MdlNames {
+ public:
+  explicit MdlNames(const MdlWorld& world) : world_(world), places_(world.map()) {}
+
+  std::vector<Name> run() {
+    for (const mdl::Statement& one : world_.tree().preamble) statement(one);
+    for (const mdl::LabelledStep& step : world_.tree().steps) {
+      for (const mdl::Statement& one : step.commands) statement(one);
+    }
+    for (const mdl::Statement& one : world_.tree().typed) statement(one);
+    std::ranges::sort(out_, {}, [](const Name& name) { return name.span.begin; });
+    return std::move(out_);
+  }
+
+ private:
+  const text::SourcePtr& source() const { return world_.text().source; }
+
+  Name& add(NameKind kind, text::Span written, bool is_declaration = false) {
+    Name name;
+    name.span = bare_name(source(), written);
+    name.kind = kind;
+    name.is_declaration = is_declaration;
+    name.text = source()->text(name.span);
+    if (is_declaration) name.target = {source(), name.span};
+    return out_.emplace_back(std::move(name));
+  }
+
+  void statement(const mdl::Statement& one) {
+    if (const auto* overlay = std::get_if<mdl::statement::OverlayFile>(&one.what)) file(overlay->file);
+    if (const auto* start = std::get_if<mdl::statement::StartPlace>(&one.what))
+      add(NameKind::kPlace, start->name.span, true);
+    if (const auto* robot = std::get_if<mdl::statement::NewRobot>(&one.what)) new_robot(*robot);
+    if (const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&one.what)) unit_definition(*unit);
+    if (const auto* action = std::get_if<mdl::statement::UnitAction>(&one.what)) unit_action(*action);
+  }
+
+  void file(const mdl::Name& written) {
+    Name& name = add(NameKind::kFile, written.span);
+    const auto path = mdl::find_overlay(written.text, folder_of(world_.text()), options_of(world_.around()));
+    if (!path) return;
+    if (const auto read = world_.around().files.read(*path)) name.target = {*read, {0, 0}};
+  }
+
+  void new_robot(const mdl::statement::NewRobot& robot) {
+    add(NameKind::kRobotType, robot.name.span, true);
+    Name& program = add(NameKind::kFile, robot.program.span);
+    const auto meant =
+        robot_meant(robot.program.text, robot.name.text, folder_of(world_.text()), world_.around());
+    if (meant)
+      program.target = {meant->scan.source, meant->robot == nullptr ? text::Span{} : meant->robot->span};
+    for (const mdl::Parameter& parameter : robot.parameters) {
+      Name& key = add(NameKind::kArgument, parameter.key.span);
+      if (!meant) continue;
+      for (const CdlDeclaration* in : {meant->robot_class, meant->robot}) {
+        if (in == nullptr) continue;
+        for (const CdlParameter& one : in->parameters) {
+          if (one.input.name == key.text) key.target = {meant->scan.source, one.span};
+        }
+      }
+    }
+  }
+
+  void unit_definition(const mdl::statement::UnitDefinition& unit) {
+    for (const mdl::Group& group : unit.groups) {
+      if (group.name) add(NameKind::kTeam, group.name->span, true);
+      for (const mdl::Name& robot : group.robots) {
+        Name& name = add(NameKind::kRobotType, robot.span);
+        if (const auto* type = world_.type(robot.text))
+          name.target = {source(), bare_name(source(), type->name.span)};
+      }
+    }
+  }
+
+  void unit_action(const mdl::statement::UnitAction& action) {
+    Name& unit = add(NameKind::kTeam, action.unit.span);
+    const auto team = world_.teams().find(unit.text);
+    if (team != world_.teams().end()) unit.target = {source(), team->second.span};
+    if (action.location && action.location->name) place(*action.location->name);
+    for (const mdl::Clause& clause : action.clauses) {
+      if (const auto* line = std::get_if<mdl::clause::PhaseLine>(&clause.what)) place(line->line);
+    }
+  }
+
+  void place(const mdl::Name& written) {
+    Name& name = add(NameKind::kPlace, written.span);
+    const overlay::ControlMeasure* const measure = places_.find(name.text);
+    if (measure == nullptr) return;
+    name.span = own_part(source(), written.span, *measure);
+    name.text = source()->text(name.span);
+    if (measure->place.source)
+      name.target = {measure->place.source, bare_name(measure->place.source, measure->place.span)};
+  }
+
+  const MdlWorld& world_;
+  mdl::PlaceIndex places_;
+  std::vector<Name> out_;
+};
+
+std::string hover_of(const MdlWorld& world, const Name& name) {
+  switch (name.kind) {
+    case NameKind::kTeam: {
+      const auto team = world.teams().find(name.text);
+      if (team == world.teams().end()) return "";
+      return fmt::format("unit `{}` of {} robot{}", name.text, team->second.robots,
+                         team->second.robots == 1 ? "" : "s");
+    }
+    case NameKind::kRobotType: {
+      if (mdl::equal_without_case(name.text, "ROBOT")) return "`ROBOT`: the standard robot";
+      const auto* type = world.type(name.text);
+      return type == nullptr ? ""
+                             : fmt::format("robot type `{}`: program `{}`", name.text, type->program.text);
+    }
+    case NameKind::kPlace: {
+      const overlay::ControlMeasure* const measure = overlay::find_measure(world.map(), name.text);
+      if (measure == nullptr) return "";
+      const geom::Point at = measure->center();
+      std::string out =
+          fmt::format("`{}-{}` at {:g} {:g}", overlay::keyword(measure->kind), measure->name, at.x, at.y);
+      if (measure->points.size() > 1) out += fmt::format(", {} points", measure->points.size());
+      if (measure->place.source) out += fmt::format("\n\n{}", measure->place.source->name());
+      return out;
+    }
+    case NameKind::kArgument: {
+      if (!name.target.source) return "";
+      for (const CdlDeclaration& one : scan_cdl(name.target.source).declarations) {
+        for (const CdlParameter& parameter : one.parameters) {
+          if (parameter.span == name.target.span) return markdown_of(parameter.input);
+        }
+      }
+      return "";
+    }
+    default:
+      return "";
+  }
+}
+
+/// The NEW-ROBOT whose parentheses are open at the end of the text, as far as it is written.
+struct OpenRobot {
+  std::string name;
+  std::string program;
+  bool wants_key = false;
+};
+
+std::optional<OpenRobot> open_robot(const text::SourcePtr& before) {
+  text::Diagnostics unsaid;
+  const std::vector<mdl::Token> tokens = mdl::lex(before, unsaid).tokens;
+  std::optional<std::size_t> open;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind == mdl::TokenKind::kWord && tokens[i].word == mdl::Word::kNewRobot) open = i;
+    if (tokens[i].kind == mdl::TokenKind::kClose || tokens[i].kind == mdl::TokenKind::kCommandList)
+      open.reset();
+  }
+  if (!open || *open + 3 >= tokens.size()) return std::nullopt;
+  OpenRobot out;
+  const auto text_of = [&](std::size_t i) {
+    return std::string(before->text(bare_name(before, tokens[i].span)));
+  };
+  out.name = text_of(*open + 1);
+  out.program = text_of(*open + 2);
+  std::size_t parenthesis = *open + 3;
+  while (parenthesis < tokens.size() && tokens[parenthesis].kind != mdl::TokenKind::kOpen) ++parenthesis;
+  if (parenthesis >= tokens.size() || parenthesis > *open + 5) return std::nullopt;
+  const mdl::TokenKind last = tokens[tokens.size() - 2].kind;
+  const bool is_behind_value = tokens.size() >= parenthesis + 4 && last != mdl::TokenKind::kEquals &&
+                               tokens[tokens.size() - 3].kind == mdl::TokenKind::kEquals;
+  out.wants_key = last == mdl::TokenKind::kOpen || last == mdl::TokenKind::kComma || is_behind_value;
+  return out;
+}
+
+void add_keys(const std::vector<CdlParameter>& parameters, CandidateList& out) {
+  for (const CdlParameter& one : parameters)
+    out.add({.text = one.input.name,
+             .kind = "argument",
+             .detail = shown_input(one.input).substr(one.input.name.size() + 2),
+             .help = first_sentence(one.input.help),
+             .is_call = false,
+             .has_more = true},
+            0);
+}
+
+Completions complete_parameters(const OpenRobot& robot, const Text& text, std::uint32_t cursor,
+                                const Surroundings& around) {
+  const std::string_view all = text.source->text();
+  const std::uint32_t begin = word_begin(all, cursor);
+  CandidateList out(std::string(all.substr(begin, cursor - begin)));
+  if (!robot.wants_key) return out.take({begin, cursor});
+  if (const auto meant = robot_meant(robot.program, robot.name, folder_of(text), around)) {
+    if (meant->robot != nullptr) add_keys(meant->robot->parameters, out);
+    if (meant->robot_class != nullptr) add_keys(meant->robot_class->parameters, out);
+  }
+  for (const std::string& key : fleet::vehicle_keys())
+    out.add({.text = key,
+             .kind = "argument",
+             .detail = "of the vehicle",
+             .help = "",
+             .is_call = false,
+             .has_more = true},
+            2);
+  return out.take({begin, cursor});
+}
+
+}  // namespace
+
+Completions complete_mdl(const Text& text, std::uint32_t cursor, const Surroundings& around) {
+  const std::string_view before = text.source->text().substr(0, cursor);
+  const std::string_view line = before.substr(before.rfind('\n') + 1);
+  const bool is_plain = line.find("--") == std::string_view::npos && std::ranges::count(line, '"') % 2 == 0;
+  if (is_plain) {
+    const std::uint32_t begin = word_begin(before, cursor);
+    const auto source =
+        std::make_shared<const text::Source>(text.source->name(), std::string(before.substr(0, begin)));
+    if (const auto robot = open_robot(source)) return complete_parameters(*robot, text, cursor, around);
+  }
+  const MdlWorld world(text, around);
+  const mission::Mission sketch = world.sketch();
+  KnownNames names{&sketch, &world.map(), {}};
+  if (around.list) {
+    for (const std::string& file : around.list(folder_of(text))) {
+      if (file.ends_with(".odl") || file.ends_with(".ovl")) names.overlay_files.push_back(file);
+    }
+  }
+  return complete_statement(before, StatementKind::kMission, names);
+}
+
+std::vector<Name> names_mdl(const Text& text, const Surroundings& around) {
+  return MdlNames(MdlWorld(text, around)).run();
+}
+
+std::optional<Hover> hover_mdl(const Text& text, std::uint32_t cursor, const Surroundings& around) {
+  const MdlWorld world(text, around);
+  const std::vector<Name> names = MdlNames(world).run();
+  if (const Name* name = name_at(names, cursor)) {
+    std::string markdown = hover_of(world, *name);
+    if (!markdown.empty()) return Hover{std::move(markdown), name->span};
+  }
+  text::Diagnostics unsaid;
+  for (const mdl::Token& token : mdl::lex(text.source, unsaid).tokens) {
+    if (token.kind == mdl::TokenKind::kEnd || token.span.begin > cursor || cursor > token.span.end) continue;
+    const std::string_view help = mdl_word_help(text.source->text(token.span));
+    if (!help.empty()) return Hover{std::string(help), token.span};
+  }
+  return std::nullopt;
+}
+
+std::vector<Symbol> symbols_mdl(const Text& text, const Surroundings& around) {
+  const MdlWorld world(text, around);
+  std::vector<Symbol> out;
+  for (const Name& name : MdlNames(world).run()) {
+    if (!name.is_declaration) continue;
+    std::string detail;
+    if (name.kind == NameKind::kTeam) detail = fmt::format("{} robots", world.teams().at(name.text).robots);
+    if (const auto* type = name.kind == NameKind::kRobotType ? world.type(name.text) : nullptr)
+      detail = type->program.text;
+    out.push_back({name.text, std::string(name_of(name.kind)), detail, name.span, name.span, {}});
+  }
+  for (const mdl::LabelledStep& step : world.tree().steps) {
+    text::Span whole = step.label.span;
+    for (const mdl::Statement& one : step.commands) whole.end = std::max(whole.end, one.span.end);
+    const std::string_view rest = text.source->text().substr(step.label.span.end);
+    const std::string_view first = rest.substr(0, rest.find('\n'));
+    const std::size_t begin = first.find_first_not_of(" \t");
+    out.push_back({step.label.text,
+                   "step",
+                   begin == std::string_view::npos ? "" : std::string(first.substr(begin)),
+                   whole,
+                   step.label.span,
+                   {}});
+  }
+  std::ranges::stable_sort(out, {}, [](const Symbol& one) { return one.span.begin; });
+  return out;
+}
+
+std::vector<Shade> tokens_mdl(const Text& text) {
+  text::Diagnostics unsaid;
+  const mdl::Tokens lexed = mdl::lex(text.source, unsaid);
+  std::vector<Shade> out;
+  for (const mdl::CommentToken& comment : lexed.comments)
+    out.push_back({comment.span, Shade::Kind::kComment});
+  for (const mdl::Token& token : lexed.tokens) {
+    switch (token.kind) {
+      case mdl::TokenKind::kMissionName:
+      case mdl::TokenKind::kCommandList:
+      case mdl::TokenKind::kImmediateCommand:
+      case mdl::TokenKind::kWord:
+        out.push_back({token.span, Shade::Kind::kKeyword});
+        break;
+      case mdl::TokenKind::kBoolean:
+      case mdl::TokenKind::kFormation:
+      case mdl::TokenKind::kTechnique:
+        out.push_back({token.span, Shade::Kind::kMember});
+        break;
+      case mdl::TokenKind::kString:
+      case mdl::TokenKind::kFile:
+        out.push_back({token.span, Shade::Kind::kText});
+        break;
+      case mdl::TokenKind::kNumber:
+      case mdl::TokenKind::kTime:
+      case mdl::TokenKind::kDate:
+      case mdl::TokenKind::kLabel:
+        out.push_back({token.span, Shade::Kind::kNumber});
+        break;
+      default:
+        break;
+    }
+  }
+  return out;
+}
+
+}  // namespace mlab::language

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mlab/language/cdl_scan.h"
+#include "mlab/language/name.h"
+#include "mlab/language/service.h"
+#include "mlab/overlay/overlay.h"
+
+namespace mlab::language {
+
+/// A name as written, less its quotes and the `*` at its end.
+text::Span bare_name(const text::SourcePtr& source, text::Span span);
+
+/// The part of a reference that is the measure's own name: `Red` of `PL-Red`.
+text::Span own_part(const text::SourcePtr& source, text::Span span, const overlay::ControlMeasure& measure);
+
+/// The robot of a configuration that a mission's robot type means.
+struct MeantRobot {
+  CdlScan scan;                           ///< of the configuration
+  std::string file;                       ///< as written
+  const CdlDeclaration* robot = nullptr;  ///< null: there is none of that name
+  const CdlDeclaration* robot_class = nullptr;
+};
+/// @param program  as the mission writes it: `forager.cdl#Forager`
+/// @return  nothing where it is no configuration that can be read
+std::optional<MeantRobot> robot_meant(const std::string& program, const std::string& type_name,
+                                      const std::string& folder, const Surroundings& around);
+
+std::string folder_of(const Text& text);
+
+}  // namespace mlab::language

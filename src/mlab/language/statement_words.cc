@@ -1,0 +1,154 @@
+// Words of CNL, MDL and ODL.
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "mlab/lang/mdl/token.h"
+#include "mlab/language/words.h"
+
+namespace mlab::language {
+namespace {
+
+using Entry = std::pair<std::string_view, std::string_view>;
+
+constexpr Entry kCnl[] = {
+    {"procedure", "a behavior: typed inputs, one output, a few lines of C++"},
+    {"nprocedure", "a historic kind of procedure, which is refused"},
+    {"external", "only the signature: the procedure is compiled elsewhere"},
+    {"init", "C++ at file scope, up to `iend`"},
+    {"iend", "ends `init`"},
+    {"type", "a type of your own: `type <NAME>;`"},
+    {"module", "read, and means nothing"},
+    {"modulename", "read, and means nothing"},
+    {"parameter", "a constant with a name, which missions and sliders set"},
+    {"node", "an instance of a procedure: `node NAME is PROCEDURE with INPUT = SOURCE; nend`"},
+    {"public", "runs even when nobody needs its value"},
+    {"sequence", "one state at a time: `sequence NAME of TYPE with ... nend`"},
+    {"select", "the member of the case that holds the selector's value"},
+    {"delay", "the value of the cycle before; breaks loops"},
+    {"with", "inputs or links follow"},
+    {"nend", "ends a node"},
+    {"once", "C++ that runs in the first cycle in which the node runs at all"},
+    {"header", "C++ that runs whenever the node starts"},
+    {"body", "C++ that runs in every cycle in which the node runs"},
+    {"pend", "ends a procedure"},
+    {"pure", "nothing but the inputs counts, so equal calls are shared"},
+    {"latency", "the value comes that many cycles after its inputs"},
+    {"senses", "which sensor is read, `within` how far"},
+    {"within", "how far the sensor is read: metres, or an input"},
+    {"alias", "what historic networks call it"},
+    {"list", "the input takes any number of links"},
+    {"in", "the range of the values that may be set"},
+    {"state", "`state NAME is MEMBER;`"},
+    {"start", "the state that the sequence begins in"},
+    {"final", "a state that has no way out on purpose"},
+    {"when", "a transition: `when TRIGGER goto STATE;`"},
+    {"not", "where the trigger is false"},
+    {"goto", "the state that the transition leads to"},
+    {"restart", "starts the state's nodes anew even where it is in it already"},
+    {"case", "values of the selector"},
+    {"otherwise", "all other values"},
+};
+
+constexpr Entry kMdl[] = {
+    {"MISSION NAME", "the title of the mission"},
+    {"SCENARIO", "a second title"},
+    {"OVERLAY", "`OVERLAY file`: loads a map"},
+    {"MISSION-AREA", "`MISSION-AREA width height` in metres"},
+    {"LOAD-MAP", "`LOAD-MAP file`: a background picture"},
+    {"SP", "`SP name x y`: a start place"},
+    {"OBSTACLE", "`OBSTACLE x y radius` in metres"},
+    {"CREATE-OBSTACLES", "random obstacles, in place of all others"},
+    {"NEW-ROBOT", "`NEW-ROBOT type program [colour [host]] [(parameters)]`: a type of robots"},
+    {"UNIT", "in the preamble `UNIT <name> robots`: a group of robots; in a step `UNIT name action`"},
+    {"SET", "`SET option value`"},
+    {"PRINT", "prints what is known of the map or of the robots"},
+    {"COMMAND LIST:", "the steps follow"},
+    {"QUIT", "ends the run"},
+    {"START", "`START place [dx dy]`: puts the robots on the map"},
+    {"MOVETO", "`MOVETO place`: moves there"},
+    {"OCCUPY", "`OCCUPY place`: moves there, holds it, asks to proceed"},
+    {"FOLLOW", "`FOLLOW line`: moves along it"},
+    {"SWEEPTO", "`SWEEPTO place`: moves there side by side"},
+    {"TELEOPERATE", "`TELEOPERATE place`: you steer"},
+    {"STOP", "ends the robots"},
+    {"AND", "another command that begins together with this one"},
+    {"FORMATION", "the shape of the unit"},
+    {"TECHNIQUE", "who moves and who watches"},
+    {"SPEED", "metres per second"},
+    {"PHASE-LINE", "a line whose crossing is told"},
+    {"UNTIL", "when an OCCUPY proceeds by itself"},
+    {"TIMEOUT", "seconds, from when the unit is in place"},
+    {"ON-COMPLETION", "`ON-COMPLETION MESSAGE text`: told when the command is done"},
+    {"ACKNOWLEDGE", "a text that the operator acknowledges"},
+    {"WAIT", "the unit halts until it is acknowledged"},
+    {"ROBOT", "the standard robot"},
+};
+
+constexpr Entry kOdl[] = {
+    {"SCENARIO", "`SCENARIO name`: a title"},
+    {"SITE", "`SITE name`: where it is"},
+    {"ORIGIN", "`ORIGIN x y`: added to all coordinates that follow"},
+    {"GLOBAL_REF_POINT", "`GLOBAL_REF_POINT latitude longitude` in degrees"},
+    {"HEADING", "`HEADING degrees`: of all robots at the start"},
+    {"MISSION-AREA", "`MISSION-AREA width height` in metres"},
+    {"LOAD-MAP", "`LOAD-MAP file`: a background picture"},
+    {"SET", "`SET ZOOM-FACTOR percent`"},
+    {"SCALE", "`SCALE number`"},
+    {"HEIGHTMAP", "`HEIGHTMAP file width height sea-level z-scale`"},
+    {"CONTROL MEASURES:", "the features follow"},
+    {"AA", "assembly area"},
+    {"ATK", "attack position"},
+    {"AXIS", "axis of advance: a line to follow"},
+    {"BOUNDARY", "a drawn line, no wall"},
+    {"ATTRACTOR", "something that robots look for"},
+    {"OBJECT", "something that robots perceive, and perhaps carry"},
+    {"BASKET", "takes what robots bring"},
+    {"FLAG", "a flag"},
+    {"BP", "battle position"},
+    {"GAP", "an opening between two points, to go through"},
+    {"LDLC", "line of departure, line of contact"},
+    {"OBJ", "objective"},
+    {"OBSTACLE", "`OBSTACLE x y radius [height]`: solid"},
+    {"PL", "phase line: its crossing can be told"},
+    {"PP", "passage point"},
+    {"SP", "start place"},
+    {"WALL", "solid line"},
+    {"ROOM", "outline of a room"},
+    {"DOOR", "a way through a wall"},
+    {"HALLWAY", "`HALLWAY name CENTERLINE points WIDTH number EXTENTS points`"},
+    {"ROAD", "a road that robots can follow"},
+    {"WAYPOINT-FILE", "`WAYPOINT-FILE file`: features from another file"},
+    {"UTM", "the point in degrees: `UTM LAT degrees LON degrees`"},
+    {"LAT", "degrees north"},
+    {"LON", "degrees east"},
+    {"MOVABLE", "can be carried"},
+    {"FIXED", "stays where it is"},
+    {"CONTAINER", "holds things"},
+    {"CENTERLINE", "the middle of a hallway"},
+    {"WIDTH", "of a hallway, in metres"},
+    {"EXTENTS", "the outline of a hallway"},
+    {"ZOOM-FACTOR", "10 to 400 per cent"},
+};
+
+std::string_view found(std::span<const Entry> words, std::string_view word, bool is_exact) {
+  const auto one = std::ranges::find_if(words, [&](const Entry& entry) {
+    return is_exact ? entry.first == word : mdl::equal_without_case(entry.first, word);
+  });
+  return one == words.end() ? std::string_view() : one->second;
+}
+
+}  // namespace
+
+std::string_view cnl_word_help(std::string_view word) {
+  return found(kCnl, word, true);
+}
+std::string_view mdl_word_help(std::string_view word) {
+  return found(kMdl, word, false);
+}
+std::string_view odl_word_help(std::string_view word) {
+  return found(kOdl, word, false);
+}
+
+}  // namespace mlab::language

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "mlab/language/service.h"
+#include "mlab/lsp/position.h"
+#include "mlab/lsp/server.h"
+
+namespace mlab::lsp {
+
+/// An open text.
+struct Server::Document {
+  std::string uri;
+  std::int64_t version = 0;
+  language::Text text;
+  std::unique_ptr<LineIndex> lines;
+  text::Diagnostics problems;      ///< as they were told last
+  bool is_unchecked = true;        ///< it changed since
+  bool has_unchecked_code = true;  ///< its C++ was not given to the compiler since it was opened or saved
+
+  void set(std::string content) {
+    text.source = std::make_shared<const text::Source>(text.source->name(), std::move(content));
+    lines = std::make_unique<LineIndex>(text.source->text());
+    is_unchecked = true;
+  }
+};
+
+/// Why a request can't be answered.
+struct Server::Failure {
+  int code = 0;
+  std::string message;
+};
+
+inline constexpr int kParseError = -32700;
+inline constexpr int kInvalidRequest = -32600;
+inline constexpr int kMethodNotFound = -32601;
+inline constexpr int kInvalidParams = -32602;
+inline constexpr int kServerNotInitialized = -32002;
+inline constexpr int kRequestFailed = -32803;
+
+inline nlohmann::json position_json(const LineIndex& lines, std::uint32_t offset) {
+  const Position at = lines.position(offset);
+  return {{"line", at.line}, {"character", at.character}};
+}
+inline nlohmann::json range_json(const LineIndex& lines, text::Span span) {
+  return {{"start", position_json(lines, span.begin)}, {"end", position_json(lines, span.end)}};
+}
+/// @return the first line's start where it is no position
+Position position_of(const nlohmann::json& json);
+text::Span span_of(const LineIndex& lines, const nlohmann::json& range);
+
+}  // namespace mlab::lsp

@@ -1,0 +1,45 @@
+#include "mlab/lsp/position.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace mlab::lsp {
+namespace {
+
+TEST(Position, CountsUtf16Units) {
+  const std::string text = "ab\n\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80x\r\nlast";  // é € and a face, then x
+  const LineIndex lines(text);
+  EXPECT_EQ(lines.line_count(), 3U);
+  EXPECT_EQ(lines.position(0), (Position{0, 0}));
+  EXPECT_EQ(lines.position(3), (Position{1, 0}));
+  EXPECT_EQ(lines.position(5), (Position{1, 1}));   // behind é
+  EXPECT_EQ(lines.position(8), (Position{1, 2}));   // behind €
+  EXPECT_EQ(lines.position(12), (Position{1, 4}));  // the face takes two
+  EXPECT_EQ(lines.offset({1, 4}), 12U);
+  EXPECT_EQ(lines.offset({1, 3}), 8U) << "in the middle of a pair";
+  EXPECT_EQ(lines.offset({1, 99}), 13U) << "the line's end, without its line end";
+  EXPECT_EQ(lines.offset({9, 0}), text.size());
+  EXPECT_EQ(lines.position(999), (Position{2, 4}));
+}
+
+TEST(Position, KnowsAllLineEnds) {
+  const LineIndex lines("a\rb\r\nc\n");
+  EXPECT_EQ(lines.line_count(), 4U);
+  EXPECT_EQ(lines.position(2), (Position{1, 0}));
+  EXPECT_EQ(lines.position(5), (Position{2, 0}));
+  EXPECT_EQ(lines.position(7), (Position{3, 0}));
+}
+
+RC_GTEST_PROP(Position, AnOffsetComesBackWhereACharacterBegins, (const std::string& text)) {
+  const LineIndex lines(text);
+  for (std::uint32_t i = 0; i <= text.size(); ++i) {
+    const std::uint32_t back = lines.offset(lines.position(i));
+    RC_ASSERT(back <= i);
+    RC_ASSERT(lines.offset(lines.position(back)) == back);
+  }
+}
+
+}  // namespace
+}  // namespace mlab::lsp

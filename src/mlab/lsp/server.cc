@@ -1,0 +1,364 @@
+// Messages: who is asked what, and when.
+
+#include "mlab/lsp/server.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "mlab/lsp/document.h"
+#include "mlab/lsp/uri.h"
+
+namespace mlab::lsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostProjectFiles = 2000;
+constexpr int kMostFolderDepth = 8;
+
+std::string normal(const std::string& path) {
+  std::error_code failure;
+  const fs::path canonical = fs::weakly_canonical(path, failure);
+  return failure ? path : canonical.string();
+}
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> out;
+  std::error_code failure;
+  for (fs::directory_iterator it(folder.empty() ? "." : folder, failure), end; !failure && it != end;
+       it.increment(failure)) {
+    if (it->is_regular_file(failure)) out.push_back(it->path().filename().string());
+    if (out.size() == kMostProjectFiles) break;
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+std::optional<language::Language> language_named(const std::string& id) {
+  if (id == "mdl") return language::Language::kMission;
+  if (id == "odl") return language::Language::kOverlay;
+  if (id == "cnl") return language::Language::kNetwork;
+  if (id == "cdl") return language::Language::kConfiguration;
+  return std::nullopt;
+}
+
+bool is_ours(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".mdl" || ending == ".odl" || ending == ".ovl" || ending == ".cnl" || ending == ".cdl";
+}
+
+}  // namespace
+
+Position position_of(const nlohmann::json& json) {
+  Position out;
+  if (!json.is_object()) return out;
+  const auto number = [&](const char* name) {
+    const auto found = json.find(name);
+    const bool is_number = found != json.end() && found->is_number_integer() && *found >= 0;
+    return is_number
+               ? static_cast<std::uint32_t>(std::min<std::uint64_t>(found->get<std::uint64_t>(), 0xffffffffU))
+               : 0U;
+  };
+  out.line = number("line");
+  out.character = number("character");
+  return out;
+}
+
+text::Span span_of(const LineIndex& lines, const nlohmann::json& range) {
+  if (!range.is_object()) return {};
+  const std::uint32_t begin = lines.offset(position_of(range.value("start", nlohmann::json())));
+  const std::uint32_t end = lines.offset(position_of(range.value("end", nlohmann::json())));
+  return {begin, std::max(begin, end)};
+}
+
+Server::Server(Options options, Send send) : options_(std::move(options)), send_(std::move(send)) {}
+Server::~Server() = default;
+
+void Server::send(const Json& message) {
+  send_(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void Server::respond_error(const Json& id, int code, const std::string& message) {
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}});
+}
+
+void Server::refuse(const std::string& why) {
+  respond_error(nullptr, kParseError, why);
+}
+
+void Server::receive(std::string_view message) {
+  const Json parsed = Json::parse(message, nullptr, false);
+  if (parsed.is_discarded()) {
+    refuse("this is no JSON");
+    return;
+  }
+  dispatch(parsed);
+}
+
+void Server::dispatch(const Json& message) {
+  const bool is_object = message.is_object();
+  const auto id = is_object && message.contains("id") ? message["id"] : Json(nullptr);
+  const bool has_id = id.is_string() || id.is_number_integer();
+  const bool has_method = is_object && message.contains("method") && message["method"].is_string();
+  if (!has_method) {
+    // What answers a request of ours would have a result; we ask nothing.
+    const bool is_response = is_object && (message.contains("result") || message.contains("error"));
+    if (!is_response) respond_error(has_id ? id : Json(nullptr), kInvalidRequest, "a message has a method");
+    return;
+  }
+  const std::string method = message["method"];
+  const Json params = message.contains("params") ? message["params"] : Json::object();
+  if (!has_id) {
+    if (message.contains("id")) {
+      respond_error(nullptr, kInvalidRequest, "an id is a number or a text");
+      return;
+    }
+    try {
+      notice(method, params);
+    } catch (const Failure&) {
+      // Nobody waits for an answer to a notification.
+    } catch (const Json::exception&) {
+      // The same.
+    }
+    return;
+  }
+  try {
+    Json result = answer(method, params);
+    send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+  } catch (const Failure& failure) {
+    respond_error(id, failure.code, failure.message);
+  } catch (const Json::exception& wrong) {
+    respond_error(id, kInvalidParams, wrong.what());
+  }
+}
+
+Server::Json Server::answer(const std::string& method, const Json& params) {
+  if (method == "initialize") {
+    if (is_initialized_) throw Failure{kInvalidRequest, "it is initialized already"};
+    return initialize(params);
+  }
+  if (!is_initialized_) throw Failure{kServerNotInitialized, "`initialize` comes first"};
+  if (was_shut_down_) throw Failure{kInvalidRequest, "nothing but `exit` comes behind `shutdown`"};
+  if (method == "shutdown") {
+    was_shut_down_ = true;
+    return nullptr;
+  }
+  if (method == "textDocument/completion") return completion(params);
+  if (method == "textDocument/hover") return hover(params);
+  if (method == "textDocument/signatureHelp") return signature_help(params);
+  if (method == "textDocument/definition") return definition(params);
+  if (method == "textDocument/references") return references(params);
+  if (method == "textDocument/prepareRename") return prepare_rename(params);
+  if (method == "textDocument/rename") return rename(params);
+  if (method == "textDocument/documentSymbol") return document_symbols(params);
+  if (method == "textDocument/formatting") return formatting(params);
+  if (method == "textDocument/codeAction") return code_actions(params);
+  if (method == "textDocument/semanticTokens/full") return semantic_tokens(params);
+  throw Failure{kMethodNotFound, fmt::format("there is no `{}` here", method)};
+}
+
+void Server::notice(const std::string& method, const Json& params) {
+  if (method == "exit") {
+    is_over_ = true;
+    return;
+  }
+  if (!is_initialized_ || was_shut_down_) return;
+  if (method == "textDocument/didOpen") open(params);
+  if (method == "textDocument/didChange") change(params);
+  if (method == "textDocument/didSave") save(params);
+  if (method == "textDocument/didClose") close(params);
+  if (method == "workspace/didChangeWatchedFiles") files_changed();
+}
+
+Server::Json Server::initialize(const Json& params) {
+  if (!params.is_object()) throw Failure{kInvalidParams, "`initialize` takes an object"};
+  is_initialized_ = true;
+  const Json folders = params.value("workspaceFolders", Json());
+  for (const Json& folder : folders.is_array() ? folders : Json::array()) {
+    if (folder.is_object() && folder.contains("uri") && folder["uri"].is_string())
+      folders_.push_back(path_of(folder["uri"].get<std::string>()));
+  }
+  const Json root = params.value("rootUri", Json());
+  if (folders_.empty() && root.is_string()) folders_.push_back(path_of(root.get<std::string>()));
+  const Json snippets = params.value(
+      Json::json_pointer("/capabilities/textDocument/completion/completionItem/snippetSupport"), Json(false));
+  takes_snippets_ = snippets.is_boolean() && snippets.get<bool>();
+  const Json types = {"comment",   "keyword",  "number",     "string", "operator", "type", "function",
+                      "parameter", "variable", "enumMember", "class",  "property", "macro"};
+  return {{"capabilities",
+           {{"positionEncoding", "utf-16"},
+            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
+            {"completionProvider",
+             {{"triggerCharacters", {"(", "\"", "[", "=", " ", "<"}}, {"resolveProvider", false}}},
+            {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
+            {"hoverProvider", true},
+            {"definitionProvider", true},
+            {"referencesProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"documentSymbolProvider", true},
+            {"documentFormattingProvider", true},
+            {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+            {"semanticTokensProvider",
+             {{"legend", {{"tokenTypes", types}, {"tokenModifiers", {"declaration", "defaultLibrary"}}}},
+              {"full", true},
+              {"range", false}}}}},
+          {"serverInfo", {{"name", "mlab"}, {"version", options_.version}}}};
+}
+
+void Server::open(const Json& params) {
+  const Json& item = params.at("textDocument");
+  const std::string uri = item.at("uri");
+  auto made = std::make_unique<Document>();
+  made->uri = uri;
+  made->version = item.value("version", std::int64_t{0});
+  made->text.source = std::make_shared<const text::Source>(path_of(uri), "");
+  made->set(item.at("text").get<std::string>());
+  const auto told = language::language_of(*made->text.source);
+  const auto named = language_named(item.value("languageId", std::string()));
+  made->text.language = named ? *named : told.value_or(language::Language::kConfiguration);
+  documents_[uri] = std::move(made);
+  files_changed();
+}
+
+// Each change is made to what the one before it left.
+void Server::change(const Json& params) {
+  Document& in = document(params);
+  in.version = params.at("textDocument").value("version", in.version);
+  for (const Json& one : params.at("contentChanges")) {
+    std::string now = one.at("text");
+    if (one.contains("range")) {
+      const text::Span span = span_of(*in.lines, one["range"]);
+      const std::string_view before = in.text.source->text();
+      now = std::string(before.substr(0, span.begin)) + now + std::string(before.substr(span.end));
+    }
+    if (now.size() > text::Source::kMaxBytes) throw Failure{kInvalidParams, "the text is too long"};
+    in.set(std::move(now));
+  }
+  files_changed();
+}
+
+void Server::save(const Json& params) {
+  document(params).has_unchecked_code = true;
+  files_changed();
+}
+
+void Server::close(const Json& params) {
+  const std::string uri = params.at("textDocument").at("uri");
+  if (documents_.erase(uri) == 0) return;
+  send({{"jsonrpc", "2.0"},
+        {"method", "textDocument/publishDiagnostics"},
+        {"params", {{"uri", uri}, {"diagnostics", Json::array()}}}});
+  files_changed();
+}
+
+// Any text may use any other.
+void Server::files_changed() {
+  for (const auto& [uri, one] : documents_) one->is_unchecked = true;
+}
+
+Server::Document& Server::document(const Json& params) {
+  const std::string uri = params.at("textDocument").at("uri");
+  const auto found = documents_.find(uri);
+  if (found == documents_.end()) throw Failure{kInvalidParams, "this text is not open"};
+  return *found->second;
+}
+
+std::uint32_t Server::cursor(const Document& in, const Json& params) const {
+  return in.lines->offset(position_of(params.at("position")));
+}
+
+language::Surroundings Server::surroundings() const {
+  language::Surroundings out = options_.around;
+  const text::Files under = options_.around.files;
+  const auto open = [this](const std::string& path) -> text::SourcePtr {
+    const std::string wanted = normal(path);
+    for (const auto& [uri, one] : documents_) {
+      if (normal(one->text.source->name()) == wanted) return one->text.source;
+    }
+    return nullptr;
+  };
+  out.files.is_file = [open, under](const std::string& path) {
+    return open(path) != nullptr || under.is_file(path);
+  };
+  out.files.read = [open, under](const std::string& path) -> text::Result<text::SourcePtr> {
+    if (text::SourcePtr source = open(path)) return source;
+    return under.read(path);
+  };
+  out.list = [this](const std::string& folder) {
+    std::vector<std::string> names = files_in(folder);
+    for (const auto& [uri, one] : documents_) {
+      const fs::path path = one->text.source->name();
+      if (normal(path.parent_path().string()) == normal(folder)) names.push_back(path.filename().string());
+    }
+    std::ranges::sort(names);
+    const auto [first, last] = std::ranges::unique(names);
+    names.erase(first, last);
+    return names;
+  };
+  return out;
+}
+
+// All open texts, and those of the project's folders.
+std::vector<language::Text> Server::all_texts() const {
+  std::vector<language::Text> out;
+  std::vector<std::string> seen;
+  for (const auto& [uri, one] : documents_) {
+    out.push_back(one->text);
+    seen.push_back(normal(one->text.source->name()));
+  }
+  std::size_t read = 0;
+  for (const std::string& folder : folders_) {
+    std::error_code failure;
+    fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, failure);
+    for (; !failure && it != fs::recursive_directory_iterator(); it.increment(failure)) {
+      const std::string name = it->path().filename().string();
+      if (it->is_directory(failure) &&
+          (name.starts_with('.') || name == "node_modules" || it.depth() >= kMostFolderDepth))
+        it.disable_recursion_pending();
+      if (!is_ours(it->path()) || !it->is_regular_file(failure)) continue;
+      if (++read > kMostProjectFiles) return out;
+      if (std::ranges::find(seen, normal(it->path().string())) != seen.end()) continue;
+      const auto source = options_.around.files.read(it->path().string());
+      const auto language = source ? language::language_of(**source) : std::nullopt;
+      if (language) out.push_back({*source, *language});
+    }
+  }
+  return out;
+}
+
+bool Server::has_work() const {
+  return std::ranges::any_of(
+      documents_, [](const auto& one) { return one.second->is_unchecked || one.second->has_unchecked_code; });
+}
+
+void Server::work() {
+  // First what shows at once for all texts, then what takes the compiler.
+  for (const bool checks_code : {false, true}) {
+    for (const auto& [uri, one] : documents_) {
+      if (checks_code ? !one->has_unchecked_code : !one->is_unchecked) continue;
+      publish(*one, checks_code);
+      return;
+    }
+  }
+}
+
+void Server::publish(Document& one, bool checks_code) {
+  language::Surroundings around = surroundings();
+  around.checks_code = checks_code;
+  one.is_unchecked = false;
+  if (checks_code) one.has_unchecked_code = false;
+  one.problems = language::problems(one.text, around);
+  Json diagnostics = Json::array();
+  for (const text::Diagnostic& problem : one.problems.items())
+    diagnostics.push_back(diagnostic_json(one, problem));
+  send({{"jsonrpc", "2.0"},
+        {"method", "textDocument/publishDiagnostics"},
+        {"params", {{"uri", one.uri}, {"version", one.version}, {"diagnostics", std::move(diagnostics)}}}});
+}
+
+}  // namespace mlab::lsp

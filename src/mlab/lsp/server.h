@@ -1,0 +1,103 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "mlab/language/service.h"
+
+namespace mlab::lsp {
+
+/// What the server is told by who starts it.
+struct Options {
+  std::string version;
+  language::Surroundings around;  ///< its `files` are those under the open ones
+  /// Where the texts of the component library are as files; empty: nowhere.
+  std::string library_folder;
+};
+
+/// A language server, without input and output: one message in, messages out. Never throws on what it is
+/// told.
+class Server {
+ public:
+  using Send = std::function<void(const std::string& message)>;
+  /// @param send  takes whole messages, in JSON without a frame
+  Server(Options options, Send send);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// One message as it came.
+  void receive(std::string_view message);
+  /// Something that came was no message.
+  void refuse(const std::string& why);
+
+  /// Something is left to be done when nothing more is to be read just now.
+  bool has_work() const;
+  /// Does a piece of it: what is wrong with one text is told.
+  void work();
+
+  bool is_over() const { return is_over_; }
+  /// As the protocol says: 0 where `shutdown` came before `exit`.
+  int exit_status() const { return was_shut_down_ ? 0 : 1; }
+
+ private:
+  using Json = nlohmann::json;
+  struct Document;
+  struct Failure;
+
+  void dispatch(const Json& message);
+  Json answer(const std::string& method, const Json& params);
+  void notice(const std::string& method, const Json& params);
+  Json initialize(const Json& params);
+
+  void open(const Json& params);
+  void change(const Json& params);
+  void save(const Json& params);
+  void close(const Json& params);
+  void files_changed();
+
+  Json completion(const Json& params);
+  Json hover(const Json& params);
+  Json signature_help(const Json& params);
+  Json definition(const Json& params);
+  Json references(const Json& params);
+  Json prepare_rename(const Json& params);
+  Json rename(const Json& params);
+  Json document_symbols(const Json& params);
+  Json formatting(const Json& params);
+  Json code_actions(const Json& params);
+  Json semantic_tokens(const Json& params);
+
+  Document& document(const Json& params);
+  std::uint32_t cursor(const Document& document, const Json& params) const;
+  Json location(const text::Place& place) const;
+  std::string file_of(const text::SourcePtr& source) const;
+  std::vector<language::Text> all_texts() const;
+  language::Surroundings surroundings() const;
+  void publish(Document& document, bool checks_code);
+  Json diagnostic_json(const Document& document, const text::Diagnostic& diagnostic) const;
+  void send(const Json& message);
+  void respond_error(const Json& id, int code, const std::string& message);
+
+  Options options_;
+  Send send_;
+  std::map<std::string, std::unique_ptr<Document>> documents_;  ///< by URI
+  std::vector<std::string> folders_;
+  bool is_initialized_ = false;
+  bool was_shut_down_ = false;
+  bool is_over_ = false;
+  bool takes_snippets_ = false;
+};
+
+/// Reads messages from one file and writes them to the other until it is over.
+/// @return  the exit status
+int serve(Options options, int input, int output);
+
+}  // namespace mlab::lsp

@@ -1,0 +1,238 @@
+#include "mlab/lsp/server.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace mlab::lsp {
+namespace {
+
+using Json = nlohmann::json;
+
+class ServerTest : public ::testing::Test {
+ protected:
+  ServerTest()
+      : server_({"1", {}, MLAB_SOURCE_DIR "/library"},
+                [this](const std::string& m) { got_.push_back(Json::parse(m)); }) {}
+
+  Json ask(const std::string& method, const Json& params) {
+    const int id = ++last_id_;
+    server_.receive(Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}}.dump());
+    for (const Json& one : got_) {
+      if (one.contains("id") && one["id"] == id) return one;
+    }
+    return nullptr;
+  }
+  Json result(const std::string& method, const Json& params) { return ask(method, params)["result"]; }
+  void tell(const std::string& method, const Json& params) {
+    server_.receive(Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", params}}.dump());
+  }
+  void initialize(const Json& more = Json::object()) {
+    Json params = {{"processId", nullptr}, {"rootUri", nullptr}, {"capabilities", Json::object()}};
+    params.update(more);
+    result("initialize", params);
+    tell("initialized", Json::object());
+  }
+  void open(const std::string& uri, const std::string& text, const std::string& id = "") {
+    tell("textDocument/didOpen",
+         {{"textDocument", {{"uri", uri}, {"languageId", id}, {"version", 1}, {"text", text}}}});
+  }
+  static Json at(const std::string& uri, int line, int character) {
+    return {{"textDocument", {{"uri", uri}}}, {"position", {{"line", line}, {"character", character}}}};
+  }
+  /// The diagnostics that were published last for a text.
+  Json diagnostics(const std::string& uri) {
+    while (server_.has_work()) server_.work();
+    Json out;
+    for (const Json& one : got_) {
+      if (one.value("method", "") == "textDocument/publishDiagnostics" && one["params"]["uri"] == uri)
+        out = one["params"]["diagnostics"];
+    }
+    return out;
+  }
+
+  std::vector<Json> got_;
+  Server server_;
+  int last_id_ = 0;
+};
+
+constexpr const char* kUri = "file:///nowhere/x.cdl";
+constexpr const char* kText = "assemblage A(gain: gain = 1) {\n  cooperate {\n    gain: Noise();\n  }\n}\n";
+
+TEST_F(ServerTest, AnswersInTheOrderOfTheProtocol) {
+  EXPECT_EQ(ask("textDocument/hover", at(kUri, 0, 0))["error"]["code"], -32002);
+  initialize();
+  EXPECT_EQ(ask("initialize", Json::object())["error"]["code"], -32600);
+  EXPECT_EQ(ask("textDocument/madeUp", Json::object())["error"]["code"], -32601);
+  EXPECT_EQ(ask("textDocument/hover", at(kUri, 0, 0))["error"]["code"], -32602) << "not open";
+  EXPECT_EQ(ask("textDocument/hover", 7)["error"]["code"], -32602);
+  const std::size_t before = got_.size();
+  tell("$/cancelRequest", {{"id", 1}});
+  tell("made/up", Json::object());
+  EXPECT_EQ(got_.size(), before);
+  EXPECT_TRUE(result("shutdown", nullptr).is_null());
+  EXPECT_EQ(ask("textDocument/hover", at(kUri, 0, 0))["error"]["code"], -32600);
+  EXPECT_EQ(server_.exit_status(), 0);
+  tell("exit", nullptr);
+  EXPECT_TRUE(server_.is_over());
+}
+
+TEST_F(ServerTest, AnExitWithoutShutdownIsAFailure) {
+  initialize();
+  tell("exit", nullptr);
+  EXPECT_TRUE(server_.is_over());
+  EXPECT_EQ(server_.exit_status(), 1);
+}
+
+TEST_F(ServerTest, RefusesWhatIsNoMessage) {
+  server_.receive("{ nothing");
+  EXPECT_EQ(got_.back()["error"]["code"], -32700);
+  EXPECT_TRUE(got_.back()["id"].is_null());
+  for (const char* text :
+       {"[]", "7", "{}", R"({"id":1})", R"({"jsonrpc":"2.0","id":{},"method":"initialize"})"}) {
+    server_.receive(text);
+    EXPECT_EQ(got_.back()["error"]["code"], -32600) << text;
+  }
+  const std::size_t before = got_.size();
+  server_.receive(R"({"jsonrpc":"2.0","id":3,"result":null})");
+  EXPECT_EQ(got_.size(), before) << "an answer to nothing";
+}
+
+TEST_F(ServerTest, TellsWhatIsWrongAndHowToMendIt) {
+  initialize();
+  open(kUri, "assemblage A() {\n  Noisee()\n}\n");
+  const Json wrong = diagnostics(kUri);
+  ASSERT_EQ(wrong.size(), 1U) << wrong;
+  EXPECT_EQ(wrong[0]["code"], "unknown-call");
+  EXPECT_EQ(wrong[0]["range"]["start"], (Json{{"line", 1}, {"character", 2}}));
+  const Json fixes = result("textDocument/codeAction", {{"textDocument", {{"uri", kUri}}},
+                                                        {"range", wrong[0]["range"]},
+                                                        {"context", {{"diagnostics", wrong}}}});
+  ASSERT_EQ(fixes.size(), 1U) << fixes;
+  EXPECT_EQ(fixes[0]["title"], "write `Noise`");
+  const Json edit = fixes[0]["edit"]["changes"][kUri][0];
+  EXPECT_EQ(edit["newText"], "Noise");
+  tell("textDocument/didChange",
+       {{"textDocument", {{"uri", kUri}, {"version", 2}}},
+        {"contentChanges", {{{"range", edit["range"]}, {"text", edit["newText"]}}}}});
+  EXPECT_TRUE(diagnostics(kUri).empty());
+  tell("textDocument/didClose", {{"textDocument", {{"uri", kUri}}}});
+  EXPECT_TRUE(got_.back()["params"]["diagnostics"].empty());
+}
+
+TEST_F(ServerTest, MakesChangesOneAfterTheOther) {
+  initialize();
+  open(kUri, "// \xf0\x9f\x98\x80 \xc3\xa9\n");
+  const auto change = [](int line, int from, int to, const char* text) {
+    return Json{
+        {"range",
+         {{"start", {{"line", line}, {"character", from}}}, {"end", {{"line", line}, {"character", to}}}}},
+        {"text", text}};
+  };
+  tell("textDocument/didChange",
+       {{"textDocument", {{"uri", kUri}, {"version", 2}}},
+        {"contentChanges",
+         {change(0, 6, 7, "e\nassemblage A() {"), change(1, 16, 16, " Noise() }"), change(0, 3, 5, "x")}}});
+  const Json symbols = result("textDocument/documentSymbol", {{"textDocument", {{"uri", kUri}}}});
+  ASSERT_EQ(symbols.size(), 1U);
+  EXPECT_EQ(symbols[0]["name"], "A");
+  EXPECT_EQ(symbols[0]["range"]["end"], (Json{{"line", 1}, {"character", 26}}));
+  EXPECT_TRUE(diagnostics(kUri).empty()) << diagnostics(kUri);
+}
+
+TEST_F(ServerTest, CompletesHoversAndHelpsWithCalls) {
+  initialize({{"capabilities",
+               {{"textDocument", {{"completion", {{"completionItem", {{"snippetSupport", true}}}}}}}}}});
+  open(kUri, kText);
+  const Json list = result("textDocument/completion", at(kUri, 2, 15));
+  const Json& first = list["items"][0];
+  EXPECT_EQ(first["label"], "Noise");
+  EXPECT_EQ(first["textEdit"]["newText"], "Noise") << "the parentheses are there";
+  EXPECT_EQ(first["textEdit"]["range"]["start"]["character"], 10);
+  const Json inputs = result("textDocument/completion", at(kUri, 2, 16));
+  EXPECT_EQ(inputs["items"][0]["label"], "persistence");
+  const Json hover = result("textDocument/hover", at(kUri, 2, 12));
+  EXPECT_NE(hover["contents"]["value"].get<std::string>().find("procedure Noise("), std::string::npos);
+  const Json help = result("textDocument/signatureHelp", at(kUri, 2, 16));
+  EXPECT_EQ(help["activeParameter"], 0);
+  EXPECT_EQ(help["signatures"][0]["parameters"].size(), 1U);
+}
+
+TEST_F(ServerTest, FindsAndRenames) {
+  initialize();
+  open(kUri, kText);
+  const Json place = result("textDocument/definition", at(kUri, 2, 5));
+  EXPECT_EQ(place["range"]["start"], (Json{{"line", 0}, {"character", 13}}));
+  EXPECT_EQ(result("textDocument/references", at(kUri, 2, 5)).size(), 2U);
+  Json params = at(kUri, 2, 5);
+  params["context"] = {{"includeDeclaration", false}};
+  EXPECT_EQ(result("textDocument/references", params).size(), 1U);
+  EXPECT_EQ(result("textDocument/prepareRename", at(kUri, 2, 5))["placeholder"], "gain");
+  EXPECT_TRUE(result("textDocument/prepareRename", at(kUri, 2, 12)).is_null()) << "of the library";
+  params["newName"] = "weight";
+  const Json edits = result("textDocument/rename", params)["changes"][kUri];
+  ASSERT_EQ(edits.size(), 2U);
+  EXPECT_EQ(edits[0]["newText"], "weight");
+  params["newName"] = "2x";
+  EXPECT_EQ(ask("textDocument/rename", params)["error"]["code"], -32803);
+}
+
+TEST_F(ServerTest, LeadsIntoTheLibrary) {
+  initialize();
+  open(kUri, "assemblage A() {\n  AvoidDynamicObstacles()\n}\n");
+  const Json place = result("textDocument/definition", at(kUri, 1, 5));
+  EXPECT_TRUE(place["uri"].get<std::string>().ends_with("library/assemblages/avoid_dynamic_obstacles.cdl"))
+      << place;
+}
+
+TEST_F(ServerTest, UsesTextsThatAreNotSaved) {
+  initialize();
+  open("file:///nowhere/skills.cdl", "assemblage Mine() {\n  Noise()\n}\n");
+  open(kUri, "use \"skills.cdl\";\nassemblage A() {\n  Mine()\n}\n");
+  EXPECT_TRUE(diagnostics(kUri).empty()) << diagnostics(kUri);
+  const Json place = result("textDocument/definition", at(kUri, 2, 3));
+  EXPECT_EQ(place["uri"], "file:///nowhere/skills.cdl");
+  Json params = at(kUri, 2, 3);
+  params["newName"] = "Ours";
+  EXPECT_EQ(result("textDocument/rename", params)["changes"].size(), 2U);
+  open("file:///nowhere/map.odl", "CONTROL MEASURES:\nPP Charlie 10 10\n");
+  const char* mission = "file:///nowhere/m.mdl";
+  open(mission, "OVERLAY map.odl\nUNIT <a> ROBOT\nCOMMAND LIST:\n1. UNIT a START PP-Charlie\n");
+  EXPECT_TRUE(diagnostics(mission).empty()) << diagnostics(mission);
+  EXPECT_EQ(result("textDocument/definition", at(mission, 3, 22))["uri"], "file:///nowhere/map.odl");
+  Json place_name = at(mission, 3, 22);
+  place_name["newName"] = "Delta";
+  const Json changes = result("textDocument/rename", place_name)["changes"];
+  EXPECT_EQ(changes.size(), 2U) << changes;
+  EXPECT_EQ(changes[mission][0]["range"]["start"]["character"], 19) << "behind `PP-`";
+}
+
+TEST_F(ServerTest, LaysOutAndColours) {
+  initialize();
+  open(kUri, "assemblage A(){\nNoise()\n}\n");
+  const Json edits =
+      result("textDocument/formatting", {{"textDocument", {{"uri", kUri}}}, {"options", Json::object()}});
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(edits[0]["newText"], "assemblage A() {\n  ") << edits;
+  const Json tokens = result("textDocument/semanticTokens/full", {{"textDocument", {{"uri", kUri}}}})["data"];
+  const Json first = {0, 0, 10, 1, 0, 0, 11, 1, 6, 1, 1, 0, 5, 6, 2};
+  EXPECT_EQ(tokens, first);
+}
+
+RC_GTEST_PROP(Server, SurvivesAnyMessage, (const std::vector<std::string>& texts)) {
+  Server server({"1", {}, ""}, [](const std::string&) {});
+  server.receive(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}})");
+  for (const std::string& text : texts) {
+    server.receive(text);
+    server.receive(Json{{"id", 1}, {"method", "textDocument/hover"}, {"params", {{"position", text}}}}.dump(
+        -1, ' ', false, Json::error_handler_t::replace));
+  }
+}
+
+}  // namespace
+}  // namespace mlab::lsp
