@@ -28,7 +28,25 @@ web_scripts() (
   for script in "$@"; do NO_COLOR=1 npm run --silent "$script"; done
 )
 
-stage_web() { web_scripts check lint test; }
+# editor_scripts SCRIPT...: runs scripts of editors/vscode/package.json in a copy of it, against the command that was built.
+editor_scripts() (
+  source "$root/tools/web/node.sh"
+  source "$root/tools/web/prepare.sh"
+  [[ -x $build/test/bin/mlab ]] || stage_build
+  mkdir -p "$build/editors"
+  exec 8>>"$build/editors/lock"
+  flock 8
+  prepare_editors "$root" "$build/editors"
+  exec 8>&-
+  for script in "$@"; do
+    MLAB_ROOT=$root MLAB_COMMAND=$build/test/bin/mlab NO_COLOR=1 npm run --silent "$script"
+  done
+)
+
+stage_web() {
+  web_scripts check lint test
+  editor_scripts check lint test
+}
 stage_browser() { MLAB_COMMAND=$build/test/bin/mlab MLAB_MISSIONS=$root/missions web_scripts browser; }
 stage_repo() { run_ctest "$build/test" -L repo; }
 stage_e2e() { run_ctest "$build/test" -L e2e; }

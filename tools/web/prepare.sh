@@ -10,14 +10,28 @@ prepare_web() {
   mkdir -p "$folder/tests/browser" && copy_tree "$source/tests/browser" "$folder/tests/browser"
   find_node "$folder"
   cd "$folder/web"
-  cmp -s package-lock.json node_modules/.installed-lock || {
-    rm -f node_modules/.installed-lock
-    npm ci --prefer-offline --no-audit --no-fund --no-update-notifier || {
-      echo "npm could not install the packages of the web client (offline?); its log is named above" >&2
-      return 1
-    }
-    cp package-lock.json node_modules/.installed-lock
+  install_locked "the web client"
+}
+
+# prepare_editors SOURCE FOLDER: afterwards FOLDER/vscode can run the extension's scripts.
+prepare_editors() {
+  local source=$1 folder=$2
+  mkdir -p "$folder/vscode"
+  copy_tree "$source/editors/vscode" "$folder/vscode"
+  find_node "$folder"
+  cd "$folder/vscode"
+  install_locked "the extension for VS Code"
+}
+
+# install_locked WHAT: the packages that the lock file of this folder names, unless they are there.
+install_locked() {
+  cmp -s package-lock.json node_modules/.installed-lock && return 0
+  rm -f node_modules/.installed-lock
+  npm ci --prefer-offline --no-audit --no-fund --no-update-notifier || {
+    echo "npm could not install the packages of $1 (offline?); its log is named above" >&2
+    return 1
   }
+  cp package-lock.json node_modules/.installed-lock
 }
 
 # copy_tree FROM TO: what is generated or installed stays apart; what is gone there is gone here. Times are kept, so that
