@@ -73,10 +73,35 @@ class CompletionItem {
   ) {}
 }
 
+class CompletionList {
+  constructor(
+    readonly items: CompletionItem[],
+    readonly isIncomplete: boolean,
+  ) {}
+}
+
 class CancellationTokenSource {
   readonly token = { isCancellationRequested: false, onCancellationRequested: new Emitter().event };
   cancel(): void {}
   dispose(): void {}
+}
+
+class Diagnostic {
+  code: unknown;
+  constructor(
+    readonly range: Range,
+    readonly message: string,
+    readonly severity: number,
+  ) {}
+}
+
+class CodeActionKind {
+  static readonly Empty = new CodeActionKind("");
+  static readonly QuickFix = new CodeActionKind("quickfix");
+  constructor(readonly value: string) {}
+  append(part: string): CodeActionKind {
+    return new CodeActionKind(this.value === "" ? part : `${this.value}.${part}`);
+  }
 }
 
 /** A class for each of the many that the client library derives its own from. */
@@ -135,7 +160,10 @@ export function standIn(settings: Record<string, unknown>, folder: string): Stan
     dispose: () => undefined,
   };
   const channel = new Proxy({ name: "missionlab", logLevel: 0 } as Record<string, unknown>, {
-    get: (target, name) => (typeof name === "string" && name in target ? target[name] : () => undefined),
+    get: (target, name) => {
+      if (typeof name !== "string" || name in target) return target[name as string];
+      return name.startsWith("on") ? new Emitter().event : () => undefined;
+    },
   });
 
   const known: Record<string, unknown> = {
@@ -143,7 +171,10 @@ export function standIn(settings: Record<string, unknown>, folder: string): Stan
     Range,
     Uri,
     Disposable,
+    CodeActionKind,
+    Diagnostic,
     CompletionItem,
+    CompletionList,
     CancellationTokenSource,
     EventEmitter: Emitter,
     version: "1.100.0",
