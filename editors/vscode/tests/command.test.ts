@@ -2,10 +2,10 @@ import { expect, it } from "vitest";
 import { commandOf } from "../src/command";
 
 it("finds the command that the setting means", () => {
-  expect(commandOf("mlab", "/work", "/home/me")).toBe("mlab");
-  expect(commandOf("  ", "/work", "/home/me")).toBe("mlab");
-  expect(commandOf("./mlab", "/work", "/home/me")).toBe("/work/mlab");
-  expect(commandOf("./mlab", undefined, "/home/me")).toBe("./mlab");
-  expect(commandOf("/usr/bin/mlab", "/work", "/home/me")).toBe("/usr/bin/mlab");
-  expect(commandOf("~/bin/mlab", "/work", "/home/me")).toBe("/home/me/bin/mlab");
+  expect(commandOf("mlab", "/project", "/users/me")).toBe("mlab");
+  expect(commandOf("  ", "/project", "/users/me")).toBe("mlab");
+  expect(commandOf("./mlab", "/project", "/users/me")).toBe("/project/mlab");
+  expect(commandOf("./mlab", undefined, "/users/me")).toBe("./mlab");
+  expect(commandOf("/usr/bin/mlab", "/project", "/users/me")).toBe("/usr/bin/mlab");
+  expect(commandOf("~/bin/mlab", "/project", "/users/me")).toBe("/users/me/bin/mlab");
 });

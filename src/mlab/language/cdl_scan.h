@@ -23,6 +23,7 @@ struct CdlGuess {
   std::string unit;  ///< kType
 };
 
+/// `let NAME = ...;`
 struct CdlLet {
   std::string name;
   text::Span span;
@@ -48,6 +49,7 @@ struct CdlNode {
   CdlGuess guess;
 };
 
+/// A sensor or actuator of a class of robots.
 struct CdlDevice {
   std::string name;
   text::Span span;
