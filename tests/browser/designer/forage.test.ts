@@ -72,6 +72,8 @@ test("the forage of Figures 6 to 9 is built from an empty canvas", async () => {
   await dialog.waitFor({ state: "detached" });
 
   await designer.place("sequence");
+  await page.keyboard.press("f");
+  await page.waitForTimeout(500);
   await designer.wire(designer.output(designer.named("sequence")), designer.result);
   await designer.node("Waiting").waitFor();
   await rename(designer, "Waiting", "Searching");

@@ -44,6 +44,8 @@ test("the guided tour leads from an empty canvas to a skill that can run, by the
   await designer.hasWires(4);
   await designer.wire(sensor(), designer.input(designer.named("Probe"), "readings"));
   await card.getByRole("heading", { name: "The result" }).waitFor();
+  await page.keyboard.press("f");
+  await page.waitForTimeout(500);
   await designer.wire(designer.output(sum), designer.result);
   await card.getByRole("heading", { name: "Values" }).waitFor();
   await card.getByRole("button", { name: "Next" }).click();

@@ -54,6 +54,8 @@ test("the wander of Figure 4 is built with the mouse from an empty canvas", asyn
   await designer.setWeight(sum, 0, "curious");
   await designer.setWeight(sum, 1, "cautious");
   await designer.setWeight(sum, 2, "curious");
+  await page.keyboard.press("f");
+  await page.waitForTimeout(500);
   await designer.wire(designer.output(sum), designer.result);
   await designer.hasWires(6);
   await expect.poll(() => designer.verdict.textContent()).not.toMatch(/error/);

@@ -1,7 +1,7 @@
 // A Drawing as what the canvas shows: nodes with their sizes and handles, wires between them. Pure, and what did not
 // change keeps its identity, so that only what changed is drawn anew.
 import { type Edge, type Node as FlowNode, Position } from "@xyflow/react";
-import { type Drawing, kResult, type Node, type Note, type Port, type Wire } from "../protocol.ts";
+import { type Drawing, Drawing_Kind, kResult, type Node, type Note, type Port, type Wire } from "../protocol.ts";
 import { type Form, formOf, rowId, type Wired } from "./form.ts";
 import { type Flow, flowOf } from "./types.ts";
 
@@ -66,7 +66,8 @@ export function ownPlaces(drawing: Drawing): Map<string, At> {
 
 /** Whether the page has a place where its value goes. */
 export function hasResult(drawing: Drawing): boolean {
-  return drawing.resultType !== "" || drawing.resultNode !== "" || drawing.wires.some((wire) => wire.to === kResult);
+  if (drawing.kind === Drawing_Kind.DATAFLOW) return true;
+  return drawing.resultType !== "" || drawing.wires.some((wire) => wire.to === kResult);
 }
 
 /** Right of what gives the value, or of everything. */
@@ -79,6 +80,7 @@ export function resultPlace(drawing: Drawing, places: Places, wired: Wired): At 
     right = Math.max(right, at.x + formOf(node, wired).width);
     top = Math.min(top, at.y);
   }
+  if (drawing.nodes.length === 0) return { x: 520, y: 160 };
   const from = drawing.nodes.find((node) => node.name === drawing.resultNode);
   const at = from && places.get(from.name);
   if (from && at) {
