@@ -246,7 +246,7 @@ const std::vector<LibraryName>& library_names() {
       {"SurveyRoom*",
        kUrban,
        "SurveyRoom",
-       {{"probe", "suspects", "Possible_Biohazard"}, {"target", "classes", "Biohazard"}},
+       {{"probe", "suspects", "Possible_Biohazard"}, {"target", "target", "Biohazard"}},
        "Vector",
        {}},
       {"Terminate", kUrban, "Halt", {}, "Vector", {}},
