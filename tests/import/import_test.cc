@@ -75,6 +75,27 @@ TEST(Import, EveryFileOfTheCorpusChecksAndItsRobotsRun) {
   }
 }
 
+// The importer's own examples hold every construct of the historic language, and every slip.
+TEST(Import, WhateverTheImporterReadsChecks) {
+  const fs::path folder = fs::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl_historic/testdata";
+  int files = 0;
+  for (const fs::path& path : text::testing::golden_files(folder, ".cdl")) {
+    const auto whole = text::read_source(path.string());
+    ASSERT_TRUE(whole.has_value()) << path;
+    const std::string_view text = (*whole)->text();
+    const auto historic = std::make_shared<const text::Source>(
+        path.filename().string(), std::string(text.substr(0, text.find("// EXPECTED"))));
+    text::Diagnostics sink;
+    const std::string out = cdl_historic::import_as_text(historic, vocabulary(), sink);
+    if (sink.has_errors()) continue;
+    ++files;
+    text::Diagnostics checked;
+    robot::check_configuration(std::make_shared<const text::Source>("ours.cdl", out), {}, checked);
+    EXPECT_FALSE(checked.has_errors()) << path << "\n" << text::render(checked) << out;
+  }
+  EXPECT_GE(files, 14);
+}
+
 TEST(Import, WritesTheCanonicalLayout) {
   if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
   for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
@@ -133,8 +154,8 @@ text::SourcePtr using_the_name(const cdl_historic::LibraryName& row, const std::
 
 TEST(Import, EveryLibraryNameChecksWhateverItsParametersAre) {
   for (const cdl_historic::LibraryName& row : cdl_historic::library_names()) {
-    for (const char* value : {"1", "0", "-5", "1000000", "180", "2, 3", "Mines | Flags", "\"some text\"", "word",
-                              "", "true", "-0.0001", "1e9", "nan", "{"}) {
+    for (const char* value : {"1", "0", "-5", "1000000", "180", "2, 3", "Mines | Flags", "\"some text\"",
+                              "word", "", "true", "-0.0001", "1e9", "nan", "{"}) {
       const text::SourcePtr historic = using_the_name(row, value);
       text::Diagnostics sink;
       const std::string out = cdl_historic::import_as_text(historic, vocabulary(), sink);
@@ -142,7 +163,8 @@ TEST(Import, EveryLibraryNameChecksWhateverItsParametersAre) {
       const auto ours = std::make_shared<const text::Source>("ours.cdl", out);
       text::Diagnostics checked;
       robot::check_configuration(ours, {}, checked);
-      ASSERT_FALSE(checked.has_errors()) << row.historic << " " << value << "\n" << text::render(checked) << out;
+      ASSERT_FALSE(checked.has_errors()) << row.historic << " " << value << "\n"
+                                         << text::render(checked) << out;
     }
   }
 }

@@ -273,17 +273,39 @@ Value Lowering::lower_assemblage(const Assemblage& assemblage, Scope& scope, con
 // An assemblage that is declared and empty.
 Value Lowering::stand_still(const Assemblage& assemblage, Scope& scope, const PortType& result,
                             const text::Place& place) {
+  // What stands in the place of each type, and what that means.
+  struct Nothing {
+    std::string_view type, behavior, means;
+  };
+  static constexpr Nothing kNothing[] = {
+      {"Vector", "Stand", "the robot stands still in its place"},
+      {"bool", "Constant", "it is never true"},
+      {"Objects", "NoObjects", "it sees none"},
+      {"Obstacles", "NoObstacles", "it sees none"},
+      {"Robots", "NoRobots", "it sees none"},
+      {"Ranges", "NoRanges", "it measures nothing"},
+      {"Object", "NoObject", "it gives no object"},
+      {"ObjectClasses", "NoClasses", "it gives no class"},
+      {"Formation", "NoFormation", "it gives none"},
+      {"FormationReference", "NoFormationReference", "it gives the usual one"},
+      {"Task", "NoTask", "it gives none"},
+      {"Text", "NoText", "it gives the empty text"},
+      {"double", "ZeroNumber", "it is always 0"},
+      {"int", "ZeroCount", "it is always 0"},
+      {"Point", "ZeroPoint", "it is always the origin"},
+      {"Pose", "ZeroPose", "it is always the origin"}};
   const std::string_view type = result.type == nullptr ? "Vector" : result.type->name;
-  if (type != "Vector" && type != "bool") {
+  const auto* nothing = std::ranges::find(kNothing, type, &Nothing::type);
+  if (nothing == std::end(kNothing) || library_.find(nothing->behavior).behavior == nullptr) {
     error("empty-assemblage", assemblage.name.place,
           fmt::format("`{}` is empty, so it gives no {}", assemblage.name.text, type));
     return {};
   }
   warning("empty-assemblage", assemblage.name.place, fmt::format("`{}` is empty", assemblage.name.text))
-      .label = type == "Vector" ? "the robot stands still in its place" : "it is never true";
+      .label = nothing->means;
   flow::Node node;
   node.name = scope.path;
-  node.behavior = type == "Vector" ? "Stand" : "Constant";
+  node.behavior = nothing->behavior;
   node.place = node.behavior_place = place;
   if (type == "bool") node.links.push_back({"value", {flow::Source::Kind::kConstant, "false", place}, place});
   network_.nodes.push_back(node);

@@ -276,8 +276,8 @@ void Converter::keep_in_range(cdl::Number& number, const Port& port, const Word&
   number.value = std::clamp(value, port.min, port.max);
   number.unit.text = port.unit;
   warn_once("out-of-range", said.text + " " + port.name, said.place,
-            fmt::format("`{}` takes {} .. {}{}{}; the nearest stands in the place of `{}`", port.name, port.min,
-                        port.max, port.unit.empty() ? "" : " ", port.unit, text::shown(said.text)));
+            fmt::format("`{}` takes {} .. {}{}{}; the nearest stands in the place of `{}`", port.name,
+                        port.min, port.max, port.unit.empty() ? "" : " ", port.unit, text::shown(said.text)));
 }
 
 // A value where another type is wanted would be an error in our language.

@@ -72,10 +72,11 @@ TEST_F(HistoricImport, EveryKindOfDiagnosticHasAGolden) {
 TEST_F(HistoricImport, SaysWhereThereIsNoClassOfRobotsAtAll) {
   const Vocabulary bare(procedures_, {});
   text::Diagnostics sink;
-  import(std::make_shared<const text::Source>(
-             "old.cdl", "instBP w from movement( bound_to = b:DRIVE() );\n"
-                        "instBP v from vehicle( bound_to = r:MRV2( r:[ w ] ) );\n[ v ]\n"),
-         bare, sink);
+  import(
+      std::make_shared<const text::Source>("old.cdl",
+                                           "instBP w from movement( bound_to = b:DRIVE() );\n"
+                                           "instBP v from vehicle( bound_to = r:MRV2( r:[ w ] ) );\n[ v ]\n"),
+      bare, sink);
   ASSERT_EQ(sink.items().size(), 1U) << text::render(sink);
   EXPECT_EQ(sink.items()[0].kind, "no-robot-class");
 }

@@ -132,10 +132,9 @@ void Vocabulary::add_procedures() {
                         {},
                         behavior->output == nullptr ? "" : std::string(behavior->output->name)};
     for (const flow::Input& input : behavior->inputs) {
-      signature.ports.push_back({std::string(input.name), std::string(input.type->name),
-                                 std::string(input.unit), input.is_list,
-                                 input.default_text.empty() && !input.is_list, nullptr, input.min,
-                                 input.max});
+      signature.ports.push_back(
+          {std::string(input.name), std::string(input.type->name), std::string(input.unit), input.is_list,
+           input.default_text.empty() && !input.is_list, nullptr, input.min, input.max});
     }
     signatures_[signature.name] = std::move(signature);
   }
