@@ -111,7 +111,7 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
                          testing::Values("demo_c", "forage", "robot_lab", "formations", "patrol", "squeeze",
-                                         "split_rejoin"),
+                                         "split_rejoin", "ugv"),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {
@@ -121,7 +121,7 @@ TEST(Missions, EveryFolderIsTried) {
   }
   std::sort(folders.begin(), folders.end());
   EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "forage", "formations", "patrol", "robot_lab",
-                                               "split_rejoin", "squeeze"}));
+                                               "split_rejoin", "squeeze", "ugv"}));
 }
 
 // What the foragers that are after an attractor go for, by object.

@@ -95,7 +95,7 @@ class Chart {
       active_.insert(region);
     }
     const bool is_parallel = regions.size() > 1;
-    if (is_parallel) out_ += fmt::format("{}<parallel id=\"{}.parts\">\n", indent, escaped(owner));
+    if (is_parallel) out_ += fmt::format("{}<parallel id=\"{}-parts\">\n", indent, escaped(owner));
     for (const Node* region : regions) {
       const std::string inner = is_parallel ? indent + "  " : indent;
       if (region->kind == Node::Kind::kSequence)
@@ -163,7 +163,7 @@ class Chart {
     }
     const std::string id = escaped(sequence.name);
     const std::string inner = indent + "  ";
-    out_ += fmt::format("{}<state id=\"{}\" initial=\"{}.starts\">\n{}<state id=\"{}.starts\">\n", indent, id,
+    out_ += fmt::format("{}<state id=\"{}-sequence\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n", indent, id,
                         id, inner, id);
     for (WayOut way : ways_out(sequence, *start)) {
       way.is_taken = true;
@@ -199,11 +199,11 @@ class Chart {
       known.insert(known.end(), one.values.begin(), one.values.end());
       if (!one.values.empty())
         ways.push_back({fmt::format("[{}].indexOf({}) >= 0", fmt::join(one.values, ", "), by),
-                        select.name + "." + case_name(one), true});
+                        select.name + "-" + case_name(one), true});
     }
     ways.push_back({fmt::format("[{}].indexOf({}) < 0", fmt::join(known, ", "), by),
-                    select.name + (has_otherwise ? ".otherwise" : ".none"), true});
-    out_ += fmt::format("{}<state id=\"{}\" initial=\"{}.starts\">\n{}<state id=\"{}.starts\">\n", indent,
+                    select.name + (has_otherwise ? "-otherwise" : "-none"), true});
+    out_ += fmt::format("{}<state id=\"{}-select\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n", indent,
                         escaped(select.name), escaped(select.name), inner, escaped(select.name));
     for (const WayOut& way : ways) {
       put_way({fmt::format("_event && _event.data && {}", way.condition), way.target, true}, "", "",
@@ -211,9 +211,9 @@ class Chart {
       put_way(way, busy, " event=\"cycle\"", inner + "  ");
     }
     out_ += inner + "</state>\n";
-    if (!has_otherwise) put_case(select.name + ".none", nullptr, ways, busy, inner);
+    if (!has_otherwise) put_case(select.name + "-none", nullptr, ways, busy, inner);
     for (const flow::Case& one : select.cases)
-      put_case(select.name + "." + case_name(one), &one, ways, busy, inner);
+      put_case(select.name + "-" + case_name(one), &one, ways, busy, inner);
     out_ += indent + "</state>\n";
   }
   void put_case(const std::string& id, const flow::Case* one, const std::vector<WayOut>& ways,

@@ -147,6 +147,9 @@ MissionRun::Progress MissionRun::step() {
   return Progress::kStepped;
 }
 
+// The operator's yes to a robot that asked by itself, under the name that it has always had.
+constexpr const char* kMayProceed = "CONSOLE->ROBOT PROCEED MISSION";
+
 void MissionRun::answer_calls() {
   bool is_to_end = false;
   for (const RobotCall& call : fleet_->take_calls()) {
@@ -157,6 +160,7 @@ void MissionRun::answer_calls() {
         break;
       case RobotCall::Kind::kProceed:
         tell(Tell::Kind::kMessage, fmt::format("robot {} asks whether it may proceed", id));
+        if (settings_.executive.proceed_all) fleet_->notify(call.robot, kMayProceed);
         break;
       case RobotCall::Kind::kHalt:
         fleet_->stop(call.robot);
