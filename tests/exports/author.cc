@@ -13,13 +13,13 @@ std::string Author::configuration() {
   return fmt::format(
       "architecture UGV;\n"
       "class Cart {{\n  actuator wheels: Drive() binds movement;\n}}\n"
-      "robot R(a: flag = false, b: flag = false, c: flag = false, d: flag = false) is Cart {{\n"
+      "robot R is Cart {{\n"
       "  movement = {};\n}}\n",
       sequence(3));
 }
 
 std::string Author::trigger(int depth) {
-  const std::string one(1, static_cast<char>('a' + pick(4)));
+  const std::string one = fmt::format("IsNotified(message = \"{}\")", "abcd"[pick(4)]);
   if (depth == 0) return one;
   switch (pick(5)) {
     case 0:
@@ -48,7 +48,8 @@ std::string Author::sequence(int depth) {
   std::string out = "sequence {\n";
   for (int i = 0; i < count; ++i) {
     const int ways = pick(4);
-    out += fmt::format("{}{}S{}: {};\n", i == start ? "start " : "", ways == 0 ? "final " : "", i, member(depth));
+    out += fmt::format("{}{}S{}: {};\n", i == start ? "start " : "", ways == 0 ? "final " : "", i,
+                       member(depth));
     for (int way = 0; way < ways; ++way)
       out += fmt::format("when {} goto S{}{};\n", trigger(2), pick(count), pick(4) == 0 ? " restart" : "");
   }

@@ -3,14 +3,16 @@
 #include <cstdint>
 #include <string>
 
+#include "mlab/base/hash.h"
+
 namespace mlab::exports_test {
 
-/// Makes up configurations of sequences in sequences, whose triggers are made of the robot's own flags a, b, c, d:
+/// Makes up configurations of sequences in sequences, whose triggers are made of four notifications, a to d:
 /// what decides is known and can be told to other interpreters.
 class Author {
  public:
   /// @param is_parallel  sequences also run beside each other, under cooperation
-  Author(std::uint64_t seed, bool is_parallel) : state_(seed * 2 + 1), is_parallel_(is_parallel) {}
+  Author(std::uint64_t seed, bool is_parallel) : state_(base::mix_bits(seed)), is_parallel_(is_parallel) {}
 
   /// The text of a configuration with one robot.
   std::string configuration();

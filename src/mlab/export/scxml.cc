@@ -163,8 +163,8 @@ class Chart {
     }
     const std::string id = escaped(sequence.name);
     const std::string inner = indent + "  ";
-    out_ += fmt::format("{}<state id=\"{}-sequence\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n", indent, id,
-                        id, inner, id);
+    out_ += fmt::format("{}<state id=\"{}-sequence\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n",
+                        indent, id, id, inner, id);
     for (WayOut way : ways_out(sequence, *start)) {
       way.is_taken = true;
       way.condition = fmt::format("_event && _event.data && {}", way.condition);
@@ -203,8 +203,8 @@ class Chart {
     }
     ways.push_back({fmt::format("[{}].indexOf({}) < 0", fmt::join(known, ", "), by),
                     select.name + (has_otherwise ? "-otherwise" : "-none"), true});
-    out_ += fmt::format("{}<state id=\"{}-select\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n", indent,
-                        escaped(select.name), escaped(select.name), inner, escaped(select.name));
+    out_ += fmt::format("{}<state id=\"{}-select\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n",
+                        indent, escaped(select.name), escaped(select.name), inner, escaped(select.name));
     for (const WayOut& way : ways) {
       put_way({fmt::format("_event && _event.data && {}", way.condition), way.target, true}, "", "",
               inner + "  ");
