@@ -216,7 +216,8 @@ TEST_F(Exports, AStateChartExecutedByAnotherInterpreterIsInTheStatesOfTheRobot) 
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t cycle = 0; cycle < kCycles; ++cycle) {
       ASSERT_EQ(results[i][cycle].get<std::vector<std::string>>(), runs[i].states[cycle])
-          << "seed " << i + 1 << ", cycle " << cycle << "\n"
+          << "seed " << i + 1 << ", cycle " << cycle << "\nbefore: "
+          << fmt::format("{}\nis so: {}\n", runs[i].states[cycle == 0 ? 0 : cycle - 1], runs[i].truth[cycle])
           << cases[i]["scxml"].get<std::string>();
       changes += cycle > 0 && runs[i].states[cycle] != runs[i].states[cycle - 1] ? 1 : 0;
     }

@@ -126,7 +126,7 @@ class Chart {
     std::vector<const Node*> regions;
     std::set<const Node*> seen;
     collect_source(transition.trigger, regions, seen);
-    if (regions.empty()) return;
+    if (regions.empty() || !told_.insert(&transition).second) return;
     sink_
         .error("sequence-in-trigger", transition.trigger.place,
                fmt::format("a trigger that the sequence `{}` is part of", regions.front()->name))
@@ -238,7 +238,8 @@ class Chart {
   text::Diagnostics& sink_;
   std::string out_;
   std::set<const Node*> used_;
-  std::set<const Node*> active_;  // runs already where we are
+  std::set<const flow::Transition*> told_;  // those that have an error already
+  std::set<const Node*> active_;            // runs already where we are
 };
 
 }  // namespace
