@@ -13,10 +13,10 @@ T value_of(const char* name) {
 }
 
 TEST(Nothing, HoldsNothing) {
-  EXPECT_TRUE(value_of<flow::Objects>("NoObjects").empty());
-  EXPECT_TRUE(value_of<flow::Obstacles>("NoObstacles").empty());
-  EXPECT_TRUE(value_of<flow::Robots>("NoRobots").empty());
-  EXPECT_TRUE(value_of<flow::Ranges>("NoRanges").empty());
+  EXPECT_EQ(value_of<flow::Objects>("NoObjects").count, 0);
+  EXPECT_EQ(value_of<flow::Obstacles>("NoObstacles").count, 0);
+  EXPECT_EQ(value_of<flow::Robots>("NoRobots").count, 0);
+  EXPECT_EQ(value_of<flow::Ranges>("NoRanges").count, 0);
   EXPECT_EQ(value_of<percept::ObjectReading>("NoObject").id.value, 0U);
   EXPECT_EQ(value_of<double>("ZeroNumber"), 0.0);
   EXPECT_EQ(value_of<int>("ZeroCount"), 0);

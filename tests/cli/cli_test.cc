@@ -246,9 +246,10 @@ TEST_F(Command, RunWritesAReportWithTheKeysOfItsSchema) {
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(has(o.out, "step 1: unit u MOVETO There done")) << o.out;
   const Json report = Json::parse(text_of(folder_ / "r.json"));
-  for (const char* key : {"version", "mission", "seed", "outcome", "steps", "robots", "units", "performance"})
+  for (const char* key :
+       {"version", "mission", "seed", "outcome", "steps", "robots", "units", "deliveries", "performance"})
     EXPECT_TRUE(report.contains(key)) << key;
-  EXPECT_EQ(report.size(), 8U);
+  EXPECT_EQ(report.size(), 9U);
   EXPECT_EQ(report["outcome"], "done");
   EXPECT_EQ(report["steps"].size(), 2U);
   EXPECT_EQ(report["robots"][0]["collisions"], 0);

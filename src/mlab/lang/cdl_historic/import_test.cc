@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,10 @@
 
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/print.h"
-#include "mlab/library/library.h"
 #include "mlab/text/testing/golden.h"
+
+/// The procedures of the component library, which stands above this module and is linked to its tests only.
+std::span<const mlab::flow::Behavior* const> mlab_library_behaviors();
 
 namespace mlab::cdl_historic {
 namespace {
