@@ -54,9 +54,8 @@ Value Lowering::instantiate(const Word& callee, const std::vector<Given>& given,
     error("too-many-nodes", place, fmt::format("the robot has more than {} nodes", kMaxNodes));
     return {};
   }
-  const auto assemblage = configuration_.assemblages.find(callee.text);
-  if (assemblage != configuration_.assemblages.end())
-    return instantiate_assemblage(callee, *assemblage->second, given, slot, place);
+  if (const Assemblage* assemblage = configuration_.assemblage_named(callee))
+    return instantiate_assemblage(callee, *assemblage, given, slot, place);
   const flow::Library::Entry entry = library_.find(callee.text);
   if (entry.behavior != nullptr) return instantiate_procedure(callee, entry, given, slot, place);
   return unknown_callee(callee);

@@ -210,7 +210,10 @@ bool parse_block(Cursor& cursor, Expression& into) {
   const std::string nearest = text::nearest_name(cursor.text(), kWords);
   text::Diagnostic* d =
       cursor.error("unknown-operator", cursor.here(), fmt::format("unknown operator `{}`", cursor.text()));
-  if (d != nullptr && !nearest.empty()) d->hints.push_back(fmt::format("did you mean `{}`?", nearest));
+  if (d != nullptr) {
+    d->hints.push_back(nearest.empty() ? "there are cooperate, compete, coordinate, fuse, sequence, select"
+                                       : fmt::format("did you mean `{}`?", nearest));
+  }
   return false;
 }
 
