@@ -18,6 +18,10 @@ std::int64_t index_of(double at, double cell) {
   return static_cast<std::int64_t>(std::clamp(std::floor(at / cell), -kFarthest, kFarthest));
 }
 
+std::size_t index_in(int x, int y) {
+  return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+}
+
 // One coordinate of a line, seen from the borders of cells that it crosses.
 struct Line {
   Line(double from, double to, double cell) : first(index_of(from, cell)), step(to >= from ? 1 : -1) {
@@ -140,7 +144,7 @@ Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
       const int y = at / kSize + step.dy;
       if (x < 0 || y < 0 || x >= kSize || y >= kSize || !is_free(x, y)) continue;
       if (cuts_corner(at % kSize, at / kSize, step)) continue;
-      const auto next = static_cast<std::size_t>(y * kSize + x);
+      const auto next = index_in(x, y);
       const int way = ways[static_cast<std::size_t>(at)] + step.cost;
       if (way >= ways[next]) continue;
       ways[next] = way;
@@ -156,14 +160,14 @@ Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
   int y = inside(index_of(robot.y, cell) - y0_);
   Point stop = robot;
   for (int i = 0; i < kSize; ++i) {
-    int best = ways[static_cast<std::size_t>(y * kSize + x)];
+    int best = ways[index_in(x, y)];
     const int here_x = x;
     const int here_y = y;
     for (const Step& step : kSteps) {
       const int nx = here_x + step.dx;
       const int ny = here_y + step.dy;
       if (nx < 0 || ny < 0 || nx >= kSize || ny >= kSize || cuts_corner(here_x, here_y, step)) continue;
-      const int way = ways[static_cast<std::size_t>(ny * kSize + nx)];
+      const int way = ways[index_in(nx, ny)];
       if (way == kNoWay || way >= best) continue;
       best = way;
       x = nx;
