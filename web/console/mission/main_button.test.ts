@@ -31,7 +31,7 @@ describe("Step and Skip", () => {
   });
 });
 
-describe("the large button", () => {
+describe("the main button", () => {
   it("executes, pauses, resumes", () => {
     expect(at(Status_Mode.READY)).toMatchObject({ label: "Execute", does: { action: Control_Action.EXECUTE } });
     expect(at(Status_Mode.RUNNING)).toMatchObject({ label: "Pause", does: { action: Control_Action.PAUSE } });

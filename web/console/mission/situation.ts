@@ -1,4 +1,4 @@
-// What the large button has to know, gathered from the model.
+// What the main button has to know, gathered from the model.
 import type { Model } from "../../core/model.ts";
 import type { Situation } from "./main_button.ts";
 
