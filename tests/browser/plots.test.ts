@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { begin } from "./begin.ts";
 
 test("a plot shows a curve while the mission runs, and is saved as CSV, SVG and PNG", async () => {
-  const { console } = await begin({ mission: "demo_c" });
+  const { console, project } = await begin({ mission: "demo_c" });
   const { page } = console;
   await console.main.click();
   await console.reaches("Running");
@@ -48,7 +48,9 @@ test("a plot shows a curve while the mission runs, and is saved as CSV, SVG and 
     await plots.getByRole("button", { name: "Export" }).click();
     const download = page.waitForEvent("download");
     await page.getByRole("menuitem", { name: what }).click();
-    return readFileSync(await (await download).path());
+    const path = project.path("saved");
+    await (await download).saveAs(path);
+    return readFileSync(path);
   };
   const [head = "", ...rows] = (await saved("Table (CSV)")).toString("utf8").trim().split("\n");
   expect(head).toMatch(/time/i);
