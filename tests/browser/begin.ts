@@ -28,7 +28,7 @@ export class Project {
     return readFileSync(this.path(name), "utf8");
   }
 
-  write(name: string, text: string): void {
+  write(name: string, text: string | Uint8Array): void {
     writeFileSync(this.path(name), text);
   }
 

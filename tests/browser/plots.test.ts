@@ -61,3 +61,16 @@ test("a plot shows a curve while the mission runs, and is saved as CSV, SVG and 
   expect((await saved("Drawing (SVG)")).toString("utf8")).toMatch(/<svg[\s\S]*<path/);
   expect((await saved("Picture (PNG)")).subarray(1, 4).toString()).toBe("PNG");
 });
+
+test("plots stand again after a reload, and go on", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.main.click();
+  await console.reaches("Running");
+  const plots = await console.panel("Plots");
+  await plots.getByRole("button", { name: "Speed" }).click();
+  const value = plots.locator(".plot-value").first();
+  await expect.poll(async () => Number.parseFloat(await value.innerText())).toBeGreaterThan(0);
+  await page.reload();
+  await expect.poll(async () => Number.parseFloat(await value.innerText()), { timeout: 30_000 }).toBeGreaterThan(0);
+});

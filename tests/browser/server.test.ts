@@ -78,6 +78,18 @@ test("the emergency stop on its own path stops", async () => {
   await page.context().close();
 });
 
+test("the page says so when the server is gone, and offers nothing that could not be done", async () => {
+  const gone = await Mlab.start(join(missions, "demo_c", "demo_c.mdl"));
+  const page = await openPage();
+  await page.goto(gone.url);
+  await page.getByTestId("start-button").filter({ hasText: "Execute" }).waitFor();
+  await gone.stop();
+  await page.getByText(/Connection lost/).waitFor();
+  expect(await page.getByTestId("main-button").isDisabled()).toBe(true);
+  expect(await page.getByTestId("start-button").isDisabled()).toBe(true);
+  await page.context().close();
+});
+
 test("a mission that nobody started is no failure", async () => {
   expect(await mlab.stop()).toBe(0);
 });
