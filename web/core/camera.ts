@@ -3,6 +3,7 @@ import type { Box, Point } from "./geometry.ts";
 
 export const kSmallestScale = 1e-4; // [px/m]
 export const kLargestScale = 5000;
+const kGap = 10; // [px] between what covers the screen and what is fitted
 
 export class Camera {
   /** The world point in the middle of the screen [m]. */
@@ -71,14 +72,23 @@ export class Camera {
     ++this.version;
   }
 
-  /** All of the box, with so many pixels to spare on each side (less where the screen is small). */
-  fit(box: Box, margin = 40): void {
+  /**
+   * All of the box, with so many pixels to spare on each side (less where the screen is small), beside what covers the
+   * screen [CSS pixels, y down].
+   */
+  fit(box: Box, margin = 40, covered: readonly Box[] = []): void {
     const spare = Math.min(margin, this.width / 4, this.height / 4);
     const width = Math.max(1e-3, box.xMax - box.xMin);
     const height = Math.max(1e-3, box.yMax - box.yMin);
-    const scale = Math.min((this.width - 2 * spare) / width, (this.height - 2 * spare) / height);
-    this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, scale));
-    this.lookAt({ x: (box.xMin + box.xMax) / 2, y: (box.yMin + box.yMax) / 2 });
+    const whole = { left: spare, right: spare, top: spare, bottom: spare };
+    const scaleIn = (room: Room) =>
+      Math.min((this.width - room.left - room.right) / width, (this.height - room.top - room.bottom) / height);
+    const room = roomBeside(covered, whole, { width: this.width, height: this.height }, scaleIn);
+    this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, scaleIn(room)));
+    this.lookAt({
+      x: (box.xMin + box.xMax) / 2 + (room.right - room.left) / 2 / this.scale,
+      y: (box.yMin + box.yMax) / 2 + (room.top - room.bottom) / 2 / this.scale,
+    });
   }
 
   copy(): Camera {
@@ -93,4 +103,37 @@ export class Camera {
     this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, saved.scale));
     this.lookAt(saved);
   }
+}
+
+/** What is kept free at each edge of the screen [CSS pixels]. */
+interface Room {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
+/** Keeps clear of each covered place at that of its four sides which costs least; of one that covers too much, not. */
+function roomBeside(
+  covered: readonly Box[],
+  room: Room,
+  screen: { width: number; height: number },
+  scaleIn: (room: Room) => number,
+): Room {
+  const [first, ...others] = covered;
+  if (!first) return room;
+  const sides: Room[] = [
+    { ...room, left: Math.max(room.left, first.xMax + kGap) },
+    { ...room, right: Math.max(room.right, screen.width - first.xMin + kGap) },
+    { ...room, top: Math.max(room.top, first.yMax + kGap) },
+    { ...room, bottom: Math.max(room.bottom, screen.height - first.yMin + kGap) },
+  ];
+  const least = 0.4 * scaleIn(room);
+  let best: Room | undefined;
+  for (const side of sides) {
+    if (scaleIn(side) < least) continue;
+    const all = roomBeside(others, side, screen, scaleIn);
+    if (!best || scaleIn(all) > scaleIn(best)) best = all;
+  }
+  return best ?? roomBeside(others, room, screen, scaleIn);
 }

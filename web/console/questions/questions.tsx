@@ -1,7 +1,7 @@
 // Proceed? The oldest on top. Nothing else is blocked while they wait, and none takes the focus by itself.
 import { useLayoutEffect, useRef } from "react";
 import type { Questions_Question } from "../../core/protocol.ts";
-import { duration } from "../format.ts";
+import { duration, plain } from "../format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { unitPlace } from "../mission/unit_place.ts";
 import { answer } from "../orders.ts";
@@ -36,8 +36,8 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
     return () => handFocusOn(element);
   }, []);
   return (
-    <section ref={card} className="question" aria-label={question.text} data-question={question.id}>
-      <p className="question-text">{question.text}</p>
+    <section ref={card} className="question" aria-label={plain(question.text)} data-question={question.id}>
+      <p className="question-text">{plain(question.text)}</p>
       <div className="question-facts small">
         {where && (
           <Button
