@@ -66,6 +66,7 @@ test("undoing a parameter gives it the value that it had", async () => {
   const selection = await console.panel("Selection");
   await selection.getByRole("tab", { name: "Parameters" }).click();
   const field = selection.getByRole("textbox", { name: /^base velocity/ });
+  await expect.poll(() => field.inputValue()).not.toBe("");
   const before = await field.inputValue();
   await field.fill("3.5");
   await field.press("Enter");
