@@ -4,6 +4,7 @@ import type { Box, Point } from "./geometry.ts";
 export const kSmallestScale = 1e-4; // [px/m]
 export const kLargestScale = 5000;
 const kGap = 10; // [px] between what covers the screen and what is fitted
+const kLeast = 0.5; // What covers so much of the screen that not even this share of the scale is left, is not avoided.
 
 export class Camera {
   /** The world point in the middle of the screen [m]. */
@@ -80,10 +81,13 @@ export class Camera {
     const spare = Math.min(margin, this.width / 4, this.height / 4);
     const width = Math.max(1e-3, box.xMax - box.xMin);
     const height = Math.max(1e-3, box.yMax - box.yMin);
-    const whole = { left: spare, right: spare, top: spare, bottom: spare };
     const scaleIn = (room: Room) =>
       Math.min((this.width - room.left - room.right) / width, (this.height - room.top - room.bottom) / height);
-    const room = roomBeside(covered, whole, { width: this.width, height: this.height }, scaleIn);
+    let room: Room = { left: spare, right: spare, top: spare, bottom: spare };
+    for (const place of covered) {
+      const beside = roomBeside(place, room, { width: this.width, height: this.height });
+      if (scaleIn(beside) >= kLeast * scaleIn(room)) room = beside;
+    }
     this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, scaleIn(room)));
     this.lookAt({
       x: (box.xMin + box.xMax) / 2 + (room.right - room.left) / 2 / this.scale,
@@ -113,27 +117,16 @@ interface Room {
   bottom: number;
 }
 
-/** Keeps clear of each covered place at that of its four sides which costs least; of one that covers too much, not. */
-function roomBeside(
-  covered: readonly Box[],
-  room: Room,
-  screen: { width: number; height: number },
-  scaleIn: (room: Room) => number,
-): Room {
-  const [first, ...others] = covered;
-  if (!first) return room;
-  const sides: Room[] = [
-    { ...room, left: Math.max(room.left, first.xMax + kGap) },
-    { ...room, right: Math.max(room.right, screen.width - first.xMin + kGap) },
-    { ...room, top: Math.max(room.top, first.yMax + kGap) },
-    { ...room, bottom: Math.max(room.bottom, screen.height - first.yMin + kGap) },
-  ];
-  const least = 0.4 * scaleIn(room);
-  let best: Room | undefined;
-  for (const side of sides) {
-    if (scaleIn(side) < least) continue;
-    const all = roomBeside(others, side, screen, scaleIn);
-    if (!best || scaleIn(all) > scaleIn(best)) best = all;
+/** Keeps clear of a covered place: of a tall one at its side, else above or below it, where there is more room. */
+function roomBeside(place: Box, room: Room, screen: { width: number; height: number }): Room {
+  const [fromRight, fromBottom] = [screen.width - place.xMin + kGap, screen.height - place.yMin + kGap];
+  const [fromLeft, fromTop] = [place.xMax + kGap, place.yMax + kGap];
+  if (place.yMax - place.yMin > place.xMax - place.xMin) {
+    return fromLeft < fromRight
+      ? { ...room, left: Math.max(room.left, fromLeft) }
+      : { ...room, right: Math.max(room.right, fromRight) };
   }
-  return best ?? roomBeside(others, room, screen, scaleIn);
+  return fromTop < fromBottom
+    ? { ...room, top: Math.max(room.top, fromTop) }
+    : { ...room, bottom: Math.max(room.bottom, fromBottom) };
 }

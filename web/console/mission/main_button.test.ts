@@ -12,6 +12,7 @@ function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): Retu
     errors: 0,
     nextLabel: "2",
     hasAsked: false,
+    hasOperator: true,
     ...more,
   });
 }
@@ -66,7 +67,11 @@ describe("the main button", () => {
     expect(at(Status_Mode.ENDED).does).toEqual({ kind: "control", action: Control_Action.RESTART });
   });
   it("offers control to who only watches, once", () => {
-    expect(at(Status_Mode.RUNNING, { isOperator: false }).does).toEqual({ kind: "take-operator" });
+    expect(at(Status_Mode.RUNNING, { isOperator: false })).toMatchObject({
+      label: "Ask for control",
+      does: { kind: "take-operator" },
+    });
+    expect(at(Status_Mode.RUNNING, { isOperator: false, hasOperator: false }).label).toBe("Take control");
     expect(at(Status_Mode.RUNNING, { isOperator: false, hasAsked: true }).does).toEqual({ kind: "nothing" });
   });
   it("shows the errors of a mission that can't run", () => {

@@ -20,6 +20,8 @@ export interface MainButton {
 export interface Situation {
   status: Status | undefined;
   isOperator: boolean;
+  /** There is one, this browser or another. */
+  hasOperator: boolean;
   isConnected: boolean;
   openQuestions: number;
   errors: number;
@@ -41,7 +43,7 @@ export function mainButton(situation: Situation): MainButton {
       icon: "play",
     };
   }
-  if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation.hasAsked);
+  if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation);
   switch (status.mode) {
     case Status_Mode.NO_MISSION:
       return situation.errors > 0
@@ -136,7 +138,7 @@ export function skipWords(status: Status | null): string {
     : "Passes over the next step, without starting anything";
 }
 
-function watching(hasAsked: boolean): MainButton {
+function watching({ hasAsked, hasOperator }: Situation): MainButton {
   return hasAsked
     ? {
         label: "Asked for control",
@@ -147,8 +149,8 @@ function watching(hasAsked: boolean): MainButton {
         icon: "hand",
       }
     : {
-        label: "Take control",
-        hint: "You are watching. Somebody else is the operator, or nobody.",
+        label: hasOperator ? "Ask for control" : "Take control",
+        hint: `You are watching. ${hasOperator ? "Somebody else" : "Nobody"} is the operator.`,
         does: { kind: "take-operator" },
         tone: "hold",
         icon: "hand",
