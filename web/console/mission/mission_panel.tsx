@@ -149,8 +149,15 @@ function Steps() {
   const done = planned.filter((row) => isOver(row.state)).length;
   const list = useRef<HTMLOListElement>(null);
   const current = rows.findIndex((row) => row.state === "running" || row.state === "next");
+  // In sight also when the panel becomes lower.
   useEffect(() => {
-    list.current?.children[current]?.scrollIntoView?.({ block: "nearest" });
+    const show = () => list.current?.children[current]?.scrollIntoView?.({ block: "nearest" });
+    show();
+    const panel = list.current?.closest(".panel");
+    if (!panel) return;
+    const observer = new ResizeObserver(show);
+    observer.observe(panel);
+    return () => observer.disconnect();
   }, [current]);
   if (rows.length === 0) {
     return (
