@@ -116,7 +116,7 @@ class Lowering {
     Word name;  ///< empty: by position
     ExpressionPtr value;
     Scope* scope = nullptr;
-    std::optional<Value> ready = {};  ///< instead of `value`
+    std::optional<Value> ready = std::nullopt;  ///< instead of `value`
     text::Place place = {};
   };
   struct DeviceUse {
