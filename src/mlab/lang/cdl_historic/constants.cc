@@ -227,15 +227,6 @@ std::optional<double> whole(std::string_view text) {
   return std::trunc(*value);  // as C++ did
 }
 
-// Our texts stand on one line, and know no quotes in quotes.
-std::string on_one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '"') c = '\'';
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  return text;
-}
-
 }  // namespace
 
 std::optional<double> evaluate(std::string_view text) {
@@ -309,11 +300,11 @@ Draft constant(const Word& text, std::string_view type, const std::string& unit)
   if (type == "ObjectClasses") return classes(said, text.place);
   // Colours of objects were macros: `OrangeObject`.
   if (type == "Text" && said.ends_with("Object") && !unquoted(said)) {
-    return quoted(on_one_line(std::string(said.substr(0, said.size() - 6))), text.place);
+    return quoted(std::string(said.substr(0, said.size() - 6)), text.place);
   }
-  if (type == "Text") return quoted(on_one_line(unquoted(said).value_or(std::string(said))), text.place);
+  if (type == "Text") return quoted(unquoted(said).value_or(std::string(said)), text.place);
   if (type == "Formation" || type == "FormationReference" || type == "Task") {
-    return quoted(on_one_line(unquoted(said).value_or(std::string(said))), text.place);
+    return quoted(unquoted(said).value_or(std::string(said)), text.place);
   }
   return nullptr;
 }
