@@ -287,6 +287,16 @@ TEST_F(Command, AsksWhetherAUnitMayProceedAndTakesTheAnswers) {
   EXPECT_TRUE(has(nobody.out, "--proceed")) << "says how to go on without an operator";
 }
 
+TEST_F(Command, TakesTheAnswerToWhatARobotAsksByItself) {
+  const Outcome yes = mlab("run '" + kMissions + "ugv/ugv.mdl' --headless --report r.json", "echo y |");
+  EXPECT_EQ(yes.status, 0) << yes.out << yes.err;
+  EXPECT_TRUE(has(yes.out, "Robot 1 asks whether it may go on. Proceed? [y/n]")) << yes.out;
+  EXPECT_EQ(Json::parse(text_of(folder_ / "r.json"))["mission"]["answers"].size(), 1U);
+  const Outcome no = mlab("run '" + kMissions + "ugv/ugv.mdl' --headless", "echo n |");
+  EXPECT_EQ(no.status, 1);
+  EXPECT_TRUE(has(no.out, "aborted")) << no.out;
+}
+
 TEST_F(Command, AQuestionThatAnswersItselfNeedsNobodyAtTheTerminal) {
   const Outcome run = mlab("run '" + kMissions + "patrol/patrol.mdl' --headless");
   EXPECT_EQ(run.status, 0) << run.out << run.err;

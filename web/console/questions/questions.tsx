@@ -3,7 +3,7 @@ import { useLayoutEffect, useRef } from "react";
 import type { Questions_Question } from "../../core/protocol.ts";
 import { duration, plain } from "../format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
-import { unitPlace } from "../mission/unit_place.ts";
+import { robotPlace, unitPlace } from "../mission/unit_place.ts";
 import { answer } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button } from "../ui/controls.tsx";
@@ -29,7 +29,7 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
   const link = usePart("link");
   const status = usePart("status");
   const isDoing = commandOfUnit(status, question.unit);
-  const where = question.unit !== "";
+  const where = question.robot > 0 ? `Robot ${question.robot}` : question.unit;
   const card = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
     const element = card.current;
@@ -39,11 +39,13 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
     <section ref={card} className="question" aria-label={plain(question.text)} data-question={question.id}>
       <p className="question-text">{plain(question.text)}</p>
       <div className="question-facts small">
-        {where && (
+        {where !== "" && (
           <Button
             tone="link"
-            aria-label={`Show ${question.unit} on the map`}
-            onPress={() => unitPlace(session, [question.unit])}
+            aria-label={`Show ${where} on the map`}
+            onPress={() =>
+              question.robot > 0 ? robotPlace(session, question.robot) : unitPlace(session, [question.unit])
+            }
           >
             <Icon name="centre" /> Show
           </Button>
