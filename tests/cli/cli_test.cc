@@ -288,10 +288,10 @@ TEST_F(Command, AsksWhetherAUnitMayProceedAndTakesTheAnswers) {
 }
 
 TEST_F(Command, TakesTheAnswerToWhatARobotAsksByItself) {
-  const Outcome yes = mlab("run '" + kMissions + "ugv/ugv.mdl' --headless --report r.json", "echo y |");
+  const Outcome yes = mlab("run '" + kMissions + "ugv/ugv.mdl' --headless --report r.json", "yes |");
   EXPECT_EQ(yes.status, 0) << yes.out << yes.err;
   EXPECT_TRUE(has(yes.out, "Robot 1 asks whether it may go on. Proceed? [y/n]")) << yes.out;
-  EXPECT_EQ(Json::parse(text_of(folder_ / "r.json"))["mission"]["answers"].size(), 1U);
+  EXPECT_EQ(Json::parse(text_of(folder_ / "r.json"))["mission"]["answers"].size(), 2U);
   const Outcome no = mlab("run '" + kMissions + "ugv/ugv.mdl' --headless", "echo n |");
   EXPECT_EQ(no.status, 1);
   EXPECT_TRUE(has(no.out, "aborted")) << no.out;
