@@ -69,6 +69,6 @@ stage_thread() {
   run_ctest "$build/tsan" -L threads
 }
 
-stage_tidy() { MLAB_JOBS=$jobs bash "$root/tools/tidy" -p "$build/test"; }
+stage_tidy() { MLAB_JOBS=$jobs bash "$root/tools/tidy" -p "$build/test" --seconds "$tidy_seconds"; }
 
 stage_install() { bash "$root/tests/install/install_test" "$root" "$build/test"; }
