@@ -67,7 +67,7 @@ std::optional<robot_build::RobotSource> networked(const BuildOptions& options, t
 // Where progress is shown to a person; nothing in a pipe.
 class ProgressLine {
  public:
-  void show(std::size_t done, std::size_t total, const std::string& what) {
+  void show(std::size_t done, std::size_t total, const std::string& what) const {
     if (is_shown_) fmt::print(stderr, "\r\x1b[K[{}/{}] {}", done, total, what);
     std::fflush(stderr);
   }
@@ -91,7 +91,7 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
   const auto began = std::chrono::steady_clock::now();
   std::optional<robot_build::BuildReport> report;
   {
-    ProgressLine line;
+    const ProgressLine line;
     report = robot_build::build_executable(
         robot_build::emit_cpp(robot), output, toolchain(), sink,
         [&](std::size_t done, std::size_t total, const std::string& what) { line.show(done, total, what); });

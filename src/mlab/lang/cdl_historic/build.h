@@ -37,7 +37,7 @@ inline Draft quoted(std::string text, text::Place place) {
     if (c == '"') c = '\'';
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
-  return draft(cdl::Text{std::move(text)}, place);
+  return draft(cdl::Text{std::move(text)}, std::move(place));
 }
 inline Draft call(std::string callee, text::Place place, std::vector<cdl::Argument> arguments = {}) {
   return draft(cdl::Call{{std::move(callee), place}, std::move(arguments)}, place);
