@@ -62,7 +62,9 @@ TEST(Configurations, OfTheLibraryExplainAllTheirAssemblages) {
 
 TEST(Wander, CoversGroundAndTouchesNothing) {
   std::vector<sim::Disc> discs;
-  for (int i = 0; i < 12; ++i) discs.push_back({{(i % 4) * 6.0 - 9.0, i / 4 * 6.0 - 6.0}, 0.5});
+  for (const double y : {-6.0, 0.0, 6.0}) {
+    for (const double x : {-9.0, -3.0, 3.0, 9.0}) discs.push_back({{x, y}, 0.5});
+  }
   Trial trial("Wander()", with(discs), {{-6, 0}, 0});
   std::set<std::pair<int, int>> cells;
   trial.run(200, [&] {

@@ -141,7 +141,10 @@ void Lowering::link_argument(const InputView& view, const Given& given, flow::No
     if (auto source = bind(one, type, view.input, view.name, place))
       node.links.push_back({view.name, std::move(*source), link_place});
   };
-  if (!view.input->is_list || value.kind != Value::Kind::kList) return link(value, given.place);
+  if (!view.input->is_list || value.kind != Value::Kind::kList) {
+    link(value, given.place);
+    return;
+  }
   // `[1, 2]` is one vector for a list of vectors, `[[1, 2]]` another way to say so.
   for (const Value& item : value.items) link(item, item.place);
 }

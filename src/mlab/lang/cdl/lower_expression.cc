@@ -278,7 +278,6 @@ PortType Lowering::static_type(const Expression& expression, const Scope* scope,
   const auto of = [&](const ExpressionPtr& part) {
     return part ? static_type(*part, scope, inside, depth + 1) : PortType{};
   };
-  const PortType vector = known_type("Vector");
   return std::visit(
       Overloaded{
           [&](const Number&) { return known_type("double"); },
@@ -287,8 +286,8 @@ PortType Lowering::static_type(const Expression& expression, const Scope* scope,
           [&](const List&) { return PortType{}; },
           [&](const Call& call) { return static_type_of_call(call.callee, depth); },
           [&](const Logic&) { return known_type("bool"); },
-          [&](const Cooperate&) { return vector; },
-          [&](const Compete&) { return vector; },
+          [&](const Cooperate&) { return known_type("Vector"); },
+          [&](const Compete&) { return known_type("Vector"); },
           [&](const Coordinate& what) { return static_type_of_call(what.by.callee, depth); },
           [&](const Fuse& what) { return static_type_of_call(what.by.callee, depth); },
           [&](const Sequence& what) {
