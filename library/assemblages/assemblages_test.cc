@@ -3,6 +3,8 @@
 #include <numbers>
 #include <set>
 
+#include "mlab/library/library.h"
+
 #include "trial.h"
 
 namespace mlab::library_test {
@@ -60,7 +62,9 @@ TEST(Configurations, OfTheLibraryExplainAllTheirAssemblages) {
 
 TEST(Wander, CoversGroundAndTouchesNothing) {
   std::vector<sim::Disc> discs;
-  for (int i = 0; i < 12; ++i) discs.push_back({{(i % 4) * 6.0 - 9.0, i / 4 * 6.0 - 6.0}, 0.5});
+  for (const double y : {-6.0, 0.0, 6.0}) {
+    for (const double x : {-9.0, -3.0, 3.0, 9.0}) discs.push_back({{x, y}, 0.5});
+  }
   Trial trial("Wander()", with(discs), {{-6, 0}, 0});
   std::set<std::pair<int, int>> cells;
   trial.run(200, [&] {
@@ -304,6 +308,29 @@ TEST(TestObject, MarksDangerousAndSafeObjects) {
     EXPECT_EQ(trial.simulator().objects()[0].object_class,
               is_dangerous ? ObjectClass::kMine : ObjectClass::kTree);
   }
+}
+
+TEST(MarkObjectAs, MarksTheNearestObjectWithinReach) {
+  Trial trial("MarkObjectAs(classes = Flag, range = 1 m)",
+              with({}, {object(1, ObjectClass::kUnknown, ObjectStyle::kFixed, {0.6, 0}),
+                        object(2, ObjectClass::kUnknown, ObjectStyle::kFixed, {4, 0})}),
+              {{0, 0}, 0});
+  trial.run(1);
+  EXPECT_EQ(trial.simulator().objects()[0].object_class, ObjectClass::kFlag);
+  EXPECT_EQ(trial.simulator().objects()[1].object_class, ObjectClass::kUnknown);
+}
+
+TEST(SigSense, HearsWhatProbeNearestObjectFound) {
+  const auto heard = [](ObjectStyle style) {
+    Trial trial(
+        "sequence { start A: ProbeNearestObject(); when SigSense(key = 100) goto B; when SigSense(key = 115) "
+        "goto C; final B: NotifySelf(\"danger\"); final C: NotifySelf(\"safe\"); }",
+        with({}, {object(1, ObjectClass::kUnknown, style, {0.6, 0})}), {{0, 0}, 0});
+    trial.run(2);
+    return std::pair(trial.has_heard("danger"), trial.has_heard("safe"));
+  };
+  EXPECT_EQ(heard(ObjectStyle::kMovable), std::pair(true, false));
+  EXPECT_EQ(heard(ObjectStyle::kFixed), std::pair(false, true));
 }
 
 TEST(SurveyRoom, FindsTheDangerousOneAmongThree) {

@@ -72,6 +72,8 @@ class Trial {
   bool has_heard(std::string_view name) const {
     return std::ranges::binary_search(heard_, base::hash_text(name));
   }
+  /// The states that the robot's sequences are in, by their paths.
+  std::vector<std::string> states() const { return program_->active_states(frame_.data()); }
   std::string alert() const { return alert_; }
   sim::Simulator& simulator() { return simulator_; }
   sim::BodyIndex body() const { return body_; }

@@ -77,7 +77,9 @@ TEST(ProbeObject, FindsWhatCanBeCarriedDangerous) {
 
 TEST(MarkObject, AsksForTheNewClass) {
   flow::BehaviorProbe p = probe("MARK_OBJECT");
-  p.set("object", ObjectReading{.id = {7}}).set_text("classes", "Flag").step();
+  ObjectReading seen;
+  seen.id = {7};
+  p.set("object", seen).set_text("classes", "Flag").step();
   ASSERT_EQ(p.action.request_count, 1);
   EXPECT_EQ(p.action.requests[0].kind, Kind::kMarkObject);
   EXPECT_EQ(p.action.requests[0].object_class, percept::ObjectClass::kFlag);
@@ -102,15 +104,16 @@ TEST(Localize, SaysOnceWhereItIs) {
   ASSERT_EQ(p.action.request_count, 1);
   EXPECT_EQ(p.action.requests[0].place, (geom::Point{3, 4}));
   EXPECT_DOUBLE_EQ(p.action.requests[0].heading, 1.0);
+  p.action = {};
   p.step();
-  EXPECT_EQ(p.action.request_count, 1);
+  EXPECT_EQ(p.action.request_count, 0);
 }
 
 TEST(Halt, AsksToEndTheProgramAndTerminateMissionToEndAll) {
   flow::BehaviorProbe halt = probe("HALT");
   halt.step();
   EXPECT_EQ(halt.action.requests[0].kind, Kind::kHalt);
-  flow::BehaviorProbe end = probe("TERMINATE_MISSION");
+  flow::BehaviorProbe end = probe("TerminateMission");
   end.step();
   EXPECT_EQ(end.action.requests[0].kind, Kind::kEndMission);
 }

@@ -31,6 +31,13 @@ struct Building {
   }
 };
 
+TEST(InHallway, IsSoWithinItsWidthOnly) {
+  const Building building;
+  EXPECT_TRUE(building.is_true("InHallway", {1, -1}));
+  EXPECT_FALSE(building.is_true("InHallway", {1, -4.5}));
+  EXPECT_FALSE(building.is_true("InHallway", {25, -2}));
+}
+
 TEST(InRoom, IsSoInsideOfTheOutlineOnly) {
   const Building building;
   EXPECT_TRUE(building.is_true("IN_ROOM", {1, 1}));

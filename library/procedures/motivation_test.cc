@@ -38,7 +38,8 @@ TEST(DetectSoundMotivated, GetsUsedToIt) {
 }
 
 TEST(IsObjectMotivated, NeedsAnObjectAndEveryMoodWithinItsBounds) {
-  const std::array<percept::ObjectReading, 1> seen = {{{.id = {1}}}};
+  std::array<percept::ObjectReading, 1> seen;
+  seen[0].id = {1};
   flow::BehaviorProbe p = probe("IS_AN_OBJECT_MOTIVATED");
   p.percepts.objects = seen;
   p.step();

@@ -1,8 +1,6 @@
 // The standard robot of missions, to the bit: what it did when it was a network of nodes written by hand.
 
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,7 +82,8 @@ std::uint64_t deeds(const flow::Program& program,
   for (const auto& [name, value] : parameters) {
     const flow::Port* port = program.find(name);
     EXPECT_NE(port, nullptr) << name;
-    if (port != nullptr) EXPECT_EQ(program.set(frame.data(), *port, value).value_or(""), "");
+    if (port == nullptr) continue;
+    EXPECT_EQ(program.set(frame.data(), *port, value).value_or(""), "");
   }
   AnyCycle any(7);
   percept::Percepts percepts;
@@ -116,28 +115,14 @@ const flow::Program& scout() {
 }
 
 TEST(Scout, DoesWhatItDidAsANetworkWrittenByHand) {
-  EXPECT_EQ(deeds(scout(), {}), 0x1ULL);
+  EXPECT_EQ(deeds(scout(), {}), 8341195207322162590ULL);
   EXPECT_EQ(deeds(scout(), {{"navigation_swirl_gain", "1"},
                             {"navigation_move_to_concealment_gain", "0.5"},
                             {"formation_reference", "leader"},
                             {"cautious_mode", "true"},
                             {"swirl_sphere", "20"}}),
-            0x1ULL);
+            12023803421817601044ULL);
 }
 
-TEST(Scout, SameAsTheNetwork) {
-  const std::ifstream file(std::string(MLAB_SOURCE_DIR) + "/library/robots/standard.cnl");
-  std::stringstream text;
-  text << file.rdbuf();
-  const auto program = program_of("standard.cnl", text.str());
-  EXPECT_EQ(deeds(scout(), {}), deeds(*program, {}));
-  const std::vector<std::pair<const char*, const char*>> other = {
-      {"navigation_swirl_gain", "1"},
-      {"navigation_move_to_concealment_gain", "0.5"},
-      {"formation_reference", "leader"},
-      {"cautious_mode", "true"},
-      {"swirl_sphere", "20"}};
-  EXPECT_EQ(deeds(scout(), other), deeds(*program, other));
-}
 }  // namespace
 }  // namespace mlab::library_test

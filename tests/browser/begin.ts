@@ -4,11 +4,9 @@ import { tmpdir } from "node:os";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { expect, onTestFinished } from "vitest";
-import { openBrowser } from "../../web/tools/browser.mjs";
 import { Console } from "./console.ts";
 import { Mlab, missions } from "./mlab.ts";
-
-export type Browser = Awaited<ReturnType<typeof openBrowser>>;
+import { kSmall, openPage } from "./open_page.ts";
 
 /** Where a test that fails leaves what was to be seen. */
 const failures =
@@ -30,7 +28,7 @@ export class Project {
     return readFileSync(this.path(name), "utf8");
   }
 
-  write(name: string, text: string): void {
+  write(name: string, text: string | Uint8Array): void {
     writeFileSync(this.path(name), text);
   }
 
@@ -45,8 +43,9 @@ interface Beginning {
   options?: string[];
   /** Changes the project before mlab starts. */
   prepare?: (project: Project) => void;
-  width?: number;
-  height?: number;
+  size?: { width: number; height: number };
+  /** Run in the page before its own scripts. */
+  before?: () => void;
 }
 
 export interface Begun {
@@ -56,7 +55,7 @@ export interface Begun {
 }
 
 export async function begin(beginning: Beginning = {}): Promise<Begun> {
-  const { mission = "", options = [], prepare, width = 1280, height = 800 } = beginning;
+  const { mission = "", options = [], prepare, size, before } = beginning;
   const project = new Project(mission);
   onTestFinished(() => project.remove());
   prepare?.(project);
@@ -65,14 +64,13 @@ export async function begin(beginning: Beginning = {}): Promise<Begun> {
   onTestFinished(async () => {
     await mlab.stop();
   });
-  return { project, mlab, console: await look(mlab, { width, height }) };
+  return { project, mlab, console: await look(mlab, size, before) };
 }
 
-/** One more browser that looks at this mlab. */
-export async function look(mlab: Mlab, size = { width: 1280, height: 800 }): Promise<Console> {
-  const browser = await openBrowser();
-  const page = await browser.page(size);
-  page.setDefaultTimeout(30_000);
+/** One more browser that looks at this mlab; `before` is run before the page's own scripts. */
+export async function look(mlab: Mlab, size = kSmall, before?: () => void): Promise<Console> {
+  const page = await openPage(size);
+  if (before) await page.addInitScript(before);
   const console = new Console(page);
   onTestFinished(async ({ task }) => {
     if (task.result?.state === "fail") {
@@ -80,7 +78,7 @@ export async function look(mlab: Mlab, size = { width: 1280, height: 800 }): Pro
       const name = task.name.replace(/[^a-z0-9]+/gi, "_").slice(0, 80);
       await page.screenshot({ path: join(failures, `${name}.png`) }).catch(() => {});
     }
-    await browser.close();
+    await page.context().close();
     expect(console.troubles).toEqual([]);
   });
   await page.goto(mlab.url);

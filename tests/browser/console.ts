@@ -7,7 +7,10 @@ const kRails: Record<string, string> = { Teleoperation: "Steer" };
 export class Console {
   /** What the page threw or complained of. */
   readonly troubles: string[] = [];
+  /** In the top bar, always there. */
   readonly main: Locator;
+  /** The large one of the Mission panel, until the mission starts. */
+  readonly start: Locator;
   readonly state: Locator;
   readonly runTime: Locator;
   readonly stop: Locator;
@@ -20,6 +23,7 @@ export class Console {
     page.on("pageerror", (error) => this.troubles.push(String(error)));
     page.on("console", (message) => message.type() === "error" && this.troubles.push(message.text()));
     this.main = page.getByTestId("main-button");
+    this.start = page.getByTestId("start-button");
     this.state = page.getByTestId("run-state");
     this.runTime = page.getByTestId("run-time");
     this.stop = page.getByTestId("emergency-stop");

@@ -63,10 +63,10 @@ test("of two browsers one is the operator, until the place is handed over", asyn
     .waitFor();
   await first.reaches("Running");
 
-  await second.button("Ask for control").click();
+  await second.main.filter({ hasText: "Ask for control" }).click();
   await first.page.getByText(/asks to become the operator/).waitFor();
   await first.button("Decline").click();
-  await second.button("Ask for control").click();
+  await second.main.filter({ hasText: "Ask for control" }).click();
   await first.button("Hand over").click();
   await second.button(/^Operator: you/).waitFor();
   await first.watching.waitFor();

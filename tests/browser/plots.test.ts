@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { begin } from "./begin.ts";
 
 test("a plot shows a curve while the mission runs, and is saved as CSV, SVG and PNG", async () => {
-  const { console } = await begin({ mission: "demo_c" });
+  const { console, project } = await begin({ mission: "demo_c" });
   const { page } = console;
   await console.main.click();
   await console.reaches("Running");
@@ -48,7 +48,9 @@ test("a plot shows a curve while the mission runs, and is saved as CSV, SVG and 
     await plots.getByRole("button", { name: "Export" }).click();
     const download = page.waitForEvent("download");
     await page.getByRole("menuitem", { name: what }).click();
-    return readFileSync(await (await download).path());
+    const path = project.path("saved");
+    await (await download).saveAs(path);
+    return readFileSync(path);
   };
   const [head = "", ...rows] = (await saved("Table (CSV)")).toString("utf8").trim().split("\n");
   expect(head).toMatch(/time/i);
@@ -58,4 +60,17 @@ test("a plot shows a curve while the mission runs, and is saved as CSV, SVG and 
   expect(new Set(numbers.map((row) => row[1])).size).toBeGreaterThan(5);
   expect((await saved("Drawing (SVG)")).toString("utf8")).toMatch(/<svg[\s\S]*<path/);
   expect((await saved("Picture (PNG)")).subarray(1, 4).toString()).toBe("PNG");
+});
+
+test("plots stand again after a reload, and go on", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.main.click();
+  await console.reaches("Running");
+  const plots = await console.panel("Plots");
+  await plots.getByRole("button", { name: "Speed" }).click();
+  const value = plots.locator(".plot-value").first();
+  await expect.poll(async () => Number.parseFloat(await value.innerText())).toBeGreaterThan(0);
+  await page.reload();
+  await expect.poll(async () => Number.parseFloat(await value.innerText()), { timeout: 30_000 }).toBeGreaterThan(0);
 });

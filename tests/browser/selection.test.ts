@@ -58,3 +58,21 @@ test("why a robot moves as it does is told in sums of its schemas", async () => 
   await page.getByRole("tab", { name: "Ports" }).click();
   expect(await selection.getByRole("region").count()).toBeGreaterThan(3);
 });
+
+test("undoing a parameter gives it the value that it had", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  await console.startRobots();
+  await console.select("Robot 1");
+  const selection = await console.panel("Selection");
+  await selection.getByRole("tab", { name: "Parameters" }).click();
+  const field = selection.getByRole("textbox", { name: /^base velocity/ });
+  await expect.poll(() => field.inputValue()).not.toBe("");
+  const before = await field.inputValue();
+  await field.fill("3.5");
+  await field.press("Enter");
+  await console.button(/^Undo .*base_velocity/).waitFor();
+  await expect.poll(() => field.inputValue()).toBe("3.5");
+  await console.button(/^Undo .*base_velocity/).click();
+  await expect.poll(() => field.inputValue()).toBe(before);
+  await console.button(/^Redo .*base_velocity/).waitFor();
+});

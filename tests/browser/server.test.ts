@@ -1,23 +1,20 @@
 // What the server and the browser have to agree on, whatever the page shows.
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { openBrowser } from "../../web/tools/browser.mjs";
 import { Mlab, missions } from "./mlab.ts";
+import { openPage } from "./open_page.ts";
 
 let mlab: Mlab;
-let browser: Awaited<ReturnType<typeof openBrowser>>;
 
 beforeAll(async () => {
   mlab = await Mlab.start(join(missions, "demo_c", "demo_c.mdl"));
-  browser = await openBrowser();
 });
 afterAll(async () => {
-  await browser?.close();
   await mlab?.stop();
 });
 
 test("the page loads under its content security policy and opens its session", async () => {
-  const page = await browser.page({ width: 1280, height: 800 });
+  const page = await openPage();
   const troubles: string[] = [];
   page.on("pageerror", (error) => troubles.push(String(error)));
   page.on("console", (message) => message.type() === "error" && troubles.push(message.text()));
@@ -33,20 +30,20 @@ test("the page loads under its content security policy and opens its session", a
   const origin = new URL(mlab.url).origin;
   expect(asked.filter((url) => !url.startsWith(origin) && !/^(data|blob):/.test(url))).toEqual([]);
   expect(session.url()).toContain(`/session?token=${new URL(mlab.url).searchParams.get("token")}`);
-  await page.close();
+  await page.context().close();
 });
 
 test("without its token the page says how to open it", async () => {
-  const page = await browser.page({ width: 800, height: 600 });
+  const page = await openPage();
   const response = await page.goto(new URL(mlab.url).origin);
   expect(response?.status()).toBe(403);
   expect(await page.textContent("body")).toContain("address that `mlab run` printed");
-  await page.close();
+  await page.context().close();
 });
 
 test("a page of another origin reaches neither session, stop nor report", async () => {
   const other = await Mlab.start();
-  const page = await browser.page({ width: 800, height: 600 });
+  const page = await openPage();
   await page.goto(other.url);
   const answers = await page.evaluate(async (url) => {
     const { origin, search } = new URL(url);
@@ -67,7 +64,7 @@ test("a page of another origin reaches neither session, stop nor report", async 
     return [socket, await ask("/report", "GET"), await ask("/stop", "POST")];
   }, mlab.url);
   expect(answers).toEqual(["refused", "refused", "refused"]);
-  await page.close();
+  await page.context().close();
   await other.stop();
 });
 
@@ -75,10 +72,22 @@ test("the emergency stop on its own path stops", async () => {
   const url = new URL(mlab.url);
   const response = await fetch(`${url.origin}/stop${url.search}`, { method: "POST" });
   expect(response.status).toBe(200);
-  const page = await browser.page({ width: 1280, height: 800 });
+  const page = await openPage();
   await page.goto(mlab.url);
   await page.getByText("EMERGENCY STOP: all robots stand and take no orders").waitFor({ timeout: 100_000 });
-  await page.close();
+  await page.context().close();
+});
+
+test("the page says so when the server is gone, and offers nothing that could not be done", async () => {
+  const gone = await Mlab.start(join(missions, "demo_c", "demo_c.mdl"));
+  const page = await openPage();
+  await page.goto(gone.url);
+  await page.getByTestId("start-button").filter({ hasText: "Execute" }).waitFor();
+  await gone.stop();
+  await page.getByText(/Connection lost/).waitFor();
+  expect(await page.getByTestId("main-button").isDisabled()).toBe(true);
+  expect(await page.getByTestId("start-button").isDisabled()).toBe(true);
+  await page.context().close();
 });
 
 test("a mission that nobody started is no failure", async () => {

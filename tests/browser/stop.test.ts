@@ -51,3 +51,16 @@ test("the emergency stop works over every dialog, by mouse and by key", async ()
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await console.reaches("Emergency stop");
 });
+
+test("the emergency stop lies over the sheet of shortcuts", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.main.click();
+  await console.reaches("Running");
+  await page.keyboard.press("?");
+  await page.getByRole("heading", { name: "Keyboard shortcuts" }).waitFor();
+  const box = await console.stop.boundingBox();
+  if (!box) throw new Error("the emergency stop is not shown");
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await console.reaches("Emergency stop");
+});

@@ -67,3 +67,19 @@ test("an edit during a run is taken up, and the mission is continued from a step
   await console.steps.locator("[aria-current=step]").filter({ hasText: "OBJ-Tango" }).waitFor();
   await console.reaches("Running");
 });
+
+test("typing is undone by its name", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.reaches("Ready");
+  const panel = await console.panel("Text");
+  const text = panel.getByRole("textbox", { name: /^Text of / });
+  await text.getByText("Demo C: four scouts").waitFor();
+  await text.click();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.insertText("NONSENSE ");
+  await panel.getByRole("list", { name: "Problems" }).waitFor();
+  await console.button("Undo typing in demo_c.mdl").click();
+  await panel.getByRole("list", { name: "Problems" }).waitFor({ state: "detached" });
+  await expect.poll(() => text.textContent()).not.toContain("NONSENSE");
+});

@@ -1,15 +1,13 @@
 // The tour of docs/operator.md, step by step. MLAB_TOUR=FOLDER also writes its pictures there (`npm run tour`).
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { openBrowser } from "../../web/tools/browser.mjs";
 import { Project } from "./begin.ts";
 import { Console } from "./console.ts";
 import { Mlab } from "./mlab.ts";
+import { openPage } from "./open_page.ts";
 import { picture } from "./picture.ts";
 
-type Browser = Awaited<ReturnType<typeof openBrowser>>;
-
-const size = { width: 1280, height: 800 };
-let browsers: Browser[] = [];
+let pages: Page[] = [];
 let servers: Mlab[] = [];
 let projects: Project[] = [];
 let tour: Console;
@@ -25,10 +23,8 @@ async function open(mission: string, ...options: string[]): Promise<Console> {
 }
 
 async function look(mlab: Mlab): Promise<Console> {
-  const browser = await openBrowser();
-  browsers.push(browser);
-  const page = await browser.page(size);
-  page.setDefaultTimeout(30_000);
+  const page = await openPage();
+  pages.push(page);
   await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
   const console = new Console(page);
   await page.goto(mlab.url);
@@ -37,10 +33,10 @@ async function look(mlab: Mlab): Promise<Console> {
 }
 
 async function closeAll(): Promise<void> {
-  for (const browser of browsers) await browser.close();
+  for (const page of pages) await page.context().close();
   for (const mlab of servers) await mlab.stop();
   for (const project of projects) project.remove();
-  [browsers, servers, projects] = [[], [], []];
+  [pages, servers, projects] = [[], [], []];
 }
 
 beforeAll(async () => {

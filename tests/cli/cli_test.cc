@@ -246,9 +246,10 @@ TEST_F(Command, RunWritesAReportWithTheKeysOfItsSchema) {
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(has(o.out, "step 1: unit u MOVETO There done")) << o.out;
   const Json report = Json::parse(text_of(folder_ / "r.json"));
-  for (const char* key : {"version", "mission", "seed", "outcome", "steps", "robots", "units", "performance"})
+  for (const char* key :
+       {"version", "mission", "seed", "outcome", "steps", "robots", "units", "deliveries", "performance"})
     EXPECT_TRUE(report.contains(key)) << key;
-  EXPECT_EQ(report.size(), 8U);
+  EXPECT_EQ(report.size(), 9U);
   EXPECT_EQ(report["outcome"], "done");
   EXPECT_EQ(report["steps"].size(), 2U);
   EXPECT_EQ(report["robots"][0]["collisions"], 0);
@@ -284,6 +285,16 @@ TEST_F(Command, AsksWhetherAUnitMayProceedAndTakesTheAnswers) {
   const Outcome nobody = mlab("run m.mdl --headless");
   EXPECT_EQ(nobody.status, 1);
   EXPECT_TRUE(has(nobody.out, "--proceed")) << "says how to go on without an operator";
+}
+
+TEST_F(Command, TakesTheAnswerToWhatARobotAsksByItself) {
+  const Outcome yes = mlab("run '" + kMissions + "ugv/ugv.mdl' --headless --report r.json", "yes |");
+  EXPECT_EQ(yes.status, 0) << yes.out << yes.err;
+  EXPECT_TRUE(has(yes.out, "Robot 1 asks whether it may go on. Proceed? [y/n]")) << yes.out;
+  EXPECT_EQ(Json::parse(text_of(folder_ / "r.json"))["mission"]["answers"].size(), 2U);
+  const Outcome no = mlab("run '" + kMissions + "ugv/ugv.mdl' --headless", "echo n |");
+  EXPECT_EQ(no.status, 1);
+  EXPECT_TRUE(has(no.out, "aborted")) << no.out;
 }
 
 TEST_F(Command, AQuestionThatAnswersItselfNeedsNobodyAtTheTerminal) {

@@ -1,5 +1,6 @@
 // Historic configurations become programs that run; the table of library names agrees with the library.
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
+#include "mlab/lang/cdl_historic/layout.h"
 #include "mlab/lang/cdl_historic/library_names.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot/configuration_file.h"
@@ -73,6 +75,27 @@ TEST(Import, EveryFileOfTheCorpusChecksAndItsRobotsRun) {
   }
 }
 
+// The importer's own examples hold every construct of the historic language, and every slip.
+TEST(Import, WhateverTheImporterReadsChecks) {
+  const fs::path folder = fs::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl_historic/testdata";
+  int files = 0;
+  for (const fs::path& path : text::testing::golden_files(folder, ".cdl")) {
+    const auto whole = text::read_source(path.string());
+    ASSERT_TRUE(whole.has_value()) << path;
+    const std::string_view text = (*whole)->text();
+    const auto historic = std::make_shared<const text::Source>(
+        path.filename().string(), std::string(text.substr(0, text.find("// EXPECTED"))));
+    text::Diagnostics sink;
+    const std::string out = cdl_historic::import_as_text(historic, vocabulary(), sink);
+    if (sink.has_errors()) continue;
+    ++files;
+    text::Diagnostics checked;
+    robot::check_configuration(std::make_shared<const text::Source>("ours.cdl", out), {}, checked);
+    EXPECT_FALSE(checked.has_errors()) << path << "\n" << text::render(checked) << out;
+  }
+  EXPECT_GE(files, 14);
+}
+
 TEST(Import, WritesTheCanonicalLayout) {
   if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
   for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
@@ -81,6 +104,68 @@ TEST(Import, WritesTheCanonicalLayout) {
     const auto formatted = cdl::format(source, sink);
     ASSERT_TRUE(formatted.has_value()) << text::render(sink);
     EXPECT_EQ(*formatted, source->text()) << path;
+  }
+}
+
+TEST(Import, DrawsNothingOverSomethingElse) {
+  if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
+  std::size_t boxes = 0;
+  for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
+    text::Diagnostics sink;
+    for (const cdl::Item& item : cdl::parse(imported(path), sink).items) {
+      const auto* layout = std::get_if<cdl::Layout>(&item);
+      if (layout == nullptr) continue;
+      EXPECT_FALSE(layout->entries.empty()) << path;
+      boxes += layout->entries.size();
+      for (auto a = layout->entries.begin(); a != layout->entries.end(); ++a) {
+        for (auto b = layout->entries.begin(); b != a; ++b) {
+          EXPECT_TRUE(std::abs(a->x - b->x) >= cdl_historic::kNodeWidth - 1 ||
+                      std::abs(a->y - b->y) >= cdl_historic::kNodeHeight - 1)
+              << path << ": " << a->node.text << " and " << b->node.text;
+        }
+      }
+    }
+  }
+  EXPECT_GT(boxes, 100U);
+}
+
+// A configuration that uses a library name in its own place, with this value for all of its parameters.
+text::SourcePtr using_the_name(const cdl_historic::LibraryName& row, const std::string& value) {
+  const char* architecture = (row.architectures & cdl_historic::kUrban) != 0   ? "AuRA.urban"
+                             : (row.architectures & cdl_historic::kNaval) != 0 ? "AuRA.naval"
+                             : (row.architectures & cdl_historic::kAura) != 0  ? "AuRA"
+                                                                               : "UGV";
+  std::string group = "[ ";
+  for (const cdl_historic::LibraryPort& port : row.ports) {
+    if (!port.historic.empty()) group += "%" + std::string(port.historic) + " = {" + value + "}, ";
+  }
+  group += std::string(row.historic) + " ]<10,10>";
+  const bool is_trigger = row.type == "bool";
+  const std::string state = is_trigger ? "[ Stop ]" : group;
+  const std::string trigger = is_trigger ? group : "[ FirstTime ]";
+  return std::make_shared<const text::Source>(
+      "uses_" + std::string(row.historic) + ".cdl",
+      std::string("bindArch ") + architecture + ";\n" +
+          "instBP<0,0> $W from movement( bound_to = base:DRIVE( max_vel = {" + value +
+          "}, v = FSA( society[Start]<50,50>|Start| = [ Stop ], society[$A]<50,50>|A| = " + state +
+          ", rules[Start]<50,50>|Start| = if " + trigger + " goto $A ) ) );\n" +
+          "instBP<0,0> $V from vehicle( bound_to = r:MRV2( r:[ $W ] ) );\n[ $V ]\n");
+}
+
+TEST(Import, EveryLibraryNameChecksWhateverItsParametersAre) {
+  for (const cdl_historic::LibraryName& row : cdl_historic::library_names()) {
+    for (const char* value : {"1", "0", "-5", "1000000", "180", "2, 3", "Mines | Flags", "\"some text\"",
+                              "word", "", "true", "-0.0001", "1e9", "nan", "{"}) {
+      const text::SourcePtr historic = using_the_name(row, value);
+      text::Diagnostics sink;
+      const std::string out = cdl_historic::import_as_text(historic, vocabulary(), sink);
+      ASSERT_FALSE(sink.has_errors()) << text::render(sink);
+      const auto ours = std::make_shared<const text::Source>("ours.cdl", out);
+      text::Diagnostics checked;
+      robot::check_configuration(ours, {}, checked);
+      ASSERT_FALSE(checked.has_errors()) << row.historic << " " << value << "\n"
+                                         << text::render(checked) << out;
+    }
   }
 }
 

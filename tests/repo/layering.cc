@@ -33,7 +33,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"export", {"flow", "lang/cdl"}},
     {"library", {"schema"}},
     {"robot", {"percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
-    {"robot_build", {"robot"}},
+    {"robot_build", {"robot", "robot_process"}},
     {"fleet", {"robot", "mission", "sim"}},
     {"language", {"fleet", "lang/mdl", "lang/odl", "lang/envchange"}},
     {"lsp", {"language"}},

@@ -55,6 +55,8 @@ run_stage() {
   ((failed == 0)) || show_failure "$log"
   printf '%-8s %s  %5d passed, %d failed, %d skipped  %4d s\n' "$name" "$( ((failed == 0)) && echo ok || echo FAILED)" \
     "$passed" "$failed" "$skipped" $((SECONDS - started))
+  # What a stage had no time for is no failure, but it is not hidden.
+  grep 'are left: the time is up' "$log" || true
   # Without a build nothing else can be tested.
   ((status == 0)) || [[ $name != build ]] || report_all
 }

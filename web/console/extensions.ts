@@ -3,6 +3,7 @@ import { lazy } from "react";
 import { CommandTool } from "./command/command_tool.ts";
 import { CommandOptions } from "./command/order_window.tsx";
 import { LogPanel } from "./log/log_panel.tsx";
+import { MeasureOptions, makeMeasureTool } from "./measuring/measure_tool.tsx";
 import { MissionPanel } from "./mission/mission_panel.tsx";
 import { DrawOptions } from "./overlay/draw_options.tsx";
 import { DrawTool } from "./overlay/draw_tool.ts";
@@ -71,6 +72,14 @@ export const tools: readonly Tool[] = [
     make: (session) => new WorldTool(session),
     options: WorldOptions,
     forOperator: true,
+  },
+  {
+    id: "measure",
+    label: "Measure",
+    icon: "ruler",
+    shortcut: "m",
+    make: makeMeasureTool,
+    options: MeasureOptions,
   },
 ];
 

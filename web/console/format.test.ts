@@ -53,6 +53,10 @@ describe("words", () => {
   it("calls speed 0 the greatest", () => expect([0, 10, 0.5].map(speedFactor)).toEqual(["max", "×10", "×0.5"]));
   it("counts", () => expect([count(1, "robot"), count(4, "robot")]).toEqual(["1 robot", "4 robots"]));
   it("lists", () => expect([list(["a"]), list(["a", "b", "c"])]).toEqual(["a", "a, b and c"]));
+  it("calls robots by their names", () =>
+    expect(plain("robot 1 touched robot 12; robots 3 and 4 wait, the robot stands")).toBe(
+      "Robot 1 touched Robot 12; Robots 3 and 4 wait, the robot stands",
+    ));
   it("quotes names", () => expect(plain("no `a` in `b`")).toBe("no “a” in “b”"));
   it("joins runs of numbers", () => expect(idRanges([4, 1, 2, 3, 7, 8])).toBe("1–4, 7, 8"));
 });

@@ -52,9 +52,12 @@ export function list(words: readonly string[]): string {
   return `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}`;
 }
 
-/** Names in backticks, as diagnostics have them, in quotes as people have them. */
+/**
+ * What the server says, as people read it: names in backticks in quotes, and `robot 3` by its one name, `Robot 3`
+ * (RosterIndex.nameOf).
+ */
 export function plain(text: string): string {
-  return text.replaceAll(/`([^`]*)`/g, "“$1”");
+  return text.replaceAll(/`([^`]*)`/g, "“$1”").replaceAll(/\brobot(s?) (?=\d)/g, "Robot$1 ");
 }
 
 function trimZeros(text: string): string {

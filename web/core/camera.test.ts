@@ -87,6 +87,24 @@ test("a box that was fitted is seen whole, and no larger than it has to be", () 
   );
 });
 
+test("what is fitted keeps clear of what covers the screen, where that leaves room", () => {
+  const one = new Camera();
+  one.resize(1000, 700);
+  const area = { xMin: 0, yMin: 0, xMax: 1000, yMax: 800 };
+  const bar = { xMin: 12, yMin: 12, xMax: 52, yMax: 450 };
+  const question = { xMin: 676, yMin: 12, xMax: 988, yMax: 130 };
+  one.fit(area, 40, [bar, question]);
+  expect(one.toScreenX(area.xMin)).toBeGreaterThanOrEqual(bar.xMax);
+  expect(one.toScreenY(area.yMax)).toBeGreaterThanOrEqual(question.yMax);
+  expect(one.visible().yMin).toBeLessThanOrEqual(area.yMin);
+  // Nothing is left beside this one.
+  const without = new Camera();
+  without.resize(1000, 700);
+  without.fit(area);
+  one.fit(area, 40, [{ xMin: 10, yMin: 10, xMax: 990, yMax: 690 }]);
+  expect(one.saved()).toEqual(without.saved());
+});
+
 test("a saved view comes back", () => {
   fc.assert(
     fc.property(camera, (one) => {

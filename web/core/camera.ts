@@ -3,6 +3,8 @@ import type { Box, Point } from "./geometry.ts";
 
 export const kSmallestScale = 1e-4; // [px/m]
 export const kLargestScale = 5000;
+const kGap = 10; // [px] between what covers the screen and what is fitted
+const kLeast = 0.5; // What covers so much of the screen that not even this share of the scale is left, is not avoided.
 
 export class Camera {
   /** The world point in the middle of the screen [m]. */
@@ -71,14 +73,26 @@ export class Camera {
     ++this.version;
   }
 
-  /** All of the box, with so many pixels to spare on each side (less where the screen is small). */
-  fit(box: Box, margin = 40): void {
+  /**
+   * All of the box, with so many pixels to spare on each side (less where the screen is small), beside what covers the
+   * screen [CSS pixels, y down].
+   */
+  fit(box: Box, margin = 40, covered: readonly Box[] = []): void {
     const spare = Math.min(margin, this.width / 4, this.height / 4);
     const width = Math.max(1e-3, box.xMax - box.xMin);
     const height = Math.max(1e-3, box.yMax - box.yMin);
-    const scale = Math.min((this.width - 2 * spare) / width, (this.height - 2 * spare) / height);
-    this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, scale));
-    this.lookAt({ x: (box.xMin + box.xMax) / 2, y: (box.yMin + box.yMax) / 2 });
+    const scaleIn = (room: Room) =>
+      Math.min((this.width - room.left - room.right) / width, (this.height - room.top - room.bottom) / height);
+    let room: Room = { left: spare, right: spare, top: spare, bottom: spare };
+    for (const place of covered) {
+      const beside = roomBeside(place, room, { width: this.width, height: this.height });
+      if (scaleIn(beside) >= kLeast * scaleIn(room)) room = beside;
+    }
+    this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, scaleIn(room)));
+    this.lookAt({
+      x: (box.xMin + box.xMax) / 2 + (room.right - room.left) / 2 / this.scale,
+      y: (box.yMin + box.yMax) / 2 + (room.top - room.bottom) / 2 / this.scale,
+    });
   }
 
   copy(): Camera {
@@ -93,4 +107,26 @@ export class Camera {
     this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, saved.scale));
     this.lookAt(saved);
   }
+}
+
+/** What is kept free at each edge of the screen [CSS pixels]. */
+interface Room {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
+/** Keeps clear of a covered place: of a tall one at its side, else above or below it, where there is more room. */
+function roomBeside(place: Box, room: Room, screen: { width: number; height: number }): Room {
+  const [fromRight, fromBottom] = [screen.width - place.xMin + kGap, screen.height - place.yMin + kGap];
+  const [fromLeft, fromTop] = [place.xMax + kGap, place.yMax + kGap];
+  if (place.yMax - place.yMin > place.xMax - place.xMin) {
+    return fromLeft < fromRight
+      ? { ...room, left: Math.max(room.left, fromLeft) }
+      : { ...room, right: Math.max(room.right, fromRight) };
+  }
+  return fromTop < fromBottom
+    ? { ...room, top: Math.max(room.top, fromTop) }
+    : { ...room, bottom: Math.max(room.bottom, fromBottom) };
 }

@@ -14,6 +14,15 @@ const kArguments = [
   "--disable-sync",
 ];
 
+/** One browser for many: who connects to `address` gets contexts of its own, which end with the connection. */
+export async function serveBrowser() {
+  const server = await chromium.launchServer({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: [...kArguments, "--disable-gpu"],
+  });
+  return { address: server.wsEndpoint(), close: () => server.close() };
+}
+
 /** @param {{ withGl?: boolean }} [options] `withGl`: WebGL by SwiftShader, else none */
 export async function openBrowser({ withGl = false } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "mlab-browser-"));

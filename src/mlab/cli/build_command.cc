@@ -26,6 +26,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What an architecture is built to where nothing else is asked for; empty: an executable.
+std::string generator_of(const std::string& architecture) {
+  return architecture == "UGV" ? "sausages" : "";
+}
+
+// The architecture that a configuration names; its mistakes are told by whoever reads it next.
+std::string architecture_of(const std::string& file) {
+  const text::Result<text::SourcePtr> source = text::read_source(file);
+  text::Diagnostics sink;
+  return source ? cdl::load(*source, robot::library_environment(), sink).architecture : "";
+}
+
 std::optional<robot_build::RobotSource> configured(const BuildOptions& options, text::Diagnostics& sink) {
   const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
   auto robot =
@@ -55,7 +67,7 @@ std::optional<robot_build::RobotSource> networked(const BuildOptions& options, t
 // Where progress is shown to a person; nothing in a pipe.
 class ProgressLine {
  public:
-  void show(std::size_t done, std::size_t total, const std::string& what) {
+  void show(std::size_t done, std::size_t total, const std::string& what) const {
     if (is_shown_) fmt::print(stderr, "\r\x1b[K[{}/{}] {}", done, total, what);
     std::fflush(stderr);
   }
@@ -79,7 +91,7 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
   const auto began = std::chrono::steady_clock::now();
   std::optional<robot_build::BuildReport> report;
   {
-    ProgressLine line;
+    const ProgressLine line;
     report = robot_build::build_executable(
         robot_build::emit_cpp(robot), output, toolchain(), sink,
         [&](std::size_t done, std::size_t total, const std::string& what) { line.show(done, total, what); });
@@ -94,8 +106,14 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
 
 }  // namespace
 
-int build(const BuildOptions& options) {
+int build(const BuildOptions& asked) {
+  BuildOptions options = asked;
   const fs::path path(options.file);
+  if (options.emit.empty() && path.extension() != ".cnl") {
+    options.emit = generator_of(architecture_of(options.file));
+    if (!options.emit.empty() && options.output.empty())
+      options.output = fs::path(options.file).replace_extension("." + options.emit).string();
+  }
   if (is_export(options.emit)) {
     if (path.extension() != ".cnl") return export_configuration(options);
     fmt::print(stderr, "mlab build: {} is a network; --emit {} is of a configuration (.cdl)\n", options.file,

@@ -8,6 +8,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/describe_configuration.h"
+#include "mlab/cli/describe_historic.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
 #include "mlab/robot/configuration_file.h"
@@ -70,6 +71,7 @@ void print_text(const Behavior& b) {
   if (!b.aliases.empty()) fmt::print("\nhistoric names:");
   for (const flow::Alias& alias : b.aliases) fmt::print(" {}", alias.name);
   if (!b.aliases.empty()) fmt::print("\n");
+  print_historic_names(b.name);
   if (!b.source.empty()) fmt::print("\nsource: {}\n", b.source);
   fmt::print("\ndefined in {}\n", b.file);
 }
@@ -172,30 +174,52 @@ int describe_robot(const std::string& format) {
   return kDone;
 }
 
-}  // namespace
-
-int describe(const DescribeOptions& options) {
-  if (options.name.empty()) return describe_all(options.format);
-  if (options.name == "robot" || options.name == "standard") return describe_robot(options.format);
-  if (robot::names_configuration(options.name)) return describe_configuration_file(options);
-  const flow::Library& library = robot::component_library();
-  const Behavior* behavior = library.find(options.name).behavior;
-  if (behavior == nullptr && describe_declaration(options)) return kDone;
-  if (behavior == nullptr) {
-    std::vector<std::string> names = library.names();
-    for (const std::string& name : declaration_names()) names.push_back(name);
-    const std::string nearest = text::nearest_name(options.name, names);
-    fmt::print(stderr, "mlab describe: there is no component `{}`{}\n", options.name,
-               nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
-    return kBadInput;
-  }
+// @return the name of what was shown; empty: there is nothing of that name
+std::string describe_component(const DescribeOptions& options) {
+  const Behavior* behavior = robot::component_library().find(options.name).behavior;
+  if (behavior == nullptr) return describe_declaration(options);
   if (options.format == "json")
     fmt::print("{}\n", behavior_json(*behavior).dump(2));
   else if (options.format == "markdown")
     print_markdown(*behavior);
   else
     print_text(*behavior);
-  return kDone;
+  return std::string(behavior->name);
+}
+
+void refuse_unknown(const std::string& name, const std::vector<HistoricMeaning>& meanings) {
+  if (!meanings.empty()) {
+    fmt::print(stderr, "mlab describe: the library doesn't have `{}`, {}\n", name, meanings.front().reason);
+    return;
+  }
+  std::vector<std::string> names = robot::component_library().names();
+  for (const std::string& declared : declaration_names()) names.push_back(declared);
+  const std::string nearest = text::nearest_name(name, names);
+  fmt::print(stderr, "mlab describe: there is no component `{}`{}\n", name,
+             nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
+}
+
+}  // namespace
+
+int describe(const DescribeOptions& options) {
+  if (options.name.empty()) return describe_all(options.format);
+  if (options.name == "robot" || options.name == "standard") return describe_robot(options.format);
+  if (robot::names_configuration(options.name)) return describe_configuration_file(options);
+  const std::vector<HistoricMeaning> meanings = historic_meanings(options.name);
+  std::string shown = describe_component(options);
+  const bool is_known = !shown.empty();
+  for (const HistoricMeaning& one : meanings) {
+    if (one.ours.empty() || one.ours == shown) continue;
+    if (!is_known) {
+      shown = describe_component({one.ours, options.format});
+    } else if (options.format == "text") {
+      fmt::print("\nin the historic libraries ({}), `{}` was what is `{}` here\n", one.architectures,
+                 one.name, one.ours);
+    }
+  }
+  if (!shown.empty()) return kDone;
+  refuse_unknown(options.name, meanings);
+  return kBadInput;
 }
 
 }  // namespace mlab::cli

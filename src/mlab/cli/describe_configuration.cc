@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/cli/describe_historic.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/print.h"
 #include "mlab/robot/configuration_file.h"
@@ -135,6 +136,7 @@ void print_text(const Declaration& one) {
   if (!one.historic_names.empty()) fmt::print("\nhistoric names:");
   for (const std::string& name : one.historic_names) fmt::print(" {}", name);
   if (!one.historic_names.empty()) fmt::print("\n");
+  print_historic_names(one.name);
   if (one.place.source) {
     fmt::print("\ndeclared in {}:{}\n", one.place.source->name(),
                one.place.source->line_column(one.place.span.begin).line);
@@ -192,9 +194,16 @@ void show(const std::vector<Declaration>& all, const std::string& format) {
   }
 }
 
+// `travel_to_location` is as good as `TravelToLocation`.
 bool same_letters(std::string_view a, std::string_view b) {
-  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::ranges::equal(a, b, {}, small, small);
+  const auto letters = [](std::string_view name) {
+    std::string out;
+    for (const char c : name) {
+      if (c != '_') out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return out;
+  };
+  return letters(a) == letters(b);
 }
 
 bool answers_to(const Declaration& one, const std::string& name) {
@@ -205,13 +214,18 @@ bool answers_to(const Declaration& one, const std::string& name) {
 
 }  // namespace
 
-bool describe_declaration(const DescribeOptions& options) {
+std::string describe_declaration(const DescribeOptions& options) {
   for (const Declaration& one : declarations_of(robot::library_configuration(), nullptr)) {
     if (!answers_to(one, options.name)) continue;
     show({one}, options.format);
-    return true;
+    return one.name;
   }
-  return false;
+  return {};
+}
+
+void print_historic_names(std::string_view ours) {
+  for (const HistoricMeaning& one : historic_names_of(ours))
+    fmt::print("\nstood in the historic libraries as {} ({})\n", one.name, one.architectures);
 }
 
 int describe_configuration_file(const DescribeOptions& options) {

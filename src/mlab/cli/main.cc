@@ -154,7 +154,8 @@ void add_build(CLI::App& app, BuildOptions& o) {
       "Compile the robot of a configuration to an executable, through CNL and C++. A mission runs it as\n"
       "NEW-ROBOT forager \"./forager\", in lock-step, with mlab run --allow-native. It needs g++; a mission "
       "that\n"
-      "names the configuration itself does not.");
+      "names the configuration itself does not. A configuration for the architecture UGV becomes a\n"
+      "SAUSAGES plan instead (FILE.sausages).");
   c->add_option("file", o.file, "the configuration (.cdl), or a network (.cnl)")
       ->required()
       ->type_name("FILE");

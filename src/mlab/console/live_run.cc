@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/lang/mdl/options.h"
 #include "mlab/mission/command.h"
 
 namespace mlab::console {
@@ -47,10 +48,16 @@ void LiveRun::see(const mission::Effect& effect) {
   if (const auto* ask = std::get_if<mission::effect::Ask>(&effect)) {
     asked_[ask->question] = run_->time();
     texts_[ask->question] = ask->text;
-    log_.add(run_->time(),
-             {Log::MESSAGE, ask->text, 0, run_->state().commands[ask->command].unit, {}, false});
+    const bool is_robots = ask->robot.value != 0;
+    log_.add(run_->time(), {Log::MESSAGE,
+                            ask->text,
+                            ask->robot.value,
+                            is_robots ? std::string() : run_->state().commands[ask->command].unit,
+                            {},
+                            false});
   }
-  if (const auto* set = std::get_if<mission::effect::Set>(&effect)) set_option(options_, set->option);
+  if (const auto* set = std::get_if<mission::effect::Set>(&effect))
+    std::visit([&](const auto& option) { mdl::apply_set(option, options_); }, set->option);
   if (const auto* wanted = std::get_if<mission::effect::Print>(&effect)) print(wanted->robot_info);
 }
 

@@ -69,9 +69,6 @@ class LiveRun {
   bool has_news_ = true;
 };
 
-/// What SET does to the options.
-void set_option(mission::Options& options,
-                const std::variant<mission::SetBoolean, mission::SetNumber>& option);
 /// Display options that are on, as MDL names them.
 std::vector<std::string> options_on(const mission::Options& options);
 

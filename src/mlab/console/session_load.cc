@@ -7,8 +7,7 @@
 namespace mlab::console {
 
 robot::ProgramSources Session::Parts::program_sources() const {
-  return {documents_.mission_folder(), settings_.include_root, settings_.version,
-          settings_.allow_native};
+  return {documents_.mission_folder(), settings_.include_root, settings_.version, settings_.allow_native};
 }
 
 void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet::Crew>& known) {

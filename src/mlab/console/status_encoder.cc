@@ -104,7 +104,8 @@ void encode_questions(const State& state, const std::map<std::uint32_t, double>&
     Questions::Question& told = *out.add_questions();
     told.set_id(question.id);
     if (const auto text = texts.find(question.id); text != texts.end()) told.set_text(clean(text->second));
-    if (question.run < state.runs.size()) {
+    told.set_robot(question.robot.value);
+    if (question.robot.value == 0 && question.run < state.runs.size()) {
       const mission::CommandRecord& record = state.commands[state.runs[question.run].record];
       told.set_unit(clean(record.unit));
       told.set_command(clean(record.text));

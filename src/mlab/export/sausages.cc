@@ -73,7 +73,7 @@ class Writer {
  public:
   std::string run(const Plan& plan) {
     out_ = fmt::format(
-        ";; The plan of robot {}: docs/languages/sausages.md says how it is to be read.\n(setq start-loc "
+        ";; The plan of robot {}: docs/languages/exports.md says how it is to be read.\n(setq start-loc "
         "'(0.0 0.0))\n(defplan the-plan ()\n",
         plan.name);
     put(plan, "  ", "");

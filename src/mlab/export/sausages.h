@@ -8,7 +8,7 @@
 namespace mlab::exports {
 
 /// The robot's sequence as a SAUSAGES plan for the UGV architecture, with all of its states, transitions and
-/// conditions (docs/languages/sausages.md).
+/// conditions (docs/languages/exports.md).
 ///
 /// @errors  `wrong-architecture`, and those of `plan_of`
 std::optional<std::string> write_sausages(const Subject& subject, text::Diagnostics& sink);

@@ -95,7 +95,7 @@ class Chart {
       active_.insert(region);
     }
     const bool is_parallel = regions.size() > 1;
-    if (is_parallel) out_ += fmt::format("{}<parallel id=\"{}.parts\">\n", indent, escaped(owner));
+    if (is_parallel) out_ += fmt::format("{}<parallel id=\"{}-parts\">\n", indent, escaped(owner));
     for (const Node* region : regions) {
       const std::string inner = is_parallel ? indent + "  " : indent;
       if (region->kind == Node::Kind::kSequence)
@@ -126,7 +126,7 @@ class Chart {
     std::vector<const Node*> regions;
     std::set<const Node*> seen;
     collect_source(transition.trigger, regions, seen);
-    if (regions.empty()) return;
+    if (regions.empty() || !told_.insert(&transition).second) return;
     sink_
         .error("sequence-in-trigger", transition.trigger.place,
                fmt::format("a trigger that the sequence `{}` is part of", regions.front()->name))
@@ -163,8 +163,8 @@ class Chart {
     }
     const std::string id = escaped(sequence.name);
     const std::string inner = indent + "  ";
-    out_ += fmt::format("{}<state id=\"{}\" initial=\"{}.starts\">\n{}<state id=\"{}.starts\">\n", indent, id,
-                        id, inner, id);
+    out_ += fmt::format("{}<state id=\"{}-sequence\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n",
+                        indent, id, id, inner, id);
     for (WayOut way : ways_out(sequence, *start)) {
       way.is_taken = true;
       way.condition = fmt::format("_event && _event.data && {}", way.condition);
@@ -199,21 +199,21 @@ class Chart {
       known.insert(known.end(), one.values.begin(), one.values.end());
       if (!one.values.empty())
         ways.push_back({fmt::format("[{}].indexOf({}) >= 0", fmt::join(one.values, ", "), by),
-                        select.name + "." + case_name(one), true});
+                        select.name + "-" + case_name(one), true});
     }
     ways.push_back({fmt::format("[{}].indexOf({}) < 0", fmt::join(known, ", "), by),
-                    select.name + (has_otherwise ? ".otherwise" : ".none"), true});
-    out_ += fmt::format("{}<state id=\"{}\" initial=\"{}.starts\">\n{}<state id=\"{}.starts\">\n", indent,
-                        escaped(select.name), escaped(select.name), inner, escaped(select.name));
+                    select.name + (has_otherwise ? "-otherwise" : "-none"), true});
+    out_ += fmt::format("{}<state id=\"{}-select\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n",
+                        indent, escaped(select.name), escaped(select.name), inner, escaped(select.name));
     for (const WayOut& way : ways) {
       put_way({fmt::format("_event && _event.data && {}", way.condition), way.target, true}, "", "",
               inner + "  ");
       put_way(way, busy, " event=\"cycle\"", inner + "  ");
     }
     out_ += inner + "</state>\n";
-    if (!has_otherwise) put_case(select.name + ".none", nullptr, ways, busy, inner);
+    if (!has_otherwise) put_case(select.name + "-none", nullptr, ways, busy, inner);
     for (const flow::Case& one : select.cases)
-      put_case(select.name + "." + case_name(one), &one, ways, busy, inner);
+      put_case(select.name + "-" + case_name(one), &one, ways, busy, inner);
     out_ += indent + "</state>\n";
   }
   void put_case(const std::string& id, const flow::Case* one, const std::vector<WayOut>& ways,
@@ -238,7 +238,8 @@ class Chart {
   text::Diagnostics& sink_;
   std::string out_;
   std::set<const Node*> used_;
-  std::set<const Node*> active_;  // runs already where we are
+  std::set<const flow::Transition*> told_;  // those that have an error already
+  std::set<const Node*> active_;            // runs already where we are
 };
 
 }  // namespace

@@ -399,6 +399,15 @@ void Fleet::note_calls(const FleetRobot& robot) {
   }
 }
 
+void Fleet::notify(base::RobotId id, std::string_view notification) {
+  const auto robot = std::ranges::find(robots_, id, &FleetRobot::id);
+  if (robot == robots_.end()) return;
+  std::vector<std::uint64_t>& inbox = robot->notifications;
+  const std::uint64_t hash = base::hash_text(notification);
+  const auto at = std::ranges::lower_bound(inbox, hash);
+  if (at == inbox.end() || *at != hash) inbox.insert(at, hash);
+}
+
 std::vector<RobotCall> Fleet::take_calls() {
   return std::exchange(calls_, {});
 }

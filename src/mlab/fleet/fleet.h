@@ -121,6 +121,8 @@ class Fleet {
 
   /// What robots called since the last time that somebody asked, by cycle and robot.
   std::vector<RobotCall> take_calls();
+  /// Puts a notification into a robot's inbox, as another robot's would be: it reads it in the next cycle.
+  void notify(base::RobotId id, std::string_view notification);
 
   /// Robots that faulted since the last call, to be told once.
   std::vector<base::RobotId> take_new_faults();

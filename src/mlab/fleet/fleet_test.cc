@@ -58,7 +58,9 @@ struct TestFleet {
 // What a robot calls when its program does as `acts` says.
 std::vector<RobotCall> calls_of(void (*acts)(flow::Call&)) {
   static flow::Behavior behavior;
-  behavior = {.name = "Act", .fire = acts};
+  behavior = {};
+  behavior.name = "Act";
+  behavior.fire = acts;
   flow::Library library;
   library.add(std::vector<const flow::Behavior*>{&behavior});
   flow::Network network;

@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::size_t kMostMoved = 8;  // robots that are named, each with what happened to it
 
+// The operator's yes to a robot that asked by itself, under the name that it has always had.
+constexpr const char* kMayProceed = "CONSOLE->ROBOT PROCEED MISSION";
+
 }  // namespace
 
 MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings)
@@ -55,6 +58,8 @@ void MissionRun::apply(const mission::Effect& effect) {
   if (const auto* start = std::get_if<mission::effect::Start>(&effect)) start_robot(*start);
   if (const auto* order = std::get_if<mission::effect::Order>(&effect)) fleet_->order(*order);
   if (const auto* stop = std::get_if<mission::effect::Stop>(&effect)) fleet_->stop(stop->robot);
+  if (const auto* answered = std::get_if<mission::effect::LetProceed>(&effect))
+    fleet_->notify(answered->robot, kMayProceed);
   if (const auto* set = std::get_if<mission::effect::Set>(&effect)) {
     const auto* number = std::get_if<mission::SetNumber>(&set->option);
     if (number != nullptr && number->option == mission::NumberOption::kCycleDuration) {
@@ -156,7 +161,7 @@ void MissionRun::answer_calls() {
         tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
         break;
       case RobotCall::Kind::kProceed:
-        tell(Tell::Kind::kMessage, fmt::format("robot {} asks whether it may proceed", id));
+        post(mission::event::RobotAsks{call.robot});
         break;
       case RobotCall::Kind::kHalt:
         fleet_->stop(call.robot);

@@ -215,7 +215,17 @@ void Program::restart(const Block& block, std::byte* frame) const {
     const Instruction& i = instructions_[n];
     if (i.stamp == kNone || i.is_guarded) continue;
     auto& stamp = at<std::uint32_t>(frame, i.stamp);
-    if (stamp != 0) stamp = kMustRestart;
+    if (stamp == 0) continue;
+    stamp = kMustRestart;
+    // What runs inside starts anew as well, even where it starts in the state in which it is.
+    if (i.kind == Instruction::Kind::kSequence) {
+      const SequenceCode& sequence = sequences_[i.data];
+      const StateCode& state = sequence.states[at<std::uint32_t>(frame, sequence.active)];
+      restart(state.triggers, frame);
+      restart(state.member, frame);
+    } else if (i.kind == Instruction::Kind::kSelect) {
+      for (const CaseCode& one : selects_[i.data].cases) restart(one.member, frame);
+    }
   }
 }
 

@@ -122,6 +122,8 @@ void ProgramBuilder::lay_out() {
     std::copy(slot.value.begin(), slot.value.begin() + program_->ports_[slot.port].type->size,
               frame + slot.offset);
   for (const Op& op : ops_) {
+    // One that shares another's value has no place of its own: its output would be the frame's beginning.
+    if (op.same_as != kNone) continue;
     if (op.type != nullptr && op.behavior != nullptr && op.behavior->write_initial_output != nullptr) {
       op.behavior->write_initial_output(frame + op.output);
     }

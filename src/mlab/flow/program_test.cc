@@ -75,6 +75,26 @@ TEST(Program, UsesNoHeapInTheCycle) {
   EXPECT_EQ(base::allocation_count(), before);
 }
 
+TEST(Program, GivesASharedCallNoPlaceOfItsOwnForItsFirstValue) {
+  static Behavior sum = add();
+  sum.name = "AddFromSeven";
+  sum.write_initial_output = [](void* out) { *static_cast<double*>(out) = 7.0; };
+  Library own = library();
+  own.add(std::vector<const Behavior*>{&sum});
+  Network network;
+  network.parameters.push_back({"p", "double", "", "", {}, constant("1"), -1e300, 1e300, {}});
+  network.nodes.push_back(node("a", "AddFromSeven", {{"a", name("p")}, {"b", name("p")}}));
+  network.nodes.push_back(node("b", "AddFromSeven", {{"a", name("p")}, {"b", name("p")}}));
+  network.nodes.push_back(node("both", "Sum", {{"values", name("a")}, {"values", name("b")}}));
+  network.nodes.push_back(node("sink", "Show", {{"value", name("both")}}));
+  text::Diagnostics sink;
+  const auto program = build_program(network, own, sink);
+  ASSERT_TRUE(program) << text::render(sink);
+  const std::byte* const frame = program->initial_frame().data();
+  EXPECT_EQ(Program::number(frame, *program->find("p")), 1.0);
+  EXPECT_EQ(Program::number(frame, *program->find("a")), 7.0);
+}
+
 TEST(Program, SharesAPureCallOnlyWhenItsInputsAreTheSameSources) {
   Network network;
   network.parameters.push_back({"p", "double", "", "", {}, constant("1"), -1e300, 1e300, {}});

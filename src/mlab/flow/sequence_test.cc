@@ -101,6 +101,28 @@ TEST(Sequence, ATransitionToTheSameStateRestartsOnlyIfItSaysSo) {
   }
 }
 
+TEST(Sequence, ARestartReachesWhatRunsInsideOfWhatItRestarts) {
+  const auto nested = [](const char* own, const char* member, std::vector<Transition> ways) {
+    Node sequence = node(own, "int");
+    sequence.kind = Node::Kind::kSequence;
+    sequence.states = {state("A", member, std::move(ways), true)};
+    return sequence;
+  };
+  Network network;
+  network.nodes.push_back(node("a", "Count"));
+  network.nodes.push_back(node("t", "After", {{"at", constant("3")}}));
+  network.nodes.push_back(nested("inner", "a", {}));
+  network.nodes.push_back(nested("middle", "inner", {}));
+  network.nodes.push_back(nested("job", "middle", {go("t", "A", true)}));
+  network.nodes.push_back(node("sink", "Show", {{"value", name("job")}}));
+  Runner run(network);
+  ASSERT_TRUE(run.program) << text::render(run.sink);
+  for (const double expected : {1.0, 2.0, 1.0, 1.0}) {
+    run.step();
+    EXPECT_DOUBLE_EQ(run.action.velocity.x, expected);
+  }
+}
+
 TEST(Sequence, ANodeSharedByTwoConsumersFiresOnce) {
   Network network = two_states();
   network.nodes.push_back(node("also", "Show", {{"value", name("a")}}));  // needs `a` in every cycle

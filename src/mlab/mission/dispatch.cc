@@ -8,6 +8,7 @@
 
 #include "mlab/mission/command.h"
 #include "mlab/mission/parts.h"
+#include "mlab/mission/question.h"
 #include "mlab/mission/step.h"
 #include "mlab/mission/wording.h"
 
@@ -194,6 +195,7 @@ effect::Order order_of(const Group& group) {
 
 void stop_robot(Turn& turn, RobotState& robot) {
   leave_order(turn, robot);
+  withdraw_of(turn, robot.id);
   if (robot.life == RobotState::Life::kStopped && !robot.is_running) return;
   if (robot.life == RobotState::Life::kNotStarted && robot.seen == 0) return;
   robot.life = RobotState::Life::kStopped;

@@ -58,7 +58,12 @@ struct Ask {
   std::uint32_t question = 0;
   std::string text;               ///< `Unit "scouts" is occupying AA-AA1. Proceed?`
   std::optional<double> expires;  ///< at this time it answers itself with yes [s]
-  std::uint32_t command = 0;      ///< index into State::commands
+  std::uint32_t command = 0;      ///< index into State::commands; meaningless where a robot asks
+  base::RobotId robot = {};       ///< whose program asks; 0: a unit's command does
+};
+/// What the robot's program asked is answered with yes.
+struct LetProceed {
+  base::RobotId robot;
 };
 /// The question has answered itself, or nobody waits for its answer any more. Not sent for an answered one.
 struct Withdraw {
@@ -85,8 +90,8 @@ struct Tell {
   std::string text;
 };
 }  // namespace effect
-using Effect =
-    std::variant<effect::Start, effect::Order, effect::Stop, effect::Set, effect::Print, effect::Quit,
-                 effect::PauseRobots, effect::Ask, effect::Withdraw, effect::OpenTeleoperation, effect::Tell>;
+using Effect = std::variant<effect::Start, effect::Order, effect::Stop, effect::Set, effect::Print,
+                            effect::Quit, effect::PauseRobots, effect::Ask, effect::LetProceed,
+                            effect::Withdraw, effect::OpenTeleoperation, effect::Tell>;
 
 }  // namespace mlab::mission

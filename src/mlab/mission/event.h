@@ -44,7 +44,12 @@ struct Jump {
 struct Rewind {};
 /// Stop all robots, rewind.
 struct Abort {};
-/// Answer to a question (Proceed?, phase line). Without `proceed` it is an Abort.
+/// The program of a robot asks whether it may go on. One that has asked and got no answer yet asks no second
+/// time.
+struct RobotAsks {
+  base::RobotId robot;
+};
+/// Answer to a question (Proceed?, phase line, a robot's own). Without `proceed` it is an Abort.
 struct Answer {
   std::uint32_t question = 0;
   bool proceed = true;
@@ -62,8 +67,9 @@ struct TeleoperationComplete {
   std::uint32_t unit = 0;
 };
 }  // namespace event
-using Event = std::variant<event::Cycle, event::Execute, event::Pause, event::Resume, event::SingleStep,
-                           event::Jump, event::Rewind, event::Abort, event::Answer, event::Typed,
-                           event::Edited, event::TeleoperationComplete, event::StopAfterStep>;
+using Event =
+    std::variant<event::Cycle, event::Execute, event::Pause, event::Resume, event::SingleStep, event::Jump,
+                 event::Rewind, event::Abort, event::Answer, event::Typed, event::Edited,
+                 event::TeleoperationComplete, event::StopAfterStep, event::RobotAsks>;
 
 }  // namespace mlab::mission

@@ -146,6 +146,9 @@ struct Describe {
   std::string operator()(const effect::Ask& e) const {
     return fmt::format("ask {} {} {}", e.question, e.text, e.expires.value_or(-1));
   }
+  std::string operator()(const effect::LetProceed& e) const {
+    return fmt::format("proceed {}", e.robot.value);
+  }
   std::string operator()(const effect::Withdraw& e) const { return fmt::format("withdraw {}", e.question); }
   std::string operator()(const effect::OpenTeleoperation& e) const {
     return fmt::format("teleoperate {}", e.unit);

@@ -183,6 +183,10 @@ void handle(Turn& turn, const event::Answer& event) {
   go_on(turn);
 }
 
+void handle(Turn& turn, const event::RobotAsks& event) {
+  ask_for_robot(turn, event.robot);
+}
+
 void handle(Turn& turn, const event::Typed& event) {
   State& s = turn.state;
   if (!knows_units(*s.mission, event.commands)) {

@@ -15,6 +15,7 @@ void handle(Turn& turn, const event::Jump& event);
 void handle(Turn& turn, const event::Rewind& event);
 void handle(Turn& turn, const event::Abort& event);
 void handle(Turn& turn, const event::Answer& event);
+void handle(Turn& turn, const event::RobotAsks& event);
 void handle(Turn& turn, const event::Typed& event);
 void handle(Turn& turn, const event::Edited& event);
 void handle(Turn& turn, const event::TeleoperationComplete& event);

@@ -222,6 +222,41 @@ TEST_F(Operator, ATypedOccupyAsksItsOwnQuestion) {
   EXPECT_EQ(state().mode, State::Mode::kIdle);
 }
 
+TEST_F(Operator, ARobotsOwnQuestionWaitsForItsAnswerBeyondTheStep) {
+  start_and_reach(1);
+  fleet_->send(event::RobotAsks{{1}});
+  fleet_->send(event::RobotAsks{{1}});
+  ASSERT_EQ(fleet_->questions().size(), 1U) << "once is enough";
+  EXPECT_FALSE(awaits_only_operator(state())) << "the other robot still drives";
+  EXPECT_EQ(fleet_->questions().at(1).text, "Robot 1 asks whether it may go on. Proceed?");
+  ASSERT_TRUE(fleet_->run_until([&] { return state().step == 2; }));
+  EXPECT_EQ(fleet_->questions().size(), 1U);
+  fleet_->answer(1);
+  EXPECT_EQ(fleet_->count<effect::LetProceed>(), 1);
+  EXPECT_TRUE(state().questions.empty());
+  EXPECT_TRUE(fleet_->run());
+  EXPECT_EQ(state().outcome, Outcome::kDone);
+}
+
+TEST_F(Operator, NoToARobotsQuestionAbortsTheMission) {
+  start_and_reach(1);
+  fleet_->send(event::RobotAsks{{2}});
+  fleet_->send(event::RobotAsks{{1}});
+  EXPECT_TRUE(awaits_only_operator(state()));
+  fleet_->answer(1, false);
+  EXPECT_EQ(fleet_->count<effect::LetProceed>(), 0);
+  EXPECT_EQ(state().outcome, Outcome::kAborted);
+}
+
+TEST_F(Operator, NobodyIsAskedForARobotThatHasStopped) {
+  start_and_reach(1);
+  fleet_->send(event::RobotAsks{{1}});
+  fleet_->send(event::RobotAsks{{2}});
+  fleet_->send(event::Typed{{stop(a_)}});
+  ASSERT_EQ(fleet_->questions().size(), 1U);
+  EXPECT_EQ(fleet_->questions().begin()->second.robot, base::RobotId{2});
+}
+
 TEST_F(Operator, ATypedSetActsBesideTheStepThatRuns) {
   start_and_reach(1);
   fleet_->send(event::Typed{{SetBoolean{}, Print{}}});

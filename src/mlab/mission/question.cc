@@ -26,6 +26,10 @@ void ask(Turn& turn, const Run& run, std::string text, std::optional<std::uint32
 }
 
 void say_yes(Turn& turn, const Question& question) {
+  if (question.robot.value != 0) {
+    emit(turn, effect::LetProceed{question.robot});
+    return;
+  }
   Run& run = turn.state.runs[question.run];
   if (question.phase_line)
     run.lines[*question.phase_line].acknowledged = true;
@@ -66,6 +70,26 @@ void ask_to_acknowledge(Turn& turn, Run& run, std::uint32_t phase_line) {
     return;
   }
   ask(turn, run, std::move(text), phase_line, std::nullopt);
+}
+
+void ask_for_robot(Turn& turn, base::RobotId robot) {
+  State& s = turn.state;
+  if (std::ranges::find(s.questions, robot, &Question::robot) != s.questions.end()) return;
+  std::string text = fmt::format("Robot {} asks whether it may go on. Proceed?", robot.value);
+  if (s.options.proceed_all) {
+    message(turn, text + " yes");
+    emit(turn, effect::LetProceed{robot});
+    return;
+  }
+  const std::uint32_t id = ++s.last_question;
+  s.questions.push_back({.id = id, .phase_line = {}, .expires = {}, .robot = robot});
+  emit(turn, effect::Ask{id, std::move(text), {}, 0, robot});
+}
+
+void withdraw_of(Turn& turn, base::RobotId robot) {
+  auto& questions = turn.state.questions;
+  const auto at = std::ranges::find(questions, robot, &Question::robot);
+  if (at != questions.end()) withdraw(turn, static_cast<std::size_t>(at - questions.begin()));
 }
 
 void answer(Turn& turn, std::uint32_t question, bool proceed) {

@@ -13,6 +13,11 @@ void ask_to_proceed(Turn& turn, Run& run);
 /// The unit waits at a phase line for the acknowledgement of its message.
 void ask_to_acknowledge(Turn& turn, Run& run, std::uint32_t phase_line);
 
+/// The robot's program asks whether it may go on. Its question outlives the step, as its program does.
+void ask_for_robot(Turn& turn, base::RobotId robot);
+/// The robot's program runs no longer: nobody waits for the answer.
+void withdraw_of(Turn& turn, base::RobotId robot);
+
 /// The operator's answer; an unknown question is ignored.
 void answer(Turn& turn, std::uint32_t question, bool proceed);
 /// Questions whose time has come answer themselves with yes.

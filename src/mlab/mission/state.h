@@ -162,9 +162,10 @@ struct Run {
 /// A question that the operator has not answered.
 struct Question {
   std::uint32_t id = 0;
-  std::uint32_t run = 0;                    ///< index into State::runs
+  std::uint32_t run = 0;                    ///< index into State::runs; meaningless where a robot asks
   std::optional<std::uint32_t> phase_line;  ///< index into the command's; none: Proceed?
   std::optional<double> expires;            ///< run time [s]
+  base::RobotId robot = {};                 ///< whose program asks; 0: a unit's command does
 
   friend bool operator==(const Question&, const Question&) = default;
 };

@@ -36,7 +36,9 @@ void close_step(Turn& turn, Outcome outcome) {
   State& s = turn.state;
   s.steps.back().outcome = outcome;
   s.steps.back().end = s.time;
-  for (std::size_t i = s.questions.size(); i-- > 0;) withdraw(turn, i);
+  for (std::size_t i = s.questions.size(); i-- > 0;) {
+    if (s.questions[i].robot.value == 0) withdraw(turn, i);
+  }
   for (const Run& run : s.runs) {
     for (const base::RobotId id : run.needed) {
       if (RobotState* robot = find_robot(s, id)) robot->run = kNoRun;

@@ -76,7 +76,10 @@ std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::str
   cdl::Said said;
   cdl::check_declarations(configuration, *library, sink, said);
   if (sink.error_count() > errors_before) return std::nullopt;
-  return built(std::move(configuration), *robot, *library, sink, said);
+  auto out = built(std::move(configuration), *robot, *library, sink, said);
+  if (out && sink.error_count() == errors_before)
+    cdl::warn_of_declarations(out->configuration, *library, sink);
+  return out;
 }
 
 std::optional<ConfiguredRobot> load_configuration(const std::string& name, std::string_view type_name,

@@ -117,6 +117,21 @@ TEST(LoadConfiguration, LetsADevicesOwnArgumentsHold) {
   EXPECT_DOUBLE_EQ(flow::Program::number(robot->initial.data(), *range).value_or(0.0), 1.0);
 }
 
+TEST(LoadConfiguration, KeepsTheFirstValueWherePureCallsAreShared) {
+  text::Diagnostics sink;
+  const auto source = std::make_shared<const text::Source>(
+      "x.cdl",
+      "class Cart { actuator wheels: Drive() binds movement; }\n"
+      "robot R(first: gain = 2.5) is Cart { movement = sequence {\n"
+      "  start A: Stand(); when Wait(delay = 1 s) goto B;\n"
+      "  B: Stand(); when Wait(delay = 1 s) goto C;\n"
+      "  final C: cooperate { first: Stand(); first: MoveForward(); }; }; }\n");
+  const auto robot = configure(source, "", "", {}, {}, sink);
+  ASSERT_TRUE(robot) << text::render(sink);
+  EXPECT_EQ(flow::Program::print(robot->program->initial_frame().data(), *robot->program->find("first")),
+            "2.5");
+}
+
 TEST(TheExamplesOfTheManual, AreRightAndInTheCanonicalLayout) {
   const fs::path folder = fs::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl/testdata/examples";
   int count = 0;

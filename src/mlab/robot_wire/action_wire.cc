@@ -50,7 +50,8 @@ std::optional<std::string> decode(const wire::Action& message, percept::Action& 
   if (message.requests_size() > percept::Action::kMaxRequests) return "an action makes too many requests";
   if (message.alert().size() >= percept::Action::kMaxAlert) return "an alert is too long";
   percept::Action action;
-  message.alert().copy(action.alert.data(), message.alert().size());
+  // The text ends at a 0, as in an Action: what stands behind one is no part of it.
+  message.alert().copy(action.alert.data(), ::strnlen(message.alert().data(), message.alert().size()));
   for (const wire::Request& request : message.requests()) {
     if (request.kind() < 0 || request.kind() > static_cast<int>(kLastKind))
       return "an action makes a request that there is not";

@@ -1,5 +1,7 @@
 #include "mlab/robot_wire/action_wire.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -39,6 +41,19 @@ TEST(ActionWire, RefusesRequestsThatThereAreNot) {
   EXPECT_EQ(action.request_count, percept::Action::kMaxRequests);
   message.add_requests();
   EXPECT_EQ(decode(message, action), "an action makes too many requests");
+}
+
+TEST(ActionWire, EndsAnAlertAtItsFirstZero) {
+  wire::Action message;
+  message.set_alert(std::string("fire\0smoke", 10));
+  percept::Action action;
+  ASSERT_FALSE(decode(message, action));
+  wire::Action again;
+  encode(action, again);
+  EXPECT_EQ(again.alert(), "fire");
+  percept::Action decoded_again;
+  ASSERT_FALSE(decode(again, decoded_again));
+  EXPECT_TRUE(testing::same(action, decoded_again));
 }
 
 }  // namespace

@@ -97,11 +97,11 @@ Offset dock_direction(Point robot, Point dock, double approach, const DockField&
 }
 
 bool looks_at(const percept::Door& door, Point from, double heading, double range) {
-  for (const double aside : {0.0, -kHalfLook, kHalfLook}) {
+  constexpr double kAside[] = {0.0, -kHalfLook, kHalfLook};
+  return std::ranges::any_of(kAside, [&](double aside) {
     const Offset ray = Offset{std::cos(heading + aside), std::sin(heading + aside)} * range;
-    if (geom::intersects({from, from + ray}, {door.a, door.b})) return true;
-  }
-  return false;
+    return geom::intersects({from, from + ray}, {door.a, door.b});
+  });
 }
 
 }  // namespace mlab::schema

@@ -18,6 +18,24 @@ std::int64_t index_of(double at, double cell) {
   return static_cast<std::int64_t>(std::clamp(std::floor(at / cell), -kFarthest, kFarthest));
 }
 
+std::size_t index_in(int x, int y) {
+  return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+}
+
+// One coordinate of a line, seen from the borders of cells that it crosses.
+struct Line {
+  Line(double from, double to, double cell) : first(index_of(from, cell)), step(to >= from ? 1 : -1) {
+    if (from == to) return;
+    const double border = (static_cast<double>(first) + (step > 0 ? 1.0 : 0.0)) * cell;
+    next = (border - from) / (to - from);
+    between = cell / std::abs(to - from);
+  }
+  std::int64_t first;  // index of the cell where it starts
+  int step;
+  double next = std::numeric_limits<double>::infinity();     // share of the way up to the first border
+  double between = std::numeric_limits<double>::infinity();  // share of the way from border to border
+};
+
 struct Step {
   int dx, dy, cost;
 };
@@ -65,11 +83,24 @@ bool LocalMap::is_blocked(Point place, double cell) const {
   return x >= 0 && x < kSize && y >= 0 && y < kSize && !is_free(static_cast<int>(x), static_cast<int>(y));
 }
 
+// All cells that the line crosses, border by border.
 bool LocalMap::sees(Point from, Point to, double cell) const {
-  const geom::Offset way = to - from;
-  const int steps = static_cast<int>(std::clamp(length(way) / (cell / 2), 1.0, 4.0 * kSize));
-  for (int i = 1; i <= steps; ++i) {
-    if (is_blocked(from + way * (static_cast<double>(i) / steps), cell)) return false;
+  const Line x_line(from.x, to.x, cell);
+  const Line y_line(from.y, to.y, cell);
+  std::int64_t x = x_line.first - x0_;
+  std::int64_t y = y_line.first - y0_;
+  double next_x = x_line.next;
+  double next_y = y_line.next;
+  for (int i = 0; i < 4 * kSize && std::min(next_x, next_y) <= 1.0; ++i) {
+    if (next_x < next_y) {
+      x += x_line.step;
+      next_x += x_line.between;
+    } else {
+      y += y_line.step;
+      next_y += y_line.between;
+    }
+    const bool is_inside = x >= 0 && x < kSize && y >= 0 && y < kSize;
+    if (is_inside && !is_free(static_cast<int>(x), static_cast<int>(y))) return false;
   }
   return true;
 }
@@ -87,6 +118,11 @@ Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
   const Point wanted = is_far ? middle(goal_x, goal_y) : goal;
   if (sees(robot, wanted, cell)) return wanted;
 
+  // Between two cells that touch at a corner lies free room only where both of their neighbours are free.
+  const auto cuts_corner = [&](int from_x, int from_y, const Step& step) {
+    return step.dx != 0 && step.dy != 0 &&
+           (!is_free(from_x + step.dx, from_y) || !is_free(from_x, from_y + step.dy));
+  };
   // Ways from the goal outwards, until no cell gets a shorter one.
   constexpr int kNoWay = std::numeric_limits<int>::max();
   std::array<int, kCells> ways;
@@ -107,7 +143,8 @@ Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
       const int x = at % kSize + step.dx;
       const int y = at / kSize + step.dy;
       if (x < 0 || y < 0 || x >= kSize || y >= kSize || !is_free(x, y)) continue;
-      const auto next = static_cast<std::size_t>(y * kSize + x);
+      if (cuts_corner(at % kSize, at / kSize, step)) continue;
+      const auto next = index_in(x, y);
       const int way = ways[static_cast<std::size_t>(at)] + step.cost;
       if (way >= ways[next]) continue;
       ways[next] = way;
@@ -123,14 +160,14 @@ Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
   int y = inside(index_of(robot.y, cell) - y0_);
   Point stop = robot;
   for (int i = 0; i < kSize; ++i) {
-    int best = ways[static_cast<std::size_t>(y * kSize + x)];
+    int best = ways[index_in(x, y)];
     const int here_x = x;
     const int here_y = y;
     for (const Step& step : kSteps) {
       const int nx = here_x + step.dx;
       const int ny = here_y + step.dy;
-      if (nx < 0 || ny < 0 || nx >= kSize || ny >= kSize) continue;
-      const int way = ways[static_cast<std::size_t>(ny * kSize + nx)];
+      if (nx < 0 || ny < 0 || nx >= kSize || ny >= kSize || cuts_corner(here_x, here_y, step)) continue;
+      const int way = ways[index_in(nx, ny)];
       if (way == kNoWay || way >= best) continue;
       best = way;
       x = nx;

@@ -132,9 +132,10 @@ function Rows({ entries }: { entries: readonly Log_Entry[] }) {
 
 function Row({ entry, top }: { entry: Log_Entry; top: number }) {
   const session = useSession();
+  const { model } = session;
   const tone =
     entry.isAlert || entry.kind === Log_Kind.CONTACT ? "danger" : entry.kind === Log_Kind.WARNING ? "hold" : "";
-  const who = entry.robot ? `robot ${entry.robot}` : entry.unit;
+  const who = entry.robot ? model.get("roster").nameOf(entry.robot) : entry.unit;
   return (
     <div className={`log-row ${tone}`} style={{ top }}>
       <span className="number muted">{duration(entry.time, true)}</span>

@@ -12,6 +12,7 @@ function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): Retu
     errors: 0,
     nextLabel: "2",
     hasAsked: false,
+    hasOperator: true,
     ...more,
   });
 }
@@ -31,7 +32,7 @@ describe("Step and Skip", () => {
   });
 });
 
-describe("the large button", () => {
+describe("the main button", () => {
   it("executes, pauses, resumes", () => {
     expect(at(Status_Mode.READY)).toMatchObject({ label: "Execute", does: { action: Control_Action.EXECUTE } });
     expect(at(Status_Mode.RUNNING)).toMatchObject({ label: "Pause", does: { action: Control_Action.PAUSE } });
@@ -66,7 +67,11 @@ describe("the large button", () => {
     expect(at(Status_Mode.ENDED).does).toEqual({ kind: "control", action: Control_Action.RESTART });
   });
   it("offers control to who only watches, once", () => {
-    expect(at(Status_Mode.RUNNING, { isOperator: false }).does).toEqual({ kind: "take-operator" });
+    expect(at(Status_Mode.RUNNING, { isOperator: false })).toMatchObject({
+      label: "Ask for control",
+      does: { kind: "take-operator" },
+    });
+    expect(at(Status_Mode.RUNNING, { isOperator: false, hasOperator: false }).label).toBe("Take control");
     expect(at(Status_Mode.RUNNING, { isOperator: false, hasAsked: true }).does).toEqual({ kind: "nothing" });
   });
   it("shows the errors of a mission that can't run", () => {

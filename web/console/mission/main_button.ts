@@ -1,8 +1,10 @@
-// The one large button: it always says what it will do, and there is always one next thing to do.
+// The main button: it always says what it will do, and there is always one next thing to do.
 import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../core/protocol.ts";
 
 export interface MainButton {
   label: string;
+  /** Its first words, where there is little room; none: the whole label. */
+  short?: string;
   /** One line under it: what that means now. */
   hint: string;
   does:
@@ -18,6 +20,8 @@ export interface MainButton {
 export interface Situation {
   status: Status | undefined;
   isOperator: boolean;
+  /** There is one, this browser or another. */
+  hasOperator: boolean;
   isConnected: boolean;
   openQuestions: number;
   errors: number;
@@ -39,7 +43,7 @@ export function mainButton(situation: Situation): MainButton {
       icon: "play",
     };
   }
-  if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation.hasAsked);
+  if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation);
   switch (status.mode) {
     case Status_Mode.NO_MISSION:
       return situation.errors > 0
@@ -81,6 +85,7 @@ export function mainButton(situation: Situation): MainButton {
       if (situation.openQuestions > 0) {
         return {
           label: situation.openQuestions === 1 ? "Answer: Proceed?" : `Answer ${situation.openQuestions} questions`,
+          short: situation.openQuestions === 1 ? "Answer" : `Answer ${situation.openQuestions}`,
           hint: "The mission waits for you.",
           does: { kind: "answer" },
           tone: "go",
@@ -105,7 +110,10 @@ export function mainButton(situation: Situation): MainButton {
         "play",
       );
     case Status_Mode.STOPPED:
-      return control("Release the stop", "The run is paused then.", Control_Action.RELEASE_STOP, "danger", "release");
+      return {
+        ...control("Release the stop", "The run is paused then.", Control_Action.RELEASE_STOP, "danger", "release"),
+        short: "Release",
+      };
     case Status_Mode.ENDED:
       return control("Restart", endHint(status.outcome), Control_Action.RESTART, "hold", "restart");
   }
@@ -130,12 +138,19 @@ export function skipWords(status: Status | null): string {
     : "Passes over the next step, without starting anything";
 }
 
-function watching(hasAsked: boolean): MainButton {
+function watching({ hasAsked, hasOperator }: Situation): MainButton {
   return hasAsked
-    ? { label: "Asked for control", hint: "The operator has to agree.", does: nothing, tone: "quiet", icon: "hand" }
+    ? {
+        label: "Asked for control",
+        short: "Asked",
+        hint: "The operator has to agree.",
+        does: nothing,
+        tone: "quiet",
+        icon: "hand",
+      }
     : {
-        label: "Take control",
-        hint: "You are watching. Somebody else is the operator, or nobody.",
+        label: hasOperator ? "Ask for control" : "Take control",
+        hint: `You are watching. ${hasOperator ? "Somebody else" : "Nobody"} is the operator.`,
         does: { kind: "take-operator" },
         tone: "hold",
         icon: "hand",

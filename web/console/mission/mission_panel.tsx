@@ -1,4 +1,4 @@
-// The mission's steps, what runs now, and the one large button.
+// The mission's steps, what runs now, and, until the first of them starts, the one large button.
 import { useEffect, useRef } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../actions/keys.ts";
@@ -8,8 +8,8 @@ import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button, Hint } from "../ui/controls.tsx";
 import { Icon, type IconName } from "../ui/icons.tsx";
 import { MenuButton, type MenuEntry } from "../ui/menus.tsx";
-import { mainButton, skipWords, stepWords } from "./main_button.ts";
-import { pressMainButton } from "./press.ts";
+import { skipWords, stepWords } from "./main_button.ts";
+import { StartButton } from "./run_button.tsx";
 import { situationOf } from "./situation.ts";
 import {
   type CommandRow,
@@ -38,9 +38,8 @@ export function MissionPanel() {
 function MainControls() {
   const session = useSession();
   const { model } = session;
-  for (const part of ["status", "clients", "welcome", "link", "questions", "documents", "plan"] as const) usePart(part);
+  usePart("status");
   const isOperator = useIsOperator();
-  const button = mainButton(situationOf(model));
   const status = model.get("status");
   const mode = status?.mode ?? Status_Mode.NO_MISSION;
   const isBlocked = !isOperator || mode === Status_Mode.NO_MISSION;
@@ -48,18 +47,7 @@ function MainControls() {
   const run = (action: Control_Action) => () => control(session, action);
   return (
     <div className="main-controls">
-      <Button
-        className={`large main-button ${button.tone}`}
-        icon={button.icon}
-        isDisabled={button.does.kind === "nothing"}
-        onPress={() => pressMainButton(session)}
-        aria-keyshortcuts="X"
-        data-testid="main-button"
-      >
-        {button.label}
-        <kbd>{shownShortcut("x")}</kbd>
-      </Button>
-      <p className="hint small muted">{button.hint || "\u00a0"}</p>
+      <StartButton />
       <div className="transport" role="toolbar" aria-label="Run">
         <TransportButton
           icon="step"
@@ -161,8 +149,15 @@ function Steps() {
   const done = planned.filter((row) => isOver(row.state)).length;
   const list = useRef<HTMLOListElement>(null);
   const current = rows.findIndex((row) => row.state === "running" || row.state === "next");
+  // In sight also when the panel becomes lower.
   useEffect(() => {
-    list.current?.children[current]?.scrollIntoView?.({ block: "nearest" });
+    const show = () => list.current?.children[current]?.scrollIntoView?.({ block: "nearest" });
+    show();
+    const panel = list.current?.closest(".panel");
+    if (!panel) return;
+    const observer = new ResizeObserver(show);
+    observer.observe(panel);
+    return () => observer.disconnect();
   }, [current]);
   if (rows.length === 0) {
     return (

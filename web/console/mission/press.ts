@@ -1,4 +1,4 @@
-// What the large button does when it is pressed.
+// What the main button does when it is pressed.
 import { control, takeOperator } from "../orders.ts";
 import type { Session } from "../session.ts";
 import { mainButton } from "./main_button.ts";

@@ -1,4 +1,4 @@
-// What the large button has to know, gathered from the model.
+// What the main button has to know, gathered from the model.
 import type { Model } from "../../core/model.ts";
 import type { Situation } from "./main_button.ts";
 
@@ -10,6 +10,7 @@ export function situationOf(model: Model): Situation {
   return {
     status,
     isOperator: model.isOperator(),
+    hasOperator: clients?.clients.some((client) => client.id === clients.operator) ?? false,
     isConnected: model.get("link").state === "open",
     openQuestions: model.get("questions").length,
     errors: documents.reduce((sum, document) => sum + document.diagnostics.filter((one) => !one.isWarning).length, 0),

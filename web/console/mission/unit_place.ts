@@ -12,3 +12,9 @@ export function unitPlace({ model, ui }: Session, units: readonly string[]): voi
   );
   ui.get("map")?.fitSelection();
 }
+
+/** Selects one robot and brings it into view. */
+export function robotPlace({ model, ui }: Session, robot: number): void {
+  model.select(selectRobots([robot]));
+  ui.get("map")?.fitSelection();
+}

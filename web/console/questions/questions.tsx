@@ -1,8 +1,9 @@
-// Proceed? The oldest on top. Nothing else is blocked while they wait.
+// Proceed? The oldest on top. Nothing else is blocked while they wait, and none takes the focus by itself.
+import { useLayoutEffect, useRef } from "react";
 import type { Questions_Question } from "../../core/protocol.ts";
-import { duration } from "../format.ts";
+import { duration, plain } from "../format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
-import { unitPlace } from "../mission/unit_place.ts";
+import { robotPlace, unitPlace } from "../mission/unit_place.ts";
 import { answer } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button } from "../ui/controls.tsx";
@@ -28,16 +29,23 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
   const link = usePart("link");
   const status = usePart("status");
   const isDoing = commandOfUnit(status, question.unit);
-  const where = question.unit !== "";
+  const where = question.robot > 0 ? `Robot ${question.robot}` : question.unit;
+  const card = useRef<HTMLElement>(null);
+  useLayoutEffect(() => {
+    const element = card.current;
+    return () => handFocusOn(element);
+  }, []);
   return (
-    <section className="question" aria-label={question.text} data-question={question.id}>
-      <p className="question-text">{question.text}</p>
+    <section ref={card} className="question" aria-label={plain(question.text)} data-question={question.id}>
+      <p className="question-text">{plain(question.text)}</p>
       <div className="question-facts small">
-        {where && (
+        {where !== "" && (
           <Button
             tone="link"
-            aria-label={`Show ${question.unit} on the map`}
-            onPress={() => unitPlace(session, [question.unit])}
+            aria-label={`Show ${where} on the map`}
+            onPress={() =>
+              question.robot > 0 ? robotPlace(session, question.robot) : unitPlace(session, [question.unit])
+            }
           >
             <Icon name="centre" /> Show
           </Button>
@@ -74,6 +82,14 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
       )}
     </section>
   );
+}
+
+/** Whoever answers by keyboard is not thrown to the top of the page when a card goes away. */
+function handFocusOn(card: HTMLElement | null): void {
+  if (!card?.contains(document.activeElement)) return;
+  const others = [...document.querySelectorAll<HTMLElement>("[data-question] [data-proceed]")];
+  const next = others.find((button) => !card.contains(button)) ?? document.querySelector<HTMLElement>(".map");
+  next?.focus();
 }
 
 function Remaining({ question }: { question: Questions_Question }) {

@@ -24,15 +24,22 @@ function StopBanner() {
   const session = useSession();
   const isStopped = usePart("status")?.mode === Status_Mode.STOPPED;
   const isOperator = useIsOperator();
+  const isConnected = usePart("link").state === "open";
   if (!isStopped) return null;
   return (
     <div className="banner danger" role="alert">
       <Icon name="stop" />
-      <span className="grow">EMERGENCY STOP: all robots stand and take no orders.</span>
+      <span className="grow">
+        {isConnected
+          ? "EMERGENCY STOP: all robots stand and take no orders."
+          : "EMERGENCY STOP when the connection was lost: all robots stood. It may have been released since."}
+      </span>
       {isOperator ? (
         <Button onPress={() => control(session, Control_Action.RELEASE_STOP)}>Release the stop</Button>
       ) : (
-        <span>Only the operator can release it.</span>
+        <span>
+          {isConnected ? "Only the operator can release it." : "Not connected: it cannot be released from here."}
+        </span>
       )}
     </div>
   );

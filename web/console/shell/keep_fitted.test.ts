@@ -22,6 +22,13 @@ describe("a map that shows the whole area", () => {
     zoomed.zoomAbout({ x: 400, y: 300 }, 1.1);
     expect(isFitted(zoomed, size, area)).toBe(false);
   });
+  it("is known beside what lay over it", () => {
+    const bar = { xMin: 12, yMin: 12, xMax: 52, yMax: 400 };
+    const beside = fitted();
+    beside.fit({ xMin: 0, yMin: 0, xMax: area.width, yMax: area.height }, undefined, [bar]);
+    expect(isFitted(beside, size, area, [bar])).toBe(true);
+    expect(isFitted(beside, size, area)).toBe(false);
+  });
   it("is another in a window of another size", () =>
     expect(isFitted(fitted(), { width: 500, height: 600 }, area)).toBe(false));
 });

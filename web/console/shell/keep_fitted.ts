@@ -1,5 +1,6 @@
 // While the whole mission area is fitted to the map, it stays fitted when panels open and close.
 import { Camera } from "../../core/camera.ts";
+import type { Box } from "../../core/geometry.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import type { Model } from "../../core/model.ts";
 
@@ -14,12 +15,23 @@ export function isFitted(
   place: Place,
   size: { width: number; height: number },
   area: { width: number; height: number },
+  covered: readonly Box[] = [],
 ): boolean {
   const fitted = new Camera();
   fitted.resize(size.width, size.height);
-  fitted.fit({ xMin: 0, yMin: 0, xMax: Math.max(1, area.width), yMax: Math.max(1, area.height) });
+  fitted.fit({ xMin: 0, yMin: 0, xMax: Math.max(1, area.width), yMax: Math.max(1, area.height) }, undefined, covered);
   const near = (a: number, b: number) => Math.abs(a - b) * fitted.scale < 1.5;
   return near(place.x, fitted.x) && near(place.y, fitted.y) && Math.abs(place.scale / fitted.scale - 1) < 0.002;
+}
+
+/** The tools and questions over the map, which what is fitted keeps clear of [CSS pixels of the map]. */
+export function coveredPlaces(map: HTMLElement): Box[] {
+  const { left, top } = map.getBoundingClientRect();
+  const over = map.parentElement?.querySelectorAll(".map-tools, .tool-options, .questions") ?? [];
+  return [...over].map((element) => {
+    const box = element.getBoundingClientRect();
+    return { xMin: box.left - left, yMin: box.top - top, xMax: box.right - left, yMax: box.bottom - top };
+  });
 }
 
 /** Returns how to end it. */
@@ -29,8 +41,8 @@ export function keepFitted(map: MapView, model: Model): () => void {
     const before = size;
     size = { width: map.camera.width, height: map.camera.height };
     const scene = model.get("scene");
-    if (scene && (before.width !== size.width || before.height !== size.height) && isFitted(map.camera, before, scene))
-      map.fit();
+    if (!scene || (before.width === size.width && before.height === size.height)) return;
+    if (isFitted(map.camera, before, scene, map.coveredAtFit)) map.fit();
   });
   observer.observe(map.host);
   return () => observer.disconnect();

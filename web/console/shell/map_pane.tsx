@@ -5,7 +5,7 @@ import { shownShortcut } from "../actions/keys.ts";
 import { tools } from "../extensions.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
-import { keepFitted } from "./keep_fitted.ts";
+import { coveredPlaces, keepFitted } from "./keep_fitted.ts";
 import { forgetView, restoreView } from "./view_memory.ts";
 
 export function MapPane() {
@@ -25,7 +25,10 @@ function MapHost() {
   useEffect(() => {
     const element = host.current;
     if (!element) return;
-    const map = new MapView(element, session.model, { pictureUrl: (path) => session.connection.url(path) });
+    const map = new MapView(element, session.model, {
+      pictureUrl: (path) => session.connection.url(path),
+      covered: () => coveredPlaces(element),
+    });
     restoreView(session, map, window.sessionStorage);
     session.ui.set("map", map);
     const endFitting = keepFitted(map, session.model);

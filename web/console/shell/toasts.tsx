@@ -1,8 +1,9 @@
 // Alerts of the log that want to be seen at once, until they are dismissed.
 
 import { Log_Kind } from "../../core/protocol.ts";
-import { duration, plain } from "../format.ts";
+import { duration } from "../format.ts";
 import { showPlace } from "../log/show_place.ts";
+import { sentence } from "../orders.ts";
 import { usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
 import { openAlerts } from "./alerts.ts";
@@ -29,7 +30,7 @@ export function Toasts() {
       {shown.map((entry) => (
         <div key={String(entry.number)} className={`toast ${entry.kind === Log_Kind.STUCK ? "" : "danger"}`}>
           <p>
-            {plain(entry.text)} <span className="muted small number">{duration(entry.time)}</span>
+            {sentence(entry.text)} <span className="muted small number">{duration(entry.time)}</span>
             {(entry.place || entry.robot !== 0) && (
               <>
                 {" "}

@@ -2,6 +2,7 @@ import { shownShortcut } from "../actions/keys.ts";
 import { kStopShortcut } from "../actions/shell_actions.ts";
 import { People } from "../clients/people.tsx";
 import { duration } from "../format.ts";
+import { RunButton, StepButton } from "../mission/run_button.tsx";
 import { situationOf } from "../mission/situation.ts";
 import { SpeedControl } from "../mission/speed_control.tsx";
 import { stateOf } from "../mission/state.ts";
@@ -22,12 +23,14 @@ export function TopBar() {
       <UndoButtons />
       <span className="divider" />
       <RunState />
+      <RunButton />
+      <StepButton />
       <Clocks />
       <SpeedControl />
       <span className="gap" />
       <People />
       <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
-        <Button tone="quiet" icon="search" onPress={() => session.ui.set("dialog", "palette")}>
+        <Button tone="quiet" className="find" icon="search" onPress={() => session.ui.set("dialog", "palette")}>
           <span className="hidden-text">All commands</span>
           <kbd>{shownShortcut("ctrl+k")}</kbd>
         </Button>
@@ -107,14 +110,14 @@ function Clocks() {
   const [date, hours] = clock.split("T");
   return (
     <span className="clocks number">
-      <Hint text="Time since the run began">
+      <Hint text={`Time since the run began${hours ? `; the mission's clock shows ${hours.slice(0, 8)}` : ""}`}>
         <Button tone="quiet" className="runtime" data-testid="run-time">
           <span className="hidden-text">Run time </span>
           {duration(Math.max(time, status?.time ?? 0), true)}
         </Button>
       </Hint>
       {hours && (
-        <span className="muted small" title={`Mission clock: ${date} ${hours}`}>
+        <span className="mission-clock muted small" title={`Mission clock: ${date} ${hours}`}>
           <span className="hidden-text">Mission clock </span>
           {hours.slice(0, 8)}
         </span>

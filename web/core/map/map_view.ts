@@ -30,6 +30,8 @@ export interface MapViewOptions {
   readonly pictureUrl?: (path: string) => string;
   /** Device pixels per CSS pixel; the window's own without. */
   readonly density?: number;
+  /** What lies over the host, and leaves no room for what is fitted [CSS pixels of the host, y down]. */
+  readonly covered?: () => readonly Box[];
 }
 
 export type Followed = { readonly robot: number } | { readonly unit: string } | null;
@@ -51,6 +53,8 @@ export class MapView {
   readonly camera = new Camera();
   /** What lists point at, drawn as if the pointer were over it. */
   hover: MapPick | null = null;
+  /** What lay over the map when something was last fitted to it. */
+  coveredAtFit: readonly Box[] = [];
 
   private readonly ground: HTMLCanvasElement;
   private readonly names: HTMLCanvasElement;
@@ -143,7 +147,8 @@ export class MapView {
 
   fitTo(box: Box, margin = 40): void {
     this.stopFollowing();
-    this.camera.fit(box, margin);
+    this.coveredAtFit = this.options.covered?.() ?? [];
+    this.camera.fit(box, margin, this.coveredAtFit);
     this.moved();
   }
 

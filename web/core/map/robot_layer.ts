@@ -12,6 +12,8 @@ export type Renderer = "webgl" | "canvas" | "blocks";
 
 /** Fewer are drawn by paths, which look best and cost little. */
 export const kManyRobots = 1500;
+const kManyForProcessor = 400; // by paths they would take longer than a frame's time
+const kToldApart = 5; // CSS pixels: a body of that radius is seen beside its arrow
 const kSlowFrame = 45; // ms between drawings: a card that takes longer is none
 const kPatience = 20; // slow frames in a row
 
@@ -37,7 +39,8 @@ export class RobotLayer {
   draw(camera: Camera, model: Model, density: number): void {
     const settings = model.get("map");
     this.styles.update(model);
-    const wanted = settings.layers.robots ? this.choose(model.robots.count, settings.renderer) : "canvas";
+    const showsMore = settings.circleRobots || this.styles.largestRadius * camera.scale >= kToldApart;
+    const wanted = settings.layers.robots ? this.choose(model.robots.count, settings.renderer, showsMore) : "canvas";
     this.show(wanted);
     const palette = paletteOf(settings.theme);
     if (wanted === "webgl") {
@@ -63,8 +66,9 @@ export class RobotLayer {
     this.webgl?.dispose();
   }
 
-  private choose(robots: number, setting: "auto" | "webgl" | "canvas"): Renderer {
-    const few = robots < kManyRobots;
+  /** @param showsMore  there is more to see of a robot than its arrow, which blocks can't show */
+  private choose(robots: number, setting: "auto" | "webgl" | "canvas", showsMore: boolean): Renderer {
+    const few = robots < (showsMore || !drawsInSoftware() ? kManyRobots : kManyForProcessor);
     if (setting === "canvas") return few ? "canvas" : "blocks";
     if (setting === "auto" && few) return "canvas";
     if (setting === "auto" && (this.hasGivenUp || drawsInSoftware())) return "blocks";

@@ -1,6 +1,7 @@
 #include "mlab/lang/cdl/configuration.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -118,6 +119,10 @@ class Loader {
     for (const Item& item : tree.items) {
       if (const auto* assemblage = std::get_if<Assemblage>(&item)) {
         declare(*assemblage, out_.assemblages, is_own, "assemblage");
+        if (!is_own) {
+          out_.built_in_assemblages[assemblage->name.text] = assemblage;
+          out_.built_in_sources.insert(assemblage->name.place.source.get());
+        }
         if (is_own) out_.own_assemblages.push_back(assemblage);
       } else if (const auto* binding = std::get_if<Binding>(&item)) {
         declare(*binding, out_.bindings, is_own, "binding point");
@@ -134,8 +139,21 @@ class Loader {
         declare(*society, out_.societies, is_own, "society");
         if (is_own) out_.own_societies.push_back(society);
       } else if (const auto* architecture = std::get_if<Architecture>(&item)) {
-        if (is_own && out_.architecture.empty()) out_.architecture = architecture->name.text;
+        if (is_own) choose(architecture->name);
       }
+    }
+  }
+
+  // AuRA goes to CNL and programs, UGV to SAUSAGES plans.
+  void choose(const Word& architecture) {
+    static constexpr std::array<std::string_view, 2> kKnown = {"AuRA", "UGV"};
+    if (std::ranges::find(kKnown, architecture.text) == kKnown.end()) {
+      sink_
+          .error("unknown-architecture", architecture.place,
+                 fmt::format("unknown architecture `{}`", architecture.text))
+          .hints = {"there are AuRA, for robots that run the configuration, and UGV, for SAUSAGES plans"};
+    } else if (out_.architecture.empty()) {
+      out_.architecture = architecture.text;
     }
   }
 
@@ -207,6 +225,13 @@ class SocietyWalk {
 Configuration configuration_of(std::shared_ptr<const Tree> tree, const Environment& environment,
                                text::Diagnostics& sink) {
   return Loader(environment, sink).run(std::move(tree));
+}
+
+const Assemblage* Configuration::assemblage_named(const Word& name) const {
+  const bool is_built_in = name.place.source != nullptr && built_in_sources.contains(name.place.source.get());
+  const Table<Assemblage>& table = is_built_in ? built_in_assemblages : assemblages;
+  const auto found = table.find(name.text);
+  return found == table.end() ? nullptr : found->second;
 }
 
 Configuration load(const text::SourcePtr& source, const Environment& environment, text::Diagnostics& sink) {

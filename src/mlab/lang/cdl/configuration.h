@@ -42,6 +42,12 @@ struct Configuration {
   Table<Society> societies;
   std::string architecture;  ///< empty: none said
 
+  Table<Assemblage> built_in_assemblages;          ///< those of the library, hidden or not
+  std::set<const text::Source*> built_in_sources;  ///< the library's files
+  /// What the name of an assemblage means where it is written: for the library's own files, always the
+  /// library's. Null where there is none.
+  const Assemblage* assemblage_named(const Word& name) const;
+
   /// Of the file and those it uses, in the order of the text.
   std::vector<const Robot*> own_robots;
   std::vector<const Assemblage*> own_assemblages;

@@ -217,8 +217,8 @@ bool Parts::gives_movement(std::string_view callee) const {
 }
 
 Parts::Values Parts::call(const Call& call, Scope& scope, const text::Place& place) {
-  const auto found = configuration_.assemblages.find(call.callee.text);
-  if (found != configuration_.assemblages.end()) return assemblage(*found->second, call, scope, place);
+  if (const Assemblage* found = configuration_.assemblage_named(call.callee))
+    return assemblage(*found, call, scope, place);
   const bool is_binding = configuration_.bindings.contains(call.callee.text);
   return process(call.callee.text, !is_binding && gives_movement(call.callee.text), call, scope);
 }

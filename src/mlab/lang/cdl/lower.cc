@@ -38,28 +38,37 @@ void check_declarations(const Configuration& configuration, const flow::Library&
                         text::Diagnostics& sink, Said& said) {
   StaticCheck statics(configuration, library, sink);
   for (const Assemblage* assemblage : configuration.own_assemblages) {
-    const std::size_t errors_before = sink.error_count();
     statics.errors_of(*assemblage);
     Lowering(configuration, library, sink, said).check_assemblage(*assemblage);
-    if (sink.error_count() == errors_before) statics.warnings_of(*assemblage);
   }
   for (const RobotClass* robot_class : configuration.own_classes) {
+    const std::size_t errors_before = sink.error_count();
     statics.errors_of(*robot_class);
     Lowering(configuration, library, sink, said).check_class(*robot_class);
+    if (sink.error_count() > errors_before) said.wrong_classes.insert(robot_class->name.text);
   }
   for (const SocietyOperator* op : configuration.own_operators)
     Lowering(configuration, library, sink, said).check_operator(*op);
   for (const Society* society : configuration.own_societies) statics.errors_of(*society);
 }
 
+void warn_of_declarations(const Configuration& configuration, const flow::Library& library,
+                          text::Diagnostics& sink) {
+  StaticCheck statics(configuration, library, sink);
+  for (const Assemblage* assemblage : configuration.own_assemblages) statics.warnings_of(*assemblage);
+}
+
 void check(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink) {
   Said said;
+  const std::size_t all_before = sink.error_count();
   check_declarations(configuration, library, sink, said);
   for (const Robot* robot : configuration.own_robots) {
+    if (said.wrong_classes.contains(robot->class_name.text)) continue;
     const std::size_t errors_before = sink.error_count();
     const LoweredRobot lowered = lower(configuration, *robot, library, sink, said);
     if (sink.error_count() == errors_before && !sink.has_errors()) build(lowered, library, sink, said);
   }
+  if (sink.error_count() == all_before) warn_of_declarations(configuration, library, sink);
 }
 
 }  // namespace mlab::cdl

@@ -17,6 +17,7 @@ namespace mlab::cdl {
 /// What was said of a configuration already: an assemblage that two robots use is wrong once.
 struct Said {
   std::set<std::string> keys;
+  std::set<std::string> wrong_classes;  ///< with errors of their own, which their robots would say again
   /// Of assemblages that were checked: the type and unit of their value. Calls need not look into them again.
   std::map<const Assemblage*, std::pair<const flow::TypeInfo*, std::string>> results;
 };
@@ -44,6 +45,11 @@ std::shared_ptr<const flow::Program> build(const LoweredRobot& robot, const flow
 /// Checks all that the configuration's own files declare, used or not, except for the robots.
 void check_declarations(const Configuration& configuration, const flow::Library& library,
                         text::Diagnostics& sink, Said& said);
+
+/// What is odd about them and no error: to be asked only where nothing has errors, since these may be the
+/// cause.
+void warn_of_declarations(const Configuration& configuration, const flow::Library& library,
+                          text::Diagnostics& sink);
 
 /// Checks the robots as well: `mlab check`.
 void check(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink);

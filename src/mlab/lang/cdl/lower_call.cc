@@ -54,9 +54,8 @@ Value Lowering::instantiate(const Word& callee, const std::vector<Given>& given,
     error("too-many-nodes", place, fmt::format("the robot has more than {} nodes", kMaxNodes));
     return {};
   }
-  const auto assemblage = configuration_.assemblages.find(callee.text);
-  if (assemblage != configuration_.assemblages.end())
-    return instantiate_assemblage(callee, *assemblage->second, given, slot, place);
+  if (const Assemblage* assemblage = configuration_.assemblage_named(callee))
+    return instantiate_assemblage(callee, *assemblage, given, slot, place);
   const flow::Library::Entry entry = library_.find(callee.text);
   if (entry.behavior != nullptr) return instantiate_procedure(callee, entry, given, slot, place);
   return unknown_callee(callee);
@@ -142,7 +141,10 @@ void Lowering::link_argument(const InputView& view, const Given& given, flow::No
     if (auto source = bind(one, type, view.input, view.name, place))
       node.links.push_back({view.name, std::move(*source), link_place});
   };
-  if (!view.input->is_list || value.kind != Value::Kind::kList) return link(value, given.place);
+  if (!view.input->is_list || value.kind != Value::Kind::kList) {
+    link(value, given.place);
+    return;
+  }
   // `[1, 2]` is one vector for a list of vectors, `[[1, 2]]` another way to say so.
   for (const Value& item : value.items) link(item, item.place);
 }
@@ -273,17 +275,39 @@ Value Lowering::lower_assemblage(const Assemblage& assemblage, Scope& scope, con
 // An assemblage that is declared and empty.
 Value Lowering::stand_still(const Assemblage& assemblage, Scope& scope, const PortType& result,
                             const text::Place& place) {
+  // What stands in the place of each type, and what that means.
+  struct Nothing {
+    std::string_view type, behavior, means;
+  };
+  static constexpr Nothing kNothing[] = {
+      {"Vector", "Stand", "the robot stands still in its place"},
+      {"bool", "Constant", "it is never true"},
+      {"Objects", "NoObjects", "it sees none"},
+      {"Obstacles", "NoObstacles", "it sees none"},
+      {"Robots", "NoRobots", "it sees none"},
+      {"Ranges", "NoRanges", "it measures nothing"},
+      {"Object", "NoObject", "it gives no object"},
+      {"ObjectClasses", "NoClasses", "it gives no class"},
+      {"Formation", "NoFormation", "it gives none"},
+      {"FormationReference", "NoFormationReference", "it gives the usual one"},
+      {"Task", "NoTask", "it gives none"},
+      {"Text", "NoText", "it gives the empty text"},
+      {"double", "ZeroNumber", "it is always 0"},
+      {"int", "ZeroCount", "it is always 0"},
+      {"Point", "ZeroPoint", "it is always the origin"},
+      {"Pose", "ZeroPose", "it is always the origin"}};
   const std::string_view type = result.type == nullptr ? "Vector" : result.type->name;
-  if (type != "Vector" && type != "bool") {
+  const auto* nothing = std::ranges::find(kNothing, type, &Nothing::type);
+  if (nothing == std::end(kNothing) || library_.find(nothing->behavior).behavior == nullptr) {
     error("empty-assemblage", assemblage.name.place,
           fmt::format("`{}` is empty, so it gives no {}", assemblage.name.text, type));
     return {};
   }
   warning("empty-assemblage", assemblage.name.place, fmt::format("`{}` is empty", assemblage.name.text))
-      .label = type == "Vector" ? "the robot stands still in its place" : "it is never true";
+      .label = nothing->means;
   flow::Node node;
   node.name = scope.path;
-  node.behavior = type == "Vector" ? "Stand" : "Constant";
+  node.behavior = nothing->behavior;
   node.place = node.behavior_place = place;
   if (type == "bool") node.links.push_back({"value", {flow::Source::Kind::kConstant, "false", place}, place});
   network_.nodes.push_back(node);

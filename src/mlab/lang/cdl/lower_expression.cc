@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "mlab/flow/port_types.h"
 #include "mlab/lang/cdl/lowering.h"
@@ -50,6 +51,8 @@ Value Lowering::lower_what(const Expression& expression, Scope& scope, const Slo
               text::Diagnostic& d = error("unknown-unit", number.unit.place,
                                           fmt::format("unknown unit `{}`", number.unit.text));
               hint_nearest(d, number.unit.text, unit_names());
+              if (d.hints.empty())
+                d.hints.push_back(fmt::format("there are {}", fmt::join(unit_names(), ", ")));
               return out;
             }
             out.kind = Value::Kind::kNumber;
@@ -218,7 +221,8 @@ Value Lowering::lower_active(const Expression& expression, Scope& scope, const S
   }
   if (active.type.type->kind != flow::TypeKind::kBool && active.type.type->kind != flow::TypeKind::kInteger) {
     error("wrong-type", expression.active->place,
-          fmt::format("an active part gives a bool or a Vector, and this a {}", active.type.type->name));
+          fmt::format("an active part gives a bool or a Vector; this is of type {}", active.type.type->name))
+        .hints = {"`LookAt(...)` and `LookAround(...)` turn a camera"};
     return {};
   }
   flow::Node node;
@@ -252,16 +256,17 @@ PortType Lowering::static_type_of_name(const std::string& name, const Scope* sco
   return {};
 }
 
-PortType Lowering::static_type_of_call(const std::string& callee, int depth) const {
-  if (const auto binding = configuration_.bindings.find(callee); binding != configuration_.bindings.end())
+PortType Lowering::static_type_of_call(const Word& callee, int depth) const {
+  if (const auto binding = configuration_.bindings.find(callee.text);
+      binding != configuration_.bindings.end())
     return known_type(binding->second->result_type.text);
-  if (const auto found = configuration_.assemblages.find(callee); found != configuration_.assemblages.end()) {
-    const Assemblage& assemblage = *found->second;
+  if (const Assemblage* found = configuration_.assemblage_named(callee)) {
+    const Assemblage& assemblage = *found;
     if (!assemblage.result_type.text.empty()) return known_type(assemblage.result_type.text);
     return assemblage.body ? static_type(*assemblage.body, nullptr, &assemblage, depth + 1)
                            : known_type("Vector");
   }
-  const flow::Library::Entry entry = library_.find(callee);
+  const flow::Library::Entry entry = library_.find(callee.text);
   if (entry.behavior == nullptr) return {};
   return {entry.behavior->output, std::string(entry.behavior->output_unit)};
 }
@@ -273,19 +278,18 @@ PortType Lowering::static_type(const Expression& expression, const Scope* scope,
   const auto of = [&](const ExpressionPtr& part) {
     return part ? static_type(*part, scope, inside, depth + 1) : PortType{};
   };
-  const PortType vector = known_type("Vector");
   return std::visit(
       Overloaded{
           [&](const Number&) { return known_type("double"); },
           [&](const Text&) { return PortType{}; },
           [&](const Name& name) { return static_type_of_name(name.name.text, scope, inside, depth); },
           [&](const List&) { return PortType{}; },
-          [&](const Call& call) { return static_type_of_call(call.callee.text, depth); },
+          [&](const Call& call) { return static_type_of_call(call.callee, depth); },
           [&](const Logic&) { return known_type("bool"); },
-          [&](const Cooperate&) { return vector; },
-          [&](const Compete&) { return vector; },
-          [&](const Coordinate& what) { return static_type_of_call(what.by.callee.text, depth); },
-          [&](const Fuse& what) { return static_type_of_call(what.by.callee.text, depth); },
+          [&](const Cooperate&) { return known_type("Vector"); },
+          [&](const Compete&) { return known_type("Vector"); },
+          [&](const Coordinate& what) { return static_type_of_call(what.by.callee, depth); },
+          [&](const Fuse& what) { return static_type_of_call(what.by.callee, depth); },
           [&](const Sequence& what) {
             return what.states.empty() ? PortType{} : of(what.states.front().member);
           },

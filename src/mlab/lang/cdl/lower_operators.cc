@@ -137,9 +137,20 @@ Value Lowering::lower_generic(const Call& by, const std::vector<Member>& members
 
 PortType Lowering::common_type(const std::vector<Value>& members, const text::Place& place,
                                const char* what) {
+  // The one that most of them have: where one is different, it is that one which is wrong.
+  std::ptrdiff_t most = 0;
+  const flow::TypeInfo* usual = nullptr;
   for (const Value& member : members) {
-    if (member.type.type != nullptr) return {member.type.type, ""};
+    if (member.type.type == nullptr) continue;
+    const auto is_alike = [&](const Value& other) {
+      return other.type.type != nullptr && flow::same_type(*other.type.type, *member.type.type);
+    };
+    const std::ptrdiff_t alike = std::ranges::count_if(members, is_alike);
+    const bool is_movement = member.type.type->kind == flow::TypeKind::kVector;
+    if (alike > most || (alike == most && is_movement)) usual = member.type.type;
+    most = std::max(most, alike);
   }
+  if (usual != nullptr) return {usual, ""};
   const bool all_numbers = !members.empty() && std::ranges::all_of(members, [](const Value& member) {
     return member.kind == Value::Kind::kNumber;
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -22,6 +23,34 @@ double in_unit(const Number& number, const std::string& unit) {
 }
 
 // What `drive` may be, by the number that a body has for it.
+// What a class can say of its body besides its drive, and in which unit.
+const std::map<std::string, std::string, std::less<>> kBodySettings = {{"radius", "m"},
+                                                                       {"max_speed", "m/s"},
+                                                                       {"max_acceleration", ""},
+                                                                       {"max_turn_rate", "rad/s"},
+                                                                       {"max_turn_acceleration", ""},
+                                                                       {"axle", "m"},
+                                                                       {"max_wheel_speed", "m/s"},
+                                                                       {"wheelbase", "m"},
+                                                                       {"max_steer", "rad"},
+                                                                       {"ring_count", ""},
+                                                                       {"ring_arc", "rad"},
+                                                                       {"ring_range", "m"},
+                                                                       {"ring_beam_width", "rad"},
+                                                                       {"ring_noise", "m"},
+                                                                       {"ring_dropout", ""},
+                                                                       {"ring_obstacles", ""},
+                                                                       {"odometry_noise", ""},
+                                                                       {"camera_field_of_view", "rad"},
+                                                                       {"camera_max_pan", "rad"},
+                                                                       {"camera_pan_rate", "rad/s"}};
+
+std::vector<std::string> body_settings() {
+  std::vector<std::string> out = {"drive"};
+  for (const auto& [name, unit] : kBodySettings) out.push_back(name);
+  return out;
+}
+
 constexpr std::array<std::string_view, 4> kDrives = {"holonomic", "differential", "car", "synchro"};
 
 }  // namespace
@@ -146,15 +175,30 @@ void Lowering::lower_body(const RobotClass& robot_class, Scope& scope, LoweredRo
       if (value.kind == Value::Kind::kWord && drive != kDrives.end()) {
         out.body["drive"] = static_cast<double>(drive - kDrives.begin());
       } else {
-        error("unknown-drive", setting.value->place, "a drive is one of four").hints = {
-            fmt::format("{}", fmt::join(kDrives, ", "))};
+        error("unknown-drive", setting.value->place, "a body has no such drive").hints = {
+            fmt::format("there are {}", fmt::join(kDrives, ", "))};
       }
+      continue;
+    }
+    const auto known = kBodySettings.find(setting.name.text);
+    if (known == kBodySettings.end()) {
+      text::Diagnostic& d = error("unknown-body-setting", setting.name.place,
+                                  fmt::format("a body has no `{}`", setting.name.text));
+      hint_nearest(d, setting.name.text, body_settings());
+      if (d.hints.empty()) d.hints.push_back(fmt::format("it has {}", fmt::join(body_settings(), ", ")));
       continue;
     }
     const std::optional<Unit> unit = unit_named(value.unit);
     if (value.kind != Value::Kind::kNumber || !unit) {
       error("wrong-type", setting.value->place, "what a body has is a number").label =
           fmt::format("`{}` takes a number with its unit", setting.name.text);
+      continue;
+    }
+    const std::optional<Unit> wanted = unit_named(known->second);
+    if (!value.unit.empty() && wanted && !unit->same_dimension(*wanted)) {
+      error("wrong-unit", setting.value->place, fmt::format("`{}` is no quantity of this kind", value.unit))
+          .label = known->second.empty() ? fmt::format("`{}` takes a plain number", setting.name.text)
+                                         : fmt::format("`{}` takes {}", setting.name.text, known->second);
       continue;
     }
     out.body[setting.name.text] = value.number * unit->numerator / unit->denominator;
@@ -298,6 +342,9 @@ void Lowering::check_device(const Device& device, Scope& scope) {
       drive_device({&device, &scope, false, false}, driven, device.by.callee.place);
     return;
   }
+  if (!fits(static_type_of_call(device.by.callee, 0), type_named(binding.result_type), device.binds.text,
+            device.by.callee.place))
+    return;
   std::vector<Given> asked;
   for (const Parameter& parameter : binding.parameters) {
     const PortType type = type_of(parameter);

@@ -12,7 +12,8 @@ std::string Lowering::key_of(const std::string& kind, const text::Place& place, 
   const void* const inside = inside_;
   if (kind == "unknown-call" || kind == "unknown-type") return fmt::format("{} {}", kind, message);
   if (kind == "unknown-name" || !about.empty())
-    return fmt::format("{} {} {} {} {}", kind, inside, inside == nullptr ? robot_name_.text : "", message,
+    return fmt::format("{} {} {} {} {}", kind, inside,
+                       inside == nullptr ? static_cast<const void*>(place.source.get()) : nullptr, message,
                        about);
   return fmt::format("{} {} {} {}", kind, static_cast<const void*>(place.source.get()), place.span.begin,
                      message);

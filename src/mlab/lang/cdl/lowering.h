@@ -105,7 +105,7 @@ class Lowering {
                        int depth) const;
   PortType static_type_of_name(const std::string& name, const Scope* scope, const Assemblage* inside,
                                int depth) const;
-  PortType static_type_of_call(const std::string& callee, int depth) const;
+  PortType static_type_of_call(const Word& callee, int depth) const;
 
   // lower_call.cc
   Value lower_call(const Call& call, Scope& scope, const Slot& slot, const text::Place& place);
@@ -116,7 +116,7 @@ class Lowering {
     Word name;  ///< empty: by position
     ExpressionPtr value;
     Scope* scope = nullptr;
-    std::optional<Value> ready = {};  ///< instead of `value`
+    std::optional<Value> ready = std::nullopt;  ///< instead of `value`
     text::Place place = {};
   };
   struct DeviceUse {

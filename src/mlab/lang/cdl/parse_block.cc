@@ -1,6 +1,7 @@
 // The operators that are written as blocks: cooperation, competition, coordination, fusion, sequencing,
 // selection.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -193,10 +194,8 @@ bool at_block(const Cursor& cursor) {
   if (cursor.is_before("{")) return !cursor.stops_at_brace;
   if (!cursor.is_any({"cooperate", "compete", "coordinate", "fuse", "sequence", "select"})) return false;
   if (cursor.is_before("by")) return true;
-  for (const char* other : {"(", ")", ",", ";", ":", "=", "as", "and", "or", "]", "active", "goto"}) {
-    if (cursor.is_before(other)) return false;
-  }
-  return true;
+  constexpr const char* kOthers[] = {"(", ")", ",", ";", ":", "=", "as", "and", "or", "]", "active", "goto"};
+  return std::ranges::none_of(kOthers, [&](const char* other) { return cursor.is_before(other); });
 }
 
 bool parse_block(Cursor& cursor, Expression& into) {
@@ -210,7 +209,10 @@ bool parse_block(Cursor& cursor, Expression& into) {
   const std::string nearest = text::nearest_name(cursor.text(), kWords);
   text::Diagnostic* d =
       cursor.error("unknown-operator", cursor.here(), fmt::format("unknown operator `{}`", cursor.text()));
-  if (d != nullptr && !nearest.empty()) d->hints.push_back(fmt::format("did you mean `{}`?", nearest));
+  if (d != nullptr) {
+    d->hints.push_back(nearest.empty() ? "there are cooperate, compete, coordinate, fuse, sequence, select"
+                                       : fmt::format("did you mean `{}`?", nearest));
+  }
   return false;
 }
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
-#include "mlab/lang/cdl/print.h"
 #include "mlab/lang/cdl/walk.h"
 
 namespace mlab::cdl {
@@ -46,6 +46,11 @@ std::set<std::string> reached_states(const Sequence& sequence) {
   return reached;
 }
 
+bool leaves(const State& state) {
+  return std::ranges::any_of(state.transitions,
+                             [&](const Transition& one) { return one.target.text != state.name.text; });
+}
+
 }  // namespace
 
 void StaticCheck::check_names(const std::vector<Parameter>& parameters, const std::vector<Let>& lets) {
@@ -78,7 +83,7 @@ void StaticCheck::sequence_errors(const Sequence& sequence, const text::Place& p
                  fmt::format("state `{}` is declared twice", state.name.text))
           .notes.push_back({"the first is here", it->second});
     }
-    names.push_back(state.name.text);
+    if (is_new) names.push_back(state.name.text);
     if (!state.is_start) continue;
     if (start != nullptr) {
       sink_
@@ -100,7 +105,8 @@ void StaticCheck::sequence_errors(const Sequence& sequence, const text::Place& p
       text::Diagnostic& d = sink_.error("unknown-state", transition.target.place,
                                         fmt::format("there is no state `{}`", target));
       const std::string nearest = text::nearest_name(target, names);
-      if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+      d.hints.push_back(nearest.empty() ? fmt::format("its states are {}", fmt::join(names, ", "))
+                                        : fmt::format("did you mean `{}`?", nearest));
     }
   }
 }
@@ -118,7 +124,7 @@ void StaticCheck::sequence_warnings(const Sequence& sequence) {
       text::Diagnostic& d = sink_.warning("unreachable-state", state.name.place,
                                           fmt::format("no way leads to state `{}`", state.name.text));
       d.label = "what it does is never done";
-    } else if (state.transitions.empty() && !state.is_final) {
+    } else if (!leaves(state) && !state.is_final) {
       text::Diagnostic& d = sink_.warning("no-way-out", state.name.place,
                                           fmt::format("no transition leaves state `{}`", state.name.text));
       d.label = "once in it, the robot stays in it";
@@ -129,80 +135,36 @@ void StaticCheck::sequence_warnings(const Sequence& sequence) {
 }
 
 void StaticCheck::transition_warnings(const State& state) {
-  std::map<std::string, text::Place> first;
-  for (const Transition& transition : state.transitions) {
-    const text::Place& place = transition.trigger->place;
-    const auto [it, is_new] = first.try_emplace(print(*transition.trigger), place);
-    if (!is_new) {
+  using Constant = TriggerLogic::Constant;
+  const std::vector<TriggerLogic::Verdict> verdicts = logic_.judge(state, *parameters_, *lets_);
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const TriggerLogic::Verdict& verdict = verdicts[i];
+    const text::Place& place = state.transitions[i].trigger->place;
+    const bool is_constant = verdict.constant != Constant::kNo;
+    if (verdict.is_hidden && (verdict.is_same || !is_constant)) {
       text::Diagnostic& d =
-          sink_.warning("same-trigger", place, "two transitions of this state have the same trigger");
-      d.label = fmt::format("never made: the one above is made first");
-      d.notes.push_back({"the other is here", it->second});
+          verdict.is_same
+              ? sink_.warning("same-trigger", place, "two transitions of this state have the same trigger")
+              : sink_.warning("hidden-transition", place,
+                              "whenever this trigger is true, one above it is true as well");
+      d.label = verdict.hidden_by ? "never made: the one above is made first"
+                                  : "never made: one of those above is made first";
+      const std::size_t other = verdict.hidden_by.value_or(0);
+      d.notes.push_back({verdict.hidden_by ? "the other is here" : "the first of them is here",
+                         state.transitions[other].trigger->place});
       continue;
     }
-    const Constant value = constant(*transition.trigger);
+    const Constant value = verdict.constant;
     if (value == Constant::kNo) continue;
     text::Diagnostic& d = sink_.warning("constant-trigger", place,
                                         value == Constant::kTrue    ? "this trigger is always true"
                                         : value == Constant::kFalse ? "this trigger is never true"
                                                                     : "this trigger never changes");
-    d.label = value == Constant::kTrue    ? "the state is left as soon as it is entered"
+    d.label = value == Constant::kTrue    ? i == 0 ? "the state is left as soon as it is entered"
+                                                   : "the state is left in its first cycle"
               : value == Constant::kFalse ? "the transition is never made"
                                           : "the transition is made at once, or never";
   }
-}
-
-bool StaticCheck::is_literal(const Expression& expression) const {
-  if (std::holds_alternative<Number>(expression.what) || std::holds_alternative<Text>(expression.what))
-    return true;
-  if (const auto* list = std::get_if<List>(&expression.what))
-    return std::ranges::all_of(list->items, [&](const ExpressionPtr& item) { return is_literal(*item); });
-  const auto* name = std::get_if<Name>(&expression.what);
-  if (name == nullptr) return false;
-  const auto is_it = [&](const auto& declared) { return declared.name.text == name->name.text; };
-  return std::ranges::none_of(*parameters_, is_it) && std::ranges::none_of(*lets_, is_it);
-}
-
-// A call without memory, of constants alone.
-StaticCheck::Constant StaticCheck::constant_call(const Call& call) const {
-  if (configuration_.assemblages.contains(call.callee.text) ||
-      configuration_.bindings.contains(call.callee.text))
-    return Constant::kNo;
-  const flow::Behavior* behavior = library_.find(call.callee.text).behavior;
-  const bool can_be = behavior != nullptr && behavior->is_pure;
-  if (!can_be ||
-      !std::ranges::all_of(call.arguments, [&](const Argument& a) { return is_literal(*a.value); }))
-    return Constant::kNo;
-  if (behavior->name != "Constant") return Constant::kSome;
-  return call.arguments.empty() ? Constant::kTrue : constant(*call.arguments.front().value);
-}
-
-StaticCheck::Constant StaticCheck::constant(const Expression& expression) const {
-  if (const auto* call = std::get_if<Call>(&expression.what)) return constant_call(*call);
-  if (const auto* name = std::get_if<Name>(&expression.what)) {
-    if (!is_literal(expression)) return Constant::kNo;
-    return name->name.text == "true" ? Constant::kTrue : Constant::kFalse;
-  }
-  const auto* logic = std::get_if<Logic>(&expression.what);
-  if (logic == nullptr) return Constant::kNo;
-  // What decides: one `false` of an `and`, one `true` of an `or`.
-  const bool is_or = logic->connective == Connective::kOr;
-  bool has_variable = false;
-  bool has_some = false;
-  for (const ExpressionPtr& operand : logic->operands) {
-    const Constant value = constant(*operand);
-    if (logic->connective == Connective::kNot) {
-      return value == Constant::kTrue    ? Constant::kFalse
-             : value == Constant::kFalse ? Constant::kTrue
-                                         : value;
-    }
-    if (value == (is_or ? Constant::kTrue : Constant::kFalse)) return value;
-    has_variable |= value == Constant::kNo;
-    has_some |= value == Constant::kSome;
-  }
-  if (has_variable) return Constant::kNo;
-  if (has_some) return Constant::kSome;
-  return is_or ? Constant::kFalse : Constant::kTrue;
 }
 
 void StaticCheck::errors_of(const Assemblage& assemblage) {

@@ -2,6 +2,7 @@
 
 #include "mlab/flow/library.h"
 #include "mlab/lang/cdl/configuration.h"
+#include "mlab/lang/cdl/trigger_logic.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cdl {
@@ -12,7 +13,7 @@ namespace mlab::cdl {
 class StaticCheck {
  public:
   StaticCheck(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink)
-      : configuration_(configuration), library_(library), sink_(sink) {}
+      : configuration_(configuration), logic_(configuration, library), sink_(sink) {}
 
   /// @errors  `duplicate-name`, `duplicate-state`, `two-start-states`, `no-start-state`, `unknown-state`
   void errors_of(const Assemblage& assemblage);
@@ -20,13 +21,11 @@ class StaticCheck {
   void errors_of(const RobotClass& robot_class);
   void errors_of(const Society& society);
   /// Warnings: `unused-parameter`, `unused-let`, `unreachable-state`, `no-way-out`, `same-trigger`,
-  /// `constant-trigger`.
+  /// `hidden-transition`, `constant-trigger`.
   void warnings_of(const Assemblage& assemblage);
   void warnings_of(const Robot& robot);
 
  private:
-  enum class Constant { kNo, kTrue, kFalse, kSome };
-
   void check_names(const std::vector<Parameter>& parameters, const std::vector<Let>& lets);
   void sequence_errors(const Expression& expression);
   void sequence_errors(const Sequence& sequence, const text::Place& place);
@@ -34,12 +33,9 @@ class StaticCheck {
   void sequence_warnings(const Sequence& sequence);
   void transition_warnings(const State& state);
   void check_member(const SocietyMember& member);
-  Constant constant(const Expression& expression) const;
-  bool is_literal(const Expression& expression) const;
-  Constant constant_call(const Call& call) const;
 
   const Configuration& configuration_;
-  const flow::Library& library_;
+  TriggerLogic logic_;
   text::Diagnostics& sink_;
   const std::vector<Parameter>* parameters_ = nullptr;  // whose names may be meant
   const std::vector<Let>* lets_ = nullptr;

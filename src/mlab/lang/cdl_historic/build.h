@@ -31,8 +31,13 @@ inline Draft number(double value, std::string unit, text::Place place) {
 inline Draft name(std::string text, text::Place place) {
   return draft(cdl::Name{{std::move(text), place}}, place);
 }
+/// Our texts stand on one line, and know no quotes in quotes.
 inline Draft quoted(std::string text, text::Place place) {
-  return draft(cdl::Text{std::move(text)}, place);
+  for (char& c : text) {
+    if (c == '"') c = '\'';
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return draft(cdl::Text{std::move(text)}, std::move(place));
 }
 inline Draft call(std::string callee, text::Place place, std::vector<cdl::Argument> arguments = {}) {
   return draft(cdl::Call{{std::move(callee), place}, std::move(arguments)}, place);

@@ -178,7 +178,9 @@ Made Converter::nothing(std::string_view type, const text::Place& place) {
   if (type == "Point") {
     return {draft(cdl::List{{number(0.0, "", place), number(0.0, "", place)}}, place), "Point"};
   }
-  return make_hole(fmt::format("No{}", type), std::string(type), {}, place);
+  const std::string empty = type == "Pose" ? "ZeroPose" : fmt::format("No{}", type);
+  if (vocabulary_.find(empty) != nullptr) return {call(empty, place), std::string(type)};
+  return make_hole(empty, std::string(type), {}, place);
 }
 
 }  // namespace mlab::cdl_historic

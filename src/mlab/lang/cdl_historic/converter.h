@@ -114,6 +114,7 @@ class Converter {
   Made make_instance_hole(const Expr& expr, const Level* own, std::string_view wanted);
   Made make_from(const Found& found, const Port& port, const std::string& unit, const text::Place& place);
   Made make_constant(const Word& constant, const Port& port, const std::string& unit);
+  void keep_in_range(cdl::Number& number, const Port& port, const Word& said);
   Made fitting(Made made, std::string_view type, const text::Place& place);
   void name_node(const Expr& expr, Made& made);
 

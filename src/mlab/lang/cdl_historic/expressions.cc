@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cdl/units.h"
 #include "mlab/lang/cdl_historic/constants.h"
 #include "mlab/lang/cdl_historic/converter.h"
 #include "mlab/lang/cdl_historic/library_names.h"
@@ -76,7 +77,14 @@ const Expr* Converter::bound_device(const Expr& binding_point) const {
 
 Made Converter::make_reference(const Expr& expr, const Level* outer, std::string_view wanted) {
   const Symbol* symbol = symbols_.find(expr.name);
-  if (symbol == nullptr) return make_library(expr.name.text, outer, wanted, expr.name.place);
+  if (symbol == nullptr) {
+    // A class without its parentheses, where no component of the libraries has the name.
+    const HistoricSignature* historic = vocabulary_.find_historic(expr.name.text);
+    if (historic != nullptr && library_name(expr.name.text, architecture_) == nullptr &&
+        vocabulary_.find_assemblage(expr.name.text) == nullptr)
+      return fitting(make_call(expr, *historic, outer), wanted, expr.name.place);
+    return make_library(expr.name.text, outer, wanted, expr.name.place);
+  }
   if (is_device(*symbol)) return make_sensor(*symbol, outer, wanted);
   return make_shared(*symbol, outer, wanted, expr.name.place);
 }
@@ -128,9 +136,11 @@ Made Converter::call_library(const Signature& ours, const LibraryName& row, cons
       }
       continue;
     }
-    Made value = found ? make_from(*found, *port, "", place) : Made{};
+    // The historic libraries counted angles in degrees.
+    const std::string unit = port->unit == "rad" ? "deg" : "";
+    Made value = found ? make_from(*found, *port, unit, place) : Made{};
     if (!found && !listed.initial.empty()) {
-      value = make_constant({std::string(listed.initial), place}, *port, "");
+      value = make_constant({std::string(listed.initial), place}, *port, unit);
       const bool is_ours = value.expr != nullptr && port->initial != nullptr &&
                            fingerprint(*value.expr) == fingerprint(*port->initial);
       if (is_ours) continue;
@@ -241,6 +251,7 @@ Made Converter::make_constant(const Word& said, const Port& port, const std::str
       warn_once("text-too-long", cut->value, text.place,
                 fmt::format("a text holds {} bytes; the rest is left out", kMaxTextBytes));
     }
+    if (auto* number = std::get_if<cdl::Number>(&value->what)) keep_in_range(*number, port, text);
     return {value, port.type};
   }
   if (port.type == "ObjectClasses") {
@@ -253,6 +264,20 @@ Made Converter::make_constant(const Word& said, const Port& port, const std::str
       "odd-constant", text.text + " " + port.type, text.place,
       fmt::format("`{}` is no value of the type {}; it is left out", text::shown(text.text), port.type));
   return {};
+}
+
+// A value out of range would be an error in our language.
+void Converter::keep_in_range(cdl::Number& number, const Port& port, const Word& said) {
+  const auto ours = cdl::unit_named(port.unit);
+  const auto its = cdl::unit_named(number.unit.text);
+  if (!ours || !its) return;
+  const double value = cdl::converted(number.value, *its, *ours).value_or(number.value);
+  if (value >= port.min && value <= port.max) return;
+  number.value = std::clamp(value, port.min, port.max);
+  number.unit.text = port.unit;
+  warn_once("out-of-range", said.text + " " + port.name, said.place,
+            fmt::format("`{}` takes {} .. {}{}{}; the nearest stands in the place of `{}`", port.name,
+                        port.min, port.max, port.unit.empty() ? "" : " ", port.unit, text::shown(said.text)));
 }
 
 // A value where another type is wanted would be an error in our language.

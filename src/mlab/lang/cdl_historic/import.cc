@@ -134,7 +134,9 @@ class Import {
       out.items.emplace_back(std::move(assemblage));
     for (cdl::Robot& robot : robots_.robots()) out.items.emplace_back(std::move(robot));
     for (cdl::Society& society : robots_.societies()) out.items.emplace_back(std::move(society));
-    for (const Drawing& drawing : converter_.drawings()) out.items.emplace_back(laid_out(drawing));
+    for (const Drawing& drawing : converter_.drawings()) {
+      if (!drawing.nodes.empty()) out.items.emplace_back(laid_out(drawing));
+    }
     if (out.items.empty()) {
       sink_.warning("nothing-in-it", {tree_.source, {0, 0}},
                     "this file holds neither a robot nor an assemblage");

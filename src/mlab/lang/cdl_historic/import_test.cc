@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,10 @@
 
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/print.h"
-#include "mlab/library/library.h"
 #include "mlab/text/testing/golden.h"
+
+/// The procedures of the component library, which stands above this module and is linked to its tests only.
+std::span<const mlab::flow::Behavior* const> mlab_library_behaviors();
 
 namespace mlab::cdl_historic {
 namespace {
@@ -60,13 +63,25 @@ TEST_F(HistoricImport, GivesAFileThatReadsAndPrintsTheSameAgain) {
 
 TEST_F(HistoricImport, EveryKindOfDiagnosticHasAGolden) {
   auto shown = golden::kinds_expected_in(golden::golden_files(kFolder / "testdata", ".cdl"));
-  // These take files of megabytes, see below, or are told apart by a variable.
-  shown.insert({"too-large", "nested-too-deeply"});
+  // These take files of megabytes or a library without robots, see below.
+  shown.insert({"too-large", "nested-too-deeply", "no-robot-class"});
   const auto said = golden::kinds_said_in(kFolder, {"error(", "warning(", "warn_once("});
   EXPECT_GT(said.size(), 20U);
   for (const std::string& kind : said) {
     EXPECT_TRUE(shown.contains(kind)) << kind;
   }
+}
+
+TEST_F(HistoricImport, SaysWhereThereIsNoClassOfRobotsAtAll) {
+  const Vocabulary bare(procedures_, {});
+  text::Diagnostics sink;
+  import(
+      std::make_shared<const text::Source>("old.cdl",
+                                           "instBP w from movement( bound_to = b:DRIVE() );\n"
+                                           "instBP v from vehicle( bound_to = r:MRV2( r:[ w ] ) );\n[ v ]\n"),
+      bare, sink);
+  ASSERT_EQ(sink.items().size(), 1U) << text::render(sink);
+  EXPECT_EQ(sink.items()[0].kind, "no-robot-class");
 }
 
 TEST_F(HistoricImport, RefusesSharingThatWritesOutWithoutEnd) {

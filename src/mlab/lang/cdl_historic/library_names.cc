@@ -9,10 +9,8 @@ constexpr std::string_view kCmdli = "which belonged to the interpreter of CMDL m
 constexpr std::string_view kCarmen = "which belonged to the CARMEN navigator";
 constexpr std::string_view kCsb = "which belonged to the communication-sensitive behaviors (CSB)";
 constexpr std::string_view kCaseBased = "which belonged to case-based selection";
-constexpr std::string_view kLearningMomentum = "which belonged to learning momentum";
-constexpr std::string_view kLineOfSight = "which belonged to the line-of-sight demonstration";
+constexpr std::string_view kMnav = "which belonged to the team navigation of MNAV";
 constexpr std::string_view kDisplay = "which changed the historic screen or simulator, not the robot";
-constexpr std::string_view kDstar = "which belonged to the D* planner";
 
 }  // namespace
 
@@ -105,8 +103,32 @@ const std::vector<LibraryName>& library_names() {
         {"avoid_obstacle_safety_margin", "avoid_obstacle_safety_margin", "0.3"}},
        "Vector",
        {}},
-      {"GoTo_Dstar", kUrban, "", {}, "Vector", kDstar},
-      {"GoTo_LM", kUrban, "", {}, "Vector", kLearningMomentum},
+      {"GoTo_Dstar",
+       kUrban,
+       "GoTo_Dstar",
+       {{"Goal_Location", "goal", "1.0, 1.0"},
+        {"Dstar_gridsize", "cell", "0.25"},
+        {"Dstar_length", "", "100"},
+        {"Dstar_width", "", "100"},
+        {"Dstar_angle_dev", "", "25.0"},
+        {"Dstar_persistence", "", "3.0"},
+        {"wander_gain", "wander_gain", "0.0"},
+        {"avoid_obstacle_gain", "avoid_obstacle_gain", "0.2"},
+        {"avoid_obstacle_sphere", "avoid_obstacle_sphere", "3.0"},
+        {"avoid_obstacle_safety_margin", "avoid_obstacle_safety_margin", "0.5"}},
+       "Vector",
+       {}},
+      {"GoTo_LM",
+       kUrban,
+       "GoTo_LM",
+       {{"Goal_Location", "goal", "1.0, 1.0"},
+        {"move_to_goal_gain", "", "1.0"},
+        {"avoid_obstacle_gain", "", "1.0"},
+        {"avoid_obstacle_sphere", "", "3.0"},
+        {"avoid_obstacle_safety_margin", "avoid_obstacle_safety_margin", "0.5"},
+        {"noise_gain", "", "0.0"}},
+       "Vector",
+       {}},
       {"InitiaizeCSB", kUrban, "", {}, "Vector", kCsb},
       {"Intercept",
        kNaval,
@@ -119,7 +141,7 @@ const std::vector<LibraryName>& library_names() {
         {"avoid_obstacle_safety_margin", "avoid_obstacle_safety_margin", "0.3"}},
        "Vector",
        {}},
-      {"LOS_GoTo", kUrban, "", {}, "Vector", kLineOfSight},
+      {"LOS_GoTo", kUrban, "", {}, "Vector", kMnav},
       {"LeaveRoom",
        kUrban,
        "LeaveRoom",
@@ -240,13 +262,13 @@ const std::vector<LibraryName>& library_names() {
       {"Run_ObserveTask", kNaval, "", {}, "Vector", kContractNet},
       {"Run_TrackTask", kNaval, "", {}, "Vector", kContractNet},
       {"SetMobilityType", kNaval, "", {}, "Vector", kDisplay},
-      {"SetRobotColorId", kUrban, "", {}, "Vector", kDisplay},
+      {"SetRobotColorId", kUrban, "", {}, "Vector", kMnav},
       {"Standby*", kUrban, "Standby", {}, "Vector", {}},
       {"Stop", kAnyArchitecture, "Stand", {}, "Vector", {}},
       {"SurveyRoom*",
        kUrban,
        "SurveyRoom",
-       {{"probe", "suspects", "Possible_Biohazard"}, {"target", "classes", "Biohazard"}},
+       {{"probe", "suspects", "Possible_Biohazard"}, {"target", "target", "Biohazard"}},
        "Vector",
        {}},
       {"Terminate", kUrban, "Halt", {}, "Vector", {}},

@@ -4,8 +4,19 @@
 #include <utility>
 #include <variant>
 
+#include "mlab/lang/cdl/units.h"
+#include "mlab/lang/cdl/walk.h"
+
 namespace mlab::cdl_historic {
 namespace {
+
+// A bound of a parameter, counted as constants of it are.
+double in_unit(const cdl::Number& bound, const std::string& unit) {
+  const auto from = cdl::unit_named(bound.unit.text);
+  const auto to = cdl::unit_named(unit);
+  if (bound.unit.text.empty() || !from || !to) return bound.value;
+  return cdl::converted(bound.value, *from, *to).value_or(bound.value);
+}
 
 constexpr int kMaxBodyDepth = 50;  // of calls in calls, when the type of a body is looked for
 
@@ -66,6 +77,8 @@ Vocabulary::Vocabulary(const flow::Library& procedures,
   }
   add_procedures();
   for (const auto& [name, assemblage] : assemblages_) add(*assemblage);
+  for (int i = 0; i < kMaxBodyDepth && narrow_all(); ++i) {
+  }
   for (const auto& [name, assemblage] : assemblages_) {
     for (const cdl::Word& historic : assemblage->historic_names) {
       aliased_.emplace(historic.text, &signatures_.at(name));
@@ -74,15 +87,54 @@ Vocabulary::Vocabulary(const flow::Library& procedures,
   }
 }
 
+// A parameter that is handed on takes what those take that it is handed to. True where something changed.
+bool Vocabulary::narrow_all() {
+  bool has_changed = false;
+  for (const auto& [name, assemblage] : assemblages_) {
+    Signature& signature = signatures_.at(name);
+    const auto narrow = [&](const cdl::Expression& expression) {
+      cdl::for_each_expression(expression, [&](const cdl::Expression& part) {
+        if (const auto* call = std::get_if<cdl::Call>(&part.what)) has_changed |= narrowed(signature, *call);
+      });
+    };
+    if (assemblage->body != nullptr) narrow(*assemblage->body);
+    for (const cdl::Let& let : assemblage->lets) {
+      if (let.value != nullptr) narrow(*let.value);
+    }
+  }
+  return has_changed;
+}
+
+bool Vocabulary::narrowed(Signature& outer, const cdl::Call& call) const {
+  const Signature* callee = find(call.callee.text);
+  if (callee == nullptr) return false;
+  bool has_changed = false;
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const cdl::Argument& argument = call.arguments[i];
+    const auto* said = argument.value == nullptr ? nullptr : std::get_if<cdl::Name>(&argument.value->what);
+    const Port* into = !argument.name.text.empty() ? callee->find(argument.name.text)
+                       : i < callee->ports.size()  ? &callee->ports[i]
+                                                   : nullptr;
+    if (said == nullptr || into == nullptr) continue;
+    for (Port& port : outer.ports) {
+      if (port.name != said->name.text || (into->min <= port.min && into->max >= port.max)) continue;
+      port.min = std::max(port.min, into->min);
+      port.max = std::min(port.max, into->max);
+      has_changed = true;
+    }
+  }
+  return has_changed;
+}
+
 void Vocabulary::add_procedures() {
   for (const flow::Behavior* behavior : procedures_.behaviors()) {
     Signature signature{std::string(behavior->name),
                         {},
                         behavior->output == nullptr ? "" : std::string(behavior->output->name)};
     for (const flow::Input& input : behavior->inputs) {
-      signature.ports.push_back({std::string(input.name), std::string(input.type->name),
-                                 std::string(input.unit), input.is_list,
-                                 input.default_text.empty() && !input.is_list, nullptr});
+      signature.ports.push_back(
+          {std::string(input.name), std::string(input.type->name), std::string(input.unit), input.is_list,
+           input.default_text.empty() && !input.is_list, nullptr, input.min, input.max});
     }
     signatures_[signature.name] = std::move(signature);
   }
@@ -100,8 +152,11 @@ void Vocabulary::add(const cdl::Assemblage& assemblage) {
     signature.result = result_of(*assemblage.body, 0);
   }
   for (const cdl::Parameter& p : assemblage.parameters) {
-    signature.ports.push_back(
-        {p.name.text, type(p.type.text), p.unit.text, false, p.initial == nullptr, p.initial});
+    const std::string unit = p.unit.text.empty() && p.type.text == "angle" ? "rad" : p.unit.text;
+    Port port{p.name.text, type(p.type.text), unit, false, p.initial == nullptr, p.initial};
+    if (p.low) port.min = in_unit(*p.low, unit);
+    if (p.high) port.max = in_unit(*p.high, unit);
+    signature.ports.push_back(std::move(port));
   }
   signatures_[signature.name] = std::move(signature);
 }

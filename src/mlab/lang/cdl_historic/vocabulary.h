@@ -21,6 +21,8 @@ struct Port {
   bool is_list = false;
   bool needs_value = false;    ///< has no default
   cdl::ExpressionPtr initial;  ///< of assemblages; null: none, or a procedure's
+  double min = -1e300;         ///< of the values it takes, in `unit`
+  double max = 1e300;
 };
 
 /// What of ours can be called, and what comes out.
@@ -63,6 +65,8 @@ class Vocabulary {
  private:
   void add_procedures();
   void add(const cdl::Assemblage& assemblage);
+  bool narrow_all();
+  bool narrowed(Signature& outer, const cdl::Call& call) const;
   std::string result_of(const cdl::Expression& body, int depth) const;
 
   const flow::Library& procedures_;

@@ -1,4 +1,5 @@
-// Measuring: clicks set points; the tool tells each leg's length and bearing, and the whole.
+// Measuring: clicks set points (or Enter, in the map's middle); the tool tells each leg's length and bearing, and the
+// whole. A double click ends the line; the next click begins anew.
 import { formatBearing, formatDistance } from "../../format.ts";
 import { between, distance, lengthOf, type Point } from "../../geometry.ts";
 import type { MapView } from "../map_view.ts";
@@ -9,34 +10,38 @@ export class MeasureTool implements MapTool {
   readonly name = "measure";
   readonly cursor = "crosshair";
   private map: MapView | null = null;
-  private points: Point[] = [];
+  private points: readonly Point[] = [];
   private pointer: Point | null = null;
+  private isDone = false;
+
+  /** `changed` is told the points that are set, after each change. */
+  constructor(private readonly changed: (points: readonly Point[]) => void = () => {}) {}
 
   start(map: MapView): void {
     this.map = map;
+    this.set([]);
   }
 
   end(): void {
-    this.points = [];
     this.pointer = null;
-    this.map?.redraw();
+    this.set([]);
   }
 
   down(pointer: MapPointer): void {
-    this.points = [...this.points, pointer.world];
     this.pointer = pointer.world;
-    this.map?.redraw();
+    this.set(this.isDone ? [pointer.world] : [...this.points, pointer.world]);
   }
 
   move(pointer: MapPointer): void {
-    this.pointer = pointer.world;
+    this.pointer = this.isDone ? null : pointer.world;
     this.map?.redraw();
   }
 
-  /** The next click begins anew. */
+  /** Its first click has set the last point, its second the same once more. */
   doubleClick(): void {
-    this.points = [];
-    this.map?.redraw();
+    this.pointer = null;
+    this.set(this.points.slice(0, -1));
+    this.isDone = this.points.length > 1;
   }
 
   leave(): void {
@@ -46,14 +51,24 @@ export class MeasureTool implements MapTool {
 
   key(event: KeyboardEvent): boolean {
     if (event.key === "Backspace" || event.key === "Delete") {
-      this.points = this.points.slice(0, -1);
+      this.set(this.points.slice(0, -1));
     } else if (event.key === "Escape" && this.points.length > 0) {
-      this.points = [];
+      this.set([]);
+    } else if (event.key === "Enter" && this.map) {
+      const { camera } = this.map;
+      const middle = camera.toWorld({ x: camera.width / 2, y: camera.height / 2 });
+      this.set(this.isDone ? [middle] : [...this.points, middle]);
     } else {
       return false;
     }
-    this.map?.redraw();
     return true;
+  }
+
+  private set(points: readonly Point[]): void {
+    this.points = points;
+    this.isDone = false;
+    this.changed(points);
+    this.map?.redraw();
   }
 
   draw(pen: Pen): void {

@@ -1,0 +1,50 @@
+// What starts, pauses and stops the run is in reach whatever else is shown.
+import { expect, test } from "vitest";
+import { begin } from "./begin.ts";
+
+test("the large button starts the mission and is gone then; the top bar's stays, whatever panel is open", async () => {
+  const { console } = await begin({ mission: "demo_c", options: ["--speed", "0.5"] });
+  const { page } = console;
+  await console.reaches("Ready");
+  await console.main.getByText("Execute").waitFor();
+  await console.start.filter({ hasText: "Execute" }).click();
+  await console.reaches("Running");
+  await console.start.waitFor({ state: "detached" });
+  for (const panel of ["Robots", "Draw", "World"]) {
+    await console.panel(panel);
+    await console.main.filter({ hasText: "Pause" }).click();
+    await console.reaches("Paused");
+    await console.main.filter({ hasText: "Resume" }).click();
+    await console.reaches("Running");
+  }
+  await console.main.focus();
+  await page.keyboard.press("Enter");
+  await console.reaches("Paused");
+  const before = await console.time();
+  await page.getByRole("button", { name: /^Step: / }).click();
+  await expect.poll(() => console.time()).toBeGreaterThan(before);
+});
+
+test("the emergency stop is whole in every state of the run, in a small window", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  const whole = async () => {
+    const box = await console.stop.boundingBox();
+    if (!box) throw new Error("the emergency stop is not shown");
+    expect(box.x + box.width).toBeLessThanOrEqual(1280);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1280);
+  };
+  await console.reaches("Ready");
+  await whole();
+  await console.panel("World");
+  await console.button("Add obstacle").click();
+  await console.dragMap([500, 140], [520, 140]);
+  await console.button("Not saved").waitFor();
+  await console.setSpeed("Max");
+  await console.main.click();
+  await console.reaches("Waits for you");
+  await whole();
+  await page.keyboard.press("Control+.");
+  await console.reaches("Emergency stop");
+  await whole();
+});
