@@ -65,7 +65,7 @@ export function SaveAsDialog() {
     });
     if (!answer.ok) {
       setRefusal(answer.error);
-      setIsThere(true);
+      setIsThere(/^there is|changed by/.test(answer.error)); // only then does it help to insist
       return;
     }
     close();
