@@ -29,6 +29,7 @@ bool CandidateList::matches(std::string_view text) const {
 }
 
 void CandidateList::add(Candidate one, int rank) {
+  if (one.text.empty()) return;  // a name that is still to be written
   const auto at = std::ranges::search(one.text, written_, is_same);
   if (at.empty() && !written_.empty()) return;
   if (at.begin() != one.text.begin()) rank += kBehindAll;
