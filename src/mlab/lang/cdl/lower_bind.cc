@@ -36,10 +36,6 @@ constexpr const char* kTypeNames[] = {
     "Robots", "Objects", "Object", "Ranges", "ObjectClasses", "Formation", "FormationReference",
     "Task",   "Text"};
 
-std::string bracketed(const std::string& unit) {
-  return unit.empty() ? "" : fmt::format(" [{}]", unit);
-}
-
 std::string with_article(std::string_view name) {
   const bool is_vowel = std::string_view("AEIOaeio").find(name.front()) != std::string_view::npos;
   return fmt::format("{} {}", is_vowel ? "an" : "a", name);
@@ -68,6 +64,10 @@ flow::Source constant(std::string text, const text::Place& place) {
 }
 
 }  // namespace
+
+std::string bracketed(const std::string& unit) {
+  return unit.empty() ? "" : fmt::format(" [{}]", unit);
+}
 
 PortType Lowering::known_type(std::string_view name) const {
   for (const Quantity& quantity : kQuantities) {
