@@ -77,7 +77,7 @@ PortType Lowering::known_type(std::string_view name) const {
 }
 
 PortType Lowering::type_named(const Word& name) {
-  const PortType known = known_type(name.text);
+  PortType known = known_type(name.text);
   if (known.type != nullptr) return known;
   text::Diagnostic& d = error("unknown-type", name.place, fmt::format("unknown type `{}`", name.text));
   std::vector<std::string> names(std::begin(kTypeNames), std::end(kTypeNames));
