@@ -18,13 +18,13 @@
 namespace {
 
 const mlab::cdl_historic::Vocabulary& vocabulary() {
-  static const mlab::flow::Library procedures = [] {
+  static const mlab::flow::Library kProcedures = [] {
     mlab::flow::Library out;
     out.add(mlab_library_behaviors());
     return out;
   }();
-  static const mlab::cdl_historic::Vocabulary out(procedures, {});
-  return out;
+  static const mlab::cdl_historic::Vocabulary kVocabulary(kProcedures, {});
+  return kVocabulary;
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ export default defineConfig({
     },
   },
   test: {
+    // Property tests take their time where several programs share a slow processor.
+    testTimeout: 30_000,
     // The core needs no page, and starts many times faster without one.
     projects: [
       { extends: true, test: { name: "core", environment: "node", include: ["core/**/*.test.ts"] } },

@@ -5,6 +5,7 @@
 
 #include "mlab/library/library.h"
 
+#include "../procedures/library_probe.h"
 #include "trial.h"
 
 namespace mlab::library_test {
@@ -13,8 +14,6 @@ namespace {
 using geom::Point;
 using percept::ObjectClass;
 using percept::ObjectStyle;
-constexpr double kNorth = std::numbers::pi / 2.0;
-
 sim::World with(std::vector<sim::Disc> discs, std::vector<sim::Object> objects = {}) {
   sim::World world;
   world.discs = std::move(discs);
@@ -154,7 +153,7 @@ TEST(Forage, BringsAllAttractorsHome) {
   EXPECT_TRUE(trial.run(400, [&] { return trial.simulator().basket_count({4}) == 3; }));
 }
 
-TEST(Dock, ComesFromTheSideThatIsAskedFor) {
+TEST(DockAssemblage, ComesFromTheSideThatIsAskedFor) {
   Trial trial("Dock(place = [0 m, 0 m], approach = 0, obstacle_gain = 0)", {}, {{-6, 1}, 0});
   double x_at_one_metre = 0.0;
   EXPECT_TRUE(trial.run(60, [&] {

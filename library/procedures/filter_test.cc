@@ -9,14 +9,14 @@ namespace {
 
 using percept::ObjectClass;
 
-const std::vector<percept::ObjectReading> kObjects = {
+const std::vector<percept::ObjectReading> kInSight = {
     {.id = {1}, .object_class = ObjectClass::kFlag, .center = {1.0, 0.0}},
     {.id = {2}, .object_class = ObjectClass::kBasket, .center = {2.0, 0.0}},
     {.id = {3}, .object_class = ObjectClass::kFlag, .center = {3.0, 0.0}}};
 
 std::vector<int> filtered(flow::BehaviorProbe p) {
-  p.percepts.objects = kObjects;
-  p.set("objects", all<flow::Objects>(kObjects.size())).step();
+  p.percepts.objects = kInSight;
+  p.set("objects", all<flow::Objects>(kInSight.size())).step();
   const auto& out = p.output<flow::Objects>();
   return {out.indices.begin(), out.indices.begin() + out.count};
 }
@@ -41,7 +41,7 @@ TEST(FilterObjectsByColor, KeepsOneColourLetterCaseAside) {
 
 TEST(CountObjects, CountsThem) {
   flow::BehaviorProbe p = probe("CountObjects");
-  p.percepts.objects = kObjects;
+  p.percepts.objects = kInSight;
   p.set("objects", all<flow::Objects>(3)).step();
   EXPECT_EQ(p.output<int>(), 3);
 }

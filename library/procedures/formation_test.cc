@@ -11,8 +11,6 @@ using geom::Vector;
 using percept::Formation;
 using percept::FormationReference;
 
-constexpr double kNorth = std::numbers::pi / 2.0;
-
 double strength(double error, double dead_zone, double saturation) {
   flow::BehaviorProbe p = probe("MaintainFormation");
   p.set("offset", Vector{0.0, -error})

@@ -1,4 +1,3 @@
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -9,13 +8,6 @@ namespace {
 
 using geom::Point;
 using geom::Vector;
-
-constexpr double kNorth = std::numbers::pi / 2.0;
-
-void expect_near(Vector a, Vector b) {
-  EXPECT_NEAR(a.x, b.x, 1e-9);
-  EXPECT_NEAR(a.y, b.y, 1e-9);
-}
 
 TEST(GlobalToEgocentric, ShiftsAndTurns) {
   flow::BehaviorProbe p = probe("GlobalToEgocentric");

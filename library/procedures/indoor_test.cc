@@ -1,5 +1,4 @@
 #include <array>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -9,8 +8,6 @@ namespace mlab::library_test {
 namespace {
 
 using geom::Point;
-constexpr double kNorth = std::numbers::pi / 2.0;
-
 // A room of 10 m by 10 m; south of it a hallway of 4 m; a door between them in the middle.
 struct Building {
   std::array<Point, 4> outline = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};

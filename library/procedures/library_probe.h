@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdlib>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/core.h>
+#include <gtest/gtest.h>
 
 #include "mlab/flow/library.h"
 #include "mlab/flow/port_types.h"
@@ -11,6 +13,14 @@
 #include "mlab/library/library.h"
 
 namespace mlab::library_test {
+
+inline void expect_near(geom::Vector a, geom::Vector b) {
+  EXPECT_NEAR(a.x, b.x, 1e-12);
+  EXPECT_NEAR(a.y, b.y, 1e-12);
+}
+
+/// A heading [rad].
+inline constexpr double kNorth = std::numbers::pi / 2.0;
 
 /// The component library, made once.
 inline const flow::Library& library() {

@@ -25,11 +25,6 @@ Vector probing(const std::vector<percept::Obstacle>& obstacles) {
   return run(std::move(p), obstacles);
 }
 
-void expect_near(Vector a, Vector b) {
-  EXPECT_NEAR(a.x, b.x, 1e-12);
-  EXPECT_NEAR(a.y, b.y, 1e-12);
-}
-
 TEST(Probe, GoesStraightAheadInTheOpen) {
   expect_near(probing({}), {1.0, 0.0});
   expect_near(probing({{{3.6, 0.0}, 1.0}}), {1.0, 0.0});

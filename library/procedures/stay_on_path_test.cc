@@ -17,11 +17,6 @@ Vector stay(Point robot, double heading, Point start, Point end, double width) {
   return p.output<Vector>();
 }
 
-void expect_near(Vector a, Vector b) {
-  EXPECT_NEAR(a.x, b.x, 1e-12);
-  EXPECT_NEAR(a.y, b.y, 1e-12);
-}
-
 TEST(StayOnPath, PullsFullyBesideThePath) {
   expect_near(stay({5.0, 30.0}, 0.0, {0.0, 0.0}, {10.0, 0.0}, 4.0), {0.0, -1.0});
 }

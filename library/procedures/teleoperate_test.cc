@@ -1,4 +1,3 @@
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -8,8 +7,6 @@ namespace mlab::library_test {
 namespace {
 
 using geom::Vector;
-
-constexpr double kNorth = std::numbers::pi / 2.0;
 
 TEST(Teleoperate, IsZeroForACentredStick) {
   flow::BehaviorProbe p = probe("Teleoperate");

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -12,8 +11,6 @@ namespace mlab::library_test {
 namespace {
 
 using geom::Point;
-
-constexpr double kNorth = std::numbers::pi / 2.0;
 
 constexpr std::string_view kGoTo = R"(
 node stick_x is DATABASE_DOUBLE with key = {"joystick_x"}; initial = 0; nend

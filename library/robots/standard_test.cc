@@ -2,7 +2,6 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -22,8 +21,6 @@ using geom::Vector;
 using percept::Formation;
 using percept::FormationReference;
 using percept::Task;
-
-constexpr double kNorth = std::numbers::pi / 2.0;
 
 // The standard robot as a program.
 const flow::Program& standard() {
@@ -74,37 +71,37 @@ Robot ordered(Task task, Point goal) {
   return robot;
 }
 
-void expect_near(geom::Offset a, geom::Offset b) {
+void expect_close(geom::Offset a, geom::Offset b) {
   EXPECT_NEAR(a.x, b.x, 1e-9);
   EXPECT_NEAR(a.y, b.y, 1e-9);
 }
 
 TEST(StandardRobot, StandsWithoutACommand) {
   Robot robot;
-  expect_near(robot.velocity(), {0.0, 0.0});
+  expect_close(robot.velocity(), {0.0, 0.0});
   EXPECT_TRUE(robot.action.drives);
   EXPECT_EQ(robot.action.status.sequence, 0U);
 }
 
 TEST(StandardRobot, TravelsAtTheGainOfTheGoalTimesItsBaseVelocity) {
-  expect_near(ordered(Task::kMoveTo, {0.0, 300.0}).velocity(), {0.0, 4.0});
-  expect_near(ordered(Task::kSweepTo, {0.0, 300.0}).velocity(), {0.0, 4.0});
-  expect_near(ordered(Task::kOccupy, {0.0, 300.0}).velocity(), {0.0, 2.0});
+  expect_close(ordered(Task::kMoveTo, {0.0, 300.0}).velocity(), {0.0, 4.0});
+  expect_close(ordered(Task::kSweepTo, {0.0, 300.0}).velocity(), {0.0, 4.0});
+  expect_close(ordered(Task::kOccupy, {0.0, 300.0}).velocity(), {0.0, 2.0});
 }
 
 TEST(StandardRobot, TravelsAtTheSpeedOfTheCommand) {
   for (const Task task : {Task::kMoveTo, Task::kOccupy}) {
     Robot robot = ordered(task, {300.0, 0.0});
     robot.percepts.order.speed = 3.0;
-    expect_near(robot.velocity(), {3.0, 0.0});
+    expect_close(robot.velocity(), {3.0, 0.0});
     robot.percepts.order.speed = 50.0;
-    expect_near(robot.velocity(), {7.0, 0.0});
+    expect_close(robot.velocity(), {7.0, 0.0});
   }
 }
 
 TEST(StandardRobot, IsPulledUntilItIsFiveMetresFromTheGoal) {
-  expect_near(ordered(Task::kMoveTo, {5.01, 0.0}).velocity(), {4.0, 0.0});
-  expect_near(ordered(Task::kMoveTo, {5.0, 0.0}).velocity(), {0.0, 0.0});
+  expect_close(ordered(Task::kMoveTo, {5.01, 0.0}).velocity(), {4.0, 0.0});
+  expect_close(ordered(Task::kMoveTo, {5.0, 0.0}).velocity(), {0.0, 0.0});
 }
 
 TEST(StandardRobot, IsDoneTenMetresFromTheGoalAndStaysDone) {
@@ -127,7 +124,7 @@ TEST(StandardRobot, ArrivesWithItsUnitNotAlone) {
   robot.percepts.unit.size = 2;
   robot.percepts.pose.position = {100.0, 0.0};
   robot.percepts.unit.center = {80.0, 0.0};
-  expect_near(robot.velocity(), {4.0, 0.0});
+  expect_close(robot.velocity(), {4.0, 0.0});
   EXPECT_FALSE(robot.action.status.done);
 }
 
@@ -147,7 +144,7 @@ TEST(StandardRobot, OccupiesOnlyFromItsStation) {
 TEST(StandardRobot, StandsWhileItsUnitIsHalted) {
   Robot robot = ordered(Task::kMoveTo, {300.0, 0.0});
   robot.percepts.order.halted = true;
-  expect_near(robot.velocity(), {0.0, 0.0});
+  expect_close(robot.velocity(), {0.0, 0.0});
   EXPECT_DOUBLE_EQ(robot.action.status.remaining, 290.0);
 }
 
@@ -155,35 +152,35 @@ TEST(StandardRobot, GivesWayToObstacles) {
   Robot robot = ordered(Task::kMoveTo, {300.0, 0.0});
   const std::vector<percept::Obstacle> ahead = {{{22.0, 0.0}, 2.0}};  // d - R = 15: half of the sphere
   robot.percepts.obstacles = ahead;
-  expect_near(robot.velocity(), {(0.8 - 1.5 * 0.5) * 5.0, 0.0});
+  expect_close(robot.velocity(), {(0.8 - 1.5 * 0.5) * 5.0, 0.0});
   const std::vector<percept::Obstacle> near = {{{0.0, 6.0}, 2.0}};
   robot.percepts.obstacles = near;
-  expect_near(robot.velocity(), {0.0, -7.0});
+  expect_close(robot.velocity(), {0.0, -7.0});
   robot.set("cautious_mode", "true");
-  expect_near(robot.velocity(), {0.0, -0.5});
+  expect_close(robot.velocity(), {0.0, -0.5});
   robot.set("navigation_avoid_obstacle_gain", "0");
-  expect_near(robot.velocity(), {4.0, 0.0});
+  expect_close(robot.velocity(), {4.0, 0.0});
 }
 
 TEST(StandardRobot, GivesWayToRobots) {
   Robot robot = ordered(Task::kMoveTo, {300.0, 0.0});
   const std::vector<percept::RobotReading> ahead = {{.id = {2}, .center = {27.0, 0.0}}};
   robot.percepts.robots = ahead;
-  expect_near(robot.velocity(), {(0.8 - 2.0 * 0.2) * 5.0, 0.0});
+  expect_close(robot.velocity(), {(0.8 - 2.0 * 0.2) * 5.0, 0.0});
   const std::vector<percept::RobotReading> near = {{.id = {2}, .center = {0.0, 14.0}}};
   robot.percepts.robots = near;
-  expect_near(robot.velocity(), {0.0, -7.0});
+  expect_close(robot.velocity(), {0.0, -7.0});
 }
 
 TEST(StandardRobot, BlendsTheStickWithItsOwnMotion) {
   Robot robot = ordered(Task::kTeleoperate, {300.0, 0.0});
-  expect_near(robot.velocity(), {0.0, 0.0});
+  expect_close(robot.velocity(), {0.0, 0.0});
   EXPECT_FALSE(robot.action.status.done);
   robot.percepts.joystick = {
       .x = 0.0, .y = 0.5, .magnitude = 0.5, .is_robot_frame = false, .complete = false};
-  expect_near(robot.velocity(), {0.0, 2.5});
+  expect_close(robot.velocity(), {0.0, 2.5});
   robot.percepts.order.task = Task::kMoveTo;
-  expect_near(robot.velocity(), {4.0, 2.5});
+  expect_close(robot.velocity(), {4.0, 2.5});
   robot.percepts.order.task = Task::kTeleoperate;
   robot.percepts.joystick = {.complete = true};
   robot.step();
@@ -194,7 +191,7 @@ TEST(StandardRobot, TakesTheStickFromItsParametersToo) {
   Robot robot = ordered(Task::kTeleoperate, {300.0, 0.0});
   robot.percepts.pose.heading = kNorth;
   robot.set("telop_mode", "1").set("joystick_y", "1").set("joystick_magnitude", "1");
-  expect_near(robot.velocity(), {0.0, 5.0});
+  expect_close(robot.velocity(), {0.0, 5.0});
 }
 
 TEST(StandardRobot, SensesNoFartherThanItsTaskNeeds) {

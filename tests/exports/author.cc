@@ -19,7 +19,7 @@ std::string Author::configuration() {
 }
 
 std::string Author::trigger(int depth) {
-  const std::string one = fmt::format("IsNotified(message = \"{}\")", "abcd"[pick(4)]);
+  std::string one = fmt::format("IsNotified(message = \"{}\")", "abcd"[pick(4)]);
   if (depth == 0) return one;
   switch (pick(5)) {
     case 0:

@@ -43,14 +43,14 @@ node wheels is Drive with v = sum; base_velocity = pace; max_velocity = 5; nend
 class RobotProgramsTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = fs::path(testing::TempDir()) / ("mlab_robot_programs_test_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "walker.cnl") << kWalker;
-    std::ofstream(folder_ / "map.odl")
+    shared_folder = fs::path(testing::TempDir()) / ("mlab_robot_programs_test_" + std::to_string(::getpid()));
+    fs::create_directories(shared_folder);
+    std::ofstream(shared_folder / "walker.cnl") << kWalker;
+    std::ofstream(shared_folder / "map.odl")
         << "SITE Test\nMISSION-AREA 300 200\nCONTROL MEASURES:\nPP Here 30 100\n"
            "PP There 270 100\nOBSTACLE 120 103 6\nOBSTACLE 170 95 8\n";
     text::Diagnostics sink;
-    const auto read = robot::read_network((folder_ / "walker.cnl").string(), {}, {}, sink);
+    const auto read = robot::read_network((shared_folder / "walker.cnl").string(), {}, {}, sink);
     ASSERT_TRUE(read) << text::render(sink);
     robot_build::RobotSource source;
     source.name = "walker";
@@ -58,36 +58,36 @@ class RobotProgramsTest : public testing::Test {
     robot_build::Toolchain toolchain;
     toolchain.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
     toolchain.link_file = MLAB_LINK_FILE;
-    toolchain.cache_folder = (folder_ / "cache").string();
-    ASSERT_TRUE(robot_build::build_executable(robot_build::emit_cpp(source), (folder_ / "walker").string(),
-                                              toolchain, sink))
+    toolchain.cache_folder = (shared_folder / "cache").string();
+    ASSERT_TRUE(robot_build::build_executable(robot_build::emit_cpp(source),
+                                              (shared_folder / "walker").string(), toolchain, sink))
         << text::render(sink);
   }
   static void TearDownTestSuite() {
     std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    fs::remove_all(shared_folder, ignored);
   }
 
   static std::string script(const std::string& name, const std::string& lines) {
-    std::ofstream(folder_ / name) << "#!/bin/sh\n" << lines << "\n";
-    fs::permissions(folder_ / name, fs::perms::owner_all);
+    std::ofstream(shared_folder / name) << "#!/bin/sh\n" << lines << "\n";
+    fs::permissions(shared_folder / name, fs::perms::owner_all);
     return "./" + name;
   }
   std::unique_ptr<fleet::MissionRun> prepare(const std::string& program, int threads,
                                              const std::string& parameters = "(pace = 3)",
                                              bool allow_native = true) {
-    std::ofstream(folder_ / "m.mdl")
+    std::ofstream(shared_folder / "m.mdl")
         << "MISSION NAME Test\nOVERLAY map.odl\nNEW-ROBOT walker \"" << program << "\" " << parameters
         << "\nUNIT <u> walker walker walker walker walker\nCOMMAND LIST:\n0. UNIT u START Here 0 10\n"
            "1. UNIT u MOVETO There\n";
     sink_ = {};
-    const auto mission = mdl::load_mission((folder_ / "m.mdl").string(), sink_, {1, {}});
+    const auto mission = mdl::load_mission((shared_folder / "m.mdl").string(), sink_, {1, {}});
     if (!mission) return nullptr;
     fleet::RunSettings settings;
     settings.seed = 5;
     settings.threads = threads;
     settings.executive.proceed_all = true;
-    robot::ProgramSources sources{folder_.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
+    robot::ProgramSources sources{shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
     sources.allow_native = allow_native;
     sources.native_patience = 1.0;
     auto run = fleet::MissionRun::create(mission, sources, settings, sink_);
@@ -126,12 +126,12 @@ class RobotProgramsTest : public testing::Test {
     return warnings_;
   }
 
-  static fs::path folder_;
+  static fs::path shared_folder;
   text::Diagnostics sink_;
   std::vector<std::string> warnings_;
 };
 
-fs::path RobotProgramsTest::folder_;
+fs::path RobotProgramsTest::shared_folder;
 
 TEST_F(RobotProgramsTest, RunAsTheEmbeddedProgramBitForBit) {
   const auto embedded = prepare("walker.cnl", 1);
@@ -150,7 +150,7 @@ TEST_F(RobotProgramsTest, RunAsTheEmbeddedProgramBitForBit) {
 // Three foragers tell each other what they claim, look around with cameras that turn, pick up and deliver.
 TEST_F(RobotProgramsTest, ForageTogetherAsTheEmbeddedProgramsDo) {
   const fs::path missions = fs::path(MLAB_SOURCE_DIR) / "missions/forage";
-  const fs::path folder = folder_ / "forage";
+  const fs::path folder = shared_folder / "forage";
   fs::create_directories(folder);
   for (const char* file : {"forager.cdl", "forage.odl"}) {
     std::error_code ignored;

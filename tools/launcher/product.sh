@@ -23,7 +23,7 @@ build_product() {
   printf '%s\n' "$root" >"$stamp.new"
   [[ -z $is_first ]] || say "builds for the first time, which takes some minutes"
   [[ -n $is_first ]] || is_terminal || say "builds what changed"
-  configure "$build/release" -DCMAKE_BUILD_TYPE=Release -DMLAB_TESTS=OFF "-DMLAB_WEB_FOLDER=$build/web"
+  configure "$build/release" -DCMAKE_BUILD_TYPE=Release -DMLAB_UNITY=ON -DMLAB_TESTS=OFF "-DMLAB_WEB_FOLDER=$build/web"
   build_folder "$build/release" all || give_up "the build failed; what the compiler said stands above"
   [[ -x $binary ]] || give_up "the build made no $binary"
   mv -f "$stamp.new" "$stamp"

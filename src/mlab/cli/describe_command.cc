@@ -23,13 +23,6 @@ using flow::Behavior;
 
 constexpr double kUnbounded = 1e299;
 
-std::string first_sentence(std::string_view help) {
-  const std::size_t end = help.find(". ");
-  const std::size_t line = help.find('\n');
-  std::string out(help.substr(0, std::min(end == std::string_view::npos ? help.size() : end + 1, line)));
-  return out;
-}
-
 std::string bracketed(std::string_view unit) {
   return unit.empty() ? "" : fmt::format(" [{}]", unit);
 }

@@ -95,12 +95,6 @@ std::vector<Declaration> declarations_of(const cdl::Configuration& configuration
   return out;
 }
 
-std::string first_sentence(std::string_view help) {
-  const std::size_t end = help.find(". ");
-  const std::size_t line = help.find('\n');
-  return std::string(help.substr(0, std::min(end == std::string_view::npos ? help.size() : end + 1, line)));
-}
-
 std::string type_text(const cdl::Parameter& parameter) {
   return parameter.unit.text.empty() ? parameter.type.text
                                      : fmt::format("{} [{}]", parameter.type.text, parameter.unit.text);
@@ -213,6 +207,12 @@ bool answers_to(const Declaration& one, const std::string& name) {
 }
 
 }  // namespace
+
+std::string first_sentence(std::string_view help) {
+  const std::size_t end = help.find(". ");
+  const std::size_t line = help.find('\n');
+  return std::string(help.substr(0, std::min(end == std::string_view::npos ? help.size() : end + 1, line)));
+}
 
 std::string describe_declaration(const DescribeOptions& options) {
   for (const Declaration& one : declarations_of(robot::library_configuration(), nullptr)) {

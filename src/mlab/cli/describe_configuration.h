@@ -18,6 +18,8 @@ void print_historic_names(std::string_view ours);
 int describe_configuration_file(const DescribeOptions& options);
 /// One line for each declaration of the component library.
 void list_declarations();
+/// The first sentence of an explanation, or its first line where that ends earlier.
+std::string first_sentence(std::string_view help);
 /// For "did you mean".
 std::vector<std::string> declaration_names();
 

@@ -10,7 +10,7 @@ namespace {
 
 using cdl_historic::LibraryName;
 
-bool same_letters(std::string_view a, std::string_view b) {
+bool same_ignoring_case(std::string_view a, std::string_view b) {
   const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return std::ranges::equal(a, b, {}, small, small);
 }
@@ -52,7 +52,7 @@ void add(std::vector<HistoricMeaning>& out, const LibraryName& row) {
 std::vector<HistoricMeaning> historic_meanings(std::string_view historic) {
   std::vector<HistoricMeaning> out;
   for (const LibraryName& row : cdl_historic::library_names()) {
-    if (same_letters(plain(row.historic), historic)) add(out, row);
+    if (same_ignoring_case(plain(row.historic), historic)) add(out, row);
   }
   return out;
 }

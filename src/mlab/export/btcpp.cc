@@ -35,9 +35,9 @@ std::string text_of(const Value& value) {
   return "";
 }
 
-class Writer {
+class TreeWriter {
  public:
-  explicit Writer(text::Diagnostics& sink) : sink_(sink) {}
+  explicit TreeWriter(text::Diagnostics& sink) : sink_(sink) {}
 
   std::optional<std::string> run(const Plan& plan) {
     const std::size_t errors_before = sink_.error_count();
@@ -155,7 +155,7 @@ class Writer {
 
 std::optional<std::string> write_btcpp(const Subject& subject, text::Diagnostics& sink) {
   const std::unique_ptr<Plan> plan = plan_of(subject, "BehaviorTree.CPP", sink);
-  return plan && !plan->steps.empty() ? Writer(sink).run(*plan) : std::nullopt;
+  return plan && !plan->steps.empty() ? TreeWriter(sink).run(*plan) : std::nullopt;
 }
 
 }  // namespace mlab::exports

@@ -12,7 +12,7 @@ namespace {
 
 using flow::Node;
 
-std::string quoted(std::string_view text) {
+std::string dot_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -44,11 +44,11 @@ void put(const Node& node, const std::string& name, const NetworkView& view, con
                          state.is_start   ? " (start)"
                          : state.is_final ? " (final)"
                                           : "");
-  std::string text = quoted(label);
+  std::string text = dot_text(label);
   // `\n` is Graphviz's line break, not a backslash.
   for (std::size_t at = text.find("\\\\n"); at != std::string::npos; at = text.find("\\\\n", at))
     text.erase(at, 1);
-  out += fmt::format("{}{} [label={}, shape={}];\n", indent, quoted(node.name), text, shape(node, view));
+  out += fmt::format("{}{} [label={}, shape={}];\n", indent, dot_text(node.name), text, shape(node, view));
 }
 
 void put(const Group& group, const std::string& path, const NetworkView& view, std::string& out) {
@@ -59,8 +59,8 @@ void put(const Group& group, const std::string& path, const NetworkView& view, s
     put(*node, path.empty() ? node->name : node->name.substr(path.size() + 1), view, indent, out);
   for (const auto& [name, inner] : group.groups) {
     const std::string inner_path = path.empty() ? name : path + "." + name;
-    out += fmt::format("{}subgraph {} {{\n{}  label={};\n", indent, quoted("cluster_" + inner_path), indent,
-                       quoted(name));
+    out += fmt::format("{}subgraph {} {{\n{}  label={};\n", indent, dot_text("cluster_" + inner_path), indent,
+                       dot_text(name));
     put(inner, inner_path, view, out);
     out += indent + "}\n";
   }
@@ -69,11 +69,11 @@ void put(const Group& group, const std::string& path, const NetworkView& view, s
 std::string style(const Wire& wire) {
   switch (wire.role) {
     case Wire::Role::kInput:
-      return fmt::format("label={}", quoted(wire.port));
+      return fmt::format("label={}", dot_text(wire.port));
     case Wire::Role::kMember:
-      return fmt::format("label={}, style=bold", quoted(wire.port));
+      return fmt::format("label={}, style=bold", dot_text(wire.port));
     case Wire::Role::kTrigger:
-      return fmt::format("label={}, style=dashed", quoted("leaves " + wire.port));
+      return fmt::format("label={}, style=dashed", dot_text("leaves " + wire.port));
     case Wire::Role::kSelector:
       return "label=\"by\", style=dashed";
   }
@@ -95,12 +95,12 @@ std::optional<std::string> write_dot(const Subject& subject, text::Diagnostics&)
     group->nodes.push_back(&node);
   }
   std::string out = fmt::format("digraph {} {{\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n",
-                                quoted(subject.robot.name.text));
+                                dot_text(subject.robot.name.text));
   for (const flow::Parameter& one : subject.network.parameters)
-    out += fmt::format("  {} [shape=note];\n", quoted(one.name));
+    out += fmt::format("  {} [shape=note];\n", dot_text(one.name));
   put(top, "", view, out);
   for (const Wire& wire : view.wires())
-    out += fmt::format("  {} -> {} [{}];\n", quoted(wire.from), quoted(wire.to), style(wire));
+    out += fmt::format("  {} -> {} [{}];\n", dot_text(wire.from), dot_text(wire.to), style(wire));
   return out + "}\n";
 }
 

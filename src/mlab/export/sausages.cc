@@ -28,7 +28,7 @@ std::string number(double value) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
+std::string lisp_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -42,7 +42,7 @@ std::string lisp(const Value& value) {
     case Value::Kind::kNumber:
       return number(value.number);
     case Value::Kind::kText:
-      return quoted(value.text);
+      return lisp_text(value.text);
     case Value::Kind::kWord:
       return value.text == "true" ? "t" : value.text == "false" ? "nil" : symbol(value.text);
     case Value::Kind::kList: {
@@ -69,7 +69,7 @@ std::string lisp(const Condition& condition) {
   return out + ")";
 }
 
-class Writer {
+class PlanWriter {
  public:
   std::string run(const Plan& plan) {
     out_ = fmt::format(
@@ -103,7 +103,8 @@ class Writer {
 
   void put(const Step& step, const std::vector<std::size_t>& ids, const std::string& indent) {
     const std::string inner = indent + "  ";
-    std::string head = fmt::format("{}(plan-id {})\n{}(name {})\n", inner, next_++, inner, quoted(step.name));
+    std::string head =
+        fmt::format("{}(plan-id {})\n{}(name {})\n", inner, next_++, inner, lisp_text(step.name));
     if (step.is_final) head += inner + "(final t)\n";
     if (!step.exits.empty()) {
       head += inner + "(transitions";
@@ -139,7 +140,7 @@ std::optional<std::string> write_sausages(const Subject& subject, text::Diagnost
     return std::nullopt;
   }
   const std::unique_ptr<Plan> plan = plan_of(subject, "SAUSAGES", sink);
-  return plan && !plan->steps.empty() ? std::optional(Writer().run(*plan)) : std::nullopt;
+  return plan && !plan->steps.empty() ? std::optional(PlanWriter().run(*plan)) : std::nullopt;
 }
 
 }  // namespace mlab::exports

@@ -156,22 +156,19 @@ class Chart {
   // A sequence that starts looks at the triggers of its first state in the same cycle. Before the first cycle
   // there is none, and it waits in its start.
   void put_sequence(const Node& sequence, const std::string& busy, const std::string& indent) {
-    const flow::State* start = nullptr;
-    for (const flow::State& state : sequence.states) {
-      if (state.is_start || start == nullptr)
-        start = state.is_start ? &state : start == nullptr ? &state : start;
-    }
+    const auto named = std::ranges::find_if(sequence.states, &flow::State::is_start);
+    const flow::State& start = named != sequence.states.end() ? *named : sequence.states.front();
     const std::string id = escaped(sequence.name);
     const std::string inner = indent + "  ";
     out_ += fmt::format("{}<state id=\"{}-sequence\" initial=\"{}-starts\">\n{}<state id=\"{}-starts\">\n",
                         indent, id, id, inner, id);
-    for (WayOut way : ways_out(sequence, *start)) {
+    for (WayOut way : ways_out(sequence, start)) {
       way.is_taken = true;
       way.condition = fmt::format("_event && _event.data && {}", way.condition);
       put_way(way, "", "", inner + "  ");
     }
     out_ += fmt::format("{}  <transition target=\"{}\"/>\n{}</state>\n", inner,
-                        escaped(sequence.name + "." + start->name), inner);
+                        escaped(sequence.name + "." + start.name), inner);
     for (const flow::State& state : sequence.states) {
       const std::vector<WayOut> ways = ways_out(sequence, state);
       out_ += fmt::format("{}<state id=\"{}\">\n", inner, escaped(sequence.name + "." + state.name));

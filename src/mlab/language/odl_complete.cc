@@ -11,7 +11,6 @@ namespace mlab::language {
 namespace {
 
 using odl::Keyword;
-using odl::TokenKind;
 
 /// Looks at the words of the statement that the cursor is in.
 class OverlayCompleter {
@@ -22,9 +21,10 @@ class OverlayCompleter {
     odl::lex(std::make_shared<const text::Source>("", before), tokens_, comments, unsaid);
     tokens_.pop_back();  // the end
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      has_header_ |= tokens_[i].kind == TokenKind::kHeader;
+      has_header_ |= tokens_[i].kind == odl::TokenKind::kHeader;
       const bool is_name = i > 0 && is_behind_named_keyword(i);
-      const bool begins = odl::starts_statement(tokens_[i].keyword) || tokens_[i].kind == TokenKind::kHeader;
+      const bool begins =
+          odl::starts_statement(tokens_[i].keyword) || tokens_[i].kind == odl::TokenKind::kHeader;
       if (begins && (tokens_[i].starts_line || !is_name)) first_ = i;
     }
   }
@@ -35,7 +35,7 @@ class OverlayCompleter {
       return;
     }
     const odl::Token& keyword = tokens_[first_];
-    if (keyword.kind == TokenKind::kHeader) {
+    if (keyword.kind == odl::TokenKind::kHeader) {
       statements();
       return;
     }
@@ -88,7 +88,8 @@ class OverlayCompleter {
   // `first` and a number, and nothing of `second` before them.
   bool is_between(Keyword first, Keyword second) const {
     const std::size_t n = tokens_.size();
-    if (n < 3 || tokens_[n - 1].kind != TokenKind::kNumber || tokens_[n - 2].keyword != first) return false;
+    if (n < 3 || tokens_[n - 1].kind != odl::TokenKind::kNumber || tokens_[n - 2].keyword != first)
+      return false;
     return tokens_[n - 3].keyword == Keyword::kUtm && tokens_[n - 3].keyword != second;
   }
 

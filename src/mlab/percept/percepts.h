@@ -42,6 +42,8 @@ enum class ObjectClass : std::uint8_t {
   kYellowMarker,
   kFriendlyRobot
 };
+/// The last one, for who checks numbers from outside.
+inline constexpr ObjectClass kLastObjectClass = ObjectClass::kFriendlyRobot;
 /// What may be done with an object.
 enum class ObjectStyle : std::uint8_t { kFixed, kMovable, kContainer };
 

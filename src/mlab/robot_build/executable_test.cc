@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -82,7 +83,7 @@ struct Walk {
                          percept::ObjectStyle::kMovable,
                          {5.0 + i, 1.0, 0.0},
                          0.1});
-    percepts.pose = {{at, 0.01 * cycle}, 0.1 * (cycle / 10)};
+    percepts.pose = {{at, 0.01 * cycle}, 0.1 * std::floor(cycle / 10.0)};
     percepts.time = 0.1 * cycle;
     percepts.obstacles = obstacles;
     percepts.objects = objects;

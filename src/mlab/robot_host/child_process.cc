@@ -34,7 +34,7 @@ void close_end(int& end) {
   // The run may ignore or block signals; a robot program starts with what every program starts with.
   sigset_t none;
   sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
+  pthread_sigmask(SIG_SETMASK, &none, nullptr);
   std::signal(SIGPIPE, SIG_DFL);
   dup2(in, 0);
   dup2(out, 1);

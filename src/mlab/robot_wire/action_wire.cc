@@ -7,7 +7,6 @@ namespace {
 
 constexpr auto kLastKind = percept::Request::Kind::kEndMission;
 constexpr auto kLastAudience = percept::Audience::kSelf;
-constexpr auto kLastObjectClass = percept::ObjectClass::kFriendlyRobot;
 
 }  // namespace
 
@@ -57,7 +56,7 @@ std::optional<std::string> decode(const wire::Action& message, percept::Action& 
       return "an action makes a request that there is not";
     if (request.audience() < 0 || request.audience() > static_cast<int>(kLastAudience))
       return "a request is for an audience that there is not";
-    if (request.object_class() < 0 || request.object_class() > static_cast<int>(kLastObjectClass))
+    if (request.object_class() < 0 || request.object_class() > static_cast<int>(percept::kLastObjectClass))
       return "a request is about a class that there is not";
     action.ask({static_cast<percept::Request::Kind>(request.kind()),
                 static_cast<percept::Audience>(request.audience()),

@@ -6,7 +6,6 @@
 namespace mlab::robot_wire {
 namespace {
 
-constexpr auto kLastObjectClass = percept::ObjectClass::kFriendlyRobot;
 constexpr auto kLastObjectStyle = percept::ObjectStyle::kContainer;
 constexpr auto kLastTask = percept::Task::kStop;
 constexpr auto kLastFormation = percept::Formation::kSweep;
@@ -22,7 +21,7 @@ void encode(const geom::Pose& pose, wire::Pose& out) {
   out.set_heading(heading);
 }
 
-geom::Pose decode(const wire::Pose& message) {
+geom::Pose pose_of(const wire::Pose& message) {
   return {{message.x(), message.y()}, message.heading()};
 }
 
@@ -157,7 +156,7 @@ void encode(const percept::Joystick& joystick, wire::Joystick& out) {
   out.set_complete(complete);
 }
 
-percept::Joystick decode(const wire::Joystick& message) {
+percept::Joystick joystick_of(const wire::Joystick& message) {
   return {message.x(), message.y(), message.magnitude(), message.is_robot_frame(), message.complete()};
 }
 
@@ -224,7 +223,8 @@ std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts
     return "the columns of the objects are not equally long";
   objects_.clear();
   for (int i = 0; i < objects.x_size(); ++i) {
-    if (!fits(objects.object_class(i), kLastObjectClass) || !fits(objects.style(i), kLastObjectStyle))
+    if (!fits(objects.object_class(i), percept::kLastObjectClass) ||
+        !fits(objects.style(i), kLastObjectStyle))
       return "an object is of a class or style that there is not";
     objects_.push_back({{objects.id(i)},
                         static_cast<percept::ObjectClass>(objects.object_class(i)),
@@ -250,7 +250,7 @@ std::optional<std::string> DecodedPercepts::decode_messages(const wire::Percepts
     return "the columns of the shared places are not equally long";
   shared_places_.clear();
   for (int i = 0; i < places.from_size(); ++i) {
-    if (!fits(places.object_class(i), kLastObjectClass))
+    if (!fits(places.object_class(i), percept::kLastObjectClass))
       return "a shared place is of a class that there is not";
     shared_places_.push_back({{places.from(i)},
                               {places.object(i)},
@@ -320,14 +320,14 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
   if (auto problem = decode_order(message.order())) return problem;
   if (auto problem = decode_messages(message)) return problem;
   if (auto problem = decode_map(message.map())) return problem;
-  if (!fits(message.carried_class(), kLastObjectClass))
+  if (!fits(message.carried_class(), percept::kLastObjectClass))
     return "what is carried is of a class that there is not";
   const wire::Unit& unit = message.unit();
   constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
   if (unit.size() > kMost || unit.rank() > kMost) return "the unit is larger than units are";
 
   percepts_.id = {message.id()};
-  percepts_.pose = robot_wire::decode(message.pose());
+  percepts_.pose = pose_of(message.pose());
   percepts_.time = message.time();
   percepts_.cycle_duration = message.cycle_duration();
   percepts_.obstacles = obstacles_;
@@ -341,10 +341,10 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
                     static_cast<std::uint16_t>(unit.rank()),
                     {unit.center_x(), unit.center_y()},
                     {unit.step_x(), unit.step_y()},
-                    robot_wire::decode(unit.leader()),
-                    robot_wire::decode(unit.neighbor()),
+                    pose_of(unit.leader()),
+                    pose_of(unit.neighbor()),
                     unit.formation_heading()};
-  percepts_.joystick = robot_wire::decode(message.joystick());
+  percepts_.joystick = joystick_of(message.joystick());
   percepts_.notifications = notifications_;
   percepts_.camera = {message.camera().pan(), message.camera().field_of_view()};
   percepts_.shared_places = shared_places_;

@@ -10,7 +10,7 @@ using geom::Vector;
 
 constexpr double kDegree = kPi / 180.0;
 
-void expect_near(Vector a, Vector b) {
+void expect_same(Vector a, Vector b) {
   EXPECT_NEAR(a.x, b.x, 1e-12);
   EXPECT_NEAR(a.y, b.y, 1e-12);
 }
@@ -30,17 +30,17 @@ TEST(Sectors, WrapJustRightOfStraightAhead) {
 }
 
 TEST(Sectors, PreferStraightAhead) {
-  expect_near(Sectors{}.freest(), {1.0, 0.0});
+  expect_same(Sectors{}.freest(), {1.0, 0.0});
 }
 
 TEST(Sectors, PreferLeftToRight) {
   Sectors sectors;
   sectors.block({1.0, 0.0});
-  expect_near(sectors.freest(), polar(5.0 / 6.0, 30.0 * kDegree));
+  expect_same(sectors.freest(), polar(5.0 / 6.0, 30.0 * kDegree));
   sectors.block(polar(1.0, 30.0 * kDegree));
-  expect_near(sectors.freest(), polar(5.0 / 6.0, -30.0 * kDegree));
+  expect_same(sectors.freest(), polar(5.0 / 6.0, -30.0 * kDegree));
   sectors.block(polar(1.0, -30.0 * kDegree));
-  expect_near(sectors.freest(), polar(4.0 / 6.0, 60.0 * kDegree));
+  expect_same(sectors.freest(), polar(4.0 / 6.0, 60.0 * kDegree));
 }
 
 TEST(Sectors, GiveNothingWhereOnlyBehindOrNoneIsClear) {
@@ -48,9 +48,9 @@ TEST(Sectors, GiveNothingWhereOnlyBehindOrNoneIsClear) {
   for (int i = 0; i < 12; ++i) {
     if (i != 6) sectors.block(polar(1.0, i * 30.0 * kDegree));
   }
-  expect_near(sectors.freest(), {});
+  expect_same(sectors.freest(), {});
   sectors.block({-1.0, 0.0});
-  expect_near(sectors.freest(), {});
+  expect_same(sectors.freest(), {});
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kPiece = 64;
+constexpr std::size_t kRobotsAtOnce = 64;
 
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
@@ -53,8 +53,8 @@ class Bench {
     for (const geom::Pose& pose : scenario.robots)
       simulator_.add_body({.spec = spec, .pose = pose, .robot = {++id}});
     for (Worker& worker : workers_) {
-      worker.buffers.resize(kPiece);
-      worker.percepts.resize(kPiece);
+      worker.buffers.resize(kRobotsAtOnce);
+      worker.percepts.resize(kRobotsAtOnce);
       for (SenseBuffer& buffer : worker.buffers) buffer.reserve(8, 8, 8, spec.ring.count);
     }
   }
@@ -64,11 +64,13 @@ class Bench {
   /// Sense and behave in pieces that stay in the cache, then step.
   void cycle(bool counts_hits) {
     const auto begin = Clock::now();
-    simulator_.workers().run(actions_.size(), kPiece, [&](std::size_t first, std::size_t last, int index) {
-      for (std::size_t i = first; i < last; i += kPiece) {
-        run_piece(workers_[static_cast<std::size_t>(index)], i, std::min(last, i + kPiece), counts_hits);
-      }
-    });
+    simulator_.workers().run(actions_.size(), kRobotsAtOnce,
+                             [&](std::size_t first, std::size_t last, int index) {
+                               for (std::size_t i = first; i < last; i += kRobotsAtOnce) {
+                                 run_piece(workers_[static_cast<std::size_t>(index)], i,
+                                           std::min(last, i + kRobotsAtOnce), counts_hits);
+                               }
+                             });
     perceiving_ += seconds_between(begin, Clock::now());
     simulator_.step(actions_, options_.cycle_duration);
   }

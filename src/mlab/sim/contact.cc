@@ -11,7 +11,7 @@ namespace {
 using geom::Offset;
 using geom::Point;
 
-constexpr std::size_t kPiece = 256;
+constexpr std::size_t kBodiesAtOnce = 256;
 constexpr int kRounds = 4;
 /// How often neighbours that touch tell each other how far they slide.
 constexpr int kSlidePasses = 3;
@@ -181,7 +181,7 @@ bool ContactSolver::has_company(const Bodies& bodies, const Surroundings& s, std
 /// Bodies that nothing is near to move at once; the others are collected. Who moves here is in nobody's list,
 /// and others are looked for where they stood at the beginning, so the order makes no difference.
 void ContactSolver::collect_busy(Bodies& bodies, const Surroundings& s, Workers& workers) {
-  workers.run(bodies.count(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+  workers.run(bodies.count(), kBodiesAtOnce, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t i = begin; i < end; ++i) {
       is_busy_[i] = 0;
       if (way_[i] <= 0.0) continue;
@@ -207,7 +207,7 @@ void ContactSolver::collect_busy(Bodies& bodies, const Surroundings& s, Workers&
 /// @return true where something is left for another round
 bool ContactSolver::run_round(Bodies& bodies, const Surroundings& s, Workers& workers) {
   slide_all(bodies, s, workers);
-  workers.run(busy_.size(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+  workers.run(busy_.size(), kBodiesAtOnce, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t k = begin; k < end; ++k) stop_at_statics(bodies, s, busy_[k]);
   });
   for (const Busy& busy : busy_) until_[busy.body] = busy.until;
@@ -220,7 +220,7 @@ bool ContactSolver::run_round(Bodies& bodies, const Surroundings& s, Workers& wo
 void ContactSolver::slide_all(const Bodies& bodies, const Surroundings& s, Workers& workers) {
   for (int pass = 0; pass < kSlidePasses; ++pass) {
     const bool is_first = pass == 0;
-    workers.run(busy_.size(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+    workers.run(busy_.size(), kBodiesAtOnce, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t k = begin; k < end; ++k) {
         Busy& busy = busy_[k];
         if (busy.is_moving && (is_first || busy.touches_bodies)) slide_one(bodies, s, busy, is_first);
@@ -295,7 +295,7 @@ void ContactSolver::stop_at_bodies(const Bodies& bodies, const Surroundings& s, 
   for (const Busy& busy : busy_) changed_[busy.body] = 1;
   for (int pass = 0;; ++pass) {
     const bool gives_up = pass >= kStopPasses;
-    workers.run(busy_.size(), kPiece, [&](std::size_t begin, std::size_t end, int) {
+    workers.run(busy_.size(), kBodiesAtOnce, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t k = begin; k < end; ++k) {
         if (busy_[k].is_moving && near_count_[busy_[k].body] > 0) stop_one(bodies, s, busy_[k], gives_up);
       }

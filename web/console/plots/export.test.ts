@@ -115,6 +115,8 @@ describe("niceTicks", () => {
         (from, span) => {
           const ticks = niceTicks(from, from + span, 5);
           expect(ticks.length).toBeLessThanOrEqual(12);
+          expect(ticks.length).toBeGreaterThanOrEqual(2);
+          expect(new Set(ticks.map(String)).size).toBe(ticks.length);
           for (const t of ticks) {
             expect(t).toBeGreaterThanOrEqual(from - span * 1e-6);
             expect(t).toBeLessThanOrEqual(from + span * 1.000001);
@@ -126,6 +128,11 @@ describe("niceTicks", () => {
   it("of nothing are none", () => {
     expect(niceTicks(Number.NaN, 1, 5)).toEqual([]);
     expect(niceTicks(3, 3, 5)).toEqual([3]);
+  });
+  it("far from zero keep their digits, until numbers have none left", () => {
+    expect(niceTicks(999999.9999, 1000000.0015, 5)).toEqual([999999.9999 + 0.0001, 1000000.0005, 1000000.001, 1000000.0015]);
+    expect(niceTicks(1e17, 1e17 + 16, 5)).toEqual([1e17]);
+    expect(niceTicks(-1e-120, 1e-120, 2)).toEqual([-1e-120, 0, 1e-120]);
   });
 });
 

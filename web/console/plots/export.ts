@@ -1,7 +1,7 @@
 // Plots as files: a table (CSV) and a drawing (SVG). Text in, text out.
 
 import type { AlignedTable } from "./samples.ts";
-import { niceTicks, tickText } from "./ticks.ts";
+import { niceTicks } from "./ticks.ts";
 
 export interface ExportSeries {
   readonly label: string;
@@ -77,11 +77,11 @@ function stripSvg(strip: ExportStrip, span: { from: number; to: number }, style:
   out.push(legendSvg(strip.series, y0 + 34));
   for (const t of niceTicks(span.from, span.to, 8)) {
     out.push(line(x(t), top, x(t), bottom, style.grid));
-    out.push(`<text x="${px(x(t))}" y="${bottom + 16}" text-anchor="middle">${tickText(t)}</text>`);
+    out.push(`<text x="${px(x(t))}" y="${bottom + 16}" text-anchor="middle">${t}</text>`);
   }
   for (const v of niceTicks(values.from, values.to, 5)) {
     out.push(line(kLeft, y(v), right, y(v), style.grid));
-    out.push(`<text x="${kLeft - 8}" y="${px(y(v) + 4)}" text-anchor="end">${tickText(v)}</text>`);
+    out.push(`<text x="${kLeft - 8}" y="${px(y(v) + 4)}" text-anchor="end">${v}</text>`);
   }
   out.push(`<text x="${(kLeft + right) / 2}" y="${bottom + 32}" text-anchor="middle">time [s]</text></g>`);
   strip.series.forEach((s, i) => {

@@ -5,22 +5,19 @@ export function niceTicks(from: number, to: number, wanted: number): number[] {
   const span = to - from;
   if (!(span > 0) || !Number.isFinite(span)) return Number.isFinite(from) ? [from] : [];
   const rough = span / Math.max(wanted, 1);
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const factor = rough / power;
-  const step = (factor <= 1 ? 1 : factor <= 2 ? 2 : factor <= 5 ? 5 : 10) * power;
-  const ticks: number[] = [];
-  for (let k = Math.ceil(from / step); k * step <= to + step * 1e-9; ++k) ticks.push(clean(k * step));
-  return ticks;
+  const exponent = Math.floor(Math.log10(rough));
+  const factor = rough / 10 ** exponent;
+  const step = (factor <= 1 ? 1 : factor <= 2 ? 2 : factor <= 5 ? 5 : 10) * 10 ** exponent;
+  const first = Math.ceil(from / step);
+  const last = Math.floor(to / step + 1e-9);
+  // So far from zero numbers lie too far apart to tell ticks from each other.
+  if (!Number.isSafeInteger(first) || !Number.isSafeInteger(last)) return [from];
+  return Array.from({ length: last - first + 1 }, (_, i) => rounded((first + i) * step, -exponent));
 }
 
 /** Without the noise of binary fractions. */
-export function tickText(value: number): string {
-  return String(clean(value));
-}
-
-function clean(value: number): number {
-  const rounded = Number(value.toPrecision(10));
-  return rounded === 0 ? 0 : rounded;
+function rounded(value: number, decimals: number): number {
+  return decimals > 100 ? value : Number(value.toFixed(Math.max(decimals, 0))) + 0;
 }
 
 /** For the legend: four digits that say something. */

@@ -72,17 +72,21 @@ void put_node(std::string& out, const flow::Node& node) {
   switch (node.kind) {
     case flow::Node::Kind::kBehavior:
       out += fmt::format("\n{}node {} is {} with", node.is_public ? "public " : "", node.name, node.behavior);
-      return put_links(out, node);
+      put_links(out, node);
+      return;
     case flow::Node::Kind::kSequence:
       out += fmt::format("\nsequence {} of {} with", node.name, node.behavior);
-      return put_states(out, node);
+      put_states(out, node);
+      return;
     case flow::Node::Kind::kSelect:
       out +=
           fmt::format("\nselect {} of {} by {} with", node.name, node.behavior, source_text(node.selector));
-      return put_cases(out, node);
+      put_cases(out, node);
+      return;
     case flow::Node::Kind::kDelay:
       out += fmt::format("\ndelay {} of {} with", node.name, node.behavior);
-      return put_links(out, node);
+      put_links(out, node);
+      return;
   }
 }
 

@@ -35,7 +35,7 @@ std::string sentence_of(const std::string& cdl) {
   return out;
 }
 
-std::string said(const std::string& sentence) {
+std::string said_of_sentence(const std::string& sentence) {
   text::Diagnostics sink;
   parse_formula(source(sentence), sink);
   return text::render(sink);
@@ -137,57 +137,57 @@ TEST(Formula, ItsTreeIsAConfigurationInText) {
 }
 
 TEST(Formula, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(said("{[+1 <p1 m1> <p2 m2>}"),
+  EXPECT_EQ(said_of_sentence("{[+1 <p1 m1> <p2 m2>}"),
             "a.formula:1:21: error: expected an assemblage `[...]`, a behavior `<...>` or `]`, found `}` "
             "[formula-syntax]\n"
             "    1 | {[+1 <p1 m1> <p2 m2>}\n"
             "      |                     ^\n"
             "a.formula:1:2: note: a cooperation opens here\n");
-  EXPECT_EQ(said("{<m1>}"),
+  EXPECT_EQ(said_of_sentence("{<m1>}"),
             "a.formula:1:3: error: a motor process without perception [formula-syntax]\n"
             "    1 | {<m1>}\n"
             "      |   ^\n"
             "      = hint: `p0` is the empty percept: `<p0 m1>`\n");
-  EXPECT_EQ(said("{<p1 p2 m1>}"),
+  EXPECT_EQ(said_of_sentence("{<p1 p2 m1>}"),
             "a.formula:1:6: error: expected a motor process `m1` or `>`, found `p2` [formula-syntax]\n"
             "    1 | {<p1 p2 m1>}\n"
             "      |      ^\n"
             "      = hint: several percepts are a fusion: `(#1 p1 p2)`\n"
             "a.formula:1:2: note: the behavior opens here\n");
-  EXPECT_EQ(said("{[+1 <p1 m1>]}"),
+  EXPECT_EQ(said_of_sentence("{[+1 <p1 m1>]}"),
             "a.formula:1:2: error: `+1` has one member [too-few-members]\n"
             "    1 | {[+1 <p1 m1>]}\n"
             "      |  ^^^^^^^^^^^^\n"
             "      = hint: a cooperation is of two or more; one alone stands without it\n");
   EXPECT_EQ(
-      said("{[+1 <p1 m1> <p2 m1>]}"),
+      said_of_sentence("{[+1 <p1 m1> <p2 m1>]}"),
       "a.formula:1:14: error: `m1` stands for two different things [two-meanings]\n"
       "    1 | {[+1 <p1 m1> <p2 m1>]}\n"
       "      |              ^^^^^^^\n"
       "      = hint: an instance may be used several times, each time alike; another one has another number\n"
       "a.formula:1:6: note: it stands there first\n");
-  EXPECT_EQ(said("'/1 {<p1 m1>} {<p1 m2>}'"),
+  EXPECT_EQ(said_of_sentence("'/1 {<p1 m1>} {<p1 m2>}'"),
             "a.formula:1:17: error: `p1` is an instance of another robot [instance-of-another-robot]\n"
             "    1 | '/1 {<p1 m1>} {<p1 m2>}'\n"
             "      |                 ^^\n"
             "      = hint: robots share no instances: give this one a number of its own\n"
             "a.formula:1:7: note: it stands there first\n");
-  EXPECT_EQ(said("'*1 {<p1 m1>} {<p2 m2>}'"),
+  EXPECT_EQ(said_of_sentence("'*1 {<p1 m1>} {<p2 m2>}'"),
             "a.formula:1:15: error: the members of team `*1` differ [unlike-team]\n"
             "    1 | '*1 {<p1 m1>} {<p2 m2>}'\n"
             "      |               ^^^^^^^^^ this is not like the first\n"
             "      = hint: a caste, `'/1 ...'`, is of different ones\n"
             "a.formula:1:5: note: the first is here\n");
-  EXPECT_EQ(said("{<p m1>}"),
+  EXPECT_EQ(said_of_sentence("{<p m1>}"),
             "a.formula:1:3: error: `p` has no number [formula-syntax]\n"
             "    1 | {<p m1>}\n"
             "      |   ^\n"
             "      = hint: each instance has one: `p1`\n");
-  EXPECT_EQ(said("{<p1 m0>}"),
+  EXPECT_EQ(said_of_sentence("{<p1 m0>}"),
             "a.formula:1:6: error: `0` is no number of an instance [number-out-of-range]\n"
             "    1 | {<p1 m0>}\n"
             "      |      ^^ they are counted from 1 to 999999999\n");
-  EXPECT_EQ(said(""),
+  EXPECT_EQ(said_of_sentence(""),
             "a.formula:1:1: error: expected a society `'...'` or a robot `{...}`, found the end of the text "
             "[formula-syntax]\n"
             "    1 | \n"

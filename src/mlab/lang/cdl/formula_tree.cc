@@ -84,6 +84,10 @@ class Checker {
       check(member, term.symbol == Symbol::kBehavior && member.symbol == Symbol::kMotor);
   }
 
+  static bool is_same_robot(const Term* a, const Term* b) {
+    return a == b || (a != nullptr && b != nullptr && equal(*a, *b));
+  }
+
   void note(const Term& term, const Instance& instance, const Term* robot) {
     const auto [it, is_new] = uses_.try_emplace(instance, Use{&term, robot, sentence_});
     const Use& first = it->second;
@@ -91,7 +95,7 @@ class Checker {
     if (!equal(*first.term, term)) {
       fail("two-meanings", term, fmt::format("`{}` stands for two different things", written(instance)))
           .hints = {"an instance may be used several times, each time alike; another one has another number"};
-    } else if (first.sentence != sentence_ || (first.robot != robot && !equal(*first.robot, *robot))) {
+    } else if (first.sentence != sentence_ || !is_same_robot(first.robot, robot)) {
       fail("instance-of-another-robot", term,
            fmt::format("`{}` is an instance of another robot", written(instance)))
           .hints = {"robots share no instances: give this one a number of its own"};

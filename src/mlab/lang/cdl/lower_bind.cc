@@ -17,10 +17,6 @@ namespace {
 
 using flow::TypeKind;
 
-std::string bracketed(const std::string& unit) {
-  return unit.empty() ? "" : fmt::format(" [{}]", unit);
-}
-
 std::string with_article(std::string_view name) {
   const bool is_vowel = std::string_view("AEIOaeio").find(name.front()) != std::string_view::npos;
   return fmt::format("{} {}", is_vowel ? "an" : "a", name);
@@ -50,6 +46,10 @@ flow::Source constant(std::string text, const text::Place& place) {
 
 }  // namespace
 
+std::string bracketed(const std::string& unit) {
+  return unit.empty() ? "" : fmt::format(" [{}]", unit);
+}
+
 PortType Lowering::known_type(std::string_view name) const {
   if (const Quantity* quantity = quantity_named(name))
     return {library_.find_type(quantity->type), std::string(quantity->unit)};
@@ -57,7 +57,7 @@ PortType Lowering::known_type(std::string_view name) const {
 }
 
 PortType Lowering::type_named(const Word& name) {
-  const PortType known = known_type(name.text);
+  PortType known = known_type(name.text);
   if (known.type != nullptr) return known;
   text::Diagnostic& d = error("unknown-type", name.place, fmt::format("unknown type `{}`", name.text));
   hint_nearest(d, name.text, type_names());

@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t kMaxNodes = 200'000;  // recursion makes much out of little
 
-std::string bracketed(const std::string& unit) {
-  return unit.empty() ? "" : fmt::format(" [{}]", unit);
-}
-
 // The inputs of a procedure as they are called under the name by which it was found.
 std::vector<InputView> views_of(const flow::Library::Entry& entry) {
   std::vector<InputView> out;

@@ -23,6 +23,9 @@ struct PortType {
   std::string unit;
 };
 
+/// ` [m/s]`; nothing for no unit.
+std::string bracketed(const std::string& unit);
+
 /// What an expression stands for.
 struct Value {
   enum class Kind {

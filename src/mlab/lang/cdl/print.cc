@@ -1,5 +1,6 @@
 #include "mlab/lang/cdl/print.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -38,10 +39,7 @@ class Printer {
     while (!rest.empty()) {
       std::size_t end = rest.find('\n');
       constexpr std::size_t kWidth = 110;
-      if (end == std::string_view::npos && rest.size() > kWidth)
-        end = rest.rfind(' ', kWidth);
-      else if (end != std::string_view::npos && end > kWidth)
-        end = rest.rfind(' ', kWidth);
+      if (std::min(end, rest.size()) > kWidth) end = rest.rfind(' ', kWidth);
       const std::string_view line = rest.substr(0, end);
       out_ += line.empty() ? "///\n" : fmt::format("/// {}\n", line);
       if (end == std::string_view::npos) break;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +10,9 @@
 #include "mlab/lang/cdl_historic/tree.h"
 
 namespace mlab::cdl_historic {
+
+/// How many bytes a value of the type Text holds.
+inline constexpr std::size_t kMaxTextBytes = 63;
 
 /// What a constant of the historic language said in C++: `0.5`, `2 * (3.0)`, `M_PI / 2`. Nothing where it is
 /// no arithmetic with numbers.

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Token::Kind;
 
-double number(std::string_view text) {
+double parsed_number(std::string_view text) {
   double value = 0.0;
   if (text.ends_with('.')) text.remove_suffix(1);
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -82,11 +82,11 @@ Spot Cursor::take_spot() {
   Spot spot;
   if (take("<")) {
     if (!is(Kind::kNumber)) return expected("the x of a position"), spot;
-    spot.x = number(text());
+    spot.x = parsed_number(text());
     advance();
     expect(",", "between x and y");
     if (!is(Kind::kNumber)) return expected("the y of a position"), spot;
-    spot.y = number(text());
+    spot.y = parsed_number(text());
     advance();
     expect(">", "at the end of a position");
     spot.has_position = true;

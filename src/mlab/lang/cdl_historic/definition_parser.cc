@@ -60,9 +60,15 @@ void parse_slots(Cursor& cursor, std::vector<SlotDecl>& slots) {
   while (!cursor.failed() && !cursor.take(")")) {
     SlotDecl slot;
     slot.is_actuator = cursor.is("actuator");
-    if (!slot.is_actuator && !cursor.is("sensor")) return cursor.expected("`sensor` or `actuator`");
+    if (!slot.is_actuator && !cursor.is("sensor")) {
+      cursor.expected("`sensor` or `actuator`");
+      return;
+    }
     cursor.advance();
-    if (!cursor.is(Kind::kInline)) return cursor.expected("a name with a colon behind it");
+    if (!cursor.is(Kind::kInline)) {
+      cursor.expected("a name with a colon behind it");
+      return;
+    }
     slot.name = cursor.take_word();
     slot.device_class = cursor.expect_name("the class of a device");
     slots.push_back(std::move(slot));
@@ -84,7 +90,10 @@ void parse_named_value(Cursor& cursor, Tree& tree) {
   cursor.expect("ForDataType", "behind the name");
   value.type = cursor.expect_name("a type");
   cursor.expect("=", "behind the type");
-  if (!cursor.is(Kind::kInitializer)) return cursor.expected("a constant in braces");
+  if (!cursor.is(Kind::kInitializer)) {
+    cursor.expected("a constant in braces");
+    return;
+  }
   value.value = cursor.take_word();
   tree.named_values.push_back(std::move(value));
 }
@@ -109,15 +118,24 @@ bool is_style(std::string_view word) {
 }  // namespace
 
 void parse_definition(Cursor& cursor, std::string_view keyword, Tree& tree) {
-  if (says(keyword, "defType")) return parse_type(cursor, tree);
-  if (keyword == "defNamedValue") return parse_named_value(cursor, tree);
+  if (says(keyword, "defType")) {
+    parse_type(cursor, tree);
+    return;
+  }
+  if (keyword == "defNamedValue") {
+    parse_named_value(cursor, tree);
+    return;
+  }
   if (says(keyword, "defArch")) {
     Word name = cursor.expect_name("the name of an architecture");
     if (!name.text.empty()) tree.own_architectures.push_back(std::move(name));
     return;
   }
   const std::optional<Definition::Kind> kind = definition_kind(keyword);
-  if (!kind) return cursor.expected("a statement");
+  if (!kind) {
+    cursor.expected("a statement");
+    return;
+  }
   Definition definition;
   definition.kind = *kind;
   definition.architecture = take_architecture(cursor);

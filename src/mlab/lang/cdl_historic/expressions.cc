@@ -14,8 +14,6 @@
 namespace mlab::cdl_historic {
 namespace {
 
-constexpr std::size_t kMaxTextBytes = 63;
-
 bool is_device(const Symbol& symbol) {
   if (symbol.instance == nullptr) return false;
   using enum Instance::Kind;

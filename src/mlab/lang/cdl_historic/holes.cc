@@ -11,8 +11,6 @@
 namespace mlab::cdl_historic {
 namespace {
 
-constexpr std::size_t kMaxTextBytes = 63;  // of a value of the type Text
-
 // Cut so that a value of the type Text can hold it and a line can show it.
 std::string short_text(const std::string& constant) {
   std::string out;

@@ -81,12 +81,14 @@ class Import {
       case kAgent:
       case kOperator:
       case kGroup:
-        return add_assemblage(*instance.what, instance.name.text);
+        add_assemblage(*instance.what, instance.name.text);
+        return;
       case kRobot:
         sink_.warning(
             "not-in-configuration", instance.name.place,
             fmt::format("the configuration does not name the robot `{}`", text::shown(instance.name.text)));
-        return robots_.add(*instance.what, instance.spot);
+        robots_.add(*instance.what, instance.spot);
+        return;
       case kBindingPoint: {
         const std::string& point = instance.what->name.text;
         const Expr* device = converter_.bound_device(*instance.what);
@@ -95,7 +97,8 @@ class Import {
         if (!is_robot && point != "movement") return;
         sink_.warning("not-in-configuration", instance.name.place,
                       fmt::format("the configuration does not name `{}`", text::shown(instance.name.text)));
-        return robots_.add(*instance.what, instance.spot);
+        robots_.add(*instance.what, instance.spot);
+        return;
       }
       case kSensor:
       case kActuator:
@@ -173,11 +176,11 @@ std::string import_as_text(const text::SourcePtr& source, const Vocabulary& voca
 }
 
 bool looks_historic(std::string_view text) {
-  for (const std::string_view word : {"instBP", "instbp", "instGroup", "instgroup", "instAgent", "instagent",
-                                      "bindArch", "bindarch", "defAgent", "defagent", "defType", "deftype"}) {
-    if (text.find(word) != std::string_view::npos) return true;
-  }
-  return false;
+  constexpr std::string_view kWords[] = {"instBP",    "instbp",    "instGroup", "instgroup",
+                                         "instAgent", "instagent", "bindArch",  "bindarch",
+                                         "defAgent",  "defagent",  "defType",   "deftype"};
+  return std::ranges::any_of(
+      kWords, [text](std::string_view word) { return text.find(word) != std::string_view::npos; });
 }
 
 }  // namespace mlab::cdl_historic

@@ -110,14 +110,21 @@ class Lexer {
 
   void lex_token() {
     const char c = text_[at_];
-    if (starts_name(c)) return lex_name();
-    if (is_digit(c) || (c == '-' && is_digit(peek(1)))) return lex_number();
-    if (c == '%' && (is_letter(peek(1)) || peek(1) == '_')) return add(Kind::kPushed, name_length(1), 1, 0);
-    if (c == '|') return lex_description();
-    if (c == '{') return lex_braces();
-    if (std::string_view("()[]<>,;=^}").find(c) != std::string_view::npos)
-      return add(Kind::kPunctuation, 1, 0, 0);
-    skip_strays();
+    if (starts_name(c)) {
+      lex_name();
+    } else if (is_digit(c) || (c == '-' && is_digit(peek(1)))) {
+      lex_number();
+    } else if (c == '%' && (is_letter(peek(1)) || peek(1) == '_')) {
+      add(Kind::kPushed, name_length(1), 1, 0);
+    } else if (c == '|') {
+      lex_description();
+    } else if (c == '{') {
+      lex_braces();
+    } else if (std::string_view("()[]<>,;=^}").find(c) != std::string_view::npos) {
+      add(Kind::kPunctuation, 1, 0, 0);
+    } else {
+      skip_strays();
+    }
   }
 
   std::size_t name_length(std::size_t from) const {
@@ -145,20 +152,27 @@ class Lexer {
 
   void lex_description() {
     const std::size_t end = text_.find_first_of("|\n", at_ + 1);
-    if (end != std::string_view::npos && text_[end] == '|')
-      return add(Kind::kDescription, end + 1 - at_, 1, 1);
+    if (end != std::string_view::npos && text_[end] == '|') {
+      add(Kind::kDescription, end + 1 - at_, 1, 1);
+      return;
+    }
     sink_.error("unterminated-description", place(1), "this description has no second `|` on its line");
     skip_line();
   }
 
   void lex_braces() {
-    if (rest().starts_with("{^")) return add(Kind::kUp, 2, 0, 0);
-    if (rest().starts_with("{@^")) return add(Kind::kAdvancedUp, 3, 0, 0);
-    if (rest().starts_with("{&")) return add(Kind::kPair, 2, 0, 0);
-    const std::size_t end = text_.find('}', at_);
-    if (end != std::string_view::npos) return add(Kind::kInitializer, end + 1 - at_, 1, 1);
-    sink_.error("unterminated-initializer", place(1), "this `{` has no `}`");
-    at_ = text_.size();
+    if (rest().starts_with("{^")) {
+      add(Kind::kUp, 2, 0, 0);
+    } else if (rest().starts_with("{@^")) {
+      add(Kind::kAdvancedUp, 3, 0, 0);
+    } else if (rest().starts_with("{&")) {
+      add(Kind::kPair, 2, 0, 0);
+    } else if (const std::size_t end = text_.find('}', at_); end != std::string_view::npos) {
+      add(Kind::kInitializer, end + 1 - at_, 1, 1);
+    } else {
+      sink_.error("unterminated-initializer", place(1), "this `{` has no `}`");
+      at_ = text_.size();
+    }
   }
 
   void skip_strays() {

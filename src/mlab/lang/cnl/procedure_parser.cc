@@ -143,7 +143,7 @@ void hint_at_lost_word(text::Diagnostic& diagnostic, std::string_view code, std:
   }
 }
 
-struct Sections {
+struct SectionReader {
   Cursor& cursor;
   Procedure& procedure;
 
@@ -221,7 +221,7 @@ void parse_sections(Cursor& cursor, Procedure& procedure) {
     }
     return;
   }
-  Sections sections{cursor, procedure};
+  SectionReader sections{cursor, procedure};
   sections.read(std::string(cursor.text()), cursor.token().span, cursor.code_start());
 }
 

@@ -10,15 +10,15 @@ namespace {
 
 using Kind = CppToken::Kind;
 
-bool is_word_start(char c) {
+bool is_cpp_word_start(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' ||
          (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
-bool is_digit(char c) {
+bool is_cpp_digit(char c) {
   return c >= '0' && c <= '9';
 }
 bool is_word_part(char c) {
-  return is_word_start(c) || is_digit(c);
+  return is_cpp_word_start(c) || is_cpp_digit(c);
 }
 
 template <std::size_t kCount>
@@ -144,7 +144,7 @@ void UserCode::cut() {
       const std::uint32_t end = skip_text(i);
       add(Kind::kText, i, end);
       i = end;
-    } else if (is_digit(c) || (c == '.' && i + 1 < size && is_digit(text_[i + 1]))) {
+    } else if (is_cpp_digit(c) || (c == '.' && i + 1 < size && is_cpp_digit(text_[i + 1]))) {
       std::uint32_t end = i + 1;
       while (end < size && (is_word_part(text_[end]) || text_[end] == '.' ||
                             (text_[end] == '\'' && end + 1 < size && is_word_part(text_[end + 1])) ||
@@ -154,7 +154,7 @@ void UserCode::cut() {
       }
       add(Kind::kNumber, i, end);
       i = end;
-    } else if (is_word_start(c)) {
+    } else if (is_cpp_word_start(c)) {
       std::uint32_t end = i + 1;
       while (end < size && is_word_part(text_[end])) ++end;
       add(Kind::kWord, i, end);

@@ -15,7 +15,7 @@
 namespace mlab::mdl {
 namespace {
 
-const std::string kTestdata = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
+const std::string kDocumented = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
 
 // `what` is behind the language's name: nothing, `preamble`, `steps` or `typed`.
 std::vector<std::string> examples(const std::string& what) {
@@ -35,7 +35,7 @@ const char* const kScouts =
 
 std::shared_ptr<const mission::Mission> check_silently(const std::string& text) {
   text::Diagnostics sink;
-  auto mission = check_mission(std::make_shared<const text::Source>("example.mdl", text), kTestdata, sink);
+  auto mission = check_mission(std::make_shared<const text::Source>("example.mdl", text), kDocumented, sink);
   EXPECT_EQ(text::render(sink), "") << text;
   return mission;
 }
@@ -52,11 +52,11 @@ TEST(MdlPage, ShowsAMistakeAsItIsTold) {
   text::Diagnostics sink;
   check_mission(std::make_shared<const text::Source>(
                     "demo.mdl", before + empty_lines + "  2. UNIT scouts MOVETO ATK-AP9 FORMATION Column\n"),
-                kTestdata, sink);
+                kDocumented, sink);
   std::string told = text::render(sink);
   // The overlay's place is told with its folder.
-  if (const std::size_t at = told.find(kTestdata + "/"); at != std::string::npos)
-    told.erase(at, kTestdata.size() + 1);
+  if (const std::size_t at = told.find(kDocumented + "/"); at != std::string::npos)
+    told.erase(at, kDocumented.size() + 1);
   EXPECT_NE(page.find("```text\n" + told + "```"), std::string::npos) << told;
 }
 

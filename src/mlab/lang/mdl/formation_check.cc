@@ -18,7 +18,6 @@ constexpr int kRobotsLookedAt = 200;
 constexpr std::uint64_t kMaxGapVisits = 10'000'000;  // legs times gaps of the whole mission
 constexpr double kDefaultSpacing = 50.0;             // formation_spacing [m]
 constexpr double kDefaultRobotSphere = 30.0;         // occupy_avoid_robot_sphere [m]
-constexpr double kDefaultBodyRadius = 0.2;           // robot_radius [m]
 constexpr double kShortestLeg = 1e-6;                // below it there is no direction [m]
 
 bool has_stations(percept::Formation formation) {

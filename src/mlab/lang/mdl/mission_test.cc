@@ -13,20 +13,20 @@ namespace {
 
 using mission::UnitCommand;
 
-const std::string kTestdata = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
+const std::string kMissions = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
 constexpr const char* kQuit = "COMMAND LIST:\n0. QUIT\n";
 
-std::shared_ptr<const mission::Mission> check(const std::string& text, const LoadOptions& options = {}) {
+std::shared_ptr<const mission::Mission> checked(const std::string& text, const LoadOptions& options = {}) {
   text::Diagnostics sink;
   auto mission =
-      check_mission(std::make_shared<const text::Source>("test.mdl", text), kTestdata, sink, options);
+      check_mission(std::make_shared<const text::Source>("test.mdl", text), kMissions, sink, options);
   EXPECT_NE(mission, nullptr) << text::render(sink);
   return mission ? mission : std::make_shared<const mission::Mission>();
 }
 
 // The one command of the one step that follows `START`.
 UnitCommand command(const std::string& action) {
-  const auto mission = check(
+  const auto mission = checked(
       "OVERLAY map.odl\nUNIT <u> (<front> ROBOT ROBOT) (<rear> ROBOT)\nCOMMAND LIST:\n0. UNIT u START AA1 0 "
       "20\n1. UNIT u " +
       action);
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> ids(const mission::Unit& unit) {
 
 TEST(MdlUnits, HoldAllRobotsBelowThemInFileOrder) {
   const auto mission =
-      check(std::string("UNIT <g> (<a> ROBOT ROBOT) (ROBOT) (<b> (<c> ROBOT) (ROBOT))\n") + kQuit);
+      checked(std::string("UNIT <g> (<a> ROBOT ROBOT) (ROBOT) (<b> (<c> ROBOT) (ROBOT))\n") + kQuit);
   ASSERT_EQ(mission->units.size(), 6U);
   const auto& units = mission->units;
   EXPECT_EQ(units[0].name, "g");
@@ -57,11 +57,11 @@ TEST(MdlUnits, HoldAllRobotsBelowThemInFileOrder) {
 }
 
 TEST(MdlUnits, NumberRobotsFromOneAndFollowTheWishesOfTheirTypes) {
-  const auto mission =
-      check(std::string(
-                "NEW-ROBOT seven robot (desired_robot_id = 7)\nNEW-ROBOT zero robot (desired_robot_id = 0)\n"
-                "UNIT <a> ROBOT seven\nUNIT <b> zero ROBOT\n") +
-            kQuit);
+  const auto mission = checked(
+      std::string(
+          "NEW-ROBOT seven robot (desired_robot_id = 7)\nNEW-ROBOT zero robot (desired_robot_id = 0)\n"
+          "UNIT <a> ROBOT seven\nUNIT <b> zero ROBOT\n") +
+      kQuit);
   EXPECT_EQ(ids(mission->units[0]), (std::vector<std::uint32_t>{1, 7}));
   EXPECT_EQ(ids(mission->units[1]), (std::vector<std::uint32_t>{8, 9}));
   ASSERT_EQ(mission->robots.size(), 4U);
@@ -70,12 +70,12 @@ TEST(MdlUnits, NumberRobotsFromOneAndFollowTheWishesOfTheirTypes) {
 
 TEST(MdlUnits, ASecondUnitOfTheSameNameIsTheOneThatCommandsMean) {
   const auto mission =
-      check("UNIT <a> ROBOT\nUNIT <a> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT a START 5 5 0 5\n");
+      checked("UNIT <a> ROBOT\nUNIT <a> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT a START 5 5 0 5\n");
   EXPECT_EQ(std::get<UnitCommand>(mission->steps[0].commands[0]).unit, 1U);
 }
 
 TEST(MdlRobots, KeepTheTextOfTheirParameters) {
-  const auto mission = check(
+  const auto mission = checked(
       std::string("NEW-ROBOT a \"./forager\" green \"host\" (x = 0.3, y = on, z = HUMMER, w = \"a b\")\n") +
       kQuit);
   const mission::RobotType& type = mission->types.at(1);
@@ -103,13 +103,13 @@ TEST(MdlCommands, TakePlacesByNameAndByCoordinates) {
 
 TEST(MdlCommands, TakeCoordinatesInTheSystemOfTheOverlay) {
   const auto mission =
-      check("OVERLAY origin.odl\nUNIT <u> ROBOT\nOBSTACLE 500 500 3\nCOMMAND LIST:\n0. UNIT u START 1 2\n");
+      checked("OVERLAY origin.odl\nUNIT <u> ROBOT\nOBSTACLE 500 500 3\nCOMMAND LIST:\n0. UNIT u START 1 2\n");
   EXPECT_EQ(std::get<UnitCommand>(mission->steps[0].commands[0]).goal, (geom::Point{11, 22}));
   EXPECT_EQ(mission->overlay.obstacles.at(0).center, (geom::Point{510, 520}));
 }
 
 TEST(MdlCommands, StartRobotsOneStepApart) {
-  const auto mission = check("UNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT u START 310 205 -5 2.5\n");
+  const auto mission = checked("UNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT u START 310 205 -5 2.5\n");
   const auto& start = std::get<UnitCommand>(mission->steps[0].commands[0]);
   EXPECT_EQ(start.start_step, (geom::Offset{-5, 2.5}));
   EXPECT_EQ(start.goal, (geom::Point{310, 205}));
@@ -149,7 +149,7 @@ TEST(MdlClauses, OfAKindOverwriteEachOther) {
 }
 
 TEST(MdlOptions, AreSetInFileOrder) {
-  const auto mission = check(
+  const auto mission = checked(
       std::string(
           "SET SEED 945816565\nSET OBSTACLE-COVERAGE 2\nSET SHOW-TRAILS\nSET USE-MILITARY-STYLE off\nSET "
           "SCALE-ROBOTS NO\n"
@@ -171,24 +171,24 @@ TEST(MdlOptions, AreSetInFileOrder) {
 }
 
 TEST(MdlOptions, GoBackToWhatFitsWhenTheMissionAreaChanges) {
-  const auto mission = check(
+  const auto mission = checked(
       std::string(
           "SET MIN-OBSTACLE-RADIUS 5\nSET ZOOM-FACTOR 50\nMISSION-AREA 30 20\nSET MAX-OBSTACLE-RADIUS 3\n") +
       kQuit);
   EXPECT_EQ(mission->options.min_obstacle_radius, 2.0);
   EXPECT_EQ(mission->options.max_obstacle_radius, 3.0);
   EXPECT_EQ(mission->options.zoom_percent, 100.0);
-  EXPECT_EQ(check(std::string("MISSION-AREA 30 20\n") + kQuit)->options.max_obstacle_radius, 4.0);
-  EXPECT_EQ(
-      check(std::string("SET MIN-OBSTACLE-RADIUS 5\nOVERLAY map.odl\n") + kQuit)->options.min_obstacle_radius,
-      2.0);
-  EXPECT_EQ(check(std::string("SET MIN-OBSTACLE-RADIUS 5\nOVERLAY empty.odl\n") + kQuit)
+  EXPECT_EQ(checked(std::string("MISSION-AREA 30 20\n") + kQuit)->options.max_obstacle_radius, 4.0);
+  EXPECT_EQ(checked(std::string("SET MIN-OBSTACLE-RADIUS 5\nOVERLAY map.odl\n") + kQuit)
+                ->options.min_obstacle_radius,
+            2.0);
+  EXPECT_EQ(checked(std::string("SET MIN-OBSTACLE-RADIUS 5\nOVERLAY empty.odl\n") + kQuit)
                 ->options.min_obstacle_radius,
             5.0);
 }
 
 TEST(MdlOptions, MaySomeOfThemBeSetInSteps) {
-  const auto mission = check(
+  const auto mission = checked(
       "SET SHOW-TRAILS\nCOMMAND LIST:\n0. SET CYCLE-DURATION 0.5 AND SET SHOW-TRAILS OFF AND PRINT "
       "ROBOT-INFO\n1. QUIT\n");
   const auto& commands = mission->steps[0].commands;
@@ -201,32 +201,32 @@ TEST(MdlOptions, MaySomeOfThemBeSetInSteps) {
 
 TEST(MdlPreamble, TheLastAreaAndScenarioOfMissionAndOverlaysWin) {
   const auto overlay_last =
-      check(std::string("SCENARIO mine\nMISSION-AREA 50 50\nOVERLAY map.odl\n") + kQuit);
+      checked(std::string("SCENARIO mine\nMISSION-AREA 50 50\nOVERLAY map.odl\n") + kQuit);
   EXPECT_EQ(overlay_last->scenario, "test");
   EXPECT_EQ(overlay_last->overlay.mission_area().width, 800.0);
   const auto mission_last =
-      check(std::string("OVERLAY map.odl\nSCENARIO mine\nMISSION-AREA 50 50\n") + kQuit);
+      checked(std::string("OVERLAY map.odl\nSCENARIO mine\nMISSION-AREA 50 50\n") + kQuit);
   EXPECT_EQ(mission_last->scenario, "mine");
   EXPECT_EQ(mission_last->overlay.mission_area().width, 50.0);
   EXPECT_EQ(
-      check(std::string("MISSION-AREA 50 50\nOVERLAY empty.odl\n") + kQuit)->overlay.mission_area().width,
+      checked(std::string("MISSION-AREA 50 50\nOVERLAY empty.odl\n") + kQuit)->overlay.mission_area().width,
       50.0);
 }
 
 TEST(MdlPreamble, OverlaysAccumulate) {
   EXPECT_EQ(
-      check(std::string("OVERLAY map.odl\nOVERLAY empty.odl\nSP x 1 1\n") + kQuit)->overlay.measures.size(),
+      checked(std::string("OVERLAY map.odl\nOVERLAY empty.odl\nSP x 1 1\n") + kQuit)->overlay.measures.size(),
       8U);
 }
 
 TEST(MdlPreamble, KeepsWhatIsToBePrinted) {
-  const auto mission = check(std::string("PRINT CONSOLE-DB\nPRINT ROBOT-INFO\n") + kQuit);
+  const auto mission = checked(std::string("PRINT CONSOLE-DB\nPRINT ROBOT-INFO\n") + kQuit);
   ASSERT_EQ(mission->prints.size(), 2U);
   EXPECT_TRUE(mission->prints[1].robot_info);
 }
 
 TEST(MdlPreamble, LoadsTheBackgroundPicture) {
-  const auto mission = check(std::string("LOAD-MAP \"small.mapinfo\"\n") + kQuit);
+  const auto mission = checked(std::string("LOAD-MAP \"small.mapinfo\"\n") + kQuit);
   ASSERT_TRUE(mission->overlay.map_picture.has_value());
   EXPECT_EQ(mission->overlay.map_picture->width, 100.0);
 }
@@ -234,7 +234,7 @@ TEST(MdlPreamble, LoadsTheBackgroundPicture) {
 TEST(MdlObstacles, AreCreatedFromTheMissionsSeedOrElseFromTheRuns) {
   const std::string create = std::string("CREATE-OBSTACLES\n") + kQuit;
   const auto count_and_place = [&](const std::string& text, std::uint64_t seed) {
-    const auto mission = check(text, LoadOptions{seed, {}});
+    const auto mission = checked(text, LoadOptions{seed, {}});
     return std::pair(mission->overlay.obstacles.size(), mission->overlay.obstacles.front().center.x);
   };
   EXPECT_EQ(count_and_place(create, 5), count_and_place("SET SEED 5\n" + create, 77));
@@ -242,7 +242,7 @@ TEST(MdlObstacles, AreCreatedFromTheMissionsSeedOrElseFromTheRuns) {
 }
 
 TEST(MdlObstacles, AreReplacedByCreatedOnesButThoseBelowStay) {
-  const auto mission = check(std::string("OVERLAY map.odl\nCREATE-OBSTACLES\nOBSTACLE 1 1 0.5\n") + kQuit);
+  const auto mission = checked(std::string("OVERLAY map.odl\nCREATE-OBSTACLES\nOBSTACLE 1 1 0.5\n") + kQuit);
   EXPECT_EQ(mission->overlay.obstacles.back().radius, 0.5);
   EXPECT_GT(mission->overlay.obstacles.size(), 2U);
   for (const overlay::ObstacleDisc& disc : mission->overlay.obstacles)
@@ -251,17 +251,17 @@ TEST(MdlObstacles, AreReplacedByCreatedOnesButThoseBelowStay) {
 
 TEST(MdlObstacles, AreCreatedWithTheOptionsThatHoldAtThatPlace) {
   const auto mission =
-      check(std::string("SET OBSTACLE-COVERAGE 0\nCREATE-OBSTACLES\nSET OBSTACLE-COVERAGE 30\n") + kQuit);
+      checked(std::string("SET OBSTACLE-COVERAGE 0\nCREATE-OBSTACLES\nSET OBSTACLE-COVERAGE 30\n") + kQuit);
   EXPECT_TRUE(mission->overlay.obstacles.empty());
 }
 
 TEST(MdlLoad, LooksForOverlaysBesideTheMissionThenInTheGivenFolders) {
   text::Diagnostics sink;
-  EXPECT_NE(load_mission(kTestdata + "/good.mdl", sink), nullptr) << text::render(sink);
+  EXPECT_NE(load_mission(kMissions + "/good.mdl", sink), nullptr) << text::render(sink);
   const auto source = std::make_shared<const text::Source>("x.mdl", std::string("OVERLAY map.odl\n") + kQuit);
   EXPECT_EQ(check_mission(source, "/nowhere", sink), nullptr);
   text::Diagnostics with_folder;
-  EXPECT_NE(check_mission(source, "/nowhere", with_folder, LoadOptions{0, {kTestdata}}), nullptr);
+  EXPECT_NE(check_mission(source, "/nowhere", with_folder, LoadOptions{0, {kMissions}}), nullptr);
 }
 
 // Texts that stand nowhere on the disk.
@@ -295,7 +295,7 @@ TEST(MdlLoad, GivesTheMapWhateverIsWrongWithTheRest) {
       "OVERLAY map.odl\nUNIT <u> GHOST\nOBSTACLE 1 1 0.5\nSP x 3 4\nCOMMAND LIST:\n1. UNIT u MOVETO Nowhere";
   text::Diagnostics sink;
   const overlay::Overlay map =
-      check_map(std::make_shared<const text::Source>("test.mdl", text), kTestdata, sink);
+      check_map(std::make_shared<const text::Source>("test.mdl", text), kMissions, sink);
   EXPECT_EQ(map.obstacles.back().radius, 0.5);
   EXPECT_EQ(map.measures.back().name, "x");
   EXPECT_GT(map.measures.size(), 1U);

@@ -20,7 +20,6 @@ namespace {
 using mission::UnitCommand;
 using percept::Task;
 
-constexpr double kDefaultBodyRadius = 0.2;  // robot_radius [m]
 // Robots looked at over the whole mission, and pairs of robot and obstacle: some tenths of a second.
 constexpr std::uint64_t kMaxRobotVisits = 5'000'000;
 constexpr std::uint64_t kMaxObstacleVisits = 20'000'000;

@@ -6,7 +6,7 @@
 namespace mlab::odl {
 namespace {
 
-constexpr std::size_t kWidth = 100;  // a line is broken between points where it would grow past this
+constexpr std::size_t kLineWidth = 100;  // a line is broken between points where it would grow past this
 constexpr std::string_view kIndent = "    ";
 
 class Printer {
@@ -85,7 +85,7 @@ class Printer {
         if (tree_.tokens[i].starts_line) continue_line();
         ++*next;
       }
-      if (out_.size() - line_begin_ + 1 + group > kWidth && i > statement.first_token) continue_line();
+      if (out_.size() - line_begin_ + 1 + group > kLineWidth && i > statement.first_token) continue_line();
       separate();
       out_ += text_of(i);
       // What follows a string that was never closed would become part of it.
