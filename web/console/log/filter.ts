@@ -14,6 +14,7 @@ export const kKindWords: Record<Log_Kind, string> = {
   [Log_Kind.EDIT]: "Edit",
   [Log_Kind.MISSION]: "Mission",
   [Log_Kind.ANSWER]: "Answer",
+  [Log_Kind.BREAKPOINT]: "Breakpoint",
 };
 
 export const kKinds = Object.keys(kKindWords).map(Number) as Log_Kind[];
