@@ -69,9 +69,8 @@ class Drawer {
   std::string live_of(const GraphNode& node) const {
     if (node.kind == Kind::kParameter) return graph_.robot != nullptr ? node.name : "";
     if (node.kind == Kind::kOuter || node.kind == Kind::kActuator || node.kind == Kind::kValue) return "";
-    if (node.path == page_.base) return "output";
-    const std::string below = page_.base.empty() ? node.path : node.path.substr(page_.base.size() + 1);
-    return below + ".output";
+    if (node.path == page_.base) return ".";
+    return page_.base.empty() ? node.path : node.path.substr(page_.base.size() + 1);
   }
 
   ValueType type_of(const GraphNode& node) const {
