@@ -11,18 +11,15 @@
 
 #include <fmt/core.h>
 
+#include "mlab/cli/files.h"
+
 namespace mlab::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets variables
-  return value == nullptr ? "" : value;
-}
-
 bool is_in_path(const std::string& program) {
-  const std::string path = variable("PATH");
+  const std::string path = environment_variable("PATH");
   for (std::size_t begin = 0; begin < path.size();) {
     const std::size_t end = std::min(path.find(':', begin), path.size());
     if (::access((path.substr(begin, end - begin) + "/" + program).c_str(), X_OK) == 0) return true;
@@ -34,7 +31,7 @@ bool is_in_path(const std::string& program) {
 // A file that only its owner can read. Empty where there is none.
 std::string private_file(const std::string& text) {
   std::error_code error;
-  const std::string runtime = variable("XDG_RUNTIME_DIR");
+  const std::string runtime = environment_variable("XDG_RUNTIME_DIR");
   const fs::path folder = runtime.empty() ? fs::temp_directory_path(error) : fs::path(runtime);
   std::string name = (folder / "mlab_console_XXXXXX.html").string();
   const int file = ::mkostemps(name.data(), 5, O_CLOEXEC);
@@ -47,7 +44,8 @@ std::string private_file(const std::string& text) {
 }  // namespace
 
 bool Browser::open(const std::string& url) {
-  if (variable("DISPLAY").empty() && variable("WAYLAND_DISPLAY").empty()) return false;
+  if (environment_variable("DISPLAY").empty() && environment_variable("WAYLAND_DISPLAY").empty())
+    return false;
   if (!is_in_path("xdg-open")) return false;
   file_ = private_file(fmt::format(
       "<!doctype html>\n<title>mlab</title>\n<meta http-equiv=\"refresh\" content=\"0; url={0}\">\n"

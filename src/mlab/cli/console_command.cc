@@ -40,7 +40,7 @@ constexpr double kConsoleSpeed = 10.0;
 constexpr std::uint16_t kUsualPort = 8642;
 
 int interrupt = -1;  // eventfd that the signal handler writes to
-volatile std::sig_atomic_t interrupts = 0;
+volatile std::sig_atomic_t was_interrupted = 0;
 timespec first_interrupt{};
 
 // The first Ctrl-C ends everything in an orderly way; who presses it again wants out at once. One key press
@@ -48,8 +48,8 @@ timespec first_interrupt{};
 void on_interrupt(int) {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
-  if (interrupts == 0) first_interrupt = now;
-  interrupts = 1;
+  if (was_interrupted == 0) first_interrupt = now;
+  was_interrupted = 1;
   const double seconds = static_cast<double>(now.tv_sec - first_interrupt.tv_sec) +
                          1e-9 * static_cast<double>(now.tv_nsec - first_interrupt.tv_nsec);
   if (seconds > 0.5) _exit(kFailed);
@@ -67,7 +67,7 @@ bool listen_for_interrupts() {
 
 void wait_for_interrupt() {
   pollfd descriptor{interrupt, POLLIN, 0};
-  while (interrupts == 0) ::poll(&descriptor, 1, -1);
+  while (was_interrupted == 0) ::poll(&descriptor, 1, -1);
 }
 
 std::optional<std::uint16_t> port_of(std::string_view text) {

@@ -55,12 +55,12 @@ std::string include_root() {
   return "";
 }
 
-std::string variable(const char* name) {
+}  // namespace
+
+std::string environment_variable(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets variables
   return value == nullptr ? "" : value;
 }
-
-}  // namespace
 
 robot::ProgramSources program_sources(const std::string& folder, bool allow_native) {
   return {folder, include_root(), kVersion, allow_native};
@@ -110,8 +110,9 @@ std::string library_folder() {
 }
 
 std::string state_folder() {
-  fs::path folder = variable("XDG_STATE_HOME");
-  if (folder.empty() && !variable("HOME").empty()) folder = fs::path(variable("HOME")) / ".local" / "state";
+  fs::path folder = environment_variable("XDG_STATE_HOME");
+  if (folder.empty() && !environment_variable("HOME").empty())
+    folder = fs::path(environment_variable("HOME")) / ".local" / "state";
   if (!folder.is_absolute()) return "";
   std::error_code error;
   fs::create_directories(folder / "mlab", error);

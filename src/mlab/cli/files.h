@@ -9,6 +9,8 @@
 
 namespace mlab::cli {
 
+/// Empty where it is not set.
+std::string environment_variable(const char* name);
 /// True where the file exists and may be written, or could be made.
 bool is_writable(const std::string& path);
 /// Writes the whole file, or leaves what was there: the text goes to a new file beside it, which then takes

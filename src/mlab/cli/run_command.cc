@@ -31,12 +31,12 @@
 namespace mlab::cli {
 namespace {
 
-volatile std::sig_atomic_t interrupts = 0;
+volatile std::sig_atomic_t run_interrupts = 0;
 
 // The first Ctrl-C ends the run in an orderly way; who presses it again wants out at once.
-void on_interrupt(int) {
-  interrupts = interrupts + 1;
-  if (interrupts > 1) _exit(kFailed);
+void on_run_interrupt(int) {
+  run_interrupts = run_interrupts + 1;
+  if (run_interrupts > 1) _exit(kFailed);
 }
 
 // One line of standard input, without blocking for longer than `wait_ms`.
@@ -193,7 +193,7 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
   const double began = steady_seconds();
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
   run.post(mission::event::Execute{});
-  while (interrupts == 0) {
+  while (run_interrupts == 0) {
     if (options.limit && run.time() >= *options.limit) {
       screen.line(fmt::format("[{:9.1f} s] ended by --limit", run.time()));
       return true;
@@ -242,8 +242,8 @@ int run(const RunOptions& options) {
     screen.show(run, effect);
     person.see(effect);
   });
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGINT, on_run_interrupt);
+  std::signal(SIGTERM, on_run_interrupt);
 
   fleet::Performance performance;
   performance.started_at = print(wall_clock());

@@ -14,7 +14,7 @@ char folded(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-bool is_same(char a, char b) {
+bool is_same_letter(char a, char b) {
   return folded(a) == folded(b);
 }
 
@@ -25,12 +25,12 @@ bool is_word_part(char c) {
 }  // namespace
 
 bool CandidateList::matches(std::string_view text) const {
-  return written_.empty() || !std::ranges::search(text, written_, is_same).empty();
+  return written_.empty() || !std::ranges::search(text, written_, is_same_letter).empty();
 }
 
 void CandidateList::add(Candidate one, int rank) {
   if (one.text.empty()) return;  // a name that is still to be written
-  const auto at = std::ranges::search(one.text, written_, is_same);
+  const auto at = std::ranges::search(one.text, written_, is_same_letter);
   if (at.empty() && !written_.empty()) return;
   if (at.begin() != one.text.begin()) rank += kBehindAll;
   found_.push_back({rank, std::move(one)});

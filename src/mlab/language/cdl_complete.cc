@@ -17,17 +17,11 @@
 namespace mlab::language {
 namespace {
 
-using Kind = CdlWant::Kind;
-
 constexpr int kBest = 0;
 constexpr int kGood = 2;
 constexpr int kLikely = 4;
 constexpr int kPossible = 6;
 constexpr int kUnlikely = 8;
-
-std::string shown(const ValueType& type) {
-  return type.unit.empty() ? type.type : fmt::format("{} [{}]", type.type, type.unit);
-}
 
 /// The token that the cursor is inside of.
 struct Inside {
@@ -90,50 +84,50 @@ class CdlCompleter {
 
   void add(const CdlWant& want) {
     switch (want.kind) {
-      case Kind::kKeyword:
+      case CdlWant::Kind::kKeyword:
         for (const std::string& word : want.words) keyword(word, kGood);
         break;
-      case Kind::kArgument:
+      case CdlWant::Kind::kArgument:
         arguments(want);
         [[fallthrough]];
-      case Kind::kValue:
+      case CdlWant::Kind::kValue:
         values(world_.wanted_type(want.wanted, before_), want);
         break;
-      case Kind::kUnit:
+      case CdlWant::Kind::kUnit:
         units(world_.wanted_type(want.wanted, before_));
         break;
-      case Kind::kUnitName:
+      case CdlWant::Kind::kUnitName:
         for (const std::string& unit : cdl::unit_names()) out_.add(unit, "unit");
         break;
-      case Kind::kType:
+      case CdlWant::Kind::kType:
         types();
         break;
-      case Kind::kState:
+      case CdlWant::Kind::kState:
         states(want.sequence);
         break;
-      case Kind::kOperator:
+      case CdlWant::Kind::kOperator:
         operators();
         break;
-      case Kind::kClass:
+      case CdlWant::Kind::kClass:
         declarations(NameKind::kClass);
         break;
-      case Kind::kMember:
+      case CdlWant::Kind::kMember:
         declarations(NameKind::kRobot);
         declarations(NameKind::kSociety);
         break;
-      case Kind::kSocietyOperator:
+      case CdlWant::Kind::kSocietyOperator:
         declarations(NameKind::kOperator);
         break;
-      case Kind::kDevice:
+      case CdlWant::Kind::kDevice:
         devices();
         break;
-      case Kind::kBinding:
+      case CdlWant::Kind::kBinding:
         bindings(want.device);
         break;
-      case Kind::kActuator:
+      case CdlWant::Kind::kActuator:
         actuators();
         break;
-      case Kind::kBodySetting:
+      case CdlWant::Kind::kBodySetting:
         for (const std::string& setting : fleet::body_settings())
           out_.add({.text = setting,
                     .kind = "body setting",
@@ -142,16 +136,16 @@ class CdlCompleter {
                     .is_call = false,
                     .has_more = true});
         break;
-      case Kind::kCaseValue:
+      case CdlWant::Kind::kCaseValue:
         words(world_.type_of(want.guess, open()));
         break;
-      case Kind::kNode:
+      case CdlWant::Kind::kNode:
         nodes(want);
         break;
-      case Kind::kOwner:
+      case CdlWant::Kind::kOwner:
         for (const NameKind kind : {NameKind::kAssemblage, NameKind::kRobot, NameKind::kSociety}) own(kind);
         break;
-      case Kind::kFile:
+      case CdlWant::Kind::kFile:
         out_.add("\"", "keyword", "the name of a file", kBest);
         break;
     }
@@ -198,7 +192,7 @@ class CdlCompleter {
         keyword(word, kLikely);
     }
     if (wanted.type == "bool" || wanted.type.empty()) keyword("not", kLikely);
-    if (!is_number && want.kind == Kind::kValue) {
+    if (!is_number && want.kind == CdlWant::Kind::kValue) {
       for (const char* word : {"sequence", "select by"}) keyword(word, kPossible);
       if (wanted.type != "Vector") keyword("fuse by", kPossible);
     }
@@ -210,8 +204,9 @@ class CdlCompleter {
     if (in == nullptr) return;
     for (const CdlLet& let : in->lets) {
       const ValueType type = world_.type_of(let.guess, in);
-      out_.add({.text = let.name, .kind = "let", .detail = shown(type), .help = first_sentence(let.help)},
-               fits(type, wanted) ? kGood : kUnlikely);
+      out_.add(
+          {.text = let.name, .kind = "let", .detail = shown_type(type), .help = first_sentence(let.help)},
+          fits(type, wanted) ? kGood : kUnlikely);
     }
     for (const CdlParameter& parameter : in->parameters) {
       out_.add({.text = parameter.input.name,
@@ -373,8 +368,8 @@ Completions complete_cdl(const Text& text, std::uint32_t cursor, const Surroundi
     CandidateList out(std::string(all.substr(begin, cursor - begin)));
     CdlCompleter completer(world, before, text, around, out);
     for (const CdlWant& want : before.wants) {
-      if (want.kind == Kind::kFile) completer.files();
-      if (want.kind == Kind::kValue || want.kind == Kind::kArgument)
+      if (want.kind == CdlWant::Kind::kFile) completer.files();
+      if (want.kind == CdlWant::Kind::kValue || want.kind == CdlWant::Kind::kArgument)
         completer.words(world.wanted_type(want.wanted, before));
     }
     return out.take({begin, std::max(cursor, begin)});
@@ -408,7 +403,7 @@ std::optional<Signature> signature_cdl(const Text& text, std::uint32_t cursor, c
     out.parts.push_back({{begin, static_cast<std::uint32_t>(out.label.size())}, input.help});
   }
   out.label += ")";
-  if (!called->output.type.empty()) out.label += " -> " + shown(called->output);
+  if (!called->output.type.empty()) out.label += " -> " + shown_type(called->output);
   return out;
 }
 

@@ -9,16 +9,12 @@
 namespace mlab::language {
 namespace {
 
-std::string shown(const ValueType& type) {
-  return type.unit.empty() ? type.type : fmt::format("{} [{}]", type.type, type.unit);
-}
-
 std::string code(const std::string& line, const std::string& help) {
   return fmt::format("```cdl\n{}\n```\n{}", line, help.empty() ? "" : "\n" + help + "\n");
 }
 
 std::string of_type(const ValueType& type) {
-  return type.type.empty() ? "" : ": " + shown(type);
+  return type.type.empty() ? "" : ": " + shown_type(type);
 }
 
 class CdlHover {
@@ -142,8 +138,9 @@ class CdlHover {
     std::string help;
     for (const std::string& word : words_of(value.type)) help += (help.empty() ? "one of `" : "`, `") + word;
     if (!help.empty()) help += "`";
-    return code(value.type == name && value.unit.empty() ? name : fmt::format("{} = {}", name, shown(value)),
-                help);
+    return code(
+        value.type == name && value.unit.empty() ? name : fmt::format("{} = {}", name, shown_type(value)),
+        help);
   }
 
   std::string unit(const CdlName& name) const {
@@ -193,15 +190,15 @@ std::vector<Symbol> symbols_cdl(const Text& text, const Surroundings& around) {
     const Component* const component = one.kind == NameKind::kAssemblage || one.kind == NameKind::kBinding
                                            ? world.component(one.name)
                                            : nullptr;
-    Symbol& made = out.emplace_back(symbol(one.name, one.kind,
-                                           component == nullptr ? one.class_name : shown(component->output),
-                                           one.whole, one.span));
+    Symbol& made = out.emplace_back(
+        symbol(one.name, one.kind, component == nullptr ? one.class_name : shown_type(component->output),
+               one.whole, one.span));
     for (const CdlParameter& parameter : one.parameters)
-      made.parts.push_back(symbol(parameter.input.name, NameKind::kParameter, shown(parameter.input.value),
-                                  parameter.whole, parameter.span));
+      made.parts.push_back(symbol(parameter.input.name, NameKind::kParameter,
+                                  shown_type(parameter.input.value), parameter.whole, parameter.span));
     for (const CdlLet& let : one.lets)
       made.parts.push_back(
-          symbol(let.name, NameKind::kLet, shown(world.type_of(let.guess, &one)), let.whole, let.span));
+          symbol(let.name, NameKind::kLet, shown_type(world.type_of(let.guess, &one)), let.whole, let.span));
     for (const CdlDevice& device : one.devices)
       made.parts.push_back(symbol(device.name, NameKind::kDevice, device.binds, device.whole, device.span));
     for (const CdlState& state : one.states)

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/core.h>
 
 #include "mlab/lang/cnl/load.h"
 #include "mlab/lang/cnl/parser.h"
+#include "mlab/language/languages.h"
 #include "mlab/library/library.h"
 
 namespace mlab::language {
@@ -16,13 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostTypeSteps = 32;
-constexpr std::size_t kMostFiles = 64;
-
-std::string normal(const std::string& path) {
-  std::error_code failure;
-  const fs::path canonical = fs::weakly_canonical(path, failure);
-  return failure ? path : canonical.string();
-}
 
 }  // namespace
 
@@ -38,7 +31,7 @@ CdlWorld::CdlWorld() {
 
 CdlWorld::CdlWorld(const text::SourcePtr& source, const Surroundings& around)
     : around_(&around), library_(&library()) {
-  seen_.push_back(normal(source->name()));
+  seen_.push_back(canonical_path(source->name()));
   read(source);
   declare();
 }
@@ -56,7 +49,7 @@ void CdlWorld::follow(const CdlScan& scan) {
   for (const CdlName& use : scan.uses) {
     if (use.text.empty() || use.text.find('\0') != std::string::npos || seen_.size() > kMostFiles) continue;
     const std::string path = (fs::path(scan.source->name()).parent_path() / use.text).string();
-    const std::string key = normal(path);
+    const std::string key = canonical_path(path);
     if (std::ranges::find(seen_, key) != seen_.end()) continue;
     seen_.push_back(key);
     const auto source = around_->files.read(path);

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <system_error>
 
 #include <fmt/core.h>
 
@@ -22,13 +21,6 @@ namespace mlab::language {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = CnlWant::Kind;
-
-constexpr std::size_t kMostFiles = 64;
-
-std::string bracketed(const std::string& unit) {
-  return unit.empty() ? "" : fmt::format(" [{}]", unit);
-}
 
 const std::map<std::string_view, Component>& library_procedures() {
   static const std::map<std::string_view, Component> kProcedures = [] {
@@ -44,7 +36,7 @@ const std::map<std::string_view, Component>& library_procedures() {
 class CnlWorld {
  public:
   CnlWorld(const text::SourcePtr& source, const Surroundings& around) : around_(around) {
-    seen_.insert(normal(source->name()));
+    seen_.insert(canonical_path(source->name()));
     scan_ = scan_cnl(source);
     read(source, scan_);
   }
@@ -140,12 +132,6 @@ class CnlWorld {
   }
 
  private:
-  static std::string normal(const std::string& path) {
-    std::error_code failure;
-    const fs::path canonical = fs::weakly_canonical(path, failure);
-    return failure ? path : canonical.string();
-  }
-
   void resolve_input(const CnlName& name, Name& out) const {
     const std::string& procedure = scan_.declarations[static_cast<std::size_t>(name.declaration)].of;
     const auto found = inputs_.find({procedure, name.text});
@@ -165,7 +151,7 @@ class CnlWorld {
     for (const CnlName& include : scan.includes) {
       if (include.text.find('\0') != std::string::npos || seen_.size() > kMostFiles) continue;
       const std::string path = (fs::path(source->name()).parent_path() / include.text).string();
-      if (!seen_.insert(normal(path)).second) continue;
+      if (!seen_.insert(canonical_path(path)).second) continue;
       if (const auto file = around_.files.read(path)) {
         sources_.push_back(*file);
         read(*file, scan_cnl(*file));
@@ -202,11 +188,11 @@ class CnlCompleter {
 
   void add(const CnlWant& want) {
     switch (want.kind) {
-      case Kind::kKeyword:
+      case CnlWant::Kind::kKeyword:
         for (const std::string& word : want.words)
           out_.add(word, "keyword", cnl_word_help(word.substr(0, word.find_first_of(" :"))));
         break;
-      case Kind::kProcedure:
+      case CnlWant::Kind::kProcedure:
         for (const Component* one : world_.components())
           out_.add({.text = one->name,
                     .kind = "procedure",
@@ -214,25 +200,25 @@ class CnlCompleter {
                     .help = first_sentence(one->help)},
                    one->is_own ? 0 : 1);
         break;
-      case Kind::kInput:
+      case CnlWant::Kind::kInput:
         inputs(want);
         break;
-      case Kind::kSource:
+      case CnlWant::Kind::kSource:
         sources(want);
         break;
-      case Kind::kType:
+      case CnlWant::Kind::kType:
         types();
         break;
-      case Kind::kState:
+      case CnlWant::Kind::kState:
         if (const CnlDeclaration* in = open()) {
           for (const CnlState& state : in->states) out_.add(state.name, "state");
         }
         break;
-      case Kind::kUnit:
-      case Kind::kRange:
+      case CnlWant::Kind::kUnit:
+      case CnlWant::Kind::kRange:
         for (const std::string& unit : cdl::unit_names()) out_.add(unit, "unit");
         break;
-      case Kind::kCode:
+      case CnlWant::Kind::kCode:
         code();
         break;
     }

@@ -9,9 +9,6 @@
 namespace mlab::language {
 namespace {
 
-using Kind = CnlWant::Kind;
-using TokenKind = cnl::Token::Kind;
-
 class CnlReader {
  public:
   explicit CnlReader(const text::SourcePtr& source) : lexer_(source->text()) {
@@ -35,10 +32,10 @@ class CnlReader {
 
  private:
   std::string_view text() const { return out_.source->text(token_.span); }
-  bool at_end() const { return token_.kind == TokenKind::kEnd; }
-  bool is_name() const { return token_.kind == TokenKind::kName; }
+  bool at_end() const { return token_.kind == cnl::Token::Kind::kEnd; }
+  bool is_name() const { return token_.kind == cnl::Token::Kind::kName; }
   bool is(std::string_view word) const {
-    return (is_name() || token_.kind == TokenKind::kPunctuation) && text() == word;
+    return (is_name() || token_.kind == cnl::Token::Kind::kPunctuation) && text() == word;
   }
   bool is_any(std::initializer_list<std::string_view> words) const {
     return std::ranges::any_of(words, [&](std::string_view word) { return is(word); });
@@ -72,7 +69,7 @@ class CnlReader {
     want(std::move(one));
     is_done_ = true;
   }
-  void need_kind(Kind kind) {
+  void need_kind(CnlWant::Kind kind) {
     CnlWant one;
     one.kind = kind;
     need(std::move(one));
@@ -98,7 +95,7 @@ class CnlReader {
     current().span = name.span;
   }
   void type() {
-    if (at_end()) need_kind(Kind::kType);
+    if (at_end()) need_kind(CnlWant::Kind::kType);
     if (!is_name()) return;
     current().of = text();
     add_name(NameKind::kType);
@@ -108,7 +105,7 @@ class CnlReader {
     if (!is("[")) return "";
     const std::uint32_t begin = token_.span.end;
     advance();
-    if (at_end()) need_kind(Kind::kUnit);
+    if (at_end()) need_kind(CnlWant::Kind::kUnit);
     while (!at_end() && !is_any({"]", ";", "=", "with"})) advance();
     std::string out;
     if (is("]")) out = out_.source->text({begin, token_.span.begin});
@@ -139,7 +136,7 @@ class CnlReader {
   }
 
   void declaration() {
-    if (token_.kind == TokenKind::kDirective) {
+    if (token_.kind == cnl::Token::Kind::kDirective) {
       include();
     } else if (is_any({"external", "public", "remote"})) {
       out_.words.push_back(token_.span);
@@ -217,7 +214,7 @@ class CnlReader {
       out_.words.push_back(token_.span);
       return;
     }
-    if (at_end()) need_kind(Kind::kCode);
+    if (at_end()) need_kind(CnlWant::Kind::kCode);
   }
 
   void procedure() {
@@ -264,7 +261,7 @@ class CnlReader {
     while (!at_end() && !is_any({"once", "header", "body", "pend", "procedure", "node"})) {
       const std::uint32_t before = token_.span.begin;
       take_word("list");
-      if (at_end()) need_kind(Kind::kType);
+      if (at_end()) need_kind(CnlWant::Kind::kType);
       if (is_name()) add_name(NameKind::kType);
       unit();
       if (at_end()) need_nothing();
@@ -280,7 +277,7 @@ class CnlReader {
     }
     if (at_end()) {
       want_words({"list", "once", "header", "body"});
-      need_kind(Kind::kType);
+      need_kind(CnlWant::Kind::kType);
     }
   }
 
@@ -307,12 +304,12 @@ class CnlReader {
     declared(NameKind::kNode);
     if (at_end()) want_words({"is"});
     take_word("is");
-    if (at_end()) need_kind(Kind::kProcedure);
+    if (at_end()) need_kind(CnlWant::Kind::kProcedure);
     if (is_name()) {
       current().of = text();
       add_name(NameKind::kProcedure);
     }
-    if (token_.kind == TokenKind::kDescription) advance();
+    if (token_.kind == cnl::Token::Kind::kDescription) advance();
     if (at_end()) want_words({"with"});
     links();
   }
@@ -320,7 +317,7 @@ class CnlReader {
   void links() {
     take_word("with");
     CnlWant next;
-    next.kind = Kind::kInput;
+    next.kind = CnlWant::Kind::kInput;
     while (!at_end() && !is("nend") && !at_next()) {
       const std::uint32_t before = token_.span.begin;
       std::string input;
@@ -361,7 +358,7 @@ class CnlReader {
   void source(const std::string& input) {
     if (at_end()) {
       CnlWant one;
-      one.kind = Kind::kSource;
+      one.kind = CnlWant::Kind::kSource;
       one.input = input;
       need(std::move(one));
     }
@@ -384,7 +381,7 @@ class CnlReader {
   void sequence() {
     begin_declaration(NameKind::kNode);
     head_of_operator();
-    if (token_.kind == TokenKind::kDescription) advance();
+    if (token_.kind == cnl::Token::Kind::kDescription) advance();
     if (at_end()) want_words({"with"});
     take_word("with");
     while (!at_end() && !is("nend") && !at_next()) {
@@ -423,7 +420,7 @@ class CnlReader {
     source("trigger");
     if (at_end()) want_words({"goto"});
     if (take_word("goto")) {
-      if (at_end()) need_kind(Kind::kState);
+      if (at_end()) need_kind(CnlWant::Kind::kState);
       if (is_name()) add_name(NameKind::kState);
       if (at_end()) want_words({"restart"});
       take_word("restart");
@@ -436,13 +433,13 @@ class CnlReader {
     head_of_operator();
     if (at_end()) want_words({"by"});
     if (take_word("by")) source("selector");
-    if (token_.kind == TokenKind::kDescription) advance();
+    if (token_.kind == cnl::Token::Kind::kDescription) advance();
     if (at_end()) want_words({"with"});
     take_word("with");
     while (!at_end() && !is("nend") && !at_next()) {
       const std::uint32_t before = token_.span.begin;
       if (take_word("case")) {
-        while (token_.kind == TokenKind::kNumber || is(",")) advance();
+        while (token_.kind == cnl::Token::Kind::kNumber || is(",")) advance();
       } else {
         take_word("otherwise");
       }

@@ -24,10 +24,6 @@ std::string bound(double value) {
   return std::abs(value) > kUnbounded ? "" : fmt::format("{}", value);
 }
 
-std::string bracketed(std::string_view unit) {
-  return unit.empty() ? "" : fmt::format(" [{}]", unit);
-}
-
 std::string range_text(const ComponentInput& input) {
   if (input.low.empty() && input.high.empty()) return "";
   if (input.low.empty()) return fmt::format("at most {}", input.high);
@@ -123,6 +119,14 @@ std::string first_sentence(std::string_view help) {
   const std::size_t end = help.find(". ");
   const std::size_t line = help.find('\n');
   return std::string(help.substr(0, std::min(end == std::string_view::npos ? help.size() : end + 1, line)));
+}
+
+std::string bracketed(std::string_view unit) {
+  return unit.empty() ? "" : fmt::format(" [{}]", unit);
+}
+
+std::string shown_type(const ValueType& type) {
+  return type.type + bracketed(type.unit);
 }
 
 std::string shown_input(const ComponentInput& input) {

@@ -52,6 +52,10 @@ const ComponentInput* find_input(const Component& component, std::string_view na
 
 /// The first sentence of a help text.
 std::string first_sentence(std::string_view help);
+/// ` [s]`; empty for a plain number.
+std::string bracketed(std::string_view unit);
+/// `double [s]`
+std::string shown_type(const ValueType& type);
 /// `persistence: double [s] = 6 in 0 .. 100`
 std::string shown_input(const ComponentInput& input);
 /// `Noise(persistence: double [s] = 6) -> Vector`

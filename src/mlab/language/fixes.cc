@@ -21,7 +21,7 @@ constexpr std::size_t kMostCandidatesTried = 8;
 using text::Span;
 
 /// What stands in backticks, in order.
-std::vector<std::string> quoted(std::string_view message) {
+std::vector<std::string> quoted_words(std::string_view message) {
   std::vector<std::string> out;
   for (;;) {
     const std::size_t open = message.find('`');
@@ -79,7 +79,7 @@ class Candidates {
   // `did you mean X?`: the wrong word stands at the place, or in it.
   void from_hints() {
     for (const std::string& hint : problem_.hints) {
-      const std::vector<std::string> words = quoted(hint);
+      const std::vector<std::string> words = quoted_words(hint);
       if (words.empty()) continue;
       if (hint.starts_with("did you mean")) {
         instead(words[0]);
@@ -98,7 +98,7 @@ class Candidates {
 
   void instead(const std::string& meant) {
     Span span = span_;
-    for (const std::string& wrong : quoted(problem_.message)) {
+    for (const std::string& wrong : quoted_words(problem_.message)) {
       const std::size_t at = here_.find(wrong);
       if (wrong.empty() || at == std::string_view::npos) continue;
       span.begin = span_.begin + static_cast<std::uint32_t>(at);
@@ -200,7 +200,7 @@ class Candidates {
 
   void start_state() {
     for (const std::string& hint : problem_.hints) {
-      for (const std::string& word : quoted(hint)) {
+      for (const std::string& word : quoted_words(hint)) {
         if (!word.starts_with("start ")) continue;
         const std::string name = word.substr(6, word.find(':') - 6);
         const std::size_t at = all_.find(name + ":", span_.begin);
@@ -232,7 +232,7 @@ class Candidates {
     if (!message.starts_with("expected")) return;
     const std::size_t found = message.find(", found");
     const bool is_behind = problem_.label == "behind this" || found == std::string::npos;
-    for (const std::string& word : quoted(message.substr(0, found))) {
+    for (const std::string& word : quoted_words(message.substr(0, found))) {
       if (word.empty() || word.contains("...")) continue;
       const bool is_punctuation = std::ispunct(static_cast<unsigned char>(word[0])) != 0;
       const std::string spaced = is_punctuation ? word : word + " ";

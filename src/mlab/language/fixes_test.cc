@@ -14,6 +14,7 @@ namespace mlab::language {
 namespace {
 
 namespace fs = std::filesystem;
+using Strings = std::vector<std::string>;
 
 Text text_of(const std::string& path, std::string content) {
   const auto source = std::make_shared<const text::Source>(path, std::move(content));
@@ -38,7 +39,7 @@ std::string mended(const Text& text, const Fix& fix) {
 }
 
 /// Titles of what is offered for the first problem.
-std::vector<std::string> offered(const std::string& path, const std::string& content) {
+Strings mends(const std::string& path, const std::string& content) {
   const Text text = text_of(path, content);
   const text::Diagnostics wrong = problems(text, quick());
   std::vector<std::string> out;
@@ -47,36 +48,33 @@ std::vector<std::string> offered(const std::string& path, const std::string& con
   return out;
 }
 
-using Strings = std::vector<std::string>;
-
 TEST(Fixes, OfferNamesThatWereMeant) {
-  EXPECT_EQ(offered("x.cdl", "assemblage A() {\n  Noisee()\n}\n"), Strings{"write `Noise`"});
-  EXPECT_EQ(offered("x.cdl", "assemblge A() {\n  Noise()\n}\n"), Strings{"write `assemblage`"});
-  EXPECT_EQ(offered("x.mdl", "UNIT <a> ROBOT\nSP s 1 1\nCOMMAND LIST:\n1. UNIT a MOVTO s\n"),
+  EXPECT_EQ(mends("x.cdl", "assemblage A() {\n  Noisee()\n}\n"), Strings{"write `Noise`"});
+  EXPECT_EQ(mends("x.cdl", "assemblge A() {\n  Noise()\n}\n"), Strings{"write `assemblage`"});
+  EXPECT_EQ(mends("x.mdl", "UNIT <a> ROBOT\nSP s 1 1\nCOMMAND LIST:\n1. UNIT a MOVTO s\n"),
             Strings{"write `MOVETO`"});
-  EXPECT_EQ(offered("x.odl", "CONTROL MEASURES:\nOBSTACEL 1 2 3\n"), Strings{"write `OBSTACLE`"});
+  EXPECT_EQ(mends("x.odl", "CONTROL MEASURES:\nOBSTACEL 1 2 3\n"), Strings{"write `OBSTACLE`"});
 }
 
 TEST(Fixes, OfferWhatIsMissing) {
-  EXPECT_EQ(offered("x.cdl", "assemblage A() {\n  cooperate {\n    1: Noise()\n    1: Noise();\n  }\n}\n"),
+  EXPECT_EQ(mends("x.cdl", "assemblage A() {\n  cooperate {\n    1: Noise()\n    1: Noise();\n  }\n}\n"),
             Strings{"insert `;`"});
-  EXPECT_EQ(offered("x.cdl", "assemblage A() {\n  cooperate {\n    1: Noise();\n  }\n"),
-            Strings{"insert `}`"});
-  EXPECT_EQ(offered("x.cdl", "use \"skills.cdl;\n"), Strings{"insert `\"`"});
-  EXPECT_EQ(offered("x.cdl", "assemblage A() {\n  sequence {\n    One: Noise();\n  }\n}\n"),
+  EXPECT_EQ(mends("x.cdl", "assemblage A() {\n  cooperate {\n    1: Noise();\n  }\n"), Strings{"insert `}`"});
+  EXPECT_EQ(mends("x.cdl", "use \"skills.cdl;\n"), Strings{"insert `\"`"});
+  EXPECT_EQ(mends("x.cdl", "assemblage A() {\n  sequence {\n    One: Noise();\n  }\n}\n"),
             Strings{"insert `start`"});
 }
 
 TEST(Fixes, OfferUnitsAndRanges) {
-  EXPECT_EQ(offered("x.cdl", "assemblage A() {\n  Noise(persistence = 2 m)\n}\n"), Strings{"write `2 s`"});
-  const Strings bounds = offered("x.cdl", "assemblage A() {\n  Noise(persistence = -2 s)\n}\n");
+  EXPECT_EQ(mends("x.cdl", "assemblage A() {\n  Noise(persistence = 2 m)\n}\n"), Strings{"write `2 s`"});
+  const Strings bounds = mends("x.cdl", "assemblage A() {\n  Noise(persistence = -2 s)\n}\n");
   EXPECT_FALSE(bounds.empty());
 }
 
 TEST(Fixes, OfferToLeaveOutWhatHasNoUse) {
-  EXPECT_EQ(offered("x.cdl", "assemblage A() {\n  let unused = Noise();\n  Noise()\n}\n"),
+  EXPECT_EQ(mends("x.cdl", "assemblage A() {\n  let unused = Noise();\n  Noise()\n}\n"),
             Strings{"remove `let unused`"});
-  EXPECT_EQ(offered("x.cdl", "assemblage A(a: gain = 1, b: gain = 1) {\n  cooperate { a: Noise(); }\n}\n"),
+  EXPECT_EQ(mends("x.cdl", "assemblage A(a: gain = 1, b: gain = 1) {\n  cooperate { a: Noise(); }\n}\n"),
             Strings{"remove `b`"});
 }
 

@@ -39,6 +39,11 @@ std::vector<Name> names_in(const Text& text, const Surroundings& around);
 /// A cursor past the end stands at the end.
 std::uint32_t within(const Text& text, std::uint32_t cursor);
 
+/// Of the files that texts use no more than these are read for one text.
+inline constexpr std::size_t kMostFiles = 64;
+/// Two names of one file give the same; what is not there stays as it is.
+std::string canonical_path(const std::string& path);
+
 /// The name that the cursor is in or right behind; null where there is none.
 const Name* name_at(const std::vector<Name>& names, std::uint32_t cursor);
 

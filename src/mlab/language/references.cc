@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <map>
 #include <set>
-#include <system_error>
 
 #include <fmt/core.h>
 
@@ -19,8 +17,6 @@
 namespace mlab::language {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What a name stands for: the place where it is declared, or for what was compiled in its name.
 struct Target {
   std::string file;
@@ -29,12 +25,6 @@ struct Target {
 
   friend bool operator==(const Target&, const Target&) = default;
 };
-
-std::string normal(const std::string& path) {
-  std::error_code failure;
-  const fs::path canonical = fs::weakly_canonical(path, failure);
-  return failure ? path : canonical.string();
-}
 
 /// Paths are asked of the system once each.
 class Targets {
@@ -48,7 +38,7 @@ class Targets {
  private:
   const std::string& file(const std::string& path) {
     const auto [known, is_new] = files_.try_emplace(path);
-    if (is_new) known->second = normal(path);
+    if (is_new) known->second = canonical_path(path);
     return known->second;
   }
 
@@ -57,9 +47,9 @@ class Targets {
 
 std::vector<Text> all_texts(const Text& text, const std::vector<Text>& others) {
   std::vector<Text> out{text};
-  std::set<std::string> seen{normal(text.source->name())};
+  std::set<std::string> seen{canonical_path(text.source->name())};
   for (const Text& other : others) {
-    if (seen.insert(normal(other.source->name())).second) out.push_back(other);
+    if (seen.insert(canonical_path(other.source->name())).second) out.push_back(other);
   }
   return out;
 }
@@ -125,7 +115,7 @@ bool keeps_meaning(const std::vector<Text>& texts, const std::vector<Change>& ch
   Target now = target;
   std::size_t places = 0;
   for (const Change& change : changes) {
-    const std::string path = normal(change.source->name());
+    const std::string path = canonical_path(change.source->name());
     changed[path] = spliced(change.source, change.splices);
     places += change.splices.size();
     if (path != target.file) continue;
@@ -136,12 +126,12 @@ bool keeps_meaning(const std::vector<Text>& texts, const std::vector<Change>& ch
   }
   Surroundings after = around;
   after.files.read = [&](const std::string& path) -> text::Result<text::SourcePtr> {
-    const auto found = changed.find(normal(path));
+    const auto found = changed.find(canonical_path(path));
     return found == changed.end() ? around.files.read(path) : found->second;
   };
   std::vector<Text> renamed = texts;
   for (Text& text : renamed) {
-    const auto found = changed.find(normal(text.source->name()));
+    const auto found = changed.find(canonical_path(text.source->name()));
     if (found != changed.end()) text.source = found->second;
   }
   return places_of(now, renamed, after).size() == places;
@@ -185,7 +175,7 @@ std::expected<std::vector<Change>, std::string> rename(const Text& text, std::ui
     changes.back().splices.push_back({place.span, name});
   }
   const bool has_declaration = std::ranges::any_of(
-      changes, [&](const Change& change) { return normal(change.source->name()) == target.file; });
+      changes, [&](const Change& change) { return canonical_path(change.source->name()) == target.file; });
   if (!has_declaration)
     return std::unexpected(fmt::format("the file that declares `{}` is not at hand", text::shown(old->text)));
   if (name != old->text && !keeps_meaning(texts, changes, target, around))

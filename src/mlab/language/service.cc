@@ -1,6 +1,8 @@
 #include "mlab/language/service.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "mlab/language/languages.h"
 
@@ -18,6 +20,12 @@ const Name* name_at(const std::vector<Name>& names, std::uint32_t cursor) {
 
 std::uint32_t within(const Text& text, std::uint32_t cursor) {
   return std::min(cursor, static_cast<std::uint32_t>(text.source->text().size()));
+}
+
+std::string canonical_path(const std::string& path) {
+  std::error_code failure;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, failure);
+  return failure ? path : canonical.string();
 }
 
 std::vector<Name> names_in(const Text& text, const Surroundings& around) {

@@ -77,7 +77,7 @@ Strings names_of(const Completions& offered) {
   return out;
 }
 
-bool has(const Strings& names, const std::string& name) {
+bool contains(const Strings& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
@@ -150,33 +150,33 @@ TEST_F(ServiceTest, CompletesMissionsWithWhatOverlaysAndConfigurationsDeclare) {
       "OVERLAY map.odl\nNEW-ROBOT scout \"robots.cdl\" (urge = 1)\nUNIT <pair> scout ROBOT\nCOMMAND LIST:\n";
   EXPECT_EQ(offered("n.mdl", head + " 1. UNIT pair MOVETO |"), (Strings{"PP-Charlie", "\"PL-red line\""}));
   EXPECT_EQ(offered("n.mdl", head + " 1. UNIT |"), (Strings{"pair"}));
-  EXPECT_TRUE(has(offered("n.mdl", "OVERLAY |"), "\"map.odl\""));
+  EXPECT_TRUE(contains(offered("n.mdl", "OVERLAY |"), "\"map.odl\""));
   const Strings keys = offered("n.mdl", "NEW-ROBOT scout \"robots.cdl\" (|");
-  EXPECT_TRUE(has(keys, "urge"));
-  EXPECT_TRUE(has(keys, "top"));
-  EXPECT_TRUE(has(keys, "robot_radius"));
+  EXPECT_TRUE(contains(keys, "urge"));
+  EXPECT_TRUE(contains(keys, "top"));
+  EXPECT_TRUE(contains(keys, "robot_radius"));
   EXPECT_EQ(offered("n.mdl", "NEW-ROBOT scout \"robots.cdl\" (urge = 1, t|")[0], "top");
 }
 
 TEST_F(ServiceTest, CompletesNetworks) {
   const std::string procedure =
       "procedure Vector Spin with\n  double [rad/s] rate = 1;\nheader\nbody\npend\n";
-  EXPECT_TRUE(has(offered("x.cnl", "|"), "procedure"));
-  EXPECT_TRUE(has(offered("x.cnl", procedure + "node a is |"), "Spin"));
-  EXPECT_TRUE(has(offered("x.cnl", procedure + "node a is Noi|"), "Noise"));
-  EXPECT_TRUE(has(offered("x.cnl", procedure + "node a is Spin with |"), "rate"));
+  EXPECT_TRUE(contains(offered("x.cnl", "|"), "procedure"));
+  EXPECT_TRUE(contains(offered("x.cnl", procedure + "node a is |"), "Spin"));
+  EXPECT_TRUE(contains(offered("x.cnl", procedure + "node a is Noi|"), "Noise"));
+  EXPECT_TRUE(contains(offered("x.cnl", procedure + "node a is Spin with |"), "rate"));
   const Strings sources =
       offered("x.cnl", procedure + "node a is Spin with nend\nnode b is WeightedSum with members = |");
   EXPECT_EQ(sources[0], "a");
-  EXPECT_TRUE(has(offered("x.cnl", "procedure |"), "Vector"));
-  EXPECT_TRUE(has(offered("x.cnl", "procedure Vector Spin with\n  double rate = 1;\nheader\nbody\n  out|"),
-                  "output"));
-  EXPECT_TRUE(
-      has(offered("x.cnl", "sequence s of Vector with start state one is a; when t goto |\nnend"), "one"));
+  EXPECT_TRUE(contains(offered("x.cnl", "procedure |"), "Vector"));
+  EXPECT_TRUE(contains(
+      offered("x.cnl", "procedure Vector Spin with\n  double rate = 1;\nheader\nbody\n  out|"), "output"));
+  EXPECT_TRUE(contains(
+      offered("x.cnl", "sequence s of Vector with start state one is a; when t goto |\nnend"), "one"));
 }
 
 TEST_F(ServiceTest, CompletesNamesOfFiles) {
-  EXPECT_TRUE(has(offered("x.cdl", "use \"sk|"), "skills.cdl"));
+  EXPECT_TRUE(contains(offered("x.cdl", "use \"sk|"), "skills.cdl"));
 }
 
 TEST_F(ServiceTest, HelpsWithTheCallThatTheCursorIsIn) {
