@@ -207,10 +207,14 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
           console::Server& server) {
   settings.may_compile = server.is_loopback() || options.allow_native;
   const auto send = [&server](console::ConnectionId to, auto bytes) { server.send(to, std::move(bytes)); };
-  std::unique_ptr<designer::Designer> designer;
-  if (options.edits)
-    designer = std::make_unique<designer::Designer>(designer_settings(options, settings), send);
+  designer::DesignerSettings drawing = designer_settings(options, settings);
   console::Session session(std::move(settings), send);
+  drawing.try_out = [&session](console::Trial trial, console::TrialDone done) {
+    session.try_out(std::move(trial), std::move(done));
+  };
+  drawing.look_at_run = [&session](console::RunLook look) { session.look_at_run(std::move(look)); };
+  std::unique_ptr<designer::Designer> designer;  // ends first: it asks the session
+  if (options.edits) designer = std::make_unique<designer::Designer>(std::move(drawing), send);
   console::ServerHandlers handlers = {
       [&](console::ConnectionId from, auto message) { session.receive(from, std::move(message)); },
       [&](console::ConnectionId connection) { session.closed(connection); },

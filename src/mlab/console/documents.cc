@@ -144,6 +144,29 @@ text::Result<bool> OpenDocuments::open_on_disk(const std::string& disk_path, dou
   return open(*project_.name_of(path), now);
 }
 
+OpenDocuments::Key OpenDocuments::add_trial(const std::string& path, const std::string& text,
+                                            bool is_mission) {
+  OpenDocument out;
+  out.path = path;
+  out.is_mission = is_mission;
+  out.is_writable = false;
+  out.is_trial = true;
+  out.source = source_of(project_.disk_path(path), text);
+  return add(std::move(out));
+}
+
+text::Result<bool> OpenDocuments::open_trial(const Trial& trial) {
+  const bool has_overlay = !trial.overlay_path.empty();
+  const bool has_place = !project_.disk_path(trial.path).empty() &&
+                         (!has_overlay || !project_.disk_path(trial.overlay_path).empty());
+  if (!has_place) return refused("no-folder", fmt::format("there is no place for {}", shown(trial.path)));
+  close();
+  mission_file_ = add_trial(trial.path, trial.text, true);
+  if (has_overlay) add_trial(trial.overlay_path, trial.overlay_text, false);
+  check();
+  return true;
+}
+
 void OpenDocuments::close() {
   keep_all_drafts();
   open_.clear();

@@ -17,6 +17,7 @@
 #include "mlab/console/overlay_edit.h"
 #include "mlab/console/project_folder.h"
 #include "mlab/console/scene_encoder.h"
+#include "mlab/console/trial.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/mission/mission.h"
 #include "mlab/overlay/overlay.h"
@@ -32,12 +33,13 @@ struct OpenDocument {
   std::uint64_t revision = 1;        ///< grows with every change, undone ones as well
   std::optional<std::string> saved;  ///< as it stands on disk; nothing: not saved yet
   bool is_writable = true;
+  bool is_trial = false;             ///< of a Trial: there is nothing to save, unless under another name
   double draft_time = -1e9;          ///< when a draft was written last
   std::uint64_t draft_revision = 0;  ///< the text that it has; 0: there is none
 
   /// What an undone edit leaves of a file that it had made.
   bool is_nothing() const { return !saved && source->text().empty(); }
-  bool is_dirty() const { return !saved || *saved != source->text(); }
+  bool is_dirty() const { return !is_trial && (!saved || *saved != source->text()); }
 };
 
 /// The mission that is open: its file and all overlays that it names, as texts, and what they mean. Every
@@ -65,6 +67,11 @@ class OpenDocuments {
   /// A mission given on the command line, wherever it stands: what it names outside of the project becomes
   /// readable.
   text::Result<bool> open_on_disk(const std::string& disk_path, double now);
+  /// Opens what a Trial brings along, in place of what was open. No draft is kept of it.
+  /// @errors `no-folder`: its paths are none
+  text::Result<bool> open_trial(const Trial& trial);
+  /// The mission that is open is one.
+  bool is_trial() const { return is_open() && mission_document().is_trial; }
   /// Closes everything. Unsaved texts stay as drafts.
   void close();
   bool is_open() const { return mission_file_ != 0; }
@@ -105,6 +112,8 @@ class OpenDocuments {
   /// The texts have errors: `mission()` is older than they are.
   bool runs_older_text() const { return mission_ != nullptr && has_errors_; }
   bool has_errors() const { return has_errors_; }
+  /// What is wrong with them.
+  const text::Diagnostics& problems() const { return diagnostics_; }
   /// The map as the texts say now, whatever is wrong with the rest of the mission; never null.
   const std::shared_ptr<const overlay::Overlay>& map() const { return map_; }
   /// That map as a message. Its revision grows where anything in it changes.
@@ -147,6 +156,7 @@ class OpenDocuments {
   const OpenDocument& mission_document() const { return open_.at(mission_file_); }
   /// Opens a file, as it stands on disk or, where it does not, as a draft of it says.
   text::Result<Key> open_file(const std::string& path, bool is_mission);
+  Key add_trial(const std::string& path, const std::string& text, bool is_mission);
   Key add(OpenDocument document);
   void open_overlays();
   void restore_drafts(double now);

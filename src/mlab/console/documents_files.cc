@@ -109,7 +109,11 @@ text::Result<bool> OpenDocuments::save_as(OpenDocument& document, const std::str
   document.saved = std::string(document.source->text());
   document.is_writable = true;
   document.draft_revision = 0;
+  document.is_trial = false;
   if (document.is_mission) {
+    for (auto& [key, other] : open_) {
+      other.is_writable = other.is_writable || std::exchange(other.is_trial, false);
+    }
     drafts_.add_recent(path, mission_ ? mission_->name : "");
     take_along(old_folder, fs::path(document.source->name()).parent_path().string());
   }

@@ -34,6 +34,7 @@ fleet::MissionRun::Progress LiveRun::step() {
   alarms_.look(*run_, log_);
   trails_.look(*run_);
   series_.look(*run_);
+  transitions_.look(*run_);
   return progress;
 }
 

@@ -13,6 +13,7 @@
 #include "mlab/console/event_log.h"
 #include "mlab/console/series_recorder.h"
 #include "mlab/console/trail_recorder.h"
+#include "mlab/console/transition_recorder.h"
 #include "mlab/fleet/mission_run.h"
 
 namespace mlab::console {
@@ -42,6 +43,8 @@ class LiveRun {
   const TrailRecorder& trails() const { return trails_; }
   SeriesRecorder& series() { return series_; }
   const SeriesRecorder& series() const { return series_; }
+  TransitionRecorder& transitions() { return transitions_; }
+  const TransitionRecorder& transitions() const { return transitions_; }
   const Estimates& estimates() const { return estimates_; }
   /// When the questions that are open were asked [s], and their texts, by id.
   const std::map<std::uint32_t, double>& asked() const { return asked_; }
@@ -63,6 +66,7 @@ class LiveRun {
   Estimates estimates_;
   TrailRecorder trails_;
   SeriesRecorder series_;
+  TransitionRecorder transitions_;
   std::map<std::uint32_t, double> asked_;
   std::map<std::uint32_t, std::string> texts_;
   mission::Options options_;

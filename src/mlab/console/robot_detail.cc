@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -56,15 +57,42 @@ void encode_command(const fleet::MissionRun& run, const Estimates& estimates, co
   if (command.phase == mission::Run::Phase::kRobots) out.set_arrival(estimates.arrival_of(command.record));
 }
 
-void encode_ports(const FleetRobot& robot, RobotDetail& out) {
-  const flow::Program& program = *robot.program->program;
-  std::string& numbers = *out.mutable_numbers();
+struct Arrow {
+  std::uint32_t port;
+  float x, y;
+};
+
+// What the last cycle computed. A constant belongs to the node whose input it is; parameters belong to all.
+std::string activity(const flow::Program& program, const std::byte* frame,
+                     std::span<const flow::Program::SequenceState> before) {
+  const std::vector<std::uint32_t> ran = program.ran(frame, before);
+  const auto has_run = [&](const flow::Port& port) { return std::ranges::binary_search(ran, port.offset); };
+  std::string out;
   for (const flow::Port& port : program.ports()) {
-    out.add_ports(clean(flow::Program::print(robot.frame.data(), port)));
-    append(
-        numbers,
-        flow::Program::number(robot.frame.data(), port).value_or(std::numeric_limits<double>::quiet_NaN()));
+    const flow::Port* what = &port;
+    if (port.role == flow::Port::Role::kConstant)
+      what = program.find(std::string_view(port.path).substr(0, port.path.rfind('.')));
+    const bool is_output = what != nullptr && what->role == flow::Port::Role::kOutput;
+    out.push_back(!is_output || has_run(*what) ? '\1' : '\0');
   }
+  return out;
+}
+
+void encode_ports(const FleetRobot& robot, std::span<const flow::Program::SequenceState> before,
+                  RobotDetail& out) {
+  const flow::Program& program = *robot.program->program;
+  const std::byte* const frame = robot.frame.data();
+  std::string& numbers = *out.mutable_numbers();
+  for (std::uint32_t i = 0; i < program.ports().size(); ++i) {
+    const flow::Port& port = program.ports()[i];
+    out.add_ports(clean(flow::Program::print(frame, port)));
+    append(numbers,
+           flow::Program::number(frame, port).value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (const auto vector = flow::Program::vector(frame, port))
+      append(*out.mutable_vectors(),
+             Arrow{i, static_cast<float>(vector->x), static_cast<float>(vector->y)});
+  }
+  out.set_active(activity(program, frame, before));
 }
 
 void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim::SenseBuffer& buffer,
@@ -93,7 +121,7 @@ void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, Detai
     told.set_x(part.weighted.x);
     told.set_y(part.weighted.y);
   }
-  if (wishes.ports) encode_ports(robot, out);
+  if (wishes.ports) encode_ports(robot, wishes.before, out);
   if (wishes.readings && robot.life == RobotLife::kRunning) encode_readings(run, robot, buffer, out);
 }
 

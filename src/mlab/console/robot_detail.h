@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace mlab::console {
 struct DetailWishes {
   bool ports = false;
   bool readings = false;
+  /// How its sequences stood before its last cycle; empty: unknown.
+  std::span<const flow::Program::SequenceState> before = {};
 };
 
 /// Everything about one robot but for what it waits for: where it is, what it follows, why it moves as it

@@ -17,6 +17,12 @@ void Session::receive(ConnectionId from, std::unique_ptr<ToServer> message) {
 void Session::closed(ConnectionId connection) {
   parts_->closed(connection);
 }
+void Session::try_out(Trial trial, TrialDone done) {
+  parts_->try_out(std::move(trial), std::move(done));
+}
+void Session::look_at_run(RunLook look) {
+  parts_->look_at_run(std::move(look));
+}
 void Session::emergency_stop() {
   parts_->emergency_stop();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mlab/console/server/connection_id.h"
+#include "mlab/console/trial.h"
 #include "mlab/fleet/mission_run.h"
 
 namespace mlab::console {
@@ -47,6 +48,10 @@ class Session {
   void closed(ConnectionId connection);
   /// All robots stand from the next cycle on, whatever else is being done.
   void emergency_stop();
+  /// Opens a mission that has no file; whoever is the operator, since nobody steers it yet.
+  void try_out(Trial trial, TrialDone done);
+  /// Shows the run to somebody who only reads it.
+  void look_at_run(RunLook look);
 
   /// The bytes of the background picture of this revision of the scene, and their content type; empty where
   /// there is none.

@@ -131,8 +131,8 @@ void Session::Parts::single_cycle() {
     post(event::Execute{});
   else if (state.paused)
     post(event::Resume{});
-  live_->step();
-  if (state.mode == mission::State::Mode::kRunning) post(event::Pause{});
+  step_once();
+  if (state.mode == mission::State::Mode::kRunning && !state.paused) post(event::Pause{});
   ++version_;
 }
 

@@ -133,6 +133,7 @@ bool Session::Parts::change_mission(std::shared_ptr<const mission::Mission> plai
       return;
     }
     live_->edit(crew);
+    breakpoints_.change(&live_->run());
     named_units_ = plain_->units.size();
     ++plan_revision_;
     ++version_;
@@ -146,7 +147,8 @@ bool Session::Parts::change_mission(std::shared_ptr<const mission::Mission> plai
     return true;
   }
   // Something has to be built, perhaps compiled: the run goes on meanwhile as it was.
-  workshop_->start([this, number, mission, before = live_->crew(), sources = program_sources(), change] {
+  workshop_->start([this, number, mission, before = live_->crew(), sources = program_sources(),
+                    files = trial_files_, change] {
     if (number != loading_) return;
     const auto problems = std::make_shared<text::Diagnostics>();
     const auto crew = fleet::make_crew(mission, sources, *problems, before.get());

@@ -7,11 +7,42 @@
 namespace mlab::console {
 
 robot::ProgramSources Session::Parts::program_sources() const {
-  return {documents_.mission_folder(), settings_.include_root, settings_.version, settings_.allow_native};
+  return {documents_.mission_folder(), settings_.include_root, settings_.version, settings_.allow_native,
+          documents_.is_trial() ? trial_files_.get() : nullptr};
+}
+
+void Session::Parts::try_out(Trial trial, TrialDone done) {
+  inbox_.post([this, trial = std::move(trial), done = std::move(done)] { start_trial(trial, done); });
+}
+
+void Session::Parts::look_at_run(RunLook look) {
+  inbox_.post([this, look = std::move(look)] { look(live_ ? &live_->run() : nullptr); });
+}
+
+void Session::Parts::start_trial(const Trial& trial, TrialDone done) {
+  if (const text::Result<bool> opened = documents_.open_trial(trial); !opened) {
+    done({opened.error().message, {}});
+    return;
+  }
+  note(trial.who, fmt::format("try {}", trial.path));
+  trial_files_ = trial.files;
+  parameters_.clear();
+  from_documents_.reset();
+  changes_.project = true;
+  follow_documents(Follow::kAnew);
+  trial_done_ = std::move(done);
+  executes_trial_ = trial.execute;
+  if (!is_loading_) answer_trial("the mission of the trial has errors", documents_.problems());
+}
+
+void Session::Parts::answer_trial(const std::string& error, const text::Diagnostics& problems) {
+  const TrialDone done = std::exchange(trial_done_, nullptr);
+  if (done) done({error, problems});
 }
 
 void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet::Crew>& known) {
   const std::uint64_t number = ++loading_;
+  answer_trial("another run has taken its place", {});
   seed_ = seed;
   from_documents_ = plain_ = documents_.mission();
   typed_edits_.clear();
@@ -23,7 +54,9 @@ void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet:
   is_loading_ = true;
   fleet::RunSettings run_settings = settings_.run;
   run_settings.seed = seed;
-  workshop_->start([this, number, mission = plain_, run_settings, known, sources = program_sources()] {
+  if (documents_.is_trial()) run_settings.executive.patience = 0.0;  // what is tried need not get anywhere
+  workshop_->start([this, number, mission = plain_, run_settings, known, sources = program_sources(),
+                    files = trial_files_] {
     if (number != loading_) return;
     const auto problems = std::make_shared<text::Diagnostics>();
     const std::shared_ptr<const fleet::Crew> crew =
@@ -34,12 +67,15 @@ void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet:
       if (number != loading_) return;
       report_problems(*problems);
       adopt(crew, std::move(*run));
+      if (trial_done_ && live_ && executes_trial_ && !why_not_now()) post(mission::event::Execute{});
+      answer_trial(live_ ? "" : "it can't run: it has errors", *problems);
     });
   });
 }
 
 void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run) {
   is_loading_ = false;
+  breakpoints_.begin(nullptr);
   live_.reset();
   if (run) {
     live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_);
@@ -50,6 +86,8 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
       for (const auto& [port, value] : ports) live_->run().set_parameter({robot}, port, value);
     }
   }
+  breakpoints_.begin(live_ ? &live_->run() : nullptr);
+  halted_.Clear();
   has_nothing_to_do_ = time_runs_ = false;
   ++plan_revision_;
   ++version_;

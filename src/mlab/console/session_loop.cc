@@ -180,12 +180,10 @@ void Session::Parts::advance() {
   double wall = began;
   while (wall - began < kSlice && pace_.due(sim_time()) <= wall) {
     if (stop_wanted_.exchange(false)) engage_emergency_stop();
-    const fleet::MissionRun::Progress progress = live_->step();
-    if (progress != fleet::MissionRun::Progress::kStepped) {
+    if (!step_once()) {
       has_nothing_to_do_ = true;
       break;
     }
-    ++version_;
     wall = now();
     if (!is_active()) break;
   }

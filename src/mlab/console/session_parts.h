@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mlab/console.pb.h"
+#include "mlab/console/breakpoints.h"
 #include "mlab/console/channel.h"
 #include "mlab/console/documents.h"
 #include "mlab/console/event_log.h"
@@ -42,6 +43,8 @@ class Session::Parts {
   void receive(ConnectionId from, std::unique_ptr<ToServer> message);
   void closed(ConnectionId connection);
   void emergency_stop();
+  void try_out(Trial trial, TrialDone done);
+  void look_at_run(RunLook look);
   Picture picture(std::uint64_t revision) const;
   std::string report();
   bool has_ended() const { return has_ended_; }
@@ -94,6 +97,17 @@ class Session::Parts {
   void post(const mission::Event& event);
   void note(const std::string& who, const std::string& what);
 
+  // ---- session_breakpoints.cc
+
+  Answered set_breakpoint(const std::string& who, const SetBreakpoint& set, Reply& reply);
+  Answered remove_breakpoint(const std::string& who, const RemoveBreakpoint& remove);
+  /// One control cycle. False where no time passed.
+  bool step_once();
+  /// Pauses where a breakpoint wants it.
+  void look_at_breakpoints();
+  void publish_breakpoints();
+  void greet_with_breakpoints(ConnectionId to);
+
   // ---- session_teleoperation.cc
 
   Answered start_teleoperation(const std::string& who, const StartTeleoperation& start);
@@ -126,6 +140,9 @@ class Session::Parts {
   /// The run is made anew from the documents' mission, on the workshop's thread.
   /// @param known  programs that need not be built again; null: none
   void load(std::uint64_t seed, const std::shared_ptr<const fleet::Crew>& known = nullptr);
+  void start_trial(const Trial& trial, TrialDone done);
+  /// Tells who asked for the trial how it stands; at most once.
+  void answer_trial(const std::string& error, const text::Diagnostics& problems);
   void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
   void report_problems(const text::Diagnostics& problems);
   robot::ProgramSources program_sources() const;
@@ -192,6 +209,9 @@ class Session::Parts {
   bool is_loading_ = false;
   std::uint64_t seed_ = 1;
   std::uint64_t plan_revision_ = 0;
+  std::shared_ptr<const text::Files> trial_files_;  // that programs of a trial are read with
+  TrialDone trial_done_;                            // who waits for it; empty: nobody
+  bool executes_trial_ = false;
   std::size_t named_units_ = 0;                             // units after these were made for single robots
   std::shared_ptr<const mission::Mission> from_documents_;  // that the run follows
   std::shared_ptr<const mission::Mission> plain_;           // the same with what was typed
@@ -210,6 +230,9 @@ class Session::Parts {
   };
   std::map<std::uint32_t, Sentences> sentences_;  // what robots that are looked at wait for
 
+  BreakpointTable breakpoints_;
+  Halted halted_;            // at these hits; without any: at none
+  std::string halted_told_;  // to all, serialised
   Pace pace_;
   SpeedMeter meter_;
   bool is_stopped_ = false;         // emergency stop

@@ -76,6 +76,7 @@ Status Session::Parts::status_message() const {
 void Session::Parts::publish() {
   if (live_ && live_->take_news()) changes_.status = changes_.questions = true;
   publish_state();
+  publish_breakpoints();
   for (auto& [id, channel] : channels_) publish_log(channel);
   publish_frames();
 }

@@ -106,6 +106,7 @@ void Session::Parts::greet(ConnectionId to) {
   out.mutable_trails()->Clear();
   if (live_) live_->trails().encode(*out.mutable_trails());
   send(to, out);
+  greet_with_breakpoints(to);
 }
 
 void Session::Parts::take_as_client(Channel& channel, const Roles::Client& client, const ToServer& message) {
@@ -221,6 +222,10 @@ Session::Parts::Answered Session::Parts::take_as_operator(const std::string& who
       return end_teleoperation(who, message.end_teleoperation());
     case ToServer::kSetParameter:
       return set_parameter(who, message.set_parameter());
+    case ToServer::kSetBreakpoint:
+      return set_breakpoint(who, message.set_breakpoint(), reply);
+    case ToServer::kRemoveBreakpoint:
+      return remove_breakpoint(who, message.remove_breakpoint());
     case ToServer::kSetOption:
       return set_option(who, message.set_option());
     case ToServer::kOpenMission:

@@ -42,6 +42,7 @@ void Session::Parts::update_watches() {
     details.insert(details.end(), watch.details().begin(), watch.details().end());
     series.insert(series.end(), watch.series().begin(), watch.series().end());
   }
+  live_->transitions().watch(details);
   live_->alarms().watch_states(std::move(details));
   live_->series().watch(series, now());
 }
@@ -87,8 +88,11 @@ void Session::Parts::fill_details(const Watch& watch, Frame& out) {
   for (const std::uint32_t id : watch.details()) {
     const fleet::FleetRobot* robot = run.fleet().find({id});
     if (robot == nullptr) continue;
-    encode_detail(run, live_->estimates(), *robot, {watch.with_ports(), watch.with_readings()}, sense_buffer_,
-                  *out.add_details());
+    RobotDetail& told = *out.add_details();
+    encode_detail(run, live_->estimates(), *robot,
+                  {watch.with_ports(), watch.with_readings(), live_->transitions().before(id)}, sense_buffer_,
+                  told);
+    live_->transitions().encode(id, told);
     Sentences& sentences = sentences_[id];
     if (!time_runs_ || now() - sentences.wall > kSentencesEvery) sentences = {now(), waits_for(run, *robot)};
     for (const std::string& line : sentences.lines) out.mutable_details()->rbegin()->add_waits_for(line);

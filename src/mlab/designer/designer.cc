@@ -53,18 +53,18 @@ Designer::Parts::Parts(DesignerSettings settings, Send send)
 
 Designer::Parts::~Parts() {
   ends_ = true;
-  inbox_.wake();
+  inbox_->wake();
   thread_.join();
 }
 
 void Designer::Parts::receive(console::ConnectionId from, std::unique_ptr<ToDesigner> message) {
-  inbox_.post([this, from, message = std::shared_ptr<const ToDesigner>(std::move(message))] {
+  inbox_->post([this, from, message = std::shared_ptr<const ToDesigner>(std::move(message))] {
     handle(from, *message);
   });
 }
 
 void Designer::Parts::closed(console::ConnectionId connection) {
-  inbox_.post([this, connection] {
+  inbox_->post([this, connection] {
     const auto client = clients_.find(connection);
     if (client == clients_.end()) return;
     for (const std::string& path : client->second.documents) {
@@ -90,10 +90,10 @@ void Designer::Parts::work() {
   }
   while (!ends_) {
     const auto wake = std::chrono::steady_clock::now() + std::chrono::milliseconds(250);
-    std::vector<console::Inbox::Task> tasks = inbox_.wait_until(wake);
+    std::vector<console::Inbox::Task> tasks = inbox_->wait_until(wake);
     while (!ends_) {
       for (const console::Inbox::Task& task : tasks) task();
-      tasks = inbox_.wait_until(std::chrono::steady_clock::now());
+      tasks = inbox_->wait_until(std::chrono::steady_clock::now());
       if (!tasks.empty()) continue;
       if (!desk_.check_next()) break;
       publish();
@@ -133,7 +133,7 @@ void Designer::Parts::handle(console::ConnectionId from, const ToDesigner& messa
     answer(from, client, message, out);
   }
   publish();
-  if (message.request() == 0) return;
+  if (std::exchange(is_deferred_, false) || message.request() == 0) return;
   FromDesigner reply;
   *reply.mutable_answer() = std::move(out);
   send(from, reply);
@@ -173,6 +173,14 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
       return describe(message.describe(), out);
     case ToDesigner::kFits:
       return fits(message.fits(), out);
+    case ToDesigner::kFindLive:
+      return find_live(message.find_live(), out);
+    case ToDesigner::kWriteBack:
+      return write_back(message.write_back(), out);
+    case ToDesigner::kReadField:
+      return read_field(from, message.request(), message.read_field(), out);
+    case ToDesigner::kTry:
+      return try_out(from, message.request(), message.try_(), out);
     default:
       out.set_ok(false);
       out.set_error("this designer does not know that request");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mlab/console/server/connection_id.h"
+#include "mlab/console/trial.h"
 
 namespace mlab::designer {
 
@@ -18,6 +19,11 @@ struct DesignerSettings {
   std::string version;         ///< of mlab
   std::string include_root;    ///< as robot::ProgramSources
   std::string state_folder;    ///< drafts, recent files; empty: nothing is kept
+  /// Hands a mission to the session in which it is seen running; any thread may call the second argument.
+  /// Empty: there is none.
+  std::function<void(console::Trial trial, console::TrialDone done)> try_out;
+  /// Shows that session's run. Empty: there is none.
+  std::function<void(console::RunLook look)> look_at_run;
 };
 
 /// Open configurations, and the people who draw them. Has a thread of its own, on which everything happens;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -12,6 +13,8 @@
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
 #include "mlab/designer/desk.h"
+#include "mlab/designer/movement_field.h"
+#include "mlab/designer/trial.h"
 
 namespace mlab::designer {
 
@@ -33,6 +36,16 @@ class Designer::Parts {
     std::set<std::string, std::less<>> documents;
     std::vector<Page> pages;
     std::map<std::string, std::string> sent;  ///< of each document, page, palette, by a name for it
+  };
+
+  /// What was tried last.
+  struct LastTrial {
+    std::string document;
+    std::shared_ptr<const Model> model;  ///< of the completed text
+    TrialConfiguration configuration;
+    std::string file;     ///< as the mission names the text
+    std::string mission;  ///< path of its text
+    TrialWish wish;
   };
 
   void work();
@@ -57,6 +70,34 @@ class Designer::Parts {
   void describe(const Describe& request, Answer& out);
   void fits(const Fits& request, Answer& out);
 
+  // ---- designer_trial.cc
+
+  void try_out(console::ConnectionId from, std::uint32_t number, const Try& request, Answer& out);
+  void tried_out(console::ConnectionId from, std::uint32_t number, const LastTrial& trial,
+                 const console::TrialResult& result);
+  console::Trial trial_of(const OpenConfiguration& one, const TrialConfiguration& completed,
+                          const std::string& overlay, std::string& file);
+  text::Result<TrialField> field_of(const Try& request, const console::Trial& trial);
+  /// @param out  problems are added
+  void add_problems(const text::Diagnostics& problems, const TrialConfiguration& completed,
+                    const OpenConfiguration& one, Answer& out) const;
+
+  // ---- designer_live.cc
+
+  struct FieldOf;
+  void find_live(const FindLive& request, Answer& out);
+  void write_back(const WriteBack& request, Answer& out);
+  text::Result<TrialConfiguration> tried_now(const OpenConfiguration& one);
+  void read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request, Answer& out);
+  text::Result<FieldOf> field_node(const OpenConfiguration& one, const ReadField& request);
+  text::Result<FieldProgram> program_of_field(const FieldOf& what) const;
+  text::Result<std::string> field_alone(const OpenConfiguration& one, const FieldOf& what,
+                                        const FieldProgram& part, const FieldGrid& grid);
+  /// @param arrows  nothing: there is no run that could give them
+  void answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
+                    const FieldOf& what, const FieldProgram& part, const FieldGrid& grid,
+                    const std::optional<std::string>& arrows);
+
   /// Sends everybody what has changed of what he looks at.
   void publish();
   void publish_to(console::ConnectionId to, Client& client);
@@ -75,7 +116,9 @@ class Designer::Parts {
   std::string first_;  ///< path of the document that the command line named
   std::string first_error_;
   double last_look_ = 0.0;
-  console::Inbox inbox_;
+  LastTrial last_trial_;
+  bool is_deferred_ = false;  ///< the request in hand is answered later
+  std::shared_ptr<console::Inbox> inbox_ = std::make_shared<console::Inbox>();  ///< also of who answers later
   std::atomic<bool> ends_ = false;
   std::thread thread_;
 };

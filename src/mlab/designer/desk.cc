@@ -428,6 +428,12 @@ std::vector<std::string> Desk::configurations(std::string_view folder) const {
   return found(folder, ".cdl", 0);
 }
 
+std::map<std::string, std::string> Desk::open_texts() const {
+  std::map<std::string, std::string> out;
+  for (const auto& [path, one] : open_) out[one->model->source()->name()] = one->text.text();
+  return out;
+}
+
 std::vector<std::string> Desk::overlays() const {
   std::vector<std::string> out = found("", ".odl", 0);
   for (std::string& one : found("", ".ovl", 0)) out.push_back(std::move(one));

@@ -90,6 +90,8 @@ class Desk {
   /// Configurations below a folder (`""`, `examples:`).
   std::vector<std::string> configurations(std::string_view folder) const;
   std::vector<std::string> overlays() const;
+  /// The texts of all open configurations, by the names of their sources.
+  std::map<std::string, std::string> open_texts() const;
 
  private:
   text::Result<std::string> read(const std::string& path) const;

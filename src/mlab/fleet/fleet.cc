@@ -316,9 +316,20 @@ std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_vi
 
 void Fleet::perceive(const FleetRobot& robot, const flow::Needs& needs, double dt, Worker& worker,
                      percept::Percepts& out) {
-  out.cycle_duration = dt;
   simulator_.sense(robot.body, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges}, worker.buffer,
                    out);
+  add_told(robot, dt, out);
+}
+
+void Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose, const flow::Needs& needs, double dt,
+                        sim::SenseBuffer& buffer, percept::Percepts& out) const {
+  simulator_.sense_at(robot.body, pose, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges},
+                      buffer, out);
+  add_told(robot, dt, out);
+}
+
+void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const {
+  out.cycle_duration = dt;
   if (robot.group != FleetRobot::kNoGroup) {
     out.order = groups_[robot.group].order;
     out.unit = unit_percept(groups_[robot.group], robot.rank, poses_);

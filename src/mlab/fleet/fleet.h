@@ -124,6 +124,13 @@ class Fleet {
   /// Puts a notification into a robot's inbox, as another robot's would be: it reads it in the next cycle.
   void notify(base::RobotId id, std::string_view notification);
 
+  /// What a robot would perceive in the next cycle if it stood elsewhere. Nothing has changed afterwards; to be
+  /// called between cycles.
+  /// @param needs   of its program, or of a part of it
+  /// @param buffer  holds the lists of `out`
+  void perceive_at(const FleetRobot& robot, const geom::Pose& pose, const flow::Needs& needs, double dt,
+                   sim::SenseBuffer& buffer, percept::Percepts& out) const;
+
   /// Robots that faulted since the last call, to be told once.
   std::vector<base::RobotId> take_new_faults();
 
@@ -154,6 +161,8 @@ class Fleet {
   void start_program(FleetRobot& robot);
   void perceive(const FleetRobot& robot, const flow::Needs& needs, double dt, Worker& worker,
                 percept::Percepts& out);
+  /// All that is not sensed: orders, the unit, what people and robots say.
+  void add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const;
   void run_program(FleetRobot& robot, double dt, Worker& worker);
   void run_lock_step();
   static void check_action(FleetRobot& robot);

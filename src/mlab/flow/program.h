@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,6 +93,7 @@ class Program {
   };
   struct SequenceCode {
     std::uint32_t active = 0;  ///< offset of the index of the active state
+    std::uint32_t stamp = kNone;  ///< offset of the cycle in which it ran last
     std::uint32_t start = 0;
     std::uint32_t value_size = 0;
     std::vector<StateCode> states;
@@ -130,6 +132,12 @@ class Program {
     Need::Device device = Need::Device::kObstacles;
     std::uint32_t range_offset = kNone;  ///< of a double
     double range = 0.0;
+  };
+  /// State that a node keeps from cycle to cycle.
+  struct KeptCode {
+    std::uint64_t path_hash = 0;
+    std::uint32_t offset = 0;
+    std::uint32_t size = 0;
   };
   struct MixtureCode {
     std::string path;
@@ -185,6 +193,9 @@ class Program {
   /// others.
   static std::optional<double> number(const std::byte* frame, const Port& port);
 
+  /// The vector that a port holds; nothing for others.
+  static std::optional<geom::Vector> vector(const std::byte* frame, const Port& port);
+
   /// What moved the robot: the members of all weighted sums that were evaluated in the last cycle. A weighted
   /// sum is any behavior with a list of vectors and, after it, a list of gains.
   std::vector<Contribution> contributions(const std::byte* frame) const;
@@ -206,8 +217,49 @@ class Program {
   /// The ways out of the active states of all sequences that ran in the last cycle, in their order.
   std::vector<WayOut> ways_out(const std::byte* frame) const;
 
+  // ---- what happened in the cycle that ran last, for who looks on
+
+  /// How a sequence stands after a cycle.
+  struct SequenceState {
+    std::uint32_t active = 0;  ///< index of its state
+    std::uint32_t cycle = 0;   ///< in which it ran last; 0: never
+  };
+  /// A transition that was made.
+  struct Transit {
+    std::uint32_t sequence = 0;  ///< index, for `sequence_name`
+    std::uint32_t from = 0;      ///< indices of states, for `state_name`
+    std::uint32_t way = 0;       ///< among the ways out of `from`, in the order in which they are asked
+    std::uint32_t to = 0;
+  };
+  std::size_t sequence_count() const { return sequences_.size(); }
+  const std::string& sequence_name(std::uint32_t sequence) const { return sequence_names_[sequence]; }
+  const std::vector<std::string>& state_names(std::uint32_t sequence) const { return state_names_[sequence]; }
+  /// Fills `out`, by index of sequence.
+  void sequence_states(const std::byte* frame, std::vector<SequenceState>& out) const;
+  /// The transitions of the last cycle. One from a state to itself counts where it restarts it.
+  /// @param before  sequence_states after the cycle before; empty: that was not noted, and all count as
+  ///                started anew
+  std::vector<Transit> transits(const std::byte* frame, std::span<const SequenceState> before) const;
+  /// Offsets of the values that the last cycle computed, ascending: a port's value is of this cycle where its
+  /// offset is among them.
+  std::vector<std::uint32_t> ran(const std::byte* frame, std::span<const SequenceState> before) const;
+
+  /// Takes over what a frame of another program, a larger one with the same nodes, say, has under the same
+  /// paths: parameters, values, states of nodes and sequences, and its cycle. Asynchronous procedures begin
+  /// anew.
+  void take_over(std::byte* frame, const Program& other, const std::byte* other_frame) const;
+
  private:
   friend class ProgramBuilder;
+
+  /// The first transition of a state whose trigger is true, as triggers stand.
+  std::optional<std::uint32_t> way_taken(const std::byte* frame, std::uint32_t sequence,
+                                         std::uint32_t from) const;
+  /// The state whose triggers the last cycle asked.
+  std::uint32_t state_before(const std::byte* frame, std::uint32_t sequence,
+                             std::span<const SequenceState> before) const;
+  void add_ran(const Block& block, const std::byte* frame, std::span<const SequenceState> before,
+               std::vector<std::uint32_t>& out) const;
 
   void run(const Block& block, Call& call, std::uint32_t now, AsyncRunner* async) const;
   void run_sequence(const Instruction& instruction, bool starts_anew, Call& call, std::uint32_t now,
@@ -232,6 +284,7 @@ class Program {
   std::vector<AsyncCode> asyncs_;
   std::vector<NeedCode> needs_;
   std::vector<MixtureCode> mixtures_;
+  std::vector<KeptCode> kept_;  ///< for `take_over` only
   bool needs_are_fixed_ = false;
   std::size_t node_count_ = 0;
   Frame initial_;

@@ -106,6 +106,11 @@ void ProgramBuilder::lay_out() {
     if (op_ports_[i] != kNone)
       program_->ports_[op_ports_[i]].offset = offset_of({Ref::Kind::kOp, i, nullptr, "", ""});
   }
+  for (const Op& op : ops_) {
+    if (op.blocks > 0 && op.behavior != nullptr && op.behavior->state_size > 0)
+      program_->kept_.push_back(
+          {base::hash_text(op.path), op.state, static_cast<std::uint32_t>(op.behavior->state_size)});
+  }
   for (std::uint32_t i = 0; i < ops_.size(); ++i) {
     if (ops_[i].kind != Instruction::Kind::kStartAsync) continue;
     program_->ports_.push_back({ops_[i].path + ".fresh", Port::Role::kOutput, &type_info<bool>(), "", "",
@@ -321,6 +326,8 @@ void ProgramBuilder::assign_stamps() {
     const Op& op = ops_[instruction_ops_[i]];
     program_->instructions_[i].stamp = op.stamp;
     program_->instructions_[i].is_guarded = op.blocks > 1;
+    if (op.kind == Instruction::Kind::kSequence)
+      program_->sequences_[program_->instructions_[i].data].stamp = op.stamp;
   }
   for (std::size_t i = 0; i < delay_ops_.size(); ++i) program_->delays_[i].stamp = ops_[delay_ops_[i]].stamp;
 }

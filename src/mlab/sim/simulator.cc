@@ -358,6 +358,25 @@ void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buff
   if (needs.ranges) sensors.sense_ranges(out);
 }
 
+void Simulator::sense_at(BodyIndex body, const geom::Pose& pose, const SenseNeeds& needs, SenseBuffer& buffer,
+                         percept::Percepts& out) const {
+  parts_->refresh();
+  Bodies& bodies = parts_->state.bodies;
+  const std::uint32_t i = body.value;
+  const geom::Pose stands = this->pose(body);
+  const geom::Offset ahead = bodies.ahead[i];
+  const auto put = [&](const geom::Pose& there, geom::Offset looks) {
+    bodies.x[i] = there.position.x;
+    bodies.y[i] = there.position.y;
+    bodies.heading[i] = there.heading;
+    bodies.ahead[i] = looks;
+  };
+  put(pose, {std::cos(pose.heading), std::sin(pose.heading)});
+  sense(body, needs, buffer, out);
+  put(stands, ahead);
+  out.pose = pose;
+}
+
 void Simulator::step(std::span<const percept::Action> actions, double dt) {
   Parts& p = *parts_;
   Bodies& bodies = p.state.bodies;

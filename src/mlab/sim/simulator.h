@@ -76,6 +76,11 @@ class Simulator {
   /// included.
   void sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buffer, percept::Percepts& out) const;
 
+  /// What `sense` would give if the body stood elsewhere and knew its place exactly. Nothing has changed
+  /// afterwards; meanwhile no other thread may use the simulator.
+  void sense_at(BodyIndex body, const geom::Pose& pose, const SenseNeeds& needs, SenseBuffer& buffer,
+                percept::Percepts& out) const;
+
   /// One cycle: all bodies move by their actions, as their kinematics and whatever is in the way allow; then
   /// requests (pick up, drop, drop in basket, marks, localize) are carried out in the order of robot ids.
   /// @param actions  by BodyIndex, body_count() of them. Values that are not finite count as 0

@@ -138,6 +138,8 @@ class Browser {
   const Project& project() const { return project_; }
   const Trails& trails() const { return trails_; }
   const Frame& frame() const { return frame_; }
+  const Breakpoints& breakpoints() const { return breakpoints_; }
+  const Halted& halted() const { return halted_; }
   const std::vector<Log::Entry>& log() const { return log_; }
   std::uint64_t frame_count() const { return frame_count_; }
   /// What was asked is not looked at again until the session tells of it again.
@@ -202,6 +204,12 @@ class Browser {
       case ToBrowser::kTrails:
         trails_ = message.trails();
         break;
+      case ToBrowser::kBreakpoints:
+        breakpoints_ = message.breakpoints();
+        break;
+      case ToBrowser::kHalted:
+        halted_ = message.halted();
+        break;
       case ToBrowser::BODY_NOT_SET:
         break;
     }
@@ -234,6 +242,8 @@ class Browser {
   Project project_;
   Trails trails_;
   Frame frame_;
+  Breakpoints breakpoints_;
+  Halted halted_;
   std::vector<Log::Entry> log_;
   std::uint64_t frame_count_ = 0;
 };

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "mlab/fleet/mission_run.h"
+#include "mlab/text/diagnostic.h"
+#include "mlab/text/files.h"
+
+namespace mlab::console {
+
+/// A mission that has no file: made by somebody who wants to see something run. It takes the place of the
+/// mission that was open.
+struct Trial {
+  std::string who;           ///< for the log
+  std::string path;          ///< that the mission's file would have, as ProjectFolder names it
+  std::string text;          ///< MDL
+  std::string overlay_path;  ///< of an overlay that has no file either; empty: there is none
+  std::string overlay_text;
+  /// How configurations and networks are read, from any thread; null: from disk.
+  std::shared_ptr<const text::Files> files;
+  bool execute = false;  ///< starts at once
+};
+
+/// What became of it.
+struct TrialResult {
+  std::string error;           ///< one sentence; empty: its run stands ready, or goes on
+  text::Diagnostics problems;  ///< all that was said of the mission and its programs, warnings too
+};
+
+/// Called once, on the session's thread, with the run as it stands between two cycles; null: there is none. Must
+/// not keep the pointer, and must not take long.
+using RunLook = std::function<void(const fleet::MissionRun* run)>;
+
+/// Called once, on the session's thread; must not block.
+using TrialDone = std::function<void(TrialResult result)>;
+
+}  // namespace mlab::console

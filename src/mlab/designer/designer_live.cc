@@ -1,0 +1,243 @@
+// What is asked while robots run: where a page runs, what they would do elsewhere, and values for the text.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/designer/designer_parts.h"
+#include "mlab/designer/live_paths.h"
+#include "mlab/designer/movement_field.h"
+#include "mlab/designer/write_back.h"
+#include "mlab/fleet/crew.h"
+#include "mlab/lang/cdl/lower.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/robot/native_library.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::designer {
+namespace {
+
+constexpr std::uint32_t kMostPlaces = 100;  // of a field, to each side
+constexpr double kFarthest = 1e7;           // of a field [m]
+
+std::unexpected<text::Diagnostic> not_known(std::string message) {
+  return std::unexpected(
+      text::Diagnostic{text::Severity::kError, "not-live", std::move(message), {}, {}, {}, {}});
+}
+
+text::Result<FieldGrid> grid_of(const ReadField& request) {
+  const console::Box& box = request.area();
+  const FieldGrid out{box.x_min(),
+                      box.y_min(),
+                      box.x_max(),
+                      box.y_max(),
+                      std::clamp(request.columns(), 1U, kMostPlaces),
+                      std::clamp(request.rows(), 1U, kMostPlaces),
+                      request.heading()};
+  for (const double edge : {out.x_min, out.y_min, out.x_max, out.y_max}) {
+    if (!(std::abs(edge) <= kFarthest)) return not_known("the field's area is no part of the map");
+  }
+  if (!std::isfinite(out.heading)) return not_known("the heading is no number");
+  return out;
+}
+
+}  // namespace
+
+void Designer::Parts::find_live(const FindLive& request, Answer& out) {
+  const OpenConfiguration* one = desk_.find(request.document());
+  if (one == nullptr) return fail(out, not_known("the document is not open").error());
+  LivePaths& live = *out.mutable_live();
+  if (!last_trial_.model) return;
+  // A library's page is declared by the library, whichever document is tried.
+  for (const auto& [robot, count] : last_trial_.configuration.robots) {
+    const std::string program = last_trial_.file + '#' + robot;
+    for (const std::string& path :
+         live_paths(*last_trial_.model, robot, one->model->source()->name(), request.page())) {
+      LivePaths::At& at = *live.add_places();
+      at.set_program(program);
+      at.set_path(path);
+    }
+  }
+}
+
+// As it runs, but of the text as it is now; where it was not tried, as it would.
+text::Result<TrialConfiguration> Designer::Parts::tried_now(const OpenConfiguration& one) {
+  const bool was_tried = last_trial_.document == one.path;
+  if (was_tried) return complete_for_trial(one.model, desk_.environment(), last_trial_.wish);
+  return complete_for_trial(one.model, desk_.environment(), {});
+}
+
+void Designer::Parts::write_back(const WriteBack& request, Answer& out) {
+  OpenConfiguration* one = editable(request.document(), out);
+  if (one == nullptr) return;
+  if (one->is_outdated()) return fail(out, not_known("the text has a slip of grammar: mend it first").error());
+  const text::Result<TrialConfiguration> tried = tried_now(*one);
+  if (!tried) return fail(out, tried.error());
+  text::Result<Edited> done =
+      written_back(one->model, desk_.environment(), *tried, request.port(), request.value());
+  if (!done) return fail(out, done.error());
+  one->text.change(std::move(done->text), std::move(done->name), now());
+  desk_.changed(*one);
+}
+
+/// The node of a page in the network of one of the robots.
+struct Designer::Parts::FieldOf {
+  TrialConfiguration completed;
+  std::shared_ptr<const Model> model;  ///< of its text
+  std::string robot;
+  std::string node;
+};
+
+text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenConfiguration& one,
+                                                                   const ReadField& request) {
+  const Model::Found found = one.model->page(request.page());
+  if (found.graph == nullptr)
+    return not_known(fmt::format("there is no page `{}`", text::shown(request.page())));
+  const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
+  const int at = request.node().empty() ? page.result : page.find(request.node());
+  if (at < 0 && !(request.node().empty() && page.sequence != nullptr))
+    return not_known(request.node().empty() ? "the page gives no movement yet"
+                                            : fmt::format("there is no node `{}`", text::shown(request.node())));
+  const std::string below = at < 0 ? page.base : page.nodes[static_cast<std::size_t>(at)].path;
+  // As it is tried; where no robot uses it then, by itself.
+  std::string why;
+  for (const TrialWish& wish : {last_trial_.document == one.path ? last_trial_.wish : TrialWish{},
+                                TrialWish{std::string(owner_of(request.page())), 1}}) {
+    text::Result<TrialConfiguration> completed = complete_for_trial(one.model, desk_.environment(), wish);
+    if (!completed) {
+      why = completed.error().message;
+      continue;
+    }
+    const auto model = std::make_shared<const Model>(completed->source, desk_.environment());
+    std::uint32_t id = 1;
+    for (const auto& [robot, count] : completed->robots) {
+      const bool is_wanted = request.robot() == 0 || (request.robot() >= id &&
+                                                      request.robot() < id + static_cast<std::uint32_t>(count));
+      id += static_cast<std::uint32_t>(count);
+      if (!is_wanted) continue;
+      const std::vector<std::string> paths =
+          live_paths(*model, robot, one.model->source()->name(), owner_of(request.page()));
+      if (!paths.empty()) return FieldOf{*completed, model, robot, joined_path(paths.front(), below)};
+    }
+  }
+  return not_known(why.empty() ? "no robot that runs uses this page" : why);
+}
+
+text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what) const {
+  text::Diagnostics sink;
+  robot::ProgramSources sources;
+  sources.folder = std::filesystem::path(what.completed.source->name()).parent_path().string();
+  sources.include_root = settings_.include_root;
+  sources.version = settings_.version;
+  const auto library = robot::library_with(what.model->configuration().procedures, sources, sink);
+  const auto robot = what.model->configuration().robots.find(what.robot);
+  if (!library || robot == what.model->configuration().robots.end() || what.model->problems().has_errors())
+    return not_known("the text has errors: mend them first");
+  cdl::Said said;
+  cdl::LoweredRobot lowered = cdl::lower(what.model->configuration(), *robot->second, *library, sink, said);
+  if (sink.has_errors()) return not_known(sink.items().front().message);
+  return field_program(std::move(lowered.network), *library, what.node);
+}
+
+// A run of its own, which nobody sees: the robots stand where a trial would start them.
+text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& one, const FieldOf& what,
+                                                       const FieldProgram& part, const FieldGrid& grid) {
+  std::string file;
+  TrialConfiguration single = what.completed;
+  single.robots = {{what.robot, 1}};
+  console::Trial trial = trial_of(one, single, "", file);
+  const text::Result<TrialField> field = field_of(Try(), trial);
+  if (!field) return std::unexpected(field.error());
+  const std::string name = desk_.project().disk_path(trial.path);
+  const std::string folder = std::filesystem::path(name).parent_path().string();
+  const std::string overlay = desk_.project().disk_path(trial.overlay_path);
+  mdl::LoadOptions options;
+  options.files.is_file = [&](const std::string& path) { return path == overlay || trial.files->is_file(path); };
+  options.files.read = [&](const std::string& path) -> text::Result<text::SourcePtr> {
+    if (path == overlay) return std::make_shared<const text::Source>(path, trial.overlay_text);
+    return trial.files->read(path);
+  };
+  text::Diagnostics sink;
+  const auto mission = mdl::check_mission(
+      std::make_shared<const text::Source>(name, trial_mission(single, file, *field)), folder, sink, options);
+  const auto crew = mission == nullptr
+                        ? nullptr
+                        : fleet::make_crew(mission,
+                                           {folder, settings_.include_root, settings_.version, false,
+                                            trial.files.get()},
+                                           sink);
+  if (!crew) return not_known(sink.items().empty() ? "it can't run" : sink.items().front().message);
+  fleet::MissionRun run(crew, {});
+  run.post(mission::event::Execute{});
+  const auto stands = [&] { return run.fleet().robots().front().life == fleet::RobotLife::kRunning; };
+  for (int i = 0; i < 20 && !stands(); ++i) run.step();
+  if (!stands()) return not_known("the robot can't be started");
+  return field_arrows(run, run.fleet().robots().front(), false, part, grid);
+}
+
+void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
+                                 Answer& out) {
+  const OpenConfiguration* one = desk_.find(request.document());
+  if (one == nullptr) return fail(out, not_known("the document is not open").error());
+  const text::Result<FieldGrid> grid = grid_of(request);
+  if (!grid) return fail(out, grid.error());
+  const text::Result<FieldOf> what = field_node(*one, request);
+  if (!what) return fail(out, what.error());
+  const text::Result<FieldProgram> part = program_of_field(*what);
+  if (!part) return fail(out, part.error());
+  const bool may_run = settings_.look_at_run && last_trial_.document == one->path;
+  if (!may_run) {
+    if (request.robot() != 0) return fail(out, not_known("that robot does not run").error());
+    const text::Result<std::string> arrows = field_alone(*one, *what, *part, *grid);
+    if (!arrows) return fail(out, arrows.error());
+    out.mutable_field()->set_arrows(*arrows);
+    out.mutable_field()->set_note("a robot that has just started, on the field for trying");
+    return;
+  }
+  is_deferred_ = true;
+  settings_.look_at_run([this, inbox = inbox_, from, request, number, what = *what, part = *part, grid = *grid,
+                         mission = desk_.project().disk_path(last_trial_.mission)](const fleet::MissionRun* run) {
+    const fleet::FleetRobot* body = nullptr;
+    const bool is_of_trial = run != nullptr && run->mission().source && run->mission().source->name() == mission;
+    if (is_of_trial) {
+      for (const fleet::FleetRobot& robot : run->fleet().robots()) {
+        const bool is_it = request.robot() == 0 || robot.id.value == request.robot();
+        if (body == nullptr && is_it && robot.life == fleet::RobotLife::kRunning) body = &robot;
+      }
+    }
+    std::optional<std::string> arrows;
+    if (body != nullptr) arrows = field_arrows(*run, *body, request.robot() != 0, part, grid);
+    inbox->post([this, from, number, request, what, part, grid, arrows] {
+      answer_field(from, number, request, what, part, grid, arrows);
+    });
+  });
+}
+
+void Designer::Parts::answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
+                                   const FieldOf& what, const FieldProgram& part, const FieldGrid& grid,
+                                   const std::optional<std::string>& arrows) {
+  FromDesigner message;
+  Answer& out = *message.mutable_answer();
+  out.set_request(number);
+  out.set_ok(true);
+  const OpenConfiguration* one = desk_.find(request.document());
+  if (arrows) {
+    out.mutable_field()->set_arrows(*arrows);
+    out.mutable_field()->set_note(request.robot() == 0
+                                      ? "a robot that has just started, among those that run"
+                                      : fmt::format("robot {} with its state as it is now", request.robot()));
+  } else if (request.robot() != 0 || one == nullptr) {
+    fail(out, not_known("that robot does not run").error());
+  } else if (const text::Result<std::string> alone = field_alone(*one, what, part, grid); alone) {
+    out.mutable_field()->set_arrows(*alone);
+    out.mutable_field()->set_note("a robot that has just started, on the field for trying");
+  } else {
+    fail(out, alone.error());
+  }
+  if (number != 0 && clients_.contains(from)) send(from, message);
+}
+
+}  // namespace mlab::designer

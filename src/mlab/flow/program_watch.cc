@@ -1,0 +1,152 @@
+// What happened in the cycle that ran last: for who looks on. Nothing of it is called by `step`.
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <new>
+
+#include "mlab/flow/program.h"
+
+namespace mlab::flow {
+namespace {
+
+template <class T>
+const T& value_at(const std::byte* frame, std::uint32_t offset) {
+  return *std::launder(reinterpret_cast<const T*>(frame + offset));
+}
+
+std::int64_t whole_number_at(const std::byte* frame, std::uint32_t offset, std::uint32_t size) {
+  switch (size) {
+    case 1:
+      return value_at<std::uint8_t>(frame, offset);
+    case 2:
+      return value_at<std::uint16_t>(frame, offset);
+    case 4:
+      return value_at<std::int32_t>(frame, offset);
+    default:
+      return value_at<std::int64_t>(frame, offset);
+  }
+}
+
+}  // namespace
+
+std::optional<geom::Vector> Program::vector(const std::byte* frame, const Port& port) {
+  if (port.type->kind != TypeKind::kVector) return std::nullopt;
+  return value_at<geom::Vector>(frame, port.offset);
+}
+
+void Program::sequence_states(const std::byte* frame, std::vector<SequenceState>& out) const {
+  out.clear();
+  for (const SequenceCode& sequence : sequences_) {
+    out.push_back({value_at<std::uint32_t>(frame, sequence.active),
+                   sequence.stamp == kNone ? 0 : value_at<std::uint32_t>(frame, sequence.stamp)});
+  }
+}
+
+std::optional<std::uint32_t> Program::way_taken(const std::byte* frame, std::uint32_t sequence,
+                                                std::uint32_t from) const {
+  const std::vector<TransitionCode>& ways = sequences_[sequence].states[from].transitions;
+  for (std::uint32_t i = 0; i < ways.size(); ++i) {
+    if (value_at<bool>(frame, ways[i].trigger) != ways[i].is_negated) return i;
+  }
+  return std::nullopt;
+}
+
+// A sequence goes on where it ran in the cycle before, unless something around it was restarted; then what it
+// did does not fit to the state that it had.
+std::uint32_t Program::state_before(const std::byte* frame, std::uint32_t sequence,
+                                    std::span<const SequenceState> before) const {
+  const SequenceCode& code = sequences_[sequence];
+  const auto now = static_cast<std::uint32_t>(cycle(frame));
+  if (before.size() != sequences_.size() || before[sequence].cycle == 0 || before[sequence].cycle != now - 1)
+    return code.start;
+  const std::uint32_t from = before[sequence].active;
+  if (from >= code.states.size()) return code.start;
+  const auto way = way_taken(frame, sequence, from);
+  const std::uint32_t to = way ? code.states[from].transitions[*way].target : from;
+  return to == value_at<std::uint32_t>(frame, code.active) ? from : code.start;
+}
+
+std::vector<Program::Transit> Program::transits(const std::byte* frame,
+                                                std::span<const SequenceState> before) const {
+  std::vector<Transit> out;
+  const auto now = static_cast<std::uint32_t>(cycle(frame));
+  for (std::uint32_t s = 0; s < sequences_.size(); ++s) {
+    const SequenceCode& code = sequences_[s];
+    if (now == 0 || code.stamp == kNone || value_at<std::uint32_t>(frame, code.stamp) != now) continue;
+    const std::uint32_t from = state_before(frame, s, before);
+    const auto way = way_taken(frame, s, from);
+    if (!way) continue;
+    const TransitionCode& taken = code.states[from].transitions[*way];
+    if (taken.target != from || taken.restarts) out.push_back({s, from, *way, taken.target});
+  }
+  return out;
+}
+
+void Program::add_ran(const Block& block, const std::byte* frame, std::span<const SequenceState> before,
+                      std::vector<std::uint32_t>& out) const {
+  const auto now = static_cast<std::uint32_t>(cycle(frame));
+  for (std::uint32_t n = block.first; n < block.first + block.count; ++n) {
+    const Instruction& i = instructions_[n];
+    if (i.stamp != kNone && value_at<std::uint32_t>(frame, i.stamp) != now) continue;
+    out.push_back(i.output);
+    if (i.kind == Instruction::Kind::kSequence) {
+      const SequenceCode& code = sequences_[i.data];
+      add_ran(code.states[state_before(frame, i.data, before)].triggers, frame, before, out);
+      add_ran(code.states[value_at<std::uint32_t>(frame, code.active)].member, frame, before, out);
+    } else if (i.kind == Instruction::Kind::kSelect) {
+      const SelectCode& code = selects_[i.data];
+      const std::int64_t value = whole_number_at(frame, code.selector, code.selector_size);
+      std::int32_t chosen = code.otherwise;
+      for (std::size_t c = 0; c < code.cases.size(); ++c) {
+        const auto& values = code.cases[c].values;
+        if (std::ranges::find(values, value) != values.end()) chosen = static_cast<std::int32_t>(c);
+      }
+      if (chosen >= 0) add_ran(code.cases[static_cast<std::size_t>(chosen)].member, frame, before, out);
+    }
+  }
+}
+
+std::vector<std::uint32_t> Program::ran(const std::byte* frame, std::span<const SequenceState> before) const {
+  std::vector<std::uint32_t> out;
+  if (cycle(frame) != 0) add_ran(root_, frame, before, out);
+  std::ranges::sort(out);
+  out.erase(std::ranges::unique(out).begin(), out.end());
+  return out;
+}
+
+void Program::take_over(std::byte* frame, const Program& other, const std::byte* other_frame) const {
+  const auto copy = [&](std::uint32_t to, std::uint32_t from, std::size_t size) {
+    std::memcpy(frame + to, other_frame + from, size);
+  };
+  copy(0, 0, sizeof(std::uint64_t));  // the cycle
+  for (const Port& port : ports_) {
+    const Port* theirs = other.find(port.path);
+    if (theirs != nullptr && theirs->type == port.type) copy(port.offset, theirs->offset, port.type->size);
+  }
+  for (const KeptCode& kept : kept_) {
+    const auto theirs = std::ranges::find(other.kept_, kept.path_hash, &KeptCode::path_hash);
+    if (theirs != other.kept_.end() && theirs->size == kept.size) copy(kept.offset, theirs->offset, kept.size);
+  }
+  for (std::size_t s = 0; s < sequences_.size(); ++s) {
+    const auto name = std::ranges::find(other.sequence_names_, sequence_names_[s]);
+    const auto t = static_cast<std::size_t>(name - other.sequence_names_.begin());
+    if (name == other.sequence_names_.end() || other.state_names_[t] != state_names_[s]) continue;
+    copy(sequences_[s].active, other.sequences_[t].active, sizeof(std::uint32_t));
+  }
+  std::map<std::uint64_t, const Instruction*> theirs;
+  for (const Instruction& one : other.instructions_) theirs.try_emplace(one.path_hash, &one);
+  for (const Instruction& mine : instructions_) {
+    const auto found = theirs.find(mine.path_hash);
+    if (found == theirs.end() || found->second->kind != mine.kind ||
+        mine.kind == Instruction::Kind::kStartAsync)
+      continue;
+    const Instruction& one = *found->second;
+    if (mine.stamp != kNone && one.stamp != kNone) copy(mine.stamp, one.stamp, sizeof(std::uint32_t));
+    if (mine.kind == Instruction::Kind::kDelay &&
+        delays_[mine.data].value_size == other.delays_[one.data].value_size)
+      copy(delays_[mine.data].next, other.delays_[one.data].next, delays_[mine.data].value_size);
+  }
+}
+
+}  // namespace mlab::flow
