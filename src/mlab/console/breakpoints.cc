@@ -49,24 +49,26 @@ const char* sign_of(Condition::Comparison how) {
 }
 
 // The number in the unit in which people see the port.
-std::optional<double> shown_number(const std::byte* frame, const flow::Port& port) {
+std::optional<double> number_as_shown(const std::byte* frame, const flow::Port& port) {
   const std::optional<double> number = Program::number(frame, port);
-  const bool in_degrees = port.type->kind == flow::TypeKind::kReal && port.edge_unit == "deg" && port.unit != "deg";
+  const bool in_degrees =
+      port.type->kind == flow::TypeKind::kReal && port.edge_unit == "deg" && port.unit != "deg";
   return number && in_degrees ? base::degrees(*number) : number;
 }
 
-bool holds(const Condition& condition, const std::optional<double>& wanted, const std::byte* frame,
-           const flow::Port& port) {
+bool is_true_now(const Condition& condition, const std::optional<double>& wanted, const std::byte* frame,
+                 const flow::Port& port) {
   if (wanted) {
-    const std::optional<double> number = shown_number(frame, port);
+    const std::optional<double> number = number_as_shown(frame, port);
     return number && compares(*number, condition.comparison(), *wanted);
   }
   const bool is_equal = Program::print(frame, port) == condition.value();
   return condition.comparison() == Condition::NOT_EQUAL ? !is_equal : is_equal;
 }
 
-bool is_of(const Breakpoint& breakpoint, std::uint32_t robot) {
-  return breakpoint.robots().empty() || std::ranges::find(breakpoint.robots(), robot) != breakpoint.robots().end();
+bool names_robot(const Breakpoint& breakpoint, std::uint32_t robot) {
+  return breakpoint.robots().empty() ||
+         std::ranges::find(breakpoint.robots(), robot) != breakpoint.robots().end();
 }
 
 // What can't be meant at all; empty: it may be.
@@ -146,15 +148,18 @@ void BreakpointTable::change(const fleet::MissionRun* run) {
 void BreakpointTable::say_problems(const fleet::MissionRun* run) {
   for (auto& [id, one] : all_) {
     one.told.clear_error();
-    const bool is_somewhere = run == nullptr || std::ranges::any_of(run->fleet().robots(), [&](const auto& robot) {
-      const Program* const program = robot.program->program.get();
-      return program != nullptr && is_of(one.told, robot.id.value) && meaning(one, *program).is_there;
-    });
+    const bool is_somewhere =
+        run == nullptr || std::ranges::any_of(run->fleet().robots(), [&](const auto& robot) {
+          const Program* const program = robot.program->program.get();
+          return program != nullptr && names_robot(one.told, robot.id.value) &&
+                 meaning(one, *program).is_there;
+        });
     if (is_somewhere) continue;
-    one.told.set_error(one.told.has_transition()
-                           ? fmt::format("no program of this run has such a transition of `{}`",
-                                         clean(one.told.transition().sequence()))
-                           : fmt::format("no program of this run has `{}`", clean(one.told.condition().port())));
+    one.told.set_error(
+        one.told.has_transition()
+            ? fmt::format("no program of this run has such a transition of `{}`",
+                          clean(one.told.transition().sequence()))
+            : fmt::format("no program of this run has `{}`", clean(one.told.condition().port())));
   }
 }
 
@@ -213,7 +218,8 @@ void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
   std::optional<std::vector<Program::Transit>> transits;
   std::optional<std::vector<std::uint32_t>> ran;
   for (auto& [id, one] : all_) {
-    if (one.told.is_off() || !is_of(one.told, robot.id.value) || !meaning(one, program).is_there) continue;
+    if (one.told.is_off() || !names_robot(one.told, robot.id.value) || !meaning(one, program).is_there)
+      continue;
     if (one.told.has_transition()) {
       if (is_new && !is_first_cycle) continue;
       if (!transits) transits = program.transits(frame, before);
@@ -226,7 +232,7 @@ void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
 }
 
 void BreakpointTable::look_for_transit(One& one, const fleet::FleetRobot& robot,
-                                   const std::vector<Program::Transit>& transits, Halted& out) {
+                                       const std::vector<Program::Transit>& transits, Halted& out) {
   const Program& program = *robot.program->program;
   const Meaning& meant = meaning(one, program);
   for (const Program::Transit& transit : transits) {
@@ -246,12 +252,12 @@ void BreakpointTable::look_for_transit(One& one, const fleet::FleetRobot& robot,
 }
 
 void BreakpointTable::look_for_condition(One& one, const fleet::FleetRobot& robot, Robot& known,
-                                     const std::vector<std::uint32_t>& ran, Halted& out) {
+                                         const std::vector<std::uint32_t>& ran, Halted& out) {
   const flow::Port& port = *meaning(one, *robot.program->program).port;
   const std::byte* const frame = robot.frame.data();
   const bool is_computed =
       port.role != flow::Port::Role::kOutput || std::ranges::binary_search(ran, port.offset);
-  const bool is_true = is_computed && holds(one.told.condition(), one.number, frame, port);
+  const bool is_true = is_computed && is_true_now(one.told.condition(), one.number, frame, port);
   const auto [was, is_new] = known.was_true.try_emplace(one.told.id(), false);
   const bool is_first_look = is_new && Program::cycle(frame) > 1;
   const bool became = is_true && !was->second && !is_first_look;

@@ -12,8 +12,8 @@
 
 namespace mlab::console {
 
-/// Where a run is to pause: transitions and conditions of robots' programs. They stay from one run to the next.
-/// Looking reads only, so a run with breakpoints is the same as one without, but for when it pauses.
+/// Where a run is to pause: transitions and conditions of robots' programs. They stay from one run to the
+/// next. Looking reads only, so a run with breakpoints is the same as one without, but for when it pauses.
 class BreakpointTable {
  public:
   static constexpr std::size_t kMost = 256;

@@ -51,8 +51,9 @@ class Debugger {
   /// Goes on until it halts. False where it does not.
   bool runs_into_one() {
     EXPECT_EQ(browser_.control(Control::RESUME), "");
-    return browser_.wait([&] { return browser_.status().mode() == Status::PAUSED && browser_.halted().hits_size() > 0; },
-                         120.0);
+    return browser_.wait(
+        [&] { return browser_.status().mode() == Status::PAUSED && browser_.halted().hits_size() > 0; },
+        120.0);
   }
   /// Everything about a robot, as of now.
   RobotDetail detail(std::uint32_t robot) {
@@ -63,7 +64,8 @@ class Debugger {
     RobotDetail out;
     browser_.wait([&] {
       for (const RobotDetail& one : browser_.frame().details()) {
-        if (one.id() != robot || one.ports().empty() || browser_.frame().cycle() < browser_.halted().cycle()) continue;
+        if (one.id() != robot || one.ports().empty() || browser_.frame().cycle() < browser_.halted().cycle())
+          continue;
         out = one;
         return true;
       }
@@ -126,7 +128,8 @@ TEST(Breakpoints, PauseWhenATriggerBecomesTrue) {
   Debugger anna;
   std::string trigger;
   for (const Port& port : anna.browser().roster().programs(0).ports()) {
-    if (port.type() == "bool" && port.role() == Port::OUTPUT && port.path().find("Searching") != std::string::npos &&
+    if (port.type() == "bool" && port.role() == Port::OUTPUT &&
+        port.path().find("Searching") != std::string::npos &&
         port.path().find("IsValidObject") != std::string::npos)
       trigger = port.path();
   }
@@ -143,7 +146,8 @@ TEST(Breakpoints, PauseWhenATriggerBecomesTrue) {
 
 TEST(Breakpoints, PauseWhenANumberPassesAMark) {
   Debugger anna;
-  ASSERT_TRUE(anna.set(Debugger::condition("movement.Searching.value", Breakpoint::Condition::GREATER, "0.01")).ok());
+  ASSERT_TRUE(
+      anna.set(Debugger::condition("movement.Searching.value", Breakpoint::Condition::GREATER, "0.01")).ok());
   ASSERT_TRUE(anna.runs_into_one());
   EXPECT_EQ(anna.browser().halted().hits(0).port(), "movement.Searching.value");
 }
@@ -156,7 +160,8 @@ TEST(Breakpoints, AreListedSwitchedOffAndRemoved) {
   off.set_is_off(true);
   ASSERT_TRUE(anna.set(off).ok());
   ASSERT_TRUE(anna.browser().wait([&] {
-    return anna.browser().breakpoints().breakpoints_size() == 1 && anna.browser().breakpoints().breakpoints(0).is_off();
+    return anna.browser().breakpoints().breakpoints_size() == 1 &&
+           anna.browser().breakpoints().breakpoints(0).is_off();
   }));
   ASSERT_EQ(anna.browser().control(Control::EXECUTE), "");
   ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().status().time() > 60.0; }));
@@ -195,7 +200,8 @@ TEST(RobotDetail, TellsTransitionsActivityAndVectorsOfWhatIsDrawn) {
   const auto& ports = anna.browser().roster().programs(0).ports();
   ASSERT_EQ(robot.active().size(), static_cast<std::size_t>(ports.size()));
   std::map<std::string, bool> ran;
-  for (int i = 0; i < ports.size(); ++i) ran[ports[i].path()] = robot.active()[static_cast<std::size_t>(i)] == '\1';
+  for (int i = 0; i < ports.size(); ++i)
+    ran[ports[i].path()] = robot.active()[static_cast<std::size_t>(i)] == '\1';
   EXPECT_TRUE(ran.at("movement"));
   EXPECT_FALSE(ran.at("movement.Searching.value")) << "the state was left in this cycle";
   EXPECT_TRUE(ran.at("movement.Acquiring"));

@@ -86,11 +86,9 @@ void encode_ports(const FleetRobot& robot, std::span<const flow::Program::Sequen
   for (std::uint32_t i = 0; i < program.ports().size(); ++i) {
     const flow::Port& port = program.ports()[i];
     out.add_ports(clean(flow::Program::print(frame, port)));
-    append(numbers,
-           flow::Program::number(frame, port).value_or(std::numeric_limits<double>::quiet_NaN()));
+    append(numbers, flow::Program::number(frame, port).value_or(std::numeric_limits<double>::quiet_NaN()));
     if (const auto vector = flow::Program::vector(frame, port))
-      append(*out.mutable_vectors(),
-             Arrow{i, static_cast<float>(vector->x), static_cast<float>(vector->y)});
+      append(*out.mutable_vectors(), Arrow{i, static_cast<float>(vector->x), static_cast<float>(vector->y)});
   }
   out.set_active(activity(program, frame, before));
 }

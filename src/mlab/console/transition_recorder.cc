@@ -8,16 +8,16 @@
 namespace mlab::console {
 
 void TransitionRecorder::watch(std::span<const std::uint32_t> robots) {
-  std::erase_if(robots_, [&](const auto& known) {
-    return std::ranges::find(robots, known.first) == robots.end();
-  });
+  std::erase_if(robots_,
+                [&](const auto& known) { return std::ranges::find(robots, known.first) == robots.end(); });
   for (const std::uint32_t id : robots) robots_.try_emplace(id);
 }
 
 void TransitionRecorder::look(const fleet::MissionRun& run) {
   for (auto& [id, watched] : robots_) {
     const fleet::FleetRobot* robot = run.fleet().find({id});
-    const bool runs = robot != nullptr && robot->life == fleet::RobotLife::kRunning && robot->program->program;
+    const bool runs =
+        robot != nullptr && robot->life == fleet::RobotLife::kRunning && robot->program->program;
     if (!runs) continue;
     const flow::Program& program = *robot->program->program;
     const bool is_known = std::exchange(watched.program, &program) == &program && !watched.now.empty();

@@ -29,8 +29,8 @@ struct TrialResult {
   text::Diagnostics problems;  ///< all that was said of the mission and its programs, warnings too
 };
 
-/// Called once, on the session's thread, with the run as it stands between two cycles; null: there is none. Must
-/// not keep the pointer, and must not take long.
+/// Called once, on the session's thread, with the run as it stands between two cycles; null: there is none.
+/// Must not keep the pointer, and must not take long.
 using RunLook = std::function<void(const fleet::MissionRun* run)>;
 
 /// Called once, on the session's thread; must not block.

@@ -21,7 +21,7 @@ namespace mlab::designer {
 namespace {
 
 constexpr std::uint32_t kMostPlaces = 100;  // of a field, to each side
-constexpr double kFarthest = 1e7;           // of a field [m]
+constexpr double kFarthestEdge = 1e7;       // of a field [m]
 
 std::unexpected<text::Diagnostic> not_known(std::string message) {
   return std::unexpected(
@@ -38,7 +38,7 @@ text::Result<FieldGrid> grid_of(const ReadField& request) {
                       std::clamp(request.rows(), 1U, kMostPlaces),
                       request.heading()};
   for (const double edge : {out.x_min, out.y_min, out.x_max, out.y_max}) {
-    if (!(std::abs(edge) <= kFarthest)) return not_known("the field's area is no part of the map");
+    if (!(std::abs(edge) <= kFarthestEdge)) return not_known("the field's area is no part of the map");
   }
   if (!std::isfinite(out.heading)) return not_known("the heading is no number");
   return out;
@@ -73,7 +73,8 @@ text::Result<TrialConfiguration> Designer::Parts::tried_now(const OpenConfigurat
 void Designer::Parts::write_back(const WriteBack& request, Answer& out) {
   OpenConfiguration* one = editable(request.document(), out);
   if (one == nullptr) return;
-  if (one->is_outdated()) return fail(out, not_known("the text has a slip of grammar: mend it first").error());
+  if (one->is_outdated())
+    return fail(out, not_known("the text has a slip of grammar: mend it first").error());
   const text::Result<TrialConfiguration> tried = tried_now(*one);
   if (!tried) return fail(out, tried.error());
   text::Result<Edited> done =
@@ -99,8 +100,9 @@ text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenCon
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
   const int at = request.node().empty() ? page.result : page.find(request.node());
   if (at < 0 && !(request.node().empty() && page.sequence != nullptr))
-    return not_known(request.node().empty() ? "the page gives no movement yet"
-                                            : fmt::format("there is no node `{}`", text::shown(request.node())));
+    return not_known(request.node().empty()
+                         ? "the page gives no movement yet"
+                         : fmt::format("there is no node `{}`", text::shown(request.node())));
   const std::string below = at < 0 ? page.base : page.nodes[static_cast<std::size_t>(at)].path;
   // As it is tried; where no robot uses it then, by itself.
   std::string why;
@@ -114,8 +116,9 @@ text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenCon
     const auto model = std::make_shared<const Model>(completed->source, desk_.environment());
     std::uint32_t id = 1;
     for (const auto& [robot, count] : completed->robots) {
-      const bool is_wanted = request.robot() == 0 || (request.robot() >= id &&
-                                                      request.robot() < id + static_cast<std::uint32_t>(count));
+      const bool is_wanted =
+          request.robot() == 0 ||
+          (request.robot() >= id && request.robot() < id + static_cast<std::uint32_t>(count));
       id += static_cast<std::uint32_t>(count);
       if (!is_wanted) continue;
       const std::vector<std::string> paths =
@@ -155,7 +158,9 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
   const std::string folder = std::filesystem::path(name).parent_path().string();
   const std::string overlay = desk_.project().disk_path(trial.overlay_path);
   mdl::LoadOptions options;
-  options.files.is_file = [&](const std::string& path) { return path == overlay || trial.files->is_file(path); };
+  options.files.is_file = [&](const std::string& path) {
+    return path == overlay || trial.files->is_file(path);
+  };
   options.files.read = [&](const std::string& path) -> text::Result<text::SourcePtr> {
     if (path == overlay) return std::make_shared<const text::Source>(path, trial.overlay_text);
     return trial.files->read(path);
@@ -163,12 +168,11 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
   text::Diagnostics sink;
   const auto mission = mdl::check_mission(
       std::make_shared<const text::Source>(name, trial_mission(single, file, *field)), folder, sink, options);
-  const auto crew = mission == nullptr
-                        ? nullptr
-                        : fleet::make_crew(mission,
-                                           {folder, settings_.include_root, settings_.version, false,
-                                            trial.files.get()},
-                                           sink);
+  const auto crew =
+      mission == nullptr
+          ? nullptr
+          : fleet::make_crew(
+                mission, {folder, settings_.include_root, settings_.version, false, trial.files.get()}, sink);
   if (!crew) return not_known(sink.items().empty() ? "it can't run" : sink.items().front().message);
   fleet::MissionRun run(crew, {});
   run.post(mission::event::Execute{});
@@ -198,22 +202,24 @@ void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t numbe
     return;
   }
   is_deferred_ = true;
-  settings_.look_at_run([this, inbox = inbox_, from, request, number, what = *what, part = *part, grid = *grid,
-                         mission = desk_.project().disk_path(last_trial_.mission)](const fleet::MissionRun* run) {
-    const fleet::FleetRobot* body = nullptr;
-    const bool is_of_trial = run != nullptr && run->mission().source && run->mission().source->name() == mission;
-    if (is_of_trial) {
-      for (const fleet::FleetRobot& robot : run->fleet().robots()) {
-        const bool is_it = request.robot() == 0 || robot.id.value == request.robot();
-        if (body == nullptr && is_it && robot.life == fleet::RobotLife::kRunning) body = &robot;
-      }
-    }
-    std::optional<std::string> arrows;
-    if (body != nullptr) arrows = field_arrows(*run, *body, request.robot() != 0, part, grid);
-    inbox->post([this, from, number, request, what, part, grid, arrows] {
-      answer_field(from, number, request, what, part, grid, arrows);
-    });
-  });
+  settings_.look_at_run(
+      [this, inbox = inbox_, from, request, number, what = *what, part = *part, grid = *grid,
+       mission = desk_.project().disk_path(last_trial_.mission)](const fleet::MissionRun* run) {
+        const fleet::FleetRobot* body = nullptr;
+        const bool is_of_trial =
+            run != nullptr && run->mission().source && run->mission().source->name() == mission;
+        if (is_of_trial) {
+          for (const fleet::FleetRobot& robot : run->fleet().robots()) {
+            const bool is_it = request.robot() == 0 || robot.id.value == request.robot();
+            if (body == nullptr && is_it && robot.life == fleet::RobotLife::kRunning) body = &robot;
+          }
+        }
+        std::optional<std::string> arrows;
+        if (body != nullptr) arrows = field_arrows(*run, *body, request.robot() != 0, part, grid);
+        inbox->post([this, from, number, request, what, part, grid, arrows] {
+          answer_field(from, number, request, what, part, grid, arrows);
+        });
+      });
 }
 
 void Designer::Parts::answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,

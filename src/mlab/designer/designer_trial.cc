@@ -175,7 +175,8 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
   };
   if (one == nullptr) return refuse("the document is not open");
   if (!settings_.try_out) return refuse("this server has no simulator");
-  if (request.count() > kMostRobots) return refuse(fmt::format("at most {} robots can be tried", kMostRobots));
+  if (request.count() > kMostRobots)
+    return refuse(fmt::format("at most {} robots can be tried", kMostRobots));
   const std::shared_ptr<const Model> model = own_model(*one, desk_);
   const TrialWish wish = {request.robot(), static_cast<int>(std::max(1U, request.count()))};
   const text::Result<TrialConfiguration> completed = complete_for_trial(model, desk_.environment(), wish);
@@ -203,10 +204,10 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
   trial.execute = request.execute();
   const LastTrial last = {one->path, tried, *completed, file, trial.path, wish};
   is_deferred_ = true;
-  settings_.try_out(std::move(trial), [this, inbox = inbox_, from, number, last](
-                                          const console::TrialResult& result) {
-    inbox->post([this, from, number, last, result] { tried_out(from, number, last, result); });
-  });
+  settings_.try_out(
+      std::move(trial), [this, inbox = inbox_, from, number, last](const console::TrialResult& result) {
+        inbox->post([this, from, number, last, result] { tried_out(from, number, last, result); });
+      });
 }
 
 void Designer::Parts::tried_out(console::ConnectionId from, std::uint32_t number, const LastTrial& trial,

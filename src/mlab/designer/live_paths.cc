@@ -46,7 +46,7 @@ class InstanceVisit {
   std::size_t count_ = 0;
 };
 
-std::string_view source_of(const OwnerGraph& graph) {
+std::string_view declaring_source(const OwnerGraph& graph) {
   const text::Place& place =
       graph.assemblage != nullptr ? graph.assemblage->name.place : graph.robot->name.place;
   return place.source ? std::string_view(place.source->name()) : std::string_view();
@@ -73,7 +73,7 @@ std::vector<std::string> live_paths(const Model& model, std::string_view robot, 
                                     std::string_view page) {
   std::vector<std::string> out;
   visit_instances(model, robot, [&](const OwnerGraph& graph, const std::string& path) {
-    if (graph.name != owner_of(page) || source_of(graph) != source) return;
+    if (graph.name != owner_of(page) || declaring_source(graph) != source) return;
     const int at = graph.find_page(page);
     if (at < 0) return;
     std::string there = joined_path(path, graph.pages[static_cast<std::size_t>(at)].base);

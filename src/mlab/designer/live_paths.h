@@ -16,8 +16,8 @@ namespace mlab::designer {
 void visit_instances(const Model& model, std::string_view robot,
                      const std::function<void(const OwnerGraph& graph, const std::string& path)>& show);
 
-/// Where a page's nodes are in the program of a robot: what stands before `live` of what is drawn. Empty where
-/// the robot does not use the page's owner.
+/// Where a page's nodes are in the program of a robot: what stands before `live` of what is drawn. Empty
+/// where the robot does not use the page's owner.
 /// @param source  name of the text that declares the owner
 std::vector<std::string> live_paths(const Model& model, std::string_view robot, std::string_view source,
                                     std::string_view page);

@@ -20,7 +20,8 @@ constexpr const char* kGoHome =
     "assemblage Home(pull: gain = 1) {\n"
     "  cooperate {\n"
     "    pull: MoveToGoal(goal = DetectGoal(goal = GetOrderGoal()), success_radius = 20 cm);\n"
-    "    0.5: AvoidStaticObstacles(readings = sense_obstacles(range = 3 m), sphere = 1.5 m, safety_margin = 0.4 m);\n"
+    "    0.5: AvoidStaticObstacles(readings = sense_obstacles(range = 3 m), sphere = 1.5 m, safety_margin = "
+    "0.4 m);\n"
     "  }\n"
     "}\n";
 
@@ -43,7 +44,8 @@ TEST(Live, EveryNodeThatIsDrawnHasAPortOfTheProgramThatRuns) {
   const std::set<std::string> ports = port_paths(desk.browser());
   const std::string program = "forager.cdl#Forager:";
   int nodes = 0;
-  for (const char* page : {"Forager", "Forage", "Forage.Searching", "Wander", "KeepClear", "Acquire", "Deliver", "Watch"}) {
+  for (const char* page :
+       {"Forager", "Forage", "Forage.Searching", "Wander", "KeepClear", "Acquire", "Deliver", "Watch"}) {
     const Drawing drawing = desk.drawing(path, page);
     const std::vector<std::string> places = desk.live(path, page);
     ASSERT_FALSE(places.empty()) << page;
@@ -89,7 +91,8 @@ TEST(Live, StatesThatAreDrawnAreThoseThatRobotsTell) {
   EXPECT_TRUE(states.contains(desk.browser().frame().details(0).states(0)));
 }
 
-Answer write_back(LiveDesk& desk, const std::string& path, const std::string& port, const std::string& value) {
+Answer write_back(LiveDesk& desk, const std::string& path, const std::string& port,
+                  const std::string& value) {
   return desk.ask([&](ToDesigner& m) {
     m.mutable_write_back()->set_document(path);
     m.mutable_write_back()->set_port(port);
@@ -192,7 +195,9 @@ TEST(ReadField, DoesNotDisturbTheRun) {
       EXPECT_EQ(arrows.size(), 13U * 9U);
     }
     ASSERT_TRUE(desk.browser().wait(
-        [&] { return desk.browser().status().mode() == Status::PAUSED && desk.browser().halted().hits_size() > 0; },
+        [&] {
+          return desk.browser().status().mode() == Status::PAUSED && desk.browser().halted().hits_size() > 0;
+        },
         120.0));
     const std::uint64_t cycle = desk.browser().halted().cycle();
     ASSERT_TRUE(desk.browser().wait([&] { return desk.browser().frame().cycle() == cycle; }));

@@ -78,9 +78,10 @@ std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& 
       program.step(frame.data(), percepts, unwanted, run.seed(), body.id.value);
       geom::Vector v = flow::Program::vector(frame.data(), port).value_or(geom::Vector{});
       if (!std::isfinite(v.x + v.y)) v = {};
-      console::append(out, FieldArrow{static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),
-                                      static_cast<float>(v.x * heading_cos - v.y * heading_sin),
-                                      static_cast<float>(v.x * heading_sin + v.y * heading_cos)});
+      console::append(out,
+                      FieldArrow{static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),
+                                 static_cast<float>(v.x * heading_cos - v.y * heading_sin),
+                                 static_cast<float>(v.x * heading_sin + v.y * heading_cos)});
     }
   }
   return out;

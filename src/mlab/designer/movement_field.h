@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "mlab/fleet/mission_run.h"
 #include "mlab/flow/network.h"
 #include "mlab/flow/program.h"
-#include "mlab/fleet/mission_run.h"
 
 namespace mlab::designer {
 
@@ -35,8 +35,9 @@ struct FieldGrid {
   geom::Pose pose(std::uint32_t column, std::uint32_t row) const;
 };
 
-/// What the part would make a robot do at each place, row by row from the lower left: float32 x, y, dx, dy, the
-/// movement in the world frame as a share of full strength. The run is only read; to be called between cycles.
+/// What the part would make a robot do at each place, row by row from the lower left: float32 x, y, dx, dy,
+/// the movement in the world frame as a share of full strength. The run is only read; to be called between
+/// cycles.
 /// @param body    whose senses and orders it has
 /// @param as_is   it has the robot's state as well; else it has just started
 std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body, bool as_is,

@@ -1,10 +1,10 @@
 #include "mlab/designer/trial.h"
 
 #include <algorithm>
-#include <optional>
 #include <cctype>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -15,7 +15,8 @@
 
 namespace mlab::designer {
 
-const char* const kTrialOverlay = R"(-- A field for trying things out: some obstacles, objects to fetch, and a basket to bring them to.
+const char* const kTrialOverlay =
+    R"(-- A field for trying things out: some obstacles, objects to fetch, and a basket to bring them to.
 
 SCENARIO "Trial"
 SITE Field
@@ -142,8 +143,7 @@ text::Result<Meant> meant(const Model& model, const std::string& wanted) {
     out.assemblage = only(all.own_assemblages);
   }
   if (out.society != nullptr || out.robot != nullptr || out.assemblage != nullptr) return out;
-  if (!wanted.empty())
-    return not_tried(fmt::format("there is no assemblage, robot or society `{}`", wanted));
+  if (!wanted.empty()) return not_tried(fmt::format("there is no assemblage, robot or society `{}`", wanted));
   const bool is_empty = all.own_assemblages.empty() && all.own_robots.empty() && all.own_societies.empty();
   return not_tried(is_empty ? "there is nothing to run yet: make an assemblage first"
                             : "several things could run: open the one that you mean");
@@ -164,8 +164,8 @@ text::Result<std::string> call_of(const cdl::Assemblage& assemblage, std::vector
       return std::unexpected(std::move(out));
     }
     arguments += fmt::format("{}{} = {}", arguments.empty() ? "" : ", ", parameter.name.text, value);
-    notes.push_back(fmt::format("the parameter `{}` has no default: `{}` is assumed", parameter.name.text,
-                                value));
+    notes.push_back(
+        fmt::format("the parameter `{}` has no default: `{}` is assumed", parameter.name.text, value));
   }
   return fmt::format("{}({})", assemblage.name.text, arguments);
 }
@@ -223,8 +223,7 @@ text::Result<TrialConfiguration> of_assemblage(const Model& model, const cdl::En
     return with(model,
                 declared + fmt::format("robot {} is {} {{ movement = {}; }}\n", robot, class_name, *call));
   };
-  text::Result<text::SourcePtr> made =
-      Bodies(model, environment).first_that_fits(make, robot, out.notes);
+  text::Result<text::SourcePtr> made = Bodies(model, environment).first_that_fits(make, robot, out.notes);
   if (!made) return std::unexpected(made.error());
   out.source = std::move(*made);
   out.robots = {{robot, count}};

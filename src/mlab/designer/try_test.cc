@@ -20,7 +20,8 @@ constexpr const char* kDrift =
     "assemblage Drift(push: gain = 0.8) {\n"
     "  cooperate {\n"
     "    push: Noise(persistence = 3 s);\n"
-    "    1: AvoidStaticObstacles(readings = sense_obstacles(range = 3 m), sphere = 1.5 m, safety_margin = 0.4 m);\n"
+    "    1: AvoidStaticObstacles(readings = sense_obstacles(range = 3 m), sphere = 1.5 m, safety_margin = "
+    "0.4 m);\n"
     "  }\n"
     "}\n";
 
@@ -56,7 +57,8 @@ TEST(Trial, GivesAnAssemblageABodyAndARobot) {
 TEST(Trial, AssumesWhatAParameterWithoutDefaultCouldBe) {
   const auto out = completed(
       "assemblage Go(place: Vector, what: Object, near: length) {\n"
-      "  cooperate { 1: MoveTo(goal = place, success_radius = near); 0: PickUp(object = what, reach = 0.5 m); }\n"
+      "  cooperate { 1: MoveTo(goal = place, success_radius = near); 0: PickUp(object = what, reach = 0.5 "
+      "m); }\n"
       "}\n");
   ASSERT_TRUE(out.has_value()) << out.error().message;
   EXPECT_EQ(errors_of(out->source), "");
@@ -64,7 +66,8 @@ TEST(Trial, AssumesWhatAParameterWithoutDefaultCouldBe) {
 }
 
 TEST(Trial, GivesAnAbstractRobotABody) {
-  const std::string text = std::string(kDrift) + "robot R(speed: gain = 1) {\n  movement = Drift(push = speed);\n}\n// end\n";
+  const std::string text =
+      std::string(kDrift) + "robot R(speed: gain = 1) {\n  movement = Drift(push = speed);\n}\n// end\n";
   const auto out = completed(text, {"R", 3});
   ASSERT_TRUE(out.has_value()) << out.error().message;
   EXPECT_EQ(errors_of(out->source), "");
@@ -77,9 +80,10 @@ TEST(Trial, GivesAnAbstractRobotABody) {
 }
 
 TEST(Trial, TakesTheRobotsOfASociety) {
-  const auto out = completed(std::string(kDrift) +
-                             "robot A is Scout { movement = Drift(); }\nrobot B is MRV2 { movement = Drift(); }\n"
-                             "society S: caste { team of 2 A; B; };\n");
+  const auto out =
+      completed(std::string(kDrift) +
+                "robot A is Scout { movement = Drift(); }\nrobot B is MRV2 { movement = Drift(); }\n"
+                "society S: caste { team of 2 A; B; };\n");
   ASSERT_TRUE(out.has_value()) << out.error().message;
   ASSERT_EQ(out->robots.size(), 2U);
   EXPECT_EQ(out->robots[0], std::pair(std::string("A"), 2));
@@ -174,9 +178,8 @@ TEST(Try, StartsRobotsWhereThePersonPutThem) {
 TEST(Try, RunsTheSocietyOfAnExampleOnAnOverlayOfIt) {
   LiveDesk desk;
   const std::string path = desk.open("examples:forage/forager.cdl");
-  const Answer answer = desk.try_out(path, "Foragers", 1, [](Try& request) {
-    request.set_overlay("examples:forage/forage.odl");
-  });
+  const Answer answer = desk.try_out(path, "Foragers", 1,
+                                     [](Try& request) { request.set_overlay("examples:forage/forage.odl"); });
   ASSERT_TRUE(answer.ok()) << answer.error() << answer.DebugString();
   ASSERT_TRUE(desk.browser().wait([&] { return desk.browser().roster().robots_size() == 3; }));
   EXPECT_EQ(desk.browser().scene().objects_size(), 11);

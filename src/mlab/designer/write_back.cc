@@ -34,8 +34,7 @@ PortName parts_of_port(std::string_view path) {
     const std::size_t open = path.rfind('[');
     std::uint32_t index = 0;
     const char* const end = path.data() + path.size() - 1;
-    if (open != std::string_view::npos &&
-        std::from_chars(path.data() + open + 1, end, index).ptr == end) {
+    if (open != std::string_view::npos && std::from_chars(path.data() + open + 1, end, index).ptr == end) {
       out.index = index;
       path = path.substr(0, open);
     }
@@ -54,8 +53,8 @@ struct Written {
 
 Written find_written(const flow::Network& network, const std::string& port) {
   for (const flow::Parameter& parameter : network.parameters) {
-    const bool is_it = parameter.name == port || std::ranges::find(parameter.other_names, port) !=
-                                                     parameter.other_names.end();
+    const bool is_it = parameter.name == port ||
+                       std::ranges::find(parameter.other_names, port) != parameter.other_names.end();
     if (is_it) return {true, &parameter.initial};
   }
   const PortName name = parts_of_port(port);
@@ -76,7 +75,8 @@ bool is_number_text(std::string_view text) {
   return std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc{};
 }
 
-// The value in the words of what stood there: with a unit where one was said, in quotes where there were some.
+// The value in the words of what stood there: with a unit where one was said, in quotes where there were
+// some.
 std::string in_words_of(std::string_view before, const std::string& value, const std::string& unit) {
   if (before.starts_with('"')) {
     std::string out = "\"";
@@ -86,10 +86,11 @@ std::string in_words_of(std::string_view before, const std::string& value, const
     }
     return out + '"';
   }
-  const bool has_unit = is_number_text(before) && !before.empty() &&
-                        (std::isalpha(static_cast<unsigned char>(before.back())) != 0 || before.ends_with('%'));
-  const bool is_bare = is_number_text(value) && !value.empty() &&
-                       std::isalpha(static_cast<unsigned char>(value.back())) == 0;
+  const bool has_unit =
+      is_number_text(before) && !before.empty() &&
+      (std::isalpha(static_cast<unsigned char>(before.back())) != 0 || before.ends_with('%'));
+  const bool is_bare =
+      is_number_text(value) && !value.empty() && std::isalpha(static_cast<unsigned char>(value.back())) == 0;
   return has_unit && is_bare && !unit.empty() ? value + ' ' + unit : value;
 }
 
@@ -125,7 +126,9 @@ class BackWriter {
       text::Diagnostics unsaid;
       const auto program = cdl::build(lowered, completed_.library(), unsaid, said);
       const flow::Port* known = program ? program->find(port) : nullptr;
-      const std::string unit = known == nullptr ? "" : known->edge_unit.empty() ? known->unit : known->edge_unit;
+      const std::string unit = known == nullptr           ? ""
+                               : known->edge_unit.empty() ? known->unit
+                                                          : known->edge_unit;
       return write_over(*written.source, port, value, unit);
     }
     return not_written(fmt::format("nothing that runs has `{}` as a constant", text::shown(port, 200)));

@@ -8,8 +8,8 @@
 
 namespace mlab::designer {
 
-/// The text with a live value in it: where the author wrote the constant that a port of the running program has
-/// there stands the value then. What is not written but a default is written.
+/// The text with a live value in it: where the author wrote the constant that a port of the running program
+/// has there stands the value then. What is not written but a default is written.
 ///
 /// @param tried  the configuration as it runs, of this model
 /// @param port   of a parameter or constant: `movement.Searching.Noise.persistence`

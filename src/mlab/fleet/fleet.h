@@ -124,8 +124,8 @@ class Fleet {
   /// Puts a notification into a robot's inbox, as another robot's would be: it reads it in the next cycle.
   void notify(base::RobotId id, std::string_view notification);
 
-  /// What a robot would perceive in the next cycle if it stood elsewhere. Nothing has changed afterwards; to be
-  /// called between cycles.
+  /// What a robot would perceive in the next cycle if it stood elsewhere. Nothing has changed afterwards; to
+  /// be called between cycles.
   /// @param needs   of its program, or of a part of it
   /// @param buffer  holds the lists of `out`
   void perceive_at(const FleetRobot& robot, const geom::Pose& pose, const flow::Needs& needs, double dt,

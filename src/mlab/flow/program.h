@@ -92,7 +92,7 @@ class Program {
     std::vector<TransitionCode> transitions;
   };
   struct SequenceCode {
-    std::uint32_t active = 0;  ///< offset of the index of the active state
+    std::uint32_t active = 0;     ///< offset of the index of the active state
     std::uint32_t stamp = kNone;  ///< offset of the cycle in which it ran last
     std::uint32_t start = 0;
     std::uint32_t value_size = 0;

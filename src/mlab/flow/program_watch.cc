@@ -126,7 +126,8 @@ void Program::take_over(std::byte* frame, const Program& other, const std::byte*
   }
   for (const KeptCode& kept : kept_) {
     const auto theirs = std::ranges::find(other.kept_, kept.path_hash, &KeptCode::path_hash);
-    if (theirs != other.kept_.end() && theirs->size == kept.size) copy(kept.offset, theirs->offset, kept.size);
+    if (theirs != other.kept_.end() && theirs->size == kept.size)
+      copy(kept.offset, theirs->offset, kept.size);
   }
   for (std::size_t s = 0; s < sequences_.size(); ++s) {
     const auto name = std::ranges::find(other.sequence_names_, sequence_names_[s]);

@@ -20,8 +20,8 @@
 
 namespace mlab::designer::testing {
 
-/// A designer and the session in which its configurations run, as `mlab edit` puts them together, on a project
-/// of their own; one person at both.
+/// A designer and the session in which its configurations run, as `mlab edit` puts them together, on a
+/// project of their own; one person at both.
 class LiveDesk {
  public:
   explicit LiveDesk(double speed = 100.0)
@@ -36,15 +36,16 @@ class LiveDesk {
       session_->try_out(std::move(trial), std::move(done));
     };
     settings.look_at_run = [this](console::RunLook look) { session_->look_at_run(std::move(look)); };
-    designer_ = std::make_unique<Designer>(std::move(settings), [this](console::ConnectionId, const auto& bytes) {
-      FromDesigner message;
-      ASSERT_TRUE(message.ParseFromString(*bytes));
-      const std::scoped_lock lock(mutex_);
-      if (message.has_answer()) answers_[message.answer().request()] = message.answer();
-      if (message.has_document()) documents_[message.document().path()] = message.document();
-      if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
-      arrived_.notify_all();
-    });
+    designer_ =
+        std::make_unique<Designer>(std::move(settings), [this](console::ConnectionId, const auto& bytes) {
+          FromDesigner message;
+          ASSERT_TRUE(message.ParseFromString(*bytes));
+          const std::scoped_lock lock(mutex_);
+          if (message.has_answer()) answers_[message.answer().request()] = message.answer();
+          if (message.has_document()) documents_[message.document().path()] = message.document();
+          if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
+          arrived_.notify_all();
+        });
     ask([](ToDesigner& m) { m.mutable_greeting()->set_protocol(1); });
     EXPECT_TRUE(browser_.wait([&] { return browser_.clients().operator_() == 1; }));
   }
@@ -119,8 +120,8 @@ class LiveDesk {
   struct Arrow {
     float x, y, dx, dy;
   };
-  Answer field(const std::string& document, const std::string& page, const std::string& node, std::uint32_t robot,
-               std::vector<Arrow>* arrows) {
+  Answer field(const std::string& document, const std::string& page, const std::string& node,
+               std::uint32_t robot, std::vector<Arrow>* arrows) {
     const Answer answer = ask([&](ToDesigner& m) {
       ReadField& request = *m.mutable_read_field();
       request.set_document(document);
