@@ -284,10 +284,10 @@ class Program {
   std::vector<AsyncCode> asyncs_;
   std::vector<NeedCode> needs_;
   std::vector<MixtureCode> mixtures_;
-  std::vector<KeptCode> kept_;  ///< for `take_over` only
   bool needs_are_fixed_ = false;
   std::size_t node_count_ = 0;
   Frame initial_;
+  std::vector<KeptCode> kept_;  ///< for `take_over` only
 };
 
 /// Builds the program of a network. Null where there were errors; every problem is reported at the author's
