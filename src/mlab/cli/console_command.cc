@@ -212,7 +212,7 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   drawing.try_out = [&session](console::Trial trial, console::TrialDone done) {
     session.try_out(std::move(trial), std::move(done));
   };
-  drawing.look_at_run = [&session](console::RunLook look) { session.look_at_run(std::move(look)); };
+  drawing.look_at_run = [&session](console::RunLook shown) { session.look_at_run(std::move(shown)); };
   std::unique_ptr<designer::Designer> designer;  // ends first: it asks the session
   if (options.edits) designer = std::make_unique<designer::Designer>(std::move(drawing), send);
   console::ServerHandlers handlers = {
