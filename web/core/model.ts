@@ -5,10 +5,12 @@ import { Glide } from "./glide.ts";
 import { applyMissionOptions, kDefaultSettings, type MapSettings } from "./map/settings.ts";
 import { PointTable } from "./packed.ts";
 import {
+  type Breakpoint,
   type Clients,
   type Documents,
   type EditState,
   type Frame,
+  type Halted,
   type Log,
   type Log_Entry,
   type Plan,
@@ -55,6 +57,9 @@ export interface Parts {
   log: readonly Log_Entry[];
   clients: Clients | null;
   edits: EditState | null;
+  breakpoints: readonly Breakpoint[];
+  /** Where the run has paused at breakpoints; none while it goes on. */
+  halted: Halted | null;
   /** Run time of the newest frame [s]; announced at most ten times a second. */
   time: number;
   /** Details of watched robots, by id; announced at most ten times a second. `Model.detail` has the newest. */
@@ -121,6 +126,8 @@ export class Model extends Store<Parts> {
       log: [],
       clients: null,
       edits: null,
+      breakpoints: [],
+      halted: null,
       time: 0,
       details: new Map(),
       selection: kNothing,
@@ -212,6 +219,12 @@ export class Model extends Store<Parts> {
         break;
       case "project":
         this.set("project", body.value);
+        break;
+      case "breakpoints":
+        this.set("breakpoints", body.value.breakpoints);
+        break;
+      case "halted":
+        this.set("halted", body.value.hits.length > 0 ? body.value : null);
         break;
       case "trails":
         this.takeTrails(body.value);

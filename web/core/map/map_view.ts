@@ -78,6 +78,7 @@ export class MapView {
   private movedObjects = 0;
   private readonly endings: (() => void)[] = [];
   private readonly listeners = new Set<() => void>();
+  private readonly layers = new Set<(pen: Pen) => void>();
 
   constructor(
     readonly host: HTMLElement,
@@ -216,7 +217,17 @@ export class MapView {
     return this.index.inside(box, this.model.get("map"));
   }
 
-  /** What a tool draws has changed. */
+  /** Draws something of one's own below marks and names of robots, with each drawing of the map. Returns how to end it. */
+  addLayer(draw: (pen: Pen) => void): () => void {
+    this.layers.add(draw);
+    this.redraw();
+    return () => {
+      this.layers.delete(draw);
+      this.redraw();
+    };
+  }
+
+  /** What a tool or a layer draws has changed. */
   redraw(): void {
     this.change(Dirty.TOP);
   }
@@ -311,10 +322,11 @@ export class MapView {
   private drawTop(): void {
     const state = { hover: this.hover, taken: this.labels.map(({ box }) => box), styles: this.robotLayer.styles };
     const draws = this.activeTool.isDrawing?.() ?? this.activeTool.draw !== undefined;
-    const isEmpty = !draws && isTopEmpty(this.model, state);
+    const isEmpty = !draws && this.layers.size === 0 && isTopEmpty(this.model, state);
     this.top.style.display = isEmpty ? "none" : "";
     if (isEmpty) return;
     const pen = this.pen(this.top);
+    for (const layer of this.layers) layer(pen);
     drawTop(pen, this.model, state);
     this.activeTool.draw?.(pen);
   }

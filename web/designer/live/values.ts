@@ -8,6 +8,8 @@ export interface LiveValue {
   readonly number?: number;
   /** Where it is a vector, robot frame, share of full strength. */
   readonly vector?: { readonly x: number; readonly y: number };
+  /** The last moments of the number, oldest first. */
+  readonly trace?: readonly number[];
   /** Of a state: it is the one. Of a node: it fired in this cycle. */
   readonly isActive?: boolean;
   /** Number of times that it happened; a change flashes (transitions). */
@@ -60,6 +62,7 @@ function isSame(a: LiveValue | undefined, b: LiveValue | undefined): boolean {
   return (
     a.text === b.text &&
     a.number === b.number &&
+    a.trace === b.trace &&
     a.vector?.x === b.vector?.x &&
     a.vector?.y === b.vector?.y &&
     a.isActive === b.isActive &&

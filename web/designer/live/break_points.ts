@@ -1,0 +1,71 @@
+// Breakpoints as they are set on what is drawn, and in words.
+import type { MessageInitShape } from "@bufbuild/protobuf";
+import {
+  type Breakpoint,
+  Breakpoint_Condition_Comparison as Comparison,
+  type BreakpointSchema,
+  type Halted_Hit,
+} from "../../core/protocol.ts";
+
+export type BreakpointInit = MessageInitShape<typeof BreakpointSchema>;
+
+/** `sequence`: path of the sequence in the program, empty: that of the only one. */
+export function atTransition(sequence: string, from: string, to: string): BreakpointInit {
+  return { what: { case: "transition", value: { sequence, from, to } } };
+}
+
+export function atCondition(port: string, comparison: Comparison, value: string): BreakpointInit {
+  return { what: { case: "condition", value: { port, comparison, value } } };
+}
+
+export const kComparisons: readonly (readonly [Comparison, string])[] = [
+  [Comparison.EQUAL, "="],
+  [Comparison.NOT_EQUAL, "≠"],
+  [Comparison.LESS, "<"],
+  [Comparison.LESS_OR_EQUAL, "≤"],
+  [Comparison.GREATER, ">"],
+  [Comparison.GREATER_OR_EQUAL, "≥"],
+];
+
+export function comparisonSign(comparison: Comparison): string {
+  return kComparisons.find(([one]) => one === comparison)?.[1] ?? "=";
+}
+
+/** In a list: `Searching → Acquiring`, `movement.near is true`. */
+export function breakpointText({ what }: Pick<Breakpoint, "what">): string {
+  if (what.case === "transition") {
+    const { from, to } = what.value;
+    return `${from || "any state"} → ${to || "any state"}`;
+  }
+  if (what.case !== "condition") return "nothing";
+  const { port, comparison, value } = what.value;
+  const name = port.replace(/\.output$/, "");
+  if (comparison === Comparison.EQUAL && (value === "true" || value === "false")) return `${name} is ${value}`;
+  return `${name} ${comparisonSign(comparison)} ${value}`;
+}
+
+/** The one on a transition, if there is one. */
+export function onTransition(
+  all: readonly Breakpoint[],
+  sequence: string,
+  from: string,
+  to: string,
+): Breakpoint | undefined {
+  return all.find(
+    ({ what }) =>
+      what.case === "transition" &&
+      what.value.from === from &&
+      what.value.to === to &&
+      (what.value.sequence === sequence || what.value.sequence === "" || sequence === ""),
+  );
+}
+
+/** Those on the value of a port. */
+export function onPort(all: readonly Breakpoint[], port: string): Breakpoint[] {
+  return all.filter(({ what }) => what.case === "condition" && what.value.port === port);
+}
+
+/** Where a hit is drawn: the sequence or the port's node, to be found among the places of pages. */
+export function pathOfHit(hit: Pick<Halted_Hit, "sequence" | "port">): string {
+  return hit.sequence || hit.port;
+}

@@ -1,0 +1,307 @@
+// Running, for one page of the designer: its connection to the simulator, and what can be asked of it.
+import { sentence } from "../../console/orders.ts";
+import type { Session } from "../../console/session.ts";
+import { Ui } from "../../console/shell/ui.ts";
+import { Connection, tabKey } from "../../core/connection.ts";
+import { Model } from "../../core/model.ts";
+import { Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
+import { selectRobots } from "../../core/selection.ts";
+import type { Designer } from "../designer.ts";
+import { withToken } from "../link/link.ts";
+import { lastPart } from "../pages/pages.ts";
+import type { BreakpointInit } from "./break_points.ts";
+import { gridFor, readArrows } from "./field_arrows.ts";
+import { Follower } from "./follower.ts";
+import { createLiveState, type DrawnAt, type Pin } from "./live_state.ts";
+import { isMoving, runButton, type Situation } from "./run_button.ts";
+import { subjectOf } from "./subject.ts";
+
+/** What a console keeps over reloads is the console's, not ours. */
+const kForgetful = { getItem: () => null, setItem: () => {} } as unknown as Storage;
+const kHandOver = 30_000; // ms in which the console that was opened becomes the operator
+
+export class Live {
+  readonly model = new Model();
+  readonly connection: Connection;
+  readonly session: Session;
+  readonly store = createLiveState();
+  readonly follower: Follower;
+  private handsOverUntil = 0;
+  private known = new Set<number>();
+
+  constructor(readonly designer: Designer) {
+    this.connection = new Connection(this.model, {
+      page: designer.page,
+      name: "Designer",
+      clientKey: tabKey(window.sessionStorage),
+    });
+    const ui = new Ui(this.model, kForgetful, window.innerWidth);
+    ui.subscribe("notice", () => {
+      const notice = ui.get("notice");
+      if (notice) designer.tell(notice.text, notice.tone);
+    });
+    this.session = { model: this.model, connection: this.connection, ui };
+    this.model.updateMap({ robotLabels: "all" });
+    this.follower = new Follower(this);
+    this.model.subscribe("roster", () => this.selectSomebody());
+    this.model.subscribe("clients", () => this.handOver());
+    this.model.subscribe("halted", () => this.tellHalt());
+    this.connection.connect();
+  }
+
+  get situation(): Situation {
+    const { designer, model, store } = this;
+    const { isBusy, tried, subject } = store.getState();
+    const document = designer.document;
+    const isOurs = tried !== null && tried.document === document?.path && this.holds(tried.mission);
+    return {
+      isConnected: model.get("link").state === "open",
+      isBusy,
+      errors: document?.problems.filter(({ diagnostic }) => !diagnostic?.isWarning).length ?? 0,
+      hasSubject: subjectOf(document?.declarations ?? [], subject, designer.state.page) !== undefined,
+      isOurs,
+      isCurrent: isOurs && tried.revision === document?.revision,
+      mode: model.get("status")?.mode ?? Status_Mode.NO_MISSION,
+    };
+  }
+
+  /** The large button. */
+  async press(): Promise<void> {
+    switch (runButton(this.situation).act) {
+      case "try":
+        await this.tryOut(true);
+        break;
+      case "execute":
+        this.designer.show({ live: true });
+        await this.control(Control_Action.EXECUTE);
+        break;
+      case "resume":
+        await this.control(Control_Action.RESUME);
+        break;
+      case "pause":
+        await this.control(Control_Action.PAUSE);
+        break;
+      case "release":
+        await this.control(Control_Action.RELEASE_STOP);
+        break;
+      case "problems":
+        this.showProblem();
+        break;
+      case "none":
+        this.designer.say(runButton(this.situation).hint);
+    }
+  }
+
+  /** Hands the configuration to the simulator. */
+  async tryOut(execute: boolean): Promise<boolean> {
+    const { designer, store } = this;
+    const document = designer.document;
+    if (!document) return false;
+    const { robots, overlay, starts, subject } = store.getState();
+    const found = subjectOf(document.declarations, subject, designer.state.page);
+    if (!found || !(await this.becomeOperator())) return false;
+    designer.show({ live: true });
+    store.setState({ isBusy: true, error: "" });
+    const answer = await designer.link.ask({
+      case: "try",
+      value: { document: document.path, robot: found.name, count: robots, overlay, starts: [...starts], execute },
+    });
+    store.setState({ isBusy: false, error: answer.ok ? "" : sentence(answer.error) });
+    if (!answer.ok) {
+      designer.say(answer.error);
+      if (answer.problems.length > 0) this.showProblem();
+      return false;
+    }
+    const trial = answer.result.case === "trial" ? answer.result.value : undefined;
+    const tried = {
+      document: document.path,
+      revision: document.revision,
+      mission: trial?.mission ?? "",
+      notes: trial?.notes ?? [],
+    };
+    store.setState({ tried, field: null, fieldError: "" });
+    designer.say(execute ? `${found.name} runs` : `${found.name} stands ready`);
+    this.follower.look();
+    return true;
+  }
+
+  /** One control cycle; where nothing has been tried yet, the first. */
+  async step(): Promise<void> {
+    const { isOurs, isCurrent, mode } = this.situation;
+    if ((!isOurs || !isCurrent) && !isMoving(mode) && !(await this.tryOut(false))) return;
+    await this.control(Control_Action.SINGLE_CYCLE);
+  }
+
+  /** The robots leave; the next run begins anew. */
+  async stop(): Promise<void> {
+    await this.control(Control_Action.RESTART);
+  }
+
+  async control(action: Control_Action): Promise<Reply> {
+    return this.order({ case: "control", value: { action } });
+  }
+
+  /** Asks of the simulator, as its operator, and tells the person where the answer is no. */
+  async order(body: Order): Promise<Reply> {
+    await this.becomeOperator();
+    const reply = await this.connection.ask(body);
+    if (!reply.ok) this.designer.tell(sentence(reply.error || reply.diagnostics[0]?.message || "the simulator said no"));
+    return reply;
+  }
+
+  /** `id`: what of the page that is shown it is set on. */
+  async setBreakpoint(breakpoint: BreakpointInit, id = ""): Promise<void> {
+    const { document, page } = this.designer.state;
+    const reply = await this.order({ case: "setBreakpoint", value: { breakpoint } });
+    if (!reply.ok) return;
+    this.designer.say("Set a breakpoint");
+    if (id === "" || reply.result.case !== "breakpoint") return;
+    const drawnAt = new Map(this.store.getState().drawnAt).set(reply.result.value, { document, page, id });
+    this.store.setState({ drawnAt });
+  }
+
+  async removeBreakpoint(id: number): Promise<void> {
+    await this.order({ case: "removeBreakpoint", value: { id } });
+  }
+
+  /** The live parameter of all robots with the selected one's program. */
+  async setParameter(port: string, value: string): Promise<boolean> {
+    const roster = this.model.get("roster");
+    const program = roster.robot(this.follower.robot)?.program;
+    const robots = roster.robots.filter((robot) => robot.program === program).map(({ id }) => id);
+    return (await this.order({ case: "setParameter", value: { robots, port, value } })).ok;
+  }
+
+  /** A live value becomes the text's. What runs is then what the text says, so it counts as tried. */
+  async writeBack(port: string, value: string): Promise<void> {
+    const { designer, store } = this;
+    const { isOurs, isCurrent } = this.situation;
+    const document = designer.state.document;
+    const answer = await designer.ask({ case: "writeBack", value: { document, port, value } });
+    if (!answer.ok) return;
+    designer.say(`Wrote ${lastPart(port)} = ${value} to the text`);
+    if (!isOurs || !isCurrent) return;
+    const before = designer.document?.revision ?? 0n;
+    const end = designer.store.subscribe((state) => {
+      const revision = state.documents[document]?.revision ?? before;
+      const { tried } = store.getState();
+      if (revision === before || !tried) return;
+      end();
+      store.setState({ tried: { ...tried, revision } });
+    });
+    // The new text may have come before the answer.
+    const { tried } = store.getState();
+    if (tried && before !== tried.revision) {
+      end();
+      store.setState({ tried: { ...tried, revision: before } });
+    }
+  }
+
+  /** The movement field of a node of the page, or of its result, over what the map shows. */
+  async readField(node: string, visible: Parameters<typeof gridFor>[0], scale: number): Promise<void> {
+    const { designer, store, model } = this;
+    const scene = model.get("scene");
+    if (!scene) return;
+    const { area, columns, rows } = gridFor(visible, scene, scale);
+    if (columns === 0 || rows === 0) return;
+    const { document, page } = designer.state;
+    const robot = this.follower.robot;
+    const heading = model.placeOf(robot)?.heading ?? 0;
+    const answer = await designer.link.ask({
+      case: "readField",
+      value: { document, page, node, robot, area, columns, rows, heading },
+    });
+    if (!answer.ok || answer.result.case !== "field") {
+      store.setState({ field: null, fieldError: sentence(answer.error || "there is no field") });
+      return;
+    }
+    const { arrows, note } = answer.result.value;
+    const pitch = Math.min((area.xMax - area.xMin) / columns, (area.yMax - area.yMin) / rows);
+    const title = node === "" ? page : node;
+    store.setState({ field: { arrows: readArrows(arrows), pitch, note, title }, fieldError: "" });
+  }
+
+  /** To where it is drawn. */
+  goTo({ document, page, id }: DrawnAt): void {
+    this.designer.goTo(document, page, id);
+    this.designer.select([id]);
+  }
+
+  togglePin(pin: Pin): void {
+    const { pins } = this.store.getState();
+    const others = pins.filter(({ port }) => port !== pin.port);
+    const isNew = others.length === pins.length;
+    this.store.setState({ pins: isNew ? [...pins, pin] : others });
+    if (isNew) this.designer.show({ live: true });
+  }
+
+  /** To the first error: where it is drawn, and in the list. */
+  showProblem(): void {
+    const { designer } = this;
+    const problem = designer.document?.problems.find(({ diagnostic }) => !diagnostic?.isWarning);
+    designer.show({ problems: true });
+    if (!problem) return;
+    designer.tell(`It does not compile: ${problem.diagnostic?.message ?? ""}`, "hold");
+    if (problem.page !== "" || problem.node !== "") {
+      designer.goTo(problem.diagnostic?.document || designer.state.document, problem.page, problem.node);
+    }
+  }
+
+  /** The same run in the operator console, which becomes the operator. */
+  openConsole(): void {
+    this.known = new Set(this.model.get("clients")?.clients.map(({ id }) => id));
+    this.handsOverUntil = Date.now() + kHandOver;
+    window.open(withToken(this.designer.page, "./"), "_blank", "noopener");
+  }
+
+  private handOver(): void {
+    if (Date.now() > this.handsOverUntil || !this.model.isOperator()) return;
+    const fresh = this.model.get("clients")?.clients.find((client) => client.isConnected && !this.known.has(client.id));
+    if (!fresh) return;
+    this.handsOverUntil = 0;
+    void this.connection.ask({ case: "passOperator", value: { client: fresh.id } });
+  }
+
+  /** Who has set a breakpoint wants to see what it stopped at. */
+  private tellHalt(): void {
+    const hit = this.model.get("halted")?.hits[0];
+    if (!hit) return;
+    this.designer.say(`Paused: ${hit.text}`);
+    if (this.store.getState().drawnAt.has(hit.breakpoint)) this.designer.show({ live: true });
+  }
+
+  private async becomeOperator(): Promise<boolean> {
+    if (this.model.isOperator()) return true;
+    const reply = await this.connection.ask({ case: "takeOperator", value: {} });
+    if (!reply.ok) this.designer.tell(sentence(reply.error));
+    return reply.ok;
+  }
+
+  /** Whether the mission is what the simulator holds now. */
+  private holds(mission: string): boolean {
+    const first = this.model.get("documents")?.documents[0]?.path;
+    return mission === "" || first === mission;
+  }
+
+  private selectSomebody(): void {
+    const first = this.model.get("roster").robots[0];
+    if (first && this.model.get("selection").robots.length === 0) this.model.select(selectRobots([first.id]));
+  }
+}
+
+const kLives = new WeakMap<Designer, Live>();
+
+/** The page's; it connects when it is first asked for. */
+export function liveOf(designer: Designer): Live {
+  let live = kLives.get(designer);
+  if (!live) {
+    live = new Live(designer);
+    kLives.set(designer, live);
+  }
+  return live;
+}
+
+/** Without connecting. */
+export function knownLive(designer: Designer): Live | undefined {
+  return kLives.get(designer);
+}

@@ -1,0 +1,30 @@
+import { expect, test } from "vitest";
+import { choosePlace, guessPlaces, joined } from "./places.ts";
+
+const none = () => false;
+
+test("a path stands before what is drawn, with a dot between", () => {
+  expect(joined("movement.Searching", "Noise.output")).toBe("movement.Searching.Noise.output");
+  expect(joined("", "Noise.output")).toBe("Noise.output");
+});
+
+test("who goes into a state's assemblage sees it where that state runs it", () => {
+  const places = ["movement.Acquiring.KeepClear", "movement.Searching.KeepClear"];
+  expect(choosePlace(places, { chosen: "", before: "movement.Searching", isActive: none })).toBe(places[1]);
+});
+
+test("else the place that is active is shown, and what somebody chose comes before all", () => {
+  const places = ["a", "b", "c"];
+  const isActive = (place: string) => place === "b";
+  expect(choosePlace(places, { chosen: "", before: "x", isActive })).toBe("b");
+  expect(choosePlace(places, { chosen: "c", before: "x", isActive })).toBe("c");
+  expect(choosePlace(places, { chosen: "gone", before: "", isActive: none })).toBe("a");
+  expect(choosePlace([], { chosen: "", before: "", isActive })).toBeUndefined();
+});
+
+test("a page is found among ports by what is drawn on it", () => {
+  const ports = ["movement.Searching.Noise.output", "movement.Searching.output", "movement.Delivering.Noise.output"];
+  expect(guessPlaces(["Noise.output", "output"], ports)).toEqual(["movement.Searching"]);
+  expect(guessPlaces(["Probe.output"], ports)).toEqual([]);
+  expect(guessPlaces(["a"], ["a"])).toEqual([""]);
+});

@@ -1,0 +1,36 @@
+// A page is drawn once and may run in several places of a program: which of them the drawing shows.
+
+export function joined(path: string, live: string): string {
+  return path === "" ? live : `${path}.${live}`;
+}
+
+/**
+ * The one whose values are shown. The one that was chosen, while it is there; else one inside of what was shown before
+ * (who goes from a state into what it calls stays with that state); else one that is active; else the first.
+ */
+export function choosePlace(
+  places: readonly string[],
+  { chosen, before, isActive }: { chosen: string; before: string; isActive: (place: string) => boolean },
+): string | undefined {
+  if (places.includes(chosen)) return chosen;
+  const inside = before === "" ? [] : places.filter((place) => place === before || place.startsWith(`${before}.`));
+  const among = inside.length > 0 ? inside : places;
+  return among.find(isActive) ?? among[0];
+}
+
+/** Where programs are not known by name: the paths below which most of what is drawn is found among the ports. */
+export function guessPlaces(lives: readonly string[], ports: readonly string[]): string[] {
+  const found = new Map<string, number>();
+  const wanted = new Set(lives);
+  for (const port of ports) {
+    for (const live of wanted) {
+      if (port === live) found.set("", (found.get("") ?? 0) + 1);
+      else if (port.endsWith(`.${live}`)) {
+        const place = port.slice(0, -live.length - 1);
+        found.set(place, (found.get(place) ?? 0) + 1);
+      }
+    }
+  }
+  const most = Math.max(0, ...found.values());
+  return [...found].filter(([, count]) => count === most).map(([place]) => place);
+}

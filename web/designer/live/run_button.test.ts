@@ -1,0 +1,53 @@
+import { expect, test } from "vitest";
+import { Status_Mode } from "../../core/protocol.ts";
+import { offersChange, runButton, type Situation } from "./run_button.ts";
+
+const first: Situation = {
+  isConnected: true,
+  isBusy: false,
+  errors: 0,
+  hasSubject: true,
+  isOurs: false,
+  isCurrent: false,
+  mode: Status_Mode.NO_MISSION,
+};
+const tried = { ...first, isOurs: true, isCurrent: true };
+
+test("at first it tries, and then it pauses and goes on", () => {
+  expect(runButton(first).act).toBe("try");
+  expect(runButton({ ...tried, mode: Status_Mode.RUNNING })).toMatchObject({ act: "pause", label: "Pause" });
+  expect(runButton({ ...tried, mode: Status_Mode.PAUSED })).toMatchObject({ act: "resume", label: "Go on" });
+  expect(runButton({ ...tried, mode: Status_Mode.READY }).act).toBe("execute");
+  expect(runButton({ ...tried, mode: Status_Mode.ENDED }).act).toBe("try");
+});
+
+test("a text that was changed is tried anew, at the latest when it is paused", () => {
+  const changed = { ...tried, isCurrent: false };
+  expect(runButton({ ...changed, mode: Status_Mode.PAUSED }).act).toBe("try");
+  expect(runButton({ ...changed, mode: Status_Mode.RUNNING }).act).toBe("pause");
+  expect(offersChange({ ...changed, mode: Status_Mode.RUNNING })).toBe(true);
+  expect(offersChange({ ...changed, errors: 1, mode: Status_Mode.RUNNING })).toBe(false);
+  expect(offersChange({ ...tried, mode: Status_Mode.RUNNING })).toBe(false);
+});
+
+test("what does not compile leads to what is wrong, but what runs can still be paused", () => {
+  expect(runButton({ ...first, errors: 2 }).act).toBe("problems");
+  expect(runButton({ ...tried, isCurrent: false, errors: 2, mode: Status_Mode.RUNNING }).act).toBe("pause");
+});
+
+test("nothing happens without a connection, while it compiles, or without something to run", () => {
+  expect(runButton({ ...first, isConnected: false }).act).toBe("none");
+  expect(runButton({ ...first, isBusy: true })).toMatchObject({ act: "none", label: "Compiling…" });
+  expect(runButton({ ...first, hasSubject: false }).act).toBe("none");
+});
+
+test("somebody else's mission is said to be replaced", () => {
+  expect(runButton({ ...first, mode: Status_Mode.RUNNING })).toMatchObject({
+    act: "try",
+    hint: "Takes the place of the mission that runs",
+  });
+});
+
+test("an emergency stop is released first", () => {
+  expect(runButton({ ...tried, mode: Status_Mode.STOPPED }).act).toBe("release");
+});

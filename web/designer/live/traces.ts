@@ -1,0 +1,50 @@
+// The last moments of numbers, for the little plots beside wires.
+
+const kMost = 80; // samples
+
+export class Traces {
+  private readonly samples = new Map<string, number[]>();
+  private time = Number.NEGATIVE_INFINITY;
+  private isNew = false;
+
+  /** Begins the samples of a moment [s]; going back in time forgets all. */
+  at(time: number): void {
+    if (time < this.time) this.samples.clear();
+    this.isNew = time !== this.time;
+    this.time = time;
+  }
+
+  /** The samples with this one, oldest first; the same array as before where no time has passed. */
+  add(key: string, value: number): readonly number[] {
+    const known = this.samples.get(key);
+    if (known && !this.isNew) return known;
+    const next = known ? [...known.slice(known.length >= kMost ? 1 : 0), value] : [value];
+    this.samples.set(key, next);
+    return next;
+  }
+
+  clear(): void {
+    this.samples.clear();
+    this.time = Number.NEGATIVE_INFINITY;
+  }
+
+  /** Forgets what is not among these. */
+  keep(keys: ReadonlySet<string>): void {
+    for (const key of this.samples.keys()) if (!keys.has(key)) this.samples.delete(key);
+  }
+}
+
+/** A path through the samples, in a box of this size; empty where there are less than two or nothing changes. */
+export function tracePath(samples: readonly number[], width: number, height: number): string {
+  const finite = samples.filter(Number.isFinite);
+  if (finite.length < 2) return "";
+  const low = Math.min(...finite);
+  const high = Math.max(...finite);
+  const span = high - low;
+  const y = (value: number) => (span > 1e-12 ? (1 - (value - low) / span) * (height - 2) + 1 : height / 2);
+  const step = width / (kMost - 1);
+  const first = width - (finite.length - 1) * step;
+  return finite
+    .map((value, i) => `${i === 0 ? "M" : "L"}${(first + i * step).toFixed(1)} ${y(value).toFixed(1)}`)
+    .join("");
+}
