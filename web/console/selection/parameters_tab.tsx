@@ -76,7 +76,8 @@ interface ParameterProps {
   isDisabled: boolean;
 }
 
-function Parameter({ port, index, name, robots, isDisabled }: ParameterProps) {
+/** One parameter of these robots, with its control; also in the designer. */
+export function Parameter({ port, index, name, robots, isDisabled }: ParameterProps) {
   const session = useSession();
   const shown = usePortText(robots[0] as number, index);
   const set = (value: string) =>

@@ -26,6 +26,7 @@ import { TransitionView } from "../states/transition_view.tsx";
 import { useDesigner, usePart } from "../use.ts";
 import { canvasStore, distanceAt, useCanvas } from "./canvas_store.ts";
 import { ConnectReason } from "./connect_reason.tsx";
+import { ContextMenu, openMenu } from "./context_menu.tsx";
 import { FarWires } from "./far_wires.tsx";
 import { type CanvasNode, type CanvasWire, nodesOf, wiresOf } from "./flow.ts";
 import { NodeView, spokenNode } from "./node_view.tsx";
@@ -224,6 +225,8 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
           if (!event.altKey || isReadOnly) return;
           void cutWire(designer, page, wire.id, isStates);
         }}
+        onNodeContextMenu={(event, node) => showMenu(designer, node.id, event)}
+        onEdgeContextMenu={(event, wire) => showMenu(designer, wire.id, event)}
         onNodeDoubleClick={(_, node) => enter(designer, drawing, node.id)}
         onMove={(_, view) => noteView(view, nodes.length)}
         onInit={(started) => noteView(started.getViewport(), nodes.length)}
@@ -266,8 +269,14 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         <ConnectReason />
       </ReactFlow>
       <ValueEditor />
+      <ContextMenu />
     </section>
   );
+}
+
+function showMenu(designer: ReturnType<typeof useDesigner>, id: string, event: MouseEvent): void {
+  event.preventDefault();
+  openMenu(designer, id, event);
 }
 
 function withLabel(node: FlowNode): FlowNode {

@@ -83,7 +83,7 @@ function Parts({ node, form, page }: { node: Node; form: Form; page: string }) {
         </span>
       )}
       {form.outputY >= 0 && <Output node={node} form={form} />}
-      <LiveBadge page={page} live={node.live} y={form.outputY} />
+      {node.isLoose && <LiveBadge page={page} live={node.live} y={form.outputY} />}
     </>
   );
 }

@@ -1,6 +1,7 @@
 // A wire: coloured by what flows in it, with its value beside it while robots run.
 import { BaseEdge, EdgeLabelRenderer, type EdgeProps } from "@xyflow/react";
 import { memo } from "react";
+import { LiveShown } from "../live/badge.tsx";
 import { useLive } from "../live/use_live.ts";
 import { useCanvas } from "./canvas_store.ts";
 import type { CanvasWire } from "./flow.ts";
@@ -22,7 +23,7 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
             className={`wire-label number ${value ? "live" : ""}`}
             style={{ transform: `translate(-50%, -50%) translate(${middle.x}px, ${middle.y}px)` }}
           >
-            {value ? value.text : `${data?.wire.type}${data?.wire.unit ? ` [${data.wire.unit}]` : ""}`}
+            {value ? <LiveShown value={value} /> : `${data?.wire.type}${data?.wire.unit ? ` [${data.wire.unit}]` : ""}`}
           </span>
         </EdgeLabelRenderer>
       )}

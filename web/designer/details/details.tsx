@@ -1,5 +1,6 @@
 // What is selected, in words and fields; without a selection the page itself.
-import { Drawing_Kind } from "../protocol.ts";
+import { extensions } from "../extensions.ts";
+import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
 import { useDrawing, usePart } from "../use.ts";
 import { GroupDetails } from "./group_details.tsx";
@@ -17,6 +18,21 @@ export default function Details() {
   if (!drawing) return <p className="empty small">Nothing is open.</p>;
   if (selection.length > 1) return <GroupDetails drawing={drawing} selection={selection} />;
   const id = selection[0] ?? "";
+  const Live = extensions.details;
+  return (
+    <>
+      <Of drawing={drawing} id={id} />
+      {Live && id !== "" && (
+        <div className="details">
+          <Live key={id} drawing={drawing} id={id} />
+        </div>
+      )}
+    </>
+  );
+}
+
+/** What one thing is. */
+function Of({ drawing, id }: { drawing: Drawing; id: string }) {
   if (drawing.kind === Drawing_Kind.STATES) {
     const transition = transitionOf(drawing, id);
     if (transition) return <TransitionDetails key={id} drawing={drawing} transition={transition} />;

@@ -1,12 +1,12 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { Breakpoint_Condition_Comparison as Comparison, BreakpointSchema } from "../../core/protocol.ts";
+import { BreakpointSchema, Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import { atCondition, atTransition, breakpointText, onPort, onTransition } from "./break_points.ts";
 
 const made = (init: Parameters<typeof create<typeof BreakpointSchema>>[1]) => create(BreakpointSchema, init);
 const way = made(atTransition("movement", "Searching", "Acquiring"));
-const near = made(atCondition("movement.near.output", Comparison.EQUAL, "true"));
-const far = made(atCondition("movement.range.output", Comparison.GREATER, "2"));
+const near = made(atCondition("movement.near", Comparison.EQUAL, "true"));
+const far = made(atCondition("movement.range", Comparison.GREATER, "2"));
 
 test("breakpoints are told in words", () => {
   expect(breakpointText(way)).toBe("Searching → Acquiring");
@@ -20,5 +20,5 @@ test("the one on a transition or a port is found", () => {
   expect(onTransition(all, "movement", "Searching", "Acquiring")).toBe(way);
   expect(onTransition(all, "other", "Searching", "Acquiring")).toBeUndefined();
   expect(onTransition(all, "", "Searching", "Acquiring")).toBe(way);
-  expect(onPort(all, "movement.near.output")).toEqual([near]);
+  expect(onPort(all, "movement.near")).toEqual([near]);
 });

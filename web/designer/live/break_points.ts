@@ -2,8 +2,8 @@
 import type { MessageInitShape } from "@bufbuild/protobuf";
 import {
   type Breakpoint,
-  Breakpoint_Condition_Comparison as Comparison,
   type BreakpointSchema,
+  Breakpoint_Condition_Comparison as Comparison,
   type Halted_Hit,
 } from "../../core/protocol.ts";
 
@@ -39,9 +39,8 @@ export function breakpointText({ what }: Pick<Breakpoint, "what">): string {
   }
   if (what.case !== "condition") return "nothing";
   const { port, comparison, value } = what.value;
-  const name = port.replace(/\.output$/, "");
-  if (comparison === Comparison.EQUAL && (value === "true" || value === "false")) return `${name} is ${value}`;
-  return `${name} ${comparisonSign(comparison)} ${value}`;
+  if (comparison === Comparison.EQUAL && (value === "true" || value === "false")) return `${port} is ${value}`;
+  return `${port} ${comparisonSign(comparison)} ${value}`;
 }
 
 /** The one on a transition, if there is one. */

@@ -90,9 +90,7 @@ export function HaltedNotice() {
         {sentence(plain(hit.text))}
         {halted.hits.length > 1 ? ` And ${halted.hits.length - 1} more.` : ""}
       </span>
-      {(place || hit.robot !== 0) && (
-        <Button onPress={show}>Show</Button>
-      )}
+      {(place || hit.robot !== 0) && <Button onPress={show}>Show</Button>}
       <Button onPress={() => void live.control(Control_Action.RESUME)}>Go on</Button>
     </div>
   );

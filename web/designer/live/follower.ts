@@ -3,7 +3,7 @@
 import { drawingOf } from "../designer.ts";
 import type { Drawing } from "../protocol.ts";
 import type { Live } from "./live.ts";
-import { choosePlace, guessPlaces, joined } from "./places.ts";
+import { choosePlace, guessPlaces, isWithin } from "./places.ts";
 import { livesOf, type Plan, planOf, portReader, valuesOf, withTrace } from "./reading.ts";
 import { Traces } from "./traces.ts";
 import { type LiveValue, liveKey, liveValues } from "./values.ts";
@@ -103,8 +103,7 @@ export class Follower {
     const detail = this.live.model.detail(this.robot);
     if (!detail) return false;
     const ports = this.live.model.get("roster").portsOf(this.robot);
-    const below = joined(place, "");
-    return ports.some((port, at) => detail.active[at] === 1 && port.path.startsWith(below));
+    return ports.some((port, at) => detail.active[at] === 1 && isWithin(port.path, place));
   }
 
   private soon(): void {

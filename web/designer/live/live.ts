@@ -145,7 +145,8 @@ export class Live {
   async order(body: Order): Promise<Reply> {
     await this.becomeOperator();
     const reply = await this.connection.ask(body);
-    if (!reply.ok) this.designer.tell(sentence(reply.error || reply.diagnostics[0]?.message || "the simulator said no"));
+    if (!reply.ok)
+      this.designer.tell(sentence(reply.error || reply.diagnostics[0]?.message || "the simulator said no"));
     return reply;
   }
 

@@ -5,8 +5,8 @@ import { keepFitted } from "../../console/shell/keep_fitted.ts";
 import { IconButton } from "../../console/ui/controls.tsx";
 import { MapView } from "../../core/map/map_view.ts";
 import { kFieldKey } from "./keys.ts";
-import { StartsTool } from "./starts_tool.ts";
 import { isMoving } from "./run_button.ts";
+import { StartsTool } from "./starts_tool.ts";
 import { useField, useReadField } from "./use_field.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
 

@@ -4,8 +4,9 @@ import { choosePlace, guessPlaces, joined } from "./places.ts";
 const none = () => false;
 
 test("a path stands before what is drawn, with a dot between", () => {
-  expect(joined("movement.Searching", "Noise.output")).toBe("movement.Searching.Noise.output");
-  expect(joined("", "Noise.output")).toBe("Noise.output");
+  expect(joined("movement.Searching", "Noise")).toBe("movement.Searching.Noise");
+  expect(joined("", "Noise")).toBe("Noise");
+  expect(joined("movement.Searching", ".")).toBe("movement.Searching");
 });
 
 test("who goes into a state's assemblage sees it where that state runs it", () => {
@@ -23,8 +24,8 @@ test("else the place that is active is shown, and what somebody chose comes befo
 });
 
 test("a page is found among ports by what is drawn on it", () => {
-  const ports = ["movement.Searching.Noise.output", "movement.Searching.output", "movement.Delivering.Noise.output"];
-  expect(guessPlaces(["Noise.output", "output"], ports)).toEqual(["movement.Searching"]);
-  expect(guessPlaces(["Probe.output"], ports)).toEqual([]);
+  const ports = ["movement.Searching.Noise", "movement.Searching.Probe", "movement.Delivering.Noise"];
+  expect(guessPlaces(["Noise", "Probe", "."], ports)).toEqual(["movement.Searching"]);
+  expect(guessPlaces(["Detect"], ports)).toEqual([]);
   expect(guessPlaces(["a"], ["a"])).toEqual([""]);
 });

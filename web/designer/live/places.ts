@@ -1,6 +1,11 @@
 // A page is drawn once and may run in several places of a program: which of them the drawing shows.
 
+/** What gives the page's own value has the path of the page. */
+const kItself = ".";
+
+/** Path of a port, or of a state; `live` as in a Drawing. */
 export function joined(path: string, live: string): string {
+  if (live === kItself) return path;
   return path === "" ? live : `${path}.${live}`;
 }
 
@@ -13,15 +18,20 @@ export function choosePlace(
   { chosen, before, isActive }: { chosen: string; before: string; isActive: (place: string) => boolean },
 ): string | undefined {
   if (places.includes(chosen)) return chosen;
-  const inside = before === "" ? [] : places.filter((place) => place === before || place.startsWith(`${before}.`));
+  const inside = before === "" ? [] : places.filter((place) => isWithin(place, before));
   const among = inside.length > 0 ? inside : places;
   return among.find(isActive) ?? among[0];
+}
+
+/** Whether a port stands in a place, or is its value. */
+export function isWithin(port: string, place: string): boolean {
+  return place === "" || port === place || port.startsWith(`${place}.`);
 }
 
 /** Where programs are not known by name: the paths below which most of what is drawn is found among the ports. */
 export function guessPlaces(lives: readonly string[], ports: readonly string[]): string[] {
   const found = new Map<string, number>();
-  const wanted = new Set(lives);
+  const wanted = new Set(lives.filter((live) => live !== kItself));
   for (const port of ports) {
     for (const live of wanted) {
       if (port === live) found.set("", (found.get("") ?? 0) + 1);

@@ -28,7 +28,7 @@ export function Probes() {
 function Probe({ pin }: { pin: Pin }) {
   const live = useLivePage();
   const value = useLive(kPinPage, pin.port);
-  const name = pin.port.replace(/\.output$/, "");
+  const name = pin.port;
   return (
     <li>
       <Button tone="link" className="ellipsis" onPress={() => live.goTo(pin)}>

@@ -7,19 +7,19 @@ import { Traces } from "./traces.ts";
 import { liveKey } from "./values.ts";
 
 const ports = [
-  create(PortSchema, { path: "movement.Noise.output", type: "Vector", isNumber: true }),
-  create(PortSchema, { path: "movement.near.output", type: "bool", isNumber: true }),
-  create(PortSchema, { path: "movement.range.output", type: "double", unit: "m", isNumber: true }),
-  create(PortSchema, { path: "elsewhere.Noise.output", type: "Vector", isNumber: true }),
+  create(PortSchema, { path: "movement.Noise", type: "Vector", isNumber: true }),
+  create(PortSchema, { path: "movement.near", type: "bool", isNumber: true }),
+  create(PortSchema, { path: "movement.range", type: "double", unit: "m", isNumber: true }),
+  create(PortSchema, { path: "elsewhere.Noise", type: "Vector", isNumber: true }),
 ];
 
 const drawing = create(DrawingSchema, {
   page: { document: "a.cdl", path: "Wander" },
   kind: Drawing_Kind.DATAFLOW,
-  nodes: [{ name: "Noise", live: "Noise.output" }, { name: "near", live: "near.output" }, { name: "text" }],
+  nodes: [{ name: "Noise", live: "Noise" }, { name: "near", live: "near" }, { name: "text" }],
   wires: [
-    { from: "Noise", to: "$result", live: "Noise.output" },
-    { from: "range", to: "near", live: "range.output" },
+    { from: "Noise", to: "$result", live: "Noise" },
+    { from: "range", to: "near", live: "range" },
   ],
 });
 
@@ -38,7 +38,7 @@ new DataView(vectors.buffer).setFloat32(4, 3, true);
 new DataView(vectors.buffer).setFloat32(8, 4, true);
 
 test("what is drawn twice is read once", () => {
-  expect(livesOf(drawing)).toEqual(["Noise.output", "near.output", "range.output"]);
+  expect(livesOf(drawing)).toEqual(["Noise", "near", "range"]);
 });
 
 test("values are those of the place that is shown, each as what it is", () => {
@@ -52,15 +52,15 @@ test("values are those of the place that is shown, each as what it is", () => {
     active: new Uint8Array([1, 0, 1, 0]),
   });
   const values = valuesOf(plan, detail, traces);
-  expect(values.get(liveKey("Wander", "Noise.output"))).toEqual({
+  expect(values.get(liveKey("Wander", "Noise"))).toEqual({
     text: "5",
     number: 5,
     vector: { x: 3, y: 4 },
     isActive: true,
     trace: [5],
   });
-  expect(values.get(liveKey("Wander", "near.output"))).toEqual({ text: "true", number: 1, isActive: false });
-  expect(values.get(liveKey("Wander", "range.output"))?.text).toBe("2.5 m");
+  expect(values.get(liveKey("Wander", "near"))).toEqual({ text: "true", number: 1, isActive: false });
+  expect(values.get(liveKey("Wander", "range"))?.text).toBe("2.5 m");
 });
 
 test("a detail without ports gives no values", () => {

@@ -1,5 +1,5 @@
 // Where robots start, set with the mouse: a click adds a place, dragging moves one, a click on one takes it away.
-import { type Point, distance } from "../../core/geometry.ts";
+import { distance, type Point } from "../../core/geometry.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import { fill, kSans, stroke, writeText } from "../../core/map/strokes.ts";
 import type { MapPointer, MapTool, Pen } from "../../core/map/tool.ts";

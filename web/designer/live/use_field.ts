@@ -43,7 +43,6 @@ export function useField(): void {
   const status = useSessionPart("status");
   const isStill = status !== null && !isMoving(status.mode);
   const cycle = isStill ? status.cycle : -1n;
-  // biome-ignore lint/correctness/useExhaustiveDependencies: these are what the field depends on
   useEffect(() => {
     if (!shows || !map || !isStill) return;
     let timer = setTimeout(read, kPause);

@@ -4,6 +4,7 @@ import { usePart as useSessionPart } from "../../console/session.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 import { type Live, liveOf } from "./live.ts";
 import type { LiveState } from "./live_state.ts";
+import { joined } from "./places.ts";
 import type { Situation } from "./run_button.ts";
 
 export function useLivePage(): Live {
@@ -30,5 +31,5 @@ export function useSituation(): Situation {
 export function usePath(live: string): string {
   const place = useLiveState((state) => (state.places.includes(state.place) ? state.place : undefined));
   if (place === undefined || live === "") return "";
-  return place === "" ? live : `${place}.${live}`;
+  return joined(place, live);
 }

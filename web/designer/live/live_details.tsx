@@ -1,0 +1,142 @@
+// At the end of the details of what is selected, while it runs: its value, its parameters, its breakpoints.
+import { useState } from "react";
+import { Parameter } from "../../console/selection/parameters_tab.tsx";
+import { splitPath, spoken } from "../../console/selection/ports.ts";
+import { usePortText } from "../../console/selection/ports_tab.tsx";
+import { useIsOperator, usePart as useSessionPart } from "../../console/session.ts";
+import { Button, Field, IconButton } from "../../console/ui/controls.tsx";
+import { Breakpoint_Condition_Comparison as Comparison, type Port, Port_Role } from "../../core/protocol.ts";
+import { Choice } from "../details/choice.tsx";
+import { Section } from "../details/parts.tsx";
+import type { Drawing } from "../protocol.ts";
+import { useDesigner, useIsReadOnly } from "../use.ts";
+import { LiveArrow } from "./badge.tsx";
+import { atCondition, kComparisons, onPort } from "./break_points.ts";
+import { InSession } from "./in_session.tsx";
+import { liveMenu } from "./menu.ts";
+import { parametersBelow, type Target, targetOf } from "./targets.ts";
+import { useLive } from "./use_live.ts";
+import { useLivePage, usePath } from "./use_live_part.ts";
+
+export function LiveDetails({ drawing, id }: { drawing: Drawing; id: string }) {
+  const target = targetOf(drawing, id);
+  if (!target) return null;
+  return (
+    <InSession>
+      <Running drawing={drawing} id={id} target={target} />
+    </InSession>
+  );
+}
+
+function Running({ drawing, id, target }: { drawing: Drawing; id: string; target: Target }) {
+  const designer = useDesigner();
+  const path = usePath(target.kind === "value" ? target.live : ".");
+  useSessionPart("breakpoints");
+  useSessionPart("roster");
+  const isNode = drawing.nodes.some((node) => node.name === id);
+  const actions = liveMenu(designer, id).filter((one) => one.blocked === undefined);
+  const isRunning = path !== "";
+  if (!isRunning && actions.length === 0) return null;
+  return (
+    <Section title="While it runs">
+      <div className="rows live-details">
+        {target.kind === "value" && isRunning && <Value drawing={drawing} live={target.live} />}
+        {isNode && isRunning && <Parameters path={path} />}
+        <div className="columns" style={{ gap: 4 }}>
+          {actions.map((one) => (
+            <Button key={one.id} {...(one.icon ? { icon: one.icon } : {})} onPress={one.run}>
+              {one.label}
+            </Button>
+          ))}
+        </div>
+        {target.kind === "value" && isRunning && <BreakWhen path={path} id={id} type={target.type} />}
+      </div>
+    </Section>
+  );
+}
+
+function Value({ drawing, live }: { drawing: Drawing; live: string }) {
+  const value = useLive(drawing.page?.path ?? "", live);
+  if (!value) return null;
+  return (
+    <p className="live-value number">
+      {value.vector && <LiveArrow {...value.vector} />}
+      {value.text}
+    </p>
+  );
+}
+
+/** Sliders of the running robots, and the way back into the text. */
+function Parameters({ path }: { path: string }) {
+  const live = useLivePage();
+  const roster = useSessionPart("roster");
+  const isOperator = useIsOperator();
+  const robot = useSessionPart("selection").robots[0] ?? 0;
+  const program = roster.robot(robot)?.program;
+  const ports = roster.portsOf(robot);
+  const own = parametersBelow(ports, path).filter((port) => port.role === Port_Role.PARAMETER);
+  const robots = roster.robots.filter((one) => one.program === program).map(({ id }) => id);
+  if (own.length === 0) return null;
+  return (
+    <div className="rows" data-testid="live-parameters">
+      {own.map((port) => (
+        <div key={port.path} className="live-parameter">
+          <Parameter
+            port={port}
+            index={ports.indexOf(port)}
+            name={spoken(splitPath(port.path).name)}
+            robots={robots.includes(robot) ? [robot, ...robots.filter((id) => id !== robot)] : robots}
+            isDisabled={!isOperator}
+          />
+          <WriteBack port={port} index={ports.indexOf(port)} robot={robot} write={live.writeBack.bind(live)} />
+        </div>
+      ))}
+    </div>
+  );
+}
+
+interface WriteBackProps {
+  port: Port;
+  index: number;
+  robot: number;
+  write: (port: string, value: string) => Promise<void>;
+}
+
+function WriteBack({ port, index, robot, write }: WriteBackProps) {
+  const shown = usePortText(robot, index);
+  const isReadOnly = useIsReadOnly();
+  const name = spoken(splitPath(port.path).name);
+  if (isReadOnly || shown === "" || shown === port.initial) return null;
+  return (
+    <Button icon="save" onPress={() => void write(port.path, shown)}>
+      Write {name} = {shown} to the text
+    </Button>
+  );
+}
+
+/** A breakpoint on a value: `is true`, `> 2`. */
+function BreakWhen({ path, id, type }: { path: string; id: string; type: string }) {
+  const live = useLivePage();
+  const all = onPort(useSessionPart("breakpoints"), path);
+  const [comparison, setComparison] = useState<Comparison>(type === "bool" ? Comparison.EQUAL : Comparison.GREATER);
+  const [typed, setTyped] = useState("");
+  const set = () => {
+    if (typed.trim() === "") return;
+    void live.setBreakpoint(atCondition(path, comparison, typed.trim()), id);
+    setTyped("");
+  };
+  if (type === "bool") return null;
+  return (
+    <div className="break-when">
+      <Choice
+        label="Pause when it is"
+        value={String(comparison)}
+        choices={kComparisons.map(([one, sign]) => [String(one), sign] as const)}
+        onChange={(next) => setComparison(Number(next) as Comparison)}
+      />
+      <Field label="Value" value={typed} onChange={setTyped} placeholder={type === "Vector" ? "its length" : ""} />
+      <IconButton icon="plus" label="Set the breakpoint" isDisabled={typed.trim() === ""} onPress={set} />
+      {all.length > 0 && <span className="small muted">{all.length} set</span>}
+    </div>
+  );
+}

@@ -1,0 +1,38 @@
+import { create } from "@bufbuild/protobuf";
+import { expect, test } from "vitest";
+import { Drawing_Kind, DrawingSchema } from "../protocol.ts";
+import { parametersBelow, targetOf } from "./targets.ts";
+
+test("nodes, wires and the result have values", () => {
+  const drawing = create(DrawingSchema, {
+    kind: Drawing_Kind.DATAFLOW,
+    nodes: [{ name: "Noise", live: "Noise", type: "Vector" }, { name: "text" }],
+    wires: [
+      { from: "Noise", to: "cooperate", port: "members", index: 0, live: "Noise", type: "Vector" },
+      { from: "cooperate", to: "$result", live: ".", type: "Vector" },
+    ],
+  });
+  expect(targetOf(drawing, "Noise")).toMatchObject({ kind: "value", live: "Noise" });
+  expect(targetOf(drawing, "cooperate/members[0]")).toMatchObject({ kind: "value", title: "the wire from Noise" });
+  expect(targetOf(drawing, "$result")).toMatchObject({ kind: "value", live: "." });
+  expect(targetOf(drawing, "text")).toBeUndefined();
+  expect(targetOf(drawing, "gone")).toBeUndefined();
+});
+
+test("states and transitions are told apart", () => {
+  const drawing = create(DrawingSchema, {
+    kind: Drawing_Kind.STATES,
+    states: [{ name: "Searching" }],
+    transitions: [{ from: "Searching", index: 1, to: "Acquiring" }],
+  });
+  expect(targetOf(drawing, "Searching/1")).toEqual({ kind: "transition", from: "Searching", to: "Acquiring" });
+  expect(targetOf(drawing, "Searching")).toEqual({ kind: "state", name: "Searching" });
+});
+
+test("a node's parameters stand directly below it", () => {
+  const ports = ["gain", "a.Noise.persistence", "a.Noise.inner.gain", "a.Noise2.x", "a.Noise"].map((path) => ({
+    path,
+  }));
+  expect(parametersBelow(ports, "a.Noise").map(({ path }) => path)).toEqual(["a.Noise.persistence"]);
+  expect(parametersBelow(ports, "").map(({ path }) => path)).toEqual(["gain"]);
+});
