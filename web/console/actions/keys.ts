@@ -33,7 +33,7 @@ export function shownShortcut(shortcut: string, isMac = false): string {
   const parts = shortcut.endsWith("+") ? [...shortcut.slice(0, -1).split("+"), "+"] : shortcut.split("+");
   return parts
     .filter((part) => part !== "")
-    .map((part) => names[part] ?? (part.length === 1 ? part.toUpperCase() : part))
+    .map((part) => names[part] ?? (/^(.|f\d+)$/.test(part) ? part.toUpperCase() : part))
     .join(" ");
 }
 

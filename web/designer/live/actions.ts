@@ -25,7 +25,7 @@ export function liveActions(designer: Designer): Action[] {
       shortcut: kFieldKey,
       blocked: live.model.get("scene") ? undefined : "Run it first",
       run: () => {
-        designer.show({ live: true });
+        live.showPane();
         live.store.setState({ showsField: !showsField, field: null, fieldError: "" });
       },
     },

@@ -6,6 +6,7 @@ import { Connection, tabKey } from "../../core/connection.ts";
 import { Model } from "../../core/model.ts";
 import { Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
+import { fit } from "../canvas/view.ts";
 import type { Designer } from "../designer.ts";
 import { withToken } from "../link/link.ts";
 import { lastPart } from "../pages/pages.ts";
@@ -13,11 +14,13 @@ import type { BreakpointInit } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
 import { createLiveState, type DrawnAt, type Pin } from "./live_state.ts";
+import { remember, remembered } from "./remembered.ts";
 import { isMoving, runButton, type Situation } from "./run_button.ts";
 import { subjectOf } from "./subject.ts";
 
 /** What a console keeps over reloads is the console's, not ours. */
 const kForgetful = { getItem: () => null, setItem: () => {} } as unknown as Storage;
+const kWide = 1500; // px; palette, drawing, simulator and details side by side
 const kHandOver = 30_000; // ms in which the console that was opened becomes the operator
 
 export class Live {
@@ -44,6 +47,10 @@ export class Live {
     this.model.updateMap({ robotLabels: "all" });
     this.follower = new Follower(this);
     this.model.subscribe("roster", () => this.selectSomebody());
+    this.model.subscribe("welcome", () => this.recall());
+    this.store.subscribe(({ tried }, before) => {
+      if (tried && tried !== before.tried) remember(window.sessionStorage, this.server, tried);
+    });
     this.model.subscribe("clients", () => this.handOver());
     this.model.subscribe("halted", () => this.tellHalt());
     this.connection.connect();
@@ -65,6 +72,15 @@ export class Live {
     };
   }
 
+  /** Opens the pane; where the window is narrow the drawing gets the palette's room. */
+  showPane(): void {
+    const { shown } = this.designer.state;
+    if (shown.live) return;
+    this.designer.show({ live: true, ...(window.innerWidth < kWide ? { palette: false } : {}) });
+    // Once the canvas has its new width.
+    setTimeout(() => fit(), 200);
+  }
+
   /** The large button. */
   async press(): Promise<void> {
     switch (runButton(this.situation).act) {
@@ -72,7 +88,7 @@ export class Live {
         await this.tryOut(true);
         break;
       case "execute":
-        this.designer.show({ live: true });
+        this.showPane();
         await this.control(Control_Action.EXECUTE);
         break;
       case "resume":
@@ -100,7 +116,7 @@ export class Live {
     const { robots, overlay, starts, subject } = store.getState();
     const found = subjectOf(document.declarations, subject, designer.state.page);
     if (!found || !(await this.becomeOperator())) return false;
-    designer.show({ live: true });
+    this.showPane();
     store.setState({ isBusy: true, error: "" });
     const answer = await designer.link.ask({
       case: "try",
@@ -233,7 +249,7 @@ export class Live {
     const others = pins.filter(({ port }) => port !== pin.port);
     const isNew = others.length === pins.length;
     this.store.setState({ pins: isNew ? [...pins, pin] : others });
-    if (isNew) this.designer.show({ live: true });
+    if (isNew) this.showPane();
   }
 
   /** To the first error: where it is drawn, and in the list. */
@@ -255,6 +271,14 @@ export class Live {
     window.open(withToken(this.designer.page, "./"), "_blank", "noopener");
   }
 
+  private get server(): string {
+    return this.model.get("welcome")?.session ?? "";
+  }
+
+  private recall(): void {
+    if (!this.store.getState().tried) this.store.setState({ tried: remembered(window.sessionStorage, this.server) });
+  }
+
   private handOver(): void {
     if (Date.now() > this.handsOverUntil || !this.model.isOperator()) return;
     const fresh = this.model.get("clients")?.clients.find((client) => client.isConnected && !this.known.has(client.id));
@@ -268,7 +292,7 @@ export class Live {
     const hit = this.model.get("halted")?.hits[0];
     if (!hit) return;
     this.designer.say(`Paused: ${hit.text}`);
-    if (this.store.getState().drawnAt.has(hit.breakpoint)) this.designer.show({ live: true });
+    if (this.store.getState().drawnAt.has(hit.breakpoint)) this.showPane();
   }
 
   private async becomeOperator(): Promise<boolean> {

@@ -99,7 +99,7 @@ function valueActions(live: Live, target: Target & { kind: "value" }, id: string
       blocked: live.model.get("scene") ? undefined : "Run it first",
       run: () => {
         designer.select([id]);
-        designer.show({ live: true });
+        live.showPane();
         live.store.setState({ showsField: true, field: null, fieldError: "" });
       },
     });

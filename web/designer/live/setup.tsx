@@ -2,7 +2,7 @@
 import { useState } from "react";
 import { Button, Field } from "../../console/ui/controls.tsx";
 import { Choice } from "../details/choice.tsx";
-import { useDesigner, useDocument, usePart } from "../use.ts";
+import { useDocument, usePart } from "../use.ts";
 import { kMostRobots } from "./live_state.ts";
 import { subjectOf, subjectsOf } from "./subject.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
@@ -15,7 +15,6 @@ const kKinds: Readonly<Record<string, string>> = {
 
 export function Setup() {
   const live = useLivePage();
-  const designer = useDesigner();
   const document = useDocument();
   const page = usePart((state) => state.page);
   const overlays = usePart((state) => state.hello?.overlays) ?? [];
@@ -53,13 +52,7 @@ export function Setup() {
           </Button>
         )}
       </div>
-      <Button
-        icon="map"
-        onPress={() => {
-          designer.show({ live: true });
-          void live.tryOut(false);
-        }}
-      >
+      <Button icon="map" onPress={() => void live.tryOut(false)}>
         Show on the map, without running
       </Button>
     </div>

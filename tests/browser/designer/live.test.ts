@@ -1,0 +1,169 @@
+// Running what is drawn: robots move beside the canvas, wires show values, breakpoints pause, parameters go back to the
+// text.
+import { expect, test } from "vitest";
+import { begin, type DesignerPage } from "./designer.ts";
+
+const kWander = `assemblage Wander() {
+  cooperate {
+    1: Noise(persistence = 2 s);
+    0.5: AvoidStaticObstacles(readings = sense_obstacles(range = 2 m), sphere = 1 m, safety_margin = 0.3 m);
+  }
+}
+`;
+
+const kTurns = `assemblage Turns() {
+  sequence {
+    start Waiting: Stand();
+      when Wait(delay = 1 s) goto Moving;
+    Moving: Noise(persistence = 2 s);
+      when Wait(delay = 1 s) goto Waiting;
+  }
+}
+`;
+
+const opened = (text: string) =>
+  begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", text), width: 1600, height: 900 });
+
+const simulator = ({ page }: DesignerPage) => page.getByRole("region", { name: "Simulator", exact: true });
+const breakpoints = ({ page }: DesignerPage) => page.getByRole("region", { name: "Breakpoints" });
+
+/** Simulated time [s]. */
+async function time({ page }: DesignerPage): Promise<number> {
+  const text = (await page.getByTestId("sim-time").textContent()) ?? "";
+  return text.split(":").reduce((sum, part) => sum * 60 + Number(part), 0);
+}
+
+async function run(designer: DesignerPage): Promise<void> {
+  await designer.page.locator("[data-tour=run]").click();
+  await simulator(designer).getByText("Running", { exact: true }).waitFor();
+  await expect.poll(() => time(designer)).toBeGreaterThan(0.5);
+}
+
+async function pause(designer: DesignerPage): Promise<void> {
+  await designer.button("Pause").click();
+  await simulator(designer).getByText("Paused", { exact: true }).waitFor();
+}
+
+test("what is drawn runs, and every wire shows its value", async () => {
+  const { designer } = await opened(kWander);
+  await designer.on("Wander");
+  await run(designer);
+  await simulator(designer).getByText("3 robots", { exact: true }).waitFor();
+  const labels = designer.page.locator(".wire-label.live");
+  await expect.poll(() => labels.count()).toBeGreaterThanOrEqual(4);
+  // Movements are arrows.
+  await designer.page.locator(".wire-label.live .live-arrow").first().waitFor();
+  const before = await designer.page.locator(".wire-label.live").allTextContents();
+  await expect.poll(() => designer.page.locator(".wire-label.live").allTextContents()).not.toEqual(before);
+  await pause(designer);
+  const still = await time(designer);
+  await designer.button("One cycle").click();
+  await expect.poll(() => time(designer)).toBeCloseTo(still + 0.1, 5);
+  await designer.button("Go on").click();
+  await expect.poll(() => time(designer)).toBeGreaterThan(still + 0.5);
+  await designer.button(/^Stop/).click();
+  await simulator(designer).getByText("Ready", { exact: true }).waitFor();
+});
+
+test("the active state glows, and a breakpoint on a transition pauses, says which, and leads there", async () => {
+  const { designer } = await opened(kTurns);
+  await designer.on("Turns");
+  await run(designer);
+  await designer.page.locator(".state.active").first().waitFor();
+  await designer.page.getByRole("button", { name: /^Transition 1 of Waiting/ }).click({ button: "right" });
+  await designer.page.getByRole("menuitem", { name: "Break Waiting → Moving" }).click();
+  await breakpoints(designer).getByRole("button", { name: "Waiting → Moving", exact: true }).waitFor();
+  const notice = simulator(designer).getByRole("alert");
+  await notice.getByRole("button", { name: "Show" }).waitFor();
+  await simulator(designer).getByText("Paused", { exact: true }).waitFor();
+  await notice.getByRole("button", { name: "Show" }).click();
+  await expect
+    .poll(() => designer.page.getByRole("button", { name: /^Transition 1 of Waiting/ }).getAttribute("aria-pressed"))
+    .toBe("true");
+  await breakpoints(designer).getByRole("switch").press("Space");
+  await expect.poll(() => breakpoints(designer).getByRole("switch").isChecked()).toBe(false);
+  await notice.getByRole("button", { name: "Go on" }).click();
+  const paused = await time(designer);
+  await expect.poll(() => time(designer)).toBeGreaterThan(paused + 3);
+  await designer.button("Remove the breakpoint Waiting → Moving").click();
+  await breakpoints(designer).getByText("None.").waitFor();
+});
+
+test("a parameter of the running robots is changed, and written back to the text", async () => {
+  const { designer, project } = await opened(kWander);
+  await designer.on("Wander");
+  await run(designer);
+  await designer.select(designer.named("Noise"));
+  const live = designer.details.getByTestId("live-parameters");
+  const field = live.getByRole("textbox", { name: /persistence/ });
+  await field.fill("7");
+  await field.press("Enter");
+  await designer.details.getByRole("button", { name: /^Write persistence = 7 to the text/ }).click();
+  await designer.named("Noise").getByText("7 s").waitFor();
+  await designer.page.locator("body").press("Control+s");
+  await expect.poll(() => project.read("one.cdl")).toContain("persistence = 7 s");
+  // It is what runs already: nothing has to be run anew.
+  await designer.button("Pause").waitFor();
+  expect(await designer.button("Run the change").count()).toBe(0);
+});
+
+test("the movement field is read while time stands still", async () => {
+  const { designer } = await opened(kWander);
+  await designer.on("Wander");
+  await run(designer);
+  await pause(designer);
+  await designer.button("Movement field of the selection").click();
+  await simulator(designer).getByText("Movement field of Wander", { exact: false }).waitFor();
+});
+
+test("a probe stays in sight on other pages", async () => {
+  const { designer } = await opened(kWander);
+  await designer.on("Wander");
+  await run(designer);
+  await designer.select(designer.named("Noise"));
+  await designer.details.getByRole("button", { name: "Pin a probe" }).click();
+  const probes = designer.page.getByRole("region", { name: "Probes" });
+  await probes
+    .getByRole("button", { name: /Noise$/ })
+    .first()
+    .waitFor();
+  await designer.toFile();
+  await probes.locator(".live-arrow").waitFor();
+});
+
+test("start places are set with the mouse on the map", async () => {
+  const { designer } = await opened(kWander);
+  await designer.on("Wander");
+  await designer.button("What runs").click();
+  await designer.button("Show on the map, without running").click();
+  await designer.page.keyboard.press("Escape");
+  const map = simulator(designer).getByRole("application", { name: /^Map/ });
+  await map.waitFor();
+  await designer.button("Set where robots start").click();
+  await map.click({ position: { x: 200, y: 150 } });
+  await map.click({ position: { x: 240, y: 200 } });
+  await designer.button("What runs").click();
+  await designer.page.getByText("2 start places are set on the map.").waitFor();
+});
+
+test("what does not compile says so, and leads to the problem", async () => {
+  const { designer } = await opened("assemblage Bad() {\n  cooperate {\n    1: Nosie();\n  }\n}\n");
+  await designer.on("Bad");
+  await expect.poll(() => designer.verdict.textContent()).toMatch(/\d error/);
+  await designer.page.locator("[data-tour=run]").click();
+  await designer.page.getByText("It does not compile").first().waitFor();
+  await designer.problems.waitFor();
+  await expect.poll(() => designer.page.locator(".react-flow__node.selected").count()).toBe(1);
+});
+
+test("the same run goes on in the console, which becomes the operator", async () => {
+  const { designer } = await opened(kWander);
+  await designer.on("Wander");
+  await run(designer);
+  const coming = designer.page.context().waitForEvent("page");
+  await designer.button("Open in the console").click();
+  const other = await coming;
+  await other.getByTestId("run-time").waitFor();
+  await expect.poll(() => other.getByTestId("main-button").isEnabled()).toBe(true);
+  await other.close();
+});

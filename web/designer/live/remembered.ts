@@ -1,0 +1,25 @@
+// What this tab has tried, over a reload of the page; of another run of the server it means nothing.
+import type { Tried } from "./live_state.ts";
+
+const kKey = "mlab.designer.tried";
+
+export function remember(storage: Storage, server: string, tried: Tried): void {
+  try {
+    storage.setItem(kKey, JSON.stringify({ ...tried, revision: String(tried.revision), server }));
+  } catch {
+    // A full or forbidden storage: what runs looks like somebody else's after a reload.
+  }
+}
+
+export function remembered(storage: Storage, server: string): Tried | null {
+  try {
+    const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "null");
+    if (typeof stored !== "object" || stored === null) return null;
+    const { document, revision, mission, notes, server: of } = stored as Record<string, unknown>;
+    if (of !== server || typeof document !== "string" || typeof mission !== "string") return null;
+    if (typeof revision !== "string" || !/^\d+$/.test(revision) || !Array.isArray(notes)) return null;
+    return { document, revision: BigInt(revision), mission, notes: notes.filter((one) => typeof one === "string") };
+  } catch {
+    return null;
+  }
+}
