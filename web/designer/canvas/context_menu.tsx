@@ -48,6 +48,7 @@ export function ContextMenu() {
         className="popover"
         triggerRef={anchor}
         isOpen
+        aria-label={`Menu of ${opened.id}`}
         placement="bottom start"
         onOpenChange={(open) => !open && close()}
       >

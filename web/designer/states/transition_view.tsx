@@ -57,7 +57,7 @@ function TransitionLabel({
       onClick={(event) => designer.select(event.shiftKey ? [...designer.state.selection, id] : [id])}
       onDoubleClick={() => designer.store.setState({ dialog: "rename", subject: id })}
     >
-      {siblings > 1 && <span className="transition-order">{transition.index + 1}</span>}
+      {siblings > 1 && <span className="transition-order" data-order={transition.index + 1} aria-hidden="true" />}
       <span className="ellipsis">{transition.trigger || "when?"}</span>
       {transition.restarts && <span title="Starts the state anew">↻</span>}
     </button>
