@@ -1,7 +1,6 @@
 // At the end of the details of what is selected, while it runs: its value, its parameters, its breakpoints.
 import { useState } from "react";
 import { Parameter } from "../../console/selection/parameters_tab.tsx";
-import { splitPath, spoken } from "../../console/selection/ports.ts";
 import { usePortText } from "../../console/selection/ports_tab.tsx";
 import { useIsOperator, usePart as useSessionPart } from "../../console/session.ts";
 import { Button, Field, IconButton } from "../../console/ui/controls.tsx";
@@ -14,7 +13,7 @@ import { LiveArrow } from "./badge.tsx";
 import { atCondition, kComparisons, onPort } from "./break_points.ts";
 import { InSession } from "./in_session.tsx";
 import { liveMenu } from "./menu.ts";
-import { parametersBelow, type Target, targetOf } from "./targets.ts";
+import { parameterName, parametersBelow, type Target, targetOf } from "./targets.ts";
 import { useLive } from "./use_live.ts";
 import { useLivePage, usePath } from "./use_live_part.ts";
 
@@ -74,7 +73,7 @@ function Parameters({ path }: { path: string }) {
   const robot = useSessionPart("selection").robots[0] ?? 0;
   const program = roster.robot(robot)?.program;
   const ports = roster.portsOf(robot);
-  const own = parametersBelow(ports, path).filter((port) => port.role === Port_Role.PARAMETER);
+  const own = parametersBelow(ports, path).filter((port) => port.role !== Port_Role.OUTPUT);
   const robots = roster.robots.filter((one) => one.program === program).map(({ id }) => id);
   if (own.length === 0) return null;
   return (
@@ -84,7 +83,7 @@ function Parameters({ path }: { path: string }) {
           <Parameter
             port={port}
             index={ports.indexOf(port)}
-            name={spoken(splitPath(port.path).name)}
+            name={parameterName(port.path)}
             robots={robots.includes(robot) ? [robot, ...robots.filter((id) => id !== robot)] : robots}
             isDisabled={!isOperator}
           />
@@ -105,7 +104,7 @@ interface WriteBackProps {
 function WriteBack({ port, index, robot, write }: WriteBackProps) {
   const shown = usePortText(robot, index);
   const isReadOnly = useIsReadOnly();
-  const name = spoken(splitPath(port.path).name);
+  const name = parameterName(port.path);
   if (isReadOnly || shown === "" || shown === port.initial) return null;
   return (
     <Button icon="save" onPress={() => void write(port.path, shown)}>

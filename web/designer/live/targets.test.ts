@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { Drawing_Kind, DrawingSchema } from "../protocol.ts";
-import { parametersBelow, targetOf } from "./targets.ts";
+import { parameterName, parametersBelow, targetOf } from "./targets.ts";
 
 test("nodes, wires and the result have values", () => {
   const drawing = create(DrawingSchema, {
@@ -35,4 +35,9 @@ test("a node's parameters stand directly below it", () => {
   }));
   expect(parametersBelow(ports, "a.Noise").map(({ path }) => path)).toEqual(["a.Noise.persistence"]);
   expect(parametersBelow(ports, "").map(({ path }) => path)).toEqual(["gain"]);
+});
+
+test("parameters are called as people call them", () => {
+  expect(parameterName("movement.Probe.safety_margin")).toBe("safety margin");
+  expect(parameterName("movement.gains[0]")).toBe("weight 1");
 });

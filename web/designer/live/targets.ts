@@ -1,5 +1,6 @@
 // What of the page an id of the selection is, for breakpoints and probes.
 import { wireId } from "../canvas/flow.ts";
+import { lastPart } from "../pages/pages.ts";
 import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
 
@@ -27,4 +28,11 @@ export function targetOf(drawing: Drawing, id: string): Target | undefined {
 export function parametersBelow<P extends { readonly path: string }>(ports: readonly P[], node: string): P[] {
   if (node === "") return ports.filter(({ path }) => !path.includes("."));
   return ports.filter(({ path }) => path.startsWith(`${node}.`) && !path.slice(node.length + 1).includes("."));
+}
+
+/** As people call it: `safety margin`; of an operator's weights `weight 1`. */
+export function parameterName(path: string): string {
+  const name = lastPart(path);
+  const weight = /^gains\[(\d+)\]$/.exec(name);
+  return weight ? `weight ${Number(weight[1]) + 1}` : name.replaceAll("_", " ");
 }
