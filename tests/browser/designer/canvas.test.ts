@@ -85,6 +85,7 @@ test("nodes become an assemblage, which is entered by a double click and taken a
   await designer.on("Two");
   const { page } = designer;
   await page.keyboard.press("Control+a");
+  await designer.named("near").click({ modifiers: ["Control"], position: { x: 70, y: 10 } });
   await page.keyboard.press("Control+g");
   const dialog = page.getByRole("dialog");
   await dialog.getByRole("textbox", { name: "Name" }).fill("Drift");

@@ -56,7 +56,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const isReadOnly = drawing.isReadOnly;
   const page = drawing.page?.path ?? "";
   const isDragging = useRef(false);
-  const hasFitted = useRef(false);
+  const fittedKind = useRef<Drawing_Kind | null>(null);
 
   useEffect(() => {
     if (!places || isDragging.current) return;
@@ -73,15 +73,16 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     );
   }, [drawing, places, isStates, designer]);
 
-  // Once, when the page has come into sight; later only where somebody asks for it.
+  // Once, when the page has come into sight or become one of states; later only where somebody asks for it.
   useEffect(() => {
     // On an empty page the camera stays where the first thing is put.
-    if (drawing.nodes.length + drawing.states.length === 0) hasFitted.current = true;
-    if (hasFitted.current || nodes.length === 0) return;
-    hasFitted.current = true;
+    if (drawing.nodes.length + drawing.states.length === 0) fittedKind.current = drawing.kind;
+    if (fittedKind.current === drawing.kind || nodes.length === 0) return;
+    if (nodes.some((node) => node.type === "state") !== isStates) return; // still those of before
+    fittedKind.current = drawing.kind;
     const only = designer.state.selection.map((id) => ({ id }));
     void flow.fitView(only.length > 0 && nodes.length > 40 ? { ...kFit, nodes: only } : kFit);
-  }, [nodes, flow, designer, drawing]);
+  }, [nodes, flow, designer, drawing, isStates]);
 
   // What is selected elsewhere (a problem, a link, the details) is selected here.
   const selection = usePart((state) => state.selection);
