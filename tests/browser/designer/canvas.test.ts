@@ -36,9 +36,7 @@ test("one value changed is one line of the file, and undo takes it back by its n
   await designer.setValue(designer.named("Noise"), "persistence", "4 s");
   await designer.button(/^Undo .*persistence/).waitFor();
   await designer.page.keyboard.press("Control+s");
-  await expect
-    .poll(() => project.read("two.cdl"))
-    .toBe(kTwo.replace("10 s", "4 s").replace("  // drifts", "   // drifts"));
+  await expect.poll(() => project.read("two.cdl")).toBe(kTwo.replace("10 s", "4 s"));
   await designer.button(/^Undo .*persistence/).click();
   await designer.named("Noise").getByText("10 s").waitFor();
   await designer.button(/^Redo .*persistence/).click();
@@ -107,7 +105,7 @@ test("text and drawing follow each other", async () => {
   await designer.text.getByText("persistence").first().waitFor();
   await designer.text.getByText("10 s").first().click();
   await designer.page.keyboard.press("Control+f");
-  await designer.page.getByRole("textbox", { name: "Find" }).fill("10 s");
+  await designer.page.getByRole("textbox", { name: "Find" }).pressSequentially("10 s");
   await designer.page.keyboard.press("Enter");
   await designer.page.keyboard.press("Escape");
   await designer.page.keyboard.type("7 s");

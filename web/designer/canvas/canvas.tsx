@@ -100,9 +100,14 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
 
   useEffect(() => setView(flow), [flow]);
 
+  // Before anything stands here React Flow tells of an empty selection, which is not the person's.
+  const isEmpty = useRef(true);
+  isEmpty.current = nodes.length === 0;
   const onSelection = useCallback(
-    ({ nodes: chosen, edges: wires }: OnSelectionChangeParams) =>
-      designer.select([...chosen.map((node) => node.id), ...wires.map((wire) => wire.id)]),
+    ({ nodes: chosen, edges: wires }: OnSelectionChangeParams) => {
+      if (isEmpty.current) return;
+      designer.select([...chosen.map((node) => node.id), ...wires.map((wire) => wire.id)]);
+    },
     [designer],
   );
 
