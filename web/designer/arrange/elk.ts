@@ -17,9 +17,9 @@ const kDataflow: Record<string, string> = {
 const kStates: Record<string, string> = {
   "elk.algorithm": "layered",
   "elk.direction": "RIGHT",
-  "elk.spacing.nodeNode": "90",
+  "elk.spacing.nodeNode": "72",
   "elk.spacing.edgeNode": "40",
-  "elk.layered.spacing.nodeNodeBetweenLayers": "190",
+  "elk.layered.spacing.nodeNodeBetweenLayers": "168",
   "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
   "elk.layered.considerModelOrder.strategy": "PREFER_NODES",
 };

@@ -13,6 +13,7 @@ import {
   ReactFlow,
   SelectionMode,
   useReactFlow,
+  useStore,
 } from "@xyflow/react";
 import { type DragEvent, type MouseEvent, useCallback, useEffect, useMemo, useRef, useState } from "react";
 import { arrangeChange } from "../arrange/arrange.ts";
@@ -40,7 +41,7 @@ import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFit
 const kNodeTypes = { node: NodeView, result: ResultView, note: NoteView, state: StateView };
 const kEdgeTypes = { wire: WireView, transition: TransitionView };
 const kMiniSize = { width: 160, height: 110 };
-const kFit = { padding: 0.14, maxZoom: 1 };
+const kFit = { padding: 0.1, maxZoom: 1 };
 /** What is dragged out of the palette. */
 export const kDragged = "application/x-mlab-component";
 
@@ -99,6 +100,15 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   }, [selection]);
 
   useEffect(() => setView(flow), [flow]);
+
+  // A pane that opens beside the canvas takes of its place: who has not moved the camera goes on seeing everything.
+  const size = useStore((state) => `${state.width} ${state.height}`);
+  const isFitted = useRef(true);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: size says that the canvas has another one
+  useEffect(() => {
+    if (isFitted.current && fittedKind.current !== null && !isEmpty.current) void flow.fitView(kFit);
+  }, [size, flow]);
+  const hasRoom = useStore((state) => state.width > 3.5 * kMiniSize.width && state.height > 3 * kMiniSize.height);
 
   // Before anything stands here React Flow tells of an empty selection, which is not the person's.
   const isEmpty = useRef(true);
@@ -234,7 +244,10 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         onNodeContextMenu={(event, node) => showMenu(designer, node.id, event)}
         onEdgeContextMenu={(event, wire) => showMenu(designer, wire.id, event)}
         onNodeDoubleClick={(_, node) => enter(designer, drawing, node.id)}
-        onMove={(_, view) => noteView(view, nodes.length)}
+        onMove={(event, view) => {
+          if (event) isFitted.current = false; // by hand
+          noteView(view, nodes.length);
+        }}
         onInit={(started) => noteView(started.getViewport(), nodes.length)}
         nodesConnectable={!isReadOnly}
         nodesDraggable={!isReadOnly}
@@ -261,7 +274,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       >
         {shown.grid && <Background variant={BackgroundVariant.Dots} gap={kPitch * 3} size={1.6} />}
         {showsFarWires && <FarWires nodes={nodes} edges={edges} />}
-        {shown.minimap && nodes.length > 0 && (
+        {shown.minimap && hasRoom && nodes.length > 0 && (
           <MiniMap
             style={kMiniSize}
             pannable

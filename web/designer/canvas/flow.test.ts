@@ -84,3 +84,17 @@ test("a wire leaves to the right and arrives from the left, also backwards", () 
   expect(wirePath({ x: 0, y: 0 }, { x: 200, y: 0 }).middle).toEqual({ x: 100, y: 0 });
   expect(wirePath({ x: 200, y: 0 }, { x: 0, y: 50 }).path).toMatch(/^M200 0C3\d\d/);
 });
+
+test("wires that share an input, as on the page of a file, are all drawn", () => {
+  const shared = create(DrawingSchema, {
+    nodes: [{ name: "Wander" }, { name: "Acquire" }, { name: "Forage" }],
+    wires: [
+      { from: "Wander", to: "Forage", port: "uses" },
+      { from: "Acquire", to: "Forage", port: "uses" },
+    ],
+  });
+  const wires = wiresOf(shared, []);
+  expect(new Set(wires.map((wire) => wire.id)).size).toBe(2);
+  expect(wires.map((wire) => wire.source)).toEqual(["Wander", "Acquire"]);
+  expect(wiresOf(shared, wires)).toEqual(wires);
+});

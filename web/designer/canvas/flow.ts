@@ -228,12 +228,18 @@ export function wiresOf(drawing: Drawing, before: readonly CanvasWire[]): Canvas
   const names = new Set(drawing.nodes.map((node) => node.name));
   const page = drawing.page?.path ?? "";
   const wires: CanvasWire[] = [];
+  const taken = new Set<string>();
   let hasEnd = false;
   for (const wire of drawing.wires) {
     const isEnd = wire.to === kResult;
     hasEnd ||= isEnd;
     if (!names.has(wire.from) || !(isEnd || names.has(wire.to))) continue;
-    wires.push(wireOf(wire, page, known.get(isEnd ? kResult : wireId(wire))));
+    // On the page of a file one input has many: all that a declaration uses.
+    let id = isEnd ? kResult : wireId(wire);
+    if (taken.has(id)) id = `${id}<${wire.from}`;
+    if (taken.has(id)) continue;
+    taken.add(id);
+    wires.push(wireOf(wire, id, page, known.get(id)));
   }
   if (!hasEnd && names.has(drawing.resultNode)) {
     const from = drawing.nodes.find((node) => node.name === drawing.resultNode)!;
@@ -245,16 +251,16 @@ export function wiresOf(drawing: Drawing, before: readonly CanvasWire[]): Canvas
       unit: from.unit,
       live: from.live,
     } as Wire;
-    wires.push(wireOf(wire, page, known.get(kResult)));
+    wires.push(wireOf(wire, kResult, page, known.get(kResult)));
   }
   return wires;
 }
 
-function wireOf(wire: Wire, page: string, before: CanvasWire | undefined): CanvasWire {
+function wireOf(wire: Wire, id: string, page: string, before: CanvasWire | undefined): CanvasWire {
   if (before && before.data?.page === page && isSameWire(before.data.wire, wire)) return before;
   const isEnd = wire.to === kResult;
   return {
-    id: isEnd ? kResult : wireId(wire),
+    id,
     type: "wire",
     source: wire.from,
     sourceHandle: kOut,

@@ -148,10 +148,11 @@ function shape(node: Node, wired: ReadonlySet<string>): Form {
   const rows = node.inputs.map((port, i) => rowOf(port, wired, head + i * kRowHeight + kRowHeight / 2));
   const symbol = look.symbol === "" ? 0 : kSymbolWidth;
   const icon = 34;
+  const enter = node.inner ? 18 : 0; // the button that looks inside
   const wanted = Math.max(
     kMinWidth,
-    icon + widthOf(title, 13, true) + 30,
-    icon + widthOf(subtitle, 11) + 30,
+    icon + widthOf(title, 13, true) + 30 + enter,
+    icon + widthOf(subtitle, 11) + 30 + enter,
     ...rows.map(
       (row) =>
         30 + widthOf(row.label, 12) + (row.value ? 20 + Math.min(110, widthOf(row.value, 12)) : 8) + weightWidth(row),

@@ -17,7 +17,7 @@ export function camera(): ReactFlowInstance | null {
 /** Everything, or what is named. */
 export function fit(ids?: readonly string[]): void {
   void current?.fitView({
-    padding: 0.14,
+    padding: 0.1,
     maxZoom: 1,
     duration: 200,
     ...(ids ? { nodes: ids.map((id) => ({ id })) } : {}),

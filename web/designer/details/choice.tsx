@@ -33,7 +33,9 @@ export function Choice({ label, value, choices, onChange, isDisabled = false, hi
     >
       {!hiddenLabel && <Label>{label}</Label>}
       <AriaButton className="button choice">
-        <SelectValue className="ellipsis grow" />
+        <SelectValue className="ellipsis grow">
+          {({ selectedText, defaultChildren }) => selectedText || defaultChildren}
+        </SelectValue>
         <Icon name="down" />
       </AriaButton>
       <Popover className="popover">

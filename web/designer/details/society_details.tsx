@@ -21,7 +21,7 @@ export function SocietyDetails({ drawing }: { drawing: Drawing }) {
         ))}
       </ul>
       {!isReadOnly && (
-        <div className="columns" style={{ gap: 4 }}>
+        <div className="columns" style={{ gap: 4, marginTop: 12 }}>
           {robots.map((robot) => (
             <Button
               key={robot}

@@ -46,8 +46,13 @@ function Ask({ title, label, first, button, help, isFree = false, done }: AskPro
         </>
       }
     >
-      {/* biome-ignore lint/a11y/noStaticElementInteractions: Enter in the field is the button's */}
-      <div onKeyDown={(event) => event.key === "Enter" && void go()}>
+      {/* Enter in the field is the button's. */}
+      <form
+        onSubmit={(event) => {
+          event.preventDefault();
+          void go();
+        }}
+      >
         <Field
           label={label}
           value={value}
@@ -59,7 +64,7 @@ function Ask({ title, label, first, button, help, isFree = false, done }: AskPro
           autoFocus
           {...(help ? { help } : {})}
         />
-      </div>
+      </form>
     </DialogBox>
   );
 }
