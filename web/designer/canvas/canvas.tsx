@@ -41,6 +41,7 @@ import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFit
 const kNodeTypes = { node: NodeView, result: ResultView, note: NoteView, state: StateView };
 const kEdgeTypes = { wire: WireView, transition: TransitionView };
 const kMiniSize = { width: 160, height: 110 };
+const kPaneSize = 60; // no pane takes less than twice of it, no line more [px]
 const kFit = { padding: 0.1, maxZoom: 1 };
 /** What is dragged out of the palette. */
 export const kDragged = "application/x-mlab-component";
@@ -101,13 +102,18 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
 
   useEffect(() => setView(flow), [flow]);
 
-  // A pane that opens beside the canvas takes of its place: who has not moved the camera goes on seeing everything.
-  const size = useStore((state) => `${state.width} ${state.height}`);
+  // A pane that opens beside the canvas takes of its place: who has not moved the camera goes on seeing everything. A line
+  // that comes and goes above it moves nothing.
+  const width = useStore((state) => Math.round(state.width / kPaneSize));
+  const height = useStore((state) => Math.round(state.height / kPaneSize));
+  const sizeBefore = useRef({ width: 0, height: 0 });
   const isFitted = useRef(true);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: size says that the canvas has another one
   useEffect(() => {
-    if (isFitted.current && fittedKind.current !== null && !isEmpty.current) void flow.fitView(kFit);
-  }, [size, flow]);
+    const before = sizeBefore.current;
+    if (Math.abs(width - before.width) < 2 && Math.abs(height - before.height) < 2) return;
+    sizeBefore.current = { width, height };
+    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current) void flow.fitView(kFit);
+  }, [width, height, flow]);
   const hasRoom = useStore((state) => state.width > 3.5 * kMiniSize.width && state.height > 3 * kMiniSize.height);
 
   // Before anything stands here React Flow tells of an empty selection, which is not the person's.

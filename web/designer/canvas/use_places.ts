@@ -22,7 +22,7 @@ const moved = new Map<string, Moved>();
 /** Where everything on the page stands; null while that is being worked out. */
 export function usePlaces(drawing: Drawing): Places | null {
   const moves = useCanvas((state) => state.moves);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: moves says that what placesOf reads has changed
+  // `moves` says that what placesOf reads has changed
   const places = useMemo(() => placesOf(drawing), [drawing, moves]);
   const isWhole = places !== null;
   useEffect(() => {

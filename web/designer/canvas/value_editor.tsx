@@ -43,7 +43,7 @@ function Editor({ node, port, what, row }: { node: Node; port: Port; what: "valu
       offset={2}
     >
       <Dialog aria-label={label} className="content">
-        {/* biome-ignore lint/a11y/noStaticElementInteractions: the field keeps Escape to itself */}
+        {/* The field keeps Escape to itself. */}
         <div onKeyDownCapture={(event) => event.key === "Escape" && close()}>
           <ValueField node={node} port={port} what={what} onDone={close} />
         </div>
