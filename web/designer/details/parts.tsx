@@ -29,7 +29,7 @@ export function SentField({ value, send, isDisabled, ...rest }: SentFieldProps) 
   );
 }
 
-/** Several lines; sent by leaving it. */
+/** Several lines; sent by leaving it, as Ctrl Enter does. */
 export function SentText({
   label,
   value,
@@ -58,9 +58,7 @@ export function SentText({
         disabled={isReadOnly}
         onChange={(event) => setTyped(event.target.value)}
         onBlur={() => typed.trim() !== value && send(typed.trim())}
-        onKeyDown={(event) =>
-          event.key === "Enter" && (event.ctrlKey || event.metaKey) && typed.trim() !== value && send(typed.trim())
-        }
+        onKeyDown={(event) => event.key === "Enter" && (event.ctrlKey || event.metaKey) && event.currentTarget.blur()}
       />
     </div>
   );
