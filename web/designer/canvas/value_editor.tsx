@@ -97,7 +97,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
   return (
     <div className="rows" style={{ gap: 8 }}>
       <Field
-        label={what === "weight" ? label : `${label}, ${shownType(port.type, port.unit)}`}
+        label={what === "weight" || port.type === "" ? label : `${label}, ${shownType(port.type, port.unit)}`}
         value={typed}
         onChange={(next) => {
           setTyped(next);

@@ -5,6 +5,8 @@ import { useLive } from "../live/use_live.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { curveOf, type TransitionEdge, transitionId } from "./flow.ts";
 
+type TransitionData = NonNullable<TransitionEdge["data"]>;
+
 export const TransitionView = memo(function TransitionView({
   source,
   target,
@@ -38,7 +40,7 @@ function TransitionLabel({
   at,
   className,
 }: {
-  data: NonNullable<TransitionEdge["data"]>;
+  data: TransitionData;
   at: { x: number; y: number };
   className: string;
 }) {
@@ -52,16 +54,21 @@ function TransitionLabel({
       className={`transition-label nodrag nopan ${className} ${isSelected ? "selected" : ""}`}
       style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px)` }}
       title={transition.help || undefined}
-      aria-label={`Transition ${transition.index + 1} of ${transition.from}: when ${transition.trigger}, to ${transition.to}`}
+      aria-label={spokenTransition(transition)}
       aria-pressed={isSelected}
       onClick={(event) => designer.select(event.shiftKey ? [...designer.state.selection, id] : [id])}
       onDoubleClick={() => designer.store.setState({ dialog: "rename", subject: id })}
     >
       {siblings > 1 && <span className="transition-order" data-order={transition.index + 1} aria-hidden="true" />}
       <span className="ellipsis">{transition.trigger || "when?"}</span>
-      {transition.restarts && <span title="Starts the state anew">↻</span>}
+      {transition.restarts && <span className="transition-anew" title="Starts the state anew" aria-hidden="true" />}
     </button>
   );
+}
+
+/** With all that is written on the label, and in its words. */
+function spokenTransition({ index, from, to, trigger, restarts }: TransitionData["transition"]): string {
+  return `Transition ${index + 1} of ${from}: ${trigger ? `when ${trigger}` : "when?"}, to ${to}${restarts ? ", anew" : ""}`;
 }
 
 /** True for a moment after the transition was made. */

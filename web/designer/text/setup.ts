@@ -84,7 +84,7 @@ export function editorParts(designer: Designer, live: LiveText, document: string
     looks,
     EditorState.lineSeparator.of("\n"),
     EditorState.tabSize.of(2),
-    EditorView.contentAttributes.of({ "aria-label": "Text of the configuration" }),
+    EditorView.contentAttributes.of({ "aria-label": "Text of the configuration", tabindex: "0" }),
     autocompletion({ override: [(context) => complete(designer, live, document, context)], icons: false }),
     hoverTooltip((view, at) => hover(designer, live, document, view, at), { hoverTime: 400 }),
     keymap.of([
