@@ -21,7 +21,20 @@ export function useShortcuts(designer: Designer): void {
       if (!action.blocked) action.run();
       else designer.say(action.blocked);
     };
+    // Fields keep what is typed in them to themselves, also keys that mean the same everywhere, such as Ctrl S.
+    const pressedInField = (event: KeyboardEvent) => {
+      const { target } = event;
+      if (!(target instanceof HTMLInputElement || target instanceof HTMLTextAreaElement)) return;
+      if (target.closest(".cm-editor") || designer.state.dialog !== "") return;
+      if (!allActions(designer).some((one) => one.everywhere && one.shortcut && matches(one.shortcut, event))) return;
+      target.blur(); // sends what has been typed
+      pressed(event);
+    };
     window.addEventListener("keydown", pressed);
-    return () => window.removeEventListener("keydown", pressed);
+    window.addEventListener("keydown", pressedInField, { capture: true });
+    return () => {
+      window.removeEventListener("keydown", pressed);
+      window.removeEventListener("keydown", pressedInField, { capture: true });
+    };
   }, [designer]);
 }
