@@ -112,7 +112,8 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     const before = sizeBefore.current;
     if (Math.abs(width - before.width) < 2 && Math.abs(height - before.height) < 2) return;
     sizeBefore.current = { width, height };
-    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current) void flow.fitView(kFit);
+    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current)
+      void flow.fitView(kFit);
   }, [width, height, flow]);
   const hasRoom = useStore((state) => state.width > 3.5 * kMiniSize.width && state.height > 3 * kMiniSize.height);
 
