@@ -20,15 +20,18 @@ void TransitionRecorder::look(const fleet::MissionRun& run) {
         robot != nullptr && robot->life == fleet::RobotLife::kRunning && robot->program->program;
     if (!runs) continue;
     const flow::Program& program = *robot->program->program;
+    const std::byte* const frame = robot->frame.data();
+    const bool begins = flow::Program::cycle(frame) <= 1;
     const bool is_known = std::exchange(watched.program, &program) == &program && !watched.now.empty();
-    if (!is_known) watched.last.clear();
+    if (!is_known || begins) watched.last.clear();
     std::swap(watched.before, watched.now);
-    program.sequence_states(robot->frame.data(), watched.now);
-    if (!is_known) {
+    program.sequence_states(frame, watched.now);
+    if (begins) watched.before.clear();  // nothing was before
+    if (!is_known && !begins) {
       watched.before = watched.now;
       continue;
     }
-    for (const flow::Program::Transit& transit : program.transits(robot->frame.data(), watched.before))
+    for (const flow::Program::Transit& transit : program.transits(frame, watched.before))
       watched.last[transit.sequence] = {transit, run.time(), run.cycle()};
   }
 }

@@ -310,6 +310,7 @@ void Designer::Parts::save(const Save& request, Answer& out) {
   }
   out.set_text(*saved);
   if (*saved == before) return;
+  if (last_trial_.document == before) last_trial_.document = *saved;
   for (auto& [id, client] : clients_) {
     if (client.documents.erase(before) == 0) continue;
     client.documents.insert(*saved);

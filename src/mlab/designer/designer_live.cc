@@ -51,11 +51,12 @@ void Designer::Parts::find_live(const FindLive& request, Answer& out) {
   if (one == nullptr) return fail(out, not_known("the document is not open").error());
   LivePaths& live = *out.mutable_live();
   if (!last_trial_.model) return;
+  const bool was_tried = last_trial_.document == one->path;
+  const std::string& source = (was_tried ? last_trial_.model : one->model)->source()->name();
   // A library's page is declared by the library, whichever document is tried.
   for (const auto& [robot, count] : last_trial_.configuration.robots) {
     const std::string program = last_trial_.file + '#' + robot;
-    for (const std::string& path :
-         live_paths(*last_trial_.model, robot, one->model->source()->name(), request.page())) {
+    for (const std::string& path : live_paths(*last_trial_.model, robot, source, request.page())) {
       LivePaths::At& at = *live.add_places();
       at.set_program(program);
       at.set_path(path);
@@ -65,9 +66,10 @@ void Designer::Parts::find_live(const FindLive& request, Answer& out) {
 
 // As it runs, but of the text as it is now; where it was not tried, as it would.
 text::Result<TrialConfiguration> Designer::Parts::tried_now(const OpenConfiguration& one) {
+  const std::shared_ptr<const Model> model = model_to_try(one);
   const bool was_tried = last_trial_.document == one.path;
-  if (was_tried) return complete_for_trial(one.model, desk_.environment(), last_trial_.wish);
-  return complete_for_trial(one.model, desk_.environment(), {});
+  if (was_tried) return complete_for_trial(model, desk_.environment(), last_trial_.wish);
+  return complete_for_trial(model, desk_.environment(), {});
 }
 
 void Designer::Parts::write_back(const WriteBack& request, Answer& out) {
@@ -94,7 +96,8 @@ struct Designer::Parts::FieldOf {
 
 text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenConfiguration& one,
                                                                    const ReadField& request) {
-  const Model::Found found = one.model->page(request.page());
+  const std::shared_ptr<const Model> author = model_to_try(one);
+  const Model::Found found = author->page(request.page());
   if (found.graph == nullptr)
     return not_known(fmt::format("there is no page `{}`", text::shown(request.page())));
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
@@ -108,7 +111,7 @@ text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenCon
   std::string why;
   for (const TrialWish& wish : {last_trial_.document == one.path ? last_trial_.wish : TrialWish{},
                                 TrialWish{std::string(owner_of(request.page())), 1}}) {
-    text::Result<TrialConfiguration> completed = complete_for_trial(one.model, desk_.environment(), wish);
+    text::Result<TrialConfiguration> completed = complete_for_trial(author, desk_.environment(), wish);
     if (!completed) {
       why = completed.error().message;
       continue;
@@ -122,7 +125,7 @@ text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenCon
       id += static_cast<std::uint32_t>(count);
       if (!is_wanted) continue;
       const std::vector<std::string> paths =
-          live_paths(*model, robot, one.model->source()->name(), owner_of(request.page()));
+          live_paths(*model, robot, author->source()->name(), owner_of(request.page()));
       if (!paths.empty()) return FieldOf{*completed, model, robot, joined_path(paths.front(), below)};
     }
   }
@@ -176,10 +179,13 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
   if (!crew) return not_known(sink.items().empty() ? "it can't run" : sink.items().front().message);
   fleet::MissionRun run(crew, {});
   run.post(mission::event::Execute{});
-  const auto stands = [&] { return run.fleet().robots().front().life == fleet::RobotLife::kRunning; };
-  for (int i = 0; i < 20 && !stands(); ++i) run.step();
-  if (!stands()) return not_known("the robot can't be started");
-  return field_arrows(run, run.fleet().robots().front(), false, part, grid);
+  const auto body = [&]() -> const fleet::FleetRobot& { return run.fleet().robots().front(); };
+  const auto has_order = [&] {
+    return body().life == fleet::RobotLife::kRunning && run.fleet().group(body()) != nullptr;
+  };
+  for (int i = 0; i < 20 && !has_order(); ++i) run.step();
+  if (body().life != fleet::RobotLife::kRunning) return not_known("the robot can't be started");
+  return field_arrows(run, body(), false, part, grid);
 }
 
 void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,

@@ -72,6 +72,8 @@ class Designer::Parts {
 
   // ---- designer_trial.cc
 
+  /// What the document means at a place of the project: of one of the library a copy, which hides it.
+  std::shared_ptr<const Model> model_to_try(const OpenConfiguration& one);
   void try_out(console::ConnectionId from, std::uint32_t number, const Try& request, Answer& out);
   void tried_out(console::ConnectionId from, std::uint32_t number, const LastTrial& trial,
                  const console::TrialResult& result);

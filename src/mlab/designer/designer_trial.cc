@@ -64,14 +64,6 @@ geom::Point first_of(const overlay::Overlay& map, std::initializer_list<overlay:
   return {area.width / 2.0, area.height / 2.0};
 }
 
-// What the document means in a place of the project. Of the library's a copy, which hides the library's own.
-std::shared_ptr<const Model> own_model(const OpenConfiguration& one, Desk& desk) {
-  if (!one.path.starts_with("library:")) return one.model;
-  const fs::path name = fs::path(desk.project().folder()) / fs::path(one.path).filename();
-  return std::make_shared<const Model>(std::make_shared<const text::Source>(name.string(), one.text.text()),
-                                       desk.environment());
-}
-
 bool is_same_file(const std::string& a, const std::string& b) {
   return fs::path(a).lexically_normal() == fs::path(b).lexically_normal();
 }
@@ -81,6 +73,13 @@ bool is_point(const console::Point& point) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Model> Designer::Parts::model_to_try(const OpenConfiguration& one) {
+  if (!one.path.starts_with("library:")) return one.model;
+  const fs::path name = fs::path(desk_.project().folder()) / fs::path(one.path).filename();
+  return std::make_shared<const Model>(std::make_shared<const text::Source>(name.string(), one.text.text()),
+                                       desk_.environment());
+}
 
 // Where the mission's text would stand: beside the configuration, so that it means the same files.
 console::Trial Designer::Parts::trial_of(const OpenConfiguration& one, const TrialConfiguration& completed,
@@ -177,7 +176,7 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
   if (!settings_.try_out) return refuse("this server has no simulator");
   if (request.count() > kMostRobots)
     return refuse(fmt::format("at most {} robots can be tried", kMostRobots));
-  const std::shared_ptr<const Model> model = own_model(*one, desk_);
+  const std::shared_ptr<const Model> model = model_to_try(*one);
   const TrialWish wish = {request.robot(), static_cast<int>(std::max(1U, request.count()))};
   const text::Result<TrialConfiguration> completed = complete_for_trial(model, desk_.environment(), wish);
   if (!completed) {

@@ -233,7 +233,13 @@ TEST(ReadField, AnswersWhatIsWrongWithTheRequest) {
   EXPECT_FALSE(desk.field(path, "Nowhere", "", 0, nullptr).ok());
   EXPECT_FALSE(desk.field(path, "Home", "Nothing", 0, nullptr).ok());
   EXPECT_FALSE(desk.field(path, "Home", "", 7, nullptr).ok()) << "no such robot";
-  const Answer percept = desk.field(path, "Home", "sense_obstacles", 0, nullptr);
+  std::string sensor;
+  const Drawing home = desk.drawing(path, "Home");
+  for (const Node& node : home.nodes()) {
+    if (node.component() == "sense_obstacles") sensor = node.name();
+  }
+  ASSERT_NE(sensor, "");
+  const Answer percept = desk.field(path, "Home", sensor, 0, nullptr);
   EXPECT_FALSE(percept.ok());
   EXPECT_NE(percept.error().find("gives no movement"), std::string::npos) << percept.error();
   const Answer far = desk.ask([&](ToDesigner& m) {

@@ -57,7 +57,8 @@ TEST(Trial, GivesAnAssemblageABodyAndARobot) {
 TEST(Trial, AssumesWhatAParameterWithoutDefaultCouldBe) {
   const auto out = completed(
       "assemblage Go(place: Vector, what: Object, near: length) {\n"
-      "  cooperate { 1: MoveTo(goal = place, success_radius = near); 0: PickUp(object = what, reach = 0.5 "
+      "  cooperate { 1: MoveToGoal(goal = place, success_radius = near); 0: PickUp(object = what, reach = "
+      "0.5 "
       "m); }\n"
       "}\n");
   ASSERT_TRUE(out.has_value()) << out.error().message;
@@ -168,7 +169,7 @@ TEST(Try, StartsRobotsWhereThePersonPutThem) {
   });
   ASSERT_TRUE(answer.ok()) << answer.error();
   ASSERT_TRUE(desk.browser().wait([&] { return desk.browser().starts().robots().size() == 3 * 16; }));
-  EXPECT_EQ(desk.browser().status().mode(), Status::READY);
+  EXPECT_TRUE(desk.browser().wait([&] { return desk.browser().status().mode() == Status::READY; }));
   std::vector<float> place(2);
   std::memcpy(place.data(), desk.browser().starts().robots().data() + 4, 8);
   EXPECT_NEAR(place[0], 5.0F, 0.01F);
