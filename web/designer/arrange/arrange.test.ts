@@ -61,3 +61,11 @@ test("what drives stands left of what is driven, and the result at the right", a
   expect(x.a).toBeLessThan(x.b!);
   expect(x.b).toBeLessThan(x.$result!);
 });
+
+test("a wire of something that has no output does not keep the rest from its place", async () => {
+  const graph = graphOf(drawing);
+  const dumb = { id: "unknown", width: 120, height: 40, inputs: [], outputY: -1 };
+  const wires = [...graph.wires, { from: "unknown", to: "b", port: "nowhere" }];
+  const result = await new ELK().layout(toElk({ ...graph, nodes: [...graph.nodes, dumb], wires }));
+  expect(fromElk(result)).toHaveLength(graph.nodes.length + 1);
+});

@@ -26,6 +26,9 @@ const kStates: Record<string, string> = {
 
 export function toElk(graph: LayoutGraph): ElkNode {
   const isFlow = graph.kind === "dataflow";
+  // On a page with errors a wire can lead to an input, or from an output, that its node does not have.
+  const hasOutput = new Set(graph.nodes.filter((node) => node.outputY >= 0).map((node) => node.id));
+  const hasInput = new Set(graph.nodes.flatMap((node) => node.inputs.map((input) => `${node.id}/${input.id}`)));
   return {
     id: "page",
     layoutOptions: isFlow ? kDataflow : kStates,
@@ -66,13 +69,17 @@ export function toElk(graph: LayoutGraph): ElkNode {
       }),
     ),
     edges: graph.wires
-      .filter((wire) => wire.from !== wire.to)
+      .filter((wire) => wire.from !== wire.to && (!isFlow || (hasOutput.has(wire.from) && hasInput.has(inputOf(wire)))))
       .map((wire, i) => ({
         id: `wire ${i}`,
         sources: [isFlow ? `${wire.from}>` : wire.from],
-        targets: [isFlow ? `${wire.to}/${wire.port}` : wire.to],
+        targets: [isFlow ? inputOf(wire) : wire.to],
       })),
   };
+}
+
+function inputOf(wire: { to: string; port: string }): string {
+  return `${wire.to}/${wire.port}`;
 }
 
 export interface Spot {

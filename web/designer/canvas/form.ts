@@ -177,7 +177,7 @@ function shape(node: Node, wired: ReadonlySet<string>): Form {
 
 /** What has no value and is used all the same. */
 function isUsed(shape: Node_Shape): boolean {
-  return shape >= Node_Shape.DECLARATION;
+  return shape >= Node_Shape.DECLARATION || shape === Node_Shape.UNKNOWN;
 }
 
 function extrasOf(rows: readonly Row[], wired: ReadonlySet<string>, headY: number): { id: string; y: number }[] {
