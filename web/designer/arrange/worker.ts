@@ -1,15 +1,19 @@
 // Automatic layout, off the page's thread. elk is loaded with it, the first time that something is laid out.
 import ELK from "elkjs/lib/elk.bundled.js";
+import { columnSpots } from "./columns.ts";
 import { fromElk, gridSpots, type Spot, toElk } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
 
 const elk = new ELK();
+const kMostForElk = 700; // nodes; its time grows faster than their number
 
 self.onmessage = async (event: MessageEvent<{ request: number; graph: LayoutGraph }>) => {
   const { request, graph } = event.data;
   let spots: Spot[];
   try {
-    spots = graph.kind === "grid" ? gridSpots(graph) : fromElk(await elk.layout(toElk(graph)));
+    const isLarge = graph.kind === "dataflow" && graph.nodes.length > kMostForElk;
+    if (graph.kind === "grid") spots = gridSpots(graph);
+    else spots = isLarge ? columnSpots(graph) : fromElk(await elk.layout(toElk(graph)));
   } catch {
     spots = gridSpots(graph); // what elk can't do still has to be seen
   }
