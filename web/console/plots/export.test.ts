@@ -130,7 +130,12 @@ describe("niceTicks", () => {
     expect(niceTicks(3, 3, 5)).toEqual([3]);
   });
   it("far from zero keep their digits, until numbers have none left", () => {
-    expect(niceTicks(999999.9999, 1000000.0015, 5)).toEqual([999999.9999 + 0.0001, 1000000.0005, 1000000.001, 1000000.0015]);
+    expect(niceTicks(999999.9999, 1000000.0015, 5)).toEqual([
+      999999.9999 + 0.0001,
+      1000000.0005,
+      1000000.001,
+      1000000.0015,
+    ]);
     expect(niceTicks(1e17, 1e17 + 16, 5)).toEqual([1e17]);
     expect(niceTicks(-1e-120, 1e-120, 2)).toEqual([-1e-120, 0, 1e-120]);
   });
