@@ -194,6 +194,36 @@ TEST_F(Exports, APlanExecutedByALispIsInTheStatesOfTheRobot) {
   }
 }
 
+TEST_F(Exports, ABehaviorTreeExecutedByAnotherInterpreterIsInTheStatesOfTheRobot) {
+  if (!is_there("node")) GTEST_SKIP() << "node is not here: apt-get install nodejs, or ./mlab test";
+  Json cases = Json::array();
+  std::vector<std::vector<std::string>> expected;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Trace run = run_of(seed, false);
+    text::Diagnostics sink;
+    const auto tree = run.robot.written("btcpp", sink);
+    ASSERT_TRUE(tree) << text::render(sink);
+    Json cycles = Json::array();
+    for (const std::string& flags : run.told) {
+      Json& messages = cycles.emplace_back(Json::array());
+      for (const char flag : flags) messages.push_back(std::string(1, flag));
+    }
+    cases.push_back({{"tree", *tree}, {"cycles", cycles}});
+    for (std::vector<std::string>& names = expected.emplace_back(); const auto& states : run.states) {
+      names.push_back(names_of(states));
+      names.back().pop_back();
+    }
+  }
+  const Answer answer = answer_of(
+      fmt::format("node '{}' '{}'", (kFolder / "run_btcpp.mjs").string(), put("trees.json", cases.dump())));
+  ASSERT_EQ(answer.status, 0) << answer.output;
+  const Json results = Json::parse(answer.output, nullptr, false);
+  ASSERT_EQ(results.size(), expected.size()) << answer.output;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_EQ(results[i].get<std::vector<std::string>>(), expected[i]) << "seed " << i + 1 << "\n"
+                                                                       << cases[i]["tree"].get<std::string>();
+}
+
 TEST_F(Exports, AStateChartExecutedByAnotherInterpreterIsInTheStatesOfTheRobot) {
   if (!fs::is_directory(fs::path(MLAB_SCXML_FOLDER) / "node_modules"))
     GTEST_SKIP() << "no SCXML interpreter in " << MLAB_SCXML_FOLDER << ": ./mlab test --only e2e installs it";

@@ -122,8 +122,7 @@ TEST(Session, CarriesDemoCOutFromExecuteThroughAllQuestionsToTheEnd) {
   EXPECT_EQ(anna.status().steps_size(), 12);
   EXPECT_TRUE(session->has_ended());
   EXPECT_NE(session->report().find("\"outcome\": \"done\""), std::string::npos);
-  EXPECT_GT(anna.frame_count(), 0U);
-  EXPECT_TRUE(anna.has_log("mission done"));
+  EXPECT_TRUE(anna.wait([&] { return anna.has_log("mission done") && anna.frame_count() > 0; }));
 }
 
 TEST(Session, ARestartIsTheSameRunBitForBitWithAndWithoutPeopleWhoLook) {

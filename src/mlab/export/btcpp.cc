@@ -1,5 +1,6 @@
 #include "mlab/export/btcpp.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <vector>
@@ -37,12 +38,8 @@ std::string text_of(const Value& value) {
 
 class TreeWriter {
  public:
-  explicit TreeWriter(text::Diagnostics& sink) : sink_(sink) {}
-
-  std::optional<std::string> run(const Plan& plan) {
-    const std::size_t errors_before = sink_.error_count();
-    put(plan, "    ");
-    if (sink_.error_count() > errors_before) return std::nullopt;
+  std::string run(const Plan& plan) {
+    put(plan, plan.name, "    ");
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     out += fmt::format("<root BTCPP_format=\"4\" main_tree_to_execute=\"{}\">\n  <BehaviorTree ID=\"{}\">\n",
                        escaped(plan.name), escaped(plan.name));
@@ -57,63 +54,112 @@ class TreeWriter {
   }
 
  private:
-  void refuse(const text::Place& place, std::string message, std::string hint) {
-    sink_.error("not-a-tree", place, std::move(message)).hints = {std::move(hint)};
+  std::string unused(const std::string& wanted) {
+    std::string out = wanted;
+    for (int n = 2; !taken_.insert(out).second; ++n) out = fmt::format("{}_{}", wanted, n);
+    return out;
   }
 
-  // The steps from the start on, each with the one step that follows. Empty where that is no chain.
-  std::vector<const Step*> chain(const Plan& plan, bool& repeats) {
-    std::vector<const Step*> out;
-    std::set<std::size_t> seen;
-    std::size_t at = plan.start;
-    while (seen.insert(at).second) {
-      const Step& step = plan.steps[at];
-      out.push_back(&step);
-      if (step.exits.empty()) return out;
-      for (const Step::Exit& exit : step.exits) {
-        if (exit.target == step.exits.front().target) continue;
-        refuse(exit.place, fmt::format("state `{}` leads to several states", step.name),
-               "a behavior tree has no transitions; a sequence that is one has a single next state in each");
-        return {};
+  // A plan's name on the blackboard: there stands in which state it is.
+  const std::string& key_of(const Plan& plan, const std::string& wanted) {
+    const auto [it, is_new] = keys_.try_emplace(&plan);
+    if (is_new) {
+      it->second = unused(wanted);
+      for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        const Step& step = plan.steps[i];
+        const std::string inner = it->second + "_" + step.name;
+        if (step.plan) key_of(*step.plan, inner);
+        if (takes_turns(plan, i)) turns_[&step] = unused(inner + "_turn");
       }
-      at = step.exits.front().target;
     }
-    repeats = true;
-    if (at == plan.start) return out;
-    refuse(out.back()->exits.front().place,
-           fmt::format("state `{}` leads back into the middle", out.back()->name),
-           "a behavior tree repeats from its start, or ends");
-    return {};
+    return it->second;
   }
 
-  void put(const Plan& plan, const std::string& indent) {
-    bool repeats = false;
-    const std::vector<const Step*> steps = chain(plan, repeats);
-    if (steps.empty()) return;
-    const std::string inner = repeats ? indent + "  " : indent;
-    if (repeats) tree_ += indent + "<Repeat num_cycles=\"-1\">\n";
-    tree_ += inner + "<Sequence>\n";
-    for (const Step* step : steps) put(*step, inner + "  ");
-    tree_ += inner + "</Sequence>\n";
-    if (repeats) tree_ += indent + "</Repeat>\n";
+  // A skill that may be begun anew while it runs stands in the tree twice, and the two take turns.
+  static bool takes_turns(const Plan& plan, std::size_t index) {
+    const Step& step = plan.steps[index];
+    return !step.plan && std::ranges::any_of(step.exits, [index](const Step::Exit& exit) {
+      return exit.restarts && exit.target == index;
+    });
+  }
+  // The script that puts a plan, and all plans inside, to their starts.
+  std::string starts(const Plan& plan) {
+    std::string out = fmt::format("{}:='{}'", keys_.at(&plan), plan.steps[plan.start].name);
+    for (const Step& step : plan.steps) {
+      if (step.plan && !step.plan->steps.empty()) out += "; " + starts(*step.plan);
+    }
+    return out;
+  }
+  std::string starts_with_turns(const Plan& plan) {
+    std::string out = fmt::format("{}:='{}'", keys_.at(&plan), plan.steps[plan.start].name);
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+      if (takes_turns(plan, i)) out += fmt::format("; {}:=0", turns_.at(&plan.steps[i]));
+    }
+    return out;
+  }
+  std::string enters(const Plan& plan, std::size_t from, const Step::Exit& exit) {
+    const Step& target = plan.steps[exit.target];
+    std::string out = fmt::format("{}:='{}'", keys_.at(&plan), target.name);
+    if (exit.target == from && exit.restarts) {
+      if (target.plan && !target.plan->steps.empty()) {
+        out += "; " + starts(*target.plan);
+      } else if (!target.plan) {
+        const std::string turn = turns_.at(&target);
+        out += fmt::format("; {}:=1-{}", turn, turn);
+      }
+    }
+    return out;
   }
 
-  // A step lasts until one of its conditions holds; a last one as long as its skill does.
-  void put(const Step& step, const std::string& indent) {
-    if (step.exits.empty()) {
-      put_member(step, indent);
-      return;
-    }
-    tree_ += fmt::format("{}<ReactiveFallback name=\"{}\">\n", indent, escaped(step.name));
-    for (const Step::Exit& exit : step.exits) put(exit.condition, indent + "  ");
-    put_member(step, indent + "  ");
-    tree_ += indent + "</ReactiveFallback>\n";
+  // In each cycle first the ways out of the state in which it is, of which the first that is open is taken,
+  // then what that state does.
+  void put(const Plan& plan, const std::string& key, const std::string& indent) {
+    const std::string name = key_of(plan, key);
+    const std::string one = indent + "  ";
+    const std::string two = one + "  ";
+    tree_ += fmt::format("{}<Sequence name=\"{}\">\n", indent, escaped(plan.name.empty() ? name : plan.name));
+    tree_ += fmt::format("{}<Script code=\"{}\"/>\n", one, escaped(starts_with_turns(plan)));
+    tree_ += one + "<ReactiveSequence>\n";
+    put_ways(plan, two);
+    tree_ += two + "<ReactiveFallback>\n";
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) put_step(plan, i, two + "  ");
+    tree_ += fmt::format("{}</ReactiveFallback>\n{}</ReactiveSequence>\n{}</Sequence>\n", two, one, indent);
   }
-  void put_member(const Step& step, const std::string& indent) {
-    if (step.plan)
-      put(*step.plan, indent);
-    else
-      put_leaf("Action", step.skill, indent);
+
+  void put_ways(const Plan& plan, const std::string& indent) {
+    if (std::ranges::all_of(plan.steps, [](const Step& step) { return step.exits.empty(); })) return;
+    const std::string one = indent + "  ";
+    const std::string two = one + "  ";
+    tree_ += indent + "<Fallback>\n";
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+      for (const Step::Exit& exit : plan.steps[i].exits) {
+        tree_ += one + "<Sequence>\n" + two + is_in(plan, i, "");
+        put(exit.condition, two);
+        tree_ +=
+            fmt::format("{}<Script code=\"{}\"/>\n{}</Sequence>\n", two, escaped(enters(plan, i, exit)), one);
+      }
+    }
+    tree_ += one + "<AlwaysSuccess/>\n" + indent + "</Fallback>\n";
+  }
+
+  std::string is_in(const Plan& plan, std::size_t step, const std::string& more) {
+    const std::string code = fmt::format("{}=='{}'{}", keys_.at(&plan), plan.steps[step].name, more);
+    return fmt::format("<ScriptCondition code=\"{}\"/>\n", escaped(code));
+  }
+
+  void put_step(const Plan& plan, std::size_t index, const std::string& indent) {
+    const Step& step = plan.steps[index];
+    const int copies = takes_turns(plan, index) ? 2 : 1;
+    for (int copy = 0; copy < copies; ++copy) {
+      const std::string more = copies == 1 ? "" : fmt::format(" && {}=={}", turns_.at(&step), copy);
+      tree_ += fmt::format("{}<ReactiveSequence name=\"{}\">\n{}  {}", indent, escaped(step.name), indent,
+                           is_in(plan, index, more));
+      if (step.plan && !step.plan->steps.empty())
+        put(*step.plan, "", indent + "  ");
+      else
+        put_leaf("Action", step.skill, indent + "  ");
+      tree_ += indent + "</ReactiveSequence>\n";
+    }
   }
 
   void put(const Condition& condition, const std::string& indent) {
@@ -146,8 +192,10 @@ class TreeWriter {
     tree_ += "/>\n";
   }
 
-  text::Diagnostics& sink_;
   std::string tree_;
+  std::map<const Plan*, std::string> keys_;
+  std::map<const Step*, std::string> turns_;
+  std::set<std::string> taken_;
   std::map<std::pair<std::string, std::string>, std::set<std::string>> models_;
 };
 
@@ -155,7 +203,8 @@ class TreeWriter {
 
 std::optional<std::string> write_btcpp(const Subject& subject, text::Diagnostics& sink) {
   const std::unique_ptr<Plan> plan = plan_of(subject, "BehaviorTree.CPP", sink);
-  return plan && !plan->steps.empty() ? TreeWriter(sink).run(*plan) : std::nullopt;
+  if (!plan || plan->steps.empty()) return std::nullopt;
+  return TreeWriter().run(*plan);
 }
 
 }  // namespace mlab::exports

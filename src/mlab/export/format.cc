@@ -17,7 +17,7 @@ std::optional<std::string> write_formula(const Subject& subject, text::Diagnosti
 }
 
 constexpr Format kFormats[] = {
-    {"btcpp", "a sequence that is a chain as a behavior tree (BehaviorTree.CPP 4)", write_btcpp},
+    {"btcpp", "the sequence as a behavior tree (BehaviorTree.CPP 4)", write_btcpp},
     {"dot", "the network for Graphviz", write_dot},
     {"formula", "sentences of the grammar G, and what their names stand for", write_formula},
     {"graph", "the network as JSON: nodes, ports, wires, states, layout", write_graph},

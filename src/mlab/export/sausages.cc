@@ -133,11 +133,10 @@ class PlanWriter {
 std::optional<std::string> write_sausages(const Subject& subject, text::Diagnostics& sink) {
   const std::string& architecture = subject.configuration.architecture;
   if (architecture != "UGV") {
-    sink.error("wrong-architecture", subject.robot.name.place,
-               fmt::format("SAUSAGES plans are for the architecture UGV, and this is for {}",
-                           architecture.empty() ? "AuRA" : architecture))
-        .hints = {"`architecture UGV;` at the start of the file"};
-    return std::nullopt;
+    sink.warning("other-architecture", subject.robot.name.place,
+                 fmt::format("SAUSAGES plans are for the architecture UGV, and this is for {}",
+                             architecture.empty() ? "AuRA" : architecture))
+        .hints = {"a vehicle has to know skills and conditions of these names"};
   }
   const std::unique_ptr<Plan> plan = plan_of(subject, "SAUSAGES", sink);
   return plan && !plan->steps.empty() ? std::optional(PlanWriter().run(*plan)) : std::nullopt;

@@ -1,9 +1,11 @@
 #include "mlab/robot_host/robot_program_process.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -29,7 +31,8 @@ class RobotProgramProcessTest : public testing::Test {
     return process ? "none" : process.error();
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "mlab_robot_program_process_test";
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / ("mlab_robot_program_process_test" + std::to_string(::getpid()));
 };
 
 TEST_F(RobotProgramProcessTest, TellsWhyAProgramCannotBeStarted) {

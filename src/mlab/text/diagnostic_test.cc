@@ -60,9 +60,10 @@ TEST(Render, CountsCharactersNotBytesInALongLine) {
 }
 
 TEST(Render, IsQuickForALineOfMegabytes) {
-  const auto source = std::make_shared<const Source>("a", std::string(2 << 20, '\xff'));
+  const auto source = std::make_shared<const Source>("a", std::string(2 * base::kMegabyte, '\xff'));
+  constexpr std::uint32_t kStep = base::kMegabyte / 52;
   Diagnostics sink;
-  for (std::uint32_t i = 0; i < 100; ++i) sink.error("k", {source, {i * 20000, i * 20000 + 1000}}, "m");
+  for (std::uint32_t i = 0; i < 100; ++i) sink.error("k", {source, {i * kStep, i * kStep + kStep / 20}}, "m");
   const double seconds = base::processor_seconds([&] { EXPECT_LT(render(sink).size(), 200000U); });
   EXPECT_LT(seconds, 1.0 * base::kSlowness);
 }

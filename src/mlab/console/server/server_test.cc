@@ -3,6 +3,7 @@
 #include "mlab/console/server/server.h"
 
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -468,8 +469,8 @@ TEST_F(RunningServer, APortThatIsTakenIsToldOrPassedOver) {
 class EncryptedServer : public RunningServer {
  protected:
   void SetUp() override {
-    settings_.certificate = testing::TempDir() + "mlab_certificate.pem";
-    settings_.key = testing::TempDir() + "mlab_key.pem";
+    settings_.certificate = testing::TempDir() + "mlab_certificate_" + std::to_string(::getpid()) + ".pem";
+    settings_.key = testing::TempDir() + "mlab_key_" + std::to_string(::getpid()) + ".pem";
     const std::string command =
         "openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -days 2 -subj "
         "/CN=localhost "

@@ -14,7 +14,7 @@ namespace mlab::cdl {
 namespace {
 
 // Assemblages in assemblages, calls in calls: so deep in all.
-constexpr int kMaxDepth = 1500;
+constexpr int kMaxDepth = 500;
 constexpr int kMaxTypeDepth = 64;
 
 template <class... Functions>

@@ -11,8 +11,8 @@
 namespace mlab::cdl_historic {
 namespace {
 
-// Of instances in instances, references followed. Each may become a call in a list in a call: four levels of our
-// language, which allows cdl::kMaxNesting.
+// Of instances in instances, references followed. Each may become a call in a list in a call: four levels of
+// our language, which allows cdl::kMaxNesting.
 constexpr int kMaxDepth = 45;
 constexpr std::uint32_t kMaxMade = 400'000;  // a shared part is made anew for each set of values it gets
 constexpr std::size_t kMaxDrawn = 2000;      // nodes of one drawing; more are laid out automatically

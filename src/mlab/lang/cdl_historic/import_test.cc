@@ -87,10 +87,11 @@ TEST_F(HistoricImport, SaysWhereThereIsNoClassOfRobotsAtAll) {
 TEST_F(HistoricImport, RefusesSharingThatWritesOutWithoutEnd) {
   std::string text = "instGroup g0 from [ NOISE( persistence = {^T %p} ) ];\n";
   for (int i = 1; i < 40; ++i) {
-    text += "instGroup g" + std::to_string(i) + " from [ COOP( members[A] = [ %p" + std::to_string(i) +
-            " = {1}, g" + std::to_string(i - 1) + " ], members[B] = [ %p" + std::to_string(i) + " = {2}, g" +
-            std::to_string(i - 1) + " ], weight[A] = {^T %p" + std::to_string(i) +
-            "}, weight[B] = {1} ) ];\n";
+    const std::string number = std::to_string(i), below = ", g" + std::to_string(i - 1) + " ]";
+    text += "instGroup g" + number + " from [ COOP( ";
+    for (const std::string member : {"1", "2", "3", "4"})
+      text += "members[" + member + "] = [ %p" + number + " = {" + member + "}" + below + ", ";
+    text += "weight[1] = {^T %p" + number + "}, weight[2] = {1} ) ];\n";
   }
   text::Diagnostics sink;
   import(std::make_shared<const text::Source>("old.cdl", text + "[ %p = {3}, g39 ]"), *vocabulary_, sink);

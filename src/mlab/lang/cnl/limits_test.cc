@@ -16,7 +16,7 @@
 namespace mlab::cnl {
 namespace {
 
-constexpr std::size_t kSize = 1 << 20;
+constexpr std::size_t kSize = base::kMegabyte;
 
 // Everything that happens to a file that a stranger sends, short of the C++ compiler.
 void read_all(std::string text) {

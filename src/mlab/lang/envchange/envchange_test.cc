@@ -92,7 +92,7 @@ TEST(EnvironmentChangeFile, OfAMegabyteIsAnsweredWithinASecond) {
        {"STEP_COUNT\n", "STEP_COUNT 1 ", "ADD\n", "REGION ", "x ", "x\n", "1 ", "9", "-", ".", "/", "/*",
         "//\n", "/**/", ",", "\xff ", "STEP_COUNT 1 ADD OBSTACLE 1 2 3\n"}) {
     std::string text;
-    while (text.size() < (std::size_t{1} << 20)) text += piece;
+    while (text.size() < base::kMegabyte) text += piece;
     const double seconds = base::processor_seconds([&] {
       text::Diagnostics sink;
       static_cast<void>(parse(std::make_shared<const text::Source>("t.env", text), {}, sink));

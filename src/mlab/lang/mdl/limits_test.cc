@@ -16,7 +16,7 @@
 namespace mlab::mdl {
 namespace {
 
-constexpr std::size_t kSize = std::size_t{1} << 20;
+constexpr std::size_t kSize = base::kMegabyte;
 constexpr double kPatience = 1.0 * base::kSlowness;  // [s]
 
 std::string repeated(const std::string& piece, std::size_t size = kSize) {

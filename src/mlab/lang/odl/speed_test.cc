@@ -25,9 +25,8 @@ double seconds_for(const std::string& text) {
 }
 
 std::string repeated(std::string_view piece) {
-  constexpr std::size_t kMegabyte = std::size_t{1} << 20;
   std::string out = "SITE x\nCONTROL MEASURES:\n";
-  while (out.size() < kMegabyte) out += piece;
+  while (out.size() < base::kMegabyte) out += piece;
   return out;
 }
 
@@ -90,7 +89,7 @@ TEST(OdlSpeed, AnswersAMegabyteOfRandomBytesWithinASecond) {
   base::Random random(1);
   for (const std::uint64_t range : {256ULL, 128ULL, 64ULL}) {
     std::string text = "CONTROL MEASURES:\n";
-    while (text.size() < (std::size_t{1} << 20)) text += static_cast<char>(random.below(range));
+    while (text.size() < base::kMegabyte) text += static_cast<char>(random.below(range));
     EXPECT_LT(seconds_for(text), base::kSlowness);
   }
 }

@@ -1,0 +1,109 @@
+// A small interpreter of the behavior trees that `mlab build --emit btcpp` writes: which states are active, cycle by cycle,
+// for given truth values of the conditions. The nodes do what the documentation of BehaviorTree.CPP 4 says of them; actions
+// answer RUNNING.
+//
+//   node run_btcpp.mjs CASES      CASES: [{"tree": XML, "cycles": [[true conditions]]}]; prints [["S1/S0"]]
+import { readFileSync } from "node:fs";
+
+function parse(xml) {
+  const root = { tag: "", attributes: {}, children: [] };
+  const open = [root];
+  const text = { "&amp;": "&", "&lt;": "<", "&gt;": ">", "&quot;": '"', "&apos;": "'" };
+  for (const [, close, tag, inside, leaf] of xml.matchAll(/<(\/?)([A-Za-z_]\w*)((?:\s+[\w.]+="[^"]*")*)\s*(\/?)>/g)) {
+    if (close) {
+      open.pop();
+      continue;
+    }
+    const attributes = {};
+    for (const [, key, value] of inside.matchAll(/([\w.]+)="([^"]*)"/g))
+      attributes[key] = value.replace(/&\w+;/g, (entity) => text[entity]);
+    const node = { tag, attributes, children: [], at: 0 };
+    open.at(-1).children.push(node);
+    if (!leaf) open.push(node);
+  }
+  return root.children[0].children.find((one) => one.tag === "BehaviorTree").children[0];
+}
+
+class Run {
+  constructor(tree) {
+    this.tree = tree;
+    this.blackboard = {};
+  }
+  evaluate(code) {
+    const js = code.replace(/:=/g, "=").replace(/'[^']*'|[A-Za-z_]\w*/g, (word) => (word[0] === "'" ? word : `board.${word}`));
+    return new Function("board", `return (${js.replace(/;/g, ",")});`)(this.blackboard);
+  }
+  halt(node) {
+    node.at = 0;
+    for (const child of node.children) this.halt(child);
+  }
+  finish(node, result) {
+    for (const child of node.children) this.halt(child);
+    node.at = 0;
+    return result;
+  }
+  tick(node, path) {
+    // A state is a reactive sequence with a name.
+    const isState = node.tag === "ReactiveSequence" && node.attributes.name;
+    const inner = isState ? [...path, node.attributes.name] : path;
+    return this.tickKind(node, inner);
+  }
+  tickKind(node, path) {
+    const goesOn = node.tag.endsWith("Sequence") ? "SUCCESS" : "FAILURE";
+    switch (node.tag) {
+      case "Sequence":
+      case "Fallback":
+        for (; node.at < node.children.length; ++node.at) {
+          const result = this.tick(node.children[node.at], path);
+          if (result === "RUNNING") return result;
+          if (result !== goesOn) return this.finish(node, result);
+        }
+        return this.finish(node, goesOn);
+      case "ReactiveSequence":
+      case "ReactiveFallback":
+        for (const [i, child] of node.children.entries()) {
+          const result = this.tick(child, path);
+          if (result === "RUNNING") {
+            for (const [k, other] of node.children.entries()) if (k !== i) this.halt(other);
+            return result;
+          }
+          if (result !== goesOn) return this.finish(node, result);
+        }
+        return this.finish(node, goesOn);
+      case "Inverter":
+        return this.tick(node.children[0], path) === "SUCCESS" ? "FAILURE" : "SUCCESS";
+      case "Script":
+        this.evaluate(node.attributes.code);
+        return "SUCCESS";
+      case "ScriptCondition":
+        return this.evaluate(node.attributes.code) ? "SUCCESS" : "FAILURE";
+      case "AlwaysSuccess":
+        return "SUCCESS";
+      case "AlwaysFailure":
+        return "FAILURE";
+      case "Condition":
+        return this.truths.includes(node.attributes.message) ? "SUCCESS" : "FAILURE";
+      case "Action":
+        this.active.push(path);
+        return "RUNNING";
+    }
+    throw new Error(`there is no node ${node.tag}`);
+  }
+  cycle(truths) {
+    this.truths = truths;
+    this.active = [];
+    this.tick(this.tree, []);
+    if (this.active.length !== 1) throw new Error(`${this.active.length} actions are active`);
+    return this.active[0];
+  }
+}
+
+const cases = JSON.parse(readFileSync(process.argv[2], "utf8"));
+console.log(
+  JSON.stringify(
+    cases.map(({ tree, cycles }) => {
+      const run = new Run(parse(tree));
+      return cycles.map((truths) => run.cycle(truths).join("/"));
+    }),
+  ),
+);
