@@ -5,7 +5,7 @@ import { fromElk, gridSpots, type Spot, toElk } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
 
 const elk = new ELK();
-const kMostForElk = 700; // nodes; its time grows faster than their number
+const kMostForElk = 240; // nodes; its time grows faster than their number
 
 self.onmessage = async (event: MessageEvent<{ request: number; graph: LayoutGraph }>) => {
   const { request, graph } = event.data;
