@@ -200,6 +200,7 @@ designer::DesignerSettings designer_settings(const RunOptions& options,
   out.version = settings.version;
   out.include_root = settings.include_root;
   out.state_folder = settings.state_folder;
+  out.may_compile = settings.may_compile;
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/designer/spread.h"
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/robot/robot_program.h"
@@ -22,7 +23,8 @@ int import(const ImportOptions& options) {
   }
   const cdl_historic::Vocabulary vocabulary(robot::component_library(),
                                             robot::library_environment().built_in);
-  const std::string out = cdl_historic::import_as_text(*source, vocabulary, sink);
+  const std::string out = designer::spread_out(cdl_historic::import_as_text(*source, vocabulary, sink),
+                                               robot::library_environment());
   fmt::print(stderr, "{}", text::render(sink));
   if (sink.has_errors()) {
     fmt::print(stderr, "mlab import: {} has errors; nothing is written\n", options.file);

@@ -24,6 +24,14 @@ std::string file_title(const std::string& path) {
   return path.substr(begin);
 }
 
+robot::ProgramSources programs(const DesignerSettings& settings) {
+  robot::ProgramSources out;
+  out.include_root = settings.include_root;
+  out.version = settings.version;
+  out.checks_code = settings.may_compile;
+  return out;
+}
+
 void add_entry(google::protobuf::RepeatedPtrField<console::Project::Entry>& into, const std::string& path,
                const std::string& title) {
   console::Project::Entry& entry = *into.Add();
@@ -47,7 +55,19 @@ void Designer::closed(console::ConnectionId connection) {
 Designer::Parts::Parts(DesignerSettings settings, Send send)
     : settings_(std::move(settings)),
       send_(std::move(send)),
-      desk_({settings_.project_folder, settings_.example_folder, settings_.state_folder}) {
+      desk_({settings_.project_folder, settings_.example_folder, settings_.state_folder}),
+      compiler_(
+          programs(settings_),
+          [this](const std::string& document, std::shared_ptr<const Compiled> compiled) {
+            inbox_->post([this, document, compiled] {
+              if (desk_.take(document, compiled)) publish();
+            });
+          },
+          [this](const std::string& document, std::shared_ptr<const CheckedCode> code) {
+            inbox_->post([this, document, code] {
+              if (desk_.take(document, code)) publish();
+            });
+          }) {
   thread_ = std::thread([this] { work(); });
 }
 
@@ -79,7 +99,6 @@ double Designer::Parts::now() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// What people ask for comes first; what is wrong with the texts is looked for when nobody asks.
 void Designer::Parts::work() {
   if (!settings_.open.empty()) {
     const text::Result<OpenConfiguration*> opened = desk_.open_on_disk(settings_.open, now());
@@ -93,10 +112,9 @@ void Designer::Parts::work() {
     std::vector<console::Inbox::Task> tasks = inbox_->wait_until(wake);
     while (!ends_) {
       for (const console::Inbox::Task& task : tasks) task();
+      start_compilations();
       tasks = inbox_->wait_until(std::chrono::steady_clock::now());
-      if (!tasks.empty()) continue;
-      if (!desk_.check_next()) break;
-      publish();
+      if (tasks.empty()) break;
     }
     if (now() - last_look_ > kDiskPause) look_at_disk();
     desk_.keep_drafts(now());
@@ -105,10 +123,13 @@ void Designer::Parts::work() {
   desk_.keep_drafts(0.0);
 }
 
+void Designer::Parts::start_compilations() {
+  while (const OpenConfiguration* one = desk_.next_to_compile()) compiler_.start(desk_.task(*one));
+}
+
 void Designer::Parts::look_at_disk() {
   last_look_ = now();
   const std::vector<Desk::Change> changes = desk_.look_at_disk(last_look_);
-  if (changes.empty()) return;
   for (const Desk::Change& change : changes) {
     FromDesigner message;
     message.mutable_file_changed()->set_document(change.document->path);
@@ -355,8 +376,8 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
     const OpenConfiguration* one = desk_.find(path);
     if (one == nullptr) continue;
     const std::string version =
-        fmt::format("{} {} {} {} {}", one->text.revision(), one->model_number, one->is_checked,
-                    one->saved ? one->is_dirty() : true, one->is_writable);
+        fmt::format("{} {} {} {} {} {}", one->text.revision(), one->model_number, one->compiled_number,
+                    desk_.offered_number(), one->saved ? one->is_dirty() : true, one->is_writable);
     std::string& sent = client.sent["version " + path + ' '];
     if (std::exchange(sent, version) == version) continue;
     FromDesigner message;
@@ -364,6 +385,7 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
     send_once(to, client, "document " + path + ' ', message);
     message.Clear();
     *message.mutable_palette() = palette_of(*one->drawn, desk_.context(*one));
+    add_offered(desk_.offered(*one), desk_.context(*one), *message.mutable_palette());
     send_once(to, client, "palette " + path + ' ', message);
   }
   for (const Page& page : client.pages) {
@@ -401,11 +423,33 @@ Document Designer::Parts::document_message(const OpenConfiguration& one) const {
   out.set_redo(one.text.redo_name());
   out.set_is_outdated(one.is_outdated());
   out.set_compile_ms(one.compile_ms);
-  const DrawingContext context = desk_.context(one);
-  for (const text::Diagnostic& d : one.model->problems().items())
-    *out.add_problems() = problem_of(d, *one.model, context);
+  add_found_problems(one, out);
   add_declarations(*one.drawn, out);
   return out;
+}
+
+// Until the text has been compiled, what reading it said.
+void Designer::Parts::add_found_problems(const OpenConfiguration& one, Document& out) const {
+  const DrawingContext context = desk_.context(one);
+  const text::Diagnostics& said = one.compiled ? one.compiled->problems : one.model->problems();
+  for (std::size_t i = 0; i < said.items().size(); ++i) {
+    Problem& problem = *out.add_problems();
+    problem = problem_of(said.items()[i], *one.model, context);
+    if (!one.compiled || i >= one.compiled->fixes.size()) continue;
+    for (const language::Fix& fix : one.compiled->fixes[i]) {
+      Fix& offered = *problem.add_fixes();
+      offered.set_title(fix.title);
+      for (const language::Splice& splice : fix.splices) {
+        Fix::Splice& one_splice = *offered.add_splices();
+        one_splice.set_begin(splice.span.begin);
+        one_splice.set_end(splice.span.end);
+        one_splice.set_text(splice.text);
+      }
+    }
+  }
+  if (!one.compiled || !one.code || one.code->code != one.compiled->code) return;
+  for (const text::Diagnostic& d : one.code->problems.items())
+    *out.add_problems() = problem_of(d, *one.model, context);
 }
 
 void Designer::Parts::send_once(console::ConnectionId to, Client& client, const std::string& what,

@@ -15,7 +15,7 @@ void Designer::Parts::edit(const Edit& request, Answer& out) {
     out.set_error("the text has a slip of grammar: mend it first, or undo it");
     return;
   }
-  text::Result<Edited> done = edited(one->drawn, desk_.environment(), request);
+  text::Result<Edited> done = edited(one->drawn, desk_.environment(), request, desk_.offered(*one));
   if (!done) return fail(out, done.error());
   if (done->text.size() > text::Source::kMaxBytes) {
     out.set_ok(false);

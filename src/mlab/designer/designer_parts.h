@@ -11,6 +11,7 @@
 
 #include "mlab/console/inbox.h"
 #include "mlab/designer.pb.h"
+#include "mlab/designer/compiler.h"
 #include "mlab/designer/designer.h"
 #include "mlab/designer/desk.h"
 #include "mlab/designer/movement_field.h"
@@ -67,6 +68,7 @@ class Designer::Parts {
   void reload(const Reload& request, Answer& out);
   void list_files(const ListFiles& request, Answer& out);
   void ask_language(const AskLanguage& request, Answer& out);
+  void find_definition(const OpenConfiguration& one, std::uint32_t cursor, Answer& out);
   void describe(const Describe& request, Answer& out);
   void fits(const Fits& request, Answer& out);
 
@@ -104,11 +106,14 @@ class Designer::Parts {
   void publish();
   void publish_to(console::ConnectionId to, Client& client);
   Document document_message(const OpenConfiguration& one) const;
+  void add_found_problems(const OpenConfiguration& one, Document& out) const;
   /// Sends it unless the same has been sent.
   void send_once(console::ConnectionId to, Client& client, const std::string& what,
                  const FromDesigner& message);
   void send(console::ConnectionId to, const FromDesigner& message);
   void look_at_disk();
+  /// Gives the compiler all texts that have changed.
+  void start_compilations();
   double now() const;
 
   DesignerSettings settings_;
@@ -121,6 +126,7 @@ class Designer::Parts {
   LastTrial last_trial_;
   bool is_deferred_ = false;  ///< the request in hand is answered later
   std::shared_ptr<console::Inbox> inbox_ = std::make_shared<console::Inbox>();  ///< also of who answers later
+  Compiler compiler_;  // posts to the inbox
   std::atomic<bool> ends_ = false;
   std::thread thread_;
 };

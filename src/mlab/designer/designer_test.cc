@@ -1,133 +1,14 @@
 #include "mlab/designer/designer.h"
 
-#include <chrono>
-#include <condition_variable>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <map>
-#include <mutex>
-#include <sstream>
-#include <thread>
-
 #include <gtest/gtest.h>
 
 #include "mlab/designer.pb.h"
+#include "mlab/designer/testing/browser.h"
 
 namespace mlab::designer {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A designer on a folder of its own, and one browser.
-class Browser {
- public:
-  explicit Browser(const std::string& name) : folder_(fs::temp_directory_path() / ("mlab_designer_" + name)) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_ / "project");
-    start();
-  }
-  ~Browser() {
-    designer_.reset();
-    fs::remove_all(folder_);
-  }
-  Browser(const Browser&) = delete;
-  Browser& operator=(const Browser&) = delete;
-
-  void start(const std::string& open = "") {
-    designer_.reset();
-    DesignerSettings settings;
-    settings.project_folder = (folder_ / "project").string();
-    settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
-    settings.state_folder = (folder_ / "state").string();
-    settings.open = open;
-    designer_ = std::make_unique<Designer>(settings, [this](console::ConnectionId to, const auto& bytes) {
-      FromDesigner message;
-      ASSERT_TRUE(message.ParseFromString(*bytes));
-      const std::scoped_lock lock(mutex_);
-      take(to.value, std::move(message));
-      arrived_.notify_all();
-    });
-    greet(1);
-  }
-  void greet(std::uint32_t who) {
-    ask([](ToDesigner& m) { m.mutable_greeting()->set_protocol(1); }, who);
-  }
-
-  Answer ask(const std::function<void(ToDesigner&)>& fill, std::uint32_t who = 1) {
-    auto message = std::make_unique<ToDesigner>();
-    const std::uint32_t request = ++last_request_;
-    message->set_request(request);
-    fill(*message);
-    designer_->receive({who}, std::move(message));
-    std::unique_lock lock(mutex_);
-    arrived_.wait_for(lock, std::chrono::seconds(60), [&] { return answers_.contains(request); });
-    return answers_[request];
-  }
-  std::string open(const std::string& path, std::uint32_t who = 1) {
-    const Answer answer = ask([&](ToDesigner& m) { m.mutable_open()->set_path(path); }, who);
-    return answer.ok() ? answer.text() : "error: " + answer.error();
-  }
-  Document document(const std::string& path, std::uint32_t who = 1) {
-    const std::scoped_lock lock(mutex_);
-    return documents_[{who, path}];
-  }
-  bool waits_for(const std::function<bool()>& what) {
-    std::unique_lock lock(mutex_);
-    return arrived_.wait_for(lock, std::chrono::seconds(60), what);
-  }
-  /// Only under `waits_for`.
-  const Document& seen(const std::string& path, std::uint32_t who = 1) { return documents_[{who, path}]; }
-  Drawing drawing(const std::string& page) {
-    const std::scoped_lock lock(mutex_);
-    return drawings_[page];
-  }
-  const Hello& hello() const { return hello_; }
-  std::vector<FileChanged> changed() {
-    const std::scoped_lock lock(mutex_);
-    return changed_;
-  }
-
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / "project" / name) << text;
-  }
-  std::string read(const std::string& name) {
-    std::ifstream in(folder_ / "project" / name);
-    std::stringstream out;
-    out << in.rdbuf();
-    return out.str();
-  }
-  void type(const std::string& path, const std::string& text) {
-    const Document now = document(path);
-    const Answer answer = ask([&](ToDesigner& m) {
-      m.mutable_edit_text()->set_document(path);
-      m.mutable_edit_text()->set_revision(now.revision());
-      m.mutable_edit_text()->set_end(static_cast<std::uint32_t>(now.text().size()));
-      m.mutable_edit_text()->set_text(text);
-    });
-    ASSERT_TRUE(answer.ok()) << answer.error();
-  }
-
- private:
-  void take(std::uint32_t who, FromDesigner message) {
-    if (message.has_answer()) answers_[message.answer().request()] = message.answer();
-    if (message.has_hello()) hello_ = message.hello();
-    if (message.has_document()) documents_[{who, message.document().path()}] = message.document();
-    if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
-    if (message.has_file_changed()) changed_.push_back(message.file_changed());
-  }
-
-  fs::path folder_;
-  std::mutex mutex_;
-  std::condition_variable arrived_;
-  std::map<std::uint32_t, Answer> answers_;
-  std::map<std::pair<std::uint32_t, std::string>, Document> documents_;
-  std::map<std::string, Drawing> drawings_;
-  std::vector<FileChanged> changed_;
-  Hello hello_;
-  std::uint32_t last_request_ = 0;
-  std::unique_ptr<Designer> designer_;
-};
+using testing::Browser;
 
 constexpr const char* kText = "assemblage A() {\n  cooperate {\n    1: Noise();\n  }\n}\n";
 

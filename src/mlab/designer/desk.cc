@@ -1,5 +1,4 @@
 #include "mlab/designer/desk.h"
-#include "mlab/designer/spans.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +9,8 @@
 
 #include "mlab/console/enclosed_file.h"
 #include "mlab/console/utf8.h"
+#include "mlab/designer/spans.h"
+#include "mlab/designer/spread.h"
 #include "mlab/lang/cdl/lexer.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
@@ -101,6 +102,70 @@ text::Files Desk::files() {
   return out;
 }
 
+std::shared_ptr<const text::Files> Desk::snapshot() const {
+  struct Kept {
+    console::ProjectFolder project;
+    std::map<std::string, text::SourcePtr, std::less<>> open;
+  };
+  auto kept = std::make_shared<Kept>(Kept{project_, {}});
+  for (const auto& [path, one] : open_) {
+    if (one->model) kept->open[path] = one->model->source();
+  }
+  auto out = std::make_shared<text::Files>();
+  out->is_file = [kept](const std::string& path) {
+    const std::optional<std::string> name = kept->project.name_of(path);
+    return name && (kept->open.contains(*name) || kept->project.is_file(*name));
+  };
+  out->read = [kept](const std::string& path) -> text::Result<text::SourcePtr> {
+    const std::optional<std::string> name = kept->project.name_of(path);
+    if (!name) return refused("cannot-read", fmt::format("{} is not in the project", shown(path)));
+    if (const auto found = kept->open.find(*name); found != kept->open.end())
+      return std::make_shared<const text::Source>(path, std::string(found->second->text()));
+    text::Result<std::string> content = kept->project.read(*name);
+    if (!content) return std::unexpected(content.error());
+    return std::make_shared<const text::Source>(path, std::move(*content));
+  };
+  return out;
+}
+
+// Files only; hidden ones are left out.
+std::vector<std::string> Desk::names_in(const std::string& folder) const {
+  const std::string path = (fs::path(folder) / "").lexically_normal().string();
+  const bool is_root = path == (fs::path(project_.folder()) / "").string();
+  const std::optional<std::string> name =
+      is_root ? std::string() : project_.name_of(fs::path(path).parent_path());
+  std::vector<std::string> out;
+  const auto entries =
+      name ? project_.list(*name) : text::Result<std::vector<console::ProjectFolder::Entry>>();
+  if (!entries) return out;
+  for (const console::ProjectFolder::Entry& entry : *entries) {
+    if (!entry.is_folder) out.push_back(fs::path(entry.path).filename().string());
+  }
+  return out;
+}
+
+language::Surroundings Desk::surroundings() {
+  language::Surroundings out;
+  out.files = files_;
+  out.list = [this](const std::string& folder) { return names_in(folder); };
+  out.checks_code = false;
+  return out;
+}
+
+// Of those that are not open: what is changed here is known already.
+std::map<std::string, std::string> Desk::stamps(const OpenConfiguration& one) const {
+  std::map<std::string, std::string> out;
+  for (const std::string& path : one.model->configuration().files) {
+    const std::optional<std::string> name = project_.name_of(path);
+    if (!name || open_.contains(*name)) continue;
+    std::error_code missing;
+    const auto time = fs::last_write_time(path, missing).time_since_epoch().count();
+    const auto size = fs::file_size(path, missing);
+    out[path] = missing ? "" : fmt::format("{} {}", time, size);
+  }
+  return out;
+}
+
 const cdl::Environment& Desk::environment() {
   environment_ = robot::library_environment();
   environment_.files = &files_;
@@ -166,13 +231,16 @@ OpenConfiguration* Desk::add(std::unique_ptr<OpenConfiguration> one) {
   OpenConfiguration* out = one.get();
   open_[out->path] = std::move(one);
   model(*out);
+  look_beside();
   return out;
 }
 
 void Desk::model(OpenConfiguration& one) {
   auto source = std::make_shared<const text::Source>(source_name(one.path), one.text.text());
   one.model = std::make_shared<Model>(std::move(source), environment());
-  one.is_checked = false;
+  one.is_started = false;
+  one.compiled.reset();
+  one.used = stamps(one);
   ++one.model_number;
   if (!one.model->is_readable() && one.drawn) return;
   one.drawn = one.model;
@@ -189,17 +257,32 @@ void Desk::changed(OpenConfiguration& one) {
   }
 }
 
-bool Desk::check_next() {
+OpenConfiguration* Desk::next_to_compile() {
   for (const auto& [path, one] : open_) {
-    if (one->is_checked) continue;
-    const auto begin = std::chrono::steady_clock::now();
-    one->model->check();
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    one->is_checked = true;
-    one->compile_ms = one->model->problems().has_errors() ? -1.0 : took.count();
-    return true;
+    if (!std::exchange(one->is_started, true)) return one.get();
   }
-  return false;
+  return nullptr;
+}
+
+Compiler::Task Desk::task(const OpenConfiguration& one) const {
+  return {one.path, one.model->source(), snapshot()};
+}
+
+bool Desk::take(const std::string& document, std::shared_ptr<const Compiled> compiled) {
+  OpenConfiguration* one = find(document);
+  if (one == nullptr || one->model->source() != compiled->source) return false;
+  one->compile_ms = compiled->problems.has_errors() ? -1.0 : compiled->took_ms;
+  one->compiled = std::move(compiled);
+  ++one->compiled_number;
+  return true;
+}
+
+bool Desk::take(const std::string& document, std::shared_ptr<const CheckedCode> code) {
+  OpenConfiguration* one = find(document);
+  if (one == nullptr) return false;
+  one->code = std::move(code);
+  ++one->compiled_number;
+  return true;
 }
 
 text::Result<OpenConfiguration*> Desk::open(const std::string& path, double now) {
@@ -246,7 +329,7 @@ text::Result<OpenConfiguration*> Desk::import(const std::string& path, const std
   }
   text::Result<OpenConfiguration*> out = open("", now);
   if (!out) return out;
-  (*out)->text.change(std::move(ours), "import " + path, now);
+  (*out)->text.change(spread_out(std::move(ours), environment()), "import " + path, now);
   changed(**out);
   return out;
 }
@@ -328,6 +411,7 @@ text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request
     changed(one);
   }
   drafts_.add_recent(path, "");
+  look_beside();
   return path;
 }
 
@@ -359,6 +443,7 @@ text::Result<bool> Desk::save_to_library(OpenConfiguration& one, const std::stri
   }
   const text::Result<bool> written = write(kProjectLibrary, library);
   if (!written) return written;
+  look_beside();
   if (open != nullptr) {
     open->text.change(library, "save to library", 0.0);
     open->saved = library;
@@ -387,6 +472,10 @@ text::Result<bool> Desk::reload(OpenConfiguration& one, bool merge, double now) 
 
 std::vector<Desk::Change> Desk::look_at_disk(double now) {
   std::vector<Change> out;
+  for (const auto& [path, one] : open_) {
+    if (stamps(*one) != one->used) model(*one);
+  }
+  look_beside();
   for (const auto& [path, one] : open_) {
     if (!one->saved || !one->is_writable) continue;
     if (!project_.is_file(path)) {

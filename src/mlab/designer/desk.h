@@ -10,9 +10,12 @@
 #include "mlab/console/drafts.h"
 #include "mlab/console/project_folder.h"
 #include "mlab/designer.pb.h"
+#include "mlab/designer/compiler.h"
 #include "mlab/designer/drawing.h"
 #include "mlab/designer/model.h"
+#include "mlab/designer/offered.h"
 #include "mlab/designer/open_text.h"
+#include "mlab/language/service.h"
 #include "mlab/text/files.h"
 
 namespace mlab::designer {
@@ -30,8 +33,12 @@ struct OpenConfiguration {
   std::shared_ptr<Model> model;  ///< of the text as it stands
   std::shared_ptr<Model> drawn;  ///< of the last text without slips of grammar
   std::uint64_t drawn_revision = 0;
-  bool is_checked = false;
-  std::uint64_t model_number = 0;  ///< grows with every new model
+  bool is_started = false;                   ///< the model's text has been given to the compiler
+  std::shared_ptr<const Compiled> compiled;  ///< of the model's text; null: not yet
+  std::shared_ptr<const CheckedCode> code;   ///< of the C++ that was used last; null: none yet
+  std::uint64_t compiled_number = 0;         ///< grows with everything that the compiler finds
+  std::map<std::string, std::string> used;   ///< stamps of the files on disk that the model has read
+  std::uint64_t model_number = 0;            ///< grows with every new model
   double compile_ms = -1.0;
   double draft_time = -1e9;
   std::uint64_t draft_revision = 0;  ///< 0: there is no draft
@@ -67,8 +74,12 @@ class Desk {
 
   /// The text has changed: everything anew that follows from it, also in those that use it.
   void changed(OpenConfiguration& one);
-  /// What the checker says of one that was not checked yet. False where all are.
-  bool check_next();
+  /// One that has not been given to the compiler since it changed; null where all are.
+  OpenConfiguration* next_to_compile();
+  Compiler::Task task(const OpenConfiguration& one) const;
+  /// What the compiler found; nothing happens where the text is another one by now. False then.
+  bool take(const std::string& document, std::shared_ptr<const Compiled> compiled);
+  bool take(const std::string& document, std::shared_ptr<const CheckedCode> code);
 
   /// @return  its path afterwards
   text::Result<std::string> save(OpenConfiguration& one, const Save& request);
@@ -85,8 +96,13 @@ class Desk {
   DrawingContext context(const OpenConfiguration& one) const;
   /// The id of the document that a source is the text of; empty where it can't be opened.
   std::string document_of(std::string_view source_name) const;
-  /// With the project's own library, for an own text.
   const cdl::Environment& environment();
+  /// Files of the project that it could use: those beside it, and the project's library.
+  std::vector<Offered> offered(const OpenConfiguration& one) const;
+  /// Grows when one of them changes.
+  std::uint64_t offered_number() const { return beside_number_; }
+  /// What stands beside a text, for questions about it. Valid as long as this desk.
+  language::Surroundings surroundings();
   /// Configurations below a folder (`""`, `examples:`).
   std::vector<std::string> configurations(std::string_view folder) const;
   std::vector<std::string> overlays() const;
@@ -104,6 +120,12 @@ class Desk {
   void restore_draft(OpenConfiguration& one, double now);
   text::Result<bool> save_to_library(OpenConfiguration& one, const std::string& declaration);
   text::Files files();
+  /// The same for other threads: the open texts as they stand now.
+  std::shared_ptr<const text::Files> snapshot() const;
+  void look_beside();
+  std::shared_ptr<const Model> model_beside(const std::string& name);
+  std::vector<std::string> names_in(const std::string& folder) const;
+  std::map<std::string, std::string> stamps(const OpenConfiguration& one) const;
   std::vector<std::string> found(std::string_view folder, std::string_view ending, int depth) const;
 
   console::ProjectFolder project_;
@@ -112,6 +134,13 @@ class Desk {
   cdl::Environment environment_;
   std::map<std::string, std::unique_ptr<OpenConfiguration>, std::less<>> open_;
   int last_new_ = 0;
+  /// A file of the project that stands beside an open configuration.
+  struct Beside {
+    std::string stamp;
+    std::shared_ptr<const Model> model;
+  };
+  std::map<std::string, Beside> beside_;  // by id
+  std::uint64_t beside_number_ = 0;
 };
 
 }  // namespace mlab::designer

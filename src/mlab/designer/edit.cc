@@ -92,11 +92,15 @@ std::string name_of(const Change& change) {
 }  // namespace
 
 text::Result<Edited> edited(std::shared_ptr<const Model> model, const cdl::Environment& environment,
-                            const Edit& edit) {
+                            const Edit& edit, const std::vector<Offered>& offered) {
   if (!model->is_readable()) return refusal("the text has a slip of grammar: mend it first");
   if (edit.changes().empty()) return refusal("nothing is to be changed");
   if (edit.changes_size() > kMostChanges) return refusal("too many changes at once");
+  const std::vector<std::string> files = files_needed(edit, *model, offered);
   Workspace work(std::move(model), environment);
+  for (const std::string& file : files) {
+    if (const Done done = add_use(work, file); !done) return std::unexpected(done.error());
+  }
   Editor editor(work);
   for (const Change& change : edit.changes()) {
     if (const Done done = editor.apply(change); !done) return std::unexpected(done.error());
@@ -106,7 +110,7 @@ text::Result<Edited> edited(std::shared_ptr<const Model> model, const cdl::Envir
 
 // ---- what fits where
 
-FitList fitting(const Model& model, const Fits& request) {
+FitList fitting(const Model& model, const Fits& request, const std::vector<Offered>& offered) {
   FitList out;
   const Model::Found found = model.page(request.page());
   if (found.graph == nullptr) return out;
@@ -185,13 +189,18 @@ FitList fitting(const Model& model, const Fits& request) {
     for (const auto& [name, binding] : model.configuration().bindings) add_component(components.of(*binding));
     for (const flow::Behavior* behavior : model.library().behaviors())
       add_component(components.of(flow::Library::Entry{behavior, nullptr}));
+    for (const Offered& file : offered) {
+      for (const Callable& component : callables_of(*file.model)) add_component(component);
+    }
     return out;
   }
 
   ValueType type;
   int from = -1;
   if (!request.component().empty()) {
-    const std::optional<Callable> component = components.find(request.component());
+    std::optional<Callable> component = components.find(request.component());
+    if (const Offered* file = find_offered(offered, model, request.component()))
+      component = *find_callable(callables_of(*file->model), request.component());
     if (component) type = component->output;
     if (!component && request.component() != "delay" && request.component() != "select") {
       const bool is_logic =

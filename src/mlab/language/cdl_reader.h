@@ -73,6 +73,7 @@ class CdlReader {
   void group();
   void layout();
   void layout_entry(int owner);
+  bool at_note() const;
   int layout_path(int owner, Kind wanted);
   void use_file();
   void architecture();

@@ -560,11 +560,31 @@ void CdlReader::layout() {
     layout_entry(owner);
     if (at_ == before) advance();
   }
-  if (at_end() && at_statement() && owner >= 0) need({.kind = Kind::kNode, .wanted = {.call = owner}});
+  if (at_end() && at_statement()) {
+    want_words({"note", "frame"});
+    if (owner >= 0) need({.kind = Kind::kNode, .wanted = {.call = owner}});
+  }
   close("}");
 }
 
+// `note 40 200 "words"`, `frame 0 0 400 300`; `note 40 200;` is the place of a node that is called `note`.
+bool CdlReader::at_note() const {
+  if (!is_any({"note", "frame"}) || token(1).kind != TokenKind::kNumber ||
+      token(2).kind != TokenKind::kNumber)
+    return false;
+  const TokenKind third = token(3).kind;
+  return third == TokenKind::kNumber || third == TokenKind::kText || third == TokenKind::kUnclosed;
+}
+
 void CdlReader::layout_entry(int owner) {
+  if (at_note()) {
+    note_word();
+    do {
+      advance();
+    } while (token().kind == TokenKind::kNumber || token().kind == TokenKind::kText);
+    if (!take(";") && !at_close() && !starts_line()) skip_statement();
+    return;
+  }
   layout_path(owner, Kind::kNode);
   if (token().kind == TokenKind::kNumber) advance();
   if (token().kind == TokenKind::kNumber) advance();

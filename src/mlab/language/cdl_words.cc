@@ -18,6 +18,8 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {
     {"operator", "how members of a society serve binding points: `operator NAME { BINDING = CALL; }`"},
     {"society", "robots together: `society NAME: team of 3 ROBOT by OPERATOR;`"},
     {"layout", "where things stand on the designer's canvas; means nothing else"},
+    {"note", "words on the designer's canvas: `note 40 200 \"looks around\";`"},
+    {"frame", "a frame around nodes on the canvas: `frame 20 20 400 300 \"safety\";`"},
     {"alias", "a historic name of the assemblage"},
     {"let", "a name for one node that any number of readers share"},
     {"as", "names the node: `Noise() as drift`"},

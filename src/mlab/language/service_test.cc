@@ -179,6 +179,30 @@ TEST_F(ServiceTest, CompletesNamesOfFiles) {
   EXPECT_TRUE(contains(offered("x.cdl", "use \"sk|"), "skills.cdl"));
 }
 
+TEST_F(ServiceTest, KnowsNotesAndFramesOnTheCanvas) {
+  const std::string text =
+      "assemblage A() {\n  let frame = Noise();\n  frame\n}\nlayout A {\n  note 40 -20 \"looks\" "
+      "\"around\";\n"
+      "  frame 0 0 400 300;\n  frame 7 8;\n  |\n}\n";
+  const Strings words = offered("x.cdl", text);
+  EXPECT_TRUE(contains(words, "note"));
+  EXPECT_TRUE(contains(words, "frame"));
+  const Text read = folder_.text("x.cdl");
+  const auto at = [&](const std::string& what) { return folder_.at("x.cdl", what); };
+  EXPECT_NE(hover(read, at("note 40"), folder_.around())->markdown.find("canvas"), std::string::npos);
+  EXPECT_FALSE(definition(read, at("note 40"), folder_.around()));
+  EXPECT_FALSE(definition(read, at("frame 0"), folder_.around()));
+  const auto node = definition(read, at("frame 7 8") - 3, folder_.around());
+  ASSERT_TRUE(node) << "a node that is called so";
+  EXPECT_EQ(node->span.begin, text.find("frame"));
+  for (const Shade& shade : shades(read, folder_.around())) {
+    const std::string_view word = read.source->text(shade.span);
+    if (word == "note") {
+      EXPECT_EQ(shade.kind, Shade::Kind::kKeyword);
+    }
+  }
+}
+
 TEST_F(ServiceTest, HelpsWithTheCallThatTheCursorIsIn) {
   folder_.put("x.cdl", "assemblage A() {\n  Noise(persistence = 2 s)\n}\n");
   const auto call = signature(folder_.text("x.cdl"), folder_.at("x.cdl", "= 2"), folder_.around());

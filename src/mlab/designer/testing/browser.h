@@ -1,0 +1,145 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mlab/designer.pb.h"
+#include "mlab/designer/designer.h"
+
+namespace mlab::designer::testing {
+
+/// A designer on a folder of its own, and one browser.
+class Browser {
+ public:
+  explicit Browser(const std::string& name)
+      : folder_(std::filesystem::temp_directory_path() / ("mlab_designer_" + name)) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ / "project");
+    start();
+  }
+  ~Browser() {
+    designer_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  Browser(const Browser&) = delete;
+  Browser& operator=(const Browser&) = delete;
+
+  void start(const std::string& open = "") {
+    designer_.reset();
+    DesignerSettings settings;
+    settings.project_folder = (folder_ / "project").string();
+    settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
+    settings.state_folder = (folder_ / "state").string();
+    settings.open = open;
+    settings.include_root = include_root_;
+    designer_ = std::make_unique<Designer>(settings, [this](console::ConnectionId to, const auto& bytes) {
+      FromDesigner message;
+      ASSERT_TRUE(message.ParseFromString(*bytes));
+      const std::scoped_lock lock(mutex_);
+      take(to.value, std::move(message));
+      arrived_.notify_all();
+    });
+    greet(1);
+  }
+  /// The C++ of procedures is compiled from now on; for the next `start`.
+  void set_include_root(const std::string& folder) { include_root_ = folder; }
+  void greet(std::uint32_t who) {
+    ask([](ToDesigner& m) { m.mutable_greeting()->set_protocol(1); }, who);
+  }
+
+  Answer ask(const std::function<void(ToDesigner&)>& fill, std::uint32_t who = 1) {
+    auto message = std::make_unique<ToDesigner>();
+    const std::uint32_t request = ++last_request_;
+    message->set_request(request);
+    fill(*message);
+    designer_->receive({who}, std::move(message));
+    std::unique_lock lock(mutex_);
+    arrived_.wait_for(lock, std::chrono::seconds(60), [&] { return answers_.contains(request); });
+    return answers_[request];
+  }
+  std::string open(const std::string& path, std::uint32_t who = 1) {
+    const Answer answer = ask([&](ToDesigner& m) { m.mutable_open()->set_path(path); }, who);
+    return answer.ok() ? answer.text() : "error: " + answer.error();
+  }
+  Document document(const std::string& path, std::uint32_t who = 1) {
+    const std::scoped_lock lock(mutex_);
+    return documents_[{who, path}];
+  }
+  bool waits_for(const std::function<bool()>& what) {
+    std::unique_lock lock(mutex_);
+    return arrived_.wait_for(lock, std::chrono::seconds(60), what);
+  }
+  /// Only under `waits_for`.
+  const Document& seen(const std::string& path, std::uint32_t who = 1) { return documents_[{who, path}]; }
+  Drawing drawing(const std::string& page) {
+    const std::scoped_lock lock(mutex_);
+    return drawings_[page];
+  }
+  Palette palette(const std::string& document) {
+    const std::scoped_lock lock(mutex_);
+    return palettes_[document];
+  }
+  const Hello& hello() const { return hello_; }
+  std::vector<FileChanged> changed() {
+    const std::scoped_lock lock(mutex_);
+    return changed_;
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / "project" / name) << text;
+  }
+  std::string read(const std::string& name) {
+    std::ifstream in(folder_ / "project" / name);
+    std::stringstream out;
+    out << in.rdbuf();
+    return out.str();
+  }
+  void type(const std::string& path, const std::string& text) {
+    const Document now = document(path);
+    const Answer answer = ask([&](ToDesigner& m) {
+      m.mutable_edit_text()->set_document(path);
+      m.mutable_edit_text()->set_revision(now.revision());
+      m.mutable_edit_text()->set_end(static_cast<std::uint32_t>(now.text().size()));
+      m.mutable_edit_text()->set_text(text);
+    });
+    ASSERT_TRUE(answer.ok()) << answer.error();
+  }
+
+ private:
+  void take(std::uint32_t who, FromDesigner message) {
+    if (message.has_answer()) answers_[message.answer().request()] = message.answer();
+    if (message.has_hello()) hello_ = message.hello();
+    if (message.has_document()) documents_[{who, message.document().path()}] = message.document();
+    if (message.has_palette()) palettes_[message.palette().document()] = message.palette();
+    if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
+    if (message.has_file_changed()) changed_.push_back(message.file_changed());
+  }
+
+  std::filesystem::path folder_;
+  std::string include_root_;
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::map<std::uint32_t, Answer> answers_;
+  std::map<std::pair<std::uint32_t, std::string>, Document> documents_;
+  std::map<std::string, Drawing> drawings_;
+  std::map<std::string, Palette> palettes_;
+  std::vector<FileChanged> changed_;
+  Hello hello_;
+  std::uint32_t last_request_ = 0;
+  std::unique_ptr<Designer> designer_;
+};
+
+}  // namespace mlab::designer::testing
