@@ -41,9 +41,11 @@ TEST(DesignerLanguage, CompletesWhatIsTyped) {
   browser.open("a.cdl");
   const Answer answer = asked(browser, "a.cdl", AskLanguage::COMPLETE, place_of(kUsing, "Roam();") + 1);
   ASSERT_TRUE(answer.ok()) << answer.error();
-  ASSERT_GE(answer.completions().items_size(), 1);
-  EXPECT_EQ(answer.completions().items(0).text(), "Roam");
-  EXPECT_EQ(answer.completions().items(0).kind(), "assemblage");
+  const auto& items = answer.completions().items();
+  const auto roam = std::ranges::find_if(items, [](const auto& one) { return one.text() == "Roam"; });
+  ASSERT_NE(roam, items.end());
+  EXPECT_EQ(roam->kind(), "assemblage");
+  EXPECT_NE(roam->help().find("Goes about."), std::string::npos) << roam->help();
   EXPECT_EQ(answer.completions().begin() + 1, place_of(kUsing, "Roam();"));
 }
 
@@ -53,7 +55,7 @@ TEST(DesignerLanguage, OffersNamesOfFilesOfTheProject) {
   const std::string text = "use \"sk\";\n";
   browser.write("a.cdl", text);
   browser.open("a.cdl");
-  const Answer answer = asked(browser, "a.cdl", AskLanguage::COMPLETE, place_of(text, "\";"));
+  const Answer answer = asked(browser, "a.cdl", AskLanguage::COMPLETE, place_of(text, "\";") - 1);
   ASSERT_TRUE(answer.ok()) << answer.error();
   const auto& items = answer.completions().items();
   EXPECT_TRUE(std::ranges::any_of(items, [](const auto& one) { return one.text() == "skills.cdl"; }));
@@ -206,16 +208,25 @@ TEST(DesignerLanguage, OffersWhatFilesBesideDeclareAndUsesThem) {
 TEST(DesignerLanguage, WhatIsSavedToTheLibraryIsInThePaletteOfOthers) {
   Browser browser("library");
   browser.write("skills.cdl", kSkills);
-  browser.write("a.cdl", "assemblage A() {\n}\n");
+  browser.write("below/a.cdl", "assemblage A() {\n}\n");
   browser.open("skills.cdl");
-  browser.open("a.cdl");
+  browser.open("below/a.cdl");
+  EXPECT_FALSE(has_component(browser.palette("below/a.cdl"), "Roam"));
   const Answer answer = browser.ask([](ToDesigner& m) {
     m.mutable_save()->set_document("skills.cdl");
     m.mutable_save()->set_library("Roam");
   });
   ASSERT_TRUE(answer.ok()) << answer.error();
   EXPECT_EQ(browser.read("library.cdl"), kSkills);
-  EXPECT_TRUE(has_component(browser.palette("a.cdl"), "Roam"));
+  EXPECT_TRUE(has_component(browser.palette("below/a.cdl"), "Roam"));
+  browser.ask([](ToDesigner& m) {
+    m.mutable_edit()->set_document("below/a.cdl");
+    Place& place = *m.mutable_edit()->add_changes()->mutable_place();
+    place.set_page("A");
+    place.set_component("Roam");
+  });
+  EXPECT_EQ(browser.document("below/a.cdl").text(),
+            "use \"../library.cdl\";\n\nassemblage A() {\n  let Roam = Roam();\n}\n");
 }
 
 }  // namespace

@@ -99,6 +99,7 @@ class Browser {
   }
 
   void write(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder_ / "project" / name).parent_path());
     std::ofstream(folder_ / "project" / name) << text;
   }
   std::string read(const std::string& name) {
