@@ -375,14 +375,19 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
   for (const std::string& path : client.documents) {
     const OpenConfiguration* one = desk_.find(path);
     if (one == nullptr) continue;
-    const std::string version =
-        fmt::format("{} {} {} {} {} {}", one->text.revision(), one->model_number, one->compiled_number,
-                    desk_.offered_number(), one->saved ? one->is_dirty() : true, one->is_writable);
-    std::string& sent = client.sent["version " + path + ' '];
-    if (std::exchange(sent, version) == version) continue;
+    const auto is_new = [&](const char* what, const std::string& version) {
+      return std::exchange(client.sent[what + path + ' '], version) != version;
+    };
     FromDesigner message;
-    *message.mutable_document() = document_message(*one);
-    send_once(to, client, "document " + path + ' ', message);
+    if (is_new("version ",
+               fmt::format("{} {} {} {} {}", one->text.revision(), one->model_number, one->compiled_number,
+                           one->saved ? one->is_dirty() : true, one->is_writable))) {
+      *message.mutable_document() = document_message(*one);
+      send_once(to, client, "document " + path + ' ', message);
+    }
+    if (!is_new("components ",
+                fmt::format("{} {} {}", one->model_number, desk_.offered_number(), one->is_writable)))
+      continue;
     message.Clear();
     *message.mutable_palette() = palette_of(*one->drawn, desk_.context(*one));
     add_offered(desk_.offered(*one), desk_.context(*one), *message.mutable_palette());

@@ -241,6 +241,7 @@ void Desk::model(OpenConfiguration& one) {
   one.is_started = false;
   one.compiled.reset();
   one.used = stamps(one);
+  one.beside_seen = beside_number_;
   ++one.model_number;
   if (!one.model->is_readable() && one.drawn) return;
   one.drawn = one.model;
@@ -472,10 +473,13 @@ text::Result<bool> Desk::reload(OpenConfiguration& one, bool merge, double now) 
 
 std::vector<Desk::Change> Desk::look_at_disk(double now) {
   std::vector<Change> out;
-  for (const auto& [path, one] : open_) {
-    if (stamps(*one) != one->used) model(*one);
-  }
   look_beside();
+  for (const auto& [path, one] : open_) {
+    const bool misses_file = std::ranges::any_of(
+        one->model->problems().items(), [](const text::Diagnostic& d) { return d.kind == "cannot-read"; });
+    const bool may_have_come = misses_file && one->beside_seen != beside_number_;
+    if (may_have_come || stamps(*one) != one->used) model(*one);
+  }
   for (const auto& [path, one] : open_) {
     if (!one->saved || !one->is_writable) continue;
     if (!project_.is_file(path)) {

@@ -60,7 +60,7 @@ void Desk::look_beside() {
     // As it stands in the editor, where it is open.
     const OpenConfiguration* open = find(name);
     std::string stamp =
-        open != nullptr ? fmt::format("open {}", open->model_number) : stamp_of(project_.disk_path(name));
+        open != nullptr ? fmt::format("open {}", open->drawn_revision) : stamp_of(project_.disk_path(name));
     if (one.stamp == stamp && !stamp.empty()) continue;
     if (stamp.empty() && one.model == nullptr) continue;
     one.stamp = std::move(stamp);
