@@ -205,6 +205,19 @@ TEST(DesignerLanguage, OffersWhatFilesBesideDeclareAndUsesThem) {
   EXPECT_EQ(browser.document("a.cdl").text(), "/// Does nothing yet.\nassemblage A() {\n}\n");
 }
 
+TEST(DesignerLanguage, NoticesThatAFileThatItUsesHasCome) {
+  Browser browser("comes");
+  browser.write("a.cdl", kUsing);
+  browser.open("a.cdl");
+  ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() > 0; }));
+  EXPECT_EQ(browser.document("a.cdl").problems(0).diagnostic().kind(), "cannot-read");
+  browser.write("skills.cdl", kSkills);
+  ASSERT_TRUE(browser.waits_for([&] {
+    const Document& seen = browser.seen("a.cdl");
+    return seen.problems_size() == 1 && seen.problems(0).node() == "Noisee";
+  }));
+}
+
 TEST(DesignerLanguage, WhatIsSavedToTheLibraryIsInThePaletteOfOthers) {
   Browser browser("library");
   browser.write("skills.cdl", kSkills);

@@ -38,6 +38,7 @@ struct OpenConfiguration {
   std::shared_ptr<const CheckedCode> code;   ///< of the C++ that was used last; null: none yet
   std::uint64_t compiled_number = 0;         ///< grows with everything that the compiler finds
   std::map<std::string, std::string> used;   ///< stamps of the files on disk that the model has read
+  std::uint64_t beside_seen = 0;             ///< Desk::offered_number when it was read
   std::uint64_t model_number = 0;            ///< grows with every new model
   double compile_ms = -1.0;
   double draft_time = -1e9;
