@@ -34,7 +34,7 @@ std::string imported(const fs::path& path) {
   return source ? cdl_historic::import_as_text(*source, kVocabulary, sink) : "";
 }
 
-std::shared_ptr<Model> model_of(const std::string& text) {
+std::shared_ptr<Model> read_model(const std::string& text) {
   return std::make_shared<Model>(std::make_shared<const text::Source>("a.cdl", text),
                                  robot::library_environment());
 }
@@ -70,7 +70,7 @@ TEST(Imported, EveryFileOfTheCorpusIsDrawnWithoutOverlaps) {
   std::size_t count = 0;
   for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
     const std::string text = spread_out(imported(path), robot::library_environment());
-    const auto model = model_of(text);
+    const auto model = read_model(text);
     ASSERT_TRUE(model->is_readable()) << path;
     for (const Drawing& drawing : all_pages(*model)) {
       const std::vector<DrawnBox> boxes = placed_boxes(drawing);
@@ -93,8 +93,8 @@ TEST(Imported, TheAuthorsOrderStays) {
   if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
   for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
     const std::string text = imported(path);
-    const auto before = places(*model_of(text));
-    const auto after = places(*model_of(spread_out(text, robot::library_environment())));
+    const auto before = places(*read_model(text));
+    const auto after = places(*read_model(spread_out(text, robot::library_environment())));
     ASSERT_EQ(before.size(), after.size()) << path;
     for (const auto& [name, one] : before) {
       const std::string page = name.substr(0, name.find(' '));

@@ -76,7 +76,7 @@ std::string label_of(const Port& port) {
   return port.has_index() ? fmt::format("{} {}", name, port.index() + 1) : name;
 }
 
-std::string with_unit(const std::string& value, const std::string& unit) {
+std::string value_with_unit(const std::string& value, const std::string& unit) {
   const bool is_number = value.find_first_not_of("+-.0123456789eE") == std::string::npos;
   return is_number && !value.empty() && !unit.empty() ? value + " " + unit : value;
 }
@@ -86,7 +86,7 @@ std::string shown_value(const Port& port, bool has_wire) {
   if (takes_more && !has_wire) return "";
   if (port.is_exposed()) return port.value().empty() ? port.name() : port.value();
   if (has_wire) return "";
-  return with_unit(port.value().empty() ? port.initial() : port.value(), port.unit());
+  return value_with_unit(port.value().empty() ? port.initial() : port.value(), port.unit());
 }
 
 double row_width(const Port& port, bool has_wire) {
