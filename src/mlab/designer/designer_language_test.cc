@@ -136,11 +136,11 @@ TEST(DesignerLanguage, OffersMendsThatAreOneStepOfUndo) {
 
 TEST(DesignerLanguage, TellsWhatOnlyLoweringFinds) {
   Browser browser("lowers");
-  browser.write("a.cdl", "robot R {\n  movement = MoveToGoal(goal = BadPercept());\n}\n");
+  browser.write("a.cdl", "robot R {\n  movement = Noise();\n}\n");
   browser.open("a.cdl");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() > 0; }));
   EXPECT_LT(browser.document("a.cdl").compile_ms(), 0.0);
-  browser.type("a.cdl", "robot R {\n  movement = Noise();\n}\n");
+  browser.type("a.cdl", "robot R is MRV2 {\n  movement = Noise();\n}\n");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").compile_ms() >= 0.0; }));
 }
 
@@ -162,9 +162,10 @@ TEST(DesignerLanguage, TellsWhatTheCompilerSaysOfProcedures) {
   Browser browser("procedures");
   browser.set_include_root(std::string(MLAB_SOURCE_DIR) + "/src");
   browser.start();
-  browser.write("own.cnl",
-                "procedure Vector Spin with\n  double rate = 1;\nheader\nbody\n  output = nonsense;\npend\n");
-  browser.write("a.cdl", "use \"own.cnl\";\n\nassemblage A() {\n  Spin(rate = 2)\n}\n");
+  browser.write(
+      "own.cnl",
+      "procedure Vector Twirl with\n  double rate = 1;\nheader\nbody\n  output = nonsense;\npend\n");
+  browser.write("a.cdl", "use \"own.cnl\";\n\nassemblage A() {\n  Twirl(rate = 2)\n}\n");
   browser.open("a.cdl");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() > 0; }));
   const console::Diagnostic said = browser.document("a.cdl").problems(0).diagnostic();
@@ -172,26 +173,28 @@ TEST(DesignerLanguage, TellsWhatTheCompilerSaysOfProcedures) {
   EXPECT_EQ(said.line(), 5U);
   EXPECT_EQ(said.document(), "own.cnl");
   // A file that it uses is mended outside.
-  browser.write("own.cnl",
-                "procedure Vector Spin with\n  double rate = 1;\nheader\nbody\n  output = Vector{};\npend\n");
+  browser.write(
+      "own.cnl",
+      "procedure Vector Twirl with\n  double rate = 1;\nheader\nbody\n  output = Vector{};\npend\n");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() == 0; }));
 }
 
 TEST(DesignerLanguage, OffersWhatFilesBesideDeclareAndUsesThem) {
   Browser browser("beside");
   browser.write("skills.cdl", kSkills);
-  browser.write("own.cnl",
-                "procedure Vector Spin with\n  double rate = 1;\nheader\nbody\n  output = Vector{};\npend\n");
+  browser.write(
+      "own.cnl",
+      "procedure Vector Twirl with\n  double rate = 1;\nheader\nbody\n  output = Vector{};\npend\n");
   browser.write("clash.cdl", "assemblage A() {\n  Noise()\n}\nassemblage Other() {\n  Noise()\n}\n");
   browser.write("a.cdl", "/// Does nothing yet.\nassemblage A() {\n}\n");
   browser.open("a.cdl");
   const Palette palette = browser.palette("a.cdl");
   EXPECT_TRUE(has_component(palette, "Roam"));
-  EXPECT_TRUE(has_component(palette, "Spin"));
+  EXPECT_TRUE(has_component(palette, "Twirl"));
   EXPECT_FALSE(has_component(palette, "Other")) << "its file declares `A` as well";
   const Answer answer = browser.ask([](ToDesigner& m) {
     m.mutable_edit()->set_document("a.cdl");
-    for (const char* component : {"Roam", "Spin"}) {
+    for (const char* component : {"Roam", "Twirl"}) {
       Place& place = *m.mutable_edit()->add_changes()->mutable_place();
       place.set_page("A");
       place.set_component(component);
@@ -200,7 +203,7 @@ TEST(DesignerLanguage, OffersWhatFilesBesideDeclareAndUsesThem) {
   ASSERT_TRUE(answer.ok()) << answer.error();
   EXPECT_EQ(browser.document("a.cdl").text(),
             "use \"skills.cdl\";\nuse \"own.cnl\";\n\n/// Does nothing yet.\nassemblage A() {\n"
-            "  let Roam = Roam();\n  let Spin = Spin();\n}\n");
+            "  let Roam = Roam();\n  let Twirl = Twirl();\n}\n");
   browser.ask([](ToDesigner& m) { m.mutable_undo()->set_document("a.cdl"); });
   EXPECT_EQ(browser.document("a.cdl").text(), "/// Does nothing yet.\nassemblage A() {\n}\n");
 }

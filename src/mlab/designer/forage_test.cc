@@ -159,7 +159,7 @@ layout Forage {
 }
 
 layout Forager {
-  Forage 40 40;
+  movement 40 40;
 }
 )");
   EXPECT_EQ(text.errors(), "");
@@ -170,7 +170,8 @@ TEST(Forage, IsDrawnWithItsStatesAndTheirOrder) {
   draw_wander(text);
   draw_skills(text);
   draw_transitions(text);
-  const Drawing drawing = draw(text.model(), "Forage", {"a.cdl", 1, false, {}});
+  const Drawing drawing =
+      draw(text.model(), "Forage", {"a.cdl", 1, false, [](std::string_view) { return std::string(); }});
   EXPECT_EQ(drawing.kind(), Drawing::STATES);
   ASSERT_EQ(drawing.states_size(), 3);
   EXPECT_TRUE(drawing.states(0).is_start());

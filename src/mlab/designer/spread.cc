@@ -77,11 +77,12 @@ std::string spread_out(std::string text, const cdl::Environment& environment) {
   const auto model =
       std::make_shared<Model>(std::make_shared<const text::Source>("imported.cdl", text), environment);
   if (!model->is_readable()) return text;
+  const DrawingContext context{"imported.cdl", 1, false, [](std::string_view) { return std::string(); }};
   Edit edit;
   for (const cdl::Item& item : model->tree().items) {
     const auto* layout = std::get_if<cdl::Layout>(&item);
     if (layout == nullptr) continue;
-    const Drawing drawing = draw(*model, layout->owner.text, {});
+    const Drawing drawing = draw(*model, layout->owner.text, context);
     std::vector<DrawnBox> boxes = placed_boxes(drawing);
     const bool is_states = drawing.kind() == Drawing::STATES;
     spread(boxes, is_states ? kStateRoomAcross : kNodeRoomAcross, is_states ? kStateRoomDown : kNodeRoomDown);
