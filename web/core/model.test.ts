@@ -140,3 +140,13 @@ test("robots of a paused or stepped run are where the frame says", () => {
   model.robots.share = 0;
   expect(model.placeOf(4)?.x).toBe(3);
 });
+
+test("where a run has paused is known until it goes on", () => {
+  const model = new Model();
+  say(model, { case: "breakpoints", value: { breakpoints: [{ id: 3 }] } });
+  say(model, { case: "halted", value: { hits: [{ breakpoint: 3, robot: 1, text: "it is near" }], time: 2 } });
+  expect(model.get("breakpoints")[0]?.id).toBe(3);
+  expect(model.get("halted")?.hits[0]?.text).toBe("it is near");
+  say(model, { case: "halted", value: {} });
+  expect(model.get("halted")).toBeNull();
+});
