@@ -102,7 +102,7 @@ endfunction()
 # mlab_fuzzer(NAME SOURCES file... [LINK target...] [SEEDS folder] [DICTIONARY file])
 #
 # A libFuzzer program (it defines LLVMFuzzerTestOneInput), built where MLAB_FUZZ is on. SEEDS is a folder of inputs to
-# start from, DICTIONARY a file of words (libFuzzer's format). A finding is kept in build/fuzz/found.
+# start from, DICTIONARY a file of words (libFuzzer's format). A finding is kept in `found` of the build folder.
 function(mlab_fuzzer name)
   cmake_parse_arguments(arg "" "SEEDS;DICTIONARY" "SOURCES;LINK" ${ARGN})
   if(NOT MLAB_FUZZ)

@@ -19,6 +19,7 @@ inline constexpr bool kIsSlowBuild = true;
 #else
 inline constexpr bool kIsSlowBuild = false;
 #endif
+#undef MLAB_HAS_FEATURE
 
 /// How much longer work may take in this build than in the product.
 inline constexpr double kSlowness = kIsSlowBuild ? 20.0 : 1.0;

@@ -39,6 +39,7 @@ std::string text_of(const Value& value) {
 class TreeWriter {
  public:
   std::string run(const Plan& plan) {
+    name_plan(plan, plan.name);
     put(plan, plan.name, "    ");
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     out += fmt::format("<root BTCPP_format=\"4\" main_tree_to_execute=\"{}\">\n  <BehaviorTree ID=\"{}\">\n",
@@ -60,19 +61,15 @@ class TreeWriter {
     return out;
   }
 
-  // A plan's name on the blackboard: there stands in which state it is.
-  const std::string& key_of(const Plan& plan, const std::string& wanted) {
-    const auto [it, is_new] = keys_.try_emplace(&plan);
-    if (is_new) {
-      it->second = unused(wanted);
-      for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-        const Step& step = plan.steps[i];
-        const std::string inner = it->second + "_" + step.name;
-        if (step.plan) key_of(*step.plan, inner);
-        if (takes_turns(plan, i)) turns_[&step] = unused(inner + "_turn");
-      }
+  // The names on the blackboard under which it stands in which state a plan is, and those inside.
+  void name_plan(const Plan& plan, const std::string& wanted) {
+    const std::string key = unused(wanted);
+    keys_[&plan] = key;
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+      const Step& step = plan.steps[i];
+      if (step.plan) name_plan(*step.plan, key + "_" + step.name);
+      if (takes_turns(plan, i)) turns_[&step] = unused(key + "_" + step.name + "_turn");
     }
-    return it->second;
   }
 
   // A skill that may be begun anew while it runs stands in the tree twice, and the two take turns.
@@ -82,29 +79,34 @@ class TreeWriter {
       return exit.restarts && exit.target == index;
     });
   }
-  // The script that puts a plan, and all plans inside, to their starts.
-  std::string starts(const Plan& plan) {
-    std::string out = fmt::format("{}:='{}'", keys_.at(&plan), plan.steps[plan.start].name);
+
+  // Scripts: to a state; a plan and all plans inside to their starts; what a plan that is entered begins
+  // with.
+  std::string moves_to(const Plan& plan, std::size_t step) const {
+    return fmt::format("{}:='{}'", keys_.at(&plan), plan.steps[step].name);
+  }
+  std::string restarts(const Plan& plan) const {
+    std::string out = moves_to(plan, plan.start);
     for (const Step& step : plan.steps) {
-      if (step.plan && !step.plan->steps.empty()) out += "; " + starts(*step.plan);
+      if (step.plan && !step.plan->steps.empty()) out += "; " + restarts(*step.plan);
     }
     return out;
   }
-  std::string starts_with_turns(const Plan& plan) {
-    std::string out = fmt::format("{}:='{}'", keys_.at(&plan), plan.steps[plan.start].name);
+  std::string begins(const Plan& plan) const {
+    std::string out = moves_to(plan, plan.start);
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
       if (takes_turns(plan, i)) out += fmt::format("; {}:=0", turns_.at(&plan.steps[i]));
     }
     return out;
   }
-  std::string enters(const Plan& plan, std::size_t from, const Step::Exit& exit) {
+  std::string enters(const Plan& plan, std::size_t from, const Step::Exit& exit) const {
     const Step& target = plan.steps[exit.target];
-    std::string out = fmt::format("{}:='{}'", keys_.at(&plan), target.name);
+    std::string out = moves_to(plan, exit.target);
     if (exit.target == from && exit.restarts) {
       if (target.plan && !target.plan->steps.empty()) {
-        out += "; " + starts(*target.plan);
+        out += "; " + restarts(*target.plan);
       } else if (!target.plan) {
-        const std::string turn = turns_.at(&target);
+        const std::string& turn = turns_.at(&target);
         out += fmt::format("; {}:=1-{}", turn, turn);
       }
     }
@@ -113,12 +115,11 @@ class TreeWriter {
 
   // In each cycle first the ways out of the state in which it is, of which the first that is open is taken,
   // then what that state does.
-  void put(const Plan& plan, const std::string& key, const std::string& indent) {
-    const std::string name = key_of(plan, key);
+  void put(const Plan& plan, const std::string& name, const std::string& indent) {
     const std::string one = indent + "  ";
     const std::string two = one + "  ";
-    tree_ += fmt::format("{}<Sequence name=\"{}\">\n", indent, escaped(plan.name.empty() ? name : plan.name));
-    tree_ += fmt::format("{}<Script code=\"{}\"/>\n", one, escaped(starts_with_turns(plan)));
+    tree_ += fmt::format("{}<Sequence name=\"{}\">\n", indent, escaped(name));
+    tree_ += fmt::format("{}<Script code=\"{}\"/>\n", one, escaped(begins(plan)));
     tree_ += one + "<ReactiveSequence>\n";
     put_ways(plan, two);
     tree_ += two + "<ReactiveFallback>\n";
@@ -155,7 +156,7 @@ class TreeWriter {
       tree_ += fmt::format("{}<ReactiveSequence name=\"{}\">\n{}  {}", indent, escaped(step.name), indent,
                            is_in(plan, index, more));
       if (step.plan && !step.plan->steps.empty())
-        put(*step.plan, "", indent + "  ");
+        put(*step.plan, keys_.at(step.plan.get()), indent + "  ");
       else
         put_leaf("Action", step.skill, indent + "  ");
       tree_ += indent + "</ReactiveSequence>\n";

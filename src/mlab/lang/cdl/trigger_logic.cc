@@ -9,7 +9,7 @@ namespace {
 
 using Constant = TriggerLogic::Constant;
 
-constexpr int kMaxNames = 20;          // names in names that are followed
+constexpr int kMaxNameDepth = 20;      // names in names that are followed
 constexpr std::size_t kMaxFacts = 10;  // of one state: all combinations are tried
 
 Constant opposite(Constant value) {
@@ -37,7 +37,7 @@ Constant TriggerLogic::constant_call(const Call& call, const Scope& scope) const
   if (configuration_.bindings.contains(call.callee.text)) return Constant::kNo;
   if (const Assemblage* found = configuration_.assemblage_named(call.callee)) {
     const Assemblage& called = *found;
-    if (!called.body || scope.depth >= kMaxNames) return Constant::kNo;
+    if (!called.body || scope.depth >= kMaxNameDepth) return Constant::kNo;
     return constant(*called.body, {&called.parameters, &called.lets, scope.depth + 1});
   }
   const flow::Behavior* behavior = library_.find(call.callee.text).behavior;
@@ -52,8 +52,9 @@ Constant TriggerLogic::constant_call(const Call& call, const Scope& scope) const
 Constant TriggerLogic::constant_name(const std::string& name, const Scope& scope) const {
   const auto let = std::ranges::find_if(*scope.lets, [&](const Let& one) { return one.name.text == name; });
   if (let != scope.lets->end()) {
-    return scope.depth >= kMaxNames ? Constant::kNo
-                                    : constant(*let->value, {scope.parameters, scope.lets, scope.depth + 1});
+    return scope.depth >= kMaxNameDepth
+               ? Constant::kNo
+               : constant(*let->value, {scope.parameters, scope.lets, scope.depth + 1});
   }
   if (name == "true") return Constant::kTrue;
   return name == "false" ? Constant::kFalse : Constant::kNo;
