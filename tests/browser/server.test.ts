@@ -37,7 +37,7 @@ test("without its token the page says how to open it", async () => {
   const page = await openPage();
   const response = await page.goto(new URL(mlab.url).origin);
   expect(response?.status()).toBe(403);
-  expect(await page.textContent("body")).toContain("address that `mlab run` printed");
+  expect(await page.textContent("body")).toContain("address that `mlab run` or `mlab edit` printed");
   await page.context().close();
 });
 

@@ -24,7 +24,7 @@ struct DesignerSettings {
   std::function<void(console::Trial trial, console::TrialDone done)> try_out;
   /// Shows that session's run. Empty: there is none.
   std::function<void(console::RunLook look)> look_at_run;
-  bool may_compile = true;     ///< the C++ of procedures that a configuration uses is given to the compiler
+  bool may_compile = true;  ///< the C++ of procedures that a configuration uses is given to the compiler
 };
 
 /// Open configurations, and the people who draw them. Has a thread of its own, on which everything happens;

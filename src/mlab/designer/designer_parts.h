@@ -126,7 +126,7 @@ class Designer::Parts {
   LastTrial last_trial_;
   bool is_deferred_ = false;  ///< the request in hand is answered later
   std::shared_ptr<console::Inbox> inbox_ = std::make_shared<console::Inbox>();  ///< also of who answers later
-  Compiler compiler_;  // posts to the inbox
+  Compiler compiler_;                                                           // posts to the inbox
   std::atomic<bool> ends_ = false;
   std::thread thread_;
 };

@@ -65,7 +65,7 @@ TEST_F(RoutesOfAFolder, ThePageWantsTheTokenAndIsNeverKept) {
   EXPECT_EQ(page.content_type, "text/html; charset=utf-8");
   EXPECT_EQ(field(page, "Cache-Control"), "no-store");
   EXPECT_EQ(ask("/").status, 403U);
-  EXPECT_NE(body(ask("/")).find("address that `mlab run` printed"), std::string::npos);
+  EXPECT_NE(body(ask("/")).find("address that `mlab run` or `mlab edit` printed"), std::string::npos);
   EXPECT_EQ(ask("/index.html?token=wrong").status, 403U);
 }
 
