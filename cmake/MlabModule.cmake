@@ -41,7 +41,7 @@ endif()
 add_custom_target(unit_tests)
 add_custom_target(threaded_tests)
 add_custom_target(fuzzers)
-set(MLAB_THREADED_MODULES flow sim fleet console console_server)
+set(MLAB_THREADED_MODULES flow sim fleet console console_server designer)
 
 # mlab_module(NAME [SOURCES file...] [TESTS file...] [LINK target...] [TEST_LINK target...])
 #

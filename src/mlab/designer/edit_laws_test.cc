@@ -49,7 +49,7 @@ RC_GTEST_PROP(EditLaws, WhateverIsEditedCanBeReadIsLaidOutAndKeepsItsComments, (
     const Edit edit = testing::RandomEdit(text.model(), random).make();
     const std::string before = text.text();
     const text::Result<Edited> done = text.try_edit(edit);
-    RC_ASSERT(done.has_value() || !done.error().message.empty());
+    RC_ASSERT((done.has_value() || !done.error().message.empty()));  // its || is no short circuit
     if (!done) continue;
     RC_LOG() << edit.DebugString() << done->text << "\n";
     text.set(done->text);

@@ -72,6 +72,32 @@ std::string location(const Place& place) {
   return fmt::format("{}:{}:{}: ", place.source->name(), at.line, at.column);
 }
 
+std::string small_letters(std::string_view name) {
+  std::string out(name);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+// Levenshtein's distance: how many letters have to be changed, added or taken away. `limit` stands for that
+// many or more.
+std::size_t changes_between(std::string_view from, std::string_view to, std::size_t limit) {
+  if (to.size() >= from.size() + limit || from.size() >= to.size() + limit) return limit;
+  std::vector<std::size_t> row(to.size() + 1);
+  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    std::size_t least = row[0] = i + 1;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t change = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
+      least = std::min(least, row[j + 1]);
+    }
+    if (least >= limit) return limit;
+  }
+  return std::min(row.back(), limit);
+}
+
 }  // namespace
 
 void Diagnostics::report(Diagnostic diagnostic) {
@@ -140,28 +166,15 @@ Result<SourcePtr> read_source(const std::string& path) {
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  const std::string wanted = small_letters(name);
   std::string best;
   std::size_t best_distance =
       name.size() / 3 + 2;  // more changes than this, and somebody meant something else
   for (const std::string& candidate : candidates) {
-    if (candidate.size() > name.size() + best_distance || name.size() > candidate.size() + best_distance)
-      continue;
-    std::vector<std::size_t> row(candidate.size() + 1);
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i + 1;
-      for (std::size_t j = 0; j < candidate.size(); ++j) {
-        const std::size_t change = diagonal + (lower(name[i]) == lower(candidate[j]) ? 0 : 1);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
-      }
-    }
-    if (row.back() < best_distance && row.back() < std::max(name.size(), candidate.size())) {
-      best_distance = row.back();
-      best = candidate;
-    }
+    const std::size_t distance = changes_between(wanted, small_letters(candidate), best_distance);
+    if (distance >= best_distance || distance >= std::max(name.size(), candidate.size())) continue;
+    best_distance = distance;
+    best = candidate;
   }
   return best;
 }

@@ -88,7 +88,16 @@ TEST(NearestName, FindsWhatSomebodyMeant) {
   const std::vector<std::string> names = {"MOVETO", "OCCUPY", "navigation_avoid_obstacle_gain"};
   EXPECT_EQ(nearest_name("MOVTO", names), "MOVETO");
   EXPECT_EQ(nearest_name("navigation_avoid_obstacel_gain", names), "navigation_avoid_obstacle_gain");
+  EXPECT_EQ(nearest_name("moveto", names), "MOVETO");
+  EXPECT_EQ(nearest_name("OCUPPYY", names), "OCCUPY");
   EXPECT_EQ(nearest_name("xyzzy", names), "");
+  EXPECT_EQ(nearest_name("", names), "");
+}
+
+TEST(NearestName, TakesTheFirstOfSeveralThatAreAsNear) {
+  const std::vector<std::string> names = {"ab", "abcd", "abcf", "abce"};
+  EXPECT_EQ(nearest_name("abcg", names), "abcd");
+  EXPECT_EQ(nearest_name("abce", names), "abce");
 }
 
 }  // namespace
