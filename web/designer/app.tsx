@@ -15,12 +15,13 @@ import { StartPage } from "./files/start_page.tsx";
 import { TopBar } from "./files/top_bar.tsx";
 import { DeclarationDialog, GroupDialog, ParameterDialog, RenameDialog } from "./pages/dialogs.tsx";
 import { EmptyHint } from "./pages/empty_hint.tsx";
-import { pageKey } from "./pages/pages.ts";
+import { lastPart, pageKey } from "./pages/pages.ts";
 import { Splitter } from "./pages/splitter.tsx";
 import { ConnectChooser } from "./palette/connect_chooser.tsx";
 import { PalettePanel } from "./palette/palette_panel.tsx";
 import { SearchPalette } from "./palette/search_palette.tsx";
 import { ProblemsPanel } from "./problems/problems_panel.tsx";
+import { type Drawing, Drawing_Kind } from "./protocol.ts";
 import type { Shown } from "./state.ts";
 import { Tour } from "./tour/tour.tsx";
 import { DesignerContext, useDesigner, useDocument, useDrawing, usePart } from "./use.ts";
@@ -182,7 +183,6 @@ function Strip() {
   const shown = usePart((state) => state.shown);
   const selection = usePart((state) => state.selection);
   const drawing = useDrawing();
-  const count = (drawing?.nodes.length ?? 0) + (drawing?.states.length ?? 0);
   return (
     <footer className="strip">
       <span className="columns" style={{ gap: 2 }}>
@@ -203,9 +203,9 @@ function Strip() {
       <span className="gap" />
       <span className="small muted" data-testid="selected">
         {selection.length === 0
-          ? `${count} on this page`
+          ? drawing && countOf(drawing)
           : selection.length === 1
-            ? selection[0]
+            ? lastPart(selection[0]!)
             : `${selection.length} selected`}
       </span>
       <span className="small muted">
@@ -213,6 +213,16 @@ function Strip() {
       </span>
     </footer>
   );
+}
+
+/** How much stands on the page. */
+function countOf({ kind, nodes, states, transitions }: Drawing): string {
+  if (kind !== Drawing_Kind.STATES) return counted(nodes.length, "node");
+  return `${counted(states.length, "state")}, ${counted(transitions.length, "transition")}`;
+}
+
+function counted(number: number, what: string): string {
+  return `${number} ${what}${number === 1 ? "" : "s"}`;
 }
 
 function Dialogs() {

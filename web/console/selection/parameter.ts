@@ -1,5 +1,6 @@
 // What a parameter's slider and number field do.
 import type { Port } from "../../core/protocol.ts";
+import { type Scale, sliderScale } from "../../core/slider_scale.ts";
 
 export type ParameterKind = "slider" | "number" | "switch" | "choice" | "text";
 
@@ -10,43 +11,10 @@ export function parameterKind(port: Port): ParameterKind {
   return port.min !== undefined && port.max !== undefined && port.max > port.min ? "slider" : "number";
 }
 
-/** Places of a slider. */
-export const kSliderEnd = 1000;
-
-/** A slider's places and the values there. Authors give wide ranges; the usual value then stands well inside of it. */
-export interface Curve {
-  min: number;
-  max: number;
-  isWhole: boolean;
-  /** The value grows with this power of the place: 1 is even. */
-  power: number;
-}
-
-const kUsualPlace = 0.4; // of the slider, for the value that the program was written with
-
-export function sliderCurve(port: Port): Curve {
-  const min = port.min ?? 0;
-  const max = port.max ?? 1;
+/** The scale of its slider: authors give wide ranges; the usual value then stands well inside of it. */
+export function sliderOf(port: Port): Scale {
   const isWhole = /^(int|long|unsigned|uint|count)/i.test(port.type);
-  const usual = (valueNumber(port.initial) - min) / (max - min);
-  const isLow = usual > 0 && usual < kUsualPlace / 2;
-  const power = isLow ? Math.min(6, Math.log(usual) / Math.log(kUsualPlace)) : 1;
-  return { min, max, isWhole, power };
-}
-
-export function placeOnSlider(curve: Curve, value: number): number {
-  const share = Math.min(1, Math.max(0, (value - curve.min) / (curve.max - curve.min)));
-  return Math.round(kSliderEnd * share ** (1 / curve.power));
-}
-
-/** The value there, with no more digits than a hand can mean; the ends are the range's own. */
-export function valueOnSlider(curve: Curve, place: number): number {
-  if (place <= 0) return curve.min;
-  if (place >= kSliderEnd) return curve.max;
-  const value = curve.min + (curve.max - curve.min) * (place / kSliderEnd) ** curve.power;
-  if (curve.isWhole) return Math.round(value);
-  const step = 10 ** (Math.floor(Math.log10(Math.max(Math.abs(value), (curve.max - curve.min) * 1e-6))) - 2) * 2;
-  return Number((Math.round(value / step) * step).toPrecision(6));
+  return sliderScale({ min: port.min ?? 0, max: port.max ?? 1, usual: valueNumber(port.initial), isWhole });
 }
 
 /** Why `text` can't be the value; nothing: it can. */

@@ -1,21 +1,13 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { Button as AriaButton, ListBox, ListBoxItem, Popover, Select, SelectValue } from "react-aria-components";
 import type { Port } from "../../core/protocol.ts";
+import { kSliderEnd, kSliderStep, placeOnSlider, valueOnSlider } from "../../core/slider_scale.ts";
 import { count } from "../format.ts";
 import { order } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Field, IconButton, RangeSlider, Search, Switch } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
-import {
-  isSwitchedOn,
-  kSliderEnd,
-  parameterKind,
-  parameterProblem,
-  placeOnSlider,
-  sliderCurve,
-  valueNumber,
-  valueOnSlider,
-} from "./parameter.ts";
+import { isSwitchedOn, parameterKind, parameterProblem, sliderOf, valueNumber } from "./parameter.ts";
 import { portGroups, spoken } from "./ports.ts";
 import { usePortText } from "./ports_tab.tsx";
 import { usePorts } from "./use_watched.ts";
@@ -120,7 +112,7 @@ interface ControlProps {
 
 function Slide(control: ControlProps) {
   const { port, label, shown, isDisabled, set } = control;
-  const curve = useMemo(() => sliderCurve(port), [port]);
+  const scale = useMemo(() => sliderOf(port), [port]);
   const [dragged, setDragged] = useState<number | null>(null);
   const lastSent = useRef(0);
   // The slider stays where it was let go until the robot tells its new value.
@@ -129,8 +121,8 @@ function Slide(control: ControlProps) {
     if (told.current !== shown) setDragged(null);
     told.current = shown;
   }, [shown]);
-  const place = dragged ?? placeOnSlider(curve, valueNumber(shown) || 0);
-  const text = (at: number) => String(valueOnSlider(curve, at));
+  const place = dragged ?? placeOnSlider(scale, valueNumber(shown) || 0);
+  const text = (at: number) => String(valueOnSlider(scale, at));
   return (
     <div className="slide">
       <Write {...control} shown={dragged === null ? shown : text(dragged)} isCompact />
@@ -140,7 +132,8 @@ function Slide(control: ControlProps) {
         value={place}
         min={0}
         max={kSliderEnd}
-        step={1}
+        step={kSliderStep}
+        spoken={dragged === null ? shown : text(dragged)}
         isDisabled={isDisabled}
         onChange={(next) => {
           setDragged(next);

@@ -1,5 +1,5 @@
 // The controls of the whole console: react-aria's behaviour, our looks.
-import type { ReactNode } from "react";
+import { type ReactNode, useEffect, useRef } from "react";
 import {
   Button as AriaButton,
   type ButtonProps as AriaButtonProps,
@@ -193,6 +193,8 @@ interface RangeProps {
   onChange: (value: number) => void;
   onCommit?: (value: number) => void;
   shown?: string;
+  /** What is said in place of the number, where the slider's places are not the values. */
+  spoken?: string;
   hiddenLabel?: boolean;
   isDisabled?: boolean;
 }
@@ -200,6 +202,12 @@ interface RangeProps {
 export function RangeSlider(props: RangeProps) {
   const { label, value, min, max, step, shown } = props;
   const span = max - min;
+  const track = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    // react-aria names a thumb by its number
+    const field = track.current?.querySelector("input");
+    if (field && props.spoken !== undefined) field.setAttribute("aria-valuetext", props.spoken);
+  });
   return (
     <Slider
       className="slider"
@@ -214,7 +222,7 @@ export function RangeSlider(props: RangeProps) {
     >
       {!props.hiddenLabel && <Label className="label">{label}</Label>}
       {!props.hiddenLabel && <SliderOutput className="number small">{shown ?? value}</SliderOutput>}
-      <SliderTrack className="groove">
+      <SliderTrack className="groove" ref={track}>
         <div className="fill" style={{ width: `${span > 0 ? (100 * (value - min)) / span : 0}%` }} />
         <SliderThumb className="thumb" aria-label={props.hiddenLabel ? label : undefined} />
       </SliderTrack>

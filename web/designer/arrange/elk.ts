@@ -16,22 +16,32 @@ const kDataflow: Record<string, string> = {
 };
 const kStates: Record<string, string> = {
   "elk.algorithm": "layered",
-  "elk.direction": "RIGHT",
-  "elk.spacing.nodeNode": "72",
-  "elk.spacing.edgeNode": "40",
-  "elk.layered.spacing.nodeNodeBetweenLayers": "168",
+  "elk.spacing.nodeNode": "56",
+  "elk.spacing.edgeNode": "28",
+  "elk.spacing.edgeLabel": "6",
+  "elk.layered.spacing.nodeNodeBetweenLayers": "40",
   "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
   "elk.layered.considerModelOrder.strategy": "PREFER_NODES",
+  "elk.edgeLabels.inline": "true",
 };
+/** What a page is mostly looked at in [px]. */
+const kSight = { width: 960, height: 800 };
 
-export function toElk(graph: LayoutGraph): ElkNode {
+/** Of several layouts the one that is seen largest. */
+export function largest(results: readonly ElkNode[]): ElkNode {
+  const zoom = ({ width = 1, height = 1 }: ElkNode) => Math.min(1, kSight.width / width, kSight.height / height);
+  return results.reduce((best, one) => (zoom(one) > zoom(best) ? one : best));
+}
+
+/** `direction`: of states only; dataflow goes to the right. */
+export function toElk(graph: LayoutGraph, direction: "RIGHT" | "DOWN" = "RIGHT"): ElkNode {
   const isFlow = graph.kind === "dataflow";
   // On a page with errors a wire can lead to an input, or from an output, that its node does not have.
   const hasOutput = new Set(graph.nodes.filter((node) => node.outputY >= 0).map((node) => node.id));
   const hasInput = new Set(graph.nodes.flatMap((node) => node.inputs.map((input) => `${node.id}/${input.id}`)));
   return {
     id: "page",
-    layoutOptions: isFlow ? kDataflow : kStates,
+    layoutOptions: isFlow ? kDataflow : { ...kStates, "elk.direction": direction },
     children: graph.nodes.map(
       (node): ElkNode => ({
         id: node.id,
@@ -74,6 +84,8 @@ export function toElk(graph: LayoutGraph): ElkNode {
         id: `wire ${i}`,
         sources: [isFlow ? `${wire.from}>` : wire.from],
         targets: [isFlow ? inputOf(wire) : wire.to],
+        // what is written at a transition wants room as well
+        ...(wire.label ? { labels: [{ id: `label ${i}`, text: "x", ...wire.label }] } : {}),
       })),
   };
 }

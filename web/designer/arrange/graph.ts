@@ -4,6 +4,9 @@ import { hasResult, kResultHeight, kResultWidth, wiredOf, wireId } from "../canv
 import { formOf } from "../canvas/form.ts";
 import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
 import { stateSize } from "../states/form.ts";
+import { type LabelSize, labelLines, labelSize } from "../states/label.ts";
+
+const kRoomy = 1.2; // of a label: it is larger where the page is looked at from farther away
 
 export interface LayoutNode {
   id: string;
@@ -16,10 +19,18 @@ export interface LayoutNode {
   isFirst?: boolean;
 }
 
+export interface LayoutWire {
+  from: string;
+  to: string;
+  port: string;
+  /** Of what is written at it. */
+  label?: LabelSize;
+}
+
 export interface LayoutGraph {
   kind: "dataflow" | "states" | "grid";
   nodes: LayoutNode[];
-  wires: { from: string; to: string; port: string }[];
+  wires: LayoutWire[];
 }
 
 export function graphOf(drawing: Drawing): LayoutGraph {
@@ -36,7 +47,7 @@ export function graphOf(drawing: Drawing): LayoutGraph {
     };
   });
   const names = new Set(nodes.map((node) => node.id));
-  const wires = drawing.wires
+  const wires: LayoutWire[] = drawing.wires
     .filter((wire) => names.has(wire.from) && names.has(wire.to))
     .map((wire) => ({ from: wire.from, to: wire.to, port: wireId(wire).slice(wire.to.length + 1) }));
   if (hasResult(drawing) && names.has(drawing.resultNode)) {
@@ -64,6 +75,11 @@ function statesGraph(drawing: Drawing): LayoutGraph {
       outputY: -1,
       isFirst: state.isStart,
     })),
-    wires: drawing.transitions.map(({ from, to }) => ({ from, to, port: "" })),
+    wires: drawing.transitions.map(({ from, to, trigger }) => ({
+      from,
+      to,
+      port: "",
+      label: labelSize(labelLines(trigger), 1, kRoomy),
+    })),
   };
 }

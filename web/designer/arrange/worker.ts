@@ -1,7 +1,7 @@
 // Automatic layout, off the page's thread. elk is loaded with it, the first time that something is laid out.
 import ELK from "elkjs/lib/elk.bundled.js";
 import { columnSpots } from "./columns.ts";
-import { fromElk, gridSpots, type Spot, toElk } from "./elk.ts";
+import { fromElk, gridSpots, largest, type Spot, toElk } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
 
 const elk = new ELK();
@@ -13,7 +13,9 @@ self.onmessage = async (event: MessageEvent<{ request: number; graph: LayoutGrap
   try {
     const isLarge = graph.kind === "dataflow" && graph.nodes.length > kMostForElk;
     if (graph.kind === "grid") spots = gridSpots(graph);
-    else spots = isLarge ? columnSpots(graph) : fromElk(await elk.layout(toElk(graph)));
+    else if (isLarge) spots = columnSpots(graph);
+    else if (graph.kind === "dataflow") spots = fromElk(await elk.layout(toElk(graph)));
+    else spots = fromElk(largest([await elk.layout(toElk(graph)), await elk.layout(toElk(graph, "DOWN"))]));
   } catch {
     spots = gridSpots(graph); // what elk can't do still has to be seen
   }

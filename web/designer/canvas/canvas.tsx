@@ -15,13 +15,23 @@ import {
   useReactFlow,
   useStore,
 } from "@xyflow/react";
-import { type DragEvent, type MouseEvent, useCallback, useEffect, useMemo, useRef, useState } from "react";
+import {
+  type CSSProperties,
+  type DragEvent,
+  type MouseEvent,
+  useCallback,
+  useEffect,
+  useMemo,
+  useRef,
+  useState,
+} from "react";
 import { arrangeChange } from "../arrange/arrange.ts";
 import { kPitch, onPitch } from "../arrange/elk.ts";
 import { innerOf } from "../pages/inside.ts";
 import { placeState } from "../palette/place.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { stateNodes, transitionEdges } from "../states/flow.ts";
+import { scaleAt } from "../states/label.ts";
 import { StateView, spokenState } from "../states/state_view.tsx";
 import { TransitionView } from "../states/transition_view.tsx";
 import { useDesigner, usePart } from "../use.ts";
@@ -54,6 +64,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const places = usePlaces(drawing);
   const shown = usePart((state) => state.shown);
   const distance = useCanvas((state) => state.distance);
+  const scale = useCanvas((state) => state.scale);
   const isStates = drawing.kind === Drawing_Kind.STATES;
   const isReadOnly = drawing.isReadOnly;
   const page = drawing.page?.path ?? "";
@@ -71,9 +82,9 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         .map(mark),
     );
     setEdges((before) =>
-      isStates ? transitionEdges(drawing, places, before) : wiresOf(drawing, before as CanvasWire[]),
+      isStates ? transitionEdges(drawing, places, before, scale) : wiresOf(drawing, before as CanvasWire[]),
     );
-  }, [drawing, places, isStates, designer]);
+  }, [drawing, places, isStates, designer, scale]);
 
   // Once, when the page has come into sight or become one of states; later only where somebody asks for it.
   useEffect(() => {
@@ -202,7 +213,8 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const noEdges = useMemo<Edge[]>(() => [], []);
   return (
     <section
-      className={`canvas ${distance} ${isReadOnly ? "read-only" : ""}`}
+      className={`canvas ${distance} ${isReadOnly ? "read-only" : ""} ${scale > 1 ? "away" : ""}`}
+      style={{ "--scale": scale } as CSSProperties}
       aria-label={`Drawing of ${page || "the file"}`}
       onDragOver={(event) => {
         if (!event.dataTransfer.types.includes(kDragged) || isReadOnly) return;
@@ -347,7 +359,11 @@ function noteView({ x, y, zoom }: { x: number; y: number; zoom: number }, nodes:
   const element = document.querySelector(".canvas");
   const { width = 800, height = 600 } = element?.getBoundingClientRect() ?? {};
   const distance = distanceAt(zoom, nodes);
-  canvasStore.setState({ distance, view: { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom } });
+  canvasStore.setState({
+    distance,
+    scale: scaleAt(zoom),
+    view: { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom },
+  });
 }
 
 export function enter(designer: ReturnType<typeof useDesigner>, drawing: Drawing, name: string): boolean {

@@ -6,6 +6,8 @@ export type Distance = "near" | "far" | "farthest";
 
 export interface CanvasState {
   distance: Distance;
+  /** How much larger than usual names and labels of states are written, as scaleAt says. */
+  scale: number;
   /** While a wire is drawn: for every input (`node/port`) or, drawn backwards, node, why it does not fit; empty: it does. */
   fits: ReadonlyMap<string, string> | null;
   /** The input whose value is edited. */
@@ -20,6 +22,7 @@ export interface CanvasState {
 
 export const canvasStore = createStore<CanvasState>(() => ({
   distance: "near",
+  scale: 1,
   fits: null,
   editing: null,
   pointer: { x: 0, y: 0 },

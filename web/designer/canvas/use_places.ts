@@ -26,19 +26,32 @@ export function usePlaces(drawing: Drawing): Places | null {
   const places = useMemo(() => placesOf(drawing), [drawing, moves]);
   const isWhole = places !== null;
   useEffect(() => {
-    if (isWhole) return;
-    let isCurrent = true;
-    void layOut(drawing).then((spots) => {
-      const key = keyOf(drawing);
-      const own = ownPlaces(drawing);
-      const known = new Map([...(laidOut.get(key) ?? []), ...own].filter(([name]) => sizesOf(drawing).has(name)));
-      laidOut.set(key, placeNew(known, spots, [...sizesOf(drawing).values()]));
-      if (isCurrent) tellMoved();
-    });
-    return () => {
-      isCurrent = false;
-    };
+    if (!isWhole) void laidOutPlaces(drawing);
   }, [drawing, isWhole]);
+  return places;
+}
+
+/** As placesOf, once everything has a place: a layout that is being worked out is waited for. */
+export async function wholePlaces(drawing: Drawing): Promise<Places> {
+  return placesOf(drawing) ?? laidOutPlaces(drawing);
+}
+
+const underWay = new WeakMap<Drawing, Promise<Places>>();
+
+function laidOutPlaces(drawing: Drawing): Promise<Places> {
+  const before = underWay.get(drawing);
+  if (before) return before;
+  const places = layOut(drawing).then((spots) => {
+    const key = keyOf(drawing);
+    const own = ownPlaces(drawing);
+    const known = new Map([...(laidOut.get(key) ?? []), ...own].filter(([name]) => sizesOf(drawing).has(name)));
+    const automatic = placeNew(known, spots, [...sizesOf(drawing).values()]);
+    laidOut.set(key, automatic);
+    underWay.delete(drawing);
+    tellMoved();
+    return placesOf(drawing) ?? automatic;
+  });
+  underWay.set(drawing, places);
   return places;
 }
 

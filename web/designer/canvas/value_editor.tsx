@@ -1,8 +1,9 @@
 // The editor of one input's value, beside its row: a field, a slider where there is a range, the words that it may be.
-import { useEffect, useState } from "react";
+import { useEffect, useMemo, useState } from "react";
 import { Dialog, Popover } from "react-aria-components";
 import { Button, Field, IconButton, RangeSlider } from "../../console/ui/controls.tsx";
 import type { IconName } from "../../console/ui/icons.tsx";
+import { kSliderEnd, kSliderStep, placeOnSlider, sliderScale, valueOnSlider } from "../../core/slider_scale.ts";
 import type { Node, Port } from "../protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly } from "../use.ts";
 import { canvasStore, useCanvas } from "./canvas_store.ts";
@@ -90,7 +91,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
     onDone();
   };
   const { min, max } = port;
-  const number = numberIn(typed);
+  const number = numberIn(typed, port.unit);
   const hasRange =
     what === "value" && min !== undefined && max !== undefined && Number.isFinite(max - min) && number !== undefined;
   const choices = what === "value" ? port.choices : [];
@@ -110,16 +111,14 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
         help={isCompact ? "" : port.help}
       />
       {hasRange && (
-        <RangeSlider
+        <ValueSlider
           label={`${label}, slider`}
-          hiddenLabel
-          value={number}
-          min={min}
-          max={max}
-          step={(max - min) / 100}
+          port={port}
+          number={number}
+          typed={typed}
           isDisabled={isReadOnly}
-          onChange={(next) => setTyped(sliderValue(next, typed, port.unit))}
-          onCommit={(next) => void send(sliderValue(next, typed, port.unit))}
+          onChange={setTyped}
+          onCommit={(next) => void send(next)}
         />
       )}
       {choices.length > 0 && (
@@ -150,6 +149,40 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
         </div>
       )}
     </div>
+  );
+}
+
+interface ValueSliderProps {
+  label: string;
+  port: Port;
+  number: number;
+  typed: string;
+  isDisabled: boolean;
+  onChange: (typed: string) => void;
+  onCommit: (typed: string) => void;
+}
+
+/** Goes by ratios where the range spans decades; the field beside it takes any number. */
+function ValueSlider({ label, port, number, typed, isDisabled, onChange, onCommit }: ValueSliderProps) {
+  const { min = 0, max = 1, type, unit, initial } = port;
+  const scale = useMemo(
+    () => sliderScale({ min, max, usual: numberIn(initial, unit) ?? Number.NaN, isWhole: /^(int|count)/.test(type) }),
+    [min, max, type, unit, initial],
+  );
+  const text = (place: number) => sliderValue(valueOnSlider(scale, place), typed, unit);
+  return (
+    <RangeSlider
+      label={label}
+      hiddenLabel
+      spoken={typed}
+      value={placeOnSlider(scale, number)}
+      min={0}
+      max={kSliderEnd}
+      step={kSliderStep}
+      isDisabled={isDisabled}
+      onChange={(place) => onChange(text(place))}
+      onCommit={(place) => onCommit(text(place))}
+    />
   );
 }
 

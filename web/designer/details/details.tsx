@@ -1,5 +1,6 @@
 // What is selected, in words and fields; without a selection the page itself.
 import { extensions } from "../extensions.ts";
+import { OwnProblems } from "../problems/own_problems.tsx";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
 import { useDrawing, usePart } from "../use.ts";
@@ -21,6 +22,11 @@ export default function Details() {
   const Live = extensions.details;
   return (
     <>
+      {id !== "" && (
+        <div className="details details-problems">
+          <OwnProblems node={id} />
+        </div>
+      )}
       <Of drawing={drawing} id={id} />
       {Live && id !== "" && (
         <div className="details">

@@ -63,7 +63,7 @@ function useHelp(node: Node): string {
 function readersOf(drawing: Drawing, name: string): string {
   const to = drawing.wires
     .filter((wire) => wire.from === name)
-    .map((wire) => (wire.to.startsWith("$") ? "the result" : wire.to));
+    .map((wire) => (wire.to.startsWith("$") ? "the result" : lastPart(wire.to)));
   if (drawing.resultNode === name && !to.includes("the result")) to.push("the result");
   return to.length === 0 ? "leads nowhere yet" : `leads to ${[...new Set(to)].join(", ")}`;
 }
@@ -140,7 +140,9 @@ function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Po
           <span className="small ellipsis">
             <b>{label}</b>{" "}
             <span className="muted">
-              {wires.length > 0 ? `from ${wires.map((wire) => wire.from).join(", ")}` : shownType(port.type, port.unit)}
+              {wires.length > 0
+                ? `from ${wires.map((wire) => lastPart(wire.from)).join(", ")}`
+                : shownType(port.type, port.unit)}
             </span>
           </span>
           {!isReadOnly &&

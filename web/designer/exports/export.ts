@@ -1,15 +1,15 @@
 // The drawing that is shown, as a file or on paper.
-import { placesOf } from "../canvas/use_places.ts";
+import { wholePlaces } from "../canvas/use_places.ts";
 import { type Designer, titleOf } from "../designer.ts";
 import { drawingAsSvg } from "./svg.ts";
 
 export async function exportDrawing(designer: Designer, what: "svg" | "png" | "print"): Promise<void> {
   const { drawing } = designer;
-  const places = drawing && placesOf(drawing);
-  if (!drawing || !places) {
+  if (!drawing) {
     designer.tell("There is nothing to export yet.", "hold");
     return;
   }
+  const places = await wholePlaces(drawing); // a page that was opened just now may still be laid out
   const page = drawing.page?.path ?? "";
   const name = (page || titleOf(drawing.page?.document ?? "drawing").replace(/\.cdl$/, "")).replaceAll(
     /[^\w.-]+/g,

@@ -7,9 +7,10 @@ import { kFont } from "../canvas/text_width.ts";
 import { flowOf } from "../canvas/types.ts";
 import { wirePath } from "../canvas/wire_path.ts";
 import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
-import { curveBetween, loopAt, type Rect } from "../states/curve.ts";
-import { transitionBends } from "../states/flow.ts";
+import type { Rect } from "../states/curve.ts";
+import { curveOf, labelMarks, transitionRoutes } from "../states/flow.ts";
 import { stateSize } from "../states/form.ts";
+import { labelLines, labelSize } from "../states/label.ts";
 
 const kMargin = 32;
 const kFlowColors = {
@@ -145,32 +146,21 @@ function statesSvg(drawing: Drawing, places: Places): Parts {
     const at = places.get(state.name);
     if (at) rects.set(state.name, { ...at, ...stateSize(state) });
   }
-  const bends = transitionBends(drawing, places);
+  const routes = transitionRoutes(drawing, places);
   const labels: string[] = [];
   drawing.transitions.forEach((transition, i) => {
     const [from, to] = [rects.get(transition.from), rects.get(transition.to)];
     if (!from || !to) return;
-    const bend = bends[i]!;
-    const curve =
-      transition.from === transition.to
-        ? loopAt(from, bend)
-        : curveBetween(from, to, bend, transition.from > transition.to);
+    const route = routes[i]!;
+    const curve = curveOf(transition, route, from, to);
     lines.push(`<path d="${curve.path}" fill="none" stroke="#4d5766" stroke-width="1.5" marker-end="url(#arrow)"/>`);
-    const label = `${transition.index + 1}  ${transition.trigger}`;
-    const width = Math.min(280, label.length * 6 + 14);
-    labels.push(
-      `<rect x="${curve.middle.x - width / 2}" y="${curve.middle.y - 11}" width="${width}" height="22" rx="11" fill="#ffffff" stroke="#d5dae2"/>`,
-      text(
-        label.length > 44 ? `${label.slice(0, 43)}…` : label,
-        curve.middle.x,
-        curve.middle.y + 4,
-        11,
-        "#1b212b",
-        false,
-        "middle",
-      ),
-    );
-    boxes.push({ x: curve.middle.x - width / 2, y: curve.middle.y - 12, width, height: 24 });
+    const siblings = drawing.transitions.filter((one) => one.from === transition.from).length;
+    const written = labelLines(transition.trigger, route.isShort);
+    const size = labelSize(written, labelMarks(transition, siblings));
+    const middle = curve.pointAt(route.at);
+    const box = { x: middle.x - size.width / 2, y: middle.y - size.height / 2, ...size };
+    labels.push(labelSvg(box, written, siblings > 1 ? `${transition.index + 1}` : "", transition.restarts));
+    boxes.push(box);
   });
   for (const state of drawing.states) {
     const rect = rects.get(state.name);
@@ -190,6 +180,24 @@ function statesSvg(drawing: Drawing, places: Places): Parts {
     );
   }
   return { lines: [...lines, ...labels], boxes };
+}
+
+function labelSvg(box: Rect, written: readonly string[], order: string, isAnew: boolean): string {
+  const left = box.x + 10 + (order ? 20 : 0);
+  const top = box.y + box.height / 2 - written.length * 8;
+  return [
+    `<rect x="${box.x}" y="${box.y}" width="${box.width}" height="${box.height}" rx="12" fill="#ffffff" stroke="#aab3c0"/>`,
+    order ? `<circle cx="${box.x + 17}" cy="${box.y + box.height / 2}" r="7.5" fill="#0f6f7c"/>` : "",
+    text(order, box.x + 17, box.y + box.height / 2 + 3.5, 10, "#ffffff", true, "middle"),
+    ...written.map((line, i) => mono(line, left, top + 12 + i * 16)),
+    isAnew ? text("↻", box.x + box.width - 16, box.y + box.height / 2 + 4, 12, "#1b212b") : "",
+  ]
+    .filter((line) => line !== "")
+    .join("\n");
+}
+
+function mono(line: string, x: number, y: number): string {
+  return `<text x="${x}" y="${y}" font-size="12" font-family="monospace" fill="#1b212b" xml:space="preserve">${escaped(line)}</text>`;
 }
 
 function noteSvg(note: {

@@ -72,7 +72,7 @@ function Entry({ component }: { component: Component }) {
         className={`palette-entry tone-${toneOf(component.shape)}`}
         draggable={!isReadOnly}
         disabled={isReadOnly}
-        title={component.help || undefined}
+        title={[title, component.help].filter((one) => one !== "").join("\n\n")}
         onDragStart={(event) => {
           event.dataTransfer.setData(kDragged, component.name);
           event.dataTransfer.setData("text/plain", component.name);
@@ -84,7 +84,7 @@ function Entry({ component }: { component: Component }) {
           <NodeIcon icon={component.icon} component={component.name} shape={component.shape} />
         </span>
         <span className="palette-names">
-          <span className="ellipsis">{title}</span>
+          <span className="palette-title">{title}</span>
           <span className="small muted ellipsis">{firstSentence(component.help)}</span>
         </span>
       </button>

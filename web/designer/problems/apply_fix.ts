@@ -2,6 +2,12 @@
 import type { Designer } from "../designer.ts";
 import type { Fix } from "../protocol.ts";
 
+/** What its button says: what the server calls it, as a person would write it. */
+export function fixTitle(fix: Fix): string {
+  const plain = fix.title.replaceAll(/`([^`]*)`/g, "“$1”").trim();
+  return plain === "" ? "Mend it" : plain[0]!.toUpperCase() + plain.slice(1);
+}
+
 export async function applyFix(designer: Designer, fix: Fix): Promise<void> {
   const document = designer.document;
   if (!document || fix.splices.length === 0) return;
@@ -10,7 +16,7 @@ export async function applyFix(designer: Designer, fix: Fix): Promise<void> {
     case: "editText",
     value: { document: document.path, revision: document.revision, name: fix.title, ...merged },
   });
-  if (answer.ok) designer.say(fix.title);
+  if (answer.ok) designer.say(fixTitle(fix));
 }
 
 interface Splice {

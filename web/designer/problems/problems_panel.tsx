@@ -4,8 +4,8 @@ import { Icon } from "../../console/ui/icons.tsx";
 import { sentence } from "../files/banners.tsx";
 import { lastPart } from "../pages/pages.ts";
 import type { Problem } from "../protocol.ts";
-import { useDesigner, useDocument, useIsReadOnly } from "../use.ts";
-import { applyFix } from "./apply_fix.ts";
+import { useDesigner, useDocument } from "../use.ts";
+import { Fixes } from "./fixes.tsx";
 
 const kMostShown = 300;
 
@@ -37,9 +37,8 @@ function keyOf({ diagnostic, page, node }: Problem): string {
 
 function Entry({ problem }: { problem: Problem }) {
   const designer = useDesigner();
-  const isReadOnly = useIsReadOnly();
   const document = useDocument()!;
-  const { diagnostic, page, node, fixes } = problem;
+  const { diagnostic, page, node } = problem;
   if (!diagnostic) return null;
   const go = () => {
     const path = diagnostic.document || document.path;
@@ -48,7 +47,7 @@ function Entry({ problem }: { problem: Problem }) {
     designer.store.setState({ reveal: { begin: diagnostic.begin, end: diagnostic.end, focus: false } });
     if (page === "" && node === "") designer.show({ text: true });
   };
-  const where = node ? `${lastPart(page)} · ${node}` : page;
+  const where = node ? `${lastPart(page)} · ${lastPart(node)}` : page;
   return (
     <li className={diagnostic.isWarning ? "warning" : "error"}>
       <Icon name="warning" />
@@ -60,12 +59,7 @@ function Entry({ problem }: { problem: Problem }) {
         {diagnostic.hints.map((hint) => sentence(hint)).join(" ")} {where}
         {diagnostic.line > 0 && `${where ? ", " : ""}line ${diagnostic.line}`}
       </span>
-      {!isReadOnly &&
-        fixes.map((fix) => (
-          <Button key={fix.title} icon="check" onPress={() => void applyFix(designer, fix)}>
-            {fix.title}
-          </Button>
-        ))}
+      <Fixes problem={problem} />
     </li>
   );
 }

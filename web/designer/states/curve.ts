@@ -12,11 +12,10 @@ export interface Point {
 }
 export interface Curve {
   path: string;
-  /** Where its label stands. */
-  middle: Point;
   begin: Point;
-  control: Point;
   end: Point;
+  /** 0: where it begins, 1: where it ends. */
+  pointAt(share: number): Point;
 }
 
 /** `bend`: how far its middle is aside [px], to the left of the way; `isBack`: of the way back, so that both agree on the side. */
@@ -29,19 +28,36 @@ export function curveBetween(from: Rect, to: Rect, bend: number, isBack: boolean
   const control = { x: (a.x + b.x) / 2 + across.x * bend * 2, y: (a.y + b.y) / 2 + across.y * bend * 2 };
   const begin = onRim(from, control);
   const end = onRim(to, control);
-  const middle = { x: (begin.x + 2 * control.x + end.x) / 4, y: (begin.y + 2 * control.y + end.y) / 4 };
   const path = `M${round(begin.x)} ${round(begin.y)}Q${round(control.x)} ${round(control.y)} ${round(end.x)} ${round(end.y)}`;
-  return { path, middle, begin, control, end };
+  return { path, begin, end, pointAt: (share) => between([begin, control, end], share) };
 }
 
-/** A loop above the state. */
+/** A loop: above the state, the farther the larger `place` is; below it where that is negative. */
 export function loopAt(at: Rect, place: number): Curve {
-  const reach = 46 + place * 30;
-  const begin = { x: at.x + at.width * 0.62, y: at.y };
-  const end = { x: at.x + at.width * 0.38, y: at.y };
-  const control = { x: at.x + at.width / 2, y: at.y - reach };
-  const path = `M${round(begin.x)} ${round(begin.y)}C${round(begin.x + 30)} ${round(control.y)} ${round(end.x - 30)} ${round(control.y)} ${round(end.x)} ${round(end.y)}`;
-  return { path, middle: { x: control.x, y: at.y - reach * 0.75 }, begin, control, end };
+  const isBelow = place < 0;
+  const reach = 48 + (isBelow ? -place - 1 : place) * 36;
+  const rim = isBelow ? at.y + at.height : at.y;
+  const far = isBelow ? rim + reach : rim - reach;
+  const begin = { x: at.x + at.width * 0.64, y: rim };
+  const end = { x: at.x + at.width * 0.36, y: rim };
+  const [out, back] = [
+    { x: begin.x + 30, y: far },
+    { x: end.x - 30, y: far },
+  ];
+  const path = `M${round(begin.x)} ${round(begin.y)}C${round(out.x)} ${round(out.y)} ${round(back.x)} ${round(back.y)} ${round(end.x)} ${round(end.y)}`;
+  return { path, begin, end, pointAt: (share) => between([begin, out, back, end], share) };
+}
+
+/** On the curve that these points pull (de Casteljau). */
+function between(points: readonly Point[], share: number): Point {
+  if (points.length === 1) return points[0]!;
+  return between(
+    points.slice(1).map((next, i) => {
+      const last = points[i]!;
+      return { x: last.x + (next.x - last.x) * share, y: last.y + (next.y - last.y) * share };
+    }),
+    share,
+  );
 }
 
 export function centreOf(rect: Rect): Point {

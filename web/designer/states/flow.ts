@@ -3,9 +3,10 @@ import type { Edge, Node as FlowNode } from "@xyflow/react";
 import { Position } from "@xyflow/react";
 import type { Places } from "../canvas/flow.ts";
 import type { Drawing, State, Transition } from "../protocol.ts";
-import { bendsOf } from "./bends.ts";
 import { type Curve, curveBetween, loopAt, type Rect } from "./curve.ts";
 import { stateSize } from "./form.ts";
+import { labelLines, labelSize } from "./label.ts";
+import { type Route, routesOf } from "./routes.ts";
 
 export interface StateData extends Record<string, unknown> {
   state: State;
@@ -14,8 +15,11 @@ export interface StateData extends Record<string, unknown> {
 }
 export interface TransitionData extends Record<string, unknown> {
   transition: Transition;
-  /** As bendsOf says. */
-  bend: number;
+  route: Route;
+  /** What is written on its label. */
+  lines: readonly string[];
+  /** How many times larger than usual, as seen from far away. */
+  scale: number;
   /** How many the state it leaves has: the order matters where there are several. */
   siblings: number;
   page: string;
@@ -70,14 +74,20 @@ export function stateNodes(drawing: Drawing, places: Places, before: readonly { 
   });
 }
 
-export function transitionEdges(drawing: Drawing, places: Places, before: readonly { id: string }[]): TransitionEdge[] {
+export function transitionEdges(
+  drawing: Drawing,
+  places: Places,
+  before: readonly { id: string }[],
+  scale = 1,
+): TransitionEdge[] {
   const known = new Map(before.map((one) => [one.id, one as TransitionEdge]));
-  const bends = transitionBends(drawing, places);
+  const routes = transitionRoutes(drawing, places, scale);
   const page = drawing.page?.path ?? "";
   const names = new Set(drawing.states.map((state) => state.name));
   return drawing.transitions.flatMap((transition, i) => {
     if (!names.has(transition.from) || !names.has(transition.to)) return [];
-    const siblings = drawing.transitions.filter((one) => one.from === transition.from).length;
+    const route = routes[i]!;
+    const lines = labelLines(transition.trigger, route.isShort);
     return [
       {
         id: transitionId(transition),
@@ -86,34 +96,44 @@ export function transitionEdges(drawing: Drawing, places: Places, before: readon
         sourceHandle: "out",
         target: transition.to,
         targetHandle: "in",
-        data: { transition, bend: bends[i]!, siblings, page },
+        data: { transition, route, lines, scale, siblings: siblingsOf(drawing, transition), page },
         selected: known.get(transitionId(transition))?.selected ?? false,
       },
     ];
   });
 }
 
-export function transitionBends(drawing: Drawing, places: Places): number[] {
+function siblingsOf(drawing: Drawing, { from }: Transition): number {
+  return drawing.transitions.filter((one) => one.from === from).length;
+}
+
+/** How every transition goes, and where its label stands. */
+export function transitionRoutes(drawing: Drawing, places: Places, scale = 1): Route[] {
   const rects = new Map<string, Rect>();
   for (const state of drawing.states) {
     const at = places.get(state.name);
     if (at) rects.set(state.name, { ...at, ...stateSize(state) });
   }
-  return bendsOf(
-    drawing.transitions.map(({ from, to, trigger }) => ({
-      from,
-      to,
-      labelWidth: Math.min(240, 44 + trigger.length * 6.7),
-    })),
+  return routesOf(
+    drawing.transitions.map((transition) => {
+      const { from, to, trigger } = transition;
+      const marks = labelMarks(transition, siblingsOf(drawing, transition));
+      const [label, short] = [false, true].map((isShort) => labelSize(labelLines(trigger, isShort), marks, scale));
+      return { from, to, label: label!, short: short! };
+    }),
     rects,
   );
 }
 
+/** How many signs stand beside the trigger: its number where there are several, the arrow of those that start anew. */
+export function labelMarks(transition: Transition, siblings: number): number {
+  return (siblings > 1 ? 1 : 0) + (transition.restarts ? 1 : 0);
+}
+
 /** The way of a transition between where the two states are. */
-export function curveOf(data: TransitionData, from: Rect, to: Rect): Curve {
-  const { transition, bend } = data;
-  if (transition.from === transition.to) return loopAt(from, bend);
-  return curveBetween(from, to, bend, transition.from > transition.to);
+export function curveOf(transition: Transition, route: Route, from: Rect, to: Rect): Curve {
+  if (transition.from === transition.to) return loopAt(from, route.bend);
+  return curveBetween(from, to, route.bend, transition.from > transition.to);
 }
 
 function isSameState(a: State, b: State): boolean {

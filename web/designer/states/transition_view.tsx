@@ -17,7 +17,7 @@ export const TransitionView = memo(function TransitionView({
   const to = useInternalNode(target);
   const flashes = useFlash(data?.page ?? "", data ? `${transitionId(data.transition)}` : "");
   if (!from || !to || !data) return null;
-  const curve = curveOf(data, rectOf(from), rectOf(to));
+  const curve = curveOf(data.transition, data.route, rectOf(from), rectOf(to));
   const classes = `transition ${selected ? "selected" : ""} ${flashes ? "flashes" : ""}`;
   return (
     <>
@@ -29,7 +29,7 @@ export const TransitionView = memo(function TransitionView({
       />
       <path d={curve.path} className="react-flow__edge-interaction" fill="none" stroke="transparent" strokeWidth={18} />
       <EdgeLabelRenderer>
-        <TransitionLabel data={data} at={curve.middle} className={classes} />
+        <TransitionLabel data={data} at={curve.pointAt(data.route.at)} className={classes} />
       </EdgeLabelRenderer>
     </>
   );
@@ -45,22 +45,22 @@ function TransitionLabel({
   className: string;
 }) {
   const designer = useDesigner();
-  const { transition, siblings } = data;
+  const { transition, siblings, lines, scale } = data;
   const id = transitionId(transition);
   const isSelected = usePart((state) => state.selection.includes(id));
   return (
     <button
       type="button"
       className={`transition-label nodrag nopan ${className} ${isSelected ? "selected" : ""}`}
-      style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px)` }}
-      title={transition.help || undefined}
+      style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px) scale(${scale})` }}
+      title={[transition.trigger, transition.help].filter((one) => one !== "").join("\n\n") || undefined}
       aria-label={spokenTransition(transition)}
       aria-pressed={isSelected}
       onClick={(event) => designer.select(event.shiftKey ? [...designer.state.selection, id] : [id])}
       onDoubleClick={() => designer.store.setState({ dialog: "rename", subject: id })}
     >
       {siblings > 1 && <span className="transition-order" data-order={transition.index + 1} aria-hidden="true" />}
-      <span className="ellipsis">{transition.trigger || "when?"}</span>
+      <span>{lines.join("\n")}</span>
       {transition.restarts && <span className="transition-anew" title="Starts the state anew" aria-hidden="true" />}
     </button>
   );

@@ -1,0 +1,27 @@
+// What is wrong with what is selected, beside its fields.
+import { sentence } from "../files/banners.tsx";
+import { useDocument, usePart } from "../use.ts";
+import { Fixes } from "./fixes.tsx";
+
+export function OwnProblems({ node }: { node: string }) {
+  const document = useDocument();
+  const page = usePart((state) => state.page);
+  const own = (document?.problems ?? []).filter((problem) => problem.node === node && problem.page === page);
+  if (own.length === 0) return null;
+  return (
+    <ul className="own-problems" aria-label={`What is wrong with ${node}`}>
+      {own.map((problem) => (
+        <li
+          key={`${problem.diagnostic?.begin} ${problem.diagnostic?.message}`}
+          className={problem.diagnostic?.isWarning ? "small warning" : "small"}
+        >
+          <span>
+            {sentence(problem.diagnostic?.message ?? "")}{" "}
+            {(problem.diagnostic?.hints ?? []).map((hint) => sentence(hint)).join(" ")}
+          </span>
+          <Fixes problem={problem} />
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,195 @@
+// The ways of transitions, and where on its way each label stands: so that no way passes another state, and no label lies
+// on a state, on another label or on another way. Each is tried against all others, in the order of the text and again
+// until nothing gets better: small changes move little, and the same page is drawn the same.
+import { type Curve, curveBetween, loopAt, type Rect } from "./curve.ts";
+import { crosses, enlarged, holds, isOver, pathOf } from "./geometry.ts";
+import type { LabelSize } from "./label.ts";
+
+export interface Way {
+  from: string;
+  to: string;
+  /** Of its label: as it is best, and cut short where there is no room for that [px]. */
+  label: LabelSize;
+  short: LabelSize;
+}
+
+export interface Route {
+  /** How far the middle of the way is aside of the straight one, seen from the state that comes first by name [px]; of a loop its place. */
+  bend: number;
+  /** Where on the way its label stands, 0 .. 1. */
+  at: number;
+  isShort: boolean;
+}
+
+const kStep = 24; // [px]
+const kMostSteps = 11;
+const kPlaces = [0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71];
+const kLoops = [0, 1, -1, 2, -2, 3, -3];
+const kMostRounds = 5;
+const kGap = 5; // between a label and anything else [px]
+const kArrow = 14; // a label leaves this much of the arrow's end free [px]
+const kClear = 8; // a way keeps this far from other states [px]
+
+/** What is wrong with a route, in order of how bad it is. */
+const kCost = { onState: 100, onLabel: 100, onWay: 60, passes: 80, together: 50, onArrow: 40, short: 30 };
+
+/** A way that might be taken. */
+interface Drawn {
+  bend: number;
+  curve: Curve;
+  points: readonly { x: number; y: number }[];
+  box: Rect;
+  /** Without any label. */
+  cost: number;
+}
+interface Taken {
+  drawn: Drawn;
+  label: Rect;
+  route: Route;
+}
+
+export function routesOf(ways: readonly Way[], rects: ReadonlyMap<string, Rect>): Route[] {
+  return new Router(ways, rects).run();
+}
+
+class Router {
+  private readonly taken: (Taken | undefined)[];
+  private readonly tried: (readonly Drawn[])[];
+  private readonly states: readonly Rect[];
+  private readonly bounds: Rect;
+
+  constructor(
+    private readonly ways: readonly Way[],
+    private readonly rects: ReadonlyMap<string, Rect>,
+  ) {
+    this.states = [...rects.values()];
+    this.bounds = enlarged(boundsOf(this.states), 60);
+    this.tried = ways.map((way) => this.candidates(way));
+    this.taken = ways.map(() => undefined);
+  }
+
+  run(): Route[] {
+    for (const i of this.ways.keys()) this.choose(i);
+    for (let round = 0; round < kMostRounds; ++round) {
+      let isBetter = false;
+      for (const i of this.ways.keys()) {
+        if (this.taken[i] && this.troubles(i, this.taken[i]!) > 0) isBetter = this.choose(i) || isBetter;
+      }
+      if (!isBetter) break;
+    }
+    return this.taken.map((one) => one?.route ?? { bend: 0, at: 0.5, isShort: false });
+  }
+
+  private candidates(way: Way): Drawn[] {
+    const from = this.rects.get(way.from);
+    const to = this.rects.get(way.to);
+    if (!from || !to) return [];
+    const isLoop = way.from === way.to;
+    const others = [...this.rects].filter(([name]) => name !== way.from && name !== way.to).map(([, rect]) => rect);
+    const bends = isLoop ? kLoops : kBends;
+    return bends.map((bend, order) => {
+      const curve = isLoop ? loopAt(from, bend) : curveBetween(from, to, bend, way.from > way.to);
+      const points = pathOf(curve);
+      const passed = others.filter((rect) => crosses(points, enlarged(rect, kClear))).length;
+      const box = boundsOf(points.map(({ x, y }) => ({ x, y, width: 0, height: 0 })));
+      const strays = outside(box, this.bounds);
+      const cost = kCost.passes * passed + (isLoop ? 2 * order : Math.abs(bend) * 0.03) + strays * 0.05;
+      return { bend, curve, points, box, cost };
+    });
+  }
+
+  /** Takes the best route for a way, all others as they are. @returns whether it is another one than before */
+  private choose(i: number): boolean {
+    const way = this.ways[i]!;
+    const before = this.taken[i];
+    let best: Taken | undefined;
+    let least = Number.POSITIVE_INFINITY;
+    for (const drawn of this.tried[i]!) {
+      const base = drawn.cost + this.costOfWay(i, drawn);
+      if (base >= least) continue;
+      for (const isShort of [false, true]) {
+        for (const at of way.from === way.to ? [0.5] : kPlaces) {
+          const extra = base + Math.abs(at - 0.5) * 6 + (isShort ? kCost.short : 0);
+          if (extra >= least) continue;
+          const label = around(drawn.curve, at, isShort ? way.short : way.label);
+          const cost = extra + this.costOfLabel(i, drawn, label);
+          if (cost >= least) continue;
+          least = cost;
+          best = { drawn, label, route: { bend: drawn.bend, at, isShort } };
+        }
+      }
+    }
+    this.taken[i] = best;
+    return (
+      best !== undefined &&
+      (before === undefined ||
+        before.route.bend !== best.route.bend ||
+        before.route.at !== best.route.at ||
+        before.route.isShort !== best.route.isShort)
+    );
+  }
+
+  /** What would be wrong that can be seen: of the way and of its label. */
+  private troubles(i: number, { drawn, label, route }: Taken): number {
+    return this.costOfWay(i, drawn) + this.costOfLabel(i, drawn, label) + (route.isShort ? kCost.short : 0);
+  }
+
+  private costOfWay(i: number, drawn: Drawn): number {
+    const way = this.ways[i]!;
+    let cost = 0;
+    this.taken.forEach((other, j) => {
+      if (!other || j === i) return;
+      if (isOver(other.label, drawn.box, kGap) && crosses(drawn.points, enlarged(other.label, kGap)))
+        cost += kCost.onWay;
+      const with_ = this.ways[j]!;
+      const isSame = way.from === with_.from && way.to === with_.to;
+      const isBack = way.from === with_.to && way.to === with_.from;
+      if ((isSame || isBack) && Math.abs(drawn.bend - other.drawn.bend) < (way.from === way.to ? 1 : kStep))
+        cost += kCost.together;
+    });
+    return cost;
+  }
+
+  private costOfLabel(i: number, drawn: Drawn, label: Rect): number {
+    let cost = outside(label, this.bounds) * 0.1;
+    for (const state of this.states) if (isOver(state, label, kGap)) cost += kCost.onState;
+    if (this.ways[i]!.from !== this.ways[i]!.to && holds(enlarged(label, kArrow), drawn.curve.end))
+      cost += kCost.onArrow;
+    this.taken.forEach((other, j) => {
+      if (!other || j === i) return;
+      if (isOver(other.label, label, kGap)) cost += kCost.onLabel;
+      if (isOver(other.drawn.box, label, kGap) && crosses(other.drawn.points, enlarged(label, kGap)))
+        cost += kCost.onWay;
+    });
+    return cost;
+  }
+}
+
+/** 0, a little to each side, more ... */
+const kBends: readonly number[] = [0, ...Array.from({ length: kMostSteps }, (_, i) => (i + 1) * kStep)].flatMap(
+  (bend) => (bend === 0 ? [0] : [bend, -bend]),
+);
+
+function around(curve: Curve, at: number, size: LabelSize): Rect {
+  const middle = curve.pointAt(at);
+  return { x: middle.x - size.width / 2, y: middle.y - size.height / 2, ...size };
+}
+
+/** How far it reaches out of the other one [px]. */
+function outside(rect: Rect, of: Rect): number {
+  return (
+    Math.max(0, of.x - rect.x) +
+    Math.max(0, of.y - rect.y) +
+    Math.max(0, rect.x + rect.width - of.x - of.width) +
+    Math.max(0, rect.y + rect.height - of.y - of.height)
+  );
+}
+
+function boundsOf(rects: readonly Rect[]): Rect {
+  if (rects.length === 0) return { x: 0, y: 0, width: 0, height: 0 };
+  const x = Math.min(...rects.map((rect) => rect.x));
+  const y = Math.min(...rects.map((rect) => rect.y));
+  const right = Math.max(...rects.map((rect) => rect.x + rect.width));
+  const bottom = Math.max(...rects.map((rect) => rect.y + rect.height));
+  return { x, y, width: right - x, height: bottom - y };
+}
