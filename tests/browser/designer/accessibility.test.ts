@@ -71,3 +71,49 @@ for (const colours of ["light", "dark"] as const) {
     expect(found).toEqual([]);
   });
 }
+
+for (const colours of ["light", "dark"] as const) {
+  test(`every live view is accessible, ${colours}`, async () => {
+    const { designer } = await begin({ mission: "forage", file: "forager.cdl", width: 1600, height: 900 });
+    const { page } = designer;
+    await page.emulateMedia({ colorScheme: colours });
+    await page.locator(`[data-theme=${colours}]`).first().waitFor();
+    const simulator = page.getByRole("region", { name: "Simulator", exact: true });
+    const goTo = async (declaration: string) => {
+      await designer.toFile();
+      await designer.details.getByRole("button", { name: declaration, exact: true }).click();
+      await designer.on(declaration);
+      await page.locator(".react-flow__node").first().waitFor();
+    };
+    await goTo("Forage");
+    await page.locator("[data-tour=run]").click();
+    await simulator.getByText("Running", { exact: true }).waitFor();
+    await page.locator(".state.active").first().waitFor();
+    const found = await violations(designer, "running, states");
+    await designer.select(designer.node("Searching"));
+    found.push(...(await violations(designer, "running, a state selected")));
+    await page.getByRole("button", { name: /^Transition 1 of Searching/ }).click();
+    found.push(...(await violations(designer, "running, a transition selected")));
+    await goTo("Wander");
+    await page.locator(".wire-label.live").first().waitFor();
+    await designer.select(designer.named("Probe"));
+    await designer.details.getByTestId("live-parameters").waitFor();
+    found.push(...(await violations(designer, "running, a node selected")));
+    await designer.details.getByRole("button", { name: "Pin a probe" }).click();
+    await page.getByRole("region", { name: "Probes" }).locator(".live-arrow").first().waitFor();
+    found.push(...(await violations(designer, "a probe")));
+    await designer.details.getByRole("button", { name: "Set the breakpoint" }).waitFor();
+    await designer.details.getByRole("textbox", { name: "Value" }).last().fill("0.1");
+    await designer.details.getByRole("button", { name: "Set the breakpoint" }).click();
+    await simulator.getByText("Paused", { exact: true }).waitFor();
+    await simulator.getByRole("alert").getByRole("button", { name: "Show" }).waitFor();
+    found.push(...(await violations(designer, "paused at a breakpoint")));
+    await designer.button("Movement field of the selection").click();
+    await simulator.getByText("Movement field of", { exact: false }).waitFor();
+    found.push(...(await violations(designer, "movement field")));
+    await designer.button("What runs").click();
+    await page.getByRole("dialog").waitFor();
+    found.push(...(await violations(designer, "what runs")));
+    expect(found).toEqual([]);
+  });
+}

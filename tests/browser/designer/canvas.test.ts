@@ -171,6 +171,82 @@ test("automatic layout is one step that can be undone", async () => {
   }
 });
 
+test("a mend that the server offers is a button, in the list of problems and beside the node, and mends the text", async () => {
+  const bad = "assemblage Bad() {\n  cooperate {\n    1: Nosie();\n    1: Niose();\n  }\n}\n";
+  const { designer, project } = await begin({ file: "bad.cdl", prepare: (one) => one.write("bad.cdl", bad) });
+  await designer.on("Bad");
+  await expect.poll(() => designer.verdict.textContent()).toMatch(/2 errors/);
+  await designer.verdict.click();
+  const entry = (name: string) => designer.problems.getByRole("listitem").filter({ hasText: name });
+  const mend = (name: string) => entry(name).getByRole("button", { name: "Write “Noise”" });
+  await mend("Nosie").waitFor();
+  await mend("Niose").waitFor();
+  await mend("Nosie").click();
+  await entry("Nosie").waitFor({ state: "detached" });
+  await designer.button("Undo write `Noise`").waitFor();
+  await designer.select(designer.named("Niose"));
+  await designer.details.getByRole("button", { name: "Write “Noise”" }).click();
+  await designer.problems.getByText("Nothing is wrong").waitFor();
+  await designer.page.locator("body").press("Control+s");
+  await expect.poll(() => project.read("bad.cdl")).toBe(bad.replace("Nosie", "Noise").replace("Niose", "Noise"));
+});
+
+test("names in the palette are whole", async () => {
+  const { designer } = await begin({ file: "two.cdl", prepare: (project) => project.write("two.cdl", kTwo) });
+  await designer.on("Two");
+  await designer.palette.getByText("Coordinate by Weighted sum", { exact: true }).waitFor();
+  const cut = await designer.palette
+    .locator(".palette-title")
+    .evaluateAll((names) => names.filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent));
+  expect(cut).toEqual([]);
+});
+
+test("a slider over many decades goes by ratios, and the field takes any number", async () => {
+  const { designer } = await opened();
+  await designer.on("Two");
+  await designer.select(designer.named("Noise"));
+  const slider = designer.details.getByRole("slider", { name: "persistence, slider" });
+  const field = designer.details.getByRole("textbox", { name: /^persistence/ });
+  await slider.focus();
+  await slider.press("ArrowRight");
+  const number = async () => Number.parseFloat(await field.inputValue());
+  await expect.poll(number).toBeGreaterThan(10);
+  expect(await number()).toBeLessThan(12.5);
+  await designer
+    .named("Noise")
+    .getByText(`${await number()} s`)
+    .waitFor();
+  await slider.focus();
+  await slider.press("PageDown");
+  await expect.poll(number).toBeLessThan(6);
+  await field.fill("1.23456 s");
+  await field.press("Enter");
+  await designer.named("Noise").getByText("1.23456 s").waitFor();
+  expect(await field.inputValue()).toBe("1.23456 s");
+});
+
+test("a drawing is exported while it is still being laid out", async () => {
+  const { designer, mlab } = await begin({ file: "two.cdl", prepare: (project) => project.write("two.cdl", kTwo) });
+  await designer.on("Two");
+  const { page } = designer;
+  // The layout's program comes late, as on a slow machine.
+  let isHeld = true;
+  await page.route(/\/worker-[^/]*\.js/, async (route) => {
+    while (isHeld) await new Promise((resolve) => setTimeout(resolve, 50));
+    await route.continue();
+  });
+  await page.goto("about:blank");
+  await page.goto(mlab.url);
+  await designer.on("Two");
+  await page.keyboard.press("Control+k");
+  await page.getByRole("combobox", { name: "All commands" }).fill("as SVG");
+  const coming = page.waitForEvent("download");
+  await page.keyboard.press("Enter");
+  expect(await page.locator(".react-flow__node").count()).toBe(0);
+  isHeld = false;
+  expect((await coming).suggestedFilename()).toBe("Two.svg");
+});
+
 test("a drawing is exported as SVG and as PNG", async () => {
   const { designer } = await opened();
   await designer.on("Two");

@@ -108,8 +108,36 @@ test("text beside the drawing, with what is wrong", async () => {
   if (!(await designer.text.isVisible())) await designer.button("Text").click();
   await designer.verdict.click();
   await designer.problems.getByRole("button", { name: /Nosie/ }).first().click();
-  await designer.page.waitForTimeout(600);
+  await designer.problems.getByRole("button", { name: "Write “Noise”" }).waitFor();
   await shot(designer, "text");
+});
+
+test("robots run what is drawn: the states of the one that is selected glow, wires show their values", async () => {
+  const { designer } = await begin({ mission: "forage", file: "forager.cdl", width: 1600, height: 900 });
+  const { page } = designer;
+  const goTo = async (declaration: string) => {
+    await designer.toFile();
+    await designer.details.getByRole("button", { name: declaration, exact: true }).click();
+    await designer.on(declaration);
+    await page.locator(".react-flow__node").first().waitFor();
+  };
+  await goTo("Forage");
+  await designer.button("Hide Components").click();
+  await page.locator("[data-tour=run]").click();
+  await page.locator(".state.active").first().waitFor();
+  // Until a robot has found something.
+  await expect
+    .poll(() => page.locator(".state.active .state-name").allTextContents(), { timeout: 60_000 })
+    .not.toContain("Searching");
+  await designer.button("Pause").click();
+  await page.getByText("Paused", { exact: true }).first().waitFor();
+  await page.locator(".state.active").first().waitFor();
+  await shot(designer, "live_states");
+  await goTo("Wander");
+  await designer.button("Go on").click();
+  await page.locator(".wire-label.live .live-arrow").first().waitFor();
+  await designer.select(designer.named("cooperate"));
+  await shot(designer, "live");
 });
 
 test("dark colours, and the sheet of shortcuts", async () => {

@@ -44,7 +44,7 @@ import { NodeView, spokenNode } from "./node_view.tsx";
 import { NoteView, ResultView } from "./small_views.tsx";
 import { forgetMoved, isArranged, keepMoved, usePlaces } from "./use_places.ts";
 import { ValueEditor } from "./value_editor.tsx";
-import { setView } from "./view.ts";
+import { boundsOf, holdsAll, kFit, setView } from "./view.ts";
 import { WireView } from "./wire_view.tsx";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "./wiring.ts";
 
@@ -52,7 +52,6 @@ const kNodeTypes = { node: NodeView, result: ResultView, note: NoteView, state: 
 const kEdgeTypes = { wire: WireView, transition: TransitionView };
 const kMiniSize = { width: 160, height: 110 };
 const kPaneSize = 60; // no pane takes less than twice of it, no line more [px]
-const kFit = { padding: 0.1, maxZoom: 1 };
 /** What is dragged out of the palette. */
 export const kDragged = "application/x-mlab-component";
 
@@ -213,7 +212,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const noEdges = useMemo<Edge[]>(() => [], []);
   return (
     <section
-      className={`canvas ${distance} ${isReadOnly ? "read-only" : ""} ${scale > 1 ? "away" : ""}`}
+      className={`canvas ${distance} ${isReadOnly ? "read-only" : ""} ${scale > 1 ? "away" : ""} ${scale > 2 ? "farther" : ""}`}
       style={{ "--scale": scale } as CSSProperties}
       aria-label={`Drawing of ${page || "the file"}`}
       onDragOver={(event) => {
@@ -293,22 +292,30 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       >
         {shown.grid && <Background variant={BackgroundVariant.Dots} gap={kPitch * 3} size={1.6} />}
         {showsFarWires && <FarWires nodes={nodes} edges={edges} />}
-        {shown.minimap && hasRoom && nodes.length > 0 && (
-          <MiniMap
-            style={kMiniSize}
-            pannable
-            zoomable
-            ariaLabel="Overview of the drawing"
-            nodeStrokeWidth={0}
-            className="minimap"
-            nodeClassName={toneClass}
-          />
-        )}
+        {shown.minimap && hasRoom && <Overview nodes={nodes} />}
         <ConnectReason />
       </ReactFlow>
       <ValueEditor />
       <ContextMenu />
     </section>
+  );
+}
+
+/** Where on the page one is; a page that is seen as a whole needs none. */
+function Overview({ nodes }: { nodes: readonly FlowNode[] }) {
+  const bounds = useMemo(() => boundsOf(nodes), [nodes]);
+  const isWhole = useCanvas(({ view }) => holdsAll(view, bounds));
+  if (isWhole) return null;
+  return (
+    <MiniMap
+      style={kMiniSize}
+      pannable
+      zoomable
+      ariaLabel="Overview of the drawing"
+      nodeStrokeWidth={0}
+      className="minimap"
+      nodeClassName={toneClass}
+    />
   );
 }
 

@@ -146,7 +146,7 @@ function statesSvg(drawing: Drawing, places: Places): Parts {
     const at = places.get(state.name);
     if (at) rects.set(state.name, { ...at, ...stateSize(state) });
   }
-  const routes = transitionRoutes(drawing, places);
+  const { routes } = transitionRoutes(drawing, places);
   const labels: string[] = [];
   drawing.transitions.forEach((transition, i) => {
     const [from, to] = [rects.get(transition.from), rects.get(transition.to)];

@@ -5,7 +5,7 @@ import { Icon } from "../../console/ui/icons.tsx";
 import { MenuButton, type MenuGroup } from "../../console/ui/menus.tsx";
 import type { ActionGroup } from "../actions/action.ts";
 import { allActions } from "../actions/all_actions.ts";
-import { titleOf } from "../designer.ts";
+import { isNew, titleOf } from "../designer.ts";
 import { extensions } from "../extensions.ts";
 import { useDesigner, useDocument, useDrawing, usePart } from "../use.ts";
 
@@ -118,7 +118,10 @@ function Breadcrumbs() {
   return (
     <nav className="breadcrumbs" aria-label="Where you are">
       {way.map((page, i) => {
-        const title = drawing?.wayTitles[i] || (page.path === "" ? "File" : page.path);
+        const title =
+          page.path === "" && isNew(page.document || document)
+            ? titleOf(page.document || document)
+            : drawing?.wayTitles[i] || (page.path === "" ? "File" : page.path);
         const isLast = i === way.length - 1;
         return (
           <span key={`${page.document} ${page.path}`} className="crumb">

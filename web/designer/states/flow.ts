@@ -5,8 +5,8 @@ import type { Places } from "../canvas/flow.ts";
 import type { Drawing, State, Transition } from "../protocol.ts";
 import { type Curve, curveBetween, loopAt, type Rect } from "./curve.ts";
 import { stateSize } from "./form.ts";
-import { labelLines, labelSize } from "./label.ts";
-import { type Route, routesOf } from "./routes.ts";
+import { kScales, labelLines, labelSize } from "./label.ts";
+import { type Route, routesOf, type Way } from "./routes.ts";
 
 export interface StateData extends Record<string, unknown> {
   state: State;
@@ -78,10 +78,10 @@ export function transitionEdges(
   drawing: Drawing,
   places: Places,
   before: readonly { id: string }[],
-  scale = 1,
+  wanted = 1,
 ): TransitionEdge[] {
   const known = new Map(before.map((one) => [one.id, one as TransitionEdge]));
-  const routes = transitionRoutes(drawing, places, scale);
+  const { routes, scale } = transitionRoutes(drawing, places, wanted);
   const page = drawing.page?.path ?? "";
   const names = new Set(drawing.states.map((state) => state.name));
   return drawing.transitions.flatMap((transition, i) => {
@@ -107,22 +107,32 @@ function siblingsOf(drawing: Drawing, { from }: Transition): number {
   return drawing.transitions.filter((one) => one.from === from).length;
 }
 
-/** How every transition goes, and where its label stands. */
-export function transitionRoutes(drawing: Drawing, places: Places, scale = 1): Route[] {
+/**
+ * How every transition goes, and where its label stands: as large as `wanted`, or as large as there is room for.
+ */
+export function transitionRoutes(drawing: Drawing, places: Places, wanted = 1): { routes: Route[]; scale: number } {
   const rects = new Map<string, Rect>();
   for (const state of drawing.states) {
     const at = places.get(state.name);
     if (at) rects.set(state.name, { ...at, ...stateSize(state) });
   }
-  return routesOf(
-    drawing.transitions.map((transition) => {
-      const { from, to, trigger } = transition;
-      const marks = labelMarks(transition, siblingsOf(drawing, transition));
-      const [label, short] = [false, true].map((isShort) => labelSize(labelLines(trigger, isShort), marks, scale));
-      return { from, to, label: label!, short: short! };
-    }),
-    rects,
-  );
+  let best: { routes: Route[]; scale: number; trouble: number } | undefined;
+  for (const scale of kScales.filter((one) => one <= wanted)) {
+    const found = routesOf(
+      drawing.transitions.map((transition) => wayOf(drawing, transition, scale)),
+      rects,
+    );
+    if (!best || found.trouble < best.trouble) best = { ...found, scale };
+    if (best.trouble === 0) break;
+  }
+  return best ?? { routes: [], scale: 1 };
+}
+
+function wayOf(drawing: Drawing, transition: Transition, scale: number): Way {
+  const { from, to, trigger } = transition;
+  const marks = labelMarks(transition, siblingsOf(drawing, transition));
+  const [label, short] = [false, true].map((isShort) => labelSize(labelLines(trigger, isShort), marks, scale));
+  return { from, to, label: label!, short: short! };
 }
 
 /** How many signs stand beside the trigger: its number where there are several, the arrow of those that start anew. */

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { labelLines, labelSize, scaleAt } from "./label.ts";
+import { kScales, labelLines, labelSize, scaleAt } from "./label.ts";
 
 test("a short trigger is one line, a long one is broken where one would breathe", () => {
   expect(labelLines("IsHalted()")).toEqual(["IsHalted()"]);
@@ -29,5 +29,6 @@ test("a label takes more room the farther away it is looked at from", () => {
   const lines = labelLines("IsValidObject(target)");
   expect(labelSize(lines, 1, scaleAt(0.5)).width).toBeGreaterThan(labelSize(lines, 1, scaleAt(1)).width);
   expect(labelSize(labelLines("a".repeat(99)), 0).height).toBeGreaterThan(labelSize(["a"], 0).height);
-  for (const zoom of [0.5, 0.6, 0.7, 0.8, 1]) expect(12 * zoom * scaleAt(zoom)).toBeGreaterThan(9.9);
+  expect(kScales).toContain(scaleAt(0.1));
+  for (const zoom of [0.34, 0.4, 0.5, 0.6, 0.7, 0.8, 1]) expect(12 * zoom * scaleAt(zoom)).toBeGreaterThan(9.9);
 });

@@ -56,9 +56,13 @@ export function labelSize(lines: readonly string[], marks: number, scale = 1): L
   };
 }
 
-/** How much larger what is written has to be, seen from far away. In steps: the labels are placed anew with each. */
+/** How much larger what is written may be, the largest first. Labels are placed anew with each. */
+export const kScales = [3, 2.7, 2.4, 2.05, 1.7, 1.5, 1.35, 1.18, 1] as const;
+
+/** How much larger it has to be, seen from far away. */
 export function scaleAt(zoom: number): number {
   if (zoom >= 0.85) return 1;
   if (zoom >= 0.62) return 1.35;
-  return 1.7;
+  if (zoom >= 0.48) return 1.7;
+  return zoom >= 0.36 ? 2.4 : 3;
 }

@@ -23,7 +23,7 @@ export interface Route {
 
 const kStep = 24; // [px]
 const kMostSteps = 11;
-const kPlaces = [0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71];
+const kPlaces = [0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78];
 const kLoops = [0, 1, -1, 2, -2, 3, -3];
 const kMostRounds = 5;
 const kGap = 5; // between a label and anything else [px]
@@ -48,7 +48,13 @@ interface Taken {
   route: Route;
 }
 
-export function routesOf(ways: readonly Way[], rects: ReadonlyMap<string, Rect>): Route[] {
+export interface Routes {
+  routes: Route[];
+  /** How much lies on something all the same; 0: nothing. */
+  trouble: number;
+}
+
+export function routesOf(ways: readonly Way[], rects: ReadonlyMap<string, Rect>): Routes {
   return new Router(ways, rects).run();
 }
 
@@ -68,7 +74,7 @@ class Router {
     this.taken = ways.map(() => undefined);
   }
 
-  run(): Route[] {
+  run(): Routes {
     for (const i of this.ways.keys()) this.choose(i);
     for (let round = 0; round < kMostRounds; ++round) {
       let isBetter = false;
@@ -77,7 +83,10 @@ class Router {
       }
       if (!isBetter) break;
     }
-    return this.taken.map((one) => one?.route ?? { bend: 0, at: 0.5, isShort: false });
+    return {
+      routes: this.taken.map((one) => one?.route ?? { bend: 0, at: 0.5, isShort: false }),
+      trouble: this.taken.reduce((sum, one, i) => sum + (one ? this.hardTrouble(i, one) : 0), 0),
+    };
   }
 
   private candidates(way: Way): Drawn[] {
@@ -129,6 +138,16 @@ class Router {
     );
   }
 
+  /** Without what is only less beautiful. */
+  private hardTrouble(i: number, { drawn, label }: Taken): number {
+    const cost = this.costOfWay(i, drawn) + this.costOfLabel(i, drawn, label) - this.strayCost(label);
+    return cost < kCost.onArrow ? 0 : cost;
+  }
+
+  private strayCost(label: Rect): number {
+    return outside(label, this.bounds) * 0.3;
+  }
+
   /** What would be wrong that can be seen: of the way and of its label. */
   private troubles(i: number, { drawn, label, route }: Taken): number {
     return this.costOfWay(i, drawn) + this.costOfLabel(i, drawn, label) + (route.isShort ? kCost.short : 0);
@@ -151,7 +170,7 @@ class Router {
   }
 
   private costOfLabel(i: number, drawn: Drawn, label: Rect): number {
-    let cost = outside(label, this.bounds) * 0.1;
+    let cost = this.strayCost(label);
     for (const state of this.states) if (isOver(state, label, kGap)) cost += kCost.onState;
     if (this.ways[i]!.from !== this.ways[i]!.to && holds(enlarged(label, kArrow), drawn.curve.end))
       cost += kCost.onArrow;

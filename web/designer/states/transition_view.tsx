@@ -54,6 +54,7 @@ function TransitionLabel({
       className={`transition-label nodrag nopan ${className} ${isSelected ? "selected" : ""}`}
       style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px) scale(${scale})` }}
       title={[transition.trigger, transition.help].filter((one) => one !== "").join("\n\n") || undefined}
+      data-transition={id}
       aria-label={spokenTransition(transition)}
       aria-pressed={isSelected}
       onClick={(event) => designer.select(event.shiftKey ? [...designer.state.selection, id] : [id])}
