@@ -47,7 +47,6 @@ RC_GTEST_PROP(EditLaws, WhateverIsEditedCanBeReadIsLaidOutAndKeepsItsComments, (
   base::Random random(*rc::gen::arbitrary<std::uint64_t>());
   for (int i = 0; i < kEdits; ++i) {
     const Edit edit = testing::RandomEdit(text.model(), random).make();
-    const std::string before = text.text();
     const text::Result<Edited> done = text.try_edit(edit);
     RC_ASSERT((done.has_value() || !done.error().message.empty()));  // its || is no short circuit
     if (!done) continue;

@@ -1,6 +1,7 @@
 #include "mlab/designer/open_text.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace mlab::designer {
@@ -27,7 +28,8 @@ std::vector<int> kept_lines(const std::vector<std::string_view>& base,
   constexpr int kMostChangedLines = 1000;  // then all counts as changed
   std::vector<int> out(base.size(), -1);
   const int most = std::min(n + m, kMostChangedLines);
-  const auto at = [most](int k) { return static_cast<std::size_t>(k + most + 1); };
+  const std::ptrdiff_t middle = std::ptrdiff_t{most} + 1;
+  const auto at = [middle](int k) { return static_cast<std::size_t>(middle + k); };
   std::vector<int> reach(static_cast<std::size_t>(2 * most + 3), 0);
   std::vector<std::vector<int>> history;
   for (int d = 0; d <= most; ++d) {

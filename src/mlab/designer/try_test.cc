@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -168,7 +169,7 @@ TEST(Try, StartsRobotsWhereThePersonPutThem) {
     }
   });
   ASSERT_TRUE(answer.ok()) << answer.error();
-  ASSERT_TRUE(desk.browser().wait([&] { return desk.browser().starts().robots().size() == 3 * 16; }));
+  ASSERT_TRUE(desk.browser().wait([&] { return desk.browser().starts().robots().size() == std::size_t{3} * 16; }));
   EXPECT_TRUE(desk.browser().wait([&] { return desk.browser().status().mode() == Status::READY; }));
   std::vector<float> place(2);
   std::memcpy(place.data(), desk.browser().starts().robots().data() + 4, 8);

@@ -120,7 +120,7 @@ class Browser {
   }
 
  private:
-  void take(std::uint32_t who, FromDesigner message) {
+  void take(std::uint32_t who, const FromDesigner& message) {
     if (message.has_answer()) answers_[message.answer().request()] = message.answer();
     if (message.has_hello()) hello_ = message.hello();
     if (message.has_document()) documents_[{who, message.document().path()}] = message.document();
