@@ -169,7 +169,8 @@ TEST(Try, StartsRobotsWhereThePersonPutThem) {
     }
   });
   ASSERT_TRUE(answer.ok()) << answer.error();
-  ASSERT_TRUE(desk.browser().wait([&] { return desk.browser().starts().robots().size() == std::size_t{3} * 16; }));
+  ASSERT_TRUE(
+      desk.browser().wait([&] { return desk.browser().starts().robots().size() == std::size_t{3} * 16; }));
   EXPECT_TRUE(desk.browser().wait([&] { return desk.browser().status().mode() == Status::READY; }));
   std::vector<float> place(2);
   std::memcpy(place.data(), desk.browser().starts().robots().data() + 4, 8);
