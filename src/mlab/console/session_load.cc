@@ -7,8 +7,10 @@
 namespace mlab::console {
 
 robot::ProgramSources Session::Parts::program_sources() const {
-  return {documents_.mission_folder(), settings_.include_root, settings_.version, settings_.allow_native,
-          documents_.is_trial() ? trial_files_.get() : nullptr};
+  robot::ProgramSources out = {documents_.mission_folder(), settings_.include_root, settings_.version,
+                               settings_.allow_native, documents_.is_trial() ? trial_files_.get() : nullptr};
+  out.ends = jobs_end_.get_token();
+  return out;
 }
 
 void Session::Parts::try_out(Trial trial, TrialDone done) {

@@ -59,6 +59,7 @@ Session::Parts::~Parts() {
   ends_ = true;
   inbox_.wake();
   thread_.join();
+  jobs_end_.request_stop();
   workshop_.reset();
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -246,6 +247,7 @@ class Session::Parts {
   double began_ = 0.0;
   std::string started_at_;
 
+  std::stop_source jobs_end_;           // stops a C++ compiler that a job waits for
   std::unique_ptr<Workshop> workshop_;  // ends before everything that its jobs report to
   std::thread thread_;
 };

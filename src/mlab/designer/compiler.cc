@@ -49,6 +49,7 @@ robot::ProgramSources Compiler::programs_of(const Task& task, bool checks_code) 
   robot::ProgramSources out = programs_;
   out.folder = std::filesystem::path(task.source->name()).parent_path().string();
   out.files = task.files.get();
+  out.ends = ends_.get_token();
   out.checks_code = checks_code;
   return out;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,11 @@ class Compiler {
   /// @param programs  where headers are; `checks_code`: C++ may be given to the compiler
   Compiler(robot::ProgramSources programs, Found found, FoundCode found_code);
 
+  /// Jobs that are being done end soon: a C++ compiler at work is stopped.
+  ~Compiler() { ends_.request_stop(); }
+  Compiler(const Compiler&) = delete;
+  Compiler& operator=(const Compiler&) = delete;
+
   void start(Task task);
 
  private:
@@ -54,6 +60,7 @@ class Compiler {
   void check_code(const Task& task, const std::string& code);
   robot::ProgramSources programs_of(const Task& task, bool checks_code) const;
 
+  std::stop_source ends_;
   const robot::ProgramSources programs_;
   const Found found_;
   const FoundCode found_code_;

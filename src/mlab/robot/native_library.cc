@@ -9,6 +9,7 @@ cnl::NativeOptions native_options(const ProgramSources& sources) {
   cnl::NativeOptions options;
   options.include_folders = {sources.include_root};
   options.version = sources.version;
+  options.limits.ends = sources.ends;
   return options;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,7 +50,8 @@ struct ProgramSources {
   const text::Files* files = nullptr;  ///< how configurations and networks are read; null: from disk
   bool checks_code = true;             ///< a check gives C++ of procedures to the compiler
   double native_patience =
-      5.0;  ///< how long one of those may take for an answer, by the clock on the wall [s]
+      5.0;                    ///< how long one of those may take for an answer, by the clock on the wall [s]
+  std::stop_token ends = {};  ///< stops a C++ compiler that is at work: nobody waits for it any more
 };
 
 /// Finds and builds the program of a robot type and sets its parameters.

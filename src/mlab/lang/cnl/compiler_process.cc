@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -39,6 +41,7 @@ std::vector<std::string> plain_environment() {
 [[noreturn]] void become(const char* program, char* const* words, char* const* environment, int out,
                          int report, const ProcessLimits& limits) {
   setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
   const rlimit memory{limits.memory, limits.memory};
   const rlimit processor{limits.processor_time, limits.processor_time + 1};
   const rlimit cores{0, 0};
@@ -76,22 +79,37 @@ struct Pipe {
   }
 };
 
-// Reads until the writers are gone. False: the time was over first.
-bool read_all(int from, Clock::time_point deadline, std::size_t most, std::string& output) {
+enum class Reading { kDone, kTimedOut, kStopped };
+
+// Reads until the writers are gone.
+Reading read_all(int from, Clock::time_point deadline, const std::stop_token& ends, std::size_t most,
+                 std::string& output) {
+  constexpr std::chrono::milliseconds::rep kLook = 50;  // [ms] until an end is noticed
   char block[1 << 14];
   for (;;) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) return false;
+    if (left <= 0) return Reading::kTimedOut;
+    if (ends.stop_requested()) return Reading::kStopped;
     pollfd waiting{from, POLLIN, 0};
-    const int ready = poll(&waiting, 1, static_cast<int>(left));
-    if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return false;
+    const auto pause = ends.stop_possible() ? std::min(left, kLook) : left;
+    const int ready = poll(&waiting, 1, static_cast<int>(std::min<long>(pause, 1'000'000)));
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    if (ready < 0) return Reading::kTimedOut;
     const ssize_t count = read(from, block, sizeof block);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return true;
+    if (count <= 0) return Reading::kDone;
     const std::size_t room = most > output.size() ? most - output.size() : 0;
     output.append(block, std::min(room, static_cast<std::size_t>(count)));
   }
+}
+
+// Asks the group to end; whoever has not done so a second later is killed.
+void end_group(pid_t group, int its_output) {
+  constexpr std::chrono::seconds kPatience(1);
+  kill(-group, SIGTERM);
+  std::string unwanted;
+  read_all(its_output, Clock::now() + kPatience, {}, 0, unwanted);
+  kill(-group, SIGKILL);
 }
 
 ProcessResult failed(int error) {
@@ -138,15 +156,16 @@ ProcessResult run_process(const std::vector<std::string>& words, const ProcessLi
   ProcessResult result;
   const auto deadline =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.time));
-  const bool in_time = read_all(output.read_end, deadline, limits.output, result.output);
-  if (!in_time) kill(-child, SIGKILL);
+  const Reading reading = read_all(output.read_end, deadline, limits.ends, limits.output, result.output);
+  if (reading != Reading::kDone) end_group(child, output.read_end);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (did_not_start) return failed(exec_error);
-  result.end = !in_time              ? ProcessResult::End::kTimedOut
-               : WIFSIGNALED(status) ? ProcessResult::End::kSignalled
-                                     : ProcessResult::End::kExited;
+  result.end = reading == Reading::kTimedOut  ? ProcessResult::End::kTimedOut
+               : reading == Reading::kStopped ? ProcessResult::End::kStopped
+               : WIFSIGNALED(status)          ? ProcessResult::End::kSignalled
+                                              : ProcessResult::End::kExited;
   result.status = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct ProcessLimits {
   unsigned processor_time = 60;               ///< of each of its processes [s]
   std::size_t memory = std::size_t{3} << 30;  ///< of address space, each of its processes [bytes]
   std::size_t output = std::size_t{1} << 20;  ///< what it prints beyond this is dropped [bytes]
+  std::stop_token ends = {};                  ///< nobody waits for it any more
 };
 
 struct ProcessResult {
@@ -20,6 +22,7 @@ struct ProcessResult {
     kNotFound,  ///< no such program
     kFailed,    ///< could not be started; `output` says why
     kTimedOut,
+    kStopped,  ///< by `ends`
     kSignalled,
   };
   End end = End::kFailed;
@@ -28,7 +31,8 @@ struct ProcessResult {
 };
 
 /// Runs a program without a shell and waits for it. It gets no input, an environment with `LC_ALL=C`, and a
-/// process group of its own, which is killed as a whole where it takes too long.
+/// process group of its own, which is ended as a whole where it takes too long or is to end: asked first, so
+/// that it can take its own files away, and killed a second later. It does not outlive this process.
 ///
 /// @param words  the program, looked for in PATH where it has no slash, and its arguments
 ProcessResult run_process(const std::vector<std::string>& words, const ProcessLimits& limits);

@@ -145,6 +145,9 @@ class NativeBuild {
         diagnostics_.error("compiler-limit", place,
                            fmt::format("the C++ compiler took longer than {} s", options_.limits.time));
         return false;
+      case ProcessResult::End::kStopped:
+        diagnostics_.error("compiler-failed", place, "the C++ compiler was stopped, because `mlab` ends");
+        return false;
       case ProcessResult::End::kFailed:
         diagnostics_.error("compiler-failed", place,
                            fmt::format("cannot start `{}`: {}", options_.compiler, result.output));

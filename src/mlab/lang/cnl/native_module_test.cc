@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -162,6 +164,41 @@ TEST_F(NativeModuleTest, StopsACompilerThatTakesTooLong) {
   EXPECT_FALSE(check_native(tree(kSpeed), options_, sink_));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
   EXPECT_EQ(first_kind(), "compiler-limit");
+}
+
+TEST_F(NativeModuleTest, StopsACompilerThatNobodyWaitsForAnyMoreAndLetsItTakeItsFilesAway) {
+  const std::string slow = (folder_ / "slow").string();
+  const fs::path own = folder_ / "own";
+  std::ofstream(slow) << "#!/bin/sh\ntrap 'rm " << own.string() << "; exit 1' TERM\necho x > " << own.string()
+                      << "\nsleep 60 & wait\n";
+  fs::permissions(slow, fs::perms::owner_all);
+  options_.compiler = slow;
+  std::stop_source ends;
+  options_.limits.ends = ends.get_token();
+  std::thread other([&] {
+    while (!fs::exists(own)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ends.request_stop();
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(check_native(tree(kSpeed), options_, sink_));
+  other.join();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  EXPECT_EQ(first_kind(), "compiler-failed");
+  EXPECT_FALSE(fs::exists(own));
+  EXPECT_TRUE(fs::is_empty(options_.cache_folder)) << "what it was given is taken away, too";
+}
+
+TEST_F(NativeModuleTest, AStoppedCompilerThatDoesNotListenIsKilled) {
+  const std::string deaf = (folder_ / "deaf").string();
+  std::ofstream(deaf) << "#!/bin/sh\ntrap '' TERM\nwhile true; do sleep 1; done\n";
+  fs::permissions(deaf, fs::perms::owner_all);
+  options_.compiler = deaf;
+  std::stop_source ends;
+  ends.request_stop();
+  options_.limits.ends = ends.get_token();
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(check_native(tree(kSpeed), options_, sink_));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
 TEST_F(NativeModuleTest, StopsACompilerThatWorksTooLong) {
