@@ -25,6 +25,34 @@ test("the server is told the sum of what panels wish, once for many changes", ()
   });
 });
 
+test("some ports are asked for by their paths, unless somebody wishes all", () => {
+  const watching = new Watching(() => undefined);
+  watching.wish("drawing", { details: [1], ports: ["movement", "movement.Noise"] });
+  watching.wish("details", { ports: ["movement.Noise", "movement.Noise.persistence"] });
+  expect(watching.sum()).toMatchObject({
+    withPorts: true,
+    ports: ["movement", "movement.Noise", "movement.Noise.persistence"],
+  });
+  watching.wish("ports", { ports: true });
+  expect(watching.sum()).toMatchObject({ withPorts: true, ports: [] });
+  watching.wish("ports", null);
+  watching.wish("details", null);
+  watching.wish("drawing", { details: [1], ports: [] });
+  expect(watching.sum()).toMatchObject({ withPorts: false, ports: [] });
+});
+
+test("the same is not told twice, but after a new connection", () => {
+  const send = vi.fn();
+  const watching = new Watching(send);
+  watching.wish("drawing", { details: [1], ports: ["movement"] });
+  vi.runAllTimers();
+  watching.wish("drawing", { details: [1], ports: ["movement"] });
+  vi.runAllTimers();
+  expect(send).toHaveBeenCalledTimes(1);
+  watching.flush();
+  expect(send).toHaveBeenCalledTimes(2);
+});
+
 test("what a panel no longer wishes is no longer watched", () => {
   const send = vi.fn();
   const watching = new Watching(send);

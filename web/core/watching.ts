@@ -17,7 +17,8 @@ export interface Wish {
   readonly view?: { xMin: number; yMin: number; xMax: number; yMax: number };
   readonly rate?: number;
   readonly details?: readonly number[];
-  readonly ports?: boolean;
+  /** Values of the robots in `details`: of all ports, or of these paths. */
+  readonly ports?: boolean | readonly string[];
   readonly readings?: boolean;
   readonly stations?: boolean;
   readonly vectors?: boolean;
@@ -32,6 +33,7 @@ export class Watching {
   private readonly wishes = new Map<string, Wish>();
   private timer: ReturnType<typeof setTimeout> | undefined;
   private lastSeries = 0;
+  private told = ""; // last
 
   /** @param send  tells the server; called some milliseconds after a change, once for many */
   constructor(private readonly send: (watch: WatchInit) => void) {}
@@ -40,7 +42,7 @@ export class Watching {
   wish(owner: string, wish: Wish | null): void {
     if (wish) this.wishes.set(owner, wish);
     else if (!this.wishes.delete(owner)) return;
-    this.timer ??= setTimeout(() => this.flush(), 30);
+    this.timer ??= setTimeout(() => this.tell(), 30);
   }
 
   /** A number that no other series has. */
@@ -50,19 +52,31 @@ export class Watching {
 
   /** Tells the server at once, as after a new connection. */
   flush(): void {
+    this.told = "";
+    this.tell();
+  }
+
+  private tell(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
-    this.send(this.sum());
+    const sum = this.sum();
+    const told = JSON.stringify(sum);
+    if (told === this.told) return;
+    this.told = told;
+    this.send(sum);
   }
 
   sum(): WatchInit {
     const all = [...this.wishes.values()];
+    const wantsAll = all.some((wish) => wish.ports === true);
+    const ports = [...new Set(all.flatMap((wish) => (Array.isArray(wish.ports) ? (wish.ports as string[]) : [])))];
     const views = all.flatMap((wish) => (wish.view ? [wish.view] : []));
     return {
       ...(views.length ? { view: views.at(-1)! } : {}),
       rate: Math.max(0, ...all.map((wish) => wish.rate ?? 0)),
       details: [...new Set(all.flatMap((wish) => wish.details ?? []))].slice(0, kMostWatched),
-      withPorts: all.some((wish) => wish.ports),
+      withPorts: wantsAll || ports.length > 0,
+      ports: wantsAll ? [] : ports,
       withReadings: all.some((wish) => wish.readings),
       withStations: all.some((wish) => wish.stations),
       withVectors: all.some((wish) => wish.vectors),

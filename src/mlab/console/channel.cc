@@ -14,6 +14,7 @@ void Channel::watch(const Watch& wanted) {
   if (watch_.details_size() > static_cast<int>(kMostDetails))
     watch_.mutable_details()->Truncate(kMostDetails);
   cut(*watch_.mutable_series(), kMostSeries);
+  cut(*watch_.mutable_ports(), kMostPorts);
   interval_ = 1.0 / (wanted.rate() == 0 ? kDefaultRate : std::clamp<double>(wanted.rate(), 1.0, 60.0));
   seen = 0;
   next_ = 0.0;

@@ -17,6 +17,7 @@ class Channel {
   static constexpr std::size_t kMostUnderWay = 2;
   static constexpr std::size_t kMostDetails = 64;
   static constexpr std::size_t kMostSeries = 64;
+  static constexpr std::size_t kMostPorts = 10'000;
 
   explicit Channel(ConnectionId connection) : connection_(connection) {}
 

@@ -63,34 +63,37 @@ struct Arrow {
 };
 
 // What the last cycle computed. A constant belongs to the node whose input it is; parameters belong to all.
-std::string activity(const flow::Program& program, const std::byte* frame,
-                     std::span<const flow::Program::SequenceState> before) {
-  const std::vector<std::uint32_t> ran = program.ran(frame, before);
-  const auto has_run = [&](const flow::Port& port) { return std::ranges::binary_search(ran, port.offset); };
-  std::string out;
-  for (const flow::Port& port : program.ports()) {
-    const flow::Port* what = &port;
-    if (port.role == flow::Port::Role::kConstant)
-      what = program.find(std::string_view(port.path).substr(0, port.path.rfind('.')));
-    const bool is_output = what != nullptr && what->role == flow::Port::Role::kOutput;
-    out.push_back(!is_output || has_run(*what) ? '\1' : '\0');
-  }
-  return out;
+bool is_active(const flow::Program& program, const flow::Port& port, std::span<const std::uint32_t> ran) {
+  const flow::Port* what = &port;
+  if (port.role == flow::Port::Role::kConstant)
+    what = program.find(std::string_view(port.path).substr(0, port.path.rfind('.')));
+  const bool is_output = what != nullptr && what->role == flow::Port::Role::kOutput;
+  return !is_output || std::ranges::binary_search(ran, what->offset);
 }
 
-void encode_ports(const FleetRobot& robot, std::span<const flow::Program::SequenceState> before,
-                  RobotDetail& out) {
+void encode_ports(const FleetRobot& robot, const DetailWishes& wishes, RobotDetail& out) {
   const flow::Program& program = *robot.program->program;
   const std::byte* const frame = robot.frame.data();
-  std::string& numbers = *out.mutable_numbers();
-  for (std::uint32_t i = 0; i < program.ports().size(); ++i) {
-    const flow::Port& port = program.ports()[i];
+  const std::vector<std::uint32_t> ran = program.ran(frame, wishes.before);
+  const auto encode = [&](std::uint32_t index) {
+    const flow::Port& port = program.ports()[index];
     out.add_ports(clean(flow::Program::print(frame, port)));
-    append(numbers, flow::Program::number(frame, port).value_or(std::numeric_limits<double>::quiet_NaN()));
+    append(*out.mutable_numbers(),
+           flow::Program::number(frame, port).value_or(std::numeric_limits<double>::quiet_NaN()));
     if (const auto vector = flow::Program::vector(frame, port))
-      append(*out.mutable_vectors(), Arrow{i, static_cast<float>(vector->x), static_cast<float>(vector->y)});
+      append(*out.mutable_vectors(),
+             Arrow{index, static_cast<float>(vector->x), static_cast<float>(vector->y)});
+    out.mutable_active()->push_back(is_active(program, port, ran) ? '\1' : '\0');
+  };
+  if (!wishes.some_ports) {
+    for (std::uint32_t i = 0; i < program.ports().size(); ++i) encode(i);
+    return;
   }
-  out.set_active(activity(program, frame, before));
+  out.set_has_some_ports(true);
+  for (const std::uint32_t index : *wishes.some_ports) {
+    out.add_port_indices(index);
+    encode(index);
+  }
 }
 
 void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim::SenseBuffer& buffer,
@@ -108,7 +111,7 @@ void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim:
   }
 }
 
-void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, DetailWishes wishes,
+void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, const DetailWishes& wishes,
                     sim::SenseBuffer& buffer, RobotDetail& out) {
   const flow::Program& program = *robot.program->program;
   for (const std::string& state : program.active_states(robot.frame.data())) out.add_states(clean(state));
@@ -119,11 +122,23 @@ void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, Detai
     told.set_x(part.weighted.x);
     told.set_y(part.weighted.y);
   }
-  if (wishes.ports) encode_ports(robot, wishes.before, out);
+  if (wishes.ports) encode_ports(robot, wishes, out);
   if (wishes.readings && robot.life == RobotLife::kRunning) encode_readings(run, robot, buffer, out);
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> port_indices(const flow::Program& program, std::span<const std::string> paths) {
+  std::vector<std::uint32_t> out;
+  for (const std::string& path : paths) {
+    const flow::Port* port = program.find(path);
+    if (port != nullptr) out.push_back(static_cast<std::uint32_t>(port - program.ports().data()));
+  }
+  std::ranges::sort(out);
+  const auto [end, last] = std::ranges::unique(out);
+  out.erase(end, last);
+  return out;
+}
 
 std::vector<std::string> waits_for(const fleet::MissionRun& run, const FleetRobot& robot) {
   std::vector<std::string> out;
@@ -158,7 +173,7 @@ std::vector<std::string> waits_for(const fleet::MissionRun& run, const FleetRobo
 }
 
 void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const FleetRobot& robot,
-                   DetailWishes wishes, sim::SenseBuffer& buffer, RobotDetail& out) {
+                   const DetailWishes& wishes, sim::SenseBuffer& buffer, RobotDetail& out) {
   out.set_id(robot.id.value);
   out.set_life(std::string(name(robot.life)));
   out.set_fault(clean(robot.fault));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,13 +19,18 @@ struct DetailWishes {
   bool readings = false;
   /// How its sequences stood before its last cycle; empty: unknown.
   std::span<const flow::Program::SequenceState> before = {};
+  /// Of the ports these alone, ascending indices into the program's ports; nothing: of all.
+  std::optional<std::vector<std::uint32_t>> some_ports = std::nullopt;
 };
 
 /// Everything about one robot but for what it waits for: where it is, what it follows, why it moves as it
 /// does.
 /// @param buffer  for sensing; used again and again
 void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const fleet::FleetRobot& robot,
-                   DetailWishes wishes, sim::SenseBuffer& buffer, RobotDetail& out);
+                   const DetailWishes& wishes, sim::SenseBuffer& buffer, RobotDetail& out);
+
+/// Where the program has these ports, ascending; those that it does not have are left out.
+std::vector<std::uint32_t> port_indices(const flow::Program& program, std::span<const std::string> paths);
 
 /// Why the robot is not done, and what would change that, in sentences. Looks at all that is near, so it
 /// costs more than the rest.

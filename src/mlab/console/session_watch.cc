@@ -85,13 +85,15 @@ void Session::Parts::fill_scene(ToBrowser& out) const {
 
 void Session::Parts::fill_details(const Watch& watch, Frame& out) {
   const fleet::MissionRun& run = live_->run();
+  const std::vector<std::string> paths(watch.ports().begin(), watch.ports().end());
   for (const std::uint32_t id : watch.details()) {
     const fleet::FleetRobot* robot = run.fleet().find({id});
     if (robot == nullptr) continue;
     RobotDetail& told = *out.add_details();
-    encode_detail(run, live_->estimates(), *robot,
-                  {watch.with_ports(), watch.with_readings(), live_->transitions().before(id)}, sense_buffer_,
-                  told);
+    DetailWishes wishes = {watch.with_ports(), watch.with_readings(), live_->transitions().before(id)};
+    if (watch.ports_size() > 0 && robot->program->program)
+      wishes.some_ports = port_indices(*robot->program->program, paths);
+    encode_detail(run, live_->estimates(), *robot, wishes, sense_buffer_, told);
     live_->transitions().encode(id, told);
     Sentences& sentences = sentences_[id];
     if (!time_runs_ || now() - sentences.wall > kSentencesEvery) sentences = {now(), waits_for(run, *robot)};

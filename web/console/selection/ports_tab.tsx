@@ -1,4 +1,5 @@
 import { useCallback, useMemo, useState, useSyncExternalStore } from "react";
+import { portText } from "../../core/port_values.ts";
 import { usePart, useSession } from "../session.ts";
 import { Search, Segments } from "../ui/controls.tsx";
 import { portGroups, type RoleFilter, spoken } from "./ports.ts";
@@ -54,5 +55,5 @@ export function PortValue({ id, index }: { id: number; index: number }) {
 export function usePortText(id: number, index: number): string {
   const { model } = useSession();
   const subscribe = useCallback((listener: () => void) => model.subscribe("details", listener), [model]);
-  return useSyncExternalStore(subscribe, () => model.get("details").get(id)?.ports[index] ?? "");
+  return useSyncExternalStore(subscribe, () => portText(model.get("details").get(id), index));
 }

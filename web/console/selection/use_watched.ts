@@ -52,3 +52,14 @@ export function usePorts(owner: string, isShown: boolean): void {
     return () => connection.watching.wish(owner, null);
   }, [connection, owner, isShown]);
 }
+
+/** The same, of some ports. */
+export function useSomePorts(owner: string, paths: readonly string[]): void {
+  const { connection } = useSession();
+  const key = paths.join("\n");
+  useEffect(() => {
+    if (key === "") return;
+    connection.watching.wish(owner, { ports: key.split("\n") });
+    return () => connection.watching.wish(owner, null);
+  }, [connection, owner, key]);
+}

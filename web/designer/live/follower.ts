@@ -1,10 +1,11 @@
 // Keeps the drawing's values those of the selected robot: asks where the page runs, watches that robot, and reads its
 // details some times a second.
+import { placeOfPort } from "../../core/port_values.ts";
 import { drawingOf } from "../designer.ts";
 import type { Drawing } from "../protocol.ts";
 import type { Live } from "./live.ts";
-import { choosePlace, guessPlaces, isWithin } from "./places.ts";
-import { livesOf, type Plan, planOf, portReader, valuesOf, withTrace } from "./reading.ts";
+import { choosePlace, guessPlaces, witnessesOf } from "./places.ts";
+import { livesOf, type Plan, planOf, portReader, portsOf, valuesOf, withTrace } from "./reading.ts";
 import { Traces } from "./traces.ts";
 import { type LiveValue, liveKey, liveValues } from "./values.ts";
 
@@ -18,6 +19,9 @@ export class Follower {
   private readonly traces = new Traces();
   private known: readonly { program: string; path: string }[] = [];
   private plan: Plan | null = null;
+  private witnesses: ReadonlyMap<string, readonly string[]> = new Map();
+  private from = ""; // the place before this page was shown
+  private isUnsure = false; // which place runs was not known when one was chosen
   private asked = 0;
   private last = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -61,28 +65,34 @@ export class Follower {
     });
   }
 
-  /** Robot, page, place or pins are others now. */
-  private turn(): void {
+  /** Robot, page, place or pins are others now; `again`: nothing is, but which places run is known better. */
+  private turn(again = false): void {
     const { model, designer, store, connection } = this.live;
     const drawing = designer.drawing;
     const ports = model.get("roster").portsOf(this.robot);
     const places = drawing && ports.length > 0 ? this.placesOf(drawing) : [];
     const before = store.getState();
+    if (!again) this.from = before.place;
+    this.witnesses = witnessesOf(places, ports);
+    this.isUnsure = !again && places.length > 1;
     const place = choosePlace(places, {
       chosen: before.chosenPlace,
-      before: before.place,
-      isActive: (one) => this.isActive(one),
+      before: this.from,
+      isActive: (one) => this.isActive(one) === true,
     });
     const isSame = before.places.length === places.length && before.places.every((one, i) => one === places[i]);
     if (!isSame) store.setState({ places });
     if (place !== undefined && place !== before.place) store.setState({ place });
     this.plan = drawing && place !== undefined ? planOf(drawing, place, ports) : null;
     this.traces.keep(new Set());
-    const isWatched = this.robot !== 0 && (this.plan !== null || before.pins.length > 0);
     connection.watching.wish("drawing", {
       rate: designer.state.shown.live ? 30 : 15,
       details: this.robot === 0 ? [] : [this.robot],
-      ports: isWatched,
+      ports: [
+        ...(this.plan ? portsOf(this.plan) : []),
+        ...before.pins.map(({ port }) => port),
+        ...[...this.witnesses.values()].flat(),
+      ],
       readings: designer.state.shown.live && this.robot !== 0,
     });
     this.read();
@@ -99,11 +109,20 @@ export class Follower {
     return guessPlaces(lives, paths);
   }
 
-  private isActive(place: string): boolean {
+  /** Nothing: it is not known yet. */
+  private isActive(place: string): boolean | undefined {
     const detail = this.live.model.detail(this.robot);
-    if (!detail) return false;
+    const witnesses = this.witnesses.get(place) ?? [];
+    if (!detail || witnesses.length === 0) return undefined;
     const ports = this.live.model.get("roster").portsOf(this.robot);
-    return ports.some((port, at) => detail.active[at] === 1 && isWithin(port.path, place));
+    const activities = witnesses.map((path) => {
+      const at = placeOfPort(
+        detail,
+        ports.findIndex((port) => port.path === path),
+      );
+      return at < 0 ? undefined : detail.active[at] === 1;
+    });
+    return activities.includes(undefined) ? undefined : activities.includes(true);
   }
 
   private soon(): void {
@@ -121,6 +140,10 @@ export class Follower {
     const detail = model.detail(this.robot);
     if (!detail) {
       if (!liveValues.isEmpty) liveValues.set(new Map());
+      return;
+    }
+    if (this.isUnsure && [...this.witnesses.keys()].some((place) => this.isActive(place) !== undefined)) {
+      this.turn(true);
       return;
     }
     this.traces.at(model.time);

@@ -2,6 +2,7 @@
 import { useState } from "react";
 import { Parameter } from "../../console/selection/parameters_tab.tsx";
 import { usePortText } from "../../console/selection/ports_tab.tsx";
+import { useSomePorts } from "../../console/selection/use_watched.ts";
 import { useIsOperator, usePart as useSessionPart } from "../../console/session.ts";
 import { Button, Field, IconButton } from "../../console/ui/controls.tsx";
 import { Breakpoint_Condition_Comparison as Comparison, type Port, Port_Role } from "../../core/protocol.ts";
@@ -75,6 +76,10 @@ function Parameters({ path }: { path: string }) {
   const ports = roster.portsOf(robot);
   const own = parametersBelow(ports, path).filter((port) => port.role !== Port_Role.OUTPUT);
   const robots = roster.robots.filter((one) => one.program === program).map(({ id }) => id);
+  useSomePorts(
+    "live-parameters",
+    own.map((port) => port.path),
+  );
   if (own.length === 0) return null;
   return (
     <div className="rows" data-testid="live-parameters">

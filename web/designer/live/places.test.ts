@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { choosePlace, guessPlaces, joined } from "./places.ts";
+import { Port_Role } from "../../core/protocol.ts";
+import { choosePlace, guessPlaces, joined, witnessesOf } from "./places.ts";
 
 const none = () => false;
 
@@ -21,6 +22,22 @@ test("else the place that is active is shown, and what somebody chose comes befo
   expect(choosePlace(places, { chosen: "c", before: "x", isActive })).toBe("c");
   expect(choosePlace(places, { chosen: "gone", before: "", isActive: none })).toBe("a");
   expect(choosePlace([], { chosen: "", before: "", isActive })).toBeUndefined();
+});
+
+test("whether a place runs is told by its value, or else by what it computes", () => {
+  const output = (path: string) => ({ path, role: Port_Role.OUTPUT });
+  const ports = [
+    output("a"),
+    output("a.Noise"),
+    { path: "b.gain", role: Port_Role.PARAMETER },
+    output("b.Noise"),
+    output("b.Probe"),
+  ];
+  expect([...witnessesOf(["a", "b"], ports)]).toEqual([
+    ["a", ["a"]],
+    ["b", ["b.Noise", "b.Probe"]],
+  ]);
+  expect(witnessesOf(["a"], ports).size).toBe(0);
 });
 
 test("a page is found among ports by what is drawn on it", () => {

@@ -1,5 +1,7 @@
 // A page is drawn once and may run in several places of a program: which of them the drawing shows.
 
+import { Port_Role } from "../../core/protocol.ts";
+
 /** What gives the page's own value has the path of the page. */
 const kItself = ".";
 
@@ -26,6 +28,26 @@ export function choosePlace(
 /** Whether a port stands in a place, or is its value. */
 export function isWithin(port: string, place: string): boolean {
   return place === "" || port === place || port.startsWith(`${place}.`);
+}
+
+const kWitnesses = 8; // of each place
+
+/**
+ * Of each place, ports that tell whether it runs: its own value, or the first values inside. Where there is only one
+ * place, nobody asks.
+ */
+export function witnessesOf(
+  places: readonly string[],
+  ports: readonly { readonly path: string; readonly role: Port_Role }[],
+): Map<string, string[]> {
+  const witnesses = new Map<string, string[]>();
+  if (places.length < 2) return witnesses;
+  const outputs = ports.filter(({ role }) => role === Port_Role.OUTPUT).map(({ path }) => path);
+  for (const place of places) {
+    const inside = outputs.filter((path) => isWithin(path, place));
+    witnesses.set(place, inside.includes(place) ? [place] : inside.slice(0, kWitnesses));
+  }
+  return witnesses;
 }
 
 /** Where programs are not known by name: the paths below which most of what is drawn is found among the ports. */

@@ -2,7 +2,7 @@ import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { PortSchema, RobotDetailSchema } from "../../core/protocol.ts";
 import { Drawing_Kind, DrawingSchema } from "../protocol.ts";
-import { livesOf, planOf, valuesOf } from "./reading.ts";
+import { livesOf, planOf, portsOf, valuesOf } from "./reading.ts";
 import { Traces } from "./traces.ts";
 import { liveKey } from "./values.ts";
 
@@ -61,6 +61,24 @@ test("values are those of the place that is shown, each as what it is", () => {
   });
   expect(values.get(liveKey("Wander", "near"))).toEqual({ text: "true", number: 1, isActive: false });
   expect(values.get(liveKey("Wander", "range"))?.text).toBe("2.5 m");
+});
+
+test("a detail with the page's ports alone gives the same values", () => {
+  const plan = planOf(drawing, "elsewhere", ports);
+  expect(portsOf(plan)).toEqual(["elsewhere.Noise"]);
+  const arrow = vectors.slice();
+  new DataView(arrow.buffer).setUint32(0, 3, true);
+  const detail = create(RobotDetailSchema, {
+    hasSomePorts: true,
+    portIndices: [3],
+    ports: ["(3, 4)"],
+    numbers: numbers.slice(0, 8),
+    vectors: arrow,
+    active: new Uint8Array([1]),
+  });
+  expect([...valuesOf(plan, detail, new Traces())]).toEqual([
+    [liveKey("Wander", "Noise"), { text: "5", number: 5, vector: { x: 3, y: 4 }, isActive: true, trace: [5] }],
+  ]);
 });
 
 test("a detail without ports gives no values", () => {

@@ -1,5 +1,6 @@
 // What a robot's newest detail says of the page that is drawn.
 import { toDoubles } from "../../core/packed.ts";
+import { placeOfPort } from "../../core/port_values.ts";
 import type { Port, RobotDetail } from "../../core/protocol.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { transitionId } from "../states/flow.ts";
@@ -26,6 +27,11 @@ export function planOf(drawing: Drawing, place: string, ports: readonly Port[]):
     if (found !== undefined) index.set(live, found);
   }
   return { page: drawing.page?.path ?? "", place, drawing, ports, index };
+}
+
+/** What has to be watched for it: paths of ports. */
+export function portsOf({ index, ports }: Plan): string[] {
+  return [...index.values()].map((at) => ports[at]!.path);
 }
 
 /** Of all that has a value on the page. */
@@ -56,12 +62,13 @@ export function portReader(ports: readonly Port[], detail: RobotDetail): (at: nu
   const numbers = toDoubles(detail.numbers);
   const vectors = vectorsOf(detail.vectors);
   return (at) => {
-    const text = detail.ports[at];
+    const place = placeOfPort(detail, at);
+    const text = detail.ports[place];
     const port = ports[at];
     if (text === undefined || !port) return undefined;
-    const isActive = detail.active.length > at ? detail.active[at] === 1 : false;
+    const isActive = detail.active[place] === 1;
     const vector = vectors.get(at);
-    const number = numbers[at];
+    const number = numbers[place];
     const known = number !== undefined && Number.isFinite(number) ? { number } : {};
     if (vector) return { text: shownVector(vector.x, vector.y, port.unit), vector, isActive, ...known };
     return { text: shownText(text, port.unit), isActive, ...known };
