@@ -185,6 +185,11 @@ export class Designer {
         store.setState((state) => ({ changed: { ...state.changed, [changed.document]: changed } }));
         break;
       }
+      case "marks": {
+        const { document, marks } = body.value;
+        store.setState((state) => ({ marks: { ...state.marks, [document]: marks } }));
+        break;
+      }
     }
   }
 

@@ -1,7 +1,7 @@
 // What the page knows: what the server tells, what is looked at, what is open. Values are replaced, never changed in place.
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { LinkState } from "./link/link.ts";
-import type { Document, Drawing, FileChanged, Hello, Palette } from "./protocol.ts";
+import type { Document, Drawing, FileChanged, Hello, Mark, Palette } from "./protocol.ts";
 
 export type DialogName =
   | ""
@@ -71,6 +71,8 @@ export interface State {
   drawings: Readonly<Record<string, Drawing>>;
   palettes: Readonly<Record<string, Palette>>;
   changed: Readonly<Record<string, FileChanged>>;
+  /** Probes and breakpoints, by document. */
+  marks: Readonly<Record<string, readonly Mark[]>>;
   /** Path of the document that is shown; empty: the start page. */
   document: string;
   /** Path of the page that is shown. */
@@ -121,6 +123,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
     drawings: {},
     palettes: {},
     changed: {},
+    marks: {},
     document: "",
     page: "",
     selection: [],

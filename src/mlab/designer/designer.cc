@@ -59,20 +59,17 @@ Designer::Parts::Parts(DesignerSettings settings, Send send)
       compiler_(
           programs(settings_),
           [this](const std::string& document, std::shared_ptr<const Compiled> compiled) {
-            inbox_->post([this, document, compiled] {
-              if (desk_.take(document, compiled)) publish();
-            });
+            inbox_->post([this, document, compiled] { desk_.take(document, compiled); });
           },
           [this](const std::string& document, std::shared_ptr<const CheckedCode> code) {
-            inbox_->post([this, document, code] {
-              if (desk_.take(document, code)) publish();
-            });
+            inbox_->post([this, document, code] { desk_.take(document, code); });
           }) {
   thread_ = std::thread([this] { work(); });
 }
 
 Designer::Parts::~Parts() {
   ends_ = true;
+  jobs_end_.request_stop();
   inbox_->wake();
   thread_.join();
 }
@@ -112,6 +109,8 @@ void Designer::Parts::work() {
     std::vector<console::Inbox::Task> tasks = inbox_->wait_until(wake);
     while (!ends_) {
       for (const console::Inbox::Task& task : tasks) task();
+      publish();
+      send_answers();
       start_compilations();
       tasks = inbox_->wait_until(std::chrono::steady_clock::now());
       if (tasks.empty()) break;
@@ -143,6 +142,7 @@ void Designer::Parts::look_at_disk() {
 }
 
 void Designer::Parts::handle(console::ConnectionId from, const ToDesigner& message) {
+  if (!message.has_edit_text()) settle();
   Client& client = clients_[from];
   Answer out;
   out.set_request(message.request());
@@ -153,11 +153,24 @@ void Designer::Parts::handle(console::ConnectionId from, const ToDesigner& messa
   } else {
     answer(from, client, message, out);
   }
-  publish();
   if (std::exchange(is_deferred_, false) || message.request() == 0) return;
   FromDesigner reply;
   *reply.mutable_answer() = std::move(out);
-  send(from, reply);
+  answers_.emplace_back(from, std::move(reply));
+}
+
+// After what they bring about has been told.
+void Designer::Parts::send_answers() {
+  for (const auto& [to, answer] : answers_) {
+    if (clients_.contains(to)) send(to, answer);
+  }
+  answers_.clear();
+}
+
+void Designer::Parts::settle() {
+  for (const std::string& path : std::exchange(typed_, {})) {
+    if (OpenConfiguration* one = desk_.find(path)) desk_.changed(*one);
+  }
 }
 
 void Designer::Parts::answer(console::ConnectionId from, Client& client, const ToDesigner& message,
@@ -196,6 +209,10 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
       return fits(message.fits(), out);
     case ToDesigner::kFindLive:
       return find_live(message.find_live(), out);
+    case ToDesigner::kSetMark:
+      return set_mark(message.set_mark(), out);
+    case ToDesigner::kRemoveMark:
+      return remove_mark(message.remove_mark(), out);
     case ToDesigner::kWriteBack:
       return write_back(message.write_back(), out);
     case ToDesigner::kReadField:
@@ -298,7 +315,7 @@ void Designer::Parts::edit_text(const EditText& request, Answer& out) {
   std::string changed = text;
   changed.replace(request.begin(), request.end() - request.begin(), request.text());
   one->text.change(std::move(changed), request.name().empty() ? "type" : request.name(), now(), true);
-  desk_.changed(*one);
+  typed_.insert(one->path);
 }
 
 void Designer::Parts::undo(const std::string& path, bool again, Answer& out) {
@@ -332,6 +349,10 @@ void Designer::Parts::save(const Save& request, Answer& out) {
   out.set_text(*saved);
   if (*saved == before) return;
   if (last_trial_.document == before) last_trial_.document = *saved;
+  if (auto marks = marks_.extract(before); !marks.empty()) {
+    marks.key() = *saved;
+    marks_.insert(std::move(marks));
+  }
   for (auto& [id, client] : clients_) {
     if (client.documents.erase(before) == 0) continue;
     client.documents.insert(*saved);
@@ -368,6 +389,10 @@ void Designer::Parts::list_files(const ListFiles& request, Answer& out) {
 // ---- what everybody is told
 
 void Designer::Parts::publish() {
+  settle();
+  for (auto& [path, marks] : marks_) {
+    if (const OpenConfiguration* one = desk_.find(path)) marks.follow(one->drawn);
+  }
   for (auto& [to, client] : clients_) publish_to(to, client);
 }
 
@@ -384,6 +409,11 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
                            one->saved ? one->is_dirty() : true, one->is_writable))) {
       *message.mutable_document() = document_message(*one);
       send_once(to, client, "document " + path + ' ', message);
+    }
+    if (marks_.contains(path)) {
+      message.Clear();
+      *message.mutable_marks() = marks_message(path);
+      send_once(to, client, "marks " + path + ' ', message);
     }
     if (!is_new("components ",
                 fmt::format("{} {} {}", one->model_number, desk_.offered_number(), one->is_writable)))
@@ -415,6 +445,13 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
     }
     return true;
   });
+}
+
+MarkList Designer::Parts::marks_message(const std::string& path) const {
+  MarkList out;
+  out.set_document(path);
+  marks_.at(path).encode(out);
+  return out;
 }
 
 Document Designer::Parts::document_message(const OpenConfiguration& one) const {

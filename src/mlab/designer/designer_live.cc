@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <utility>
 
 #include <fmt/core.h>
@@ -44,6 +46,33 @@ text::Result<FieldGrid> grid_of(const ReadField& request) {
   return out;
 }
 
+// The one of the trial's run that is meant (0: the first that runs); null: there is none.
+const fleet::FleetRobot* body_in(const fleet::MissionRun* run, std::uint32_t robot,
+                                 const std::string& mission) {
+  const bool is_of_trial =
+      run != nullptr && run->mission().source && run->mission().source->name() == mission;
+  if (!is_of_trial) return nullptr;
+  for (const fleet::FleetRobot& one : run->fleet().robots()) {
+    const bool is_it = robot == 0 || one.id.value == robot;
+    if (is_it && one.life == fleet::RobotLife::kRunning) return &one;
+  }
+  return nullptr;
+}
+
+using LookAtRun = std::function<void(console::RunLook look)>;
+
+// On the session's thread, a few milliseconds at a time: robots go on meanwhile.
+void read_in_pieces(const LookAtRun& look_at_run, const std::shared_ptr<FieldReading>& reading,
+                    std::uint32_t robot, const std::string& mission, std::function<void(bool)> done) {
+  constexpr double kPiece = 0.003;  // [s]
+  look_at_run([=, done = std::move(done)](const fleet::MissionRun* run) {
+    const fleet::FleetRobot* body = body_in(run, robot, mission);
+    if (body == nullptr) return done(false);
+    if (reading->read(*run, *body, kPiece)) return done(true);
+    read_in_pieces(look_at_run, reading, robot, mission, done);
+  });
+}
+
 }  // namespace
 
 void Designer::Parts::find_live(const FindLive& request, Answer& out) {
@@ -62,6 +91,38 @@ void Designer::Parts::find_live(const FindLive& request, Answer& out) {
       at.set_path(path);
     }
   }
+}
+
+void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
+  constexpr std::size_t kLongest = 4000;  // bytes
+  const OpenConfiguration* one = desk_.find(request.document());
+  if (one == nullptr) return fail(out, not_known("the document is not open").error());
+  if (one->drawn->page(request.mark().page()).graph == nullptr)
+    return fail(out, not_known("there is no such page").error());
+  if (request.mark().ByteSizeLong() > kLongest) return fail(out, not_known("that is too long").error());
+  Marks& marks = marks_[one->path];
+  if (marks.size() >= Marks::kMost)
+    return fail(out,
+                not_known(fmt::format("there are {} marks, and more are not kept", Marks::kMost)).error());
+  std::optional<std::vector<Hop>> way;
+  if (last_trial_.model && last_trial_.document == one->path) {
+    for (const auto& [robot, count] : last_trial_.configuration.robots) {
+      if (!way) way = way_to(*last_trial_.model, robot, request.mark().page(), request.mark().place());
+    }
+  }
+  // What the trial has added is in no text that somebody could change.
+  if (way) {
+    for (Hop& hop : *way) {
+      if (one->drawn->page(hop.page).graph == nullptr) hop.page.clear();
+    }
+  }
+  out.set_text(fmt::format("{}", marks.add(request.mark(), one->drawn, std::move(way))));
+}
+
+void Designer::Parts::remove_mark(const RemoveMark& request, Answer& out) {
+  const auto marks = marks_.find(request.document());
+  if (marks == marks_.end() || !marks->second.remove(request.id()))
+    fail(out, not_known("there is no such mark").error());
 }
 
 // As it runs, but of the text as it is now; where it was not tried, as it would.
@@ -138,6 +199,7 @@ text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what
   sources.folder = std::filesystem::path(what.completed.source->name()).parent_path().string();
   sources.include_root = settings_.include_root;
   sources.version = settings_.version;
+  sources.ends = jobs_end_.get_token();
   const auto library = robot::library_with(what.model->configuration().procedures, sources, sink);
   const auto robot = what.model->configuration().robots.find(what.robot);
   if (!library || robot == what.model->configuration().robots.end() || what.model->problems().has_errors())
@@ -171,11 +233,10 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
   text::Diagnostics sink;
   const auto mission = mdl::check_mission(
       std::make_shared<const text::Source>(name, trial_mission(single, file, *field)), folder, sink, options);
-  const auto crew =
-      mission == nullptr
-          ? nullptr
-          : fleet::make_crew(
-                mission, {folder, settings_.include_root, settings_.version, false, trial.files.get()}, sink);
+  robot::ProgramSources sources = {folder, settings_.include_root, settings_.version, false,
+                                   trial.files.get()};
+  sources.ends = jobs_end_.get_token();
+  const auto crew = mission == nullptr ? nullptr : fleet::make_crew(mission, sources, sink);
   if (!crew) return not_known(sink.items().empty() ? "it can't run" : sink.items().front().message);
   fleet::MissionRun run(crew, {});
   run.post(mission::event::Execute{});
@@ -208,24 +269,16 @@ void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t numbe
     return;
   }
   is_deferred_ = true;
-  settings_.look_at_run(
-      [this, inbox = inbox_, from, request, number, what = *what, part = *part, grid = *grid,
-       mission = desk_.project().disk_path(last_trial_.mission)](const fleet::MissionRun* run) {
-        const fleet::FleetRobot* body = nullptr;
-        const bool is_of_trial =
-            run != nullptr && run->mission().source && run->mission().source->name() == mission;
-        if (is_of_trial) {
-          for (const fleet::FleetRobot& robot : run->fleet().robots()) {
-            const bool is_it = request.robot() == 0 || robot.id.value == request.robot();
-            if (body == nullptr && is_it && robot.life == fleet::RobotLife::kRunning) body = &robot;
-          }
-        }
-        std::optional<std::string> arrows;
-        if (body != nullptr) arrows = field_arrows(*run, *body, request.robot() != 0, part, grid);
-        inbox->post([this, from, number, request, what, part, grid, arrows] {
-          answer_field(from, number, request, what, part, grid, arrows);
-        });
-      });
+  const auto reading = std::make_shared<FieldReading>(*part, *grid, request.robot() != 0);
+  read_in_pieces(settings_.look_at_run, reading, request.robot(),
+                 desk_.project().disk_path(last_trial_.mission),
+                 [this, inbox = inbox_, from, request, number, what = *what, part = *part, grid = *grid,
+                  reading](bool was_read) {
+                   const auto arrows = was_read ? std::optional(reading->arrows()) : std::nullopt;
+                   inbox->post([this, from, number, request, what, part, grid, arrows] {
+                     answer_field(from, number, request, what, part, grid, arrows);
+                   });
+                 });
 }
 
 void Designer::Parts::answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,

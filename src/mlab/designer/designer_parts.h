@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "mlab/console/inbox.h"
@@ -14,6 +16,7 @@
 #include "mlab/designer/compiler.h"
 #include "mlab/designer/designer.h"
 #include "mlab/designer/desk.h"
+#include "mlab/designer/marks.h"
 #include "mlab/designer/movement_field.h"
 #include "mlab/designer/trial.h"
 
@@ -90,6 +93,8 @@ class Designer::Parts {
 
   struct FieldOf;
   void find_live(const FindLive& request, Answer& out);
+  void set_mark(const SetMark& request, Answer& out);
+  void remove_mark(const RemoveMark& request, Answer& out);
   void write_back(const WriteBack& request, Answer& out);
   text::Result<TrialConfiguration> tried_now(const OpenConfiguration& one);
   void read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request, Answer& out);
@@ -104,8 +109,12 @@ class Designer::Parts {
 
   /// Sends everybody what has changed of what he looks at.
   void publish();
+  /// What follows from typing: done once for many letters that came together.
+  void settle();
+  void send_answers();
   void publish_to(console::ConnectionId to, Client& client);
   Document document_message(const OpenConfiguration& one) const;
+  MarkList marks_message(const std::string& path) const;
   void add_found_problems(const OpenConfiguration& one, Document& out) const;
   /// Sends it unless the same has been sent.
   void send_once(console::ConnectionId to, Client& client, const std::string& what,
@@ -124,10 +133,14 @@ class Designer::Parts {
   std::string first_error_;
   double last_look_ = 0.0;
   LastTrial last_trial_;
+  std::map<std::string, Marks> marks_;        ///< by document; also of those that nobody looks at now
+  std::set<std::string, std::less<>> typed_;  ///< documents of which nothing but the text is new yet
+  std::vector<std::pair<console::ConnectionId, FromDesigner>> answers_;  ///< of requests that came together
   bool is_deferred_ = false;  ///< the request in hand is answered later
   std::shared_ptr<console::Inbox> inbox_ = std::make_shared<console::Inbox>();  ///< also of who answers later
   Compiler compiler_;                                                           // posts to the inbox
   std::atomic<bool> ends_ = false;
+  std::stop_source jobs_end_;  // stops a C++ compiler that this thread waits for
   std::thread thread_;
 };
 

@@ -333,13 +333,53 @@ class Drawer {
     return shape ? shape->component : default_name(expression);
   }
 
+  // A `let` has its value where it stands, all else where lowering puts it.
+  std::string live_of_hidden(const cdl::Expression& expression) const {
+    if (const auto* name = std::get_if<cdl::Name>(&expression.what)) {
+      const bool is_let = page_.base.empty() && std::ranges::any_of(graph_.lets(), [&](const cdl::Let& let) {
+                            return let.name.text == name->name.text;
+                          });
+      return is_let ? name->name.text : "";
+    }
+    const auto found = graph_.hidden.find(&expression);
+    if (found == graph_.hidden.end()) return "";
+    return page_.base.empty() ? found->second : found->second.substr(page_.base.size() + 1);
+  }
+
+  void add_conditions(const cdl::Expression& trigger, Transition& out) const {
+    const cdl::Expression& condition = condition_of(trigger);
+    if (const std::string live = live_of_hidden(condition); !live.empty()) {
+      Transition::Condition& told = *out.add_conditions();
+      told.set_text(written(trigger));
+      told.set_live(live);
+      told.set_is_negated(&condition != &trigger);
+    }
+    const auto* logic = std::get_if<cdl::Logic>(&condition.what);
+    if (logic == nullptr) return;
+    for (const cdl::ExpressionPtr& operand : logic->operands) add_part(*operand, out);
+  }
+
+  void add_part(const cdl::Expression& part, Transition& out) const {
+    if (const std::string live = live_of_hidden(part); !live.empty()) {
+      Transition::Condition& told = *out.add_conditions();
+      told.set_text(written(part));
+      told.set_live(live);
+    }
+    const auto* logic = std::get_if<cdl::Logic>(&part.what);
+    if (logic == nullptr) return;
+    for (const cdl::ExpressionPtr& operand : logic->operands) add_part(*operand, out);
+  }
+
   void add_transition(const cdl::State& state, std::size_t index) {
     const cdl::Transition& transition = state.transitions[index];
     Transition& out = *out_.add_transitions();
     out.set_from(state.name.text);
     out.set_index(static_cast<std::uint32_t>(index));
     out.set_to(transition.target.text);
-    if (transition.trigger) out.set_trigger(written(*transition.trigger));
+    if (transition.trigger) {
+      out.set_trigger(written(*transition.trigger));
+      add_conditions(*transition.trigger, out);
+    }
     out.set_restarts(transition.restarts);
     out.set_help(transition.help);
     out.set_begin(transition.place.span.begin);

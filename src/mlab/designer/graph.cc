@@ -171,6 +171,7 @@ class Builder {
     const std::string fallback = default_name(expression);
     if (fallback.empty()) return {};
     const std::string path = claim(slot, fallback);
+    if (on == kHidden) graph_.hidden.emplace(&expression, active_path == nullptr ? path : *active_path);
     const int at = add(kind_of(expression), expression, active_path == nullptr ? path : *active_path, on);
     walk_inputs(expression, path, on, at);
     if (active_path != nullptr) {
@@ -400,7 +401,7 @@ class Builder {
       page(on).states.push_back(inner);
       if (state.member) walk_page(*state.member, inner);
       for (const cdl::Transition& transition : state.transitions) {
-        if (transition.trigger) walk(*transition.trigger, {own, "", false}, kHidden);
+        if (transition.trigger) walk(condition_of(*transition.trigger), {own, "", false}, kHidden);
       }
     }
   }
@@ -479,6 +480,13 @@ OwnerGraph graph_of(const cdl::Robot& robot, const Components& components,
   out.scope = Components::scope_of(robot);
   Builder(out, components, shown).run();
   return out;
+}
+
+const cdl::Expression& condition_of(const cdl::Expression& trigger) {
+  const auto* logic = std::get_if<cdl::Logic>(&trigger.what);
+  const bool is_negated = logic != nullptr && logic->connective == cdl::Connective::kNot &&
+                          trigger.as.text.empty() && !trigger.active;
+  return is_negated ? *logic->operands.front() : trigger;
 }
 
 std::string default_name(const cdl::Expression& expression) {

@@ -93,6 +93,8 @@ struct OwnerGraph {
   const cdl::Robot* robot = nullptr;
   Components::Scope scope;
   std::vector<GraphPage> pages;  ///< the first is the owner's own
+  /// What is not drawn, triggers of transitions above all: where its values are, as `GraphNode::path`.
+  std::map<const cdl::Expression*, std::string> hidden;
 
   const std::vector<cdl::Let>& lets() const { return *scope.lets; }
   const std::vector<cdl::Parameter>& parameters() const { return *scope.parameters; }
@@ -108,6 +110,8 @@ OwnerGraph graph_of(const cdl::Assemblage& assemblage, const Components& compone
 OwnerGraph graph_of(const cdl::Robot& robot, const Components& components,
                     const std::multimap<std::string, std::string>& shown = {});
 
+/// What of a trigger is computed: a `not` around it is part of the transition, as lowering has it.
+const cdl::Expression& condition_of(const cdl::Expression& trigger);
 /// What a node is called that nobody gave a name: `Noise`, `cooperate`.
 std::string default_name(const cdl::Expression& expression);
 /// How often the name of a `let` or parameter is used inside of its owner.

@@ -1,6 +1,7 @@
 #include "mlab/designer/movement_field.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -54,37 +55,56 @@ text::Result<FieldProgram> field_program(flow::Network network, const flow::Libr
   return out;
 }
 
+FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
+    : part_(std::move(part)),
+      grid_(grid),
+      as_is_(as_is),
+      port_(part_.program->find(part_.port)),
+      start_(part_.program->make_frame()),
+      frame_(start_) {}
+
+void FieldReading::begin(const fleet::FleetRobot& body) {
+  const flow::Program& program = *part_.program;
+  if (as_is_ && body.program->program)
+    program.take_over(start_.data(), *body.program->program, body.frame.data());
+  needs_ = program.needs(start_.data());
+  arrows_.reserve(std::size_t{grid_.columns} * grid_.rows * sizeof(FieldArrow));
+}
+
+bool FieldReading::read(const fleet::MissionRun& run, const fleet::FleetRobot& body, double budget) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(budget);
+  const std::uint32_t count = grid_.columns * grid_.rows;
+  if (next_ == 0) begin(body);
+  while (next_ < count) {
+    read_place(run, body);
+    if (++next_ % 8 == 0 && Clock::now() >= end) break;
+  }
+  return next_ == count;
+}
+
+void FieldReading::read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
+  const flow::Program& program = *part_.program;
+  const geom::Pose pose = grid_.pose(next_ % grid_.columns, next_ / grid_.columns);
+  percept::Percepts percepts;
+  percept::Action unwanted;
+  run.fleet().perceive_at(body, pose, needs_, run.cycle_duration(), buffer_, percepts);
+  frame_ = start_;
+  program.step(frame_.data(), percepts, unwanted, run.seed(), body.id.value);
+  geom::Vector v = flow::Program::vector(frame_.data(), *port_).value_or(geom::Vector{});
+  if (!std::isfinite(v.x + v.y)) v = {};
+  const double c = std::cos(grid_.heading);
+  const double s = std::sin(grid_.heading);
+  console::append(arrows_,
+                  FieldArrow{static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),
+                             static_cast<float>(v.x * c - v.y * s), static_cast<float>(v.x * s + v.y * c)});
+}
+
 std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body, bool as_is,
                          const FieldProgram& part, const FieldGrid& grid) {
-  const flow::Program& program = *part.program;
-  const flow::Port& port = *program.find(part.port);
-  flow::Frame start = program.make_frame();
-  if (as_is && body.program->program)
-    program.take_over(start.data(), *body.program->program, body.frame.data());
-  const flow::Needs needs = program.needs(start.data());
-  const double heading_cos = std::cos(grid.heading);
-  const double heading_sin = std::sin(grid.heading);
-  flow::Frame frame = start;
-  sim::SenseBuffer buffer;
-  std::string out;
-  out.reserve(std::size_t{grid.columns} * grid.rows * sizeof(FieldArrow));
-  for (std::uint32_t row = 0; row < grid.rows; ++row) {
-    for (std::uint32_t column = 0; column < grid.columns; ++column) {
-      const geom::Pose pose = grid.pose(column, row);
-      percept::Percepts percepts;
-      percept::Action unwanted;
-      run.fleet().perceive_at(body, pose, needs, run.cycle_duration(), buffer, percepts);
-      frame = start;
-      program.step(frame.data(), percepts, unwanted, run.seed(), body.id.value);
-      geom::Vector v = flow::Program::vector(frame.data(), port).value_or(geom::Vector{});
-      if (!std::isfinite(v.x + v.y)) v = {};
-      console::append(out,
-                      FieldArrow{static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),
-                                 static_cast<float>(v.x * heading_cos - v.y * heading_sin),
-                                 static_cast<float>(v.x * heading_sin + v.y * heading_cos)});
-    }
-  }
-  return out;
+  FieldReading reading(part, grid, as_is);
+  reading.read(run, body, 1e9);
+  return reading.arrows();
 }
 
 }  // namespace mlab::designer

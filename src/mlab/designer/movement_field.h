@@ -7,6 +7,7 @@
 #include "mlab/fleet/mission_run.h"
 #include "mlab/flow/network.h"
 #include "mlab/flow/program.h"
+#include "mlab/sim/sensing.h"
 
 namespace mlab::designer {
 
@@ -36,10 +37,37 @@ struct FieldGrid {
 };
 
 /// What the part would make a robot do at each place, row by row from the lower left: float32 x, y, dx, dy,
-/// the movement in the world frame as a share of full strength. The run is only read; to be called between
-/// cycles.
-/// @param body    whose senses and orders it has
-/// @param as_is   it has the robot's state as well; else it has just started
+/// the movement in the world frame as a share of full strength. The run is only read, between cycles; a large
+/// grid in pieces, so that the run need not wait for all of it.
+class FieldReading {
+ public:
+  /// @param as_is   it has the robot's state, as when reading began; else it has just started
+  FieldReading(FieldProgram part, FieldGrid grid, bool as_is);
+
+  /// Goes on for so long [s], at least one place.
+  /// @param body    whose senses and orders it has
+  /// @return  true: it is done
+  bool read(const fleet::MissionRun& run, const fleet::FleetRobot& body, double budget);
+  /// What has been read.
+  const std::string& arrows() const { return arrows_; }
+
+ private:
+  void begin(const fleet::FleetRobot& body);
+  void read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body);
+
+  FieldProgram part_;
+  FieldGrid grid_;
+  bool as_is_;
+  const flow::Port* port_;
+  flow::Frame start_;
+  flow::Frame frame_;
+  flow::Needs needs_;
+  sim::SenseBuffer buffer_;
+  std::uint32_t next_ = 0;  ///< place; 0: not begun
+  std::string arrows_;
+};
+
+/// The whole field at once.
 std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body, bool as_is,
                          const FieldProgram& part, const FieldGrid& grid);
 

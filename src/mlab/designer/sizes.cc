@@ -19,6 +19,7 @@ constexpr double kMaxWidth = 300.0;
 constexpr double kSymbolWidth = 44.0;
 constexpr double kIconWidth = 34.0;
 constexpr double kMargin = 30.0;
+constexpr double kEnterWidth = 18.0;  // the button that looks inside
 constexpr double kStateHeight = 64.0;
 
 /// What a shape has besides its texts.
@@ -124,8 +125,9 @@ double text_width(std::string_view text, double size, bool is_bold) {
 DrawnSize size_of(const Node& node, const Drawing& drawing) {
   const ShapeLook& look = look_of(node.shape());
   const std::string& title = node.title().empty() ? node.name() : node.title();
-  double wanted = std::max({kMinWidth, kIconWidth + text_width(title, 13, true) + kMargin,
-                            kIconWidth + text_width(subtitle_of(node, title, look.kind), 11) + kMargin});
+  const double beside = kIconWidth + kMargin + (node.has_inner() ? kEnterWidth : 0.0);
+  double wanted = std::max({kMinWidth, beside + text_width(title, 13, true),
+                            beside + text_width(subtitle_of(node, title, look.kind), 11)});
   for (const Port& port : node.inputs())
     wanted = std::max(wanted, row_width(port, is_wired(drawing, node, port)));
   wanted += (look.has_symbol ? kSymbolWidth : 0.0) + (look.is_box ? 0.0 : 14.0);

@@ -15,43 +15,6 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
 
-// Pages by what they belong to: a declaration or a state, and their sequence, which may become a page
-// elsewhere.
-struct PageAnchor {
-  std::string path;
-  Anchor owner = 0;
-  std::optional<Anchor> sequence;
-};
-
-std::vector<PageAnchor> page_anchors(const Model& model, const TokenMap& tokens) {
-  std::vector<PageAnchor> out;
-  for (const auto& [name, anchor] : anchors_of(model, "", tokens)) {
-    const OwnerGraph* graph = model.graph(name);
-    if (graph == nullptr) {
-      out.push_back({name, anchor, {}});
-      continue;
-    }
-    std::map<int, Anchor> inner;
-    for (const GraphPage& page : graph->pages) {
-      for (const GraphNode& node : page.nodes) {
-        const std::optional<Anchor> own = node.inner < 0 ? std::nullopt : anchor_of(node, tokens);
-        if (own) inner[node.inner] = *own;
-      }
-    }
-    for (std::size_t i = 0; i < graph->pages.size(); ++i) {
-      const GraphPage& page = graph->pages[i];
-      PageAnchor one{page.path, anchor, {}};
-      if (page.state != nullptr) one.owner = page.state->name.place.span.begin;
-      if (page.sequence != nullptr && page.root != nullptr)
-        one.sequence = tokens.tokens()[tokens.at(page.root->place.span.begin)].span.begin;
-      if (const auto found = inner.find(static_cast<int>(i)); found != inner.end())
-        one.sequence = one.owner = found->second;
-      out.push_back(std::move(one));
-    }
-  }
-  return out;
-}
-
 std::uint32_t size_of(std::string_view text) {
   return static_cast<std::uint32_t>(text.size());
 }
@@ -418,6 +381,35 @@ std::optional<Anchor> anchor_of(const GraphNode& node, const TokenMap& tokens) {
   std::size_t i = tokens.at(expression.place.span.begin);
   while (tokens.word(i) == "(") ++i;
   return tokens.tokens()[i].span.begin;
+}
+
+std::vector<PageAnchor> page_anchors(const Model& model, const TokenMap& tokens) {
+  std::vector<PageAnchor> out;
+  for (const auto& [name, anchor] : anchors_of(model, "", tokens)) {
+    const OwnerGraph* graph = model.graph(name);
+    if (graph == nullptr) {
+      out.push_back({name, anchor, {}});
+      continue;
+    }
+    std::map<int, Anchor> inner;
+    for (const GraphPage& page : graph->pages) {
+      for (const GraphNode& node : page.nodes) {
+        const std::optional<Anchor> own = node.inner < 0 ? std::nullopt : anchor_of(node, tokens);
+        if (own) inner[node.inner] = *own;
+      }
+    }
+    for (std::size_t i = 0; i < graph->pages.size(); ++i) {
+      const GraphPage& page = graph->pages[i];
+      PageAnchor one{page.path, anchor, {}};
+      if (page.state != nullptr) one.owner = page.state->name.place.span.begin;
+      if (page.sequence != nullptr && page.root != nullptr)
+        one.sequence = tokens.tokens()[tokens.at(page.root->place.span.begin)].span.begin;
+      if (const auto found = inner.find(static_cast<int>(i)); found != inner.end())
+        one.sequence = one.owner = found->second;
+      out.push_back(std::move(one));
+    }
+  }
+  return out;
 }
 
 std::map<std::string, Anchor> anchors_of(const Model& model, std::string_view page, const TokenMap& tokens) {

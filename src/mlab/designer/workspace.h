@@ -111,6 +111,14 @@ class Workspace {
 
 /// The byte by which a node is followed; nothing where it stands nowhere.
 std::optional<Anchor> anchor_of(const GraphNode& node, const TokenMap& tokens);
+/// A page by what it belongs to: a declaration or a state, and its sequence, which may become a page
+/// elsewhere.
+struct PageAnchor {
+  std::string path;
+  Anchor owner = 0;
+  std::optional<Anchor> sequence;
+};
+std::vector<PageAnchor> page_anchors(const Model& model, const TokenMap& tokens);
 /// Every name that a layout block may have for a page, with what it stands for.
 std::map<std::string, Anchor> anchors_of(const Model& model, std::string_view page, const TokenMap& tokens);
 

@@ -9,6 +9,8 @@ import { selectRobots } from "../../core/selection.ts";
 import { breakpointText } from "./break_points.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
 
+const kLost = "What it was set on is not in the drawing any more; if it comes back, so does this";
+
 export function Breakpoints() {
   const live = useLivePage();
   const all = useSessionPart("breakpoints");
@@ -51,15 +53,21 @@ function Entry({ breakpoint }: { breakpoint: Breakpoint }) {
         value={!breakpoint.isOff}
         onChange={(on) => void live.setBreakpoint({ ...breakpoint, isOff: !on })}
       />
-      {drawnAt ? (
+      {drawnAt && !drawnAt.isLost ? (
         <Button tone="link" className="ellipsis" onPress={() => live.goTo(drawnAt)}>
           {text}
         </Button>
       ) : (
         <span className="ellipsis">{text}</span>
       )}
-      <span className="small muted grow" title={breakpoint.error}>
-        {breakpoint.error !== "" ? sentence(breakpoint.error) : hits > 0 ? `${hits}×` : ""}
+      <span className="small muted grow" title={drawnAt?.isLost ? kLost : breakpoint.error}>
+        {drawnAt?.isLost
+          ? "Lost: not in the drawing"
+          : breakpoint.error !== ""
+            ? sentence(breakpoint.error)
+            : hits > 0
+              ? `${hits}×`
+              : ""}
       </span>
       <IconButton
         icon="close"
@@ -78,7 +86,8 @@ export function HaltedNotice() {
   const drawnAt = useLiveState((state) => state.drawnAt);
   if (!halted || status?.mode !== Status_Mode.PAUSED) return null;
   const hit = halted.hits[0]!;
-  const place = drawnAt.get(hit.breakpoint);
+  const known = drawnAt.get(hit.breakpoint);
+  const place = known?.isLost ? undefined : known;
   const show = () => {
     if (hit.robot !== 0) live.model.select(selectRobots([hit.robot]));
     if (place) live.goTo(place);

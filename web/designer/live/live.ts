@@ -4,16 +4,18 @@ import type { Session } from "../../console/session.ts";
 import { Ui } from "../../console/shell/ui.ts";
 import { Connection, tabKey } from "../../core/connection.ts";
 import { Model } from "../../core/model.ts";
-import { Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
+import { type Breakpoint, Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
 import { fit } from "../canvas/view.ts";
 import type { Designer } from "../designer.ts";
 import { withToken } from "../link/link.ts";
 import { lastPart } from "../pages/pages.ts";
+import type { Drawing } from "../protocol.ts";
 import type { BreakpointInit } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
 import { createLiveState, type DrawnAt, type Pin } from "./live_state.ts";
+import { drawnAtOf, endedMarks, type MarkInit, markAt, pinsOf, renamedBreakpoints } from "./marks.ts";
 import { remember, remembered } from "./remembered.ts";
 import { isMoving, runButton, type Situation } from "./run_button.ts";
 import { subjectOf } from "./subject.ts";
@@ -51,6 +53,10 @@ export class Live {
     this.store.subscribe(({ tried }, before) => {
       if (tried && tried !== before.tried) remember(window.sessionStorage, this.server, tried);
     });
+    designer.store.subscribe(({ marks }, before) => {
+      if (marks !== before.marks) this.takeMarks();
+    });
+    this.takeMarks();
     this.model.subscribe("clients", () => this.handOver());
     this.model.subscribe("halted", () => this.tellHalt());
     this.connection.connect();
@@ -118,12 +124,15 @@ export class Live {
     if (!found || !(await this.becomeOperator())) return false;
     this.showPane();
     store.setState({ isBusy: true, error: "" });
+    const before = await this.renameBreakpoints(document.path);
     const answer = await designer.link.ask({
       case: "try",
       value: { document: document.path, robot: found.name, count: robots, overlay, starts: [...starts], execute },
     });
     store.setState({ isBusy: false, error: answer.ok ? "" : sentence(answer.error) });
     if (!answer.ok) {
+      // What ran before goes on, under its names.
+      for (const breakpoint of before) await this.connection.ask({ case: "setBreakpoint", value: { breakpoint } });
       designer.say(answer.error);
       if (answer.problems.length > 0) this.showProblem();
       return false;
@@ -166,19 +175,47 @@ export class Live {
     return reply;
   }
 
-  /** `id`: what of the page that is shown it is set on. */
-  async setBreakpoint(breakpoint: BreakpointInit, id = ""): Promise<void> {
-    const { document, page } = this.designer.state;
+  /** `id`: what of the page that is shown it is set on; `trigger`: which condition of that transition. */
+  async setBreakpoint(breakpoint: BreakpointInit, id = "", trigger = ""): Promise<void> {
+    const { drawing } = this.designer;
     const reply = await this.order({ case: "setBreakpoint", value: { breakpoint } });
     if (!reply.ok) return;
     this.designer.say("Set a breakpoint");
-    if (id === "" || reply.result.case !== "breakpoint") return;
-    const drawnAt = new Map(this.store.getState().drawnAt).set(reply.result.value, { document, page, id });
-    this.store.setState({ drawnAt });
+    const mark = drawing && id !== "" ? markAt(drawing, id) : undefined;
+    if (!drawing || !mark || reply.result.case !== "breakpoint") return;
+    const { what } = breakpoint;
+    const port = what?.case === "condition" ? (what.value.port ?? "") : "";
+    await this.setMark(drawing, { ...mark, trigger, port, breakpoint: { id: reply.result.value, what } });
   }
 
   async removeBreakpoint(id: number): Promise<void> {
     await this.order({ case: "removeBreakpoint", value: { id } });
+    for (const [document, marks] of Object.entries(this.designer.state.marks)) {
+      const ended = marks.filter(({ breakpoint }) => breakpoint && (id === 0 || breakpoint.id === id));
+      for (const mark of ended) await this.removeMark(document, mark.id);
+    }
+  }
+
+  private async setMark(drawing: Drawing, mark: MarkInit): Promise<void> {
+    const { place } = this.store.getState();
+    const document = drawing.page?.document ?? "";
+    await this.designer.ask({ case: "setMark", value: { document, mark: { ...mark, place } } });
+  }
+
+  private async removeMark(document: string, id: number): Promise<void> {
+    await this.designer.link.ask({ case: "removeMark", value: { document, id } });
+  }
+
+  /** Calls breakpoints what they are called in the text that is about to run. @returns how they were */
+  private async renameBreakpoints(document: string): Promise<readonly Breakpoint[]> {
+    const marks = this.designer.state.marks[document] ?? [];
+    const known = this.model.get("breakpoints");
+    for (const { id } of endedMarks(marks, known)) await this.removeMark(document, id);
+    const renamed = renamedBreakpoints(marks, known);
+    for (const breakpoint of renamed) {
+      await this.connection.ask({ case: "setBreakpoint", value: { breakpoint } });
+    }
+    return known.filter(({ id }) => renamed.some((one) => one.id === id));
   }
 
   /** The live parameter of all robots with the selected one's program. */
@@ -244,12 +281,17 @@ export class Live {
     this.designer.select([id]);
   }
 
-  togglePin(pin: Pin): void {
-    const { pins } = this.store.getState();
-    const others = pins.filter(({ port }) => port !== pin.port);
-    const isNew = others.length === pins.length;
-    this.store.setState({ pins: isNew ? [...pins, pin] : others });
-    if (isNew) this.showPane();
+  /** Keeps the value of what is drawn in sight. */
+  async pin(id: string, port: string): Promise<void> {
+    const { drawing } = this.designer;
+    const mark = drawing && markAt(drawing, id);
+    if (!drawing || !mark) return;
+    this.showPane();
+    await this.setMark(drawing, { ...mark, port });
+  }
+
+  async unpin({ document, mark }: Pin): Promise<void> {
+    await this.removeMark(document, mark);
   }
 
   /** To the first error: where it is drawn, and in the list. */
@@ -269,6 +311,11 @@ export class Live {
     this.known = new Set(this.model.get("clients")?.clients.map(({ id }) => id));
     this.handsOverUntil = Date.now() + kHandOver;
     window.open(withToken(this.designer.page, "./"), "_blank", "noopener");
+  }
+
+  private takeMarks(): void {
+    const { marks } = this.designer.state;
+    this.store.setState({ pins: pinsOf(marks), drawnAt: drawnAtOf(marks) });
   }
 
   private get server(): string {

@@ -19,12 +19,16 @@ export interface DrawnAt {
   readonly document: string;
   readonly page: string;
   readonly id: string;
+  /** It is not in the drawing any more; page and id are the last that were known. */
+  readonly isLost: boolean;
 }
 
 /** A value that stays in sight whatever page is shown. */
 export interface Pin extends DrawnAt {
   /** Port.path. */
   readonly port: string;
+  /** Mark.id. */
+  readonly mark: number;
 }
 
 export interface Field {
@@ -54,7 +58,7 @@ export interface LiveState {
   place: string;
   chosenPlace: string;
   pins: readonly Pin[];
-  /** Where breakpoints that were set here are drawn, by their ids. */
+  /** Where breakpoints that were set on a drawing are drawn, by their ids. */
   drawnAt: ReadonlyMap<number, DrawnAt>;
   /** The map of the pane, while it is shown. */
   map: MapView | null;

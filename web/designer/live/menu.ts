@@ -2,6 +2,8 @@
 import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import type { Action } from "../actions/action.ts";
 import type { Designer } from "../designer.ts";
+import type { Drawing } from "../protocol.ts";
+import { transitionOf } from "../states/flow.ts";
 import { atCondition, atTransition, onPort, onTransition } from "./break_points.ts";
 import { knownLive, type Live } from "./live.ts";
 import { joined } from "./places.ts";
@@ -14,7 +16,7 @@ export function liveMenu(designer: Designer, id: string): Action[] {
   if (!live || !target) return [];
   switch (target.kind) {
     case "transition":
-      return [transitionBreak(live, target.from, target.to, id)];
+      return [transitionBreak(live, target.from, target.to, id), ...conditionBreaks(live, drawing, id)];
     case "state":
       return [transitionBreak(live, "", target.name, id), transitionBreak(live, target.name, "", id)];
     case "value":
@@ -43,21 +45,53 @@ function transitionBreak(live: Live, from: string, to: string, id: string): Acti
   };
 }
 
+const kLongestLabel = 48; // letters of a trigger in a menu
+
+/** On the trigger's value, and on those of the conditions that it is made of. */
+function conditionBreaks(live: Live, drawing: Drawing, id: string): Action[] {
+  const place = placeOf(live);
+  const ports = new Set(
+    live.model
+      .get("roster")
+      .portsOf(live.follower.robot)
+      .map(({ path }) => path),
+  );
+  return (transitionOf(drawing, id)?.conditions ?? []).map(({ text, live: below, isNegated }) => {
+    const path = place === undefined ? "" : joined(place, below);
+    const value = isNegated ? "false" : "true";
+    const known = onPort(live.model.get("breakpoints"), path).find(
+      ({ what }) => what.case === "condition" && what.value.value === value,
+    );
+    const called = text.length > kLongestLabel ? `${text.slice(0, kLongestLabel - 1)}…` : text;
+    const noPort = ports.has(path) ? undefined : "It has no value of its own";
+    return {
+      id: `break-when ${text}`,
+      label: known ? `Remove the breakpoint on ${called}` : `Break when ${called}`,
+      group: "Run",
+      icon: known ? ("close" as const) : ("pause" as const),
+      blocked: place === undefined ? "Run it first" : noPort,
+      run: () =>
+        void (known
+          ? live.removeBreakpoint(known.id)
+          : live.setBreakpoint(atCondition(path, Comparison.EQUAL, value), id, below)),
+    };
+  });
+}
+
 function valueActions(live: Live, target: Target & { kind: "value" }, id: string): Action[] {
   const place = placeOf(live);
   const path = place === undefined ? "" : joined(place, target.live);
   const blocked = path === "" ? "Run it first" : undefined;
   const { designer } = live;
-  const { document, page } = designer.state;
-  const isPinned = live.store.getState().pins.some((pin) => pin.port === path);
+  const pinned = live.store.getState().pins.find((pin) => pin.port === path);
   const actions: Action[] = [
     {
       id: "pin",
-      label: isPinned ? "Take the probe away" : "Pin a probe",
+      label: pinned ? "Take the probe away" : "Pin a probe",
       group: "Run",
-      icon: isPinned ? "close" : "plot",
+      icon: pinned ? "close" : "plot",
       blocked,
-      run: () => live.togglePin({ port: path, document, page, id }),
+      run: () => void (pinned ? live.unpin(pinned) : live.pin(id, path)),
     },
   ];
   if (target.type === "bool") {

@@ -18,7 +18,7 @@ export function Probes() {
       <h3>Probes</h3>
       <ul className="probe-list">
         {pins.map((pin) => (
-          <Probe key={pin.port} pin={pin} />
+          <Probe key={`${pin.document} ${pin.mark}`} pin={pin} />
         ))}
       </ul>
     </section>
@@ -36,12 +36,12 @@ function Probe({ pin }: { pin: Pin }) {
       </Button>
       <span className="probe-value number">
         {value?.vector && <LiveArrow {...value.vector} />}
-        {value?.text ?? "–"}
+        {pin.isLost ? <span title="What it was on is not in the drawing any more">lost</span> : (value?.text ?? "–")}
       </span>
       <svg className="probe-plot" viewBox={`0 0 ${kWidth} ${kHeight}`} aria-hidden="true">
         <path d={tracePath(value?.trace ?? [], kWidth, kHeight)} />
       </svg>
-      <IconButton icon="close" label={`Take away the probe of ${name}`} onPress={() => live.togglePin(pin)} />
+      <IconButton icon="close" label={`Take away the probe of ${name}`} onPress={() => void live.unpin(pin)} />
     </li>
   );
 }

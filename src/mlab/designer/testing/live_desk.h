@@ -44,6 +44,7 @@ class LiveDesk {
           if (message.has_answer()) answers_[message.answer().request()] = message.answer();
           if (message.has_document()) documents_[message.document().path()] = message.document();
           if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
+          if (message.has_marks()) marks_[message.marks().document()] = message.marks();
           arrived_.notify_all();
         });
     ask([](ToDesigner& m) { m.mutable_greeting()->set_protocol(1); });
@@ -86,6 +87,12 @@ class LiveDesk {
   Document document(const std::string& path) {
     const std::scoped_lock lock(mutex_);
     return documents_[path];
+  }
+  /// As they are after everything that was asked so far.
+  MarkList marks(const std::string& document) {
+    ask([](ToDesigner& m) { m.mutable_list_files(); });
+    const std::scoped_lock lock(mutex_);
+    return marks_[document];
   }
   Drawing drawing(const std::string& document, const std::string& page) {
     ask([&](ToDesigner& m) {
@@ -161,6 +168,7 @@ class LiveDesk {
   std::map<std::uint32_t, Answer> answers_;
   std::map<std::string, Document> documents_;
   std::map<std::string, Drawing> drawings_;
+  std::map<std::string, MarkList> marks_;
   std::uint32_t last_request_ = 0;
   std::unique_ptr<Designer> designer_;  // ends first
 };

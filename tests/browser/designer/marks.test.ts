@@ -1,0 +1,89 @@
+// Probes and breakpoints stay with what they were set on: over reloads, in every window, and when it is renamed.
+import { expect, test } from "vitest";
+import { begin, type DesignerPage, look } from "./designer.ts";
+
+const kTurns = `assemblage Turns() {
+  sequence {
+    start Waiting: Stand();
+      when Wait(delay = 1 s) and not IsHalted() goto Moving;
+    Moving: Noise(persistence = 2 s);
+      when Wait(delay = 1 s) goto Waiting;
+  }
+}
+`;
+
+const opened = (text: string) =>
+  begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", text), width: 1600, height: 900 });
+
+const simulator = ({ page }: DesignerPage) => page.getByRole("region", { name: "Simulator", exact: true });
+const breakpoints = ({ page }: DesignerPage) => page.getByRole("region", { name: "Breakpoints" });
+const probes = ({ page }: DesignerPage) => page.getByRole("region", { name: "Probes" });
+const transition = ({ page }: DesignerPage, from: string) =>
+  page.getByRole("button", { name: new RegExp(`^Transition 1 of ${from}`) });
+
+async function run(designer: DesignerPage): Promise<void> {
+  await designer.page.locator("[data-tour=run]").click();
+  await simulator(designer).getByText("Running", { exact: true }).waitFor();
+}
+
+async function breakAt(designer: DesignerPage, from: string, item: RegExp): Promise<void> {
+  await transition(designer, from).click({ button: "right" });
+  await designer.page.getByRole("menuitem", { name: item }).click();
+}
+
+test("a breakpoint on a transition goes with its states, is lost with them, and comes back", async () => {
+  const { designer } = await opened(kTurns);
+  await designer.on("Turns");
+  await run(designer);
+  await breakAt(designer, "Waiting", /^Break Waiting → Moving/);
+  await simulator(designer).getByRole("alert").getByRole("button", { name: "Show" }).waitFor();
+  await designer.page.reload();
+  await designer.on("Turns");
+  const entry = breakpoints(designer).getByRole("button", { name: "Waiting → Moving", exact: true });
+  await entry.waitFor();
+  // Renamed in the drawing: what runs next halts at it.
+  await designer.select(designer.node("Waiting"));
+  await designer.page.keyboard.press("F2");
+  const dialog = designer.page.getByRole("dialog");
+  await dialog.getByRole("textbox").fill("Idling");
+  await dialog.getByRole("textbox").press("Enter");
+  await designer.node("Idling").waitFor();
+  await designer.button("Run the change").click();
+  await breakpoints(designer).getByRole("button", { name: "Idling → Moving", exact: true }).waitFor();
+  await simulator(designer).getByRole("alert").getByText(/goes from Idling to Moving/).waitFor();
+  await transition(designer, "Idling").click();
+  await designer.page.keyboard.press("Delete");
+  await breakpoints(designer).getByText("Lost: not in the drawing").waitFor();
+  await designer.page.keyboard.press("Control+z");
+  await breakpoints(designer).getByRole("button", { name: "Idling → Moving", exact: true }).waitFor();
+});
+
+test("a run pauses when a condition within a trigger becomes true", async () => {
+  const { designer } = await opened(kTurns);
+  await designer.on("Turns");
+  await run(designer);
+  await breakAt(designer, "Waiting", /^Break when Wait\(delay = 1 s\)$/);
+  await simulator(designer).getByText("Paused", { exact: true }).waitFor();
+  await simulator(designer)
+    .getByRole("alert")
+    .getByText(/Waiting.*Wait is true/)
+    .waitFor();
+});
+
+test("probes are there after a reload and in every window", async () => {
+  const { designer, mlab } = await opened(kTurns);
+  await designer.on("Turns");
+  await run(designer);
+  await designer.node("Moving").dblclick();
+  await designer.on("Turns.Moving");
+  await designer.select(designer.named("Noise"));
+  await designer.details.getByRole("button", { name: "Pin a probe" }).click();
+  await probes(designer).locator(".live-arrow").waitFor();
+  await designer.page.reload();
+  await probes(designer).locator(".live-arrow").waitFor();
+  const other = await look(mlab.url, { width: 1600, height: 900 });
+  await other.on("Turns");
+  await other.page.getByRole("button", { name: /^Simulator/ }).first().click();
+  await probes(other).getByRole("button", { name: /^Take away the probe/ }).click();
+  await probes(designer).waitFor({ state: "detached" });
+});
