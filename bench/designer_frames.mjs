@@ -1,5 +1,6 @@
 // How fluid the designer is in a real browser: the time to the first drawing, and how long frames take while a person moves
-// the canvas, zooms and drags a node. `node bench/designer_frames.mjs [NODES...]`; MLAB_COMMAND is the mlab.
+// the canvas, zooms and drags a node, also while robots run it: with what the simulator sends meanwhile, and what it sends
+// while another page is shown. `node bench/designer_frames.mjs [NODES...]`; MLAB_COMMAND is the mlab.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -67,6 +68,33 @@ async function frames(page, act) {
   return { "mean fps": (1000 * sorted.length) / sum, "median ms": at(0.5), "95 % ms": at(0.95) };
 }
 
+/** The same canvas while three robots run what is drawn. */
+async function running(page, centre) {
+  await page.locator("[data-tour=run]").click();
+  await page.locator(".wire-label.live, .live-arrow").first().waitFor();
+  await page.waitForTimeout(2000);
+  const moved = async () => {
+    for (let i = 0; i < 120; ++i) {
+      await page.mouse.wheel(i % 30 < 15 ? 24 : -24, i % 30 < 15 ? 10 : -10);
+      await page.waitForTimeout(12);
+    }
+  };
+  await page.mouse.move(centre.x - 300, centre.y);
+  const still = await frames(page, () => page.waitForTimeout(3000));
+  const live = await frames(page, moved);
+  const here = await kilobytes(page);
+  await page.locator("body").press("Home");
+  await page.waitForTimeout(1000);
+  return { "live, still": still, "live, moved": live, "from simulator": { "kB/s": here, "kB/s, other page": await kilobytes(page) } };
+}
+
+/** What the simulator sends in a second. */
+async function kilobytes(page) {
+  const before = page.receivedBytes;
+  await page.waitForTimeout(3000);
+  return (page.receivedBytes - before) / 3000;
+}
+
 async function measure(nodes) {
   const folder = mkdtempSync(join(tmpdir(), "mlab-bench-"));
   const file = join(folder, "many.cdl");
@@ -76,6 +104,10 @@ async function measure(nodes) {
   try {
     const page = await browser.page(size);
     page.setDefaultTimeout(120_000);
+    page.receivedBytes = 0;
+    page.on("websocket", (socket) => {
+      if (socket.url().includes("/session")) socket.on("framereceived", ({ payload }) => (page.receivedBytes += payload.length));
+    });
     const begin = performance.now();
     await page.goto(url);
     await page.locator(".react-flow__node").first().waitFor();
@@ -112,7 +144,8 @@ async function measure(nodes) {
       }
     });
     await page.mouse.up();
-    return { shown, load, pan, zoom, drag };
+    const live = await running(page, centre);
+    return { shown, load, pan, zoom, drag, ...live };
   } finally {
     await browser.close();
     mlab.kill("SIGINT");
@@ -126,6 +159,6 @@ for (const nodes of counts.length > 0 ? counts : [10, 500, 2000]) {
   console.log(`${nodes} nodes: ${shown} elements, first drawing after ${Math.round(load)} ms`);
   for (const [act, figures] of Object.entries(acts)) {
     const shownFigures = Object.entries(figures).map(([name, value]) => `${name} ${value.toFixed(1)}`);
-    console.log(`  ${act.padEnd(5)} ${shownFigures.join("   ")}`);
+    console.log(`  ${act.padEnd(14)} ${shownFigures.join("   ")}`);
   }
 }

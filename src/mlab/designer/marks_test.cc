@@ -17,7 +17,7 @@ using testing::LiveDesk;
 constexpr const char* kTurns = R"(assemblage Inner() {
   sequence {
     start Waiting: Stand();
-      when Wait(delay = 1 s) and not Blocked(readings = sense_obstacles(range = 1 m)) goto Moving;
+      when Wait(delay = 1 s) and not IsHalted() goto Moving;
     Moving: cooperate {
       1: Noise(persistence = 2 s);
       0.5: Noise(persistence = 9 s);
@@ -39,7 +39,8 @@ assemblage Outer() {
 class MarkTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    path_ = desk_.write(kTurns);
+    desk_.folder().write("project/one.cdl", kTurns);
+    path_ = desk_.open("one.cdl");
     const Answer tried = desk_.try_out(path_, "Outer");
     ASSERT_TRUE(tried.ok()) << tried.error();
   }
@@ -86,7 +87,8 @@ class MarkTest : public ::testing::Test {
     desk_.type(path_, text);
   }
   Mark mark(std::uint32_t id) {
-    for (const Mark& one : desk_.marks(path_).marks()) {
+    const MarkList all = desk_.marks(path_);
+    for (const Mark& one : all.marks()) {
       if (one.id() == id) return one;
     }
     ADD_FAILURE() << "no mark " << id;

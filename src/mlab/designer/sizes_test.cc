@@ -25,15 +25,32 @@
 namespace mlab::designer {
 namespace {
 
-constexpr const char* kGolden = MLAB_SOURCE_DIR "/web/designer/canvas/testdata/sizes.json";
+constexpr const char* kGolden = MLAB_SOURCE_DIR "/web/designer/canvas/testdata/sizes.golden";
 
 constexpr const char* kUnknown = R"(assemblage NobodyKnows(number: gain = 0.5) {
   let near = not Nothing(a = 1);
   cooperate {
     number: Nothing(first = 12 m, second = near);
     NoiseOfAVeryLongNameThatDoesNotFitAnywhere();
+    sequence {
+      start One: Stand();
+        when IsHalted() goto Two;
+      final Two: Stand();
+    };
   }
 }
+
+robot Doll {
+  movement = NobodyKnows();
+}
+
+society Pair: team of 2 Doll;
+
+society All: caste {
+  Pair;
+  team of 3 Pair;
+  Doll;
+};
 )";
 
 std::string content_of(const std::string& path) {

@@ -14,7 +14,7 @@ interface Golden {
   readonly drawing: JsonValue;
 }
 
-const golden = JSON.parse(readFileSync("designer/canvas/testdata/sizes.json", "utf8")) as Golden[];
+const golden = JSON.parse(readFileSync("designer/canvas/testdata/sizes.golden", "utf8")) as Golden[];
 
 test.each(golden.map(({ sizes, drawing }) => ({ sizes, drawing: fromJson(DrawingSchema, drawing) })))(
   "what is drawn on $drawing.page.path has the size that the server takes it to have",

@@ -63,6 +63,12 @@ class LiveDesk {
     arrived_.wait_for(lock, std::chrono::seconds(120), [&] { return answers_.contains(request); });
     return answers_[request];
   }
+  /// Without waiting for an answer.
+  void tell(const std::function<void(ToDesigner&)>& fill) {
+    auto message = std::make_unique<ToDesigner>();
+    fill(*message);
+    designer_->receive({1}, std::move(message));
+  }
   /// Opens a new document with this text, which is in no file.
   std::string write(const std::string& text) {
     const std::string path = open("");

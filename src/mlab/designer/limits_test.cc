@@ -1,0 +1,242 @@
+// What people and programs do to a designer that nobody thought of while it was drawn.
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "mlab/designer/testing/live_desk.h"
+
+namespace mlab::designer {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::LiveDesk;
+
+constexpr const char* kSmall = "assemblage One() {\n  Noise(persistence = 3 s)\n}\n";
+
+double seconds_of(const std::function<void()>& act) {
+  const auto begin = std::chrono::steady_clock::now();
+  act();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::string many_nodes(int nodes) {
+  std::string out = "assemblage Many() {\n  cooperate {\n";
+  for (int i = 0; i < nodes / 6; ++i) {
+    const std::string sense = fmt::format("sense_obstacles(range = {} m)", 1 + i % 9);
+    out += fmt::format(
+        "    1: cooperate {{\n      1: Noise(persistence = {} s);\n      0.5: AvoidStaticObstacles(readings "
+        "= {}, "
+        "sphere = 1 m, safety_margin = 0.5 m);\n      0.8: Probe(readings = {});\n    }};\n",
+        1 + i % 20, sense, sense);
+  }
+  return out + "  }\n}\n";
+}
+
+TEST(Limits, APageOfTwoThousandNodesIsEditedAndRun) {
+  LiveDesk desk;
+  const std::string path = desk.write(many_nodes(2000));
+  const Drawing drawing = desk.drawing(path, "Many");
+  EXPECT_GE(drawing.nodes_size(), 1990);
+  const double took = seconds_of([&] {
+    const Answer answer = desk.ask([&](ToDesigner& m) {
+      m.mutable_edit()->set_document(path);
+      m.mutable_edit()->set_revision(desk.document(path).revision());
+      Rename& rename = *m.mutable_edit()->add_changes()->mutable_rename();
+      rename.set_page("Many");
+      rename.set_node(drawing.nodes(1000).name());
+      rename.set_name("middle");
+    });
+    EXPECT_TRUE(answer.ok()) << answer.error();
+  });
+  RecordProperty("rename_ms", static_cast<int>(took * 1000));
+  EXPECT_LT(took, 10.0);
+  EXPECT_TRUE(desk.try_out(path, "Many").ok());
+}
+
+TEST(Limits, FiveMegabytesOfTextAreTypedInAndUndone) {
+  LiveDesk desk;
+  const std::string path = desk.write(kSmall);
+  std::string text = kSmall;
+  while (text.size() < 5'000'000) text += "// a line that says nothing, but is there all the same\n";
+  const double took = seconds_of([&] { desk.type(path, text); });
+  RecordProperty("type_ms", static_cast<int>(took * 1000));
+  EXPECT_LT(took, 30.0);
+  EXPECT_EQ(desk.drawing(path, "One").nodes_size(), 1);
+  EXPECT_TRUE(desk.ask([&](ToDesigner& m) { m.mutable_undo()->set_document(path); }).ok());
+}
+
+TEST(Limits, FiveHundredLettersASecondAreAllThere) {
+  LiveDesk desk;
+  const std::string path = desk.write(many_nodes(300));
+  const std::string before = desk.document(path).text();
+  const std::uint64_t revision = desk.document(path).revision();
+  constexpr int kLetters = 1000;
+  const double took = seconds_of([&] {
+    for (int i = 0; i < kLetters; ++i) {
+      desk.tell([&](ToDesigner& m) {
+        EditText& edit = *m.mutable_edit_text();
+        edit.set_document(path);
+        edit.set_revision(revision + static_cast<std::uint64_t>(i));
+        edit.set_begin(static_cast<std::uint32_t>(before.size()) + static_cast<std::uint32_t>(i));
+        edit.set_end(edit.begin());
+        edit.set_text(i % 60 == 0 ? "\n" : "/");
+      });
+    }
+    desk.drawing(path, "Many");
+  });
+  const std::string after = desk.document(path).text();
+  EXPECT_EQ(after.size(), before.size() + kLetters);
+  EXPECT_TRUE(after.starts_with(before));
+  RecordProperty("letters_per_second", static_cast<int>(kLetters / took));
+  EXPECT_GT(kLetters / took, 100.0);
+}
+
+TEST(Limits, TwoWhoTypeInTurnsLoseNothing) {
+  LiveDesk desk;
+  const std::string path = desk.write(kSmall);
+  std::string wanted = kSmall;
+  int refused = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Document now = desk.document(path);
+    // One types at the end, the other at the beginning, with what was there before the first one's letter.
+    for (const bool is_first : {true, false}) {
+      const Answer answer = desk.ask([&](ToDesigner& m) {
+        EditText& edit = *m.mutable_edit_text();
+        edit.set_document(path);
+        edit.set_revision(now.revision());
+        edit.set_begin(is_first ? static_cast<std::uint32_t>(now.text().size()) : 0);
+        edit.set_end(edit.begin());
+        edit.set_text(is_first ? "// a\n" : "// b\n");
+      });
+      if (is_first) {
+        EXPECT_TRUE(answer.ok()) << answer.error();
+        wanted += "// a\n";
+      } else {
+        refused += answer.ok() ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_EQ(refused, 50) << "what was typed into an older text is tried again by who typed it";
+  EXPECT_EQ(desk.document(path).text(), wanted);
+}
+
+class FilesThatAreNot : public ::testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& bytes) {
+    fs::create_directories(desk_.folder().path("project"));
+    std::ofstream(desk_.folder().path("project") / name, std::ios::binary) << bytes;
+  }
+  Answer open(const std::string& path) {
+    return desk_.ask([&](ToDesigner& m) { m.mutable_open()->set_path(path); });
+  }
+  Answer save(const std::string& path) {
+    return desk_.ask([&](ToDesigner& m) { m.mutable_save()->set_document(path); });
+  }
+  LiveDesk desk_;
+};
+
+TEST_F(FilesThatAreNot, AFolderIsRefusedInAWord) {
+  fs::create_directories(desk_.folder().path("project") / "one.cdl");
+  const Answer answer = open("one.cdl");
+  EXPECT_FALSE(answer.ok());
+  EXPECT_NE(answer.error(), "");
+}
+
+TEST_F(FilesThatAreNot, BytesThatAreNoTextAreShownAndDrawnAsFarAsTheyGo) {
+  write("one.cdl", std::string("assemblage One() {\n  Noise()\n}\n// \xff\xfe\x80 \0 end\n", 44));
+  const Answer answer = open("one.cdl");
+  ASSERT_TRUE(answer.ok()) << answer.error();
+  const Document document = desk_.document("one.cdl");
+  EXPECT_NE(document.text().find("Noise()"), std::string::npos);
+  EXPECT_EQ(desk_.drawing("one.cdl", "One").nodes_size(), 1);
+  write("two.cdl", std::string(100'000, '\xff'));
+  open("two.cdl");
+  EXPECT_TRUE(open("one.cdl").ok()) << "it still answers";
+}
+
+TEST_F(FilesThatAreNot, AFileDeletedWhileItIsOpenIsWrittenAnewBySaving) {
+  write("one.cdl", kSmall);
+  ASSERT_TRUE(open("one.cdl").ok());
+  desk_.type("one.cdl", std::string(kSmall) + "// more\n");
+  const fs::path file = desk_.folder().path("project") / "one.cdl";
+  fs::remove(file);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  Answer answer = save("one.cdl");
+  if (!answer.ok()) {
+    answer = desk_.ask([](ToDesigner& m) {
+      m.mutable_save()->set_document("one.cdl");
+      m.mutable_save()->set_overwrite(true);
+    });
+  }
+  EXPECT_TRUE(answer.ok()) << answer.error();
+  EXPECT_TRUE(fs::is_regular_file(file));
+}
+
+TEST_F(FilesThatAreNot, AFolderInPlaceOfAnOpenFileIsNotWrittenInto) {
+  write("one.cdl", kSmall);
+  ASSERT_TRUE(open("one.cdl").ok());
+  desk_.type("one.cdl", std::string(kSmall) + "// more\n");
+  const fs::path file = desk_.folder().path("project") / "one.cdl";
+  fs::remove(file);
+  fs::create_directories(file / "inside");
+  const Answer answer = desk_.ask([](ToDesigner& m) {
+    m.mutable_save()->set_document("one.cdl");
+    m.mutable_save()->set_overwrite(true);
+  });
+  EXPECT_FALSE(answer.ok());
+  EXPECT_NE(answer.error(), "");
+  EXPECT_TRUE(fs::is_directory(file / "inside"));
+  EXPECT_EQ(desk_.document("one.cdl").text(), std::string(kSmall) + "// more\n");
+}
+
+TEST_F(FilesThatAreNot, WhatIsReadOnlyInTheProjectIsSaidWhenItIsSaved) {
+  write("one.cdl", kSmall);
+  const fs::path folder = desk_.folder().path("project");
+  ASSERT_TRUE(open("one.cdl").ok());
+  desk_.type("one.cdl", std::string(kSmall) + "// more\n");
+  fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
+  std::ofstream probe(folder / "probe");
+  const bool is_superuser = probe.is_open();  // who may write everywhere
+  probe.close();
+  const Answer answer = save("one.cdl");
+  fs::permissions(folder, fs::perms::owner_all);
+  EXPECT_EQ(answer.ok(), is_superuser) << answer.error();
+  if (!is_superuser) {
+    EXPECT_NE(answer.error().find("cannot write"), std::string::npos) << answer.error();
+  }
+}
+
+TEST(Limits, AFieldOfTheFinestGridLetsTheRunGoOn) {
+  LiveDesk desk;
+  const std::string path = desk.open("examples:forage/forager.cdl");
+  ASSERT_TRUE(desk.try_out(path, "Forager", 20).ok());
+  ASSERT_TRUE(desk.runs_until(1.0));
+  std::size_t arrows = 0;
+  const double took = seconds_of([&] {
+    const Answer answer = desk.ask([&](ToDesigner& m) {
+      ReadField& request = *m.mutable_read_field();
+      request.set_document(path);
+      request.set_page("Forage");
+      request.set_robot(1);
+      request.mutable_area()->set_x_max(40.0);
+      request.mutable_area()->set_y_max(30.0);
+      request.set_columns(100);
+      request.set_rows(100);
+    });
+    EXPECT_TRUE(answer.ok()) << answer.error();
+    arrows = answer.field().arrows().size() / sizeof(LiveDesk::Arrow);
+  });
+  EXPECT_EQ(arrows, 10'000U);
+  RecordProperty("field_ms", static_cast<int>(took * 1000));
+}
+
+}  // namespace
+}  // namespace mlab::designer
