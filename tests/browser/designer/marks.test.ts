@@ -1,5 +1,5 @@
 // Probes and breakpoints stay with what they were set on: over reloads, in every window, and when it is renamed.
-import { expect, test } from "vitest";
+import { test } from "vitest";
 import { begin, type DesignerPage, look } from "./designer.ts";
 
 const kTurns = `assemblage Turns() {
@@ -51,7 +51,10 @@ test("a breakpoint on a transition goes with its states, is lost with them, and 
   // The run stands at the breakpoint: it begins anew with the new text.
   await designer.page.locator("[data-tour=run]").click();
   await breakpoints(designer).getByRole("button", { name: "Idling → Moving", exact: true }).waitFor();
-  await simulator(designer).getByRole("alert").getByText(/goes from Idling to Moving/).waitFor();
+  await simulator(designer)
+    .getByRole("alert")
+    .getByText(/goes from Idling to Moving/)
+    .waitFor();
   await transition(designer, "Idling").click();
   await designer.page.keyboard.press("Delete");
   await breakpoints(designer).getByText("Lost: not in the drawing").waitFor();
@@ -84,7 +87,12 @@ test("probes are there after a reload and in every window", async () => {
   await probes(designer).locator(".live-arrow").waitFor();
   const other = await look(mlab.url, { width: 1600, height: 900 });
   await other.on("Turns");
-  await other.page.getByRole("button", { name: /^Simulator/ }).first().click();
-  await probes(other).getByRole("button", { name: /^Take away the probe/ }).click();
+  await other.page
+    .getByRole("button", { name: /^Simulator/ })
+    .first()
+    .click();
+  await probes(other)
+    .getByRole("button", { name: /^Take away the probe/ })
+    .click();
   await probes(designer).waitFor({ state: "detached" });
 });
