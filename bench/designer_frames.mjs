@@ -71,7 +71,7 @@ async function frames(page, act) {
 /** The same canvas while three robots run what is drawn. */
 async function running(page, centre) {
   await page.locator("[data-tour=run]").click();
-  await page.locator(".wire-label.live, .live-arrow").first().waitFor();
+  await page.getByText("Running", { exact: true }).waitFor();
   await page.waitForTimeout(2000);
   const moved = async () => {
     for (let i = 0; i < 120; ++i) {
@@ -85,7 +85,11 @@ async function running(page, centre) {
   const here = await kilobytes(page);
   await page.locator("body").press("Home");
   await page.waitForTimeout(1000);
-  return { "live, still": still, "live, moved": live, "from simulator": { "kB/s": here, "kB/s, other page": await kilobytes(page) } };
+  return {
+    "live, still": still,
+    "live, moved": live,
+    "from simulator": { "kB/s": here, "kB/s, other page": await kilobytes(page) },
+  };
 }
 
 /** What the simulator sends in a second. */
@@ -106,7 +110,8 @@ async function measure(nodes) {
     page.setDefaultTimeout(120_000);
     page.receivedBytes = 0;
     page.on("websocket", (socket) => {
-      if (socket.url().includes("/session")) socket.on("framereceived", ({ payload }) => (page.receivedBytes += payload.length));
+      if (socket.url().includes("/session"))
+        socket.on("framereceived", ({ payload }) => (page.receivedBytes += payload.length));
     });
     const begin = performance.now();
     await page.goto(url);
