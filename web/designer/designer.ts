@@ -2,7 +2,7 @@
 import { Link } from "./link/link.ts";
 import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
 import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Request } from "./protocol.ts";
-import type { Notice, Shown, State, Store } from "./state.ts";
+import { type Notice, type Shown, type State, type Store, shownAfter } from "./state.ts";
 
 export class Designer {
   readonly link: Link;
@@ -45,7 +45,7 @@ export class Designer {
   }
 
   show(change: Partial<Shown>): void {
-    this.store.setState((state) => ({ shown: { ...state.shown, ...change } }));
+    this.store.setState(({ shown }) => ({ shown: shownAfter(shown, change) }));
   }
 
   select(selection: readonly string[]): void {

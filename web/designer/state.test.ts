@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { createState, firstShown, readShown } from "./state.ts";
+import { besideSimulator, createState, firstShown, readShown, shownAfter } from "./state.ts";
 
 test("what is shown is kept over a reload", () => {
   localStorage.clear();
@@ -15,4 +15,22 @@ test("what was stored may be anything", () => {
   for (const stored of [null, 3, "x", [], { text: "yes", textWidth: "wide" }])
     expect(readShown(stored, first)).toEqual(first);
   expect(readShown({ textWidth: 99_999, live: true }, first)).toMatchObject({ textWidth: 1200, live: true });
+});
+
+test("the palette makes room for the simulator in a narrow window, and comes back with its end", () => {
+  const first = firstShown(1280);
+  const beside = shownAfter(first, besideSimulator(first, true));
+  expect(beside).toMatchObject({ live: true, palette: false });
+  expect(shownAfter(beside, { details: false })).toMatchObject({ live: true, palette: false });
+  expect(shownAfter(beside, { live: false })).toMatchObject({ live: false, palette: true, paletteWaits: false });
+  expect(shownAfter(first, besideSimulator(first, false))).toMatchObject({ live: true, palette: true });
+});
+
+test("a palette that somebody hid stays hidden when the simulator is closed", () => {
+  const hidden = shownAfter(firstShown(1280), { palette: false });
+  const beside = shownAfter(hidden, besideSimulator(hidden, true));
+  expect(shownAfter(beside, { live: false }).palette).toBe(false);
+  const first = firstShown(1280);
+  const reopened = shownAfter(shownAfter(first, besideSimulator(first, true)), { palette: true });
+  expect(shownAfter(shownAfter(reopened, { palette: false }), { live: false }).palette).toBe(false);
 });

@@ -28,6 +28,8 @@ export interface Shown {
   problems: boolean;
   /** The map of the embedded simulator. */
   live: boolean;
+  /** The palette has made room for the map, and comes back with its end. */
+  paletteWaits: boolean;
   minimap: boolean;
   grid: boolean;
   /** [px] */
@@ -104,6 +106,7 @@ export function firstShown(windowWidth: number): Shown {
     text: windowWidth >= 1700,
     problems: false,
     live: false,
+    paletteWaits: false,
     minimap: true,
     grid: true,
     paletteWidth: 232,
@@ -146,6 +149,19 @@ export function createState(storage: Storage, windowWidth: number): Store {
     }
   });
   return store;
+}
+
+/** The simulator needs room: where the window is narrow the palette makes it, for as long as the simulator is open. */
+export function besideSimulator({ palette }: Shown, isNarrow: boolean): Partial<Shown> {
+  return isNarrow && palette ? { live: true, palette: false, paletteWaits: true } : { live: true };
+}
+
+/** A palette that made room comes back when the simulator is closed, unless somebody has said otherwise meanwhile. */
+export function shownAfter(before: Shown, change: Partial<Shown>): Shown {
+  const after = { ...before, ...change };
+  if (change.palette !== undefined) after.paletteWaits = change.paletteWaits ?? false;
+  if (!after.paletteWaits || after.live) return after;
+  return { ...after, palette: true, paletteWaits: false };
 }
 
 /** What was stored may be of another version, or anything at all: what can't be used is as at first. */

@@ -416,7 +416,8 @@ void add_way(const Model& model, const std::string& path, const DrawingContext& 
     out.add_way_titles(title);
   };
   const std::size_t slash = context.document.rfind('/');
-  add("", context.document.substr(slash == std::string::npos ? 0 : slash + 1));
+  const bool is_new = context.document.starts_with("new:");
+  add("", is_new ? "New configuration" : context.document.substr(slash == std::string::npos ? 0 : slash + 1));
   if (path.empty()) return;
   add(std::string(owner_of(path)), std::string(owner_of(path)));
   const Model::Found found = model.page(path);

@@ -114,7 +114,9 @@ Done Editor::group(const Group& change) {
     std::vector<std::string> names;
     for (const int at : outputs) names.push_back(fmt::format("`{}`", view.node(at).name));
     return refusal(
-        fmt::format("an assemblage gives one value, and these give several: {}", fmt::join(names, ", ")));
+        fmt::format("an assemblage gives one value, and these give several: {}; choose what they lead to "
+                    "as well, so that one is left",
+                    fmt::join(names, ", ")));
   }
   const int top = *outputs.begin();
   const GraphNode& output = view.node(top);
@@ -227,7 +229,57 @@ Done Editor::group(const Group& change) {
   for (const int at : chosen) {
     if (view.node(at).let != nullptr && at != top) erase_let(*view.node(at).let);
   }
-  return work_.commit();
+  const std::vector<Stood> stood = places(view, change.page(), chosen);
+  if (const Done done = work_.commit(); !done) return done;
+  return arrange_group(change, stood);
+}
+
+// Where the layout has these nodes, and by what they are found again.
+std::vector<Editor::Stood> Editor::places(const PageView& view, const std::string& page,
+                                          const std::set<int>& nodes) {
+  std::vector<Stood> out;
+  const cdl::Layout* layout = work_.model().layout(page);
+  if (layout == nullptr) return out;
+  for (const int at : nodes) {
+    const GraphNode& one = view.node(at);
+    const auto entry = std::ranges::find_if(
+        layout->entries, [&](const cdl::LayoutEntry& e) { return e.node.text == one.name; });
+    const std::optional<Anchor> anchor = anchor_of(one, work_.tokens());
+    if (entry != layout->entries.end() && anchor)
+      out.push_back({work_.follow(*anchor), entry->x, entry->y});
+  }
+  return out;
+}
+
+// The nodes stand in the new assemblage as they stood, and its own node where the change says.
+Done Editor::arrange_group(const Group& change, const std::vector<Stood>& stood) {
+  Arrange inside;
+  inside.set_page(change.name());
+  const auto add = [](Arrange& where, const std::string& node, double x, double y) {
+    Arrange::At& at = *where.add_nodes();
+    at.set_node(node);
+    at.set_x(x);
+    at.set_y(y);
+  };
+  for (const auto& [name, anchor] : anchors_of(work_.model(), change.name(), work_.tokens())) {
+    for (const Stood& one : stood) {
+      if (work_.where(one.handle) == anchor) add(inside, name, one.x, one.y);
+    }
+  }
+  if (inside.nodes_size() > 0) {
+    if (const Done done = arrange(inside); !done) return done;
+  }
+  if (!change.has_x() || !change.has_y()) return true;
+  const text::Result<PageView> found = page(change.page());
+  if (!found) return std::unexpected(found.error());
+  Arrange outside;
+  outside.set_page(change.page());
+  for (const GraphNode& one : found->page->nodes) {
+    const auto* call = one.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&one.expression->what);
+    if (call != nullptr && call->callee.text == change.name())
+      add(outside, one.name, change.x(), change.y());
+  }
+  return outside.nodes_size() == 0 ? Done(true) : arrange(outside);
 }
 
 // What the called assemblage is made of, with the call's values in place of its parameters.

@@ -293,6 +293,63 @@ assemblage A(curious: gain = 0.8) {
   EXPECT_EQ(text.text().substr(text.text().find("assemblage A")), before);
 }
 
+TEST(Edit, KeepsTheArrangementOfWhatBecomesAnAssemblage) {
+  DrawnText text(R"(assemblage A() {
+  let around = sense_obstacles(range = 2 m);
+  compete by priority {
+    cooperate {
+      1: Noise();
+      1: AvoidStaticObstacles(readings = around);
+    };
+    Stand();
+  }
+}
+
+layout A {
+  around 0 300;
+  compete 800 100;
+  cooperate 500 120;
+  cooperate.Noise 240 40;
+  cooperate.AvoidStaticObstacles 240 200;
+}
+)");
+  ASSERT_EQ(text.errors(), "");
+  text.change([](Change& change) {
+    Group& group = *change.mutable_group();
+    group.set_page("A");
+    for (const char* one : {"cooperate", "cooperate.Noise", "cooperate.AvoidStaticObstacles"})
+      group.add_nodes(one);
+    group.set_name("Drift");
+    group.set_x(360);
+    group.set_y(120);
+  });
+  EXPECT_EQ(text.errors(), "");
+  EXPECT_EQ(text.text().substr(text.text().find("layout A")), R"(layout A {
+  around 0 300;
+  compete 800 100;
+  Drift 360 120;
+}
+
+layout Drift {
+  cooperate 500 120;
+  Noise 240 40;
+  AvoidStaticObstacles 240 200;
+}
+)") << text.text();
+}
+
+TEST(Edit, SaysWhatToChooseWhereAnAssemblageWouldGiveSeveralValues) {
+  DrawnText text("assemblage A() {\n  cooperate {\n    1: Noise();\n    1: MoveAhead();\n  }\n}\n");
+  const std::string refusal = text.refused([](Edit& edit) {
+    Group& group = *edit.add_changes()->mutable_group();
+    group.set_page("A");
+    group.add_nodes("Noise");
+    group.add_nodes("MoveAhead");
+    group.set_name("Drift");
+  });
+  EXPECT_NE(refusal.find("choose what they lead to as well"), std::string::npos) << refusal;
+}
+
 TEST(Edit, CopiesAndPastes) {
   DrawnText text("assemblage A() {\n  cooperate {\n    1: Noise(persistence = 3 s);\n  }\n}\n");
   Copy copy;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -134,7 +135,15 @@ class Editor {
   Done remove_member(const RemoveMember& change);
 
   // ---- edit_groups.cc
+  /// A node that is followed, and where it stood [px].
+  struct Stood {
+    int handle = -1;
+    double x = 0.0;
+    double y = 0.0;
+  };
   Done group(const Group& change);
+  std::vector<Stood> places(const PageView& view, const std::string& page, const std::set<int>& nodes);
+  Done arrange_group(const Group& change, const std::vector<Stood>& stood);
   Done ungroup(const Ungroup& change);
   Done paste(const Paste& change);
 

@@ -11,7 +11,8 @@ import { type CanvasNode, kOut } from "./flow.ts";
 import { type Form, kindOf, type Row } from "./form.ts";
 import { NodeIcon } from "./icons.tsx";
 import { outlinePath } from "./outline.ts";
-import { flowOf, shownType } from "./types.ts";
+import { flowOf } from "./types.ts";
+import { typeWords } from "./value_words.ts";
 
 type Props = NodeProps<Extract<CanvasNode, { type?: "node" }>>;
 
@@ -139,7 +140,7 @@ function InputRow({ node, row }: { node: Node; row: Row }) {
         id={row.id}
         position={Position.Left}
         className={`port flow-${flowOf(port.type)} ${row.kind}`}
-        title={`${row.label}: ${shownType(port.type, port.unit)}`}
+        title={`${row.label}: ${typeWords(port.type, port.unit)}`}
       />
       <span className="row-label ellipsis" title={port.help || undefined}>
         {row.kind === "more" ? `+ ${row.label}` : row.label}
@@ -184,7 +185,7 @@ function Output({ node, form }: { node: Node; form: Form }) {
       position={Position.Right}
       className={`port out flow-${flowOf(node.type)} ${state}`}
       style={{ top: form.outputY }}
-      title={`${node.name} gives ${shownType(node.type, node.unit)}`}
+      title={`${node.name} gives ${typeWords(node.type, node.unit)}`}
     />
   );
 }
@@ -201,7 +202,7 @@ export function spokenNode(node: Node): string {
     node.component && node.component !== node.name ? node.component : "",
     kindOf(node.shape),
   ];
-  if (node.type) parts.push(`gives ${shownType(node.type, node.unit)}`);
+  if (node.type) parts.push(`gives ${typeWords(node.type, node.unit)}`);
   if (node.inputs.length > 0) parts.push(`${node.inputs.length} inputs${open > 0 ? `, ${open} without a value` : ""}`);
   if (node.isLoose) parts.push("not connected");
   return parts.filter((part) => part !== "").join(", ");

@@ -30,8 +30,3 @@ export function flowOf(type: string): Flow {
   if (plain === "Text" || plain === "text") return "text";
   return kThings.test(plain) ? "thing" : "percept";
 }
-
-/** For people: `Vector [m]`. */
-export function shownType(type: string, unit: string): string {
-  return unit ? `${type} [${unit}]` : type;
-}

@@ -9,7 +9,7 @@ import { useDesigner, useDrawing, useIsReadOnly } from "../use.ts";
 import { canvasStore, useCanvas } from "./canvas_store.ts";
 import { portOf } from "./form.ts";
 import { numberIn, sliderValue } from "./quantity.ts";
-import { shownType } from "./types.ts";
+import { fieldLabel, limitWords } from "./value_words.ts";
 
 export function ValueEditor() {
   const editing = useCanvas((state) => state.editing);
@@ -51,6 +51,14 @@ function Editor({ node, port, what, row }: { node: Node; port: Port; what: "valu
       </Dialog>
     </Popover>
   );
+}
+
+/** What it is for, and below it what it may be. */
+function helpOf(port: Port, what: "value" | "weight", isCompact: boolean): string {
+  if (what === "weight") return "1 where nothing is said.";
+  const help = port.help === "" || /[.!?]$/.test(port.help) ? port.help : `${port.help}.`;
+  const words = [isCompact ? "" : help, limitWords(port)].filter((part) => part !== "").join(" ");
+  return words === "" ? "" : words[0]!.toUpperCase() + words.slice(1);
 }
 
 interface ValueFieldProps {
@@ -98,7 +106,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
   return (
     <div className="rows" style={{ gap: 8 }}>
       <Field
-        label={what === "weight" || port.type === "" ? label : `${label}, ${shownType(port.type, port.unit)}`}
+        label={what === "weight" ? label : fieldLabel(label, port.type, port.unit)}
         value={typed}
         onChange={(next) => {
           setTyped(next);
@@ -108,7 +116,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
         problem={problem}
         autoFocus={!isCompact}
         isDisabled={isReadOnly}
-        help={isCompact ? "" : port.help}
+        help={helpOf(port, what, isCompact)}
       />
       {hasRange && (
         <ValueSlider

@@ -16,6 +16,19 @@ export function wirePath(from: Point, to: Point): { path: string; middle: Point 
   };
 }
 
+/** Half of what a value may take beside a wire, and the room that it keeps to the nodes [px]. */
+const kHalfBadge = 44;
+const kAbove = 30;
+
+/**
+ * Where the value stands that flows in a wire: in its middle where there is room between the nodes, else above the corner
+ * of the node that it comes from.
+ */
+export function badgePlace(from: Point, to: Point): { at: Point; isAbove: boolean } {
+  if (to.x - from.x >= 2 * kHalfBadge) return { at: wirePath(from, to).middle, isAbove: false };
+  return { at: { x: from.x + 8, y: from.y - kAbove }, isAbove: true };
+}
+
 function round(value: number): number {
   return Math.round(value * 10) / 10;
 }

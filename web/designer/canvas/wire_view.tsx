@@ -5,13 +5,18 @@ import { LiveShown } from "../live/badge.tsx";
 import { useLive } from "../live/use_live.ts";
 import { useCanvas } from "./canvas_store.ts";
 import type { CanvasWire } from "./flow.ts";
-import { wirePath } from "./wire_path.ts";
+import { badgePlace, wirePath } from "./wire_path.ts";
 
 export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
   const { sourceX, sourceY, targetX, targetY, data, selected } = props;
   const distance = useCanvas((state) => state.distance);
   const value = useLive(data?.page ?? "", data?.wire.live ?? "");
-  const { path, middle } = wirePath({ x: sourceX, y: sourceY }, { x: targetX, y: targetY });
+  const [from, to] = [
+    { x: sourceX, y: sourceY },
+    { x: targetX, y: targetY },
+  ];
+  const { path } = wirePath(from, to);
+  const { at, isAbove } = badgePlace(from, to);
   const classes = `wire flow-${data?.flow ?? "percept"} ${data?.wire.isActive ? "moves-sensor" : ""} ${selected ? "selected" : ""}`;
   if (distance !== "near") return <path d={path} className={`react-flow__edge-path ${classes}`} fill="none" />;
   return (
@@ -21,7 +26,7 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
         <EdgeLabelRenderer>
           <span
             className={`wire-label number ${value ? "live" : ""}`}
-            style={{ transform: `translate(-50%, -50%) translate(${middle.x}px, ${middle.y}px)` }}
+            style={{ transform: `translate(${isAbove ? "-100%" : "-50%"}, -50%) translate(${at.x}px, ${at.y}px)` }}
           >
             {value ? <LiveShown value={value} /> : `${data?.wire.type}${data?.wire.unit ? ` [${data.wire.unit}]` : ""}`}
           </span>

@@ -1,8 +1,8 @@
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { wiredOf } from "../canvas/flow.ts";
 import { kindOf, rowId } from "../canvas/form.ts";
-import { shownType } from "../canvas/types.ts";
 import { ValueField } from "../canvas/value_editor.tsx";
+import { typeWords } from "../canvas/value_words.ts";
 import { disconnectChange } from "../canvas/wiring.ts";
 import type { Designer } from "../designer.ts";
 import { lastPart } from "../pages/pages.ts";
@@ -38,7 +38,7 @@ export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node })
       {node.type !== "" && (
         <Section title="Output">
           <p className="small">
-            {shownType(node.type, node.unit)}
+            {typeWords(node.type, node.unit)}
             <span className="muted"> · {readersOf(drawing, node.name)}</span>
           </p>
         </Section>
@@ -142,7 +142,7 @@ function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Po
             <span className="muted">
               {wires.length > 0
                 ? `from ${wires.map((wire) => lastPart(wire.from)).join(", ")}`
-                : shownType(port.type, port.unit)}
+                : typeWords(port.type, port.unit)}
             </span>
           </span>
           {!isReadOnly &&

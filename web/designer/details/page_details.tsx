@@ -1,5 +1,5 @@
 import { Button, IconButton } from "../../console/ui/controls.tsx";
-import { shownType } from "../canvas/types.ts";
+import { typeWords } from "../canvas/value_words.ts";
 import { titleOf } from "../designer.ts";
 import { lastPart } from "../pages/pages.ts";
 import { type Drawing, Drawing_Kind, type Parameter } from "../protocol.ts";
@@ -116,6 +116,6 @@ function Parameters({ drawing }: { drawing: Drawing }) {
 }
 
 function summary(parameter: Parameter): string {
-  const type = shownType(parameter.type, parameter.unit);
+  const type = typeWords(parameter.type, parameter.unit);
   return parameter.initial ? `${type} = ${parameter.initial}` : type;
 }

@@ -1,6 +1,6 @@
 import { Button } from "../../console/ui/controls.tsx";
 import { wireId } from "../canvas/flow.ts";
-import { shownType } from "../canvas/types.ts";
+import { typeWords } from "../canvas/value_words.ts";
 import { disconnectChange, endOf } from "../canvas/wiring.ts";
 import { type Drawing, kResult } from "../protocol.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
@@ -16,7 +16,7 @@ export function WireDetails({ drawing, id }: { drawing: Drawing; id: string }) {
   const to = node === kResult ? "the result of the page" : `${row} of ${node}`;
   return (
     <div className="details">
-      <Heading name="Wire" kind={wire ? shownType(wire.type, wire.unit) : drawing.resultType} />
+      <Heading name="Wire" kind={wire ? typeWords(wire.type, wire.unit) : drawing.resultType} />
       <p className="small">
         From <b>{from}</b> to <b>{to}</b>.
       </p>

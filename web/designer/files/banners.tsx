@@ -38,7 +38,7 @@ function LinkBanner() {
       <Icon name="warning" />
       <span className="grow">
         {isRefused
-          ? `The server refuses this page: ${link.reason}. Open the address that mlab printed.`
+          ? `The server refuses this page: ${link.reason}. Open the address that mlab has printed; what was not saved is kept there.`
           : `Connection lost: ${link.reason}. Nothing can be changed until it is back; what you did is kept by the server.`}
       </span>
       {!isRefused && (

@@ -27,7 +27,7 @@ class Socket {
 }
 const decode = (bytes: Uint8Array) => fromBinary(ToDesignerSchema, bytes);
 
-function begin() {
+function begin(isStranger = async () => false) {
   const sockets: Socket[] = [];
   const states: LinkState["state"][] = [];
   const heard: FromDesigner[] = [];
@@ -35,6 +35,7 @@ function begin() {
     page,
     receive: (message) => heard.push(message),
     changed: ({ state }) => states.push(state),
+    isStranger,
     open: () => {
       sockets.push(new Socket());
       return sockets.at(-1) as unknown as WebSocket;
@@ -87,5 +88,22 @@ test("who is not wanted does not come back", () => {
   expect(states.at(-1)).toBe("refused");
   vi.advanceTimersByTime(20_000);
   expect(sockets).toHaveLength(1);
+  vi.useRealTimers();
+});
+
+test("a server that was started anew with another address is told from none, and tried on quietly", async () => {
+  vi.useFakeTimers();
+  const { sockets, states } = begin(async () => true);
+  sockets[0]!.onclose({ code: 1006, reason: "" });
+  await vi.advanceTimersByTimeAsync(1);
+  expect(states.at(-1)).toBe("refused");
+  await vi.advanceTimersByTimeAsync(20_000);
+  sockets.at(-1)!.onclose({ code: 1006, reason: "" });
+  await vi.advanceTimersByTimeAsync(20_000);
+  expect(states.filter((state) => state === "refused")).toHaveLength(1);
+  expect(sockets.length).toBeGreaterThan(2);
+  sockets.at(-1)!.open();
+  sockets.at(-1)!.say({ case: "hello", value: { protocol: 1 } } as FromDesigner["body"]);
+  expect(states.at(-1)).toBe("open");
   vi.useRealTimers();
 });

@@ -18,6 +18,8 @@ export interface LinkOptions {
   /** Whatever is not an answer. */
   readonly receive: (message: FromDesigner) => void;
   readonly changed: (state: LinkState) => void;
+  /** Whether a server is there that does not know the page's token. Replaced in tests. */
+  readonly isStranger?: (page: URL) => Promise<boolean>;
   /** Replaced in tests. */
   readonly open?: (url: string) => WebSocket;
 }
@@ -30,13 +32,15 @@ export class Link {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private isClosed = false;
   private isWelcome = false;
+  /** The server has been started anew, with another token. */
+  private isStranger = false;
 
   constructor(private readonly options: LinkOptions) {}
 
   connect(): void {
     clearTimeout(this.timer);
     if (this.socket || this.isClosed) return;
-    this.tellState(this.attempts ? "lost" : "connecting", "");
+    if (!this.isStranger) this.tellState(this.attempts ? "lost" : "connecting", "");
     const open = this.options.open ?? ((url: string) => new WebSocket(url));
     const socket = open(addressOf(this.options.page));
     socket.binaryType = "arraybuffer";
@@ -84,6 +88,7 @@ export class Link {
     if (body.case === "hello") {
       this.attempts = 0;
       this.isWelcome = true;
+      this.isStranger = false;
       this.tellState("open", "");
     }
     this.options.receive(message);
@@ -103,11 +108,30 @@ export class Link {
     const pause = Math.min(kLongestPause, kShortestPause * 2 ** this.attempts) * (0.8 + 0.4 * Math.random());
     ++this.attempts;
     this.timer = setTimeout(() => this.connect(), pause);
+    // It is tried on quietly: a server may come that is given this address again.
+    if (this.isStranger) return;
     this.tellState("lost", event.reason || "the server does not answer", Date.now() + pause);
+    if (!this.isWelcome) void this.lookForStranger();
+  }
+
+  /** To a WebSocket a refused token looks as if no server was there. */
+  private async lookForStranger(): Promise<void> {
+    const look = this.options.isStranger ?? refusesToken;
+    if (!(await look(this.options.page)) || this.isOpen || this.isClosed) return;
+    this.isStranger = true;
+    this.tellState("refused", "mlab was started anew, and has another address now");
   }
 
   private tellState(state: LinkState["state"], reason: string, retryAt = 0): void {
     this.options.changed({ state, reason, retryAt });
+  }
+}
+
+async function refusesToken(page: URL): Promise<boolean> {
+  try {
+    return (await fetch(withToken(page, "health"), { cache: "no-store" })).status === 403;
+  } catch {
+    return false; // nobody answers
   }
 }
 

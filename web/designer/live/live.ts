@@ -11,6 +11,7 @@ import type { Designer } from "../designer.ts";
 import { withToken } from "../link/link.ts";
 import { lastPart } from "../pages/pages.ts";
 import type { Drawing } from "../protocol.ts";
+import { besideSimulator } from "../state.ts";
 import type { BreakpointInit } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
@@ -82,7 +83,7 @@ export class Live {
   showPane(): void {
     const { shown } = this.designer.state;
     if (shown.live) return;
-    this.designer.show({ live: true, ...(window.innerWidth < kWide ? { palette: false } : {}) });
+    this.designer.show(besideSimulator(shown, window.innerWidth < kWide));
     // Once the canvas has its new width.
     setTimeout(() => fit(), 200);
   }

@@ -1,8 +1,7 @@
 // Small dialogs about what is on the page: names, new declarations, parameters, groups.
-import { useState } from "react";
+import { type ReactNode, useState } from "react";
 import { Button, Field } from "../../console/ui/controls.tsx";
 import { DialogBox } from "../../console/ui/menus.tsx";
-import { parted } from "../actions/editing.ts";
 import { Choice } from "../details/choice.tsx";
 import { transitionOf } from "../states/flow.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
@@ -16,11 +15,13 @@ interface AskProps {
   button: string;
   help?: string;
   isFree?: boolean;
+  /** Above the field. */
+  children?: ReactNode;
   /** Gives what is wrong; nothing: done. */
   done: (value: string) => Promise<string>;
 }
 
-function Ask({ title, label, first, button, help, isFree = false, done }: AskProps) {
+export function Ask({ title, label, first, button, help, isFree = false, children, done }: AskProps) {
   const designer = useDesigner();
   const [value, setValue] = useState(first);
   const [problem, setProblem] = useState<string | undefined>();
@@ -46,6 +47,7 @@ function Ask({ title, label, first, button, help, isFree = false, done }: AskPro
         </>
       }
     >
+      {children}
       {/* Enter in the field is the button's. */}
       <form
         onSubmit={(event) => {
@@ -132,27 +134,6 @@ export function DeclarationDialog() {
   );
 }
 
-export function GroupDialog() {
-  const designer = useDesigner();
-  const page = usePart((state) => state.page);
-  const { nodes } = parted(designer);
-  return (
-    <Ask
-      title={`Make an assemblage of ${nodes.length === 1 ? nodes[0] : `${nodes.length} nodes`}`}
-      label="Name"
-      first=""
-      button="Make it"
-      help="What drives them from outside becomes its parameters."
-      done={async (name) => {
-        const answer = await designer.link.ask(
-          editOf(designer, `make assemblage ${name}`, { case: "group", value: { page, nodes, name } }),
-        );
-        return answer.error;
-      }}
-    />
-  );
-}
-
 const kTypes = [
   "gain",
   "number",
@@ -230,7 +211,7 @@ export function ParameterDialog() {
   );
 }
 
-function editOf(
+export function editOf(
   designer: ReturnType<typeof useDesigner>,
   name: string,
   ...changes: Parameters<typeof designer.edit>[1][]

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { ComponentSchema, Node_Shape } from "../protocol.ts";
-import { firstSentence, found, groupsOf, isForPage } from "./groups.ts";
+import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
 
 const all = [
   create(ComponentSchema, {
@@ -18,12 +18,25 @@ const all = [
   }),
   create(ComponentSchema, { name: "DetectGoal", group: "Perception", shape: Node_Shape.PERCEPTION }),
 ];
+const inGroups = (...groups: string[]) => groups.map((group) => create(ComponentSchema, { name: group, group }));
 
 test("components stand in their groups", () => {
   expect(groupsOf(all).map((group) => [group.name, group.components.length])).toEqual([
     ["Motor schemas", 2],
     ["Perception", 1],
   ]);
+});
+
+test("what a beginner wants first stands first, whatever the order in which it came", () => {
+  const came = inGroups("Logic", "Operators", "Assemblages", "Mine", "Motor schemas", "Sensors", "This file");
+  const order = ["This file", "Motor schemas", "Sensors", "Operators", "Mine", "Assemblages", "Logic"];
+  expect(groupsOf(came).map((group) => group.name)).toEqual(order);
+});
+
+test("what a first skill is made of is unfolded, what comes later is not", () => {
+  expect(["Motor schemas", "Sensors", "Operators", "Mine"].every((one) => isOpenAtFirst(one, false))).toBe(true);
+  expect(["Assemblages", "Logic"].some((one) => isOpenAtFirst(one, false))).toBe(false);
+  expect(isOpenAtFirst("Assemblages", true)).toBe(true);
 });
 
 test("a few letters find a component, by its historic name too, or by what it is said to do", () => {

@@ -8,14 +8,30 @@ export interface Group {
   components: Component[];
 }
 
-/** In the order in which they came, own ones first; what a page of states can't hold is left out there. */
+/** What one has made oneself, then what a first skill is made of: motors, eyes, something that puts them together. */
+const kOrder = ["This file", "This project", "Motor schemas", "Sensors", "Operators"];
+const kLater = ["Assemblages", "Perception", "Triggers", "Logic", "Actuators"];
+
+/** What a beginner wants first comes first; groups that nobody has heard of are between the two. */
 export function groupsOf(components: readonly Component[]): Group[] {
   const groups = new Map<string, Component[]>();
   for (const component of components) {
     const name = component.group || "Others";
     groups.set(name, [...(groups.get(name) ?? []), component]);
   }
-  return [...groups].map(([name, members]) => ({ name, components: members }));
+  return [...groups]
+    .map(([name, members]) => ({ name, components: members }))
+    .sort((a, b) => rankOf(a.name) - rankOf(b.name));
+}
+
+function rankOf(group: string): number {
+  const [early, late] = [kOrder.indexOf(group), kLater.indexOf(group)];
+  return early >= 0 ? early : kOrder.length + 1 + late;
+}
+
+/** Whether a group is unfolded that nobody has touched: the palette of a dataflow page begins short. */
+export function isOpenAtFirst(group: string, isStates: boolean): boolean {
+  return isStates || !kLater.includes(group);
 }
 
 /** Of those, what is called so; the best first. */

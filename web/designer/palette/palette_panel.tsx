@@ -7,8 +7,9 @@ import { toneOf } from "../canvas/form.ts";
 import { NodeIcon } from "../canvas/icons.tsx";
 import { type Component, Drawing_Kind } from "../protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../use.ts";
-import { firstSentence, found, groupsOf, isForPage } from "./groups.ts";
+import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
 import { place } from "./place.ts";
+import { keepUnfolded, readUnfolded } from "./unfolded.ts";
 
 const kNone: readonly Component[] = [];
 
@@ -16,7 +17,7 @@ export function PalettePanel() {
   const components = usePart((state) => state.palettes[state.document]?.components ?? kNone);
   const drawing = useDrawing();
   const [query, setQuery] = useState("");
-  const [closed, setClosed] = useState<ReadonlySet<string>>(new Set());
+  const [unfolded, setUnfolded] = useState(() => readUnfolded(window.localStorage));
   const isStates = drawing?.kind === Drawing_Kind.STATES;
   const groups = useMemo(() => {
     const usable = components.filter((one) => isForPage(one, isStates));
@@ -25,13 +26,18 @@ export function PalettePanel() {
   const kind = drawing?.kind ?? Drawing_Kind.FILE;
   if (kind === Drawing_Kind.FILE || kind === Drawing_Kind.SOCIETY)
     return <Declarations isSociety={kind === Drawing_Kind.SOCIETY} />;
+  const fold = (name: string, isOpen: boolean) => {
+    const next = { ...unfolded, [name]: !isOpen };
+    setUnfolded(next);
+    keepUnfolded(window.localStorage, next);
+  };
   return (
     <div className="palette">
       <div className="palette-search">
         <Search label="Find a component" value={query} onChange={setQuery} />
       </div>
       {groups.map((group) => {
-        const isOpen = query !== "" || !closed.has(group.name);
+        const isOpen = query !== "" || (unfolded[group.name] ?? isOpenAtFirst(group.name, isStates));
         return (
           <section key={group.name} aria-label={group.name}>
             <h3>
@@ -39,7 +45,7 @@ export function PalettePanel() {
                 type="button"
                 className="palette-group"
                 aria-expanded={isOpen}
-                onClick={() => setClosed(toggled(closed, group.name))}
+                onClick={() => fold(group.name, isOpen)}
               >
                 <Icon name={isOpen ? "down" : "right"} />
                 {group.name}
@@ -70,6 +76,7 @@ function Entry({ component }: { component: Component }) {
       <button
         type="button"
         className={`palette-entry tone-${toneOf(component.shape)}`}
+        data-component={component.name}
         draggable={!isReadOnly}
         disabled={isReadOnly}
         title={[title, component.help].filter((one) => one !== "").join("\n\n")}
@@ -130,10 +137,4 @@ function Declarations({ isSociety }: { isSociety: boolean }) {
       </section>
     </div>
   );
-}
-
-function toggled(set: ReadonlySet<string>, name: string): ReadonlySet<string> {
-  const next = new Set(set);
-  if (!next.delete(name)) next.add(name);
-  return next;
 }

@@ -29,3 +29,11 @@ test("steps know when they are done, by what stands in the drawing", () => {
   expect(step("Eyes").isDone!(stateWith(wired))).toBe(false);
   expect(step("The result").isDone!(stateWith(wired))).toBe(true);
 });
+
+test("a step shows which component comes next", () => {
+  const one = create(DrawingSchema, { kind: Drawing_Kind.DATAFLOW, nodes: [{ name: "Noise", component: "Noise" }] });
+  const { next } = step("Three motor schemas");
+  expect(next!(stateWith(create(DrawingSchema, { kind: Drawing_Kind.DATAFLOW })))).toBe("Noise");
+  expect(next!(stateWith(one))).toBe("AvoidStaticObstacles");
+  expect(step("Eyes").next!(stateWith(one))).toBe("sense_obstacles");
+});

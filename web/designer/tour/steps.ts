@@ -10,6 +10,8 @@ export interface Step {
   text: string;
   /** What of the page it is about: a selector. */
   at?: string;
+  /** Which component of the palette comes next; empty: none. */
+  next?: (state: State) => string;
   /** Done; the tour goes on by itself. Without: by a button. */
   isDone?: (state: State) => boolean;
 }
@@ -25,14 +27,16 @@ export const kSteps: readonly Step[] = [
   },
   {
     title: "Three motor schemas",
-    text: "A motor schema says where the robot wants to go. Drag Noise (a random direction), AvoidStaticObstacles (away from what is in the way) and Probe (towards free space) onto the canvas. Or press / and type a few letters of the name.",
+    text: "A motor schema says where the robot wants to go. Drag Noise (a random direction), Avoid static obstacles (away from what is in the way) and Probe (towards free space) from the left onto the canvas. Or press / and type a few letters of the name.",
     at: "[aria-label='Components']",
+    next: (state) => missing(state, kMotors),
     isDone: (state) => kMotors.every((name) => has(drawingOf(state), name)),
   },
   {
     title: "An operator",
-    text: "Now something that makes one movement out of three: place cooperate. It adds up what its members want, each with a weight.",
+    text: "Now something that makes one movement out of three: place Cooperate, which is below Operators. It adds up what its members want, each with a weight.",
     at: "[aria-label='Components']",
+    next: (state) => missing(state, ["cooperate"]),
     isDone: (state) => has(drawingOf(state), "cooperate"),
   },
   {
@@ -43,8 +47,9 @@ export const kSteps: readonly Step[] = [
   },
   {
     title: "Eyes",
-    text: "The two lower ones have to see obstacles: place sense_obstacles and lead its output to the readings of both.",
+    text: "The two lower ones have to see obstacles: place Sense obstacles, which is below Sensors, and lead its output to the readings of both.",
     at: ".canvas",
+    next: (state) => missing(state, ["sense_obstacles"]),
     isDone: (state) => isFed(drawingOf(state), "AvoidStaticObstacles") && isFed(drawingOf(state), "Probe"),
   },
   {
@@ -67,6 +72,11 @@ export const kSteps: readonly Step[] = [
 
 function has(drawing: Drawing | undefined, component: string): boolean {
   return drawing?.nodes.some((node) => node.component === component || node.name === component) ?? false;
+}
+
+/** The first of them that does not stand on the page yet. */
+function missing(state: State, components: readonly string[]): string {
+  return components.find((name) => !has(drawingOf(state), name)) ?? "";
 }
 
 /** Of these components, those that lead somewhere. */

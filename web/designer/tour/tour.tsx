@@ -15,11 +15,12 @@ export function Tour() {
     const timer = setTimeout(() => go(designer, at + 1), 500);
     return () => clearTimeout(timer);
   }, [isDone, at, designer]);
+  const next = usePart((state) => kSteps[state.tour]?.next?.(state) ?? "");
   if (!step) return null;
   const isLast = at === kSteps.length - 1;
   return (
     <>
-      <Ring selector={step.at ?? ""} />
+      <Ring selector={step.at ?? ""} next={next} />
       <section className="tour-card" aria-label="Guided tour" aria-live="polite">
         <header>
           <h2>{step.title}</h2>
@@ -53,18 +54,22 @@ function go(designer: ReturnType<typeof useDesigner>, step: number): void {
   designer.store.setState({ tour: step < kSteps.length ? step : -1 });
 }
 
-/** Round the part of the page that the step is about. */
-function Ring({ selector }: { selector: string }) {
+/** Round the part of the page that the step is about, or the component that comes next, which is brought into sight. */
+function Ring({ selector, next }: { selector: string; next: string }) {
   const [box, setBox] = useState<DOMRect | null>(null);
   useEffect(() => {
+    let shown: Element | null = null;
     const look = () => {
-      const found = selector ? document.querySelector(selector) : null;
+      const entry = next ? document.querySelector(`.palette-entry[data-component="${CSS.escape(next)}"]`) : null;
+      if (entry && entry !== shown) entry.scrollIntoView({ block: "center" });
+      shown = entry;
+      const found = entry && isInSight(entry) ? entry : selector ? document.querySelector(selector) : null;
       setBox(found?.getBoundingClientRect() ?? null);
     };
     look();
     const timer = setInterval(look, 400);
     return () => clearInterval(timer);
-  }, [selector]);
+  }, [selector, next]);
   if (!box || box.width > window.innerWidth * 0.6) return null;
   return (
     <div
@@ -73,4 +78,11 @@ function Ring({ selector }: { selector: string }) {
       style={{ left: box.x - 4, top: box.y - 4, width: box.width + 8, height: box.height + 8 }}
     />
   );
+}
+
+/** Somebody may have scrolled it away. */
+function isInSight(entry: Element): boolean {
+  const { top, bottom } = entry.getBoundingClientRect();
+  const panel = entry.closest(".panel")?.getBoundingClientRect();
+  return !panel || (top >= panel.top && bottom <= panel.bottom);
 }
