@@ -21,7 +21,8 @@ export class Mlab {
     private readonly state = mkdtempSync(join(tmpdir(), "mlab-state-")),
   ) {
     const command = process.env.MLAB_COMMAND ?? "mlab";
-    this.process = spawn(command, [what, "--no-browser", "--port", "0", ...options], {
+    const port = options.includes("--port") ? [] : ["--port", "0"];
+    this.process = spawn(command, [what, "--no-browser", ...port, ...options], {
       stdio: ["ignore", "pipe", "pipe"],
       env: { ...process.env, XDG_STATE_HOME: this.state },
     });

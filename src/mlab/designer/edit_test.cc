@@ -331,9 +331,9 @@ layout A {
 }
 
 layout Drift {
-  cooperate 500 120;
-  Noise 240 40;
   AvoidStaticObstacles 240 200;
+  Noise 240 40;
+  cooperate 500 120;
 }
 )") << text.text();
 }

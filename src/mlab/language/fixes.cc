@@ -232,6 +232,7 @@ class Candidates {
     if (!message.starts_with("expected")) return;
     const std::size_t found = message.find(", found");
     const bool is_behind = problem_.label == "behind this" || found == std::string::npos;
+    if (here_.empty() && found != std::string::npos) next_word_instead(message, found);
     for (const std::string& word : quoted_words(message.substr(0, found))) {
       if (word.empty() || word.contains("...")) continue;
       const bool is_punctuation = std::ispunct(static_cast<unsigned char>(word[0])) != 0;
@@ -244,6 +245,20 @@ class Candidates {
       if (is_punctuation) insert(end_before(), word, word);
       insert(span_.begin, spaced, word);
       if (word.ends_with(':')) insert(line_begin(span_.begin), word + "\n", word);
+    }
+  }
+
+  // The place is where the word should stand; what was found comes next, perhaps on the next line.
+  void next_word_instead(const std::string& message, std::size_t found) {
+    const std::vector<std::string> wrong = quoted_words(std::string_view(message).substr(found));
+    const std::size_t at = all_.find_first_not_of(" \t\r\n", span_.end);
+    if (wrong.empty() || wrong[0].empty() || at == std::string_view::npos ||
+        !all_.substr(at).starts_with(wrong[0]))
+      return;
+    const auto begin = static_cast<std::uint32_t>(at);
+    const Span span{begin, begin + static_cast<std::uint32_t>(wrong[0].size())};
+    for (const std::string& word : quoted_words(std::string_view(message).substr(0, found))) {
+      if (!word.empty() && word[0] == wrong[0][0]) replace(span, word);
     }
   }
 

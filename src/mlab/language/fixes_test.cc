@@ -54,6 +54,12 @@ TEST(Fixes, OfferNamesThatWereMeant) {
   EXPECT_EQ(mends("x.mdl", "UNIT <a> ROBOT\nSP s 1 1\nCOMMAND LIST:\n1. UNIT a MOVTO s\n"),
             Strings{"write `MOVETO`"});
   EXPECT_EQ(mends("x.odl", "CONTROL MEASURES:\nOBSTACEL 1 2 3\n"), Strings{"write `OBSTACLE`"});
+  EXPECT_EQ(mends("x.odl", "CONTROL MEASURES:\nOBX Pond 330 180 40\n"), Strings{"write `OBJ`"});
+}
+
+TEST(Fixes, OfferKeywordsOfEnvironmentChanges) {
+  EXPECT_EQ(mends("x.env", "STEPCOUNT 3\nADD OBSTACLE 10 20 2\n"), Strings{"write `STEP_COUNT`"});
+  EXPECT_EQ(mends("x.env", "STEP_COUNT 3\nADDD OBSTACLE 10 20 2\n"), Strings{"write `ADD`"});
 }
 
 TEST(Fixes, OfferWhatIsMissing) {

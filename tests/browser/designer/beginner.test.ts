@@ -97,7 +97,7 @@ layout A {
   await made.waitFor();
   await expect.poll(() => made.getAttribute("class")).toContain("selected");
   await page.keyboard.press("t");
-  await expect.poll(() => designer.text.innerText()).toMatch(/layout Drift \{\s+cooperate 500 120;\s+Noise 200 40;/);
+  await expect.poll(() => designer.text.innerText()).toMatch(/layout Drift \{\s+MoveAhead 200 200;\s+Noise 200 40;/);
 });
 
 test("the window of a server that was started anew says what to do", async () => {
@@ -112,7 +112,8 @@ test("the window of a server that was started anew says what to do", async () =>
     const fresh = await look(again.url);
     await fresh.page.locator("h1, h2").first().waitFor();
   } finally {
+    await designer.page.close();
+    designer.troubles.length = 0; // the browser tells of each connection that was refused
     await again.stop();
   }
-  designer.troubles.length = 0; // the browser tells of each connection that was refused
 });

@@ -95,7 +95,7 @@ function Title() {
   const document = useDocument()!;
   return (
     <>
-      <h1 className="title ellipsis" title={document.path}>
+      <h1 className="title ellipsis" title={isNew(document.path) ? undefined : document.path}>
         {titleOf(document.path)}
       </h1>
       {document.isReadOnly && <span className="pill">Read only</span>}

@@ -32,7 +32,7 @@ export function GroupDialog() {
           { case: "group", value: { page, nodes, name, ...(at ?? {}) } },
         ];
         const answer = await designer.link.ask(editOf(designer, `make assemblage ${name}`, ...changes));
-        if (answer.ok) selectMade(designer, name);
+        if (answer.ok) void selectMade(designer, name);
         return answer.error;
       }}
     >
@@ -99,17 +99,19 @@ function middleOf(drawing: Drawing, nodes: readonly string[]): { x: number; y: n
 }
 
 /** As soon as it is drawn, which may be a moment after the answer. */
-function selectMade(designer: Designer, component: string): void {
-  const look = () => {
-    const made = designer.drawing?.nodes.find((node) => node.component === component);
-    if (made) designer.select([made.name]);
-    return made !== undefined;
-  };
-  if (look()) return;
-  const timer = setTimeout(() => stop(), 3000);
-  const stop = designer.store.subscribe(() => {
-    if (!look()) return;
-    clearTimeout(timer);
-    stop();
-  });
+async function selectMade(designer: Designer, component: string): Promise<void> {
+  const look = () => designer.drawing?.nodes.find((node) => node.component === component)?.name;
+  if (!look()) {
+    await new Promise<void>((resolve) => {
+      const done = () => {
+        clearTimeout(timer);
+        stop();
+        resolve();
+      };
+      const timer = setTimeout(done, 3000);
+      const stop = designer.store.subscribe(() => look() && done());
+    });
+  }
+  const made = look();
+  if (made) designer.select([made]);
 }

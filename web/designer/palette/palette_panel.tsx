@@ -5,6 +5,7 @@ import { Icon } from "../../console/ui/icons.tsx";
 import { kDragged } from "../canvas/canvas.tsx";
 import { toneOf } from "../canvas/form.ts";
 import { NodeIcon } from "../canvas/icons.tsx";
+import { declarationOf } from "../pages/pages.ts";
 import { type Component, Drawing_Kind } from "../protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../use.ts";
 import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
@@ -18,11 +19,13 @@ export function PalettePanel() {
   const drawing = useDrawing();
   const [query, setQuery] = useState("");
   const [unfolded, setUnfolded] = useState(() => readUnfolded(window.localStorage));
+  // Nothing is a part of itself.
+  const owner = usePart((state) => declarationOf(state.page));
   const isStates = drawing?.kind === Drawing_Kind.STATES;
   const groups = useMemo(() => {
-    const usable = components.filter((one) => isForPage(one, isStates));
+    const usable = components.filter((one) => one.name !== owner && isForPage(one, isStates));
     return groupsOf(query ? found(query, usable) : usable);
-  }, [components, query, isStates]);
+  }, [components, query, isStates, owner]);
   const kind = drawing?.kind ?? Drawing_Kind.FILE;
   if (kind === Drawing_Kind.FILE || kind === Drawing_Kind.SOCIETY)
     return <Declarations isSociety={kind === Drawing_Kind.SOCIETY} />;
