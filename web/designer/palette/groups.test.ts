@@ -33,6 +33,18 @@ test("what a beginner wants first stands first, whatever the order in which it c
   expect(groupsOf(came).map((group) => group.name)).toEqual(order);
 });
 
+test("what most robots need stands first in its group", () => {
+  const came = ["Alert", "Halt", "Noise", "AvoidStaticObstacles"].map((name) =>
+    create(ComponentSchema, { name, group: "Motor schemas" }),
+  );
+  expect(groupsOf(came)[0]!.components.map((one) => one.name)).toEqual([
+    "Noise",
+    "AvoidStaticObstacles",
+    "Alert",
+    "Halt",
+  ]);
+});
+
 test("what a first skill is made of is unfolded, what comes later is not", () => {
   expect(["Motor schemas", "Sensors", "Operators", "Mine"].every((one) => isOpenAtFirst(one, false))).toBe(true);
   expect(["Assemblages", "Logic"].some((one) => isOpenAtFirst(one, false))).toBe(false);

@@ -12,6 +12,18 @@ export interface Group {
 const kOrder = ["This file", "This project", "Motor schemas", "Sensors", "Operators"];
 const kLater = ["Assemblages", "Perception", "Triggers", "Logic", "Actuators"];
 
+/** First in their groups: most robots need them, and there are many others. */
+const kOften = [
+  "Noise",
+  "AvoidStaticObstacles",
+  "Probe",
+  "MoveToGoal",
+  "MoveTo",
+  "MoveAhead",
+  "Stand",
+  "sense_obstacles",
+];
+
 /** What a beginner wants first comes first; groups that nobody has heard of are between the two. */
 export function groupsOf(components: readonly Component[]): Group[] {
   const groups = new Map<string, Component[]>();
@@ -20,8 +32,13 @@ export function groupsOf(components: readonly Component[]): Group[] {
     groups.set(name, [...(groups.get(name) ?? []), component]);
   }
   return [...groups]
-    .map(([name, members]) => ({ name, components: members }))
+    .map(([name, members]) => ({ name, components: oftenFirst(members) }))
     .sort((a, b) => rankOf(a.name) - rankOf(b.name));
+}
+
+function oftenFirst(members: readonly Component[]): Component[] {
+  const often = kOften.flatMap((name) => members.filter((one) => one.name === name));
+  return [...often, ...members.filter((one) => !often.includes(one))];
 }
 
 function rankOf(group: string): number {
