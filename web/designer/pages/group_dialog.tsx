@@ -31,8 +31,11 @@ export function GroupDialog() {
           ...(before ? [before] : []),
           { case: "group", value: { page, nodes, name, ...(at ?? {}) } },
         ];
+        // What goes away is not selected any more when it does.
+        designer.select([]);
         const answer = await designer.link.ask(editOf(designer, `make assemblage ${name}`, ...changes));
         if (answer.ok) void selectMade(designer, name);
+        else designer.select(nodes);
         return answer.error;
       }}
     >
@@ -98,6 +101,8 @@ function middleOf(drawing: Drawing, nodes: readonly string[]): { x: number; y: n
   return { x: onPitch(x - kHalf.x), y: onPitch(y - kHalf.y) };
 }
 
+const kSettles = 100; // [ms]
+
 /** As soon as it is drawn, which may be a moment after the answer. */
 async function selectMade(designer: Designer, component: string): Promise<void> {
   const look = () => designer.drawing?.nodes.find((node) => node.component === component)?.name;
@@ -112,6 +117,8 @@ async function selectMade(designer: Designer, component: string): Promise<void> 
       const stop = designer.store.subscribe(() => look() && done());
     });
   }
+  // Once the canvas has let go of what was there before.
+  await new Promise((resolve) => setTimeout(resolve, kSettles));
   const made = look();
   if (made) designer.select([made]);
 }
