@@ -245,8 +245,7 @@ std::vector<Editor::Stood> Editor::places(const PageView& view, const std::strin
     const auto entry = std::ranges::find_if(
         layout->entries, [&](const cdl::LayoutEntry& e) { return e.node.text == one.name; });
     const std::optional<Anchor> anchor = anchor_of(one, work_.tokens());
-    if (entry != layout->entries.end() && anchor)
-      out.push_back({work_.follow(*anchor), entry->x, entry->y});
+    if (entry != layout->entries.end() && anchor) out.push_back({work_.follow(*anchor), entry->x, entry->y});
   }
   return out;
 }
@@ -276,8 +275,7 @@ Done Editor::arrange_group(const Group& change, const std::vector<Stood>& stood)
   outside.set_page(change.page());
   for (const GraphNode& one : found->page->nodes) {
     const auto* call = one.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&one.expression->what);
-    if (call != nullptr && call->callee.text == change.name())
-      add(outside, one.name, change.x(), change.y());
+    if (call != nullptr && call->callee.text == change.name()) add(outside, one.name, change.x(), change.y());
   }
   return outside.nodes_size() == 0 ? Done(true) : arrange(outside);
 }
