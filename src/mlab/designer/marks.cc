@@ -175,7 +175,8 @@ bool Marks::follow(One& one, const NameMap& names, const Model& model) {
       mark.set_trigger(mark.from() + mark.trigger().substr(state.size()));
     drawn = drawn_id(*page, mark.from(), mark.to());
     port = joined_path(mark.place(), mark.trigger());
-    if (drawn.empty() || !has_trigger(*model.page(*is).graph, *page, mark.trigger())) return false;
+    const OwnerGraph* graph = model.page(*is).graph;
+    if (drawn.empty() || graph == nullptr || !has_trigger(*graph, *page, mark.trigger())) return false;
   } else if (!mark.node().empty()) {
     const GraphNode* node = node_of(*page, mark.node());
     if (node == nullptr) return false;
