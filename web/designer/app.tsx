@@ -8,7 +8,7 @@ import { CanvasTools } from "./canvas/canvas_tools.tsx";
 import { type Designer, titleOf } from "./designer.ts";
 import Details from "./details/details.tsx";
 import { extensions } from "./extensions.ts";
-import { Banners } from "./files/banners.tsx";
+import { Banners, FloatingBanners } from "./files/banners.tsx";
 import { LibraryDialog, OpenDialog, SaveAsDialog } from "./files/dialogs.tsx";
 import { Fence } from "./files/fence.tsx";
 import { StartPage } from "./files/start_page.tsx";
@@ -56,7 +56,14 @@ function Page() {
     <div className="app designer">
       <TopBar />
       <Banners />
-      {document === "" ? <StartPage /> : <Work />}
+      {document === "" ? (
+        <>
+          <FloatingBanners />
+          <StartPage />
+        </>
+      ) : (
+        <Work />
+      )}
       <Dialogs />
       <Spoken />
     </div>
@@ -78,6 +85,7 @@ function Work() {
           <Fence name="The drawing">
             <Centre />
           </Fence>
+          <FloatingBanners />
         </main>
         {shown.text && (
           <Side name="text" title="Text" width="textWidth" side="right">
@@ -206,7 +214,7 @@ function Strip() {
         {selection.length === 0
           ? drawing && countOf(drawing)
           : selection.length === 1
-            ? lastPart(selection[0]!)
+            ? (shownName(drawing, selection[0]!) ?? lastPart(selection[0]!))
             : `${selection.length} selected`}
       </span>
       <span className="small muted">
@@ -224,6 +232,12 @@ function countOf({ kind, nodes, states, transitions }: Drawing): string {
 
 function counted(number: number, what: string): string {
   return `${number} ${what}${number === 1 ? "" : "s"}`;
+}
+
+/** Comments and frames are not called anything. */
+function shownName(drawing: Drawing | undefined, id: string): string | undefined {
+  const note = drawing?.notes.find((one) => one.id === id);
+  return note && (note.isFrame ? "Frame" : "Comment");
 }
 
 function Dialogs() {

@@ -1,12 +1,15 @@
 // What can be asked of the server, and what its messages change here. One per page.
 import { Link } from "./link/link.ts";
+import { type Crumb, crumbsOf, shortened } from "./pages/crumbs.ts";
 import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
-import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Request } from "./protocol.ts";
+import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Page, Request } from "./protocol.ts";
 import { type Notice, type Shown, type State, type Store, shownAfter } from "./state.ts";
 
 export class Designer {
   readonly link: Link;
   private pendingNode = "";
+  /** The way of a page that is being gone into: a component of the library has to be opened first. */
+  private entered: Crumb[] | null = null;
 
   constructor(
     readonly store: Store,
@@ -74,23 +77,38 @@ export class Designer {
   /** Shows a page of a document that is open, or opens it. */
   goTo(document: string, page: string, node = ""): void {
     if (document !== "" && !this.state.documents[document] && this.state.hello) {
-      void this.open(document, page, node);
+      void this.open(document, page, node).then((isOpen) => {
+        if (!isOpen) this.entered = null;
+      });
       return;
     }
     this.turnTo(document, page, node);
   }
 
+  /** Goes inside of something on the page that is shown, which stays on the way back. */
+  enter({ document, path }: Page): void {
+    this.entered = this.crumbs;
+    this.goTo(document || this.state.document, path);
+  }
+
+  /** The way to the page that is shown. */
+  get crumbs(): Crumb[] {
+    return crumbsIn(this.state);
+  }
+
   private turnTo(document: string, page: string, node: string): void {
     const isSame = this.state.document === document && this.state.page === page;
     this.pendingNode = node;
-    this.store.setState({ document, page, selection: node && this.hasNode(document, page, node) ? [node] : [] });
+    const trail = isSame ? this.state.trail : (this.entered ?? shortened(this.state.trail, document, page));
+    this.entered = null;
+    this.store.setState({ trail, document, page, selection: node && this.hasNode(document, page, node) ? [node] : [] });
     this.look();
     this.keepAddress(!isSame, node);
   }
 
   /** To the start page; what is not saved stays with the server. */
   leave(): void {
-    this.store.setState({ document: "", page: "", selection: [] });
+    this.store.setState({ document: "", page: "", selection: [], trail: [] });
     window.history.pushState(null, "", window.location.pathname + window.location.search);
     this.look();
   }
@@ -240,8 +258,28 @@ export class Designer {
   }
 }
 
+/** What the next drawing is to bring: it may come a moment after the answer. */
+export function soon<T>(designer: Designer, look: () => T | undefined): Promise<T | undefined> {
+  return new Promise((resolve) => {
+    const found = look();
+    if (found !== undefined) return resolve(found);
+    const done = () => {
+      clearTimeout(timer);
+      stop();
+      resolve(look());
+    };
+    const timer = setTimeout(done, 1500);
+    const stop = designer.store.subscribe(() => look() !== undefined && done());
+  });
+}
+
 export function drawingOf(state: State): Drawing | undefined {
   return state.drawings[pageKey(state.document, state.page)];
+}
+
+export function crumbsIn(state: State): Crumb[] {
+  const declared = new Set(state.documents[state.document]?.declarations.map((one) => one.name) ?? []);
+  return crumbsOf(state.trail, drawingOf(state), state.document, declared);
 }
 
 /** A document that has no file yet. */

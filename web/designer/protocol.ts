@@ -21,6 +21,9 @@ export type Request = NonNullable<MessageInitShape<typeof ToDesignerSchema>["bod
 /** One change of an Edit: `{ case: "place", value: { page, component } }`. */
 export type ChangeInit = NonNullable<NonNullable<MessageInitShape<typeof ChangeSchema>["change"]>>;
 
+/** What a kind of change says. */
+export type ChangeOf<Case extends ChangeInit["case"]> = NonNullable<Extract<ChangeInit, { case: Case }>["value"]>;
+
 export function encode(request: number, body: Request): Uint8Array<ArrayBuffer> {
   return toBinary(ToDesignerSchema, create(ToDesignerSchema, { request, body })) as Uint8Array<ArrayBuffer>;
 }

@@ -1,6 +1,7 @@
 // What the page knows: what the server tells, what is looked at, what is open. Values are replaced, never changed in place.
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { LinkState } from "./link/link.ts";
+import type { Crumb } from "./pages/crumbs.ts";
 import type { Document, Drawing, FileChanged, Hello, Mark, Palette } from "./protocol.ts";
 
 export type DialogName =
@@ -79,6 +80,8 @@ export interface State {
   document: string;
   /** Path of the page that is shown. */
   page: string;
+  /** The pages from which one went inside of something, to get here. */
+  trail: readonly Crumb[];
   /** Names of nodes, states or declarations; `From/0` for a transition; `note:1`. */
   selection: readonly string[];
   dialog: DialogName;
@@ -129,6 +132,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
     marks: {},
     document: "",
     page: "",
+    trail: [],
     selection: [],
     dialog: "",
     placing: null,

@@ -150,7 +150,11 @@ export function Field(props: FieldProps) {
       autoFocus={props.autoFocus ?? false}
       {...(props.hiddenLabel ? { "aria-label": label } : {})}
       onBlur={() => onCommit?.(value)}
-      onKeyDown={(event) => event.key === "Enter" && onCommit?.(value)}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") onCommit?.(value);
+        // A dialog is left by Escape from its fields, too.
+        if (event.key === "Escape" && (event.target as Element).closest("[role=dialog]")) event.continuePropagation();
+      }}
     >
       {!props.hiddenLabel && <Label>{label}</Label>}
       <Input className="input" placeholder={props.placeholder ?? ""} inputMode={props.inputMode ?? "text"} />

@@ -275,7 +275,7 @@ function editActions(designer: Designer): Action[] {
       icon: "text",
       shortcut: "shift+c",
       blocked: fixed,
-      run: () => addNote(designer),
+      run: () => void addNote(designer),
     },
     {
       id: "frame",
@@ -341,7 +341,6 @@ function arrowActions(designer: Designer, blocked: string | undefined, closed: s
 
 function goActions(designer: Designer): Action[] {
   const { state, drawing } = designer;
-  const parent = outer(state.page);
   const to = drawing && innerOf(drawing, state.selection[0] ?? "");
   return [
     {
@@ -351,7 +350,7 @@ function goActions(designer: Designer): Action[] {
       icon: "right",
       shortcut: "enter",
       blocked: to ? undefined : "Select something that has an inside",
-      run: () => designer.goTo(to!.document || state.document, to!.path),
+      run: () => designer.enter(to!),
     },
     {
       id: "up",
@@ -359,12 +358,10 @@ function goActions(designer: Designer): Action[] {
       group: "Go",
       icon: "rewind",
       shortcut: "u",
-      blocked: parent === undefined || !drawing ? "This is the whole file" : undefined,
+      blocked: state.page === "" || !drawing ? "This is the whole file" : undefined,
       run: () => {
-        const way = drawing!.way;
-        const before = way.length > 1 ? way[way.length - 2] : undefined;
-        if (before) designer.goTo(before.document || state.document, before.path);
-        else designer.goTo(state.document, parent ?? "");
+        const before = designer.crumbs.at(-2);
+        designer.goTo(before?.document ?? state.document, before?.page ?? outer(state.page) ?? "");
       },
     },
     {

@@ -4,8 +4,9 @@ import { onPitch } from "../arrange/elk.ts";
 import { canvasStore } from "../canvas/canvas_store.ts";
 import { isArranged, keepMoved, placesOf, sizesOf } from "../canvas/use_places.ts";
 import { disconnectChange, endOf } from "../canvas/wiring.ts";
-import type { Designer } from "../designer.ts";
-import { type ChangeInit, Drawing_Kind } from "../protocol.ts";
+import { type Designer, soon } from "../designer.ts";
+import { freePlace } from "../palette/place.ts";
+import { type ChangeInit, type ChangeOf, Drawing_Kind } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
 
 /** The selection by what it is. */
@@ -154,13 +155,21 @@ function finish(designer: Designer, dx: number, dy: number): void {
   void designer.edit(moved.length === 1 ? `move ${moved[0]!.id}` : `move ${moved.length} nodes`, ...changes);
 }
 
-export function addNote(designer: Designer): void {
-  const { view } = canvasStore.getState();
-  const at = { x: onPitch(view.x + view.width / 2 - 100), y: onPitch(view.y + 60) };
-  void designer.edit("add a comment", {
-    case: "setNote",
-    value: { page: designer.state.page, id: "", text: "Comment", width: 200, height: 80, ...at },
-  });
+/** Makes a comment or a frame, whose words are typed at once. */
+async function makeNote(designer: Designer, name: string, note: ChangeOf<"setNote">): Promise<void> {
+  const before = new Set(designer.drawing?.notes.map((one) => one.id));
+  const value = { page: designer.state.page, id: "", ...note };
+  const answer = await designer.edit(name, { case: "setNote", value });
+  if (!answer.ok) return;
+  const made = await soon(designer, () => designer.drawing?.notes.find((one) => !before.has(one.id))?.id);
+  if (!made) return;
+  designer.select([made]);
+  canvasStore.setState({ writing: made });
+}
+
+export function addNote(designer: Designer): Promise<void> {
+  const size = { width: 200, height: 80 };
+  return makeNote(designer, "add a comment", { text: "Comment", ...size, ...freePlace(designer, size) });
 }
 
 const kFrameRoom = 24;
@@ -183,26 +192,18 @@ export function frameSelection(designer: Designer): void {
   const y = Math.min(...boxes.map((box) => box.y)) - kFrameRoom - 20;
   const width = Math.max(...boxes.map((box) => box.right)) + kFrameRoom - x;
   const height = Math.max(...boxes.map((box) => box.bottom)) + kFrameRoom - y;
-  void designer.edit("add a frame", {
-    case: "setNote",
-    value: { page: designer.state.page, id: "", text: "Frame", x, y, width, height, isFrame: true },
-  });
+  void makeNote(designer, "add a frame", { text: "Frame", x, y, width, height, isFrame: true });
 }
 
 function addFrameInView(designer: Designer): void {
   const { view } = canvasStore.getState();
-  void designer.edit("add a frame", {
-    case: "setNote",
-    value: {
-      page: designer.state.page,
-      id: "",
-      text: "Frame",
-      x: onPitch(view.x + view.width / 4),
-      y: onPitch(view.y + view.height / 4),
-      width: onPitch(view.width / 2),
-      height: onPitch(view.height / 2),
-      isFrame: true,
-    },
+  void makeNote(designer, "add a frame", {
+    text: "Frame",
+    x: onPitch(view.x + view.width / 4),
+    y: onPitch(view.y + view.height / 4),
+    width: onPitch(view.width / 2),
+    height: onPitch(view.height / 2),
+    isFrame: true,
   });
 }
 

@@ -376,7 +376,7 @@ function noteView({ x, y, zoom }: { x: number; y: number; zoom: number }, nodes:
 export function enter(designer: ReturnType<typeof useDesigner>, drawing: Drawing, name: string): boolean {
   const inner = innerOf(drawing, name);
   if (!inner) return false;
-  designer.goTo(inner.document || designer.state.document, inner.path);
+  designer.enter(inner);
   return true;
 }
 

@@ -12,6 +12,8 @@ export interface CanvasState {
   fits: ReadonlyMap<string, string> | null;
   /** The input whose value is edited. */
   editing: { node: string; row: string; what: "value" | "weight" } | null;
+  /** The comment or frame that has just been made: its words are typed at once. */
+  writing: string;
   /** Where the pointer last was on the canvas, in its coordinates. */
   pointer: { x: number; y: number };
   /** Grows whenever something has another place than the drawing says. */
@@ -25,6 +27,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   scale: 1,
   fits: null,
   editing: null,
+  writing: "",
   pointer: { x: 0, y: 0 },
   moves: 0,
   view: { x: 0, y: 0, width: 800, height: 600 },

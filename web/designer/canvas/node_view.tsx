@@ -114,7 +114,7 @@ function Enter({ node }: { node: Node }) {
       aria-label={`Look inside of ${node.name}`}
       onClick={(event) => {
         event.stopPropagation();
-        designer.goTo(node.inner!.document || designer.state.document, node.inner!.path);
+        designer.enter(node.inner!);
       }}
     >
       <Icon name="right" />

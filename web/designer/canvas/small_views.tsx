@@ -1,9 +1,9 @@
 // What stands on the canvas beside nodes: where the page's value goes, comments, frames.
 import { Handle, type NodeProps, NodeResizer, Position } from "@xyflow/react";
-import { memo, useState } from "react";
+import { memo, useEffect, useState } from "react";
 import { kResult } from "../protocol.ts";
 import { useDesigner, usePart } from "../use.ts";
-import { useCanvas } from "./canvas_store.ts";
+import { canvasStore, useCanvas } from "./canvas_store.ts";
 import type { CanvasNode } from "./flow.ts";
 import { flowOf } from "./types.ts";
 
@@ -27,6 +27,12 @@ export const NoteView = memo(function NoteView({ id, data, selected }: NoteProps
   const designer = useDesigner();
   const page = usePart((state) => state.page);
   const [typed, setTyped] = useState<string | null>(null);
+  const isNew = useCanvas((state) => state.writing === id);
+  useEffect(() => {
+    if (!isNew) return;
+    canvasStore.setState({ writing: "" });
+    setTyped(note.text);
+  }, [isNew, note.text]);
   const send = (change: { text?: string; x?: number; y?: number; width?: number; height?: number }) =>
     void designer.edit(note.isFrame ? "change a frame" : "change a comment", {
       case: "setNote",
@@ -66,6 +72,7 @@ export const NoteView = memo(function NoteView({ id, data, selected }: NoteProps
           // biome-ignore lint/a11y/noAutofocus: somebody has just asked to type in it
           autoFocus
           value={typed}
+          onFocus={(event) => event.currentTarget.select()}
           onChange={(event) => setTyped(event.target.value)}
           onBlur={commit}
           onKeyDown={(event) => {

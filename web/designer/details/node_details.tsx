@@ -75,7 +75,7 @@ function NodeButtons({ designer, node, isReadOnly }: { designer: Designer; node:
   return (
     <div className="columns" style={{ gap: 4 }}>
       {canOpen && (
-        <Button icon="right" onPress={() => designer.goTo(node.inner!.document || document, node.inner!.path)}>
+        <Button icon="right" onPress={() => designer.enter(node.inner!)}>
           Look inside
         </Button>
       )}

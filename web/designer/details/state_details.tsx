@@ -28,18 +28,12 @@ export function StateDetails({ drawing, state }: { drawing: Drawing; state: Stat
       />
       <div className="columns" style={{ gap: 4 }}>
         {state.calls && (
-          <Button
-            icon="right"
-            onPress={() => designer.goTo(state.calls!.document || designer.state.document, state.calls!.path)}
-          >
+          <Button icon="right" onPress={() => designer.enter(state.calls!)}>
             Look inside
           </Button>
         )}
         {state.inner && (
-          <Button
-            icon="draw"
-            onPress={() => designer.goTo(state.inner!.document || designer.state.document, state.inner!.path)}
-          >
+          <Button icon="draw" onPress={() => designer.enter(state.inner!)}>
             As a drawing
           </Button>
         )}

@@ -6,15 +6,24 @@ import { titleOf } from "../designer.ts";
 import type { FileChanged } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 
+/** What stays as long as the page does, or stops all work. */
 export function Banners() {
   return (
     <>
       <LinkBanner />
-      <ChangedBanner />
       <ReadOnlyBanner />
+    </>
+  );
+}
+
+/** What comes and goes while somebody works: over the drawing, which must not move under the pointer. */
+export function FloatingBanners() {
+  return (
+    <div className="floating-banners">
+      <ChangedBanner />
       <OutdatedBanner />
       <NoticeBanner />
-    </>
+    </div>
   );
 }
 

@@ -88,18 +88,26 @@ export function SaveAsDialog() {
     >
       {document.isReadOnly && <p className="notice">This stays as it is: what is saved is a copy of your own.</p>}
       {refusal && <p className="notice hold">{refusal}</p>}
-      <Field
-        label="Name"
-        value={name}
-        onChange={(next) => {
-          setName(next);
-          setIsThere(false);
-          setRefusal("");
+      {/* Enter in the field is the button's, as long as that replaces nothing. */}
+      <form
+        onSubmit={(event) => {
+          event.preventDefault();
+          if (problem === undefined && !isThere) void save();
         }}
-        problem={problem}
-        autoFocus
-        help={`Becomes ${path}`}
-      />
+      >
+        <Field
+          label="Name"
+          value={name}
+          onChange={(next) => {
+            setName(next);
+            setIsThere(false);
+            setRefusal("");
+          }}
+          problem={problem}
+          autoFocus
+          help={`Becomes ${path}`}
+        />
+      </form>
       <FileList
         folder={folder}
         onFolder={setFolder}

@@ -5,9 +5,9 @@ import { Icon } from "../../console/ui/icons.tsx";
 import { MenuButton, type MenuGroup } from "../../console/ui/menus.tsx";
 import type { ActionGroup } from "../actions/action.ts";
 import { allActions } from "../actions/all_actions.ts";
-import { isNew, titleOf } from "../designer.ts";
+import { crumbsIn, titleOf } from "../designer.ts";
 import { extensions } from "../extensions.ts";
-import { useDesigner, useDocument, useDrawing, usePart } from "../use.ts";
+import { useDesigner, useDocument, usePart } from "../use.ts";
 
 export function TopBar() {
   const designer = useDesigner();
@@ -112,25 +112,20 @@ function Title() {
 
 function Breadcrumbs() {
   const designer = useDesigner();
-  const drawing = useDrawing();
-  const document = usePart((state) => state.document);
-  const way = drawing?.way ?? [];
+  const state = usePart((all) => all);
+  const crumbs = crumbsIn(state);
   return (
     <nav className="breadcrumbs" aria-label="Where you are">
-      {way.map((page, i) => {
-        const title =
-          page.path === "" && isNew(page.document || document)
-            ? titleOf(page.document || document)
-            : drawing?.wayTitles[i] || (page.path === "" ? "File" : page.path);
-        const isLast = i === way.length - 1;
+      {crumbs.map(({ document, page, title }, i) => {
+        const isLast = i === crumbs.length - 1;
         return (
-          <span key={`${page.document} ${page.path}`} className="crumb">
+          <span key={`${document} ${page}`} className="crumb">
             {i > 0 && <Icon name="right" />}
             <Button
               tone="quiet"
               isDisabled={isLast}
               {...(isLast ? { "aria-current": "page" as const } : {})}
-              onPress={() => designer.goTo(page.document || document, page.path)}
+              onPress={() => designer.goTo(document, page)}
             >
               {title}
             </Button>

@@ -102,7 +102,8 @@ export class Follower {
     const roster = this.live.model.get("roster");
     const program = roster.programOf(this.robot);
     const own = this.known.filter((one) => one.program === program).map(({ path }) => path);
-    if (own.length > 0) return own;
+    // Of another configuration's robots nothing is guessed: they may have nodes of the same names.
+    if (own.length > 0 || !this.live.situation.isOurs) return own;
     const lives = livesOf(drawing);
     if (lives.length === 0) return [];
     const paths = roster.portsOf(this.robot).map((port) => port.path);

@@ -88,7 +88,9 @@ function Entry({ component }: { component: Component }) {
           event.dataTransfer.setData("text/plain", component.name);
           event.dataTransfer.effectAllowed = "copy";
         }}
-        onClick={() => void place(designer, component.name, null)}
+        onClick={(event) => {
+          if (event.detail < 2) void place(designer, component.name, null); // a double click places one, too
+        }}
       >
         <span className="node-icon">
           <NodeIcon icon={component.icon} component={component.name} shape={component.shape} />

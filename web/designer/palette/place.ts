@@ -4,14 +4,18 @@ import { onPitch } from "../arrange/elk.ts";
 import { canvasStore } from "../canvas/canvas_store.ts";
 import { rowId } from "../canvas/form.ts";
 import { placesOf, sizesOf } from "../canvas/use_places.ts";
+import { camera } from "../canvas/view.ts";
 import { connectChange } from "../canvas/wiring.ts";
-import type { Designer } from "../designer.ts";
+import { type Designer, soon } from "../designer.ts";
 import { type ChangeInit, Drawing_Kind } from "../protocol.ts";
 import type { Placing } from "../state.ts";
 import { memberOf, stateName } from "../states/member.ts";
 
+/** As large as most nodes; how large a new one is shows only when it is there. */
+const kUsual = { width: 200, height: 60 };
+
 /** Where a new node comes that nobody said a place for: in the middle of what is in sight, not on another one. */
-export function freePlace(designer: Designer): { x: number; y: number } {
+export function freePlace(designer: Designer, { width, height } = kUsual): { x: number; y: number } {
   const { view } = canvasStore.getState();
   const drawing = designer.drawing;
   const x = onPitch(view.x + view.width / 2 - 90);
@@ -23,7 +27,8 @@ export function freePlace(designer: Designer): { x: number; y: number } {
     moved = false;
     for (const [name, at] of places) {
       const size = sizes.get(name);
-      if (!size || x + 200 < at.x || at.x + size.width < x || y + 60 < at.y || at.y + size.height + 16 < y) continue;
+      if (!size || x + width < at.x || at.x + size.width < x || y + height < at.y || at.y + size.height + 16 < y)
+        continue;
       y = onPitch(at.y + size.height + 32);
       moved = true;
     }
@@ -50,9 +55,27 @@ export async function place(designer: Designer, component: string, placing: Plac
   if (made) {
     designer.select([made]);
     designer.say(`Placed ${made}`);
+    showNode(designer, made);
     if (placing?.from) await connectFrom(designer, placing.from, made);
   }
   return true;
+}
+
+/** Moves the canvas to a node that is not wholly in sight. */
+function showNode(designer: Designer, name: string): void {
+  const drawing = designer.drawing;
+  const at = drawing && placesOf(drawing)?.get(name);
+  const size = drawing && sizesOf(drawing).get(name);
+  const { view } = canvasStore.getState();
+  const flow = camera();
+  if (!at || !size || !flow) return;
+  const isInside =
+    at.x >= view.x &&
+    at.y >= view.y &&
+    at.x + size.width <= view.x + view.width &&
+    at.y + size.height <= view.y + view.height;
+  if (isInside) return;
+  void flow.setCenter(at.x + size.width / 2, at.y + size.height / 2, { zoom: flow.getZoom(), duration: 200 });
 }
 
 /** A new state that does this, or a state does it from now on. */
@@ -77,18 +100,8 @@ export async function placeState(
   return answer.ok;
 }
 
-function newNode(designer: Designer, before: ReadonlySet<string>): Promise<string> {
-  const look = () => designer.drawing?.nodes.find((node) => !before.has(node.name))?.name ?? "";
-  return new Promise((resolve) => {
-    if (look() !== "") return resolve(look());
-    const done = () => {
-      clearTimeout(timer);
-      stop();
-      resolve(look());
-    };
-    const timer = setTimeout(done, 1500);
-    const stop = designer.store.subscribe(() => look() !== "" && done());
-  });
+function newNode(designer: Designer, before: ReadonlySet<string>): Promise<string | undefined> {
+  return soon(designer, () => designer.drawing?.nodes.find((node) => !before.has(node.name))?.name);
 }
 
 /** To the first input of the new node that the output fits. */

@@ -46,8 +46,7 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
           aria-label={`Look inside of ${state.name}`}
           onClick={(event) => {
             event.stopPropagation();
-            const to = state.calls ?? state.inner!;
-            designer.goTo(to.document || designer.state.document, to.path);
+            designer.enter(state.calls ?? state.inner!);
           }}
         >
           <Icon name="right" />
