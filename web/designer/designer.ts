@@ -279,7 +279,12 @@ export function drawingOf(state: State): Drawing | undefined {
 
 export function crumbsIn(state: State): Crumb[] {
   const declared = new Set(state.documents[state.document]?.declarations.map((one) => one.name) ?? []);
-  return crumbsOf(state.trail, drawingOf(state), state.document, declared);
+  const file = { document: state.document, page: "", title: titleOf(state.document) };
+  const crumbs = crumbsOf(state.trail, drawingOf(state), state.document, declared);
+  // A page that has gone stands nowhere; a document without a file is called as its title says.
+  return (crumbs.length > 0 ? crumbs : [file]).map((one) =>
+    one.page === "" && isNew(one.document) ? { ...one, title: titleOf(one.document) } : one,
+  );
 }
 
 /** A document that has no file yet. */

@@ -117,14 +117,14 @@ function Breadcrumbs() {
   return (
     <nav className="breadcrumbs" aria-label="Where you are">
       {crumbs.map(({ document, page, title }, i) => {
-        const isLast = i === crumbs.length - 1;
+        const isHere = i === crumbs.length - 1 && page === state.page;
         return (
           <span key={`${document} ${page}`} className="crumb">
             {i > 0 && <Icon name="right" />}
             <Button
               tone="quiet"
-              isDisabled={isLast}
-              {...(isLast ? { "aria-current": "page" as const } : {})}
+              isDisabled={isHere}
+              {...(isHere ? { "aria-current": "page" as const } : {})}
               onPress={() => designer.goTo(document, page)}
             >
               {title}

@@ -24,6 +24,7 @@ import { subjectOf } from "./subject.ts";
 /** What a console keeps over reloads is the console's, not ours. */
 const kForgetful = { getItem: () => null, setItem: () => {} } as unknown as Storage;
 const kWide = 1500; // px; palette, drawing, simulator and details side by side
+const kTakeOver = 1500; // ms in which another window hands over
 const kHandOver = 30_000; // ms in which the console that was opened becomes the operator
 
 export class Live {
@@ -58,7 +59,10 @@ export class Live {
       if (marks !== before.marks) this.takeMarks();
     });
     this.takeMarks();
-    this.model.subscribe("clients", () => this.handOver());
+    this.model.subscribe("clients", () => {
+      this.handOver();
+      this.giveWay();
+    });
     this.model.subscribe("halted", () => this.tellHalt());
     this.connection.connect();
   }
@@ -335,6 +339,13 @@ export class Live {
     void this.connection.ask({ case: "passOperator", value: { client: fresh.id } });
   }
 
+  /** Another window, or a console, asks for the operator's place: nobody here has to be asked. */
+  private giveWay(): void {
+    const asks = this.model.get("clients")?.asks ?? 0;
+    if (asks !== 0 && this.model.isOperator())
+      void this.connection.ask({ case: "passOperator", value: { client: asks } });
+  }
+
   /** Who has set a breakpoint wants to see what it stopped at. */
   private tellHalt(): void {
     const hit = this.model.get("halted")?.hits[0];
@@ -347,7 +358,23 @@ export class Live {
     if (this.model.isOperator()) return true;
     const reply = await this.connection.ask({ case: "takeOperator", value: {} });
     if (!reply.ok) this.designer.tell(sentence(reply.error));
+    // Another window hands it over at once; a console asks who sits there.
+    if (reply.ok && !(await this.isOperatorSoon()))
+      this.designer.tell("A console is the operator and has been asked to hand over.", "hold");
     return reply.ok;
+  }
+
+  private isOperatorSoon(): Promise<boolean> {
+    if (this.model.isOperator()) return Promise.resolve(true);
+    return new Promise((resolve) => {
+      const done = () => {
+        clearTimeout(timer);
+        stop();
+        resolve(this.model.isOperator());
+      };
+      const timer = setTimeout(done, kTakeOver);
+      const stop = this.model.subscribe("clients", () => this.model.isOperator() && done());
+    });
   }
 
   /** Whether the mission is what the simulator holds now. */

@@ -1,11 +1,24 @@
 // What to do on a page on which nothing stands yet.
 import { Button } from "../../console/ui/controls.tsx";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
-import { useDesigner } from "../use.ts";
+import { useDesigner, usePart } from "../use.ts";
 
 export function EmptyHint({ drawing }: { drawing: Drawing }) {
   const designer = useDesigner();
-  if (drawing.nodes.length + drawing.states.length > 0 || drawing.isReadOnly) return null;
+  const page = usePart((state) => state.page);
+  if (drawing.nodes.length + drawing.states.length > 0) return null;
+  if (page !== "" && drawing.way.length === 0) {
+    return (
+      <div className="empty-hint">
+        <h2>There is no {page}</h2>
+        <p className="muted">It has gone from the file, or the text can't be read as it stands.</p>
+        <Button tone="primary" icon="folder" onPress={() => designer.goTo(designer.state.document, "")}>
+          The whole file
+        </Button>
+      </div>
+    );
+  }
+  if (drawing.isReadOnly) return null;
   const isFile = drawing.kind === Drawing_Kind.FILE;
   return (
     <div className="empty-hint">

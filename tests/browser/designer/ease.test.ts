@@ -1,0 +1,112 @@
+// What keeps a person from losing the way: nothing moves under the pointer, keys leave dialogs, levels lead
+// back.
+import { expect, test } from "vitest";
+import { begin, type DesignerPage, look } from "./designer.ts";
+
+const kTwo = `assemblage Urges() {
+  cooperate {
+    Noise();
+    Stand();
+  }
+}
+
+assemblage Wander() {
+  Urges()
+}
+
+layout Urges {
+  Noise 0 0;
+  Stand 40 160;
+  cooperate 320 60;
+}
+`;
+
+const opened = () => begin({ file: "two.cdl", prepare: (project) => project.write("two.cdl", kTwo) });
+
+async function goTo(designer: DesignerPage, path: string): Promise<void> {
+  await designer.on("");
+  await designer.select(designer.node(path));
+  await designer.page.keyboard.press("Enter");
+  await designer.on(path);
+}
+
+const crumbs = ({ page }: DesignerPage) =>
+  page.getByRole("navigation", { name: "Where you are" }).getByRole("button").allTextContents();
+
+test("who goes inside comes back to where he was", async () => {
+  const { designer } = await opened();
+  await goTo(designer, "Wander");
+  await designer.node("Urges").dblclick({ position: { x: 60, y: 8 } });
+  await designer.on("Urges");
+  expect(await crumbs(designer)).toEqual(["two.cdl", "Wander", "Urges"]);
+  await designer.page.keyboard.press("u");
+  await designer.on("Wander");
+  expect(await crumbs(designer)).toEqual(["two.cdl", "Wander"]);
+});
+
+test("what is told does not move the drawing", async () => {
+  const { designer, project } = await opened();
+  await goTo(designer, "Urges");
+  const before = await designer.node("Noise").boundingBox();
+  project.write("two.cdl", `${kTwo}// more\n`);
+  await designer.page.getByText("was changed on the disk; this is the new text").waitFor();
+  expect(await designer.node("Noise").boundingBox()).toEqual(before);
+});
+
+test("Escape leaves a dialog and Enter does what it is for", async () => {
+  const { designer, project } = await begin();
+  await designer.button("New configuration").click();
+  await designer.on("");
+  await designer.palette.getByRole("button", { name: /^Assemblage/ }).click();
+  const dialog = designer.page.getByRole("dialog");
+  const name = dialog.getByRole("textbox", { name: "Name" });
+  await name.fill("Wander");
+  await name.press("Escape");
+  await dialog.waitFor({ state: "detached" });
+  await designer.declare("Assemblage", "Wander");
+  await designer.page.getByRole("heading", { name: "Wander", level: 1 }).waitFor();
+  await designer.page.keyboard.press("Control+s");
+  await name.fill("kept");
+  await name.press("Enter");
+  await dialog.waitFor({ state: "detached" });
+  await expect.poll(() => project.read("kept.cdl")).toContain("assemblage Wander");
+});
+
+test("the words of a comment are typed at once, in a free place", async () => {
+  const { designer, project } = await opened();
+  await goTo(designer, "Urges");
+  await designer.page.keyboard.press("Shift+C");
+  await designer.page.getByRole("textbox", { name: "Text of the comment" }).waitFor();
+  await designer.page.keyboard.type("Two urges");
+  await designer.page.keyboard.press("Control+Enter");
+  await designer.page.locator(".note", { hasText: "Two urges" }).waitFor();
+  await designer.page.locator("body").press("Control+s");
+  await expect.poll(() => project.read("two.cdl")).toContain('200 80 "Two urges"');
+});
+
+test("a page that has gone leads to the file", async () => {
+  const { designer } = await opened();
+  await goTo(designer, "Urges");
+  await designer.page.evaluate(() => {
+    window.location.hash = "#file=two.cdl&page=Nothing";
+  });
+  await designer.page.getByRole("heading", { name: "There is no Nothing" }).waitFor();
+  await designer.button("The whole file").click();
+  await designer.on("");
+});
+
+test("of two windows the one that is worked in has the robots", async () => {
+  const { designer, mlab } = await opened();
+  await goTo(designer, "Wander");
+  const other = await look(mlab.url);
+  await goTo(other, "Wander");
+  for (const one of [designer, other]) {
+    await one.page.locator("[data-tour=run]").click();
+    await one.page.getByRole("region", { name: "Simulator", exact: true }).getByText("Running").waitFor();
+  }
+  await other.button("Pause").click();
+  await designer.page.getByRole("region", { name: "Simulator", exact: true }).getByText("Paused").waitFor();
+  await designer.page.keyboard.press("F10");
+  expect(await designer.page.getByText("Only the operator").count()).toBe(0);
+  expect(await other.page.getByText("Only the operator").count()).toBe(0);
+});
