@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "mlab/designer.pb.h"
-#include "mlab/designer/open_text.h"
 #include "mlab/designer/testing/browser.h"
 
 namespace mlab::designer {

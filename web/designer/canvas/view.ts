@@ -1,11 +1,5 @@
 // The canvas's camera, for actions that move it.
-import type { FitViewOptions, ReactFlowInstance } from "@xyflow/react";
-
-/** Everything in sight, none of it under the canvas's tools. */
-export const kFit = {
-  padding: { top: 0.05, right: 0.05, bottom: 0.05, left: "64px" },
-  maxZoom: 1,
-} satisfies FitViewOptions;
+import type { ReactFlowInstance } from "@xyflow/react";
 
 /** Everything is seen, and nothing of it stands below the tools at the left. */
 export const kFit = {

@@ -104,9 +104,7 @@ export function RenameDialog() {
       done={async (name) => {
         if (name === lastPart(node)) return "";
         const answer = await designer.link.ask(editOf(designer, "", { case: "rename", value: { page, node, name } }));
-        // Not before it is there to be selected.
-        const has = () => designer.drawing?.nodes.some((node) => node.name === name) || undefined;
-        if (answer.ok && (await soon(designer, has))) designer.select([name]);
+        if (answer.ok) designer.select([name]);
         return answer.error;
       }}
     />
