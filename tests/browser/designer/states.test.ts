@@ -45,7 +45,9 @@ function looked({ page }: DesignerPage): Promise<{ over: string[]; labels: numbe
         Number.parseFloat(getComputedStyle(label).fontSize) *
         (label.getBoundingClientRect().height / label.offsetHeight),
     );
-    const short = labels.filter((label) => label.textContent?.includes("…")).length;
+    const short = labels.filter((label) =>
+      label.querySelector<HTMLElement>(".transition-lines")?.dataset.lines?.includes("…"),
+    ).length;
     return { over, labels: labels.length, font: Math.min(...fonts), short };
   });
 }

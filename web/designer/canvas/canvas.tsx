@@ -35,7 +35,7 @@ import { scaleAt } from "../states/label.ts";
 import { StateView, spokenState } from "../states/state_view.tsx";
 import { TransitionView } from "../states/transition_view.tsx";
 import { useDesigner, usePart } from "../use.ts";
-import { canvasStore, distanceAt, useCanvas } from "./canvas_store.ts";
+import { canvasStore, distanceAt, kCrowd, useCanvas } from "./canvas_store.ts";
 import { ConnectReason } from "./connect_reason.tsx";
 import { ContextMenu, openMenu } from "./context_menu.tsx";
 import { FarWires } from "./far_wires.tsx";
@@ -44,7 +44,7 @@ import { NodeView, spokenNode } from "./node_view.tsx";
 import { NoteView, ResultView } from "./small_views.tsx";
 import { forgetMoved, isArranged, keepMoved, usePlaces } from "./use_places.ts";
 import { ValueEditor } from "./value_editor.tsx";
-import { boundsOf, holdsAll, kFit, setView } from "./view.ts";
+import { boundsOf, fitAll, holdsAll, kFit, setView } from "./view.ts";
 import { WireView } from "./wire_view.tsx";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "./wiring.ts";
 
@@ -93,7 +93,8 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     if (nodes.some((node) => node.type === "state") !== isStates) return; // still those of before
     fittedKind.current = drawing.kind;
     const only = designer.state.selection.map((id) => ({ id }));
-    void flow.fitView(only.length > 0 && nodes.length > 40 ? { ...kFit, nodes: only } : kFit);
+    if (only.length > 0 && nodes.length > 40) void flow.fitView({ ...kFit, nodes: only });
+    else fitAll(flow);
   }, [nodes, flow, designer, drawing, isStates]);
 
   // What is selected elsewhere (a problem, a link, the details) is selected here.
@@ -122,8 +123,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     const before = sizeBefore.current;
     if (Math.abs(width - before.width) < 2 && Math.abs(height - before.height) < 2) return;
     sizeBefore.current = { width, height };
-    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current)
-      void flow.fitView(kFit);
+    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current) fitAll(flow);
   }, [width, height, flow]);
   const hasRoom = useStore((state) => state.width > 3.5 * kMiniSize.width && state.height > 3 * kMiniSize.height);
 
@@ -368,6 +368,7 @@ function noteView({ x, y, zoom }: { x: number; y: number; zoom: number }, nodes:
   const distance = distanceAt(zoom, nodes);
   canvasStore.setState({
     distance,
+    keepsPorts: nodes <= kCrowd,
     scale: scaleAt(zoom),
     view: { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom },
   });
@@ -397,7 +398,7 @@ function Markers() {
   return (
     <svg className="markers" aria-hidden="true">
       <defs>
-        {["arrow", "arrow-strong"].map((id) => (
+        {["arrow", "arrow-strong", "arrow-live"].map((id) => (
           <marker
             key={id}
             id={id}

@@ -206,7 +206,7 @@ function namesOf(node: Node, kind: string): { title: string; subtitle: string } 
 function rowOf(port: Port, wired: ReadonlySet<string>, y: number): Row {
   const id = rowId(port.name, port.index);
   const base = { port, id, y };
-  const label = port.label || (port.isMember ? `member ${(port.index ?? 0) + 1}` : rowName(port));
+  const label = rowLabel(port);
   if (port.isList && port.index === undefined && !port.value && !wired.has(id)) {
     return { ...base, label, value: "", kind: "more" };
   }
@@ -215,6 +215,11 @@ function rowOf(port: Port, wired: ReadonlySet<string>, y: number): Row {
   if (port.value !== "") return { ...base, label, value: withUnit(port.value, port.unit), kind: "given" };
   if (port.initial !== "") return { ...base, label, value: withUnit(port.initial, port.unit), kind: "default" };
   return { ...base, label, value: "", kind: port.isRequired ? "needed" : "open" };
+}
+
+/** What an input is called, in the drawing and in words. */
+export function rowLabel(port: Port): string {
+  return port.label || (port.isMember ? `member ${(port.index ?? 0) + 1}` : rowName(port));
 }
 
 function rowName(port: Port): string {

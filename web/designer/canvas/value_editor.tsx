@@ -7,7 +7,7 @@ import { kSliderEnd, kSliderStep, placeOnSlider, sliderScale, valueOnSlider } fr
 import type { Node, Port } from "../protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly } from "../use.ts";
 import { canvasStore, useCanvas } from "./canvas_store.ts";
-import { portOf } from "./form.ts";
+import { portOf, rowLabel } from "./form.ts";
 import { numberIn, sliderValue } from "./quantity.ts";
 import { fieldLabel, limitWords } from "./value_words.ts";
 
@@ -33,7 +33,7 @@ export function ValueEditor() {
 
 function Editor({ node, port, what, row }: { node: Node; port: Port; what: "value" | "weight"; row: Element }) {
   const close = () => canvasStore.setState({ editing: null });
-  const label = what === "weight" ? `Weight of ${port.label || port.name}` : port.label || port.name;
+  const label = what === "weight" ? `Weight of ${rowLabel(port)}` : port.label || port.name;
   return (
     <Popover
       className="popover value-editor"
@@ -78,7 +78,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
   const [typed, setTyped] = useState(given || (what === "value" ? port.initial : ""));
   const [problem, setProblem] = useState<string | undefined>();
   useEffect(() => setTyped(given || (what === "value" ? port.initial : "")), [given, port.initial, what]);
-  const label = what === "weight" ? `Weight of ${port.label || port.name}` : port.label || port.name;
+  const label = what === "weight" ? `Weight of ${rowLabel(port)}` : port.label || port.name;
   const send = async (value: string) => {
     if (value === given || isReadOnly) return onDone();
     const answer = await designer.link.ask({

@@ -1,6 +1,6 @@
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { wiredOf } from "../canvas/flow.ts";
-import { kindOf, rowId } from "../canvas/form.ts";
+import { kindOf, rowId, rowLabel } from "../canvas/form.ts";
 import { ValueField } from "../canvas/value_editor.tsx";
 import { typeWords } from "../canvas/value_words.ts";
 import { disconnectChange } from "../canvas/wiring.ts";
@@ -124,7 +124,7 @@ function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Po
   const row = rowId(port.name, port.index);
   const wires = drawing.wires.filter((wire) => wire.to === node.name && rowId(wire.port, wire.index) === row);
   const isWired = (wiredOf(drawing).get(node.name)?.has(row) ?? false) && !port.isExposed;
-  const label = port.label || row;
+  const label = rowLabel(port);
   const drive = () =>
     designer.store.setState({
       dialog: "place",

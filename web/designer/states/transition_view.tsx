@@ -24,7 +24,7 @@ export const TransitionView = memo(function TransitionView({
       <path
         d={curve.path}
         className={`react-flow__edge-path ${classes}`}
-        markerEnd={`url(#${selected || flashes ? "arrow-strong" : "arrow"})`}
+        markerEnd={`url(#${flashes ? "arrow-live" : selected ? "arrow-strong" : "arrow"})`}
         fill="none"
       />
       <path d={curve.path} className="react-flow__edge-interaction" fill="none" stroke="transparent" strokeWidth={18} />
@@ -61,7 +61,7 @@ function TransitionLabel({
       onDoubleClick={() => designer.store.setState({ dialog: "rename", subject: id })}
     >
       {siblings > 1 && <span className="transition-order" data-order={transition.index + 1} aria-hidden="true" />}
-      <span>{lines.join("\n")}</span>
+      <span className="transition-lines" data-lines={lines.join("\n")} aria-hidden="true" />
       {transition.restarts && <span className="transition-anew" title="Starts the state anew" aria-hidden="true" />}
     </button>
   );
