@@ -137,6 +137,9 @@ test("robots run what is drawn: the states of the one that is selected glow, wir
   await designer.button("Go on").click();
   await page.locator(".wire-label.live .live-arrow").first().waitFor();
   await designer.select(designer.named("cooperate"));
+  await page.locator(".node.active").first().waitFor();
+  await designer.button("Pause").click();
+  await page.getByText("Paused", { exact: true }).first().waitFor();
   await shot(designer, "live");
 });
 
