@@ -58,10 +58,10 @@ Designer::Parts::Parts(DesignerSettings settings, Send send)
       desk_({settings_.project_folder, settings_.example_folder, settings_.state_folder}),
       compiler_(
           programs(settings_),
-          [this](const std::string& document, std::shared_ptr<const Compiled> compiled) {
+          [this](const std::string& document, const std::shared_ptr<const Compiled>& compiled) {
             inbox_->post([this, document, compiled] { desk_.take(document, compiled); });
           },
-          [this](const std::string& document, std::shared_ptr<const CheckedCode> code) {
+          [this](const std::string& document, const std::shared_ptr<const CheckedCode>& code) {
             inbox_->post([this, document, code] { desk_.take(document, code); });
           }) {
   thread_ = std::thread([this] { work(); });
@@ -177,48 +177,66 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
                              Answer& out) {
   switch (message.body_case()) {
     case ToDesigner::kGreeting:
-      return greet(from, client, message.greeting(), out);
+      greet(from, client, message.greeting(), out);
+      return;
     case ToDesigner::kOpen:
-      return open(client, message.open(), out);
+      open(client, message.open(), out);
+      return;
     case ToDesigner::kClose:
-      return close(client, message.close());
+      close(client, message.close());
+      return;
     case ToDesigner::kLook:
       client.pages.assign(message.look().pages().begin(), message.look().pages().end());
       return;
     case ToDesigner::kEditText:
-      return edit_text(message.edit_text(), out);
+      edit_text(message.edit_text(), out);
+      return;
     case ToDesigner::kEdit:
-      return edit(message.edit(), out);
+      edit(message.edit(), out);
+      return;
     case ToDesigner::kUndo:
-      return undo(message.undo().document(), false, out);
+      undo(message.undo().document(), false, out);
+      return;
     case ToDesigner::kRedo:
-      return undo(message.redo().document(), true, out);
+      undo(message.redo().document(), true, out);
+      return;
     case ToDesigner::kCopy:
-      return copy(message.copy(), out);
+      copy(message.copy(), out);
+      return;
     case ToDesigner::kSave:
-      return save(message.save(), out);
+      save(message.save(), out);
+      return;
     case ToDesigner::kReload:
-      return reload(message.reload(), out);
+      reload(message.reload(), out);
+      return;
     case ToDesigner::kListFiles:
-      return list_files(message.list_files(), out);
+      list_files(message.list_files(), out);
+      return;
     case ToDesigner::kAskLanguage:
-      return ask_language(message.ask_language(), out);
+      ask_language(message.ask_language(), out);
+      return;
     case ToDesigner::kDescribe:
-      return describe(message.describe(), out);
+      describe(message.describe(), out);
+      return;
     case ToDesigner::kFits:
-      return fits(message.fits(), out);
+      fits(message.fits(), out);
+      return;
     case ToDesigner::kFindLive:
-      return find_live(message.find_live(), out);
+      find_live(message.find_live(), out);
+      return;
     case ToDesigner::kSetMark:
       return set_mark(message.set_mark(), out);
     case ToDesigner::kRemoveMark:
       return remove_mark(message.remove_mark(), out);
     case ToDesigner::kWriteBack:
-      return write_back(message.write_back(), out);
+      write_back(message.write_back(), out);
+      return;
     case ToDesigner::kReadField:
-      return read_field(from, message.request(), message.read_field(), out);
+      read_field(from, message.request(), message.read_field(), out);
+      return;
     case ToDesigner::kTry:
-      return try_out(from, message.request(), message.try_(), out);
+      try_out(from, message.request(), message.try_(), out);
+      return;
     default:
       out.set_ok(false);
       out.set_error("this designer does not know that request");
@@ -269,7 +287,10 @@ void Designer::Parts::greet(console::ConnectionId from, Client& client, const Gr
 
 void Designer::Parts::open(Client& client, const Open& request, Answer& out) {
   const text::Result<OpenConfiguration*> opened = desk_.open(request.path(), now());
-  if (!opened) return fail(out, opened.error());
+  if (!opened) {
+    fail(out, opened.error());
+    return;
+  }
   client.documents.insert((*opened)->path);
   out.set_text((*opened)->path);
 }
@@ -321,7 +342,10 @@ void Designer::Parts::edit_text(const EditText& request, Answer& out) {
 void Designer::Parts::undo(const std::string& path, bool again, Answer& out) {
   OpenConfiguration* one = editable(path, out);
   if (one == nullptr) return;
-  if (again ? one->text.redo() : one->text.undo()) return desk_.changed(*one);
+  if (again ? one->text.redo() : one->text.undo()) {
+    desk_.changed(*one);
+    return;
+  }
   out.set_ok(false);
   out.set_error(again ? "there is nothing to do again" : "there is nothing to undo");
 }
@@ -375,7 +399,10 @@ void Designer::Parts::reload(const Reload& request, Answer& out) {
 
 void Designer::Parts::list_files(const ListFiles& request, Answer& out) {
   const auto entries = desk_.project().list(request.folder());
-  if (!entries) return fail(out, entries.error());
+  if (!entries) {
+    fail(out, entries.error());
+    return;
+  }
   console::FileList& files = *out.mutable_files();
   files.set_folder(request.folder());
   for (const console::ProjectFolder::Entry& entry : *entries) {
@@ -440,10 +467,9 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
   std::erase_if(client.sent, [&](const auto& sent) {
     const std::string& what = sent.first;
     if (!what.starts_with("drawing ") && !what.starts_with("version of ")) return false;
-    for (const Page& page : client.pages) {
-      if (what.ends_with("drawing " + page.document() + ' ' + page.path())) return false;
-    }
-    return true;
+    return std::ranges::none_of(client.pages, [&](const Page& page) {
+      return what.ends_with("drawing " + page.document() + ' ' + page.path());
+    });
   });
 }
 

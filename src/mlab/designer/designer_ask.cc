@@ -95,9 +95,11 @@ void Designer::Parts::ask_language(const AskLanguage& request, Answer& out) {
       return;
     }
     case AskLanguage::DEFINITION:
-      return find_definition(*one, request.cursor(), out);
+      find_definition(*one, request.cursor(), out);
+      return;
     case AskLanguage::PAGE:
-      return add_location(*one->drawn, one->path, {request.cursor(), request.cursor()}, out);
+      add_location(*one->drawn, one->path, {request.cursor(), request.cursor()}, out);
+      return;
     default:
       out.set_ok(false);
       out.set_error("this designer does not know that question");
@@ -111,12 +113,19 @@ void Designer::Parts::find_definition(const OpenConfiguration& one, std::uint32_
     out.set_ok(false);
     out.set_error(std::move(why));
   };
-  if (!found || !found->source) return refuse("this is declared in no text that could be shown");
-  if (found->source == one.model->source()) return add_location(*one.drawn, one.path, found->span, out);
+  if (!found || !found->source) {
+    refuse("this is declared in no text that could be shown");
+    return;
+  }
+  if (found->source == one.model->source()) {
+    add_location(*one.drawn, one.path, found->span, out);
+    return;
+  }
   const std::string document = desk_.document_of(found->source->name());
   if (!document.ends_with(".cdl") && !document.starts_with("new:")) {
-    return refuse(fmt::format("it is declared in `{}`, line {}", text::shown(found->source->name(), 200),
-                              found->source->line_column(found->span.begin).line));
+    refuse(fmt::format("it is declared in `{}`, line {}", text::shown(found->source->name(), 200),
+                       found->source->line_column(found->span.begin).line));
+    return;
   }
   add_location(Model(found->source, desk_.environment()), document, found->span, out);
 }

@@ -16,7 +16,10 @@ void Designer::Parts::edit(const Edit& request, Answer& out) {
     return;
   }
   text::Result<Edited> done = edited(one->drawn, desk_.environment(), request, desk_.offered(*one));
-  if (!done) return fail(out, done.error());
+  if (!done) {
+    fail(out, done.error());
+    return;
+  }
   if (done->text.size() > text::Source::kMaxBytes) {
     out.set_ok(false);
     out.set_error("the text would be too long");
@@ -36,7 +39,10 @@ void Designer::Parts::copy(const Copy& request, Answer& out) {
     return;
   }
   text::Result<std::string> text = copied(*one->drawn, request);
-  if (!text) return fail(out, text.error());
+  if (!text) {
+    fail(out, text.error());
+    return;
+  }
   out.set_text(std::move(*text));
 }
 

@@ -77,7 +77,10 @@ void read_in_pieces(const LookAtRun& look_at_run, const std::shared_ptr<FieldRea
 
 void Designer::Parts::find_live(const FindLive& request, Answer& out) {
   const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) return fail(out, not_known("the document is not open").error());
+  if (one == nullptr) {
+    fail(out, not_known("the document is not open").error());
+    return;
+  }
   LivePaths& live = *out.mutable_live();
   if (!last_trial_.model) return;
   const bool was_tried = last_trial_.document == one->path;
@@ -96,7 +99,10 @@ void Designer::Parts::find_live(const FindLive& request, Answer& out) {
 void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
   constexpr std::size_t kLongest = 4000;  // bytes
   const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) return fail(out, not_known("the document is not open").error());
+  if (one == nullptr) {
+    fail(out, not_known("the document is not open").error());
+    return;
+  }
   if (one->drawn->page(request.mark().page()).graph == nullptr)
     return fail(out, not_known("there is no such page").error());
   if (request.mark().ByteSizeLong() > kLongest) return fail(out, not_known("that is too long").error());
@@ -139,10 +145,16 @@ void Designer::Parts::write_back(const WriteBack& request, Answer& out) {
   if (one->is_outdated())
     return fail(out, not_known("the text has a slip of grammar: mend it first").error());
   const text::Result<TrialConfiguration> tried = tried_now(*one);
-  if (!tried) return fail(out, tried.error());
+  if (!tried) {
+    fail(out, tried.error());
+    return;
+  }
   text::Result<Edited> done =
       written_back(one->model, desk_.environment(), *tried, request.port(), request.value());
-  if (!done) return fail(out, done.error());
+  if (!done) {
+    fail(out, done.error());
+    return;
+  }
   one->text.change(std::move(done->text), std::move(done->name), now());
   desk_.changed(*one);
 }
@@ -254,16 +266,31 @@ void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t numbe
   const OpenConfiguration* one = desk_.find(request.document());
   if (one == nullptr) return fail(out, not_known("the document is not open").error());
   const text::Result<FieldGrid> grid = grid_of(request);
-  if (!grid) return fail(out, grid.error());
+  if (!grid) {
+    fail(out, grid.error());
+    return;
+  }
   const text::Result<FieldOf> what = field_node(*one, request);
-  if (!what) return fail(out, what.error());
+  if (!what) {
+    fail(out, what.error());
+    return;
+  }
   const text::Result<FieldProgram> part = program_of_field(*what);
-  if (!part) return fail(out, part.error());
+  if (!part) {
+    fail(out, part.error());
+    return;
+  }
   const bool may_run = settings_.look_at_run && last_trial_.document == one->path;
   if (!may_run) {
-    if (request.robot() != 0) return fail(out, not_known("that robot does not run").error());
+    if (request.robot() != 0) {
+      fail(out, not_known("that robot does not run").error());
+      return;
+    }
     const text::Result<std::string> arrows = field_alone(*one, *what, *part, *grid);
-    if (!arrows) return fail(out, arrows.error());
+    if (!arrows) {
+      fail(out, arrows.error());
+      return;
+    }
     out.mutable_field()->set_arrows(*arrows);
     out.mutable_field()->set_note("a robot that has just started, on the field for trying");
     return;

@@ -172,10 +172,18 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
     out.set_ok(false);
     out.set_error(why);
   };
-  if (one == nullptr) return refuse("the document is not open");
-  if (!settings_.try_out) return refuse("this server has no simulator");
-  if (request.count() > kMostRobots)
-    return refuse(fmt::format("at most {} robots can be tried", kMostRobots));
+  if (one == nullptr) {
+    refuse("the document is not open");
+    return;
+  }
+  if (!settings_.try_out) {
+    refuse("this server has no simulator");
+    return;
+  }
+  if (request.count() > kMostRobots) {
+    refuse(fmt::format("at most {} robots can be tried", kMostRobots));
+    return;
+  }
   const std::shared_ptr<const Model> model = model_to_try(*one);
   const TrialWish wish = {request.robot(), static_cast<int>(std::max(1U, request.count()))};
   const text::Result<TrialConfiguration> completed = complete_for_trial(model, desk_.environment(), wish);
@@ -191,14 +199,20 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
   tried->check();
   if (tried->problems().has_errors()) {
     refuse("it can't run: it has errors");
-    return add_problems(tried->problems(), *completed, *one, out);
+    add_problems(tried->problems(), *completed, *one, out);
+    return;
   }
   std::string file;
   console::Trial trial = trial_of(*one, *completed, request.overlay(), file);
   const text::Result<TrialField> field = field_of(request, trial);
-  if (!field) return fail(out, field.error());
-  if (file.find('"') != std::string::npos || field->overlay.find('"') != std::string::npos)
-    return refuse("a mission can't name a file with a quote in its name");
+  if (!field) {
+    fail(out, field.error());
+    return;
+  }
+  if (file.contains('"') || field->overlay.contains('"')) {
+    refuse("a mission can't name a file with a quote in its name");
+    return;
+  }
   trial.text = trial_mission(*completed, file, *field);
   trial.execute = request.execute();
   const LastTrial last = {one->path, tried, *completed, file, trial.path, wish};

@@ -378,7 +378,7 @@ text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request
     if (!done) return std::unexpected(done.error());
     return one.path;
   }
-  const std::string path = request.as().empty() ? one.path : request.as();
+  std::string path = request.as().empty() ? one.path : request.as();
   const bool is_other = path != one.path;
   if (!is_other && path.starts_with(kNew))
     return refused("no-name", "say under which name it is to be saved");

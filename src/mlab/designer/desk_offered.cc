@@ -12,8 +12,8 @@
 namespace mlab::designer {
 namespace {
 
-constexpr std::size_t kMostBeside = 50;                // files of one folder
-constexpr std::uintmax_t kLargestBeside = 256 * 1024;  // [bytes]
+constexpr std::size_t kMostBeside = 50;                 // files of one folder
+constexpr std::uintmax_t kLargestBeside = 256U << 10U;  // [bytes]
 
 // The project's folders, as ProjectFolder names them: empty for the project's own.
 std::string folder_beside(const std::string& path) {

@@ -211,7 +211,7 @@ class Asked {
 
 std::string device_verdict(const cdl::Device& device, const cdl::Binding& binding,
                            const Components& components) {
-  const std::optional<Callable> by = components.find(device.by.callee.text);
+  const std::optional<Callable>& by = components.find(device.by.callee.text);
   if (!by) return fmt::format("nothing answers to `{}`", device.by.callee.text);
   if (binding.result_type.text.empty() || by->gives_nothing)
     return binding.result_type.text.empty() == by->gives_nothing ? ""

@@ -441,8 +441,6 @@ Done Editor::expose(const Expose& change) {
   if (!initial.empty() && !has_unit && !socket->type.unit.empty()) initial += " " + socket->type.unit;
   if (input.role == Role::kWeight && initial.empty()) initial = "1";
   const std::string owner = view->graph->name;
-  const std::string path = view->page->path;
-  const std::string node_name = there.name;
   if (const Done done = write(*to, name); !done) return done;
   SetParameter parameter;
   parameter.set_owner(owner);

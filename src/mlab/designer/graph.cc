@@ -308,10 +308,8 @@ class Builder {
     std::vector<std::pair<GraphInput, Driver>> others;
     for (std::size_t i = 0; i < call.arguments.size(); ++i) {
       const cdl::Argument& argument = call.arguments[i];
-      std::size_t which = sockets.size();
-      if (argument.name.text.empty()) {
-        which = std::min(i, sockets.size());
-      } else {
+      std::size_t which = std::min(i, sockets.size());
+      if (!argument.name.text.empty()) {
         const auto found = std::ranges::find(sockets, argument.name.text, &Socket::name);
         which = static_cast<std::size_t>(found - sockets.begin());
       }

@@ -69,7 +69,7 @@ void Workspace::erase_statement(std::uint32_t begin) {
   erase({begin, end});
 }
 
-void Workspace::insert_statement_behind(std::uint32_t end, Fragment what) {
+void Workspace::insert_statement_behind(std::uint32_t end, const Fragment& what) {
   // Behind what is said of the statement on its line.
   const std::string_view all = text();
   const std::size_t token = tokens_->at(end);
@@ -176,7 +176,7 @@ std::string Workspace::spliced(std::vector<Segment>& segments) {
 // The canonical layout: of the whole text where it had it before, else of the tokens around what has changed.
 std::string Workspace::laid_out(const std::string& changed, const std::vector<text::Span>& touched,
                                 std::vector<std::uint32_t>& moved_tokens) const {
-  const std::string formatted = cdl::laid_out(changed);
+  std::string formatted = cdl::laid_out(changed);
   const cdl::Tokens before = cdl::lex(changed);
   const cdl::Tokens after = cdl::lex(formatted);
   std::string out;

@@ -67,7 +67,7 @@ class Workspace {
   /// A statement with its line, and with the `///` above it.
   void erase_statement(std::uint32_t begin);
   /// A statement on a line of its own behind one that ends at a byte.
-  void insert_statement_behind(std::uint32_t end, Fragment what);
+  void insert_statement_behind(std::uint32_t end, const Fragment& what);
   /// The words of the text. Lines that were only broken because they were long are not broken in it.
   Fragment moved(text::Span span) const;
   /// Another word in place of one, which means the same.

@@ -1,6 +1,7 @@
 // What has a value: numbers, names, calls, lists, operators.
 
 #include <algorithm>
+#include <array>
 
 #include "mlab/lang/cdl/cursor.h"
 #include "mlab/language/cdl_reader.h"
@@ -236,10 +237,8 @@ bool CdlReader::at_block() const {
   if (!is_any({"cooperate", "compete", "coordinate", "fuse", "sequence", "select"})) return false;
   if (is_next("{")) return !stops_at_brace_;
   if (is_next("by")) return true;
-  for (const char* other : {"(", ")", ",", ";", ":", "=", "as", "and", "or", "]", "active", "goto"}) {
-    if (is_next(other)) return false;
-  }
-  return true;
+  constexpr std::array kOthers = {"(", ")", ",", ";", ":", "=", "as", "and", "or", "]", "active", "goto"};
+  return std::ranges::none_of(kOthers, [this](const char* other) { return is_next(other); });
 }
 
 bool CdlReader::open_block() {

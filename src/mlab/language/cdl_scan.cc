@@ -184,15 +184,29 @@ CdlScan CdlReader::run() {
 }
 
 void CdlReader::item() {
-  if (is("assemblage")) return declaration(NameKind::kAssemblage, &CdlReader::assemblage);
-  if (is("binding")) return declaration(NameKind::kBinding, &CdlReader::binding);
-  if (is("class")) return declaration(NameKind::kClass, &CdlReader::robot_class);
-  if (is("robot")) return declaration(NameKind::kRobot, &CdlReader::robot);
-  if (is("operator")) return declaration(NameKind::kOperator, &CdlReader::society_operator);
-  if (is("society")) return declaration(NameKind::kSociety, &CdlReader::society);
-  if (is("use")) return use_file();
-  if (is("architecture")) return architecture();
-  layout();
+  struct Declared {
+    const char* word;
+    NameKind kind;
+    void (CdlReader::*body)();
+  };
+  static constexpr Declared kDeclared[] = {
+      {"assemblage", NameKind::kAssemblage, &CdlReader::assemblage},
+      {"binding", NameKind::kBinding, &CdlReader::binding},
+      {"class", NameKind::kClass, &CdlReader::robot_class},
+      {"robot", NameKind::kRobot, &CdlReader::robot},
+      {"operator", NameKind::kOperator, &CdlReader::society_operator},
+      {"society", NameKind::kSociety, &CdlReader::society},
+  };
+  const auto* one = std::ranges::find_if(kDeclared, [this](const Declared& other) { return is(other.word); });
+  if (one != std::end(kDeclared)) {
+    declaration(one->kind, one->body);
+  } else if (is("use")) {
+    use_file();
+  } else if (is("architecture")) {
+    architecture();
+  } else {
+    layout();
+  }
 }
 
 void CdlReader::declaration(NameKind kind, void (CdlReader::*body)()) {
