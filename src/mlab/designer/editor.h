@@ -145,6 +145,8 @@ class Editor {
   std::vector<Stood> places(const PageView& view, const std::string& page, const std::set<int>& nodes);
   Done arrange_group(const Group& change, const std::vector<Stood>& stood);
   Done ungroup(const Ungroup& change);
+
+  // ---- edit_clipboard.cc
   Done paste(const Paste& change);
 
   Workspace& work_;
