@@ -1,6 +1,7 @@
-// The clipboard: nodes, states and declarations as text.
+// The clipboard: nodes, states and declarations as text, and where they stood.
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -14,6 +15,22 @@
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
+namespace {
+
+// The `layout` behind copied nodes, which is taken off the text.
+std::vector<cdl::LayoutEntry> take_layout(std::string& text) {
+  const std::size_t at = text.rfind("\nlayout {");
+  if (at == std::string::npos) return {};
+  text::Diagnostics sink;
+  const auto source = std::make_shared<const text::Source>("clipboard", text.substr(at + 1));
+  const cdl::Tree tree = cdl::parse(source, sink);
+  const auto* layout = tree.items.size() == 1 ? std::get_if<cdl::Layout>(&tree.items.front()) : nullptr;
+  if (sink.has_errors() || layout == nullptr) return {};
+  text.erase(at + 1);
+  return layout->entries;
+}
+
+}  // namespace
 
 Done Editor::paste(const Paste& change) {
   if (change.text().find_first_not_of(" \t\r\n") == std::string::npos)
@@ -45,10 +62,11 @@ Done Editor::paste(const Paste& change) {
   const text::Result<PageView> found = page(change.page());
   if (!found) return std::unexpected(found.error());
   // Nodes come as `let`s, states as they stand in a sequence.
-  const bool is_states = !change.text().starts_with("let ");
-  const std::string wrapped = is_states
-                                  ? fmt::format("assemblage A() {{ sequence {{\n{}\n}} }}", change.text())
-                                  : fmt::format("assemblage A() {{\n{}\n}}", change.text());
+  std::string copy = change.text();
+  const std::vector<cdl::LayoutEntry> layout = take_layout(copy);
+  const bool is_states = !copy.starts_with("let ");
+  const std::string wrapped = is_states ? fmt::format("assemblage A() {{ sequence {{\n{}\n}} }}", copy)
+                                        : fmt::format("assemblage A() {{\n{}\n}}", copy);
   text::Diagnostics sink;
   const auto source = std::make_shared<const text::Source>("clipboard", wrapped);
   const cdl::Tree tree = cdl::parse(source, sink);
@@ -88,7 +106,7 @@ Done Editor::paste(const Paste& change) {
     }
     const auto begin = static_cast<std::uint32_t>(wrapped.find('\n') + 1);
     const std::string words =
-        swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(change.text().size())}, swaps);
+        swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(copy.size())}, swaps);
     const cdl::State& last = view.page->sequence->states.back();
     const std::uint32_t end =
         last.transitions.empty() ? last.member->place.span.end : last.transitions.back().place.span.end;
@@ -111,8 +129,7 @@ Done Editor::paste(const Paste& change) {
       });
     }
     const auto begin = static_cast<std::uint32_t>(wrapped.find('\n') + 1);
-    std::string words =
-        swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(change.text().size())}, swaps);
+    std::string words = swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(copy.size())}, swaps);
     // Its first words are `let NAME = `, its last `;`: what stands between is what add_let puts there.
     while (!words.empty() && (words.back() == '\n' || words.back() == ' ' || words.back() == ';'))
       words.pop_back();
@@ -122,8 +139,27 @@ Done Editor::paste(const Paste& change) {
   if (const Done done = work_.commit(); !done) return done;
   Arrange where;
   where.set_page(change.page());
+  // As they stood; the leftmost and the topmost of them where the pointer is.
+  double left = std::numeric_limits<double>::infinity();
+  double top = left;
+  for (const cdl::LayoutEntry& entry : layout) {
+    left = std::min(left, entry.x);
+    top = std::min(top, entry.y);
+  }
+  for (const cdl::LayoutEntry& entry : layout) {
+    const std::string& path = entry.node.text;
+    const std::string first = path.substr(0, path.find('.'));
+    const auto known = renamed.find(first);
+    if (known == renamed.end()) continue;
+    Arrange::At& at = *where.add_nodes();
+    at.set_node(known->second + path.substr(first.size()));
+    at.set_x(change.x() + entry.x - left);
+    at.set_y(change.y() + entry.y - top);
+  }
+  // Others one below the other.
   constexpr double kStep = 40.0;  // [px]
   for (std::size_t i = 0; i < names.size(); ++i) {
+    if (place_of(where.nodes(), names[i]) != nullptr) continue;
     Arrange::At& at = *where.add_nodes();
     at.set_node(names[i]);
     at.set_x(change.x() + kStep * static_cast<double>(i));
@@ -169,8 +205,19 @@ text::Result<std::string> copied(const Model& model, const Copy& request) {
     if (at < 0) return refusal(fmt::format("there is no `{}` on this page", text::shown(name)));
     if (page.nodes[static_cast<std::size_t>(at)].expression != nullptr) chosen.insert(at);
   }
+  std::string layout;
+  const auto stands = [&](std::string_view node, const std::string& as) {
+    const Arrange::At* at = place_of(request.places(), node);
+    if (at != nullptr) layout += fmt::format("  {} {:.0f} {:.0f};\n", as, at->x(), at->y());
+  };
+  const auto with_layout = [&] {
+    return layout.empty() ? out : fmt::format("{}layout {{\n{}}}\n", out, layout);
+  };
   for (const std::string& one : states) out += one + "\n";
-  if (!states.empty()) return out;
+  for (const std::string& name : request.nodes()) {
+    if (!states.empty()) stands(name, name);
+  }
+  if (!states.empty()) return with_layout();
   std::set<std::string> taken;
   for (const int at : chosen) {
     const GraphNode& node = page.nodes[static_cast<std::size_t>(at)];
@@ -193,9 +240,17 @@ text::Result<std::string> copied(const Model& model, const Copy& request) {
       value.erase(from - begin, expression.as.place.span.end - from);
     }
     out += fmt::format("let {} = {};\n", name, value);
+    stands(node.name, name);
+    for (std::size_t k = 0; k < page.nodes.size(); ++k) {
+      const GraphNode& part = page.nodes[k];
+      for (int reader = part.reader; reader >= 0;
+           reader = page.nodes[static_cast<std::size_t>(reader)].reader) {
+        if (reader == at) stands(part.name, name + "." + below(part.path, node.path));
+      }
+    }
   }
   if (out.empty()) return refusal("nothing of this can be copied");
-  return out;
+  return with_layout();
 }
 
 }  // namespace mlab::designer

@@ -370,6 +370,77 @@ TEST(Edit, CopiesAndPastes) {
       << text.text();
 }
 
+TEST(Edit, PastesNodesAsTheyStood) {
+  DrawnText text(
+      "assemblage A() {\n  cooperate {\n    Noise();\n    Stand();\n  }\n}\n\nassemblage B() {\n}\n");
+  Copy copy;
+  copy.set_page("A");
+  const auto stands = [&](const std::string& name, double x, double y) {
+    copy.add_nodes(name);
+    Arrange::At& at = *copy.add_places();
+    at.set_node(name);
+    at.set_x(x);
+    at.set_y(y);
+  };
+  stands("cooperate", 300, 40);
+  stands("Noise", 20, 30);
+  stands("Stand", 24, 160);
+  const text::Result<std::string> words = copied(text.model(), copy);
+  ASSERT_TRUE(words.has_value());
+  EXPECT_EQ(*words, R"(let cooperate = cooperate {
+    Noise();
+    Stand();
+  };
+layout {
+  cooperate 300 40;
+  cooperate.Noise 20 30;
+  cooperate.Stand 24 160;
+}
+)");
+  for (const double x : {1000.0, 2000.0}) {
+    text.change([&](Change& change) {
+      Paste& paste = *change.mutable_paste();
+      paste.set_page("B");
+      paste.set_text(*words);
+      paste.set_x(x);
+      paste.set_y(500);
+    });
+  }
+  EXPECT_EQ(text.text().substr(text.text().find("layout")), R"(layout B {
+  cooperate 1280 510;
+  cooperate.Noise 1000 500;
+  cooperate.Stand 1004 630;
+  cooperate_2 2280 510;
+  cooperate_2.Noise 2000 500;
+  cooperate_2.Stand 2004 630;
+}
+)");
+  EXPECT_EQ(text.errors(), "");
+}
+
+TEST(Edit, PastesStatesAsTheyStood) {
+  DrawnText text(
+      "assemblage A() {\n  sequence {\n    start Go: Noise();\n      when Wait(1 s) goto Rest;\n"
+      "    final Rest: Stand();\n  }\n}\n");
+  Copy copy;
+  copy.set_page("A");
+  copy.add_nodes("Go");
+  Arrange::At& at = *copy.add_places();
+  at.set_node("Go");
+  at.set_x(80);
+  const text::Result<std::string> words = copied(text.model(), copy);
+  ASSERT_TRUE(words.has_value());
+  text.change([&](Change& change) {
+    Paste& paste = *change.mutable_paste();
+    paste.set_page("A");
+    paste.set_text(*words);
+    paste.set_x(400);
+    paste.set_y(16);
+  });
+  EXPECT_NE(text.text().find("Go_2: Noise();"), std::string::npos) << text.text();
+  EXPECT_NE(text.text().find("  Go_2 400 16;"), std::string::npos) << text.text();
+}
+
 TEST(Edit, WritesNotesAndFrames) {
   DrawnText text("assemblage A() {\n  Stand();\n}\n");
   const auto note = [&](const std::string& id, const std::string& words, double width, bool is_frame) {

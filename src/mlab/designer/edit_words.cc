@@ -36,6 +36,17 @@ std::string swapped(std::string_view text, text::Span span, std::vector<Swap> sw
   return out + std::string(text.substr(done, span.end - done));
 }
 
+const Arrange::At* place_of(const Places& places, std::string_view node) {
+  const auto found = std::ranges::find_if(places, [&](const Arrange::At& at) { return at.node() == node; });
+  return found == places.end() ? nullptr : &*found;
+}
+
+std::string below(std::string_view path, std::string_view whole) {
+  const bool is_below =
+      !whole.empty() && path.size() > whole.size() && path.starts_with(whole) && path[whole.size()] == '.';
+  return std::string(is_below ? path.substr(whole.size() + 1) : path);
+}
+
 std::string unique(const std::string& wanted, const std::set<std::string>& taken) {
   std::string out = wanted;
   for (int number = 2; taken.contains(out); ++number) out = fmt::format("{}_{}", wanted, number);

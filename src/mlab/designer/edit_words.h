@@ -32,4 +32,12 @@ void for_each_name(const cdl::Expression& expression, const auto& visit) {
 /// `Noise`, `Noise_2`: one that is not taken.
 std::string unique(const std::string& wanted, const std::set<std::string>& taken);
 
+using Places = google::protobuf::RepeatedPtrField<Arrange::At>;
+
+/// Where a node stands; null: nobody said so.
+const Arrange::At* place_of(const Places& places, std::string_view node);
+
+/// A path below another one, without that.
+std::string below(std::string_view path, std::string_view whole);
+
 }  // namespace mlab::designer

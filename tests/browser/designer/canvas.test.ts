@@ -1,6 +1,6 @@
 // What can be done on the canvas: each its own small test.
 import { expect, test } from "vitest";
-import { begin, look } from "./designer.ts";
+import { begin, type DesignerPage, look } from "./designer.ts";
 
 const kTwo = `// Kept as it is.
 assemblage Two() {
@@ -76,6 +76,79 @@ test("what is copied is CDL, and is pasted into another window", async () => {
   await expect.poll(() => other.page.locator(".react-flow__node", { hasText: "Noise" }).count()).toBe(2);
   // Both windows show the same document.
   await expect.poll(() => designer.page.locator(".react-flow__node", { hasText: "Noise" }).count()).toBe(2);
+});
+
+const kBeside = `assemblage One() {
+  let walk = Noise();
+  let rest = Stand();
+  Noise()
+}
+
+assemblage Two() {
+  Stand()
+}
+
+layout One {
+  walk 0 0;
+  rest 320 40;
+  Noise 0 400;
+}
+
+layout Two {
+  Stand 0 400;
+}
+`;
+
+/** How the second of two nodes stands to the first [px], and whether they overlap. */
+async function standing(designer: DesignerPage, [first, second]: [string, string]) {
+  const a = (await designer.node(first).boundingBox())!;
+  const b = (await designer.node(second).boundingBox())!;
+  const overlap = a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+  const scale = a.width / (await designer.node(first).evaluate((node) => (node as HTMLElement).offsetWidth));
+  return { dx: Math.round((b.x - a.x) / scale), dy: Math.round((b.y - a.y) / scale), overlap };
+}
+
+test("nodes that stand side by side are pasted so, in this window and in another", async () => {
+  const { designer, mlab, project } = await begin({
+    file: "beside.cdl",
+    prepare: (its) => its.write("beside.cdl", kBeside),
+    width: 1600,
+    height: 900,
+  });
+  await designer.goTo("One");
+  const { page } = designer;
+  const beside = { dx: 320, dy: 40, overlap: false };
+  expect(await standing(designer, ["walk", "rest"])).toEqual(beside);
+  await designer.select(designer.node("walk"));
+  await designer.node("rest").click({ modifiers: ["Control"], position: { x: 70, y: 10 } });
+  await page.keyboard.press("Control+c");
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("rest 320 40;");
+  await page.locator(".react-flow__pane").hover({ position: { x: 40, y: 640 } });
+  await page.keyboard.press("Control+v");
+  await designer.node("rest_2").waitFor();
+  expect(await standing(designer, ["walk_2", "rest_2"])).toEqual(beside);
+  // What has come is selected: a second copy stands beside it.
+  await expect.poll(() => page.locator(".react-flow__node.selected").count()).toBe(2);
+  await page.keyboard.press("Control+d");
+  await designer.node("rest_2_2").waitFor();
+  expect(await standing(designer, ["walk_2_2", "rest_2_2"])).toEqual(beside);
+  expect(await standing(designer, ["walk_2", "walk_2_2"])).toMatchObject({ dx: 40, dy: 40 });
+
+  const text = await page.evaluate(() => navigator.clipboard.readText());
+  const other = await look(mlab.url.replace(/#.*/, ""), { width: 1600, height: 900 });
+  await other.goTo("Two");
+  await other.page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
+  await other.page.locator(".react-flow__pane").hover({ position: { x: 400, y: 60 } });
+  await other.page.keyboard.press("Control+v");
+  await other.node("rest").waitFor();
+  expect(await standing(other, ["walk", "rest"])).toEqual(beside);
+  await other.page.keyboard.press("Control+s");
+  await expect.poll(() => project.read("beside.cdl")).toMatch(/assemblage Two\(\) {\n {2}let walk = Noise\(\);/);
+  const layout = project.read("beside.cdl").split("layout Two {")[1] ?? "";
+  const at = (name: string) => new RegExp(`  ${name} (-?\\d+) (-?\\d+);`).exec(layout)!.slice(1).map(Number);
+  const [walk, rest] = [at("walk"), at("rest")];
+  expect([rest[0]! - walk[0]!, rest[1]! - walk[1]!]).toEqual([320, 40]);
+  expect(layout).toContain("  Stand 0 400;");
 });
 
 test("nodes become an assemblage, which is entered by a double click and taken apart again", async () => {

@@ -153,6 +153,14 @@ export class DesignerPage {
     await dialog.waitFor({ state: "detached" });
   }
 
+  /** By Enter on its declaration in the page of the file. */
+  async goTo(path: string): Promise<void> {
+    await this.on("");
+    await this.select(this.node(path));
+    await this.page.keyboard.press("Enter");
+    await this.on(path);
+  }
+
   async toFile(): Promise<void> {
     await this.page.locator("body").press("Home");
     await this.on("");

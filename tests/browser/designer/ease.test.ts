@@ -23,19 +23,12 @@ layout Urges {
 
 const opened = () => begin({ file: "two.cdl", prepare: (project) => project.write("two.cdl", kTwo) });
 
-async function goTo(designer: DesignerPage, path: string): Promise<void> {
-  await designer.on("");
-  await designer.select(designer.node(path));
-  await designer.page.keyboard.press("Enter");
-  await designer.on(path);
-}
-
 const crumbs = ({ page }: DesignerPage) =>
   page.getByRole("navigation", { name: "Where you are" }).getByRole("button").allTextContents();
 
 test("who goes inside comes back to where he was", async () => {
   const { designer } = await opened();
-  await goTo(designer, "Wander");
+  await designer.goTo("Wander");
   await designer.node("Urges").dblclick({ position: { x: 60, y: 8 } });
   await designer.on("Urges");
   expect(await crumbs(designer)).toEqual(["two.cdl", "Wander", "Urges"]);
@@ -46,7 +39,7 @@ test("who goes inside comes back to where he was", async () => {
 
 test("what is told does not move the drawing", async () => {
   const { designer, project } = await opened();
-  await goTo(designer, "Urges");
+  await designer.goTo("Urges");
   const before = await designer.node("Noise").boundingBox();
   project.write("two.cdl", `${kTwo}// more\n`);
   await designer.page.getByText("was changed on the disk; this is the new text").waitFor();
@@ -73,7 +66,7 @@ test("Escape leaves a dialog and Enter does what it is for", async () => {
 
 test("the words of a comment are typed at once, in a free place", async () => {
   const { designer, project } = await opened();
-  await goTo(designer, "Urges");
+  await designer.goTo("Urges");
   await designer.page.keyboard.press("Shift+C");
   await designer.page.getByRole("textbox", { name: "Text of the comment" }).waitFor();
   await designer.page.keyboard.type("Two urges");
@@ -85,7 +78,7 @@ test("the words of a comment are typed at once, in a free place", async () => {
 
 test("a page that has gone leads to the file", async () => {
   const { designer } = await opened();
-  await goTo(designer, "Urges");
+  await designer.goTo("Urges");
   await designer.page.evaluate(() => {
     window.location.hash = "#file=two.cdl&page=Nothing";
   });
@@ -96,9 +89,9 @@ test("a page that has gone leads to the file", async () => {
 
 test("of two windows the one that is worked in has the robots", async () => {
   const { designer, mlab } = await opened();
-  await goTo(designer, "Wander");
+  await designer.goTo("Wander");
   const other = await look(mlab.url);
-  await goTo(other, "Wander");
+  await other.goTo("Wander");
   for (const one of [designer, other]) {
     await one.page.locator("[data-tour=run]").click();
     await one.page.getByRole("region", { name: "Simulator", exact: true }).getByText("Running").waitFor();

@@ -61,12 +61,24 @@ export async function removeSelection(designer: Designer): Promise<void> {
   designer.say(`Removed ${selection.length === 1 ? selection[0] : `${selection.length} things`}`);
 }
 
+/** Where the selected nodes stand, also those that the file says nothing of. */
+export function placesOfSelection(designer: Designer): { node: string; x: number; y: number }[] {
+  const places = designer.drawing && placesOf(designer.drawing);
+  return parted(designer).nodes.flatMap((node) => {
+    const at = places?.get(node);
+    return at ? [{ node, x: at.x, y: at.y }] : [];
+  });
+}
+
 /** CDL of the selected nodes. */
 async function textOf(designer: Designer): Promise<string> {
   const { document, page } = designer.state;
   const { nodes } = parted(designer);
   if (nodes.length === 0) return "";
-  const answer = await designer.ask({ case: "copy", value: { document, page, nodes } });
+  const answer = await designer.ask({
+    case: "copy",
+    value: { document, page, nodes, places: placesOfSelection(designer) },
+  });
   return answer.result.case === "text" ? answer.result.value : "";
 }
 
@@ -104,23 +116,29 @@ export async function pasteText(designer: Designer, text: string): Promise<void>
   const isInside =
     pointer.x > view.x && pointer.x < view.x + view.width && pointer.y > view.y && pointer.y < view.y + view.height;
   const at = isInside ? pointer : { x: view.x + view.width / 2, y: view.y + view.height / 2 };
-  await designer.edit("paste", {
-    case: "paste",
-    value: { page: designer.state.page, text, x: onPitch(at.x), y: onPitch(at.y) },
+  await pasteAt(designer, "paste", text, { x: onPitch(at.x), y: onPitch(at.y) });
+}
+
+/** What has come is selected. */
+async function pasteAt(designer: Designer, name: string, text: string, at: { x: number; y: number }): Promise<void> {
+  const all = () => [...(designer.drawing?.nodes ?? []), ...(designer.drawing?.states ?? [])].map((one) => one.name);
+  const before = new Set(all());
+  const value = { page: designer.state.page, text, ...at };
+  const answer = await designer.edit(name, { case: "paste", value });
+  if (!answer.ok) return;
+  const made = await soon(designer, () => {
+    const fresh = all().filter((one) => !before.has(one));
+    return fresh.length > 0 ? fresh : undefined;
   });
+  if (made) designer.select(made);
 }
 
 export async function duplicate(designer: Designer): Promise<void> {
   const text = await textOf(designer);
-  const { drawing } = designer;
-  const places = drawing && placesOf(drawing);
-  const first = parted(designer).nodes[0];
-  const at = first ? places?.get(first) : undefined;
-  if (text === "" || !at) return;
-  await designer.edit("duplicate", {
-    case: "paste",
-    value: { page: designer.state.page, text, x: at.x + 40, y: at.y + 40 },
-  });
+  const places = placesOfSelection(designer);
+  if (text === "" || places.length === 0) return;
+  const at = { x: Math.min(...places.map(({ x }) => x)) + 40, y: Math.min(...places.map(({ y }) => y)) + 40 };
+  await pasteAt(designer, "duplicate", text, at);
 }
 
 /** By arrow keys; several strokes become one step of undo. */
