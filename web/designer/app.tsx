@@ -5,7 +5,7 @@ import { Commands, ShortcutSheet } from "./actions/dialogs.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { Canvas } from "./canvas/canvas.tsx";
 import { CanvasTools } from "./canvas/canvas_tools.tsx";
-import { type Designer, titleOf } from "./designer.ts";
+import { type Designer, nameOf } from "./designer.ts";
 import Details from "./details/details.tsx";
 import { extensions } from "./extensions.ts";
 import { Banners, FloatingBanners } from "./files/banners.tsx";
@@ -295,7 +295,7 @@ function useTitle(): void {
   const document = useDocument();
   const page = usePart((state) => state.page);
   useEffect(() => {
-    const name = document ? `${document.isDirty ? "• " : ""}${page || titleOf(document.path)} – ` : "";
+    const name = document ? `${document.isDirty ? "• " : ""}${page || nameOf(document)} – ` : "";
     window.document.title = `${name}missionlab designer`;
   }, [document, page]);
 }

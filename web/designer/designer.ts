@@ -3,7 +3,7 @@ import { Link } from "./link/link.ts";
 import { type Crumb, crumbsOf, shortened } from "./pages/crumbs.ts";
 import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
 import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Page, Request } from "./protocol.ts";
-import { type Notice, type Shown, type State, type Store, shownAfter } from "./state.ts";
+import { type Notice, type Shown, type State, type Store, shownAfter, without } from "./state.ts";
 
 export class Designer {
   readonly link: Link;
@@ -158,6 +158,18 @@ export class Designer {
     if (answer.ok) this.say(`Saved ${document.path}`);
   }
 
+  /** Throws away a document that has no file. */
+  async discard(path: string): Promise<boolean> {
+    const answer = await this.ask({ case: "discard", value: { document: path } });
+    if (answer.ok) this.forget(path);
+    return answer.ok;
+  }
+
+  /** It is no longer, or no longer called so. */
+  forget(path: string): void {
+    this.store.setState((state) => without(state, path));
+  }
+
   /** The document itself may come a moment after the answer that it is open. */
   private arrived(document: string): Promise<void> {
     return new Promise((resolve) => {
@@ -279,12 +291,13 @@ export function drawingOf(state: State): Drawing | undefined {
 
 export function crumbsIn(state: State): Crumb[] {
   const declared = new Set(state.documents[state.document]?.declarations.map((one) => one.name) ?? []);
-  const file = { document: state.document, page: "", title: titleOf(state.document) };
+  const file = { document: state.document, page: "", title: "" };
   const crumbs = crumbsOf(state.trail, drawingOf(state), state.document, declared);
-  // A page that has gone stands nowhere; a document without a file is called as its title says.
-  return (crumbs.length > 0 ? crumbs : [file]).map((one) =>
-    one.page === "" && isNew(one.document) ? { ...one, title: titleOf(one.document) } : one,
-  );
+  // A page that has gone stands nowhere. What a document without a file declares is not said twice on the way.
+  return (crumbs.length > 0 ? crumbs : [file]).map((one) => {
+    const title = state.documents[one.document]?.title ?? "";
+    return one.page === "" ? { ...one, title: title.endsWith(".cdl") ? title : titleOf(one.document) } : one;
+  });
 }
 
 /** A document that has no file yet. */
@@ -292,7 +305,12 @@ export function isNew(path: string): boolean {
   return /^new:\d+$/.test(path);
 }
 
-/** What a document is called in the title: its file's name. */
+/** What a document is called: its file's name; without a file as the server calls it. */
+export function nameOf(document: Document): string {
+  return document.title || titleOf(document.path);
+}
+
+/** What a file is called. */
 export function titleOf(path: string): string {
   if (isNew(path)) return "New configuration";
   return path.slice(Math.max(path.lastIndexOf("/"), path.lastIndexOf(":")) + 1);

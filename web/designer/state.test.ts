@@ -1,5 +1,7 @@
+import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { besideSimulator, createState, firstShown, readShown, shownAfter } from "./state.ts";
+import { DocumentSchema, HelloSchema } from "./protocol.ts";
+import { besideSimulator, createState, firstShown, readShown, shownAfter, without } from "./state.ts";
 
 test("what is shown is kept over a reload", () => {
   localStorage.clear();
@@ -33,4 +35,13 @@ test("a palette that somebody hid stays hidden when the simulator is closed", ()
   const first = firstShown(1280);
   const reopened = shownAfter(shownAfter(first, besideSimulator(first, true)), { palette: true });
   expect(shownAfter(shownAfter(reopened, { palette: false }), { live: false }).palette).toBe(false);
+});
+
+test("a document that has gone is not listed any more", () => {
+  const store = createState(localStorage, 1280);
+  const hello = create(HelloSchema, { recent: [{ path: "new:1" }, { path: "a.cdl" }] });
+  store.setState({ hello, documents: { "new:1": create(DocumentSchema), "a.cdl": create(DocumentSchema) } });
+  const left = without(store.getState(), "new:1");
+  expect(Object.keys(left.documents ?? {})).toEqual(["a.cdl"]);
+  expect(left.hello?.recent.map(({ path }) => path)).toEqual(["a.cdl"]);
 });

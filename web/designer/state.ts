@@ -168,6 +168,15 @@ export function shownAfter(before: Shown, change: Partial<Shown>): Shown {
   return { ...after, palette: true, paletteWaits: false };
 }
 
+/** After a document has gone: it is not listed any more. */
+export function without({ documents, hello }: State, path: string): Partial<State> {
+  const { [path]: _gone, ...others } = documents;
+  return {
+    documents: others,
+    hello: hello && { ...hello, recent: hello.recent.filter((entry) => entry.path !== path) },
+  };
+}
+
 /** What was stored may be of another version, or anything at all: what can't be used is as at first. */
 export function readShown(stored: unknown, first: Shown): Shown {
   if (typeof stored !== "object" || stored === null) return first;

@@ -1,5 +1,6 @@
 #include "mlab/designer/designer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -7,6 +8,7 @@
 
 #include "mlab/console/utf8.h"
 #include "mlab/designer/designer_parts.h"
+#include "mlab/designer/open_text.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -212,6 +214,9 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
     case ToDesigner::kListFiles:
       list_files(message.list_files(), out);
       return;
+    case ToDesigner::kDiscard:
+      discard(client, message.discard(), out);
+      return;
     case ToDesigner::kAskLanguage:
       ask_language(message.ask_language(), out);
       return;
@@ -266,8 +271,10 @@ void Designer::Parts::greet(console::ConnectionId from, Client& client, const Gr
   hello.set_version(settings_.version);
   hello.set_folder(desk_.project().name());
   hello.set_open(first_);
-  for (const std::string& path : desk_.drafts().new_files())
-    add_entry(*hello.mutable_recent(), path, "not saved yet");
+  for (const std::string& path : desk_.drafts().new_files()) {
+    const std::optional<console::Drafts::Draft> draft = desk_.drafts().find(path);
+    if (draft) add_entry(*hello.mutable_recent(), path, unsaved_title(draft->text));
+  }
   for (const console::Drafts::Recent& recent : desk_.drafts().recent()) {
     if (desk_.project().is_file(recent.path))
       add_entry(*hello.mutable_recent(), recent.path, file_title(recent.path));
@@ -305,6 +312,24 @@ void Designer::Parts::close(Client& client, const Close& request) {
     if (other.documents.contains(request.document())) return;
   }
   desk_.close(request.document());
+}
+
+void Designer::Parts::discard(Client& client, const Discard& request, Answer& out) {
+  const std::string& path = request.document();
+  const bool is_elsewhere = std::ranges::any_of(clients_, [&](const auto& other) {
+    return &other.second != &client && other.second.documents.contains(path);
+  });
+  if (is_elsewhere || !Desk::is_new(path)) {
+    out.set_ok(false);
+    out.set_error(is_elsewhere ? "another window has it open: close that first"
+                               : "only what has no file can be thrown away");
+    return;
+  }
+  desk_.discard(path);
+  Close close_it;
+  close_it.set_document(path);
+  close(client, close_it);
+  marks_.erase(path);
 }
 
 OpenConfiguration* Designer::Parts::editable(const std::string& path, Answer& out) {
@@ -483,6 +508,7 @@ MarkList Designer::Parts::marks_message(const std::string& path) const {
 Document Designer::Parts::document_message(const OpenConfiguration& one) const {
   Document out;
   out.set_path(one.path);
+  if (Desk::is_new(one.path)) out.set_title(unsaved_title(one.text.text()));
   out.set_text(one.text.text());
   out.set_revision(one.text.revision());
   out.set_is_dirty(one.is_dirty());

@@ -63,6 +63,7 @@ class Designer::Parts {
   void greet(console::ConnectionId from, Client& client, const Greeting& greeting, Answer& out);
   void open(Client& client, const Open& request, Answer& out);
   void close(Client& client, const Close& request);
+  void discard(Client& client, const Discard& request, Answer& out);
   void edit_text(const EditText& request, Answer& out);
   void edit(const Edit& request, Answer& out);
   void undo(const std::string& path, bool again, Answer& out);

@@ -1,4 +1,5 @@
 #include "mlab/designer/designer.h"
+#include "mlab/designer/open_text.h"
 
 #include <gtest/gtest.h>
 
@@ -140,6 +141,51 @@ TEST(Designer, BringsBackUnsavedWork) {
   EXPECT_EQ(browser.document(fresh).text(), "// new\n");
   browser.ask([](ToDesigner& m) { m.mutable_undo()->set_document("a.cdl"); });
   EXPECT_EQ(browser.document("a.cdl").text(), kText);
+}
+
+TEST(Designer, CallsWhatHasNoFileByWhatItHolds) {
+  EXPECT_EQ(unsaved_title(""), "New configuration");
+  EXPECT_EQ(
+      unsaved_title("// From `old/demo.cdl`, a configuration of the historic tools.\nassemblage A() {}"),
+      "demo.cdl");
+  EXPECT_EQ(unsaved_title("assemblage Drift(a: gain) {\n}\n\nrobot One is MRV2 {\n}"), "Drift, One");
+  EXPECT_EQ(unsaved_title("assemblage A() {\n}\nassemblage B() {}\nsociety C: A;\nrobot D{}\n"), "A, B, C …");
+  EXPECT_EQ(unsaved_title("// From `"), "New configuration");
+}
+
+TEST(Designer, ListsUnsavedWorkByItsTitleUntilItIsThrownAway) {
+  Browser browser("discards");
+  const std::string fresh = browser.open("");
+  browser.type(fresh, kText);
+  EXPECT_EQ(browser.document(fresh).title(), "A");
+  browser.start();
+  const auto entries = [&] {
+    std::string out;
+    for (const auto& one : browser.hello().recent()) out += one.path() + " is " + one.title() + ";";
+    return out;
+  };
+  EXPECT_EQ(entries(), fresh + " is A;");
+  EXPECT_EQ(browser.open(fresh), fresh);
+  browser.greet(2);
+  EXPECT_EQ(browser.open(fresh, 2), fresh);
+  const auto discard = [&](int from, const std::string& path) {
+    return browser.ask([&](ToDesigner& m) { m.mutable_discard()->set_document(path); }, from);
+  };
+  EXPECT_EQ(discard(1, fresh).error(), "another window has it open: close that first");
+  browser.ask([&](ToDesigner& m) { m.mutable_close()->set_document(fresh); }, 2);
+  EXPECT_TRUE(discard(1, fresh).ok());
+  EXPECT_FALSE(browser.ask([&](ToDesigner& m) { m.mutable_open()->set_path(fresh); }).ok());
+  browser.start();
+  EXPECT_EQ(entries(), "");
+}
+
+TEST(Designer, ThrowsNoFileAway) {
+  Browser browser("keeps");
+  browser.write("a.cdl", kText);
+  browser.open("a.cdl");
+  browser.type("a.cdl", "// not saved\n");
+  EXPECT_FALSE(browser.ask([](ToDesigner& m) { m.mutable_discard()->set_document("a.cdl"); }).ok());
+  EXPECT_EQ(browser.document("a.cdl").text(), "// not saved\n");
 }
 
 TEST(Designer, OpensTheLibraryReadOnlyAndNothingOutside) {

@@ -372,6 +372,15 @@ void Desk::close(std::string_view path) {
   open_.erase(open_.find(path));
 }
 
+void Desk::discard(const std::string& path) {
+  if (const auto one = open_.find(path); one != open_.end()) open_.erase(one);
+  drafts_.drop(path);
+}
+
+bool Desk::is_new(std::string_view path) {
+  return path.starts_with(kNew);
+}
+
 text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request) {
   if (!request.library().empty()) {
     const text::Result<bool> done = save_to_library(one, request.library());

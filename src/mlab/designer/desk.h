@@ -71,6 +71,9 @@ class Desk {
   text::Result<OpenConfiguration*> open_on_disk(const std::string& disk_path, double now);
   /// Nobody looks at it any more; what is not saved stays as a draft.
   void close(std::string_view path);
+  /// The same, and nothing of it stays.
+  void discard(const std::string& path);
+  static bool is_new(std::string_view path);
   std::vector<OpenConfiguration*> all();
 
   /// The text has changed: everything anew that follows from it, also in those that use it.

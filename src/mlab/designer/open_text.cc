@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "mlab/text/shown.h"
+
 namespace mlab::designer {
 namespace {
 
@@ -138,6 +140,31 @@ std::optional<std::string> merged(std::string_view base, std::string_view ours, 
     at_theirs = theirs_end + 1;
   }
   return out;
+}
+
+std::string unsaved_title(std::string_view text) {
+  constexpr std::string_view kImported = "// From `";
+  constexpr std::string_view kNothing = "New configuration";
+  constexpr std::size_t kMost = 3;  // names in a title
+  if (text.starts_with(kImported)) {
+    std::string_view path = text.substr(kImported.size());
+    path = path.substr(0, path.find_first_of("`\r\n"));
+    const std::string_view name = path.substr(path.rfind('/') + 1);
+    return name.empty() ? std::string(kNothing) : text::shown(name);
+  }
+  std::string out;
+  std::size_t names = 0;
+  for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+    const std::string_view line = text.substr(at, text.find('\n', at) - at);
+    for (const std::string_view kind : {"assemblage ", "robot ", "society "}) {
+      if (!line.starts_with(kind)) continue;
+      const std::string_view rest = line.substr(kind.size());
+      const std::string_view name = rest.substr(0, rest.find_first_of(" (:{;\r"));
+      if (++names <= kMost) out += (out.empty() ? "" : ", ") + text::shown(name);
+    }
+  }
+  if (names == 0) return std::string(kNothing);
+  return names > kMost ? out + " …" : out;
 }
 
 }  // namespace mlab::designer

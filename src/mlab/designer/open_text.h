@@ -53,4 +53,8 @@ class OpenText {
 /// @return  nothing where both changed the same lines in different ways
 std::optional<std::string> merged(std::string_view base, std::string_view ours, std::string_view theirs);
 
+/// What a text without a file is called: the file that it was imported from, what it declares, or that it is
+/// new.
+std::string unsaved_title(std::string_view text);
+
 }  // namespace mlab::designer

@@ -38,6 +38,30 @@ test("a file that is changed on disk is taken over, or asked about where there i
   await designer.named("Noise").getByText("10 s").waitFor();
 });
 
+test("what was never saved is listed by what it holds, and thrown away when that is wanted", async () => {
+  const { designer } = await begin();
+  const { page } = designer;
+  const recent = page.getByRole("region", { name: "Recent" });
+  await designer.newAssemblage("Drift");
+  await page.getByRole("heading", { name: "Drift", level: 1 }).waitFor();
+  await new Promise((resolve) => setTimeout(resolve, 1500)); // the server keeps it by then
+  await page.goto("about:blank");
+  await page.goBack();
+  await designer.on("Drift");
+  await page.getByRole("button", { name: "Menu", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Close: back to the start page" }).click();
+  await recent.getByRole("button", { name: "Drift not saved yet" }).waitFor();
+  const dialog = page.getByRole("dialog", { name: "Throw Drift away?" });
+  await designer.button("Throw Drift away").click();
+  await dialog.getByRole("button", { name: "Keep it" }).click();
+  await dialog.waitFor({ state: "detached" });
+  await designer.button("Throw Drift away").click();
+  await dialog.getByRole("button", { name: "Throw it away" }).click();
+  await page.getByText("What you have opened appears here.").waitFor();
+  await page.reload();
+  await page.getByText("What you have opened appears here.").waitFor();
+});
+
 test("an example is looked at, and saved as a copy of one's own", async () => {
   const { designer, project } = await begin();
   await designer.page

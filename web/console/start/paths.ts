@@ -47,5 +47,6 @@ export function shownTitle({ path, title }: { path: string; title: string }): st
 
 /** Its place, without the mark of examples. */
 export function shownPath(path: string): string {
+  if (/^new:\d+$/.test(path)) return "not saved yet";
   return path.replace(/^examples:/, "");
 }

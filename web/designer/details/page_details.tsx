@@ -1,6 +1,6 @@
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { typeWords } from "../canvas/value_words.ts";
-import { titleOf } from "../designer.ts";
+import { nameOf } from "../designer.ts";
 import { lastPart } from "../pages/pages.ts";
 import { type Drawing, Drawing_Kind, type Parameter } from "../protocol.ts";
 import { useDesigner, useDocument, useIsReadOnly } from "../use.ts";
@@ -17,7 +17,7 @@ export function PageDetails({ drawing }: { drawing: Drawing }) {
   return (
     <div className="details">
       <Heading
-        name={page === "" ? titleOf(document?.path ?? "") : lastPart(page)}
+        name={page !== "" ? lastPart(page) : document ? nameOf(document) : ""}
         kind={page === "" ? "configuration" : kindOf(drawing, declaration?.kind ?? "")}
       />
       {isDeclaration && (

@@ -2,7 +2,7 @@
 import { type ReactNode, useEffect, useState } from "react";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon } from "../../console/ui/icons.tsx";
-import { titleOf } from "../designer.ts";
+import { nameOf } from "../designer.ts";
 import type { FileChanged } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 
@@ -70,7 +70,7 @@ function ChangedBanner() {
     const answer = await designer.ask({ case: "reload", value: { document: document.path, merge } });
     if (answer.ok) dismiss();
   };
-  const name = titleOf(document.path);
+  const name = nameOf(document);
   if (changed.isGone) {
     return (
       <Banner tone="hold">

@@ -3,9 +3,10 @@ import { useState } from "react";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "../../console/start/paths.ts";
 import { Button, Field } from "../../console/ui/controls.tsx";
 import { DialogBox } from "../../console/ui/menus.tsx";
-import { isNew, titleOf } from "../designer.ts";
+import { nameOf as fileName, isNew } from "../designer.ts";
 import { Choice } from "../details/choice.tsx";
 import { declarationOf } from "../pages/pages.ts";
+import type { Document } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 import { FileList } from "./file_list.tsx";
 
@@ -50,7 +51,7 @@ export function SaveAsDialog() {
   const document = useDocument();
   const before = inProject(document?.path ?? "");
   const [folder, setFolder] = useState(folderOf(before));
-  const [name, setName] = useState(() => firstName(document?.path ?? "", document?.declarations[0]?.name ?? ""));
+  const [name, setName] = useState(() => firstName(document));
   const [isThere, setIsThere] = useState(false);
   const [refusal, setRefusal] = useState("");
   const close = () => designer.store.setState({ dialog: "" });
@@ -71,11 +72,12 @@ export function SaveAsDialog() {
     close();
     const saved = answer.result.case === "text" && answer.result.value !== "" ? answer.result.value : path;
     if (saved !== document.path) await designer.open(saved, page);
+    if (isNew(document.path)) designer.forget(document.path);
     designer.say(`Saved ${saved}`);
   };
   return (
     <DialogBox
-      title={`Save ${titleOf(document.path)} as`}
+      title={`Save ${fileName(document)} as`}
       onClose={close}
       footer={
         <>
@@ -167,8 +169,10 @@ export function LibraryDialog() {
   );
 }
 
-function firstName(path: string, declaration: string): string {
-  if (!isNew(path)) return nameOf(titleOf(path));
+function firstName(document: Document | undefined): string {
+  if (!document) return "";
+  if (!isNew(document.path) || document.title.endsWith(".cdl")) return nameOf(fileName(document));
+  const declaration = document.declarations[0]?.name ?? "";
   return declaration === "" ? "configuration" : declaration.replaceAll(/(?<=[a-z0-9])(?=[A-Z])/g, "_").toLowerCase();
 }
 

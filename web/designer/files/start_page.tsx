@@ -1,18 +1,19 @@
 // Without a document: what there is to open, and how to begin.
+import { useState } from "react";
 import { shownPath, shownTitle } from "../../console/start/paths.ts";
-import { Button } from "../../console/ui/controls.tsx";
+import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon, type IconName } from "../../console/ui/icons.tsx";
+import { DialogBox } from "../../console/ui/menus.tsx";
+import { isNew } from "../designer.ts";
 import { useDesigner, usePart } from "../use.ts";
+import { type Entry, recentEntries } from "./unsaved.ts";
 import "../../console/start/start.css";
-
-interface Entry {
-  path: string;
-  title: string;
-}
 
 export function StartPage() {
   const designer = useDesigner();
   const hello = usePart((state) => state.hello);
+  const documents = usePart((state) => state.documents);
+  const [doomed, setDoomed] = useState<Entry | null>(null);
   if (!hello) {
     return (
       <main className="start">
@@ -41,7 +42,13 @@ export function StartPage() {
           </Button>
         </div>
         <div className="start-lists">
-          <Entries title="Recent" icon="restart" entries={hello.recent} none="What you have opened appears here." />
+          <Entries
+            title="Recent"
+            icon="restart"
+            entries={recentEntries(hello.recent, documents)}
+            none="What you have opened appears here."
+            onDiscard={setDoomed}
+          />
           <Entries
             title="In this project"
             icon="file"
@@ -51,7 +58,36 @@ export function StartPage() {
           <Entries title="Examples" icon="map" entries={hello.examples} none="No examples are installed." />
         </div>
       </div>
+      {doomed && <DiscardDialog entry={doomed} onClose={() => setDoomed(null)} />}
     </main>
+  );
+}
+
+/** Nothing brings it back, so that it is asked first. */
+function DiscardDialog({ entry, onClose }: { entry: Entry; onClose: () => void }) {
+  const designer = useDesigner();
+  const name = shownTitle(entry);
+  const discard = async () => {
+    onClose();
+    if (await designer.discard(entry.path)) designer.say(`Threw ${name} away`);
+  };
+  return (
+    <DialogBox
+      title={`Throw ${name} away?`}
+      onClose={onClose}
+      footer={
+        <>
+          <Button autoFocus onPress={onClose}>
+            Keep it
+          </Button>
+          <Button tone="danger" onPress={() => void discard()}>
+            Throw it away
+          </Button>
+        </>
+      }
+    >
+      <p>It was never saved: what it holds is lost.</p>
+    </DialogBox>
   );
 }
 
@@ -65,11 +101,13 @@ function Entries({
   icon,
   entries,
   none,
+  onDiscard,
 }: {
   title: string;
   icon: IconName;
   entries: readonly Entry[];
   none: string;
+  onDiscard?: (entry: Entry) => void;
 }) {
   const designer = useDesigner();
   return (
@@ -78,7 +116,7 @@ function Entries({
       {entries.length === 0 && <p className="small muted">{none}</p>}
       <ul>
         {entries.map((entry) => (
-          <li key={entry.path}>
+          <li key={entry.path} className="start-line">
             <Button tone="quiet" className="start-entry" onPress={() => void designer.open(entry.path)}>
               <Icon name={icon} />
               <span className="grow">
@@ -86,6 +124,9 @@ function Entries({
                 <span className="small muted ellipsis">{shownPath(entry.path)}</span>
               </span>
             </Button>
+            {onDiscard && isNew(entry.path) && (
+              <IconButton icon="close" label={`Throw ${shownTitle(entry)} away`} onPress={() => onDiscard(entry)} />
+            )}
           </li>
         ))}
       </ul>

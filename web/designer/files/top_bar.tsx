@@ -5,7 +5,7 @@ import { Icon } from "../../console/ui/icons.tsx";
 import { MenuButton, type MenuGroup } from "../../console/ui/menus.tsx";
 import type { ActionGroup } from "../actions/action.ts";
 import { allActions } from "../actions/all_actions.ts";
-import { crumbsIn, isNew, titleOf } from "../designer.ts";
+import { crumbsIn, isNew, nameOf } from "../designer.ts";
 import { extensions } from "../extensions.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 
@@ -96,7 +96,7 @@ function Title() {
   return (
     <>
       <h1 className="title ellipsis" title={isNew(document.path) ? undefined : document.path}>
-        {titleOf(document.path)}
+        {nameOf(document)}
       </h1>
       {document.isReadOnly && <span className="pill">Read only</span>}
       {document.isDirty && !document.isReadOnly && (

@@ -1,0 +1,18 @@
+// What was opened lately, on the start page: first what has no file yet, of this page and of earlier ones.
+import { isNew } from "../designer.ts";
+import type { Document } from "../protocol.ts";
+
+export interface Entry {
+  path: string;
+  title: string;
+}
+
+export function recentEntries(recent: readonly Entry[], documents: Readonly<Record<string, Document>>): Entry[] {
+  const unsaved = new Map(recent.filter(({ path }) => isNew(path)).map((entry) => [entry.path, entry]));
+  for (const { path, title, isDirty } of Object.values(documents)) {
+    if (!isNew(path)) continue;
+    if (isDirty) unsaved.set(path, { path, title });
+    else unsaved.delete(path);
+  }
+  return [...unsaved.values(), ...recent.filter(({ path }) => !isNew(path))];
+}
