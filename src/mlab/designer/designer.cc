@@ -230,9 +230,11 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
       find_live(message.find_live(), out);
       return;
     case ToDesigner::kSetMark:
-      return set_mark(message.set_mark(), out);
+      set_mark(message.set_mark(), out);
+      return;
     case ToDesigner::kRemoveMark:
-      return remove_mark(message.remove_mark(), out);
+      remove_mark(message.remove_mark(), out);
+      return;
     case ToDesigner::kWriteBack:
       write_back(message.write_back(), out);
       return;

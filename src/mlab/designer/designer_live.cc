@@ -67,9 +67,11 @@ void read_in_pieces(const LookAtRun& look_at_run, const std::shared_ptr<FieldRea
   constexpr double kPiece = 0.003;  // [s]
   look_at_run([=, done = std::move(done)](const fleet::MissionRun* run) {
     const fleet::FleetRobot* body = body_in(run, robot, mission);
-    if (body == nullptr) return done(false);
-    if (reading->read(*run, *body, kPiece)) return done(true);
-    read_in_pieces(look_at_run, reading, robot, mission, done);
+    const bool is_whole = body != nullptr && reading->read(*run, *body, kPiece);
+    if (body == nullptr || is_whole)
+      done(is_whole);
+    else
+      read_in_pieces(look_at_run, reading, robot, mission, done);
   });
 }
 
@@ -103,13 +105,19 @@ void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
     fail(out, not_known("the document is not open").error());
     return;
   }
-  if (one->drawn->page(request.mark().page()).graph == nullptr)
-    return fail(out, not_known("there is no such page").error());
-  if (request.mark().ByteSizeLong() > kLongest) return fail(out, not_known("that is too long").error());
+  if (one->drawn->page(request.mark().page()).graph == nullptr) {
+    fail(out, not_known("there is no such page").error());
+    return;
+  }
+  if (request.mark().ByteSizeLong() > kLongest) {
+    fail(out, not_known("that is too long").error());
+    return;
+  }
   Marks& marks = marks_[one->path];
-  if (marks.size() >= Marks::kMost)
-    return fail(out,
-                not_known(fmt::format("there are {} marks, and more are not kept", Marks::kMost)).error());
+  if (marks.size() >= Marks::kMost) {
+    fail(out, not_known(fmt::format("there are {} marks, and more are not kept", Marks::kMost)).error());
+    return;
+  }
   std::optional<std::vector<Hop>> way;
   if (last_trial_.model && last_trial_.document == one->path) {
     for (const auto& [robot, count] : last_trial_.configuration.robots) {
@@ -142,8 +150,10 @@ text::Result<TrialConfiguration> Designer::Parts::tried_now(const OpenConfigurat
 void Designer::Parts::write_back(const WriteBack& request, Answer& out) {
   OpenConfiguration* one = editable(request.document(), out);
   if (one == nullptr) return;
-  if (one->is_outdated())
-    return fail(out, not_known("the text has a slip of grammar: mend it first").error());
+  if (one->is_outdated()) {
+    fail(out, not_known("the text has a slip of grammar: mend it first").error());
+    return;
+  }
   const text::Result<TrialConfiguration> tried = tried_now(*one);
   if (!tried) {
     fail(out, tried.error());
@@ -264,7 +274,10 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
 void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
                                  Answer& out) {
   const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) return fail(out, not_known("the document is not open").error());
+  if (one == nullptr) {
+    fail(out, not_known("the document is not open").error());
+    return;
+  }
   const text::Result<FieldGrid> grid = grid_of(request);
   if (!grid) {
     fail(out, grid.error());

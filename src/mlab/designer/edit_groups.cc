@@ -238,9 +238,9 @@ Done Editor::ungroup(const Ungroup& change) {
   const GraphNode& there = view.node(*at);
   const auto* call = there.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&there.expression->what);
   const auto& assemblages = work_.model().configuration().assemblages;
-  const auto called = call == nullptr ? assemblages.end() : assemblages.find(call->callee.text);
-  if (called == assemblages.end()) return refusal("only an assemblage is made of something");
-  const cdl::Assemblage& assemblage = *called->second;
+  if (call == nullptr || !assemblages.contains(call->callee.text))
+    return refusal("only an assemblage is made of something");
+  const cdl::Assemblage& assemblage = *assemblages.find(call->callee.text)->second;
   if (!assemblage.body) return refusal("the assemblage is empty");
   const std::string_view source = assemblage.name.place.source->text();
 

@@ -399,7 +399,10 @@ void Editor::clear_argument(const Spot& spot) {
   const cdl::Argument& argument = call.arguments[static_cast<std::size_t>(input.at)];
   if (input.item >= 0) {
     const auto& items = std::get<cdl::List>(argument.value->what).items;
-    if (items.size() > 1) return erase_between_commas(there.place.span);
+    if (items.size() > 1) {
+      erase_between_commas(there.place.span);
+      return;
+    }
   }
   const std::uint32_t begin =
       argument.name.text.empty() ? argument.value->place.span.begin : argument.name.place.span.begin;

@@ -49,7 +49,7 @@ class Browser {
       FromDesigner message;
       ASSERT_TRUE(message.ParseFromString(*bytes));
       const std::scoped_lock lock(mutex_);
-      take(to.value, std::move(message));
+      take(to.value, message);
       arrived_.notify_all();
     });
     greet(1);
