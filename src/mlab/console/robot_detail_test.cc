@@ -20,7 +20,7 @@ class Ports : public ::testing::Test {
  protected:
   Ports() { testing::step(*run_, 20); }
 
-  RobotDetail detail(DetailWishes wishes) {
+  RobotDetail detail(const DetailWishes& wishes) {
     RobotDetail out;
     encode_detail(*run_, estimates_, run_->fleet().robots().front(), wishes, buffer_, out);
     return out;
