@@ -226,7 +226,8 @@ Json Server::code_actions(const Json& params) {
   const text::Span range = span_of(*in.lines, params.at("range"));
   const Json only = params.value("context", Json::object()).value("only", Json());
   const bool is_wanted = !only.is_array() || std::ranges::any_of(only, [](const Json& kind) {
-    return kind == "quickfix" || kind == "";
+    const auto* word = kind.get_ptr<const std::string*>();
+    return word != nullptr && (word->empty() || *word == "quickfix");
   });
   if (!is_wanted) return Json::array();
   if (in.is_unchecked) publish(in, false);

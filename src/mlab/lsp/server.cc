@@ -118,12 +118,19 @@ void Server::dispatch(const Json& message) {
       respond_error(nullptr, kInvalidRequest, "an id is a number or a text");
       return;
     }
+    // Nobody waits for an answer to a notification; the editor's log is where people look.
+    const auto log = [&](const std::string& why) {
+      constexpr int kWarning = 2;
+      send({{"jsonrpc", "2.0"},
+            {"method", "window/logMessage"},
+            {"params", {{"type", kWarning}, {"message", method + " was ignored: " + why}}}});
+    };
     try {
       notice(method, params);
-    } catch (const Failure&) {
-      // Nobody waits for an answer to a notification.
-    } catch (const Json::exception&) {
-      // The same.
+    } catch (const Failure& failure) {
+      log(failure.message);
+    } catch (const Json::exception& wrong) {
+      log(wrong.what());
     }
     return;
   }

@@ -128,7 +128,8 @@ class RandomEdit {
         return;
       case 7:
       case 8:
-        return aim(*change.mutable_disconnect());
+        aim(*change.mutable_disconnect());
+        return;
       case 9:
       case 10:
         aim(*change.mutable_set_value());

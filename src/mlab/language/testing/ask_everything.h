@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,11 +29,10 @@ inline bool is_within(text::Span span, const text::SourcePtr& source) {
 }
 
 inline bool are_within(const std::vector<Symbol>& symbols, const text::SourcePtr& source) {
-  for (const Symbol& symbol : symbols) {
-    if (!is_within(symbol.span, source) || !is_within(symbol.name_span, source)) return false;
-    if (!are_within(symbol.parts, source)) return false;
-  }
-  return true;
+  return std::ranges::all_of(symbols, [&](const Symbol& symbol) {
+    return is_within(symbol.span, source) && is_within(symbol.name_span, source) &&
+           are_within(symbol.parts, source);
+  });
 }
 
 /// Asks everything at a place.
