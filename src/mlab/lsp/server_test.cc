@@ -163,6 +163,14 @@ TEST_F(ServerTest, CompletesHoversAndHelpsWithCalls) {
   EXPECT_EQ(help["signatures"][0]["parameters"].size(), 1U);
 }
 
+TEST_F(ServerTest, SaysInTheLogWhichNotificationItIgnored) {
+  initialize();
+  tell("textDocument/didOpen", {{"textDocument", 7}});
+  ASSERT_EQ(got_.back()["method"], "window/logMessage");
+  EXPECT_TRUE(
+      got_.back()["params"]["message"].get<std::string>().starts_with("textDocument/didOpen was ignored"));
+}
+
 TEST_F(ServerTest, FindsAndRenames) {
   initialize();
   open(kUri, kText);

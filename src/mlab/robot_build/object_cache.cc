@@ -52,7 +52,7 @@ ObjectCache::ObjectCache(std::string folder, std::string compiler, std::string v
     : folder_(std::move(folder)),
       compiler_(std::move(compiler)),
       version_(std::move(version)),
-      limits_(limits) {
+      limits_(std::move(limits)) {
   std::error_code ignored;  // what can't be written there is said where it is
   fs::create_directories(folder_, ignored);
 }
