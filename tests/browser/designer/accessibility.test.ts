@@ -45,10 +45,7 @@ for (const colours of ["light", "dark"] as const) {
       ["robot", "Forager"],
       ["society", "Foragers"],
     ] as const) {
-      await designer.toFile();
-      await designer.details.getByRole("button", { name: declaration, exact: true }).click();
-      await designer.on(declaration);
-      await page.locator(".react-flow__node").first().waitFor();
+      await designer.toDeclaration(declaration);
       found.push(...(await violations(designer, name)));
       await page
         .locator(".react-flow__node")
@@ -81,16 +78,8 @@ for (const colours of ["light", "dark"] as const) {
     const { page } = designer;
     await page.emulateMedia({ colorScheme: colours });
     await page.locator(`[data-theme=${colours}]`).first().waitFor();
-    const simulator = page.getByRole("region", { name: "Simulator", exact: true });
-    const goTo = async (declaration: string) => {
-      await designer.toFile();
-      await designer.details.getByRole("button", { name: declaration, exact: true }).click();
-      await designer.on(declaration);
-      await page.locator(".react-flow__node").first().waitFor();
-    };
-    await goTo("Forage");
-    await page.locator("[data-tour=run]").click();
-    await simulator.getByText("Running", { exact: true }).waitFor();
+    await designer.toDeclaration("Forage");
+    await designer.run();
     await page.locator(".state.active").first().waitFor();
     const found = await violations(designer, "running, states");
     await designer.select(designer.node("Searching"));
@@ -98,19 +87,19 @@ for (const colours of ["light", "dark"] as const) {
     await page.getByRole("button", { name: /^Transition 1 of Searching/ }).click();
     found.push(...(await violations(designer, "running, a transition selected")));
     await designer.details.getByRole("button", { name: "Break Searching → Acquiring" }).click();
-    await simulator.getByText("Paused", { exact: true }).waitFor();
-    await simulator.getByRole("alert").getByRole("button", { name: "Show" }).waitFor();
+    await designer.simulator.getByText("Paused", { exact: true }).waitFor();
+    await designer.simulator.getByRole("alert").getByRole("button", { name: "Show" }).waitFor();
     found.push(...(await violations(designer, "paused at a breakpoint")));
-    await goTo("Wander");
+    await designer.toDeclaration("Wander");
     await page.locator(".wire-label.live").first().waitFor();
     await designer.select(designer.named("Probe"));
     await designer.details.getByTestId("live-parameters").waitFor();
     found.push(...(await violations(designer, "a node selected")));
     await designer.details.getByRole("button", { name: "Pin a probe" }).click();
-    await page.getByRole("region", { name: "Probes" }).locator(".live-arrow").first().waitFor();
+    await designer.probes.locator(".live-arrow").first().waitFor();
     found.push(...(await violations(designer, "a probe")));
     await designer.button("Movement field of the selection").click();
-    await simulator.getByText("Movement field of", { exact: false }).waitFor();
+    await designer.simulator.getByText("Movement field of", { exact: false }).waitFor();
     found.push(...(await violations(designer, "movement field")));
     await designer.button("What runs").click();
     await page.getByRole("dialog").waitFor();

@@ -48,7 +48,7 @@ test("closing the simulator brings back the palette that made room for it", asyn
   await designer.toFile();
   await palette.waitFor();
   await designer.button("Run").click();
-  await page.getByRole("region", { name: "Simulator", exact: true }).waitFor();
+  await designer.simulator.waitFor();
   await palette.waitFor({ state: "detached" });
   await designer.button("Hide Simulator").click();
   await palette.waitFor();

@@ -100,12 +100,18 @@ layout Two {
 `;
 
 /** How the second of two nodes stands to the first [px], and whether they overlap. */
-async function standing(designer: DesignerPage, [first, second]: [string, string]) {
-  const a = (await designer.node(first).boundingBox())!;
-  const b = (await designer.node(second).boundingBox())!;
-  const overlap = a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-  const scale = a.width / (await designer.node(first).evaluate((node) => (node as HTMLElement).offsetWidth));
-  return { dx: Math.round((b.x - a.x) / scale), dy: Math.round((b.y - a.y) / scale), overlap };
+async function standing({ page }: DesignerPage, names: [string, string]) {
+  // Both in one moment: the camera may be on its way.
+  return page.evaluate((both) => {
+    const nodes = both.map((name) => document.querySelector<HTMLElement>(`.react-flow__node[data-id="${name}"]`)!);
+    const [a, b] = nodes.map((node) => node.getBoundingClientRect()) as [DOMRect, DOMRect];
+    const scale = a.width / nodes[0]!.offsetWidth;
+    return {
+      dx: Math.round((b.x - a.x) / scale),
+      dy: Math.round((b.y - a.y) / scale),
+      overlap: a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom,
+    };
+  }, names);
 }
 
 test("nodes that stand side by side are pasted so, in this window and in another", async () => {

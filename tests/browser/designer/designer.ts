@@ -21,6 +21,9 @@ export class DesignerPage {
   readonly text: Locator;
   readonly problems: Locator;
   readonly verdict: Locator;
+  readonly simulator: Locator;
+  readonly breakpoints: Locator;
+  readonly probes: Locator;
 
   constructor(readonly page: Page) {
     page.on("pageerror", (error) => this.troubles.push(String(error)));
@@ -31,6 +34,9 @@ export class DesignerPage {
     this.text = page.getByRole("textbox", { name: "Text of the configuration" });
     this.problems = page.getByRole("region", { name: "Problems", exact: true });
     this.verdict = page.getByTestId("verdict");
+    this.simulator = page.getByRole("region", { name: "Simulator", exact: true });
+    this.breakpoints = page.getByRole("region", { name: "Breakpoints" });
+    this.probes = page.getByRole("region", { name: "Probes" });
   }
 
   button(name: string | RegExp): Locator {
@@ -59,9 +65,9 @@ export class DesignerPage {
     return this.page.locator('.react-flow__node[data-id="$result"] .target');
   }
 
-  /** Waits until the page of this path is drawn. */
+  /** Waits until the page of this path is drawn and stands where it is seen. */
   async on(path: string): Promise<void> {
-    await this.page.getByRole("region", { name: `Drawing of ${path || "the file"}`, exact: true }).waitFor();
+    await this.page.locator(`[aria-label="Drawing of ${path || "the file"}"][aria-busy=false]`).waitFor();
   }
 
   /** From the start page to an assemblage on an empty page. */
@@ -164,6 +170,19 @@ export class DesignerPage {
   async toFile(): Promise<void> {
     await this.page.locator("body").press("Home");
     await this.on("");
+  }
+
+  /** From any page, by its name in the list of the file's declarations. */
+  async toDeclaration(name: string): Promise<void> {
+    await this.toFile();
+    await this.details.getByRole("button", { name, exact: true }).click();
+    await this.on(name);
+    await this.page.locator(".react-flow__node").first().waitFor();
+  }
+
+  async run(): Promise<void> {
+    await this.page.locator("[data-tour=run]").click();
+    await this.simulator.getByText("Running", { exact: true }).waitFor();
   }
 }
 

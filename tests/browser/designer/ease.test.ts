@@ -93,11 +93,10 @@ test("of two windows the one that is worked in has the robots", async () => {
   const other = await look(mlab.url);
   await other.goTo("Wander");
   for (const one of [designer, other]) {
-    await one.page.locator("[data-tour=run]").click();
-    await one.page.getByRole("region", { name: "Simulator", exact: true }).getByText("Running").waitFor();
+    await one.run();
   }
   await other.button("Pause").click();
-  await designer.page.getByRole("region", { name: "Simulator", exact: true }).getByText("Paused").waitFor();
+  await designer.simulator.getByText("Paused").waitFor();
   await designer.page.keyboard.press("F10");
   expect(await designer.page.getByText("Only the operator").count()).toBe(0);
   expect(await other.page.getByText("Only the operator").count()).toBe(0);

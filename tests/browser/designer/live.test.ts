@@ -24,8 +24,6 @@ const kTurns = `assemblage Turns() {
 const opened = (text: string) =>
   begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", text), width: 1600, height: 900 });
 
-const simulator = ({ page }: DesignerPage) => page.getByRole("region", { name: "Simulator", exact: true });
-const breakpoints = ({ page }: DesignerPage) => page.getByRole("region", { name: "Breakpoints" });
 
 /** Simulated time [s]. */
 async function time({ page }: DesignerPage): Promise<number> {
@@ -45,21 +43,20 @@ async function standsAt(designer: DesignerPage): Promise<number> {
 }
 
 async function run(designer: DesignerPage): Promise<void> {
-  await designer.page.locator("[data-tour=run]").click();
-  await simulator(designer).getByText("Running", { exact: true }).waitFor();
+  await designer.run();
   await expect.poll(() => time(designer)).toBeGreaterThan(0.5);
 }
 
 async function pause(designer: DesignerPage): Promise<void> {
   await designer.button("Pause").click();
-  await simulator(designer).getByText("Paused", { exact: true }).waitFor();
+  await designer.simulator.getByText("Paused", { exact: true }).waitFor();
 }
 
 test("what is drawn runs, and every wire shows its value", async () => {
   const { designer } = await opened(kWander);
   await designer.on("Wander");
   await run(designer);
-  await simulator(designer).getByText("3 robots", { exact: true }).waitFor();
+  await designer.simulator.getByText("3 robots", { exact: true }).waitFor();
   const labels = designer.page.locator(".wire-label.live");
   await expect.poll(() => labels.count()).toBeGreaterThanOrEqual(4);
   // Movements are arrows.
@@ -73,7 +70,7 @@ test("what is drawn runs, and every wire shows its value", async () => {
   await designer.button("Go on").click();
   await expect.poll(() => time(designer)).toBeGreaterThan(still + 0.5);
   await designer.button(/^Stop/).click();
-  await simulator(designer).getByText("Ready", { exact: true }).waitFor();
+  await designer.simulator.getByText("Ready", { exact: true }).waitFor();
 });
 
 test("the active state glows, and a breakpoint on a transition pauses, says which, and leads there", async () => {
@@ -83,21 +80,21 @@ test("the active state glows, and a breakpoint on a transition pauses, says whic
   await designer.page.locator(".state.active").first().waitFor();
   await designer.page.getByRole("button", { name: /^Transition 1 of Waiting/ }).click({ button: "right" });
   await designer.page.getByRole("menuitem", { name: "Break Waiting → Moving" }).click();
-  await breakpoints(designer).getByRole("button", { name: "Waiting → Moving", exact: true }).waitFor();
-  const notice = simulator(designer).getByRole("alert");
+  await designer.breakpoints.getByRole("button", { name: "Waiting → Moving", exact: true }).waitFor();
+  const notice = designer.simulator.getByRole("alert");
   await notice.getByRole("button", { name: "Show" }).waitFor();
-  await simulator(designer).getByText("Paused", { exact: true }).waitFor();
+  await designer.simulator.getByText("Paused", { exact: true }).waitFor();
   await notice.getByRole("button", { name: "Show" }).click();
   await expect
     .poll(() => designer.page.getByRole("button", { name: /^Transition 1 of Waiting/ }).getAttribute("aria-pressed"))
     .toBe("true");
-  await breakpoints(designer).getByRole("switch").press("Space");
-  await expect.poll(() => breakpoints(designer).getByRole("switch").isChecked()).toBe(false);
+  await designer.breakpoints.getByRole("switch").press("Space");
+  await expect.poll(() => designer.breakpoints.getByRole("switch").isChecked()).toBe(false);
   await notice.getByRole("button", { name: "Go on" }).click();
   const paused = await time(designer);
   await expect.poll(() => time(designer)).toBeGreaterThan(paused + 3);
-  await breakpoints(designer).getByRole("button", { name: "Remove the breakpoint Waiting → Moving" }).click();
-  await breakpoints(designer).getByText("None.").waitFor();
+  await designer.breakpoints.getByRole("button", { name: "Remove the breakpoint Waiting → Moving" }).click();
+  await designer.breakpoints.getByText("None.").waitFor();
 });
 
 test("a parameter of the running robots is changed, and written back to the text", async () => {
@@ -124,7 +121,7 @@ test("the movement field is read while time stands still", async () => {
   await run(designer);
   await pause(designer);
   await designer.button("Movement field of the selection").click();
-  await simulator(designer).getByText("Movement field of Wander", { exact: false }).waitFor();
+  await designer.simulator.getByText("Movement field of Wander", { exact: false }).waitFor();
 });
 
 test("a probe stays in sight on other pages", async () => {
@@ -133,13 +130,12 @@ test("a probe stays in sight on other pages", async () => {
   await run(designer);
   await designer.select(designer.named("Noise"));
   await designer.details.getByRole("button", { name: "Pin a probe" }).click();
-  const probes = designer.page.getByRole("region", { name: "Probes" });
-  await probes
+  await designer.probes
     .getByRole("button", { name: /Noise$/ })
     .first()
     .waitFor();
   await designer.toFile();
-  await probes.locator(".live-arrow").waitFor();
+  await designer.probes.locator(".live-arrow").waitFor();
 });
 
 test("start places are set with the mouse on the map", async () => {
@@ -148,7 +144,7 @@ test("start places are set with the mouse on the map", async () => {
   await designer.button("What runs").click();
   await designer.button("Show on the map, without running").click();
   await designer.page.keyboard.press("Escape");
-  const map = simulator(designer).getByRole("application", { name: /^Map/ });
+  const map = designer.simulator.getByRole("application", { name: /^Map/ });
   await map.waitFor();
   await designer.button("Set where robots start").click();
   await map.click({ position: { x: 200, y: 150 } });

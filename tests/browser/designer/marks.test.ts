@@ -15,16 +15,8 @@ const kTurns = `assemblage Turns() {
 const opened = (text: string) =>
   begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", text), width: 1600, height: 900 });
 
-const simulator = ({ page }: DesignerPage) => page.getByRole("region", { name: "Simulator", exact: true });
-const breakpoints = ({ page }: DesignerPage) => page.getByRole("region", { name: "Breakpoints" });
-const probes = ({ page }: DesignerPage) => page.getByRole("region", { name: "Probes" });
 const transition = ({ page }: DesignerPage, from: string) =>
   page.getByRole("button", { name: new RegExp(`^Transition 1 of ${from}`) });
-
-async function run(designer: DesignerPage): Promise<void> {
-  await designer.page.locator("[data-tour=run]").click();
-  await simulator(designer).getByText("Running", { exact: true }).waitFor();
-}
 
 async function breakAt(designer: DesignerPage, from: string, item: RegExp): Promise<void> {
   await transition(designer, from).click({ button: "right" });
@@ -34,12 +26,12 @@ async function breakAt(designer: DesignerPage, from: string, item: RegExp): Prom
 test("a breakpoint on a transition goes with its states, is lost with them, and comes back", async () => {
   const { designer } = await opened(kTurns);
   await designer.on("Turns");
-  await run(designer);
+  await designer.run();
   await breakAt(designer, "Waiting", /^Break Waiting → Moving/);
-  await simulator(designer).getByRole("alert").getByRole("button", { name: "Show" }).waitFor();
+  await designer.simulator.getByRole("alert").getByRole("button", { name: "Show" }).waitFor();
   await designer.page.reload();
   await designer.on("Turns");
-  const entry = breakpoints(designer).getByRole("button", { name: "Waiting → Moving", exact: true });
+  const entry = designer.breakpoints.getByRole("button", { name: "Waiting → Moving", exact: true });
   await entry.waitFor();
   // Renamed in the drawing: what runs next halts at it.
   await designer.select(designer.node("Waiting"));
@@ -50,25 +42,25 @@ test("a breakpoint on a transition goes with its states, is lost with them, and 
   await designer.node("Idling").waitFor();
   // The run stands at the breakpoint: it begins anew with the new text.
   await designer.page.locator("[data-tour=run]").click();
-  await breakpoints(designer).getByRole("button", { name: "Idling → Moving", exact: true }).waitFor();
-  await simulator(designer)
+  await designer.breakpoints.getByRole("button", { name: "Idling → Moving", exact: true }).waitFor();
+  await designer.simulator
     .getByRole("alert")
     .getByText(/goes from Idling to Moving/)
     .waitFor();
   await transition(designer, "Idling").click();
   await designer.page.keyboard.press("Delete");
-  await breakpoints(designer).getByText("Lost: not in the drawing").waitFor();
+  await designer.breakpoints.getByText("Lost: not in the drawing").waitFor();
   await designer.page.keyboard.press("Control+z");
-  await breakpoints(designer).getByRole("button", { name: "Idling → Moving", exact: true }).waitFor();
+  await designer.breakpoints.getByRole("button", { name: "Idling → Moving", exact: true }).waitFor();
 });
 
 test("a run pauses when a condition within a trigger becomes true", async () => {
   const { designer } = await opened(kTurns);
   await designer.on("Turns");
-  await run(designer);
+  await designer.run();
   await breakAt(designer, "Waiting", /^Break when Wait\(delay = 1 s\)$/);
-  await simulator(designer).getByText("Paused", { exact: true }).waitFor();
-  await simulator(designer)
+  await designer.simulator.getByText("Paused", { exact: true }).waitFor();
+  await designer.simulator
     .getByRole("alert")
     .getByText(/Waiting.*Wait is true/)
     .waitFor();
@@ -77,22 +69,22 @@ test("a run pauses when a condition within a trigger becomes true", async () => 
 test("probes are there after a reload and in every window", async () => {
   const { designer, mlab } = await opened(kTurns);
   await designer.on("Turns");
-  await run(designer);
+  await designer.run();
   await designer.node("Moving").dblclick();
   await designer.on("Turns.Moving");
   await designer.select(designer.named("Noise"));
   await designer.details.getByRole("button", { name: "Pin a probe" }).click();
-  await probes(designer).locator(".live-arrow").waitFor();
+  await designer.probes.locator(".live-arrow").waitFor();
   await designer.page.reload();
-  await probes(designer).locator(".live-arrow").waitFor();
+  await designer.probes.locator(".live-arrow").waitFor();
   const other = await look(mlab.url, { width: 1600, height: 900 });
   await other.on("Turns");
   await other.page
     .getByRole("button", { name: /^Simulator/ })
     .first()
     .click();
-  await probes(other)
+  await other.probes
     .getByRole("button", { name: /^Take away the probe/ })
     .click();
-  await probes(designer).waitFor({ state: "detached" });
+  await designer.probes.waitFor({ state: "detached" });
 });

@@ -54,8 +54,7 @@ function looked({ page }: DesignerPage): Promise<{ over: string[]; labels: numbe
 
 test("the states of the forage example are read without touching anything", async () => {
   const { designer } = await begin({ mission: "forage", file: "forager.cdl" });
-  await designer.toFile();
-  await designer.details.getByRole("button", { name: "Forage", exact: true }).click();
+  await designer.toDeclaration("Forage");
   await designer.node("Searching").waitFor();
   await expect.poll(async () => (await looked(designer)).labels).toBe(8);
   await expect.poll(() => looked(designer)).toMatchObject({ over: [], short: 0 });

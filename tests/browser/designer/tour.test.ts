@@ -72,20 +72,13 @@ test("the pages of the forage example", async () => {
   await page.getByRole("combobox", { name: "Place a component" }).fill("goal");
   await shot(designer, "search");
   await page.keyboard.press("Escape");
-  await designer.toFile();
-  await designer.details.getByRole("button", { name: "Forage", exact: true }).click();
+  await designer.toDeclaration("Forage");
   await designer.node("Searching").waitFor();
   await designer.select(designer.node("Searching"));
   await shot(designer, "states");
-  await designer.toFile();
-  await designer.details.getByRole("button", { name: "Forager", exact: true }).click();
-  await designer.on("Forager");
-  await page.locator(".react-flow__node").first().waitFor();
+  await designer.toDeclaration("Forager");
   await shot(designer, "robot");
-  await designer.toFile();
-  await designer.details.getByRole("button", { name: "Foragers", exact: true }).click();
-  await designer.on("Foragers");
-  await page.locator(".react-flow__node").first().waitFor();
+  await designer.toDeclaration("Foragers");
   await shot(designer, "society");
   expect(designer.troubles).toEqual([]);
 });
@@ -102,9 +95,7 @@ test("text beside the drawing, with what is wrong", async () => {
         project.read("forager.cdl").replace("Noise(persistence = 12 s)", "Nosie(persistence = 12 s)"),
       ),
   });
-  await designer.toFile();
-  await designer.details.getByRole("button", { name: "Wander", exact: true }).click();
-  await designer.on("Wander");
+  await designer.toDeclaration("Wander");
   if (!(await designer.text.isVisible())) await designer.button("Text").click();
   await designer.verdict.click();
   await designer.problems.getByRole("button", { name: /Nosie/ }).first().click();
@@ -115,13 +106,7 @@ test("text beside the drawing, with what is wrong", async () => {
 test("robots run what is drawn: the states of the one that is selected glow, wires show their values", async () => {
   const { designer } = await begin({ mission: "forage", file: "forager.cdl", width: 1600, height: 900 });
   const { page } = designer;
-  const goTo = async (declaration: string) => {
-    await designer.toFile();
-    await designer.details.getByRole("button", { name: declaration, exact: true }).click();
-    await designer.on(declaration);
-    await page.locator(".react-flow__node").first().waitFor();
-  };
-  await goTo("Forage");
+  await designer.toDeclaration("Forage");
   await designer.button("Hide Components").click();
   await page.locator("[data-tour=run]").click();
   await page.locator(".state.active").first().waitFor();
@@ -133,7 +118,7 @@ test("robots run what is drawn: the states of the one that is selected glow, wir
   await page.getByText("Paused", { exact: true }).first().waitFor();
   await page.locator(".state.active").first().waitFor();
   await shot(designer, "live_states");
-  await goTo("Wander");
+  await designer.toDeclaration("Wander");
   await designer.button("Go on").click();
   await page.locator(".wire-label.live .live-arrow").first().waitFor();
   await designer.select(designer.named("cooperate"));
@@ -146,8 +131,7 @@ test("robots run what is drawn: the states of the one that is selected glow, wir
 test("dark colours, and the sheet of shortcuts", async () => {
   const { designer } = await begin({ mission: "forage", file: "forager.cdl", width: 1600, height: 900 });
   await designer.page.emulateMedia({ colorScheme: "dark" });
-  await designer.toFile();
-  await designer.details.getByRole("button", { name: "Forage", exact: true }).click();
+  await designer.toDeclaration("Forage");
   await designer.node("Searching").waitFor();
   await shot(designer, "dark");
   await designer.page.locator("body").press("?");

@@ -69,6 +69,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const page = drawing.page?.path ?? "";
   const isDragging = useRef(false);
   const fittedKind = useRef<Drawing_Kind | null>(null);
+  const [isInSight, setInSight] = useState(false);
 
   useEffect(() => {
     if (!places || isDragging.current) return;
@@ -88,13 +89,16 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   // Once, when the page has come into sight or become one of states; later only where somebody asks for it.
   useEffect(() => {
     // On an empty page the camera stays where the first thing is put.
-    if (drawing.nodes.length + drawing.states.length === 0) fittedKind.current = drawing.kind;
+    if (drawing.nodes.length + drawing.states.length === 0) {
+      fittedKind.current = drawing.kind;
+      setInSight(true);
+    }
     if (fittedKind.current === drawing.kind || nodes.length === 0) return;
     if (nodes.some((node) => node.type === "state") !== isStates) return; // still those of before
     fittedKind.current = drawing.kind;
     const only = designer.state.selection.map((id) => ({ id }));
-    if (only.length > 0 && nodes.length > 40) void flow.fitView({ ...kFit, nodes: only });
-    else fitAll(flow);
+    const fitted = only.length > 0 && nodes.length > 40 ? flow.fitView({ ...kFit, nodes: only }) : fitAll(flow);
+    void fitted.then(() => setInSight(true));
   }, [nodes, flow, designer, drawing, isStates]);
 
   // What is selected elsewhere (a problem, a link, the details) is selected here.
@@ -123,7 +127,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     const before = sizeBefore.current;
     if (Math.abs(width - before.width) < 2 && Math.abs(height - before.height) < 2) return;
     sizeBefore.current = { width, height };
-    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current) fitAll(flow);
+    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current) void fitAll(flow);
   }, [width, height, flow]);
   const hasRoom = useStore((state) => state.width > 3.5 * kMiniSize.width && state.height > 3 * kMiniSize.height);
 
@@ -215,6 +219,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       className={`canvas ${distance} ${isReadOnly ? "read-only" : ""} ${scale > 1 ? "away" : ""} ${scale > 2 ? "farther" : ""}`}
       style={{ "--scale": scale } as CSSProperties}
       aria-label={`Drawing of ${page || "the file"}`}
+      aria-busy={!isInSight}
       onDragOver={(event) => {
         if (!event.dataTransfer.types.includes(kDragged) || isReadOnly) return;
         event.preventDefault();

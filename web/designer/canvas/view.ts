@@ -58,13 +58,13 @@ function boxOf({
   return { x: position.x, y: position.y, width, height };
 }
 
-/** Everything is brought into sight. */
-export function fitAll(flow: ReactFlowInstance, duration = 0): void {
+/** Everything is brought into sight; done once it is there, `duration` [ms] later. */
+export async function fitAll(flow: ReactFlowInstance, duration = 0): Promise<void> {
   const bounds = seenBounds(flow);
   const canvas = document.querySelector(".canvas")?.getBoundingClientRect();
   if (!bounds || !canvas || canvas.width === 0 || canvas.height === 0) return;
   const to = getViewportForBounds(bounds, canvas.width, canvas.height, 0.04, kFit.maxZoom, kFit.padding);
-  void flow.setViewport(to, { duration });
+  await flow.setViewport(to, { duration });
 }
 
 /** Whether nothing of `what` is outside. */
@@ -94,7 +94,7 @@ export function camera(): ReactFlowInstance | null {
 /** Everything, or what is named. */
 export function fit(ids?: readonly string[]): void {
   if (!ids && current) {
-    fitAll(current, 200);
+    void fitAll(current, 200);
     return;
   }
   void current?.fitView({
