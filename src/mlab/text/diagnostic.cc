@@ -171,8 +171,10 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   std::size_t best_distance =
       name.size() / 3 + 2;  // more changes than this, and somebody meant something else
   for (const std::string& candidate : candidates) {
+    const std::size_t longer = std::max(wanted.size(), candidate.size());
+    if (longer - std::min(wanted.size(), candidate.size()) >= best_distance) continue;
     const std::size_t distance = changes_between(wanted, small_letters(candidate), best_distance);
-    if (distance >= best_distance || distance >= std::max(name.size(), candidate.size())) continue;
+    if (distance >= best_distance || distance >= longer) continue;
     best_distance = distance;
     best = candidate;
   }

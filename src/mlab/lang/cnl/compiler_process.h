@@ -32,7 +32,8 @@ struct ProcessResult {
 
 /// Runs a program without a shell and waits for it. It gets no input, an environment with `LC_ALL=C`, and a
 /// process group of its own, which is ended as a whole where it takes too long or is to end: asked first, so
-/// that it can take its own files away, and killed a second later. It does not outlive this process.
+/// that it can take its own files away, and killed a second later. It is asked to end where this process
+/// ends before it; what it has started itself goes on then until it is done.
 ///
 /// @param words  the program, looked for in PATH where it has no slash, and its arguments
 ProcessResult run_process(const std::vector<std::string>& words, const ProcessLimits& limits);
