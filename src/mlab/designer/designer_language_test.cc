@@ -35,7 +35,7 @@ bool has_component(const Palette& palette, const std::string& name) {
 }
 
 TEST(DesignerLanguage, CompletesWhatIsTyped) {
-  Browser browser("completes");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   browser.write("a.cdl", kUsing);
   browser.open("a.cdl");
@@ -50,7 +50,7 @@ TEST(DesignerLanguage, CompletesWhatIsTyped) {
 }
 
 TEST(DesignerLanguage, OffersNamesOfFilesOfTheProject) {
-  Browser browser("files");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   const std::string text = "use \"sk\";\n";
   browser.write("a.cdl", text);
@@ -62,7 +62,7 @@ TEST(DesignerLanguage, OffersNamesOfFilesOfTheProject) {
 }
 
 TEST(DesignerLanguage, SaysWhatStandsUnderThePointer) {
-  Browser browser("hovers");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   browser.write("a.cdl", kUsing);
   browser.open("a.cdl");
@@ -74,7 +74,7 @@ TEST(DesignerLanguage, SaysWhatStandsUnderThePointer) {
 }
 
 TEST(DesignerLanguage, LeadsToWhatIsDeclared) {
-  Browser browser("leads");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   browser.write("a.cdl", kUsing);
   browser.open("a.cdl");
@@ -93,7 +93,7 @@ TEST(DesignerLanguage, LeadsToWhatIsDeclared) {
 }
 
 TEST(DesignerLanguage, TellsThePageOfAPlaceOfTheText) {
-  Browser browser("pages");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   browser.open("skills.cdl");
   const Answer answer = asked(browser, "skills.cdl", AskLanguage::PAGE, place_of(kSkills, "Noise"));
@@ -103,7 +103,7 @@ TEST(DesignerLanguage, TellsThePageOfAPlaceOfTheText) {
 }
 
 TEST(DesignerLanguage, OffersMendsThatAreOneStepOfUndo) {
-  Browser browser("mends");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   browser.write("a.cdl", kUsing);
   browser.open("a.cdl");
@@ -135,7 +135,7 @@ TEST(DesignerLanguage, OffersMendsThatAreOneStepOfUndo) {
 }
 
 TEST(DesignerLanguage, TellsWhatOnlyLoweringFinds) {
-  Browser browser("lowers");
+  Browser browser;
   browser.write("a.cdl", "robot R {\n  movement = Noise();\n}\n");
   browser.open("a.cdl");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() > 0; }));
@@ -145,7 +145,7 @@ TEST(DesignerLanguage, TellsWhatOnlyLoweringFinds) {
 }
 
 TEST(DesignerLanguage, TheNewestTextWins) {
-  Browser browser("newest");
+  Browser browser;
   browser.write("a.cdl", "assemblage A() {\n  Noise()\n}\n");
   browser.open("a.cdl");
   for (int i = 0; i < 50; ++i)
@@ -159,7 +159,7 @@ TEST(DesignerLanguage, TheNewestTextWins) {
 }
 
 TEST(DesignerLanguage, TellsWhatTheCompilerSaysOfProcedures) {
-  Browser browser("procedures");
+  Browser browser;
   browser.set_include_root(std::string(MLAB_SOURCE_DIR) + "/src");
   browser.start();
   browser.write(
@@ -180,7 +180,7 @@ TEST(DesignerLanguage, TellsWhatTheCompilerSaysOfProcedures) {
 }
 
 TEST(DesignerLanguage, OffersWhatFilesBesideDeclareAndUsesThem) {
-  Browser browser("beside");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   browser.write(
       "own.cnl",
@@ -209,7 +209,7 @@ TEST(DesignerLanguage, OffersWhatFilesBesideDeclareAndUsesThem) {
 }
 
 TEST(DesignerLanguage, NoticesThatAFileThatItUsesHasCome) {
-  Browser browser("comes");
+  Browser browser;
   browser.write("a.cdl", kUsing);
   browser.open("a.cdl");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() > 0; }));
@@ -222,7 +222,7 @@ TEST(DesignerLanguage, NoticesThatAFileThatItUsesHasCome) {
 }
 
 TEST(DesignerLanguage, WhatIsSavedToTheLibraryIsInThePaletteOfOthers) {
-  Browser browser("library");
+  Browser browser;
   browser.write("skills.cdl", kSkills);
   browser.write("below/a.cdl", "assemblage A() {\n}\n");
   browser.open("skills.cdl");

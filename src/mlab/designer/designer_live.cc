@@ -105,12 +105,12 @@ void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
     fail(out, not_known("the document is not open").error());
     return;
   }
-  if (one->drawn->page(request.mark().page()).graph == nullptr) {
-    fail(out, not_known("there is no such page").error());
+  if (const std::size_t size = request.mark().ByteSizeLong(); size > kLongest) {
+    fail(out, not_known(fmt::format("the mark has {} bytes; at most {} are kept", size, kLongest)).error());
     return;
   }
-  if (request.mark().ByteSizeLong() > kLongest) {
-    fail(out, not_known("that is too long").error());
+  if (one->drawn->page(request.mark().page()).graph == nullptr) {
+    fail(out, not_known(fmt::format("there is no page `{}`", text::shown(request.mark().page()))).error());
     return;
   }
   Marks& marks = marks_[one->path];

@@ -14,7 +14,7 @@ using testing::Browser;
 constexpr const char* kText = "assemblage A() {\n  cooperate {\n    1: Noise();\n  }\n}\n";
 
 TEST(Designer, GreetsWithWhatThereIsToOpen) {
-  Browser browser("greets");
+  Browser browser;
   browser.write("a.cdl", kText);
   browser.greet(2);
   ASSERT_EQ(browser.hello().files_size(), 1);
@@ -23,7 +23,7 @@ TEST(Designer, GreetsWithWhatThereIsToOpen) {
 }
 
 TEST(Designer, ShowsPagesAndWhatIsDrawnOnThem) {
-  Browser browser("shows");
+  Browser browser;
   browser.write("a.cdl", kText);
   ASSERT_EQ(browser.open("a.cdl"), "a.cdl");
   browser.ask([](ToDesigner& m) {
@@ -51,7 +51,7 @@ TEST(Designer, ShowsPagesAndWhatIsDrawnOnThem) {
 }
 
 TEST(Designer, SharesADocumentAmongWindows) {
-  Browser browser("shares");
+  Browser browser;
   browser.write("a.cdl", kText);
   browser.open("a.cdl");
   browser.greet(2);
@@ -61,7 +61,7 @@ TEST(Designer, SharesADocumentAmongWindows) {
 }
 
 TEST(Designer, KeepsDrawingWhileTheTextHasASlip) {
-  Browser browser("slip");
+  Browser browser;
   browser.write("a.cdl", kText);
   browser.open("a.cdl");
   browser.type("a.cdl", "assemblage A( {\n");
@@ -77,7 +77,7 @@ TEST(Designer, KeepsDrawingWhileTheTextHasASlip) {
 }
 
 TEST(Designer, TellsWhatTheCheckerSays) {
-  Browser browser("checks");
+  Browser browser;
   browser.write("a.cdl", "assemblage A() {\n  cooperate {\n    1: Noise(persistence = 2 m);\n  }\n}\n");
   browser.open("a.cdl");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() > 0; }));
@@ -85,7 +85,7 @@ TEST(Designer, TellsWhatTheCheckerSays) {
 }
 
 TEST(Designer, SavesAndRefusesToOverwriteWhatOthersChanged) {
-  Browser browser("saves");
+  Browser browser;
   browser.write("a.cdl", kText);
   browser.open("a.cdl");
   browser.type("a.cdl", "// mine\n");
@@ -104,7 +104,7 @@ TEST(Designer, SavesAndRefusesToOverwriteWhatOthersChanged) {
 }
 
 TEST(Designer, TakesOverAFileThatOthersChanged) {
-  Browser browser("disk");
+  Browser browser;
   browser.write("a.cdl", kText);
   browser.open("a.cdl");
   browser.write("a.cdl", "// theirs\n");
@@ -113,7 +113,7 @@ TEST(Designer, TakesOverAFileThatOthersChanged) {
 }
 
 TEST(Designer, MergesWhatBothChanged) {
-  Browser browser("merge");
+  Browser browser;
   browser.write("a.cdl", "// one\n// two\n// three\n");
   browser.open("a.cdl");
   browser.type("a.cdl", "// ONE\n// two\n// three\n");
@@ -127,7 +127,7 @@ TEST(Designer, MergesWhatBothChanged) {
 }
 
 TEST(Designer, BringsBackUnsavedWork) {
-  Browser browser("drafts");
+  Browser browser;
   browser.write("a.cdl", kText);
   browser.open("a.cdl");
   browser.type("a.cdl", "// not saved\n");
@@ -154,7 +154,7 @@ TEST(Designer, CallsWhatHasNoFileByWhatItHolds) {
 }
 
 TEST(Designer, ListsUnsavedWorkByItsTitleUntilItIsThrownAway) {
-  Browser browser("discards");
+  Browser browser;
   const std::string fresh = browser.open("");
   browser.type(fresh, kText);
   EXPECT_EQ(browser.document(fresh).title(), "A");
@@ -180,7 +180,7 @@ TEST(Designer, ListsUnsavedWorkByItsTitleUntilItIsThrownAway) {
 }
 
 TEST(Designer, ThrowsNoFileAway) {
-  Browser browser("keeps");
+  Browser browser;
   browser.write("a.cdl", kText);
   browser.open("a.cdl");
   browser.type("a.cdl", "// not saved\n");
@@ -189,7 +189,7 @@ TEST(Designer, ThrowsNoFileAway) {
 }
 
 TEST(Designer, OpensTheLibraryReadOnlyAndNothingOutside) {
-  Browser browser("outside");
+  Browser browser;
   EXPECT_EQ(browser.open("library:assemblages/wander.cdl"), "library:assemblages/wander.cdl");
   EXPECT_TRUE(browser.document("library:assemblages/wander.cdl").is_read_only());
   for (const char* path : {"../a.cdl", "/etc/passwd", "library:../x", "no.cdl", "examples:../../etc/passwd"})
@@ -197,7 +197,7 @@ TEST(Designer, OpensTheLibraryReadOnlyAndNothingOutside) {
 }
 
 TEST(Designer, SavesANewDocumentUnderAName) {
-  Browser browser("names");
+  Browser browser;
   const std::string fresh = browser.open("");
   browser.type(fresh, kText);
   const auto save = [&](const std::string& as) {
@@ -215,7 +215,7 @@ TEST(Designer, SavesANewDocumentUnderAName) {
 }
 
 TEST(Designer, AnswersNonsense) {
-  Browser browser("nonsense");
+  Browser browser;
   EXPECT_FALSE(browser.ask([](ToDesigner& m) { m.mutable_edit()->set_document("x"); }).ok());
   EXPECT_FALSE(browser.ask([](ToDesigner& m) { m.mutable_undo(); }).ok());
   EXPECT_FALSE(browser.ask([](ToDesigner&) {}).ok());

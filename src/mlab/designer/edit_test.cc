@@ -8,6 +8,7 @@
 
 #include "mlab/designer/drawing.h"
 #include "mlab/designer/testing/drawn_text.h"
+#include "mlab/designer/testing/wander.h"
 #include "mlab/lang/cdl/format.h"
 #include "mlab/robot/configuration_file.h"
 
@@ -18,27 +19,7 @@ using testing::DrawnText;
 
 TEST(Edit, BuildsTheWanderOfFigure4) {
   DrawnText text("");
-  text.declare("assemblage", "Wander");
-  text.parameter("Wander", "curious", "gain", "0.8");
-  text.parameter("Wander", "cautious", "gain", "0.5");
-  text.place("Wander", "Noise", 40, 40);
-  text.place("Wander", "AvoidStaticObstacles", 40, 160);
-  text.place("Wander", "Probe", 40, 280);
-  text.place("Wander", "sense_obstacles", -200, 200);
-  text.place("Wander", "cooperate", 320, 160);
-  text.set("Wander", "Noise", "persistence", "10 s");
-  text.set("Wander", "sense_obstacles", "range", "2 m");
-  text.connect("Wander", "sense_obstacles", "AvoidStaticObstacles", "readings");
-  text.connect("Wander", "AvoidStaticObstacles.sense_obstacles", "Probe", "readings");
-  text.set("Wander", "AvoidStaticObstacles", "sphere", "1 m");
-  text.set("Wander", "AvoidStaticObstacles", "safety_margin", "0.5 m");
-  text.connect("Wander", "Noise", "cooperate", "members");
-  text.connect("Wander", "AvoidStaticObstacles", "cooperate", "members");
-  text.connect("Wander", "Probe", "cooperate", "members");
-  text.set("Wander", "cooperate", "weight", "curious", 0);
-  text.set("Wander", "cooperate", "weight", "cautious", 1);
-  text.set("Wander", "cooperate", "weight", "curious", 2);
-  text.connect("Wander", "cooperate", "$result", "");
+  testing::draw_wander(text);
   EXPECT_EQ(text.text(), R"(assemblage Wander(curious: gain = 0.8, cautious: gain = 0.5) {
   let sense_obstacles = sense_obstacles(range = 2 m);
   cooperate {
@@ -51,9 +32,9 @@ TEST(Edit, BuildsTheWanderOfFigure4) {
 layout Wander {
   Noise 40 40;
   AvoidStaticObstacles 40 160;
-  Probe 40 280;
-  sense_obstacles -200 200;
-  cooperate 320 160;
+  Probe 40 320;
+  sense_obstacles -280 200;
+  cooperate 400 160;
 }
 )");
   EXPECT_EQ(text.errors(), "");

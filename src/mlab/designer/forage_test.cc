@@ -7,6 +7,7 @@
 
 #include "mlab/designer/drawing.h"
 #include "mlab/designer/testing/drawn_text.h"
+#include "mlab/designer/testing/wander.h"
 
 namespace mlab::designer {
 namespace {
@@ -29,31 +30,6 @@ void help(DrawnText& text, const std::string& page, const std::string& words) {
     change.mutable_set_help()->set_page(page);
     change.mutable_set_help()->set_text(words);
   });
-}
-
-// Figures 4 and 5: it drifts about, around whatever is in the way.
-void draw_wander(DrawnText& text) {
-  text.declare("assemblage", "Wander");
-  help(text, "Wander", "Drifts about, towards free space, around whatever is in the way.");
-  text.parameter("Wander", "curious", "gain", "0.8");
-  text.parameter("Wander", "cautious", "gain", "0.5");
-  text.place("Wander", "Noise", 40, 40);
-  text.place("Wander", "AvoidStaticObstacles", 40, 160);
-  text.place("Wander", "Probe", 40, 320);
-  text.place("Wander", "sense_obstacles", -280, 200);
-  text.place("Wander", "cooperate", 400, 160);
-  text.set("Wander", "Noise", "persistence", "10 s");
-  text.set("Wander", "sense_obstacles", "range", "2 m");
-  text.connect("Wander", "sense_obstacles", "AvoidStaticObstacles", "readings");
-  text.connect("Wander", "AvoidStaticObstacles.sense_obstacles", "Probe", "readings");
-  text.set("Wander", "AvoidStaticObstacles", "sphere", "1 m");
-  text.set("Wander", "AvoidStaticObstacles", "safety_margin", "0.5 m");
-  for (const char* skill : {"Noise", "AvoidStaticObstacles", "Probe"})
-    text.connect("Wander", skill, "cooperate", "members");
-  text.set("Wander", "cooperate", "weight", "curious", 0);
-  text.set("Wander", "cooperate", "weight", "cautious", 1);
-  text.set("Wander", "cooperate", "weight", "curious", 2);
-  text.connect("Wander", "cooperate", "$result", "");
 }
 
 // Figure 6: three skills; Figure 7: told what to look for and where to bring it.
@@ -113,7 +89,8 @@ void draw_robot(DrawnText& text) {
 
 TEST(Forage, IsDrawnFromNothingAsTheReportDoes) {
   DrawnText text("");
-  draw_wander(text);
+  testing::draw_wander(text);
+  help(text, "Wander", "Drifts about, towards free space, around whatever is in the way.");
   draw_skills(text);
   draw_transitions(text);
   draw_robot(text);
@@ -167,7 +144,8 @@ layout Forager {
 
 TEST(Forage, IsDrawnWithItsStatesAndTheirOrder) {
   DrawnText text("");
-  draw_wander(text);
+  testing::draw_wander(text);
+  help(text, "Wander", "Drifts about, towards free space, around whatever is in the way.");
   draw_skills(text);
   draw_transitions(text);
   const Drawing drawing =

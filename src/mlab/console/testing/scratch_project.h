@@ -17,7 +17,7 @@ class ScratchProject {
   ScratchProject() {
     static int count = 0;
     root_ = std::filesystem::temp_directory_path() /
-            ("mlab_console_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
+            ("mlab_scratch_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
     std::filesystem::remove_all(root_);
     for (const char* folder : {"project", "examples", "state", "elsewhere"})
       std::filesystem::create_directories(root_ / folder);

@@ -2,13 +2,10 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -16,33 +13,26 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/console/testing/scratch_project.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
+#include "mlab/designer/testing/whole_text.h"
 
 namespace mlab::designer::testing {
 
 /// A designer on a folder of its own, and one browser.
 class Browser {
  public:
-  explicit Browser(const std::string& name)
-      : folder_(std::filesystem::temp_directory_path() / ("mlab_designer_" + name)) {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_ / "project");
-    start();
-  }
-  ~Browser() {
-    designer_.reset();
-    std::filesystem::remove_all(folder_);
-  }
+  Browser() { start(); }
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
 
   void start(const std::string& open = "") {
     designer_.reset();
     DesignerSettings settings;
-    settings.project_folder = (folder_ / "project").string();
+    settings.project_folder = folder_.path("project").string();
     settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
-    settings.state_folder = (folder_ / "state").string();
+    settings.state_folder = folder_.path("state").string();
     settings.open = open;
     settings.include_root = include_root_;
     designer_ = std::make_unique<Designer>(settings, [this](console::ConnectionId to, const auto& bytes) {
@@ -98,24 +88,11 @@ class Browser {
     return changed_;
   }
 
-  void write(const std::string& name, const std::string& text) {
-    std::filesystem::create_directories((folder_ / "project" / name).parent_path());
-    std::ofstream(folder_ / "project" / name) << text;
-  }
-  std::string read(const std::string& name) {
-    std::ifstream in(folder_ / "project" / name);
-    std::stringstream out;
-    out << in.rdbuf();
-    return out.str();
-  }
+  void write(const std::string& name, const std::string& text) { folder_.write("project/" + name, text); }
+  std::string read(const std::string& name) const { return folder_.read("project/" + name); }
   void type(const std::string& path, const std::string& text) {
     const Document now = document(path);
-    const Answer answer = ask([&](ToDesigner& m) {
-      m.mutable_edit_text()->set_document(path);
-      m.mutable_edit_text()->set_revision(now.revision());
-      m.mutable_edit_text()->set_end(static_cast<std::uint32_t>(now.text().size()));
-      m.mutable_edit_text()->set_text(text);
-    });
+    const Answer answer = ask([&](ToDesigner& m) { *m.mutable_edit_text() = whole_text(now, text); });
     ASSERT_TRUE(answer.ok()) << answer.error();
   }
 
@@ -129,7 +106,7 @@ class Browser {
     if (message.has_file_changed()) changed_.push_back(message.file_changed());
   }
 
-  std::filesystem::path folder_;
+  console::testing::ScratchProject folder_;
   std::string include_root_;
   std::mutex mutex_;
   std::condition_variable arrived_;
@@ -140,7 +117,7 @@ class Browser {
   std::vector<FileChanged> changed_;
   Hello hello_;
   std::uint32_t last_request_ = 0;
-  std::unique_ptr<Designer> designer_;
+  std::unique_ptr<Designer> designer_;  // ends first
 };
 
 }  // namespace mlab::designer::testing

@@ -17,6 +17,7 @@
 #include "mlab/console/testing/scratch_project.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
+#include "mlab/designer/testing/whole_text.h"
 
 namespace mlab::designer::testing {
 
@@ -82,12 +83,7 @@ class LiveDesk {
   }
   void type(const std::string& path, const std::string& text) {
     const Document now = document(path);
-    const Answer answer = ask([&](ToDesigner& m) {
-      m.mutable_edit_text()->set_document(path);
-      m.mutable_edit_text()->set_revision(now.revision());
-      m.mutable_edit_text()->set_end(static_cast<std::uint32_t>(now.text().size()));
-      m.mutable_edit_text()->set_text(text);
-    });
+    const Answer answer = ask([&](ToDesigner& m) { *m.mutable_edit_text() = whole_text(now, text); });
     EXPECT_TRUE(answer.ok()) << answer.error();
   }
   Document document(const std::string& path) {
