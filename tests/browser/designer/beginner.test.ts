@@ -44,7 +44,7 @@ test("the editor of a value says its unit, its range and its default in words", 
 
 test("closing the simulator brings back the palette that made room for it", async () => {
   const { designer } = await begin({ mission: "forage", file: "forager.cdl" });
-  const { page, palette } = designer;
+  const { palette } = designer;
   await designer.toFile();
   await palette.waitFor();
   await designer.button("Run").click();

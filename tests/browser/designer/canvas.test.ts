@@ -316,7 +316,7 @@ test("a drawing is exported while it is still being laid out", async () => {
   });
   await page.goto("about:blank");
   await page.goto(mlab.url);
-  await designer.on("Two");
+  await page.locator('[aria-label="Drawing of Two"][aria-busy=true]').waitFor();
   await page.keyboard.press("Control+k");
   await page.getByRole("combobox", { name: "All commands" }).fill("as SVG");
   const coming = page.waitForEvent("download");

@@ -24,7 +24,6 @@ const kTurns = `assemblage Turns() {
 const opened = (text: string) =>
   begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", text), width: 1600, height: 900 });
 
-
 /** Simulated time [s]. */
 async function time({ page }: DesignerPage): Promise<number> {
   const text = (await page.getByTestId("sim-time").textContent()) ?? "";

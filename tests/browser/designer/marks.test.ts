@@ -83,8 +83,6 @@ test("probes are there after a reload and in every window", async () => {
     .getByRole("button", { name: /^Simulator/ })
     .first()
     .click();
-  await other.probes
-    .getByRole("button", { name: /^Take away the probe/ })
-    .click();
+  await other.probes.getByRole("button", { name: /^Take away the probe/ }).click();
   await designer.probes.waitFor({ state: "detached" });
 });
