@@ -5,6 +5,9 @@ import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
 import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Page, Request } from "./protocol.ts";
 import { type Notice, type Shown, type State, type Store, shownAfter, without } from "./state.ts";
 
+/** How a page is come to: by a step of its own, which Back takes back, or along the steps that the browser has kept. */
+type Step = "on" | "along";
+
 export class Designer {
   readonly link: Link;
   private pendingNode = "";
@@ -65,24 +68,24 @@ export class Designer {
   }
 
   /** Opens a document and shows its page; an empty path: a new one. */
-  async open(path: string, page?: string, node = ""): Promise<boolean> {
+  async open(path: string, page?: string, node = "", step: Step = "on"): Promise<boolean> {
     const answer = await this.ask({ case: "open", value: { path } });
     if (!answer.ok) return false;
     const document = answer.result.case === "text" && answer.result.value !== "" ? answer.result.value : path;
     await this.arrived(document);
-    this.turnTo(document, page ?? this.firstPage(document), node);
+    this.turnTo(document, page ?? this.firstPage(document), node, step);
     return true;
   }
 
   /** Shows a page of a document that is open, or opens it. */
-  goTo(document: string, page: string, node = ""): void {
+  goTo(document: string, page: string, node = "", step: Step = "on"): void {
     if (document !== "" && !this.state.documents[document] && this.state.hello) {
-      void this.open(document, page, node).then((isOpen) => {
+      void this.open(document, page, node, step).then((isOpen) => {
         if (!isOpen) this.entered = null;
       });
       return;
     }
-    this.turnTo(document, page, node);
+    this.turnTo(document, page, node, step);
   }
 
   /** Goes inside of something on the page that is shown, which stays on the way back. */
@@ -96,30 +99,26 @@ export class Designer {
     return crumbsIn(this.state);
   }
 
-  private turnTo(document: string, page: string, node: string): void {
+  private turnTo(document: string, page: string, node: string, step: Step): void {
     const isSame = this.state.document === document && this.state.page === page;
     this.pendingNode = node;
     const trail = isSame ? this.state.trail : (this.entered ?? shortened(this.state.trail, document, page));
     this.entered = null;
     this.store.setState({ trail, document, page, selection: node && this.hasNode(document, page, node) ? [node] : [] });
     this.look();
-    this.keepAddress(!isSame, node);
+    this.keepAddress(step === "on" && !isSame, node);
   }
 
   /** To the start page; what is not saved stays with the server. */
   leave(): void {
-    this.store.setState({ document: "", page: "", selection: [], trail: [] });
-    window.history.pushState(null, "", window.location.pathname + window.location.search);
-    this.look();
+    this.goTo("", "");
   }
 
   /** The address's fragment, as when the page is loaded or somebody goes back. */
   followAddress(): void {
     const place = fromFragment(window.location.hash);
-    if (place.document === "") this.store.setState({ document: "", page: "", selection: [] });
-    else if (place.document !== this.state.document || place.page !== this.state.page) {
-      this.goTo(place.document, place.page, place.node);
-    }
+    const isSame = place.document === this.state.document && place.page === this.state.page;
+    if (!isSame || place.node) this.goTo(place.document, place.page, place.node, "along");
   }
 
   /** All changes or none, as one step of undo. */
@@ -245,7 +244,7 @@ export class Designer {
       return;
     }
     const place = fromFragment(window.location.hash);
-    if (place.document) void this.open(place.document, place.page, place.node);
+    if (place.document) void this.open(place.document, place.page, place.node, "along");
     else if (hello?.open) void this.open(hello.open, page || undefined);
   }
 

@@ -37,6 +37,25 @@ test("who goes inside comes back to where he was", async () => {
   expect(await crumbs(designer)).toEqual(["two.cdl", "Wander"]);
 });
 
+test("the browser leads back page by page, and on again", async () => {
+  const { designer } = await opened();
+  const { page } = designer;
+  await designer.goTo("Wander");
+  await designer.node("Urges").dblclick({ position: { x: 60, y: 8 } });
+  await designer.on("Urges");
+  for (const before of ["Wander", ""]) {
+    await page.goBack();
+    await designer.on(before);
+  }
+  for (const next of ["Wander", "Urges"]) {
+    await page.goForward();
+    await designer.on(next);
+  }
+  // A link that is typed into the same window.
+  await page.evaluate(() => window.location.assign(`${window.location.hash}&node=Noise`));
+  await expect.poll(() => page.locator(".react-flow__node.selected").getAttribute("data-id")).toContain("Noise");
+});
+
 test("what is told does not move the drawing", async () => {
   const { designer, project } = await opened();
   await designer.goTo("Urges");

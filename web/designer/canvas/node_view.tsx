@@ -166,6 +166,7 @@ function InputRow({ node, row }: { node: Node; row: Row }) {
   const state = !isConnecting || fit === "?" ? "" : fit === "" ? "fits" : "refused";
   const { port } = row;
   const canEdit = row.kind !== "wired" && row.kind !== "more";
+  const weight = port.weightWire || port.weight || "1";
   return (
     <div className={`row ${row.kind} ${state}`} style={{ top: row.y - 12 }} data-row={key}>
       <Handle
@@ -182,11 +183,12 @@ function InputRow({ node, row }: { node: Node; row: Row }) {
         <button
           type="button"
           tabIndex={-1}
-          className={`row-weight nodrag ${port.weight ? "" : "none"}`}
-          aria-label={`Weight of ${row.label}: × ${port.weightWire || port.weight || "1"}`}
+          className={`row-weight nodrag ellipsis ${port.weight ? "" : "none"}`}
+          title={`× ${weight}`}
+          aria-label={`Weight of ${row.label}: × ${weight}`}
           onClick={edit("weight")}
         >
-          × {port.weightWire || port.weight || "1"}
+          × {weight}
         </button>
       )}
       {canEdit && !(port.isMember && row.value === "") && (
@@ -194,6 +196,7 @@ function InputRow({ node, row }: { node: Node; row: Row }) {
           type="button"
           tabIndex={-1}
           className="row-value nodrag ellipsis"
+          title={shownValue(row)}
           aria-label={`${row.label} of ${node.name}: ${shownValue(row)}`}
           onClick={edit("value")}
         >
