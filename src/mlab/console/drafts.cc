@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <system_error>
 
 #include <fmt/core.h>
 
 #include "mlab/base/hash.h"
-#include "mlab/console/enclosed_file.h"
 #include "mlab/text/source.h"
 
 namespace mlab::console {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view kFirstLine = "mlab draft 1 ";
 constexpr const char* kRecent = "recent";
@@ -28,6 +23,10 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
+std::string file_of(std::string_view path) {
+  return StateFolder::name_of(path, kExtension);
+}
+
 bool fits_in_a_line(std::string_view text) {
   return text.find('\n') == std::string_view::npos;
 }
@@ -38,9 +37,9 @@ struct Stored {
   std::string path;
 };
 
-std::optional<Stored> read_stored(const EnclosedFolder& folder, const std::string& name) {
+std::optional<Stored> read_stored(const StateFolder& folder, const std::string& name) {
   std::string all;
-  if (!folder.read(name, text::Source::kMaxBytes + 4096, all).empty()) return std::nullopt;
+  if (!folder.read(name, text::Source::kMaxBytes + 4096, all)) return std::nullopt;
   std::string_view rest = all;
   std::string_view first = take_line(rest);
   if (!first.starts_with(kFirstLine)) return std::nullopt;
@@ -53,48 +52,32 @@ std::optional<Stored> read_stored(const EnclosedFolder& folder, const std::strin
 
 }  // namespace
 
-Drafts::Drafts(const std::string& folder, std::string_view project) {
-  if (folder.empty()) return;
-  folder_ = (fs::path(folder) / fmt::format("{:016x}", base::hash_text(project))).string();
-  std::error_code cannot;
-  fs::create_directories(folder_, cannot);
-  fs::permissions(folder_, fs::perms::owner_all, cannot);
-}
+Drafts::Drafts(const std::string& folder, std::string_view project) : folder_(folder, project) {}
 
 std::string Drafts::digest(std::string_view text) {
   return fmt::format("{:016x}{:016x}", base::hash_text(text), base::hash_text(text, text.size()));
 }
 
-std::string Drafts::file_of(std::string_view path) const {
-  return fmt::format("{:016x}{}", base::hash_text(path), kExtension);
-}
-
 void Drafts::keep(std::string_view path, std::string_view text, const std::string* file) {
-  if (folder_.empty() || !fits_in_a_line(path)) return;
+  if (!fits_in_a_line(path)) return;
   const std::string was = file == nullptr ? "new" : digest(*file);
-  EnclosedFolder(folder_, {}).write(file_of(path), fmt::format("{}{}\n{}\n{}", kFirstLine, was, path, text));
+  folder_.write(file_of(path), fmt::format("{}{}\n{}\n{}", kFirstLine, was, path, text));
 }
 
 std::optional<Drafts::Draft> Drafts::find(std::string_view path) const {
-  if (folder_.empty()) return std::nullopt;
-  auto stored = read_stored(EnclosedFolder(folder_, {}), file_of(path));
+  auto stored = read_stored(folder_, file_of(path));
   if (!stored || stored->path != path) return std::nullopt;
   return std::move(stored->draft);
 }
 
 void Drafts::drop(std::string_view path) {
-  if (folder_.empty()) return;
-  std::error_code cannot;
-  fs::remove(fs::path(folder_) / file_of(path), cannot);
+  folder_.remove(file_of(path));
 }
 
 std::vector<std::string> Drafts::new_files() const {
   std::vector<std::string> out;
-  if (folder_.empty()) return out;
-  const EnclosedFolder folder(folder_, {});
-  for (const EnclosedFolder::Item& item : folder.items(1000)) {
-    if (!item.name.ends_with(kExtension)) continue;
-    const auto stored = read_stored(folder, item.name);
+  for (const std::string& name : folder_.names(kExtension)) {
+    const auto stored = read_stored(folder_, name);
     if (stored && !stored->draft.had_file) out.push_back(stored->path);
   }
   std::ranges::sort(out);
@@ -104,7 +87,7 @@ std::vector<std::string> Drafts::new_files() const {
 std::vector<Drafts::Recent> Drafts::recent() const {
   std::vector<Recent> out;
   std::string all;
-  if (folder_.empty() || !EnclosedFolder(folder_, {}).read(kRecent, 1 << 20, all).empty()) return out;
+  if (!folder_.read(kRecent, 1 << 20, all)) return out;
   for (std::string_view rest = all; !rest.empty() && out.size() < kMostRecent;) {
     const std::string path(take_line(rest));
     out.push_back({path, std::string(take_line(rest))});
@@ -113,13 +96,13 @@ std::vector<Drafts::Recent> Drafts::recent() const {
 }
 
 void Drafts::add_recent(std::string_view path, std::string_view title) {
-  if (folder_.empty() || !fits_in_a_line(path) || !fits_in_a_line(title)) return;
+  if (!fits_in_a_line(path) || !fits_in_a_line(title)) return;
   std::vector<Recent> all = recent();
   std::erase_if(all, [&](const Recent& entry) { return entry.path == path; });
   all.insert(all.begin(), {std::string(path), std::string(title)});
   std::string lines;
   for (const Recent& entry : all) lines += fmt::format("{}\n{}\n", entry.path, entry.title);
-  EnclosedFolder(folder_, {}).write(kRecent, lines);
+  folder_.write(kRecent, lines);
 }
 
 }  // namespace mlab::console

@@ -3,14 +3,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
+
+#include "mlab/console/state_folder.h"
 
 namespace mlab::console {
 
 /// What is kept between sessions of one project: texts that were not saved, and which missions were opened.
-/// Lies in a folder of the user's state, not in the project. Where it can't be written nothing is kept and
-/// nobody complains.
 class Drafts {
  public:
   struct Draft {
@@ -41,9 +40,7 @@ class Drafts {
   static constexpr std::size_t kMostRecent = 12;
 
  private:
-  std::string file_of(std::string_view path) const;
-
-  std::string folder_;  // empty: nothing is kept
+  StateFolder folder_;
 };
 
 }  // namespace mlab::console

@@ -58,6 +58,8 @@ Designer::Parts::Parts(DesignerSettings settings, Send send)
     : settings_(std::move(settings)),
       send_(std::move(send)),
       desk_({settings_.project_folder, settings_.example_folder, settings_.state_folder}),
+      mark_store_(settings_.state_folder.empty() ? "" : settings_.state_folder + "/designer",
+                  desk_.project().folder()),
       compiler_(
           programs(settings_),
           [this](const std::string& document, const std::shared_ptr<const Compiled>& compiled) {
@@ -300,8 +302,11 @@ void Designer::Parts::open(Client& client, const Open& request, Answer& out) {
     fail(out, opened.error());
     return;
   }
-  client.documents.insert((*opened)->path);
-  out.set_text((*opened)->path);
+  const std::string& path = (*opened)->path;
+  client.documents.insert(path);
+  if (request.path().empty()) drop_marks(path);  // of an earlier one that was called so
+  restore_marks(**opened);
+  out.set_text(path);
 }
 
 void Designer::Parts::close(Client& client, const Close& request) {
@@ -331,7 +336,7 @@ void Designer::Parts::discard(Client& client, const Discard& request, Answer& ou
   Close close_it;
   close_it.set_document(path);
   close(client, close_it);
-  marks_.erase(path);
+  drop_marks(path);
 }
 
 OpenConfiguration* Designer::Parts::editable(const std::string& path, Answer& out) {
@@ -401,8 +406,9 @@ void Designer::Parts::save(const Save& request, Answer& out) {
   if (*saved == before) return;
   if (last_trial_.document == before) last_trial_.document = *saved;
   if (auto marks = marks_.extract(before); !marks.empty()) {
-    marks.key() = *saved;
-    marks_.insert(std::move(marks));
+    mark_store_.keep(*saved, marks.mapped());
+    mark_store_.drop(before);
+    marks_.insert_or_assign(*saved, std::move(marks.mapped()));
   }
   for (auto& [id, client] : clients_) {
     if (client.documents.erase(before) == 0) continue;
@@ -445,7 +451,8 @@ void Designer::Parts::list_files(const ListFiles& request, Answer& out) {
 void Designer::Parts::publish() {
   settle();
   for (auto& [path, marks] : marks_) {
-    if (const OpenConfiguration* one = desk_.find(path)) marks.follow(one->drawn);
+    const OpenConfiguration* one = desk_.find(path);
+    if (one != nullptr && marks.follow(one->drawn)) mark_store_.keep(path, marks);
   }
   for (auto& [to, client] : clients_) publish_to(to, client);
 }

@@ -131,12 +131,27 @@ void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
     }
   }
   out.set_text(fmt::format("{}", marks.add(request.mark(), one->drawn, std::move(way))));
+  mark_store_.keep(one->path, marks);
 }
 
 void Designer::Parts::remove_mark(const RemoveMark& request, Answer& out) {
   const auto marks = marks_.find(request.document());
-  if (marks == marks_.end() || !marks->second.remove(request.id()))
+  if (marks == marks_.end() || !marks->second.remove(request.id())) {
     fail(out, not_known("there is no such mark").error());
+    return;
+  }
+  mark_store_.keep(marks->first, marks->second);
+}
+
+void Designer::Parts::drop_marks(const std::string& document) {
+  marks_.erase(document);
+  mark_store_.drop(document);
+}
+
+void Designer::Parts::restore_marks(const OpenConfiguration& one) {
+  if (marks_.contains(one.path)) return;
+  std::optional<Marks> kept = mark_store_.find(one.path, desk_.environment());
+  if (kept) marks_.emplace(one.path, *std::move(kept));
 }
 
 // As it runs, but of the text as it is now; where it was not tried, as it would.

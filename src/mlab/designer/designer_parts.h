@@ -16,6 +16,7 @@
 #include "mlab/designer/compiler.h"
 #include "mlab/designer/designer.h"
 #include "mlab/designer/desk.h"
+#include "mlab/designer/mark_store.h"
 #include "mlab/designer/marks.h"
 #include "mlab/designer/movement_field.h"
 #include "mlab/designer/trial.h"
@@ -96,6 +97,9 @@ class Designer::Parts {
   void find_live(const FindLive& request, Answer& out);
   void set_mark(const SetMark& request, Answer& out);
   void remove_mark(const RemoveMark& request, Answer& out);
+  void drop_marks(const std::string& document);
+  /// Those of an earlier server.
+  void restore_marks(const OpenConfiguration& one);
   void write_back(const WriteBack& request, Answer& out);
   text::Result<TrialConfiguration> tried_now(const OpenConfiguration& one);
   void read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request, Answer& out);
@@ -134,7 +138,8 @@ class Designer::Parts {
   std::string first_error_;
   double last_look_ = 0.0;
   LastTrial last_trial_;
-  std::map<std::string, Marks> marks_;        ///< by document; also of those that nobody looks at now
+  std::map<std::string, Marks> marks_;  ///< by document; also of those that nobody looks at now
+  MarkStore mark_store_;
   std::set<std::string, std::less<>> typed_;  ///< documents of which nothing but the text is new yet
   std::vector<std::pair<console::ConnectionId, FromDesigner>> answers_;  ///< of requests that came together
   bool is_deferred_ = false;  ///< the request in hand is answered later

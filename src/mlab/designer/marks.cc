@@ -204,4 +204,37 @@ void Marks::encode(::mlab::designer::MarkList& out) const {
   for (const auto& [id, one] : all_) *out.add_marks() = one.told;
 }
 
+void Marks::encode(KeptMarks& out) const {
+  if (model_) out.set_text(std::string(model_->source()->text()));
+  for (const auto& [id, one] : all_) {
+    KeptMarks::One& kept = *out.add_marks();
+    *kept.mutable_mark() = one.told;
+    kept.set_has_way(one.way.has_value());
+    if (!one.way) continue;
+    for (const Hop& hop : *one.way) {
+      KeptMarks::Hop& step = *kept.add_way();
+      step.set_page(hop.page);
+      step.set_node(hop.node);
+      step.set_path(hop.path);
+    }
+  }
+}
+
+Marks Marks::restored(const KeptMarks& kept, std::shared_ptr<const Model> model) {
+  Marks out;
+  out.model_ = std::move(model);
+  for (const KeptMarks::One& one : kept.marks()) {
+    if (out.all_.size() >= kMost) break;
+    std::optional<std::vector<Hop>> way;
+    if (one.has_way()) {
+      way.emplace();
+      for (const KeptMarks::Hop& step : one.way()) way->push_back({step.page(), step.node(), step.path()});
+    }
+    Mark mark = one.mark();
+    mark.set_id(++out.last_);
+    out.all_.emplace(out.last_, One{std::move(mark), std::move(way)});
+  }
+  return out;
+}
+
 }  // namespace mlab::designer

@@ -41,6 +41,12 @@ class Marks {
   bool follow(const std::shared_ptr<const Model>& model);
   void encode(::mlab::designer::MarkList& out) const;
 
+  /// @param out  `document` stays as it is
+  void encode(KeptMarks& out) const;
+  /// What `encode` kept.
+  /// @param model  of the text that was kept with them
+  static Marks restored(const KeptMarks& kept, std::shared_ptr<const Model> model);
+
  private:
   struct One {
     Mark told;

@@ -29,6 +29,7 @@ class Browser {
 
   void start(const std::string& open = "") {
     designer_.reset();
+    marks_.clear();
     DesignerSettings settings;
     settings.project_folder = folder_.path("project").string();
     settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
@@ -82,6 +83,12 @@ class Browser {
     const std::scoped_lock lock(mutex_);
     return palettes_[document];
   }
+  /// As they are after everything that was asked so far.
+  MarkList marks(const std::string& document) {
+    ask([](ToDesigner& m) { m.mutable_list_files(); });
+    const std::scoped_lock lock(mutex_);
+    return marks_[document];
+  }
   const Hello& hello() const { return hello_; }
   std::vector<FileChanged> changed() {
     const std::scoped_lock lock(mutex_);
@@ -103,6 +110,7 @@ class Browser {
     if (message.has_document()) documents_[{who, message.document().path()}] = message.document();
     if (message.has_palette()) palettes_[message.palette().document()] = message.palette();
     if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
+    if (message.has_marks()) marks_[message.marks().document()] = message.marks();
     if (message.has_file_changed()) changed_.push_back(message.file_changed());
   }
 
@@ -114,6 +122,7 @@ class Browser {
   std::map<std::pair<std::uint32_t, std::string>, Document> documents_;
   std::map<std::string, Drawing> drawings_;
   std::map<std::string, Palette> palettes_;
+  std::map<std::string, MarkList> marks_;
   std::vector<FileChanged> changed_;
   Hello hello_;
   std::uint32_t last_request_ = 0;
