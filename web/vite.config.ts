@@ -11,10 +11,11 @@ export default defineConfig({
   build: {
     outDir: "dist",
     target: "es2022",
-    // The layout's worker is large, and loaded only when something is to be laid out.
+    // elk is large, and loaded only when it is to lay something out.
     chunkSizeWarningLimit: 1600,
     rolldownOptions: { input: { index: "index.html", designer: "designer.html" } },
   },
+  worker: { format: "es" }, // loads elk when it needs it
   server: {
     host: "127.0.0.1",
     proxy: {

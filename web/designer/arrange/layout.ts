@@ -19,6 +19,11 @@ export function layOut(drawing: Drawing): Promise<Spot[]> {
   });
 }
 
+/** While a drawing is on its way: its layout does not have to wait for the worker to start. */
+export function prepareLayout(): void {
+  worker ??= start();
+}
+
 function start(): Worker {
   const started = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   started.onmessage = (event: MessageEvent<{ request: number; spots: Spot[] }>) => {

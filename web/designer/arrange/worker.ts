@@ -1,10 +1,11 @@
-// Automatic layout, off the page's thread. elk is loaded with it, the first time that something is laid out.
-import ELK from "elkjs/lib/elk.bundled.js";
+// Automatic layout, off the page's thread. elk is large: it is loaded when it is asked for, which pages that are too large
+// for it never do.
+import type { ELK, ElkNode } from "elkjs/lib/elk-api";
 import { columnSpots } from "./columns.ts";
 import { fromElk, gridSpots, largest, type Spot, toElk } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
 
-const elk = new ELK();
+let elk: Promise<ELK> | null = null;
 const kMostForElk = 240; // nodes; its time grows faster than their number
 
 self.onmessage = async (event: MessageEvent<{ request: number; graph: LayoutGraph }>) => {
@@ -14,10 +15,15 @@ self.onmessage = async (event: MessageEvent<{ request: number; graph: LayoutGrap
     const isLarge = graph.kind === "dataflow" && graph.nodes.length > kMostForElk;
     if (graph.kind === "grid") spots = gridSpots(graph);
     else if (isLarge) spots = columnSpots(graph);
-    else if (graph.kind === "dataflow") spots = fromElk(await elk.layout(toElk(graph)));
-    else spots = fromElk(largest([await elk.layout(toElk(graph)), await elk.layout(toElk(graph, "DOWN"))]));
+    else if (graph.kind === "dataflow") spots = fromElk(await laidOut(toElk(graph)));
+    else spots = fromElk(largest([await laidOut(toElk(graph)), await laidOut(toElk(graph, "DOWN"))]));
   } catch {
     spots = gridSpots(graph); // what elk can't do still has to be seen
   }
   self.postMessage({ request, spots });
 };
+
+async function laidOut(graph: ElkNode): Promise<ElkNode> {
+  elk ??= import("elkjs/lib/elk.bundled.js").then(({ default: Elk }) => new Elk());
+  return (await elk).layout(graph);
+}

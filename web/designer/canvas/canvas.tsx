@@ -6,10 +6,11 @@ import {
   BackgroundVariant,
   type Connection,
   type Edge,
+  type EdgeChange,
   type FinalConnectionState,
   type Node as FlowNode,
   MiniMap,
-  type OnSelectionChangeParams,
+  type NodeChange,
   ReactFlow,
   SelectionMode,
   useReactFlow,
@@ -19,7 +20,6 @@ import {
   type CSSProperties,
   type DragEvent,
   type MouseEvent,
-  useCallback,
   useEffect,
   useMemo,
   useRef,
@@ -30,7 +30,7 @@ import { kPitch, onPitch } from "../arrange/elk.ts";
 import { innerOf } from "../pages/inside.ts";
 import { placeState } from "../palette/place.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
-import { stateNodes, transitionEdges } from "../states/flow.ts";
+import { stateNodes, transitionEdges, transitionId } from "../states/flow.ts";
 import { scaleAt } from "../states/label.ts";
 import { StateView, spokenState } from "../states/state_view.tsx";
 import { TransitionView } from "../states/transition_view.tsx";
@@ -41,16 +41,18 @@ import { ContextMenu, openMenu } from "./context_menu.tsx";
 import { FarWires } from "./far_wires.tsx";
 import { type CanvasNode, type CanvasWire, nodesOf, wiresOf } from "./flow.ts";
 import { NodeView, spokenNode } from "./node_view.tsx";
+import { selectionAfter, stillThere } from "./selected.ts";
 import { NoteView, ResultView } from "./small_views.tsx";
 import { forgetMoved, isArranged, keepMoved, usePlaces } from "./use_places.ts";
 import { ValueEditor } from "./value_editor.tsx";
-import { boundsOf, fitAll, holdsAll, kFit, setView } from "./view.ts";
+import { boundsOf, fitReadably, holdsAll, kFit, setView } from "./view.ts";
 import { WireView } from "./wire_view.tsx";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "./wiring.ts";
 
 const kNodeTypes = { node: NodeView, result: ResultView, note: NoteView, state: StateView };
 const kEdgeTypes = { wire: WireView, transition: TransitionView };
 const kMiniSize = { width: 160, height: 110 };
+const kSmallMini = { width: 100, height: 72 }; // beside panes that take the room
 const kPaneSize = 60; // no pane takes less than twice of it, no line more [px]
 /** What is dragged out of the palette. */
 export const kDragged = "application/x-mlab-component";
@@ -70,6 +72,15 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const isDragging = useRef(false);
   const fittedKind = useRef<Drawing_Kind | null>(null);
   const [isInSight, setInSight] = useState(false);
+
+  // What the drawing has no more is not selected any more: undone, renamed, put into an assemblage.
+  useEffect(() => {
+    if (designer.state.selection.length === 0) return;
+    const { nodes: all, states, notes } = drawing;
+    const wires = isStates ? drawing.transitions.map(transitionId) : wiresOf(drawing, []).map((wire) => wire.id);
+    const ids = new Set([...[...all, ...states].map((one) => one.name), ...notes.map((note) => note.id), ...wires]);
+    designer.select(stillThere(designer.state.selection, ids));
+  }, [drawing, isStates, designer]);
 
   useEffect(() => {
     if (!places || isDragging.current) return;
@@ -97,7 +108,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     if (nodes.some((node) => node.type === "state") !== isStates) return; // still those of before
     fittedKind.current = drawing.kind;
     const only = designer.state.selection.map((id) => ({ id }));
-    const fitted = only.length > 0 && nodes.length > 40 ? flow.fitView({ ...kFit, nodes: only }) : fitAll(flow);
+    const fitted = only.length > 0 && nodes.length > 40 ? flow.fitView({ ...kFit, nodes: only }) : fitReadably(flow);
     void fitted.then(() => setInSight(true));
   }, [nodes, flow, designer, drawing, isStates]);
 
@@ -127,20 +138,22 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     const before = sizeBefore.current;
     if (Math.abs(width - before.width) < 2 && Math.abs(height - before.height) < 2) return;
     sizeBefore.current = { width, height };
-    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current) void fitAll(flow);
+    if (isFitted.current && before.width > 0 && fittedKind.current !== null && !isEmpty.current) void fitReadably(flow);
   }, [width, height, flow]);
-  const hasRoom = useStore((state) => state.width > 3.5 * kMiniSize.width && state.height > 3 * kMiniSize.height);
+  const miniSize = useStore((state) => (state.width > 3.5 * kMiniSize.width ? kMiniSize : kSmallMini));
+  const hasRoom = useStore((state) => state.width > 3 * kSmallMini.width && state.height > 3 * kMiniSize.height);
 
-  // Before anything stands here React Flow tells of an empty selection, which is not the person's.
   const isEmpty = useRef(true);
   isEmpty.current = nodes.length === 0;
-  const onSelection = useCallback(
-    ({ nodes: chosen, edges: wires }: OnSelectionChangeParams) => {
-      if (isEmpty.current) return;
-      designer.select([...chosen.map((node) => node.id), ...wires.map((wire) => wire.id)]);
-    },
-    [designer],
-  );
+
+  const nodesChange = (changes: NodeChange[]) => {
+    designer.select(selectionAfter(designer.state.selection, changes));
+    setNodes((before) => applyNodeChanges(changes, before));
+  };
+  const edgesChange = (changes: EdgeChange[]) => {
+    designer.select(selectionAfter(designer.state.selection, changes));
+    setEdges((before) => applyEdgeChanges(changes, before));
+  };
 
   const moveEnds = (moved: readonly FlowNode[]) => {
     isDragging.current = false;
@@ -236,9 +249,8 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         edges={showsFarWires ? noEdges : edges}
         nodeTypes={kNodeTypes}
         edgeTypes={kEdgeTypes}
-        onNodesChange={(changes) => setNodes((before) => applyNodeChanges(changes, before))}
-        onEdgesChange={(changes) => setEdges((before) => applyEdgeChanges(changes, before))}
-        onSelectionChange={onSelection}
+        onNodesChange={nodesChange}
+        onEdgesChange={edgesChange}
         onNodeDragStart={() => {
           isDragging.current = true;
         }}
@@ -297,7 +309,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       >
         {shown.grid && <Background variant={BackgroundVariant.Dots} gap={kPitch * 3} size={1.6} />}
         {showsFarWires && <FarWires nodes={nodes} edges={edges} />}
-        {shown.minimap && hasRoom && <Overview nodes={nodes} />}
+        {shown.minimap && hasRoom && <Overview nodes={nodes} size={miniSize} />}
         <ConnectReason />
       </ReactFlow>
       <ValueEditor />
@@ -307,13 +319,13 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
 }
 
 /** Where on the page one is; a page that is seen as a whole needs none. */
-function Overview({ nodes }: { nodes: readonly FlowNode[] }) {
+function Overview({ nodes, size }: { nodes: readonly FlowNode[]; size: typeof kMiniSize }) {
   const bounds = useMemo(() => boundsOf(nodes), [nodes]);
   const isWhole = useCanvas(({ view }) => holdsAll(view, bounds));
   if (isWhole) return null;
   return (
     <MiniMap
-      style={kMiniSize}
+      style={size}
       pannable
       zoomable
       ariaLabel="Overview of the drawing"

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { boundsOf, holdsAll } from "./view.ts";
+import { boundsOf, holdsAll, readable } from "./view.ts";
 
 const node = (x: number, y: number) => ({ position: { x, y }, width: 100, height: 50 });
 
@@ -10,4 +10,34 @@ test("a page is seen as a whole as long as nothing of it is outside", () => {
   expect(holdsAll({ x: 10, y: -10, width: 500, height: 300 }, bounds)).toBe(false);
   expect(holdsAll({ x: -10, y: -10, width: 405, height: 300 }, bounds)).toBe(false);
   expect(holdsAll({ x: 0, y: 0, width: 1, height: 1 }, boundsOf([]))).toBe(true);
+});
+
+const screen = { width: 1280, height: 800 };
+const page = { x: -100, y: -50, width: 900, height: 500 };
+
+test("a page that can be read is shown as a whole", () => {
+  const { x, y, zoom } = readable(page, { width: 760, height: 720 }, screen, null);
+  expect(zoom).toBeGreaterThan(0.5);
+  expect(page.x * zoom + x).toBeGreaterThanOrEqual(0);
+  expect((page.x + page.width) * zoom + x).toBeLessThanOrEqual(760);
+  expect((page.y + page.height) * zoom + y).toBeLessThanOrEqual(720);
+});
+
+test("where panes take the room, the page begins at the left and can be read", () => {
+  const { x, zoom } = readable(page, { width: 320, height: 720 }, screen, null);
+  expect(zoom).toBeGreaterThanOrEqual(0.65);
+  expect(page.x * zoom + x).toBeCloseTo(64);
+});
+
+test("where panes take the room, what is selected stands in the middle", () => {
+  const chosen = { x: 500, y: 300, width: 160, height: 80 };
+  const { x, y, zoom } = readable(page, { width: 320, height: 720 }, screen, chosen);
+  expect((chosen.x + 80) * zoom + x).toBeCloseTo(160);
+  expect((chosen.y + 40) * zoom + y).toBeCloseTo(360);
+});
+
+test("a page that no window could show readably is shown as a whole", () => {
+  const crowd = { x: 0, y: 0, width: 9000, height: 20_000 };
+  const { zoom } = readable(crowd, { width: 320, height: 720 }, screen, null);
+  expect(crowd.height * zoom).toBeLessThanOrEqual(720);
 });

@@ -1,5 +1,5 @@
 // The canvas's camera, for actions that move it.
-import { getViewportForBounds, type ReactFlowInstance } from "@xyflow/react";
+import { getViewportForBounds, type ReactFlowInstance, type Viewport } from "@xyflow/react";
 import { curveOf, labelMarks, type TransitionEdge } from "../states/flow.ts";
 import { pathOf } from "../states/geometry.ts";
 import { labelSize } from "../states/label.ts";
@@ -61,10 +61,61 @@ function boxOf({
 /** Everything is brought into sight; done once it is there, `duration` [ms] later. */
 export async function fitAll(flow: ReactFlowInstance, duration = 0): Promise<void> {
   const bounds = seenBounds(flow);
-  const canvas = document.querySelector(".canvas")?.getBoundingClientRect();
-  if (!bounds || !canvas || canvas.width === 0 || canvas.height === 0) return;
-  const to = getViewportForBounds(bounds, canvas.width, canvas.height, 0.04, kFit.maxZoom, kFit.padding);
-  await flow.setViewport(to, { duration });
+  const canvas = canvasSize();
+  if (bounds && canvas) await flow.setViewport(whole(bounds, canvas), { duration });
+}
+
+/** As fitAll, but where that could not be read because of the panes around the canvas, a part of it that can. */
+export async function fitReadably(flow: ReactFlowInstance): Promise<void> {
+  const bounds = seenBounds(flow);
+  const canvas = canvasSize();
+  if (!bounds || !canvas) return;
+  const chosen = boundsOf(flow.getNodes().filter((node) => node.selected));
+  await flow.setViewport(readable(bounds, canvas, { width: innerWidth, height: innerHeight }, chosen));
+}
+
+function canvasSize(): Size | null {
+  const { width = 0, height = 0 } = document.querySelector(".canvas")?.getBoundingClientRect() ?? {};
+  return width > 0 && height > 0 ? { width, height } : null;
+}
+
+interface Size {
+  width: number;
+  height: number;
+}
+
+const kTolerable = 0.5; // values of nodes are still to be made out
+const kReadable = 0.7;
+
+/** The canvas's viewport in which `bounds` is seen as a whole. */
+function whole(bounds: Box, canvas: Size): Viewport {
+  return getViewportForBounds(bounds, canvas.width, canvas.height, 0.04, kFit.maxZoom, kFit.padding);
+}
+
+/**
+ * Everything, if that can be read, or could not be in the whole window either. Else it is the panes that take the room:
+ * what is chosen, or where the page begins (at the left, where values come from), as large as it takes to read it.
+ */
+export function readable(bounds: Box, canvas: Size, page: Size, chosen: Box | null): Viewport {
+  const all = whole(bounds, canvas);
+  if (all.zoom >= kTolerable || whole(bounds, page).zoom < kTolerable) return all;
+  const [left, top] = [Number.parseFloat(kFit.padding.left), Number.parseFloat(kFit.padding.top)];
+  const middle = (begin: number, length: number, room: number) => room / 2 - (begin + length / 2) * kReadable;
+  if (chosen) {
+    return {
+      x: middle(chosen.x, chosen.width, canvas.width),
+      y: middle(chosen.y, chosen.height, canvas.height),
+      zoom: kReadable,
+    };
+  }
+  const fits = (length: number, room: number, padding: number) => length * kReadable <= room - 2 * padding;
+  return {
+    x: left - bounds.x * kReadable,
+    y: fits(bounds.height, canvas.height, top)
+      ? middle(bounds.y, bounds.height, canvas.height)
+      : top - bounds.y * kReadable,
+    zoom: kReadable,
+  };
 }
 
 /** Whether nothing of `what` is outside. */

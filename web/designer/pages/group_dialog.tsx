@@ -4,7 +4,7 @@ import { Button } from "../../console/ui/controls.tsx";
 import { parted } from "../actions/editing.ts";
 import { onPitch } from "../arrange/elk.ts";
 import { isArranged, placesOf, sizesOf } from "../canvas/use_places.ts";
-import type { Designer } from "../designer.ts";
+import { type Designer, soon } from "../designer.ts";
 import { type ChangeInit, type Drawing, Node_Shape } from "../protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
 import { Ask, editOf } from "./dialogs.tsx";
@@ -31,11 +31,8 @@ export function GroupDialog() {
           ...(before ? [before] : []),
           { case: "group", value: { page, nodes, name, ...(at ?? {}) } },
         ];
-        // What goes away is not selected any more when it does.
-        designer.select([]);
         const answer = await designer.link.ask(editOf(designer, `make assemblage ${name}`, ...changes));
         if (answer.ok) void selectMade(designer, name);
-        else designer.select(nodes);
         return answer.error;
       }}
     >
@@ -101,24 +98,8 @@ function middleOf(drawing: Drawing, nodes: readonly string[]): { x: number; y: n
   return { x: onPitch(x - kHalf.x), y: onPitch(y - kHalf.y) };
 }
 
-const kSettles = 100; // [ms]
-
 /** As soon as it is drawn, which may be a moment after the answer. */
 async function selectMade(designer: Designer, component: string): Promise<void> {
-  const look = () => designer.drawing?.nodes.find((node) => node.component === component)?.name;
-  if (!look()) {
-    await new Promise<void>((resolve) => {
-      const done = () => {
-        clearTimeout(timer);
-        stop();
-        resolve();
-      };
-      const timer = setTimeout(done, 3000);
-      const stop = designer.store.subscribe(() => look() && done());
-    });
-  }
-  // Once the canvas has let go of what was there before.
-  await new Promise((resolve) => setTimeout(resolve, kSettles));
-  const made = look();
+  const made = await soon(designer, () => designer.drawing?.nodes.find((node) => node.component === component)?.name);
   if (made) designer.select([made]);
 }
