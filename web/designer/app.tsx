@@ -18,6 +18,7 @@ import { DeclarationDialog, ParameterDialog, RenameDialog } from "./pages/dialog
 import { EmptyHint } from "./pages/empty_hint.tsx";
 import { GroupDialog } from "./pages/group_dialog.tsx";
 import { lastPart, pageKey } from "./pages/pages.ts";
+import { watchPanes } from "./pages/panes.ts";
 import { Splitter } from "./pages/splitter.tsx";
 import { ConnectChooser } from "./palette/connect_chooser.tsx";
 import { PalettePanel } from "./palette/palette_panel.tsx";
@@ -25,6 +26,7 @@ import { SearchPalette } from "./palette/search_palette.tsx";
 import { ProblemsPanel } from "./problems/problems_panel.tsx";
 import { type Drawing, Drawing_Kind } from "./protocol.ts";
 import type { Shown } from "./state.ts";
+import { transitionOf } from "./states/flow.ts";
 import { Tour } from "./tour/tour.tsx";
 import { DesignerContext, useDesigner, useDocument, useDrawing, usePart } from "./use.ts";
 import "@xyflow/react/dist/base.css";
@@ -52,6 +54,7 @@ function Page() {
   const document = usePart((state) => state.document);
   useTheme();
   useShortcuts(designer);
+  useEffect(watchPanes, []);
   useTitle();
   return (
     <div className="app designer">
@@ -219,7 +222,7 @@ function Strip() {
         {selection.length === 0
           ? drawing && countOf(drawing)
           : selection.length === 1
-            ? (shownName(drawing, selection[0]!) ?? lastPart(selection[0]!))
+            ? shownName(drawing, selection[0]!)
             : `${selection.length} selected`}
       </span>
       <span className="small muted">
@@ -240,9 +243,11 @@ function counted(number: number, what: string): string {
 }
 
 /** Comments and frames are not called anything. */
-function shownName(drawing: Drawing | undefined, id: string): string | undefined {
+function shownName(drawing: Drawing | undefined, id: string): string {
   const note = drawing?.notes.find((one) => one.id === id);
-  return note && (note.isFrame ? "Frame" : "Comment");
+  if (note) return note.isFrame ? "Frame" : "Comment";
+  const transition = drawing && transitionOf(drawing, id);
+  return transition ? `${transition.from} → ${transition.to}` : lastPart(id);
 }
 
 function Dialogs() {

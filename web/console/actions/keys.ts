@@ -29,6 +29,8 @@ export function shownShortcut(shortcut: string, isMac = false): string {
     escape: "Esc",
     space: "Space",
     enter: "Enter",
+    delete: "Delete",
+    home: "Home",
   };
   const parts = shortcut.endsWith("+") ? [...shortcut.slice(0, -1).split("+"), "+"] : shortcut.split("+");
   return parts

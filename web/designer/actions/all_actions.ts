@@ -6,6 +6,7 @@ import { extensions } from "../extensions.ts";
 import { withToken } from "../link/link.ts";
 import { innerOf } from "../pages/inside.ts";
 import { outer } from "../pages/pages.ts";
+import { goToPane } from "../pages/panes.ts";
 import { Drawing_Kind } from "../protocol.ts";
 import type { Action } from "./action.ts";
 import { arrangeAll } from "./arranging.ts";
@@ -371,6 +372,22 @@ function goActions(designer: Designer): Action[] {
       shortcut: "home",
       blocked: drawing ? undefined : kClosed,
       run: () => designer.goTo(state.document, ""),
+    },
+    {
+      id: "next-pane",
+      label: "To the next part of the page",
+      group: "Go",
+      shortcut: "f6",
+      everywhere: true,
+      run: () => goToPane(1),
+    },
+    {
+      id: "previous-pane",
+      label: "To the part before",
+      group: "Go",
+      shortcut: "shift+f6",
+      everywhere: true,
+      run: () => goToPane(-1),
     },
     {
       id: "link",

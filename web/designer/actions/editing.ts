@@ -5,7 +5,7 @@ import { canvasStore } from "../canvas/canvas_store.ts";
 import { isArranged, keepMoved, placesOf, sizesOf } from "../canvas/use_places.ts";
 import { disconnectChange, endOf } from "../canvas/wiring.ts";
 import { type Designer, soon } from "../designer.ts";
-import { freePlace } from "../palette/place.ts";
+import { freePlace, showNode } from "../palette/place.ts";
 import { type ChangeInit, type ChangeOf, Drawing_Kind } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
 
@@ -248,5 +248,6 @@ export function walk(designer: Designer, dx: number, dy: number): void {
   if (best) {
     designer.select([best]);
     designer.say(best);
+    showNode(designer, best);
   }
 }

@@ -16,20 +16,13 @@ import {
   useReactFlow,
   useStore,
 } from "@xyflow/react";
-import {
-  type CSSProperties,
-  type DragEvent,
-  type MouseEvent,
-  useEffect,
-  useMemo,
-  useRef,
-  useState,
-} from "react";
+import { type CSSProperties, type DragEvent, type MouseEvent, useEffect, useMemo, useRef, useState } from "react";
 import { arrangeChange } from "../arrange/arrange.ts";
 import { kPitch, onPitch } from "../arrange/elk.ts";
 import { innerOf } from "../pages/inside.ts";
+import { offerFocus } from "../pages/panes.ts";
 import { placeState } from "../palette/place.ts";
-import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
 import { stateNodes, transitionEdges, transitionId } from "../states/flow.ts";
 import { scaleAt } from "../states/label.ts";
 import { StateView, spokenState } from "../states/state_view.tsx";
@@ -127,6 +120,17 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   }, [selection]);
 
   useEffect(() => setView(flow), [flow]);
+
+  // Who works with keys has the focus on what is selected, or on the drawing; else it would be lost with each dialog.
+  const section = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (designer.state.dialog !== "") return;
+    const chosen = selection.length === 1 ? nodeElement(section.current, selection[0]!) : null;
+    const focused = document.activeElement;
+    const isOurs = focused === section.current || (focused?.matches(".canvas .react-flow__node") ?? false);
+    if (chosen && isOurs && chosen !== focused) chosen.focus({ preventScroll: true });
+    else offerFocus(chosen ?? section.current);
+  });
 
   // A pane that opens beside the canvas takes of its place: who has not moved the camera goes on seeing everything. A line
   // that comes and goes above it moves nothing.
@@ -233,6 +237,13 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       style={{ "--scale": scale } as CSSProperties}
       aria-label={`Drawing of ${page || "the file"}`}
       aria-busy={!isInSight}
+      ref={section}
+      tabIndex={-1}
+      onFocus={({ target }) => {
+        // What the Tab key reaches is selected: keys do something to it.
+        const id = target.matches(".react-flow__node:focus-visible") ? target.getAttribute("data-id") : null;
+        if (id && id !== kResult && !designer.state.selection.includes(id)) designer.select([id]);
+      }}
       onDragOver={(event) => {
         if (!event.dataTransfer.types.includes(kDragged) || isReadOnly) return;
         event.preventDefault();
@@ -316,6 +327,10 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       <ContextMenu />
     </section>
   );
+}
+
+function nodeElement(canvas: HTMLElement | null, id: string): HTMLElement | null {
+  return canvas?.querySelector<HTMLElement>(`.react-flow__node[data-id="${CSS.escape(id)}"]`) ?? null;
 }
 
 /** Where on the page one is; a page that is seen as a whole needs none. */

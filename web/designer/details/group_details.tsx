@@ -2,6 +2,7 @@ import { Button } from "../../console/ui/controls.tsx";
 import { alignSelection } from "../actions/arranging.ts";
 import { frameSelection } from "../actions/editing.ts";
 import type { Edge } from "../arrange/arrange.ts";
+import { lastPart } from "../pages/pages.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
 import { Heading, Section } from "./parts.tsx";
@@ -25,7 +26,7 @@ export function GroupDetails({ drawing, selection }: { drawing: Drawing; selecti
     <div className="details">
       <Heading
         name={`${selection.length} selected`}
-        kind={selection.slice(0, 4).join(", ") + (selection.length > 4 ? " …" : "")}
+        kind={selection.slice(0, 4).map(lastPart).join(", ") + (selection.length > 4 ? " …" : "")}
       />
       {!isReadOnly && (
         <>

@@ -166,6 +166,7 @@ export function ParameterDialog() {
   const owner = drawing?.page?.path ?? "";
   const close = () => designer.store.setState({ dialog: "" });
   const save = async () => {
+    if (cdlName(name) !== undefined) return;
     const changes = [
       ...(before && before.name !== name
         ? [{ case: "rename" as const, value: { page: owner, node: before.name, name } }]
@@ -193,20 +194,36 @@ export function ParameterDialog() {
         </>
       }
     >
-      {problem && <p className="notice danger">{problem}</p>}
-      <Field label="Name" value={name} onChange={setName} problem={name === "" ? undefined : cdlName(name)} autoFocus />
-      <Choice label="Type" value={type} choices={types.map((one) => [one, one])} onChange={setType} />
-      <Field
-        label="Default"
-        value={initial}
-        onChange={setInitial}
-        help="Without one it has to be given wherever the assemblage is used."
-      />
-      <div className="columns" style={{ flexWrap: "nowrap" }}>
-        <Field label="Least" value={low} onChange={setLow} />
-        <Field label="Most" value={high} onChange={setHigh} />
-      </div>
-      <Field label="What it is for" value={help} onChange={setHelp} />
+      {/* Enter in a field is the button's. */}
+      <form
+        className="rows"
+        onSubmit={(event) => {
+          event.preventDefault();
+          void save();
+        }}
+      >
+        {problem && <p className="notice danger">{problem}</p>}
+        <Field
+          label="Name"
+          value={name}
+          onChange={setName}
+          problem={name === "" ? undefined : cdlName(name)}
+          autoFocus
+        />
+        <Choice label="Type" value={type} choices={types.map((one) => [one, one])} onChange={setType} />
+        <Field
+          label="Default"
+          value={initial}
+          onChange={setInitial}
+          help="Without one it has to be given wherever the assemblage is used."
+        />
+        <div className="columns even">
+          <Field label="Least" value={low} onChange={setLow} />
+          <Field label="Most" value={high} onChange={setHigh} />
+        </div>
+        <Field label="What it is for" value={help} onChange={setHelp} />
+        <input type="submit" hidden />
+      </form>
     </DialogBox>
   );
 }

@@ -2,7 +2,9 @@
 import { useEffect, useState } from "react";
 import { ranked } from "../../console/actions/search.ts";
 import { rowId } from "../canvas/form.ts";
+import { inputName } from "../canvas/input_name.ts";
 import { connectChange } from "../canvas/wiring.ts";
+import { lastPart } from "../pages/pages.ts";
 import { Drawing_Kind, type FitList_Fit } from "../protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
 import { type Choice, Chooser } from "./chooser.tsx";
@@ -35,7 +37,7 @@ export function ConnectChooser() {
         const isResult = fit.node.startsWith("$");
         return {
           id: isResult ? fit.node : `${fit.node}/${row}`,
-          label: isResult ? "Result of the page" : `${fit.node} · ${row}`,
+          label: isResult ? "Result of the page" : inputName(drawing, fit.node, row),
           ...(fit.reason ? { blocked: fit.reason } : {}),
         };
       });
@@ -55,7 +57,7 @@ export function ConnectChooser() {
   };
   return (
     <Chooser
-      title={isStates ? `Transition from ${node} to` : `Connect ${node} to`}
+      title={isStates ? `Transition from ${node} to` : `Connect ${lastPart(node)} to`}
       placeholder={isStates ? "To which state?" : "Which input?"}
       find={(query) => ranked(query, sorted, (choice) => choice.label)}
       onChoose={connect}

@@ -97,7 +97,7 @@ function Entry({ component }: { component: Component }) {
         </span>
         <span className="palette-names">
           <span className="palette-title">{title}</span>
-          <span className="small muted ellipsis">{firstSentence(component.help)}</span>
+          <span className="small muted palette-help">{firstSentence(component.help)}</span>
         </span>
       </button>
     </li>

@@ -62,7 +62,7 @@ export async function place(designer: Designer, component: string, placing: Plac
 }
 
 /** Moves the canvas to a node that is not wholly in sight. */
-function showNode(designer: Designer, name: string): void {
+export function showNode(designer: Designer, name: string): void {
   const drawing = designer.drawing;
   const at = drawing && placesOf(drawing)?.get(name);
   const size = drawing && sizesOf(drawing).get(name);

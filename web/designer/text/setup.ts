@@ -26,6 +26,7 @@ import { bytesOf, unitsOf } from "../../console/editor/bytes.ts";
 import type { Designer } from "../designer.ts";
 import { AskLanguage_What } from "../protocol.ts";
 import { cdl } from "./cdl.ts";
+import { blocksOf, elementOf } from "./help.ts";
 import type { LiveText } from "./live_text.ts";
 
 const highlighting = HighlightStyle.define([
@@ -65,7 +66,25 @@ const looks = EditorView.theme({
   ".cm-textfield": { backgroundColor: "var(--surface)", border: "1px solid var(--line-strong)" },
   ".cm-button": { backgroundImage: "none", backgroundColor: "var(--raised)", border: "1px solid var(--line)" },
   ".cm-diagnostic": { whiteSpace: "pre-wrap", padding: "4px 8px" },
-  ".cm-hover": { maxWidth: "460px", padding: "6px 10px", whiteSpace: "pre-wrap", fontFamily: "var(--font)" },
+  ".cm-selectionMatch": { backgroundColor: "color-mix(in srgb, var(--accent) 16%, transparent)" },
+  ".cm-searchMatch": { backgroundColor: "var(--hold-soft)", outline: "1px solid var(--hold)" },
+  ".cm-searchMatch-selected": { backgroundColor: "var(--accent-soft)" },
+  ".cm-hover": {
+    maxWidth: "460px",
+    maxHeight: "50vh",
+    padding: "6px 10px",
+    overflow: "auto",
+    fontFamily: "var(--font)",
+  },
+  ".cm-hover > *": { margin: "4px 0", whiteSpace: "pre-wrap" },
+  ".cm-hover pre": { fontFamily: "var(--mono)" },
+  ".cm-hover table": { borderCollapse: "collapse" },
+  ".cm-hover th, .cm-hover td": {
+    padding: "2px 10px 2px 0",
+    borderBottom: "1px solid var(--line)",
+    textAlign: "left",
+    verticalAlign: "top",
+  },
 });
 
 export function editorParts(designer: Designer, live: LiveText, document: string): Extension[] {
@@ -74,6 +93,7 @@ export function editorParts(designer: Designer, live: LiveText, document: string
     highlightActiveLine(),
     highlightActiveLineGutter(),
     drawSelection(),
+    EditorView.lineWrapping,
     bracketMatching(),
     closeBrackets(),
     highlightSelectionMatches(),
@@ -152,7 +172,7 @@ async function hover(
     create: () => {
       const dom = window.document.createElement("div");
       dom.className = "cm-hover";
-      dom.textContent = plain(markdown);
+      dom.append(...blocksOf(markdown).map((block) => elementOf(block, window.document)));
       return { dom };
     },
   };
@@ -171,13 +191,4 @@ function toDefinition(designer: Designer, live: LiveText, document: string, view
     designer.store.setState({ reveal: { begin: place.begin, end: place.end, focus: true } });
   });
   return true;
-}
-
-/** Markdown as plain text: fences and marks left out. */
-export function plain(markdown: string): string {
-  return markdown
-    .replaceAll(/^```\w*\n?/gm, "")
-    .replaceAll(/\*\*([^*]+)\*\*/g, "$1")
-    .replaceAll(/`([^`]+)`/g, "$1")
-    .trim();
 }

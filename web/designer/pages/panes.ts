@@ -1,0 +1,57 @@
+// The parts of the page that the keyboard goes to and fro between, and which of them has the focus.
+
+/** In the order in which they stand on the page. */
+const kPanes = ".topbar, .dock, .canvas, .strip";
+// Of a part, the first of these that it has takes the focus.
+const kTakers = [".cm-content", ".panel", "button:not([disabled])"];
+
+let last: Element | null = null;
+let isByKey = false;
+
+/** Keeps in mind where the focus was, and whether keys are what the person works with. */
+export function watchPanes(): () => void {
+  const focused = (event: FocusEvent) => {
+    if (event.target instanceof Element) last = event.target.closest(kPanes) ?? last;
+  };
+  const key = (event: KeyboardEvent) => {
+    isByKey = !/^(Control|Shift|Alt|Meta)$/.test(event.key);
+  };
+  const pointer = () => {
+    isByKey = false;
+  };
+  window.addEventListener("focusin", focused);
+  window.addEventListener("keydown", key, { capture: true });
+  window.addEventListener("pointerdown", pointer, { capture: true });
+  return () => {
+    window.removeEventListener("focusin", focused);
+    window.removeEventListener("keydown", key, { capture: true });
+    window.removeEventListener("pointerdown", pointer, { capture: true });
+  };
+}
+
+/** The focus goes to the next part of the page, or (-1) the one before. */
+export function goToPane(step: 1 | -1): void {
+  const panes = [...document.querySelectorAll(kPanes)];
+  if (panes.length === 0) return;
+  const here = document.activeElement?.closest(kPanes) ?? last;
+  const at = here ? panes.indexOf(here) : -1;
+  // From nowhere to the drawing, which is what a person comes for.
+  const next = at < 0 ? panes.findIndex((pane) => pane.matches(".canvas")) : (at + step + panes.length) % panes.length;
+  takerOf(panes[Math.max(0, next)]!)?.focus();
+}
+
+function takerOf(pane: Element): HTMLElement | null {
+  if (pane instanceof HTMLElement && pane.matches(".canvas")) {
+    return pane.querySelector<HTMLElement>(".react-flow__node.selected") ?? pane;
+  }
+  for (const taker of kTakers) {
+    const found = pane.querySelector<HTMLElement>(taker);
+    if (found) return found;
+  }
+  return null;
+}
+
+/** Where nothing has the focus and keys are used, it goes to `element`. */
+export function offerFocus(element: HTMLElement | null): void {
+  if (isByKey && document.activeElement === document.body) element?.focus({ preventScroll: true });
+}
