@@ -8,7 +8,9 @@ import type { LayoutGraph } from "./graph.ts";
 let elk: Promise<ELK> | null = null;
 const kMostForElk = 240; // nodes; its time grows faster than their number
 
-self.onmessage = async (event: MessageEvent<{ request: number; graph: LayoutGraph }>) => {
+self.onmessage = answer;
+
+async function answer(event: MessageEvent<{ request: number; graph: LayoutGraph }>): Promise<void> {
   const { request, graph } = event.data;
   let spots: Spot[];
   try {
@@ -21,9 +23,13 @@ self.onmessage = async (event: MessageEvent<{ request: number; graph: LayoutGrap
     spots = gridSpots(graph); // what elk can't do still has to be seen
   }
   self.postMessage({ request, spots });
-};
+}
 
 async function laidOut(graph: ElkNode): Promise<ElkNode> {
-  elk ??= import("elkjs/lib/elk.bundled.js").then(({ default: Elk }) => new Elk());
+  elk ??= import("elkjs/lib/elk.bundled.js").then(({ default: Elk }) => {
+    const made = new Elk();
+    self.onmessage = answer; // elk takes what is said to a worker for said to itself
+    return made;
+  });
   return (await elk).layout(graph);
 }

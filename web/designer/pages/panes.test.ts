@@ -40,13 +40,23 @@ test("from nowhere the first way leads to the drawing", () => {
   expect(focused()).toBe("canvas");
 });
 
-test("a focus that is lost is offered to people who use keys only", () => {
+test("a focus that is lost is offered to people who use keys only", async () => {
   const canvas = document.getElementById("canvas")!;
   (document.activeElement as HTMLElement | null)?.blur();
   window.dispatchEvent(new Event("pointerdown"));
   offerFocus(canvas);
+  await new Promise((resolve) => setTimeout(resolve, 150));
   expect(focused()).not.toBe("canvas");
   window.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter" }));
   offerFocus(canvas);
-  expect(focused()).toBe("canvas");
+  await expect.poll(focused).toBe("canvas");
+});
+
+test("what a dialog gives the focus back to keeps it", async () => {
+  window.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter" }));
+  (document.activeElement as HTMLElement | null)?.blur();
+  offerFocus(document.getElementById("canvas"));
+  document.getElementById("find")!.focus();
+  await new Promise((resolve) => setTimeout(resolve, 150));
+  expect(focused()).toBe("find");
 });

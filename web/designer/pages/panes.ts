@@ -51,7 +51,16 @@ function takerOf(pane: Element): HTMLElement | null {
   return null;
 }
 
-/** Where nothing has the focus and keys are used, it goes to `element`. */
+const kGivenBack = 80; // a dialog that closes gives the focus back within this time [ms]
+let offer: ReturnType<typeof setTimeout> | undefined;
+
+/** Where nothing has the focus and keys are used, it goes to `element`: once a dialog had time to give it back. */
 export function offerFocus(element: HTMLElement | null): void {
-  if (isByKey && document.activeElement === document.body) element?.focus({ preventScroll: true });
+  clearTimeout(offer);
+  if (!isLost()) return;
+  offer = setTimeout(() => isLost() && element?.focus({ preventScroll: true }), kGivenBack);
+}
+
+function isLost(): boolean {
+  return isByKey && document.activeElement === document.body;
 }
