@@ -3,7 +3,7 @@ import { Link } from "./link/link.ts";
 import { type Crumb, crumbsOf, shortened } from "./pages/crumbs.ts";
 import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
 import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Page, Request } from "./protocol.ts";
-import { type Notice, type Shown, type State, type Store, shownAfter, without } from "./state.ts";
+import { kWide, type Notice, type Shown, type State, type Store, shownAfter, without } from "./state.ts";
 
 /** How a page is come to: by a step of its own, which Back takes back, or along the steps that the browser has kept. */
 type Step = "on" | "along";
@@ -51,7 +51,7 @@ export class Designer {
   }
 
   show(change: Partial<Shown>): void {
-    this.store.setState(({ shown }) => ({ shown: shownAfter(shown, change) }));
+    this.store.setState(({ shown }) => ({ shown: shownAfter(shown, change, window.innerWidth < kWide) }));
   }
 
   select(selection: readonly string[]): void {

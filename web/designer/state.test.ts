@@ -28,6 +28,17 @@ test("the palette makes room for the simulator in a narrow window, and comes bac
   expect(shownAfter(first, besideSimulator(first, false))).toMatchObject({ live: true, palette: true });
 });
 
+test("in a narrow window the palette makes room for the text, and comes back with its end", () => {
+  const first = firstShown(1280);
+  const beside = shownAfter(first, { text: true }, true);
+  expect(beside).toMatchObject({ text: true, palette: false, details: true });
+  expect(shownAfter(beside, { detailsWidth: 300 }, true)).toMatchObject({ palette: false });
+  expect(shownAfter(beside, { text: false }, true)).toMatchObject({ text: false, palette: true, paletteWaits: false });
+  expect(shownAfter(beside, { palette: true }, true)).toMatchObject({ text: true, palette: true });
+  expect(shownAfter(first, { text: true }, false)).toMatchObject({ text: true, palette: true });
+  expect(shownAfter({ ...first, details: false }, { text: true }, true)).toMatchObject({ text: true, palette: true });
+});
+
 test("a palette that somebody hid stays hidden when the simulator is closed", () => {
   const hidden = shownAfter(firstShown(1280), { palette: false });
   const beside = shownAfter(hidden, besideSimulator(hidden, true));

@@ -29,7 +29,7 @@ export interface Shown {
   problems: boolean;
   /** The map of the embedded simulator. */
   live: boolean;
-  /** The palette has made room for the map, and comes back with its end. */
+  /** The palette has made room for the map or the text, and comes back with its end. */
   paletteWaits: boolean;
   minimap: boolean;
   grid: boolean;
@@ -155,16 +155,25 @@ export function createState(storage: Storage, windowWidth: number): Store {
   return store;
 }
 
+/** Palette, drawing, details and one more side by side need a window so wide [px]. */
+export const kWide = 1500;
+
 /** The simulator needs room: where the window is narrow the palette makes it, for as long as the simulator is open. */
 export function besideSimulator({ palette }: Shown, isNarrow: boolean): Partial<Shown> {
   return isNarrow && palette ? { live: true, palette: false, paletteWaits: true } : { live: true };
 }
 
-/** A palette that made room comes back when the simulator is closed, unless somebody has said otherwise meanwhile. */
-export function shownAfter(before: Shown, change: Partial<Shown>): Shown {
+/**
+ * A palette that made room comes back when what it made room for is closed, unless somebody has said otherwise meanwhile.
+ * In a narrow window it makes room for the text as well, where the details stand beside that.
+ */
+export function shownAfter(before: Shown, change: Partial<Shown>, isNarrow = false): Shown {
   const after = { ...before, ...change };
   if (change.palette !== undefined) after.paletteWaits = change.paletteWaits ?? false;
-  if (!after.paletteWaits || after.live) return after;
+  else if (isNarrow && after.text && !before.text && after.palette && (after.details || after.live)) {
+    return { ...after, palette: false, paletteWaits: true };
+  }
+  if (!after.paletteWaits || after.live || (isNarrow && after.text)) return after;
   return { ...after, palette: true, paletteWaits: false };
 }
 

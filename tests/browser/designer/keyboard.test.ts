@@ -35,6 +35,12 @@ async function reach(page: Page, key: string, wanted: RegExp, most = 60): Promis
   throw new Error(`${key} does not reach ${wanted}: ${seen.join(" | ")}`);
 }
 
+/** Of the drawing's nodes, from the last that had the focus: those behind it, else those before it. */
+async function reachNode(page: Page, wanted: RegExp): Promise<void> {
+  const nodes = await page.locator(".react-flow__node").count();
+  await reach(page, "Tab", wanted, nodes).catch(() => reach(page, "Shift+Tab", wanted, 2 * nodes));
+}
+
 async function isOnCanvas({ page }: DesignerPage): Promise<void> {
   await expect
     .poll(() => page.evaluate(() => document.activeElement?.matches(".canvas, .canvas .react-flow__node") ?? false))
@@ -44,7 +50,7 @@ async function isOnCanvas({ page }: DesignerPage): Promise<void> {
 async function select(designer: DesignerPage, name: RegExp): Promise<void> {
   const { page } = designer;
   await reach(page, "F6", /^Drawing of|, /, 8);
-  if (!name.test(await focused(page))) await reach(page, "Tab", name);
+  if (!name.test(await focused(page))) await reachNode(page, name);
   await expect.poll(() => page.getByTestId("selected").textContent()).toMatch(name);
 }
 

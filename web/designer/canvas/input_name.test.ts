@@ -10,7 +10,7 @@ const drawing = create(DrawingSchema, {
       name: "cooperate",
       title: "cooperate",
       shape: Node_Shape.COOPERATION,
-      inputs: [member(0), member(1), { name: "members", label: "add", isMember: true, isList: true }],
+      inputs: [member(0), member(1), { name: "members", label: "add", isList: true }],
     },
     { name: "value.Noise", title: "Noise", inputs: [{ name: "persistence" }] },
     { name: "value.Probe", title: "Probe", inputs: [{ name: "safety_margin" }] },

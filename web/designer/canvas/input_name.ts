@@ -12,7 +12,7 @@ export function inputName(drawing: Drawing | undefined, node: string, row: strin
   const isAlone = drawing.nodes.filter((one) => lastPart(one.name) === lastPart(node)).length === 1;
   const name = isAlone ? title : node;
   const shown = rows.find((one) => one.id === row);
-  if (shown?.kind === "more") return `${name} · ${shown.port.isMember ? "a new member" : `${shown.label}, one more`}`;
+  if (shown?.kind === "more") return `${name} · ${row === "members" ? "a new member" : `${row}, one more`}`;
   if (shown) return `${name} · ${shown.label}`;
   const { port, index } = portOf(row);
   if (index === undefined) return `${name} · ${port.replaceAll("_", " ")}`;

@@ -11,7 +11,7 @@ import type { Designer } from "../designer.ts";
 import { withToken } from "../link/link.ts";
 import { lastPart } from "../pages/pages.ts";
 import type { Drawing } from "../protocol.ts";
-import { besideSimulator } from "../state.ts";
+import { besideSimulator, kWide } from "../state.ts";
 import type { BreakpointInit } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
@@ -23,7 +23,6 @@ import { subjectOf } from "./subject.ts";
 
 /** What a console keeps over reloads is the console's, not ours. */
 const kForgetful = { getItem: () => null, setItem: () => {} } as unknown as Storage;
-const kWide = 1500; // px; palette, drawing, simulator and details side by side
 const kTakeOver = 1500; // ms in which another window hands over
 const kHandOver = 30_000; // ms in which the console that was opened becomes the operator
 
