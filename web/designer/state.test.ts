@@ -36,6 +36,7 @@ test("in a narrow window the palette makes room for the text, and comes back wit
   expect(shownAfter(beside, { text: false }, true)).toMatchObject({ text: false, palette: true, paletteWaits: false });
   expect(shownAfter(beside, { palette: true }, true)).toMatchObject({ text: true, palette: true });
   expect(shownAfter(first, { text: true }, false)).toMatchObject({ text: true, palette: true });
+  expect(shownAfter(first, { live: true }, true)).toMatchObject({ live: true, palette: false });
   expect(shownAfter({ ...first, details: false }, { text: true }, true)).toMatchObject({ text: true, palette: true });
 });
 

@@ -170,11 +170,17 @@ export function besideSimulator({ palette }: Shown, isNarrow: boolean): Partial<
 export function shownAfter(before: Shown, change: Partial<Shown>, isNarrow = false): Shown {
   const after = { ...before, ...change };
   if (change.palette !== undefined) after.paletteWaits = change.paletteWaits ?? false;
-  else if (isNarrow && after.text && !before.text && after.palette && (after.details || after.live)) {
+  else if (isNarrow && after.palette && needsRoom(before, after)) {
     return { ...after, palette: false, paletteWaits: true };
   }
   if (!after.paletteWaits || after.live || (isNarrow && after.text)) return after;
   return { ...after, palette: true, paletteWaits: false };
+}
+
+/** The simulator or the text has just been opened, and something else stands at the right as well. */
+function needsRoom(before: Shown, after: Shown): boolean {
+  const isOpened = (after.text && !before.text) || (after.live && !before.live);
+  return isOpened && [after.text, after.live, after.details].filter(Boolean).length > 1;
 }
 
 /** After a document has gone: it is not listed any more. */
