@@ -20,9 +20,9 @@ import { type CSSProperties, type DragEvent, type MouseEvent, useEffect, useMemo
 import { arrangeChange } from "../arrange/arrange.ts";
 import { kPitch, onPitch } from "../arrange/elk.ts";
 import { innerOf } from "../pages/inside.ts";
-import { offerFocus } from "../pages/panes.ts";
+import { isTabbed, offerFocus } from "../pages/panes.ts";
 import { placeState } from "../palette/place.ts";
-import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
+import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { stateNodes, transitionEdges, transitionId } from "../states/flow.ts";
 import { scaleAt } from "../states/label.ts";
 import { StateView, spokenState } from "../states/state_view.tsx";
@@ -67,13 +67,8 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const [isInSight, setInSight] = useState(false);
 
   // What the drawing has no more is not selected any more: undone, renamed, put into an assemblage.
-  useEffect(() => {
-    if (designer.state.selection.length === 0) return;
-    const { nodes: all, states, notes } = drawing;
-    const wires = isStates ? drawing.transitions.map(transitionId) : wiresOf(drawing, []).map((wire) => wire.id);
-    const ids = new Set([...[...all, ...states].map((one) => one.name), ...notes.map((note) => note.id), ...wires]);
-    designer.select(stillThere(designer.state.selection, ids));
-  }, [drawing, isStates, designer]);
+  const ids = useMemo(() => selectable(drawing), [drawing]);
+  useEffect(() => designer.select(stillThere(designer.state.selection, ids)), [ids, designer]);
 
   useEffect(() => {
     if (!places || isDragging.current) return;
@@ -151,11 +146,11 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   isEmpty.current = nodes.length === 0;
 
   const nodesChange = (changes: NodeChange[]) => {
-    designer.select(selectionAfter(designer.state.selection, changes));
+    designer.select(stillThere(selectionAfter(designer.state.selection, changes), ids));
     setNodes((before) => applyNodeChanges(changes, before));
   };
   const edgesChange = (changes: EdgeChange[]) => {
-    designer.select(selectionAfter(designer.state.selection, changes));
+    designer.select(stillThere(selectionAfter(designer.state.selection, changes), ids));
     setEdges((before) => applyEdgeChanges(changes, before));
   };
 
@@ -241,8 +236,8 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       tabIndex={-1}
       onFocus={({ target }) => {
         // What the Tab key reaches is selected: keys do something to it.
-        const id = target.matches(".react-flow__node:focus-visible") ? target.getAttribute("data-id") : null;
-        if (id && id !== kResult && !designer.state.selection.includes(id)) designer.select([id]);
+        const id = isTabbed() && target.matches(".react-flow__node") ? target.getAttribute("data-id") : null;
+        if (id && ids.has(id) && !designer.state.selection.includes(id)) designer.select([id]);
       }}
       onDragOver={(event) => {
         if (!event.dataTransfer.types.includes(kDragged) || isReadOnly) return;
@@ -327,6 +322,14 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
       <ContextMenu />
     </section>
   );
+}
+
+/** Everything on the page that can be selected. */
+function selectable(drawing: Drawing): ReadonlySet<string> {
+  const { nodes, states, notes } = drawing;
+  const isStates = drawing.kind === Drawing_Kind.STATES;
+  const wires = isStates ? drawing.transitions.map(transitionId) : wiresOf(drawing, []).map((wire) => wire.id);
+  return new Set([...[...nodes, ...states].map((one) => one.name), ...notes.map((note) => note.id), ...wires]);
 }
 
 function nodeElement(canvas: HTMLElement | null, id: string): HTMLElement | null {

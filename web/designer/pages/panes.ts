@@ -7,6 +7,7 @@ const kTakers = [".cm-content", ".panel", "button:not([disabled])"];
 
 let last: Element | null = null;
 let isByKey = false;
+let isByTab = false;
 
 /** Keeps in mind where the focus was, and whether keys are what the person works with. */
 export function watchPanes(): () => void {
@@ -14,10 +15,13 @@ export function watchPanes(): () => void {
     if (event.target instanceof Element) last = event.target.closest(kPanes) ?? last;
   };
   const key = (event: KeyboardEvent) => {
-    isByKey = !/^(Control|Shift|Alt|Meta)$/.test(event.key);
+    if (/^(Control|Shift|Alt|Meta)$/.test(event.key)) return;
+    isByKey = true;
+    isByTab = event.key === "Tab";
   };
   const pointer = () => {
     isByKey = false;
+    isByTab = false;
   };
   window.addEventListener("focusin", focused);
   window.addEventListener("keydown", key, { capture: true });
@@ -49,6 +53,11 @@ function takerOf(pane: Element): HTMLElement | null {
     if (found) return found;
   }
   return null;
+}
+
+/** Whether it is the Tab key that moves the focus, and not a click, or a dialog that gives it back. */
+export function isTabbed(): boolean {
+  return isByTab;
 }
 
 const kGivenBack = 80; // a dialog that closes gives the focus back within this time [ms]
