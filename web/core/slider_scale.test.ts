@@ -47,6 +47,11 @@ describe("a slider", () => {
     const page = valueOnSlider(scale, placeOnSlider(scale, 2) + kSliderEnd / 10);
     expect(page / 2).toBeCloseTo(10, 0);
   });
+  it("has a scale of its own where the usual value is next to nothing", () => {
+    const scale = sliderScale({ min: 0, max: 100, usual: 5e-324, isWhole: false });
+    expect(valueOnSlider(scale, 500)).toBeGreaterThan(0);
+    expect(placeOnSlider(scale, valueOnSlider(scale, 500))).toBeCloseTo(500, -1);
+  });
   it("never goes back, stays within the range, and finds its place again", () => {
     fc.assert(
       fc.property(anyRange, (one) => {

@@ -24,10 +24,12 @@ export type Scale =
 const kWide = 20; // times the usual value, from where a range is one of several decades
 const kUsualPlace = 0.4; // share of the slider
 const kBelow = 100; // how many times smaller than the usual value the smallest one is that can be met
+const kLeast = 1e-10; // what is smaller means nothing, and a hundredth of it could not be told from 0
 
 export function sliderScale({ min, max, usual, isWhole }: Range): Scale {
   const even = { kind: "even" as const, min, max, isWhole };
-  const size = Math.abs(Number.isFinite(usual) ? usual : 0) || (isWhole ? 10 : 1); // what SI units are made for
+  const isUsual = Number.isFinite(usual) && Math.abs(usual) >= kLeast;
+  const size = isUsual ? Math.abs(usual) : isWhole ? 10 : 1; // what SI units are made for
   if (min < 0 && max > 0) {
     const far = Math.max(-min, max);
     return far > kWide * size ? { kind: "signs", min, max, isWhole, small: size / 10 } : even;
