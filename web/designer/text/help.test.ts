@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { blocksOf, elementOf } from "./help.ts";
+import { helpElement } from "./help.ts";
 
 const kHelp = `\`\`\`cdl
 procedure AvoidRobots(
@@ -16,30 +16,21 @@ Pushes the robot **away** from \`others\`.
 
 Source: Balch and Arkin 1998`;
 
-test("code, paragraphs and tables are told apart", () => {
-  expect(blocksOf(kHelp)).toEqual([
-    { kind: "code", text: "procedure AvoidRobots(\n  readings: Robots\n) -> Vector" },
-    { kind: "text", text: "Pushes the robot away from others." },
-    {
-      kind: "table",
-      rows: [
-        ["input", "meaning"],
-        ["readings", "what to keep away from"],
-        ["sphere", "where the push starts"],
-      ],
-    },
-    { kind: "text", text: "Source: Balch and Arkin 1998" },
+test("code, paragraphs and tables are elements, without columns that say nothing", () => {
+  const element = helpElement(kHelp, document);
+  expect([...element.children].map((child) => child.tagName)).toEqual(["PRE", "P", "TABLE", "P"]);
+  expect(element.querySelector("pre")!.textContent).toBe("procedure AvoidRobots(\n  readings: Robots\n) -> Vector\n");
+  expect(element.querySelector("strong")!.textContent).toBe("away");
+  const rows = [...element.querySelector("table")!.rows].map((row) => [...row.cells].map((cell) => cell.textContent));
+  expect(rows).toEqual([
+    ["input", "meaning"],
+    ["readings", "what to keep away from"],
+    ["sphere", "where the push starts"],
   ]);
 });
 
-test("what looks like a mark-up of the page is text", () => {
-  const element = elementOf(blocksOf("a < b <img src=x>")[0]!, document);
-  expect(element.children.length).toBe(0);
-  expect(element.textContent).toBe("a < b <img src=x>");
-});
-
-test("a table has a row for each line", () => {
-  const element = elementOf(blocksOf(kHelp)[2]!, document);
-  expect(element.querySelectorAll("tr").length).toBe(3);
-  expect(element.querySelectorAll("th").length).toBe(2);
+test("what looks like HTML, a link or a picture is text", () => {
+  const element = helpElement("a < b <img src=x> [x](http://x) ![x](x) <http://x>", document);
+  expect(element.querySelectorAll("img, a").length).toBe(0);
+  expect(element.textContent).toContain("a < b <img src=x> [x](http://x)");
 });

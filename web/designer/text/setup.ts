@@ -26,7 +26,7 @@ import { bytesOf, unitsOf } from "../../console/editor/bytes.ts";
 import type { Designer } from "../designer.ts";
 import { AskLanguage_What } from "../protocol.ts";
 import { cdl } from "./cdl.ts";
-import { blocksOf, elementOf } from "./help.ts";
+import { helpElement } from "./help.ts";
 import type { LiveText } from "./live_text.ts";
 
 const highlighting = HighlightStyle.define([
@@ -170,9 +170,8 @@ async function hover(
     end: unitsOf(text, end),
     above: true,
     create: () => {
-      const dom = window.document.createElement("div");
+      const dom = helpElement(markdown, window.document);
       dom.className = "cm-hover";
-      dom.append(...blocksOf(markdown).map((block) => elementOf(block, window.document)));
       return { dom };
     },
   };
