@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <optional>
+#include <tuple>
 
 #include <fmt/core.h>
 
@@ -271,6 +273,10 @@ class Candidates {
 
   void from_ranges_and_units() {
     if (problem_.kind == "out-of-range") clamp();
+    if (problem_.kind == "number-out-of-range") {
+      nearest_of(problem_.label, " between ", " and ");
+      nearest_of(problem_.message, " from ", " to ");
+    }
     if (problem_.kind != "wrong-unit") return;
     const std::size_t blank = here_.find(' ');
     if (problem_.message.contains("a plain number is expected") && blank != std::string_view::npos)
@@ -300,6 +306,25 @@ class Candidates {
       if (bound.contains("e+")) continue;  // no bound at all
       replace(span_, unit.empty() ? std::string(bound) : fmt::format("{} {}", bound, unit));
     }
+  }
+
+  // "heading goes from 0 to 360 degrees, found `400`", "rain is between 0 and 1".
+  void nearest_of(const std::string& said, std::string_view before, std::string_view between) {
+    const std::size_t from = said.find(before);
+    const std::size_t to = from == std::string::npos ? from : said.find(between, from + before.size());
+    if (to == std::string::npos) return;
+    const std::size_t begin = from + before.size();
+    const std::string low = said.substr(begin, to - begin);
+    const std::size_t last = to + between.size();
+    const std::string high = said.substr(last, said.find_first_of(" ,", last) - last);
+    const auto value = [](std::string_view word) {
+      double out = 0.0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), out);
+      return error == std::errc{} && end == word.data() + word.size() ? std::optional(out) : std::nullopt;
+    };
+    const auto [bottom, top, here] = std::tuple(value(low), value(high), value(here_));
+    if (!bottom || !top || *bottom >= *top) return;
+    replace(span_, here && *here < *bottom ? low : high);
   }
 
   const Text& text_;

@@ -77,6 +77,12 @@ TEST(Fixes, OfferUnitsAndRanges) {
   EXPECT_FALSE(bounds.empty());
 }
 
+TEST(Fixes, OfferTheNearestBoundWhereANumberLeavesItsRange) {
+  EXPECT_EQ(mends("x.env", "STEP_COUNT -3\nADD OBSTACLE 10 20 2\n"), Strings{"write `0`"});
+  const std::string mission = "UNIT <a> ROBOT\nSP s 1 1\nCOMMAND LIST:\n1. UNIT a START s\n";
+  EXPECT_EQ(mends("x.mdl", "SET ZOOM-FACTOR 500\n" + mission), Strings{"write `400`"});
+}
+
 TEST(Fixes, OfferToLeaveOutWhatHasNoUse) {
   EXPECT_EQ(mends("x.cdl", "assemblage A() {\n  let unused = Noise();\n  Noise()\n}\n"),
             Strings{"remove `let unused`"});
