@@ -1,5 +1,5 @@
 // The drawing that is shown, as a file or on paper.
-import { wholePlaces } from "../canvas/use_places.ts";
+import { placesOf, wholePlaces } from "../canvas/use_places.ts";
 import { type Designer, titleOf } from "../designer.ts";
 import { drawingAsSvg } from "./svg.ts";
 
@@ -50,12 +50,31 @@ async function asPng(svg: string, width: number, height: number): Promise<Blob |
   return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 }
 
-/** Only the drawing, in the middle of the paper, is in the printed document. */
+/**
+ * The browser's own print command prints the drawing as well, as far as everything on it has a place already.
+ * @return ends it
+ */
+export function followPrinting(designer: Designer): () => void {
+  const prepare = () => {
+    const { drawing } = designer;
+    const places = drawing && placesOf(drawing);
+    if (!drawing || !places || document.querySelector(".print-sheet")) return;
+    addSheet(drawingAsSvg(drawing, places, drawing.page?.path ?? "").svg);
+  };
+  window.addEventListener("beforeprint", prepare);
+  return () => window.removeEventListener("beforeprint", prepare);
+}
+
 function print(svg: string): void {
+  addSheet(svg);
+  window.print();
+}
+
+/** Only the drawing, in the middle of the paper, is in the printed document. */
+function addSheet(svg: string): void {
   const sheet = document.createElement("div");
   sheet.className = "print-sheet";
   sheet.innerHTML = svg; // our own text: everything in it was escaped
   document.body.append(sheet);
   window.addEventListener("afterprint", () => sheet.remove(), { once: true });
-  window.print();
 }

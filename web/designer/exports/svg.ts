@@ -13,6 +13,8 @@ import { stateSize } from "../states/form.ts";
 import { labelLines, labelSize } from "../states/label.ts";
 
 const kMargin = 32;
+/** Where a way is asked how far out it leads: ways bow out of what the nodes take. */
+const kAlong = Array.from({ length: 17 }, (_, i) => i / 16);
 const kFlowColors = {
   movement: "#1d5fc4",
   flag: "#a85b00",
@@ -88,7 +90,8 @@ function dataflowSvg(drawing: Drawing, places: Places): Parts {
     const at = wire.to === kResult ? end : places.get(wire.to);
     const y = wire.to === kResult ? kResultHeight / 2 : inputY(forms.get(wire.to), wire.row);
     if (!from || !out || !at || y === undefined) continue;
-    const { path } = wirePath({ x: from.x + out.width, y: from.y + out.outputY }, { x: at.x, y: at.y + y });
+    const { path, reach } = wirePath({ x: from.x + out.width, y: from.y + out.outputY }, { x: at.x, y: at.y + y });
+    boxes.push({ ...reach, height: 0 });
     lines.push(`<path d="${path}" fill="none" stroke="${kFlowColors[flowOf(wire.type)]}" stroke-width="2"/>`);
   }
   for (const node of drawing.nodes) {
@@ -157,6 +160,7 @@ function statesSvg(drawing: Drawing, places: Places): Parts {
     const siblings = drawing.transitions.filter((one) => one.from === transition.from).length;
     const written = labelLines(transition.trigger, route.isShort);
     const size = labelSize(written, labelMarks(transition, siblings));
+    boxes.push(...kAlong.map((share) => ({ ...curve.pointAt(share), width: 0, height: 0 })));
     const middle = curve.pointAt(route.at);
     const box = { x: middle.x - size.width / 2, y: middle.y - size.height / 2, ...size };
     labels.push(labelSvg(box, written, siblings > 1 ? `${transition.index + 1}` : "", transition.restarts));
