@@ -3,6 +3,7 @@ import { type Box, distance, type Point } from "../geometry.ts";
 import { boxAround, type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { Model } from "../model.ts";
 import { toFloats } from "../packed.ts";
+import { spokenPath } from "../port_words.ts";
 import type { RobotDetail } from "../protocol.ts";
 import { fade } from "./palette.ts";
 import type { RobotStyles } from "./robot_styles.ts";
@@ -159,7 +160,7 @@ function drawContributions(pen: Pen, detail: RobotDetail, styles: RobotStyles): 
     const tip = tipOf(x, y);
     arrow(pen, from, tip, { color: palette.halo, width: 4.5 }, 9);
     arrow(pen, from, tip, { color, width: 2.25 }, 9);
-    arrows.push({ name: member, color, tip, way: { x: tip.x - from.x, y: tip.y - from.y } });
+    arrows.push({ name: spokenPath(member), color, tip, way: { x: tip.x - from.x, y: tip.y - from.y } });
   });
   if (arrows.length > 1 && Math.hypot(sumX, sumY) >= kNothing) {
     const tip = tipOf(sumX, sumY);

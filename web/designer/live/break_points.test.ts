@@ -11,8 +11,8 @@ const far = made(atCondition("movement.range", Comparison.GREATER, "2"));
 test("breakpoints are told in words", () => {
   expect(breakpointText(way)).toBe("Searching → Acquiring");
   expect(breakpointText(made(atTransition("", "", "Acquiring")))).toBe("any state → Acquiring");
-  expect(breakpointText(near)).toBe("movement.near is true");
-  expect(breakpointText(far)).toBe("movement.range > 2");
+  expect(breakpointText(near)).toBe("near is true");
+  expect(breakpointText(far)).toBe("range > 2");
 });
 
 test("the one on a transition or a port is found", () => {

@@ -1,5 +1,6 @@
 // Breakpoints as they are set on what is drawn, and in words.
 import type { MessageInitShape } from "@bufbuild/protobuf";
+import { spokenPath } from "../../core/port_words.ts";
 import {
   type Breakpoint,
   type BreakpointSchema,
@@ -31,7 +32,7 @@ export function comparisonSign(comparison: Comparison): string {
   return kComparisons.find(([one]) => one === comparison)?.[1] ?? "=";
 }
 
-/** In a list: `Searching → Acquiring`, `movement.near is true`. */
+/** In a list: `Searching → Acquiring`, `Searching: near is true`. */
 export function breakpointText({ what }: Pick<Breakpoint, "what">): string {
   if (what.case === "transition") {
     const { from, to } = what.value;
@@ -39,8 +40,9 @@ export function breakpointText({ what }: Pick<Breakpoint, "what">): string {
   }
   if (what.case !== "condition") return "nothing";
   const { port, comparison, value } = what.value;
-  if (comparison === Comparison.EQUAL && (value === "true" || value === "false")) return `${port} is ${value}`;
-  return `${port} ${comparisonSign(comparison)} ${value}`;
+  if (comparison === Comparison.EQUAL && (value === "true" || value === "false"))
+    return `${spokenPath(port)} is ${value}`;
+  return `${spokenPath(port)} ${comparisonSign(comparison)} ${value}`;
 }
 
 /** The one on a transition, if there is one. */

@@ -4,6 +4,7 @@ import type { Session } from "../../console/session.ts";
 import { Ui } from "../../console/shell/ui.ts";
 import { Connection, tabKey } from "../../core/connection.ts";
 import { Model } from "../../core/model.ts";
+import { spokenPath } from "../../core/port_words.ts";
 import { type Breakpoint, Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
 import { fit } from "../canvas/view.ts";
@@ -275,7 +276,7 @@ export class Live {
     }
     const { arrows, note } = answer.result.value;
     const pitch = Math.min((area.xMax - area.xMin) / columns, (area.yMax - area.yMin) / rows);
-    const title = node === "" ? page : node;
+    const title = spokenPath(node === "" ? page : node);
     store.setState({ field: { arrows: readArrows(arrows), pitch, note, title }, fieldError: "" });
   }
 

@@ -1,9 +1,11 @@
 // The simulator beside the canvas: how it stands, the map, and below it what is known of the robot that is selected.
 import { useEffect } from "react";
 import { duration } from "../../console/format.ts";
+import { sentence } from "../../console/orders.ts";
 import { usePart as useSessionPart } from "../../console/session.ts";
 import { Button } from "../../console/ui/controls.tsx";
 import { Icon } from "../../console/ui/icons.tsx";
+import { spokenPath } from "../../core/port_words.ts";
 import { Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
 import { Choice } from "../details/choice.tsx";
@@ -95,7 +97,7 @@ function Place() {
       )}
       {field && (
         <p className="sim-note small" role="status">
-          Movement field of <b>{field.title}</b>. {field.note}
+          Movement field of <b>{field.title}</b>. {sentence(field.note)}
         </p>
       )}
       {isPlacing && (
@@ -176,12 +178,12 @@ function Whose() {
           <Choice
             label="This page as it runs in"
             value={place}
-            choices={places.map((one) => [one, one || "the robot itself"] as const)}
+            choices={places.map((one) => [one, one === "" ? "the robot itself" : spokenPath(one)] as const)}
             onChange={(chosenPlace) => live.store.setState({ chosenPlace })}
           />
         )}
       </div>
-      {states.length > 0 && <p className="small muted">{states.join(" · ")}</p>}
+      {states.length > 0 && <p className="small muted">{states.map(spokenPath).join(" · ")}</p>}
       {places.length === 0 && <p className="small muted">Nothing of this page runs in this robot.</p>}
     </section>
   );

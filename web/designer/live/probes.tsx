@@ -1,6 +1,6 @@
 // Values that stay in sight, whatever page is shown.
 import { Button, IconButton } from "../../console/ui/controls.tsx";
-import { lastPart } from "../pages/pages.ts";
+import { spokenEnd, spokenPath } from "../../core/port_words.ts";
 import { LiveArrow } from "./badge.tsx";
 import { kPinPage } from "./follower.ts";
 import type { Pin } from "./live_state.ts";
@@ -29,13 +29,14 @@ export function Probes() {
 function Probe({ pin }: { pin: Pin }) {
   const live = useLivePage();
   const value = useLive(kPinPage, pin.port);
-  const name = pin.port;
+  const name = spokenPath(pin.port);
+  const end = spokenEnd(pin.port);
   // Its end says what it is; the way there only where another probe ends alike.
-  const isAlone = useLiveState(({ pins }) => pins.filter(({ port }) => lastPart(port) === lastPart(name)).length < 2);
+  const isAlone = useLiveState(({ pins }) => pins.filter(({ port }) => spokenEnd(port) === end).length < 2);
   return (
     <li title={name}>
       <Button tone="link" className="ellipsis" onPress={() => live.goTo(pin)}>
-        {isAlone ? lastPart(name) : name}
+        {isAlone ? end : name}
       </Button>
       <span className="probe-value number">
         {value?.vector && <LiveArrow {...value.vector} />}
