@@ -56,6 +56,7 @@ function Page() {
   useShortcuts(designer);
   useEffect(watchPanes, []);
   useTitle();
+  usePrinting(designer);
   return (
     <div className="app designer">
       <TopBar />
@@ -242,12 +243,29 @@ function counted(number: number, what: string): string {
   return `${number} ${what}${number === 1 ? "" : "s"}`;
 }
 
-/** Comments and frames are not called anything. */
+/** Comments and frames are not called anything, and transitions by what they join. */
 function shownName(drawing: Drawing | undefined, id: string): string {
   const note = drawing?.notes.find((one) => one.id === id);
   if (note) return note.isFrame ? "Frame" : "Comment";
   const transition = drawing && transitionOf(drawing, id);
   return transition ? `${transition.from} → ${transition.to}` : lastPart(id);
+}
+
+/** What draws for the printer comes when the page has been shown. */
+function usePrinting(designer: Designer): void {
+  useEffect(() => {
+    let stop = () => {};
+    let isLeft = false;
+    const timer = setTimeout(async () => {
+      const { followPrinting } = await import("./exports/export.ts");
+      if (!isLeft) stop = followPrinting(designer);
+    }, 1000);
+    return () => {
+      isLeft = true;
+      clearTimeout(timer);
+      stop();
+    };
+  }, [designer]);
 }
 
 function Dialogs() {

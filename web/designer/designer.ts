@@ -196,6 +196,11 @@ export class Designer {
         store.setState({ hello: body.value });
         this.arrive();
         break;
+      case "lists": {
+        const { recent, files } = body.value;
+        store.setState(({ hello }) => ({ hello: hello && { ...hello, recent, files } }));
+        break;
+      }
       case "document": {
         const document = body.value;
         store.setState(({ documents }) => ({ documents: { ...documents, [document.path]: document } }));

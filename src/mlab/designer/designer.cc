@@ -34,11 +34,24 @@ robot::ProgramSources programs(const DesignerSettings& settings) {
   return out;
 }
 
-void add_entry(google::protobuf::RepeatedPtrField<console::Project::Entry>& into, const std::string& path,
-               const std::string& title) {
+console::Project::Entry& add_entry(google::protobuf::RepeatedPtrField<console::Project::Entry>& into,
+                                   const std::string& path, const std::string& title) {
   console::Project::Entry& entry = *into.Add();
   entry.set_path(path);
   entry.set_title(title);
+  return entry;
+}
+
+using Entries = google::protobuf::RepeatedPtrField<console::Project::Entry>;
+
+/// A configuration that has a file, with what it says of itself; that is read of so many only.
+void add_file(Entries& into, const console::ProjectFolder& project, const std::string& path) {
+  constexpr int kMostRead = 100;
+  std::string title = file_title(path);
+  if (title.ends_with(".cdl") && title.size() > 4) title.resize(title.size() - 4);
+  console::Project::Entry& entry = add_entry(into, path, title);
+  if (into.size() > kMostRead) return;
+  if (const text::Result<std::string> text = project.read(path)) entry.set_about(said_of(*text));
 }
 
 }  // namespace
@@ -275,24 +288,40 @@ void Designer::Parts::greet(console::ConnectionId from, Client& client, const Gr
   hello.set_version(settings_.version);
   hello.set_folder(desk_.project().name());
   hello.set_open(first_);
-  for (const std::string& path : desk_.drafts().new_files()) {
-    const std::optional<console::Drafts::Draft> draft = desk_.drafts().find(path);
-    if (draft) add_entry(*hello.mutable_recent(), path, unsaved_title(draft->text));
-  }
-  for (const console::Drafts::Recent& recent : desk_.drafts().recent()) {
-    if (desk_.project().is_file(recent.path))
-      add_entry(*hello.mutable_recent(), recent.path, file_title(recent.path));
-  }
+  Lists all = lists();
+  hello.mutable_recent()->Swap(all.mutable_recent());
+  hello.mutable_files()->Swap(all.mutable_files());
   for (const std::string& path : desk_.configurations("examples:"))
-    add_entry(*hello.mutable_examples(), path, file_title(path));
-  for (const std::string& path : desk_.configurations(""))
-    add_entry(*hello.mutable_files(), path, file_title(path));
+    add_file(*hello.mutable_examples(), desk_.project(), path);
   for (const std::string& path : desk_.overlays())
     add_entry(*hello.mutable_overlays(), path, file_title(path));
   send(from, message);
   if (!first_error_.empty()) {
     out.set_ok(false);
     out.set_error(first_error_);
+  }
+}
+
+Lists Designer::Parts::lists() {
+  Lists out;
+  for (const std::string& path : desk_.drafts().new_files()) {
+    const std::optional<console::Drafts::Draft> draft = desk_.drafts().find(path);
+    if (draft)
+      add_entry(*out.mutable_recent(), path, unsaved_title(draft->text)).set_about(said_of(draft->text));
+  }
+  for (const console::Drafts::Recent& recent : desk_.drafts().recent()) {
+    if (desk_.project().is_file(recent.path)) add_file(*out.mutable_recent(), desk_.project(), recent.path);
+  }
+  for (const std::string& path : desk_.configurations(""))
+    add_file(*out.mutable_files(), desk_.project(), path);
+  return out;
+}
+
+void Designer::Parts::tell_lists() {
+  FromDesigner message;
+  *message.mutable_lists() = lists();
+  for (const auto& [to, client] : clients_) {
+    if (client.has_greeted) send(to, message);
   }
 }
 
@@ -337,6 +366,7 @@ void Designer::Parts::discard(Client& client, const Discard& request, Answer& ou
   close_it.set_document(path);
   close(client, close_it);
   drop_marks(path);
+  tell_lists();
 }
 
 OpenConfiguration* Designer::Parts::editable(const std::string& path, Answer& out) {
@@ -417,6 +447,7 @@ void Designer::Parts::save(const Save& request, Answer& out) {
       if (page.document() == before) page.set_document(*saved);
     }
   }
+  tell_lists();
 }
 
 void Designer::Parts::reload(const Reload& request, Answer& out) {

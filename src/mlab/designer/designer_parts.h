@@ -62,6 +62,9 @@ class Designer::Parts {
   OpenConfiguration* editable(const std::string& path, Answer& out);
 
   void greet(console::ConnectionId from, Client& client, const Greeting& greeting, Answer& out);
+  /// What there is to open, as the start page shows it.
+  Lists lists();
+  void tell_lists();
   void open(Client& client, const Open& request, Answer& out);
   void close(Client& client, const Close& request);
   void discard(Client& client, const Discard& request, Answer& out);

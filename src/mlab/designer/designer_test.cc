@@ -179,6 +179,39 @@ TEST(Designer, ListsUnsavedWorkByItsTitleUntilItIsThrownAway) {
   EXPECT_EQ(entries(), "");
 }
 
+TEST(Designer, SaysWhatAConfigurationIsFor) {
+  EXPECT_EQ(said_of(""), "");
+  EXPECT_EQ(said_of("assemblage A() {}\n// too late"), "");
+  EXPECT_EQ(said_of("\n// Forage: of the report.\nassemblage A() {}"), "Forage: of the report.");
+  EXPECT_EQ(said_of("// One robot\n//  that wanders. It does\n// no more.\n"), "One robot that wanders.");
+  EXPECT_EQ(said_of("//\n/// Drives.\r\nrobot A {}"), "Drives.");
+  EXPECT_EQ(said_of("// First\n//\n// second"), "First");
+  EXPECT_LT(said_of("// " + std::string(9000, 'x')).size(), 200U);
+  EXPECT_TRUE(said_of("// " + std::string(90, 'x') + ' ' + std::string(90, 'y')).ends_with("x …"));
+}
+
+TEST(Designer, TellsAllWindowsWhatThereIsToOpen) {
+  Browser browser("lists");
+  browser.write("b.cdl", "// Says what it is.\n" + std::string(kText));
+  browser.start();
+  ASSERT_EQ(browser.hello().files_size(), 1);
+  EXPECT_EQ(browser.hello().files(0).title(), "b");
+  EXPECT_EQ(browser.hello().files(0).about(), "Says what it is.");
+  const std::string fresh = browser.open("");
+  browser.type(fresh, kText);
+  browser.greet(2);
+  browser.ask([&](ToDesigner& m) {
+    m.mutable_save()->set_document(fresh);
+    m.mutable_save()->set_as("a.cdl");
+  });
+  const std::optional<Lists> lists = browser.lists(2);
+  ASSERT_TRUE(lists);
+  ASSERT_GT(lists->recent_size(), 0);
+  EXPECT_EQ(lists->recent(0).path(), "a.cdl");
+  for (const auto& one : lists->recent()) EXPECT_NE(one.path(), fresh);
+  EXPECT_EQ(lists->files_size(), 2);
+}
+
 TEST(Designer, ThrowsNoFileAway) {
   Browser browser;
   browser.write("a.cdl", kText);

@@ -105,11 +105,34 @@ Done Editor::use_device(const UseDevice& change) {
   return work_.commit();
 }
 
+Done Editor::set_coordinator(const cdl::SocietyMember& caste, const std::string& by) {
+  if (by == caste.by.text) return true;
+  if (!by.empty() && !work_.model().configuration().operators.contains(by))
+    return refusal(fmt::format("there is no operator `{}`", text::shown(by)));
+  const TokenMap& tokens = work_.tokens();
+  std::size_t brace = tokens.at(caste.place.span.begin);
+  while (brace + 1 < tokens.tokens().size() && tokens.word(brace) != "{") ++brace;
+  const std::uint32_t end = tokens.tokens()[tokens.closer(brace)].span.end;
+  if (caste.by.text.empty()) {
+    work_.insert(end, " by " + by);
+  } else if (by.empty()) {
+    work_.erase({end, caste.by.place.span.end});
+  } else {
+    work_.replace(caste.by.place.span, by);
+  }
+  return work_.commit();
+}
+
 Done Editor::set_member(const SetMember& change) {
   const cdl::Society* society = work_.model().society(change.society());
   if (society == nullptr)
     return refusal(fmt::format("there is no society `{}`", text::shown(change.society())));
   const auto& configuration = work_.model().configuration();
+  const cdl::SocietyMember* there =
+      member_at(society->what, change.path(), static_cast<std::size_t>(change.path_size()));
+  // A caste is called by nobody: what changes of one that is there is who coordinates it.
+  if (change.is_caste() && there != nullptr && there->kind == cdl::SocietyMember::Kind::kCaste)
+    return set_coordinator(*there, change.by());
   const bool is_known =
       configuration.robots.contains(change.name()) ||
       (configuration.societies.contains(change.name()) && change.name() != change.society());

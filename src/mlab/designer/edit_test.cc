@@ -236,6 +236,22 @@ TEST(Edit, BindsARobotAndMakesASociety) {
             "DistinctTargets;\n");
 }
 
+TEST(Edit, NamesWhoCoordinatesACaste) {
+  const std::string members = "caste {\n  team of 2 Scout;\n  MRV2;\n}";
+  DrawnText text("society All: " + members + ";\n");
+  const auto coordinate = [&](const std::string& by) {
+    return text.change([&](Change& change) {
+      change.mutable_set_member()->set_society("All");
+      change.mutable_set_member()->set_is_caste(true);
+      change.mutable_set_member()->set_by(by);
+    });
+  };
+  coordinate("DistinctTargets");
+  EXPECT_EQ(text.text(), "society All: " + members + " by DistinctTargets;\n");
+  coordinate("");
+  EXPECT_EQ(text.text(), "society All: " + members + ";\n");
+}
+
 TEST(Edit, MakesAnAssemblageOfNodesAndTakesItApart) {
   const std::string before =
       "assemblage A(curious: gain = 0.8) {\n  let around = sense_obstacles(range = 2 m);\n  compete by "
@@ -397,6 +413,30 @@ layout {
 }
 )");
   EXPECT_EQ(text.errors(), "");
+}
+
+TEST(Edit, PastesBesideWhatIsThere) {
+  const auto pasted = [](double x, double y, bool is_taken) {
+    DrawnText text("assemblage A() {\n}\n");
+    text.change([&](Change& change) {
+      Paste& paste = *change.mutable_paste();
+      paste.set_page("A");
+      paste.set_text("let One = Noise();\nlet Two = Noise();\nlayout {\n  One 0 0;\n  Two 0 120;\n}\n");
+      paste.set_x(x);
+      paste.set_y(y);
+      Paste::Box box;
+      box.set_x(0);
+      box.set_y(0);
+      box.set_width(150);
+      box.set_height(60);
+      if (is_taken) *paste.add_taken() = box;
+    });
+    const std::string& all = text.text();
+    return all.substr(std::min(all.find("layout"), all.size()));
+  };
+  EXPECT_EQ(pasted(12, 12, false), "layout A {\n  One 12 12;\n  Two 12 132;\n}\n");
+  EXPECT_EQ(pasted(400, 12, true), "layout A {\n  One 400 12;\n  Two 400 132;\n}\n");
+  EXPECT_EQ(pasted(12, 12, true), "layout A {\n  One 12 84;\n  Two 12 204;\n}\n");
 }
 
 TEST(Edit, PastesStatesAsTheyStood) {

@@ -132,6 +132,7 @@ class Editor {
   Done set_class(const SetClass& change);
   Done use_device(const UseDevice& change);
   Done set_member(const SetMember& change);
+  Done set_coordinator(const cdl::SocietyMember& caste, const std::string& by);
   Done remove_member(const RemoveMember& change);
 
   // ---- edit_groups.cc

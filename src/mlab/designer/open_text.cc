@@ -167,4 +167,30 @@ std::string unsaved_title(std::string_view text) {
   return names > kMost ? out + " …" : out;
 }
 
+std::string said_of(std::string_view text) {
+  constexpr std::size_t kMost = 140;  // bytes
+  constexpr std::string_view kWhite = " \t\r";
+  std::string all;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+    line.remove_prefix(std::min(line.size(), line.find_first_not_of(kWhite)));
+    if (line.empty() && all.empty()) continue;
+    if (!line.starts_with("//")) break;
+    line.remove_prefix(std::min(line.size(), line.find_first_not_of('/')));
+    line.remove_prefix(std::min(line.size(), line.find_first_not_of(kWhite)));
+    line = line.substr(0, line.find_last_not_of(kWhite) + 1);
+    if (line.empty() && !all.empty()) break;
+    if (!all.empty()) all += ' ';
+    all += line;
+    if (all.size() > kMost || all.find(". ") != std::string::npos) break;
+  }
+  if (const std::size_t end = all.find(". "); end != std::string::npos) all.resize(end + 1);
+  if (all.size() > kMost) {
+    const std::size_t blank = all.rfind(' ', kMost);
+    return text::shown(all.substr(0, blank == std::string::npos ? kMost : blank), kMost + 1) + " …";
+  }
+  return text::shown(all, kMost + 1);
+}
+
 }  // namespace mlab::designer

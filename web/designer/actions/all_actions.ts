@@ -20,6 +20,7 @@ import {
   parted,
   paste,
   removeSelection,
+  ungroup,
   walk,
 } from "./editing.ts";
 
@@ -138,7 +139,6 @@ function editActions(designer: Designer): Action[] {
   const isFile = drawing?.kind === Drawing_Kind.FILE || drawing?.kind === Drawing_Kind.SOCIETY;
   const noPlace = fixed ?? (isFile ? "Nothing can be placed here: add a declaration at the left" : undefined);
   const first = parts.nodes[0] ?? "";
-  const page = state.page;
   const show = (dialog: typeof state.dialog, subject = "") => store.setState({ dialog, subject });
   return [
     {
@@ -260,7 +260,7 @@ function editActions(designer: Designer): Action[] {
       group: "Place",
       shortcut: "ctrl+shift+g",
       blocked: fixed ?? oneNode,
-      run: () => void designer.edit(`ungroup ${first}`, { case: "ungroup", value: { page, node: first } }),
+      run: () => void ungroup(designer, first),
     },
     {
       id: "own-copy",
@@ -299,9 +299,13 @@ function editActions(designer: Designer): Action[] {
   ];
 }
 
-async function ownCopy(designer: Designer, name: string): Promise<void> {
+export async function ownCopy(designer: Designer, name: string): Promise<void> {
   const component = designer.drawing?.nodes.find((node) => node.name === name)?.component ?? "";
-  await designer.edit(`own copy of ${component}`, { case: "copyComponent", value: { component, name: "" } });
+  const answer = await designer.edit(`own copy of ${component}`, {
+    case: "copyComponent",
+    value: { component, name: "" },
+  });
+  if (answer.ok) designer.say(`${component} is a part of this file now, and can be changed`);
 }
 
 const kArrows = [

@@ -2,7 +2,9 @@
 import { arrangeChange } from "../arrange/arrange.ts";
 import { onPitch } from "../arrange/elk.ts";
 import { canvasStore } from "../canvas/canvas_store.ts";
-import { isArranged, keepMoved, placesOf, sizesOf } from "../canvas/use_places.ts";
+import { ownPlaces } from "../canvas/flow.ts";
+import { isArranged, keepMoved, layOutAnew, placesOf, sizesOf, wholePlaces } from "../canvas/use_places.ts";
+import { fit } from "../canvas/view.ts";
 import { disconnectChange, endOf } from "../canvas/wiring.ts";
 import { type Designer, soon } from "../designer.ts";
 import { freePlace, showNode } from "../palette/place.ts";
@@ -119,11 +121,53 @@ export async function pasteText(designer: Designer, text: string): Promise<void>
   await pasteAt(designer, "paste", text, { x: onPitch(at.x), y: onPitch(at.y) });
 }
 
+/** Until what has a place is drawn [ms]. */
+const kDrawn = 100;
+
+/**
+ * Takes an assemblage apart; what it was made of is selected. Where the author arranged nothing the page is laid out
+ * anew: there is no room for its parts where it stood.
+ */
+export async function ungroup(designer: Designer, node: string): Promise<void> {
+  const { drawing } = designer;
+  if (!drawing) return;
+  const wasArranged = ownPlaces(drawing).size > 0;
+  const before = new Map(drawing.nodes.map((one) => [one.name, one.component]));
+  const answer = await designer.edit(`ungroup ${node}`, {
+    case: "ungroup",
+    value: { page: designer.state.page, node },
+  });
+  if (!answer.ok) return;
+  const now = await soon(designer, () => {
+    const next = designer.drawing;
+    return next && next !== drawing && next.page?.path === drawing.page?.path ? next : undefined;
+  });
+  if (!now) return;
+  const parts = now.nodes.filter(({ name, component }) => before.get(name) !== component).map(({ name }) => name);
+  if (wasArranged) return designer.select(parts);
+  layOutAnew(now);
+  await wholePlaces(now);
+  // The canvas lets go of nodes that have no place yet.
+  await new Promise((resolve) => setTimeout(resolve, kDrawn));
+  designer.select(parts);
+  fit();
+}
+
+/** Where something stands on the page: what is pasted goes aside. */
+function takenBoxes({ drawing }: Designer): { x: number; y: number; width: number; height: number }[] {
+  const places = drawing && placesOf(drawing);
+  if (!drawing || !places) return [];
+  return [...sizesOf(drawing)].flatMap(([name, { width, height }]) => {
+    const at = places.get(name);
+    return at ? [{ ...at, width, height }] : [];
+  });
+}
+
 /** What has come is selected. */
 async function pasteAt(designer: Designer, name: string, text: string, at: { x: number; y: number }): Promise<void> {
   const all = () => [...(designer.drawing?.nodes ?? []), ...(designer.drawing?.states ?? [])].map((one) => one.name);
   const before = new Set(all());
-  const value = { page: designer.state.page, text, ...at };
+  const value = { page: designer.state.page, text, ...at, taken: takenBoxes(designer) };
   const answer = await designer.edit(name, { case: "paste", value });
   if (!answer.ok) return;
   const made = await soon(designer, () => {

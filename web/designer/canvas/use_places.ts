@@ -83,6 +83,12 @@ export function keepMoved(drawing: Drawing, places: ReadonlyMap<string, At>): vo
   tellMoved();
 }
 
+/** A page that the file does not arrange is laid out as a whole again: it holds other things than before. */
+export function layOutAnew(drawing: Drawing): void {
+  laidOut.delete(keyOf(drawing));
+  tellMoved();
+}
+
 export function forgetMoved(drawing: Drawing): void {
   moved.delete(keyOf(drawing));
   tellMoved();

@@ -1,4 +1,6 @@
 import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { ownCopy } from "../actions/all_actions.ts";
+import { ungroup } from "../actions/editing.ts";
 import { wiredOf } from "../canvas/flow.ts";
 import { kindOf, rowId, rowLabel } from "../canvas/form.ts";
 import { ValueField } from "../canvas/value_editor.tsx";
@@ -85,26 +87,12 @@ function NodeButtons({ designer, node, isReadOnly }: { designer: Designer; node:
         </Button>
       )}
       {!isReadOnly && isLibrary && (
-        <Button
-          icon="file"
-          onPress={() =>
-            void designer.edit(`own copy of ${node.component}`, {
-              case: "copyComponent",
-              value: { component: node.component, name: "" },
-            })
-          }
-        >
+        <Button icon="file" onPress={() => void ownCopy(designer, node.name)}>
           Make my own copy
         </Button>
       )}
       {!isReadOnly && page !== "" && canOpen && node.shape === Node_Shape.ASSEMBLAGE && (
-        <Button
-          onPress={() =>
-            void designer.edit(`ungroup ${node.name}`, { case: "ungroup", value: { page, node: node.name } })
-          }
-        >
-          Ungroup
-        </Button>
+        <Button onPress={() => void ungroup(designer, node.name)}>Ungroup</Button>
       )}
       {!isReadOnly && page !== "" && (
         <Button

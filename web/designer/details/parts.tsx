@@ -6,7 +6,8 @@ import { useIsReadOnly } from "../use.ts";
 interface SentFieldProps {
   label: string;
   value: string;
-  send: (value: string) => void;
+  /** Gives false where it is refused: then the field shows again what is. */
+  send: (value: string) => unknown;
   help?: string;
   placeholder?: string;
   isDisabled?: boolean;
@@ -18,12 +19,15 @@ export function SentField({ value, send, isDisabled, ...rest }: SentFieldProps) 
   const isReadOnly = useIsReadOnly();
   const [typed, setTyped] = useState(value);
   useEffect(() => setTyped(value), [value]);
+  const sent = async (next: string) => {
+    if ((await send(next)) === false) setTyped(value);
+  };
   return (
     <Field
       {...rest}
       value={typed}
       onChange={setTyped}
-      onCommit={(next) => next.trim() !== value && send(next.trim())}
+      onCommit={(next) => next.trim() !== value && void sent(next.trim())}
       isDisabled={isReadOnly || (isDisabled ?? false)}
     />
   );

@@ -34,7 +34,14 @@ export function RobotDetails({ robot, name }: { robot: Robot; name: string }) {
         {robot.className === "" ? (
           <p className="small muted">Bind it to a class to see which devices serve it.</p>
         ) : (
-          <Verdict text={chosen?.verdict ?? ""} good="It has all that the robot needs." />
+          <Verdict
+            text={chosen?.verdict ?? ""}
+            good={
+              robot.bindings.some(({ verdict }) => verdict !== "")
+                ? "It can serve the robot, once devices are chosen below."
+                : "It has all that the robot needs."
+            }
+          />
         )}
       </Section>
       {robot.bindings.length > 0 && (

@@ -11,7 +11,7 @@ export function SocietyDetails({ drawing }: { drawing: Drawing }) {
   const set = (
     name: string,
     value: { path: number[]; name?: string; count?: number; by?: string; isCaste?: boolean },
-  ) => void designer.edit(name, { case: "setMember", value: { society, ...value } });
+  ) => designer.edit(name, { case: "setMember", value: { society, ...value } }).then((answer) => answer.ok);
   const robots = useRobots();
   return (
     <Section title="Members">
@@ -26,7 +26,9 @@ export function SocietyDetails({ drawing }: { drawing: Drawing }) {
             <Button
               key={robot}
               icon="plus"
-              onPress={() => set(`add ${robot}`, { path: [Math.max(1, memberCount(drawing))], name: robot, count: 1 })}
+              onPress={() =>
+                void set(`add ${robot}`, { path: [Math.max(1, memberCount(drawing))], name: robot, count: 1 })
+              }
             >
               {robot}
             </Button>
@@ -42,7 +44,10 @@ interface MemberProps {
   node: Node;
   society: string;
   isReadOnly: boolean;
-  set: (name: string, value: { path: number[]; name?: string; count?: number; by?: string; isCaste?: boolean }) => void;
+  set: (
+    name: string,
+    value: { path: number[]; name?: string; count?: number; by?: string; isCaste?: boolean },
+  ) => Promise<boolean>;
 }
 
 function Member({ node, society, isReadOnly, set }: MemberProps) {

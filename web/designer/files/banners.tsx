@@ -1,9 +1,11 @@
 // Lines above the canvas: the connection is lost, the file changed on disk, the text does not parse, something went wrong.
+import { create } from "@bufbuild/protobuf";
 import { type ReactNode, useEffect, useState } from "react";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon } from "../../console/ui/icons.tsx";
-import { nameOf } from "../designer.ts";
-import type { FileChanged } from "../protocol.ts";
+import { crumbsIn, type Designer, nameOf } from "../designer.ts";
+import { type Document, type FileChanged, PageSchema } from "../protocol.ts";
+import type { State } from "../state.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 
 /** What stays as long as the page does, or stops all work. */
@@ -114,6 +116,7 @@ function forget(designer: ReturnType<typeof useDesigner>, { document }: FileChan
 function ReadOnlyBanner() {
   const designer = useDesigner();
   const document = useDocument();
+  const from = useCaller();
   if (!document?.isReadOnly) return null;
   return (
     <Banner tone="accent">
@@ -123,9 +126,47 @@ function ReadOnlyBanner() {
           ? "A component of the library: look, but not change."
           : "An example: look, or save it as your own."}
       </span>
-      <Button onPress={() => designer.store.setState({ dialog: "save-as" })}>Make my own copy…</Button>
+      {from && (
+        <Button tone="primary" onPress={() => void copyInto(designer, from)}>
+          Make my own copy in {nameOf(from)}
+        </Button>
+      )}
+      <Button onPress={() => designer.store.setState({ dialog: "save-as" })}>
+        {from ? "Save the file as my own…" : "Make my own copy…"}
+      </Button>
     </Banner>
   );
+}
+
+/** The document from which somebody looked inside of this component, where it may be changed. */
+function useCaller(): Document | undefined {
+  return usePart(callerOf);
+}
+
+function callerOf(state: State): Document | undefined {
+  if (!state.document.startsWith("library:") || state.page === "" || state.page.includes(".")) return undefined;
+  const before = crumbsIn(state).at(-2);
+  const document = before && state.documents[before.document];
+  return document && document.path !== state.document && !document.isReadOnly ? document : undefined;
+}
+
+/** The component that is shown becomes one of that document, which uses it from now on, and is shown there. */
+async function copyInto(designer: Designer, into: Document): Promise<void> {
+  const component = designer.state.page;
+  const caller = designer.crumbs.at(-2);
+  const answer = await designer.ask({
+    case: "edit",
+    value: {
+      document: into.path,
+      revision: into.revision,
+      name: `own copy of ${component}`,
+      changes: [{ change: { case: "copyComponent", value: { component, name: "" } } }],
+    },
+  });
+  if (!answer.ok) return;
+  designer.say(`${component} is a part of ${nameOf(into)} now, and can be changed`);
+  designer.goTo(into.path, caller?.page ?? "");
+  designer.enter(create(PageSchema, { document: into.path, path: component }));
 }
 
 function OutdatedBanner() {

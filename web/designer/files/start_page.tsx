@@ -1,12 +1,12 @@
 // Without a document: what there is to open, and how to begin.
 import { useState } from "react";
-import { shownPath, shownTitle } from "../../console/start/paths.ts";
+import { shownTitle } from "../../console/start/paths.ts";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon, type IconName } from "../../console/ui/icons.tsx";
 import { DialogBox } from "../../console/ui/menus.tsx";
 import { isNew } from "../designer.ts";
 import { useDesigner, usePart } from "../use.ts";
-import { type Entry, recentEntries } from "./unsaved.ts";
+import { type Entry, recentEntries, shownPlace } from "./unsaved.ts";
 import "../../console/start/start.css";
 
 export function StartPage() {
@@ -110,6 +110,7 @@ function Entries({
   onDiscard?: (entry: Entry) => void;
 }) {
   const designer = useDesigner();
+  const documents = usePart((state) => state.documents);
   return (
     <section aria-label={title}>
       <h2>{title}</h2>
@@ -121,7 +122,8 @@ function Entries({
               <Icon name={icon} />
               <span className="grow">
                 <span className="start-title">{shownTitle(entry)}</span>
-                <span className="small muted ellipsis">{shownPath(entry.path)}</span>
+                {entry.about !== "" && <span className="small start-about">{entry.about}</span>}
+                <span className="small muted ellipsis">{shownPlace(entry, documents)}</span>
               </span>
             </Button>
             {onDiscard && isNew(entry.path) && (

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -90,6 +91,11 @@ class Browser {
     return marks_[document];
   }
   const Hello& hello() const { return hello_; }
+  std::optional<Lists> lists(std::uint32_t who) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = lists_.find(who);
+    return found == lists_.end() ? std::nullopt : std::optional(found->second);
+  }
   std::vector<FileChanged> changed() {
     const std::scoped_lock lock(mutex_);
     return changed_;
@@ -111,6 +117,7 @@ class Browser {
     if (message.has_palette()) palettes_[message.palette().document()] = message.palette();
     if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
     if (message.has_marks()) marks_[message.marks().document()] = message.marks();
+    if (message.has_lists()) lists_[who] = message.lists();
     if (message.has_file_changed()) changed_.push_back(message.file_changed());
   }
 
@@ -123,6 +130,7 @@ class Browser {
   std::map<std::string, Drawing> drawings_;
   std::map<std::string, Palette> palettes_;
   std::map<std::string, MarkList> marks_;
+  std::map<std::uint32_t, Lists> lists_;
   std::vector<FileChanged> changed_;
   Hello hello_;
   std::uint32_t last_request_ = 0;
