@@ -191,7 +191,7 @@ TEST(Designer, SaysWhatAConfigurationIsFor) {
 }
 
 TEST(Designer, TellsAllWindowsWhatThereIsToOpen) {
-  Browser browser("lists");
+  Browser browser;
   browser.write("b.cdl", "// Says what it is.\n" + std::string(kText));
   browser.start();
   ASSERT_EQ(browser.hello().files_size(), 1);

@@ -62,6 +62,24 @@ test("what was never saved is listed by what it holds, and thrown away when that
   await page.getByText("What you have opened appears here.").waitFor();
 });
 
+test("the start page says what an example is for", async () => {
+  const { designer } = await begin();
+  const examples = designer.page.getByRole("region", { name: "Examples" });
+  await examples.getByText("Forage: the configuration of Figures 6 to 10 of GIT-COGSCI-95/02.").waitFor();
+  await examples.getByText("forager", { exact: true }).waitFor();
+});
+
+test("the browser's own print has the drawing, whole", async () => {
+  const { designer } = await opened();
+  const { page } = designer;
+  await page.waitForTimeout(2500); // what draws for the printer comes later than the page
+  const sheet = () => page.locator(".print-sheet svg").count();
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  expect(await sheet()).toBe(1);
+  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  expect(await sheet()).toBe(0);
+});
+
 test("an example is looked at, and saved as a copy of one's own", async () => {
   const { designer, project } = await begin();
   await designer.page
