@@ -46,10 +46,9 @@ double way_until_free(const std::vector<DrawnBox>& boxes, const Taken& taken, bo
       const double x = box.x + (goes_right ? way : 0.0);
       const double y = box.y + (goes_right ? 0.0 : way);
       for (const Paste::Box& other : taken) {
-        const bool is_apart = x >= other.x() + other.width() + kRoom / 2 ||
-                              other.x() >= x + box.size.width + kRoom / 2 ||
-                              y >= other.y() + other.height() + kRoom / 2 ||
-                              other.y() >= y + box.size.height + kRoom / 2;
+        const bool is_apart =
+            x >= other.x() + other.width() + kRoom / 2 || other.x() >= x + box.size.width + kRoom / 2 ||
+            y >= other.y() + other.height() + kRoom / 2 || other.y() >= y + box.size.height + kRoom / 2;
         if (is_apart) continue;
         const double needed =
             goes_right ? other.x() + other.width() - box.x : other.y() + other.height() - box.y;

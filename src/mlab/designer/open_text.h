@@ -57,8 +57,8 @@ std::optional<std::string> merged(std::string_view base, std::string_view ours, 
 /// new.
 std::string unsaved_title(std::string_view text);
 
-/// What a configuration is for: the first sentence of the comment that it begins with, at most some 140 letters;
-/// empty where it begins with none.
+/// What a configuration is for: the first sentence of the comment that it begins with, at most some 140
+/// letters; empty where it begins with none.
 /// @param text  its beginning is enough
 std::string said_of(std::string_view text);
 
