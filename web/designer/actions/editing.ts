@@ -153,7 +153,7 @@ export async function ungroup(designer: Designer, node: string): Promise<void> {
   fit();
 }
 
-/** Where something stands on the page: what is pasted goes aside. */
+/** Where something stands on the page: what is pasted goes aside, a duplicate stays by its original. */
 function takenBoxes({ drawing }: Designer): { x: number; y: number; width: number; height: number }[] {
   const places = drawing && placesOf(drawing);
   if (!drawing || !places) return [];
@@ -167,7 +167,7 @@ function takenBoxes({ drawing }: Designer): { x: number; y: number; width: numbe
 async function pasteAt(designer: Designer, name: string, text: string, at: { x: number; y: number }): Promise<void> {
   const all = () => [...(designer.drawing?.nodes ?? []), ...(designer.drawing?.states ?? [])].map((one) => one.name);
   const before = new Set(all());
-  const value = { page: designer.state.page, text, ...at, taken: takenBoxes(designer) };
+  const value = { page: designer.state.page, text, ...at, taken: name === "paste" ? takenBoxes(designer) : [] };
   const answer = await designer.edit(name, { case: "paste", value });
   if (!answer.ok) return;
   const made = await soon(designer, () => {
