@@ -1,7 +1,6 @@
 // The clipboard: nodes, states and declarations as text, and where they stood.
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -31,43 +30,6 @@ std::vector<cdl::LayoutEntry> take_layout(std::string& text) {
   if (sink.has_errors() || layout == nullptr) return {};
   text.erase(at + 1);
   return layout->entries;
-}
-
-using Taken = google::protobuf::RepeatedPtrField<Paste::Box>;
-
-// How far all of them have to go in one direction until none lies on what is there.
-double way_until_free(const std::vector<DrawnBox>& boxes, const Taken& taken, bool goes_right) {
-  constexpr double kRoom = 24.0;   // [px]
-  constexpr double kPitch = 12.0;  // of the canvas [px]
-  double way = 0.0;
-  for (bool has_moved = true; has_moved;) {
-    has_moved = false;
-    for (const DrawnBox& box : boxes) {
-      const double x = box.x + (goes_right ? way : 0.0);
-      const double y = box.y + (goes_right ? 0.0 : way);
-      for (const Paste::Box& other : taken) {
-        const bool is_apart =
-            x >= other.x() + other.width() + kRoom / 2 || other.x() >= x + box.size.width + kRoom / 2 ||
-            y >= other.y() + other.height() + kRoom / 2 || other.y() >= y + box.size.height + kRoom / 2;
-        if (is_apart) continue;
-        const double needed =
-            goes_right ? other.x() + other.width() - box.x : other.y() + other.height() - box.y;
-        const double next = std::ceil((needed + kRoom) / kPitch) * kPitch;
-        if (!(next > way)) continue;  // numbers beyond what a page can be
-        way = next;
-        has_moved = true;
-        break;
-      }
-    }
-  }
-  return way;
-}
-
-// Right or down, whichever is nearer.
-std::pair<double, double> way_aside(const std::vector<DrawnBox>& boxes, const Taken& taken) {
-  const double right = way_until_free(boxes, taken, true);
-  const double down = way_until_free(boxes, taken, false);
-  return right < down ? std::pair(right, 0.0) : std::pair(0.0, down);
 }
 
 }  // namespace
@@ -209,7 +171,10 @@ Done Editor::paste(const Paste& change) {
   const DrawingContext context{"pasted.cdl", 1, false, [](std::string_view) { return std::string(); }};
   std::vector<DrawnBox> boxes = placed_boxes(draw(work_.model(), change.page(), context));
   std::erase_if(boxes, [&](const DrawnBox& box) { return place_of(where.nodes(), box.name) == nullptr; });
-  const auto [right, down] = way_aside(boxes, change.taken());
+  std::vector<DrawnBox> there;
+  for (const Paste::Box& box : change.taken())
+    there.push_back({"", box.x(), box.y(), {box.width(), box.height()}});
+  const auto [right, down] = way_aside(boxes, there);
   if (right == 0.0 && down == 0.0) return true;
   for (Arrange::At& at : *where.mutable_nodes()) {
     at.set_x(at.x() + right);

@@ -31,7 +31,50 @@ bool share_row(const DrawnBox& a, const DrawnBox& b) {
   return std::abs(a.y - b.y) < 0.5 * std::min(a.size.height, b.size.height);
 }
 
+// What a thing takes of one direction, and across it [px].
+struct Extent {
+  double at = 0.0;
+  double size = 0.0;
+  double across_at = 0.0;
+  double across_size = 0.0;
+};
+
+Extent extent_of(const DrawnBox& box, bool goes_right) {
+  return goes_right ? Extent{box.x, box.size.width, box.y, box.size.height}
+                    : Extent{box.y, box.size.height, box.x, box.size.width};
+}
+
+// How far all of them have to go in one direction until none lies on what is there.
+double way_until_free(const std::vector<DrawnBox>& boxes, const std::vector<DrawnBox>& taken,
+                      bool goes_right) {
+  constexpr double kRoom = 24.0;                  // [px]
+  constexpr double kPitch = 12.0;                 // of the canvas [px]
+  std::vector<std::pair<double, double>> barred;  // ways at which one lies on another: from, to
+  for (const DrawnBox& box : boxes) {
+    const Extent own = extent_of(box, goes_right);
+    for (const DrawnBox& there : taken) {
+      const Extent other = extent_of(there, goes_right);
+      const bool passes = own.across_at >= other.across_at + other.across_size + kRoom / 2 ||
+                          other.across_at >= own.across_at + own.across_size + kRoom / 2;
+      const double to = other.at + other.size + kRoom - own.at;
+      if (!passes && to > 0.0) barred.emplace_back(other.at - own.at - own.size - kRoom / 2, to);
+    }
+  }
+  std::ranges::sort(barred);
+  double way = 0.0;
+  for (const auto& [from, to] : barred) {
+    if (from < way && way < to - kRoom / 2) way = std::ceil(to / kPitch) * kPitch;
+  }
+  return way;
+}
+
 }  // namespace
+
+std::pair<double, double> way_aside(const std::vector<DrawnBox>& boxes, const std::vector<DrawnBox>& taken) {
+  const double right = way_until_free(boxes, taken, true);
+  const double down = way_until_free(boxes, taken, false);
+  return right < down ? std::pair(right, 0.0) : std::pair(0.0, down);
+}
 
 void spread(std::vector<DrawnBox>& boxes, double room_across, double room_down) {
   const std::vector<DrawnBox> before = boxes;
