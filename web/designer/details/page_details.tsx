@@ -90,7 +90,7 @@ function Parameters({ drawing }: { drawing: Drawing }) {
           <li key={parameter.name} className="columns spread" style={{ flexWrap: "nowrap" }}>
             <Button
               tone="link"
-              className="grow parameter"
+              className="grow"
               isDisabled={isReadOnly}
               onPress={() => designer.store.setState({ dialog: "parameter", subject: parameter.name })}
             >
