@@ -61,6 +61,17 @@ class Designer::Parts {
   /// The document of a request that changes it; null where it can't, which the answer says then.
   OpenConfiguration* editable(const std::string& path, Answer& out);
 
+  void edit_text(const EditText& request, Answer& out);
+  void edit(const Edit& request, Answer& out);
+  void undo(const std::string& path, bool again, Answer& out);
+  void copy(const Copy& request, Answer& out);
+  void ask_language(const AskLanguage& request, Answer& out);
+  void find_definition(const OpenConfiguration& one, std::uint32_t cursor, Answer& out);
+  void describe(const Describe& request, Answer& out);
+  void fits(const Fits& request, Answer& out);
+
+  // ---- designer_files.cc
+
   void greet(console::ConnectionId from, Client& client, const Greeting& greeting, Answer& out);
   /// What there is to open, as the start page shows it.
   Lists lists();
@@ -68,17 +79,9 @@ class Designer::Parts {
   void open(Client& client, const Open& request, Answer& out);
   void close(Client& client, const Close& request);
   void discard(Client& client, const Discard& request, Answer& out);
-  void edit_text(const EditText& request, Answer& out);
-  void edit(const Edit& request, Answer& out);
-  void undo(const std::string& path, bool again, Answer& out);
-  void copy(const Copy& request, Answer& out);
   void save(const Save& request, Answer& out);
   void reload(const Reload& request, Answer& out);
   void list_files(const ListFiles& request, Answer& out);
-  void ask_language(const AskLanguage& request, Answer& out);
-  void find_definition(const OpenConfiguration& one, std::uint32_t cursor, Answer& out);
-  void describe(const Describe& request, Answer& out);
-  void fits(const Fits& request, Answer& out);
 
   // ---- designer_trial.cc
 
@@ -115,11 +118,10 @@ class Designer::Parts {
                     const FieldOf& what, const FieldProgram& part, const FieldGrid& grid,
                     const std::optional<std::string>& arrows);
 
+  // ---- designer_publish.cc
+
   /// Sends everybody what has changed of what he looks at.
   void publish();
-  /// What follows from typing: done once for many letters that came together.
-  void settle();
-  void send_answers();
   void publish_to(console::ConnectionId to, Client& client);
   Document document_message(const OpenConfiguration& one) const;
   MarkList marks_message(const std::string& path) const;
@@ -128,6 +130,12 @@ class Designer::Parts {
   void send_once(console::ConnectionId to, Client& client, const std::string& what,
                  const FromDesigner& message);
   void send(console::ConnectionId to, const FromDesigner& message);
+
+  // ---- designer.cc again: what time brings
+
+  /// What follows from typing: done once for many letters that came together.
+  void settle();
+  void send_answers();
   void look_at_disk();
   /// Gives the compiler all texts that have changed.
   void start_compilations();

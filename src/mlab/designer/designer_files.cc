@@ -1,0 +1,207 @@
+// What there is to open, opening, saving and closing.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/designer/designer_parts.h"
+#include "mlab/designer/open_text.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::designer {
+namespace {
+
+constexpr std::uint32_t kProtocol = 1;
+
+std::string file_title(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::size_t colon = path.find(':');
+  const std::size_t begin = slash != std::string::npos   ? slash + 1
+                            : colon != std::string::npos ? colon + 1
+                                                         : 0;
+  return path.substr(begin);
+}
+
+using Entries = google::protobuf::RepeatedPtrField<console::Project::Entry>;
+
+console::Project::Entry& add_entry(Entries& into, const std::string& path, const std::string& title) {
+  console::Project::Entry& entry = *into.Add();
+  entry.set_path(path);
+  entry.set_title(title);
+  return entry;
+}
+
+// A configuration that has a file, with what it says of itself; that is read of so many only.
+void add_file(Entries& into, const console::ProjectFolder& project, const std::string& path) {
+  constexpr int kMostRead = 100;
+  std::string title = file_title(path);
+  if (title.ends_with(".cdl") && title.size() > 4) title.resize(title.size() - 4);
+  console::Project::Entry& entry = add_entry(into, path, title);
+  if (into.size() > kMostRead) return;
+  if (const text::Result<std::string> text = project.read(path)) entry.set_about(said_of(*text));
+}
+
+}  // namespace
+
+void Designer::Parts::greet(console::ConnectionId from, Client& client, const Greeting& greeting,
+                            Answer& out) {
+  if (greeting.protocol() != kProtocol) {
+    out.set_ok(false);
+    out.set_error(fmt::format("this server speaks protocol {}", kProtocol));
+    return;
+  }
+  client.has_greeted = true;
+  FromDesigner message;
+  Hello& hello = *message.mutable_hello();
+  hello.set_protocol(kProtocol);
+  hello.set_version(settings_.version);
+  hello.set_folder(desk_.project().name());
+  hello.set_open(first_);
+  Lists all = lists();
+  hello.mutable_recent()->Swap(all.mutable_recent());
+  hello.mutable_files()->Swap(all.mutable_files());
+  for (const std::string& path : desk_.configurations("examples:"))
+    add_file(*hello.mutable_examples(), desk_.project(), path);
+  for (const std::string& path : desk_.overlays())
+    add_entry(*hello.mutable_overlays(), path, file_title(path));
+  send(from, message);
+  if (!first_error_.empty()) {
+    out.set_ok(false);
+    out.set_error(first_error_);
+  }
+}
+
+Lists Designer::Parts::lists() {
+  Lists out;
+  for (const std::string& path : desk_.drafts().new_files()) {
+    const std::optional<console::Drafts::Draft> draft = desk_.drafts().find(path);
+    if (draft)
+      add_entry(*out.mutable_recent(), path, unsaved_title(draft->text)).set_about(said_of(draft->text));
+  }
+  for (const console::Drafts::Recent& recent : desk_.drafts().recent()) {
+    if (desk_.project().is_file(recent.path)) add_file(*out.mutable_recent(), desk_.project(), recent.path);
+  }
+  for (const std::string& path : desk_.configurations(""))
+    add_file(*out.mutable_files(), desk_.project(), path);
+  return out;
+}
+
+void Designer::Parts::tell_lists() {
+  FromDesigner message;
+  *message.mutable_lists() = lists();
+  for (const auto& [to, client] : clients_) {
+    if (client.has_greeted) send(to, message);
+  }
+}
+
+void Designer::Parts::open(Client& client, const Open& request, Answer& out) {
+  const text::Result<OpenConfiguration*> opened = desk_.open(request.path(), now());
+  if (!opened) {
+    fail(out, opened.error());
+    return;
+  }
+  const std::string& path = (*opened)->path;
+  client.documents.insert(path);
+  if (request.path().empty()) drop_marks(path);  // of an earlier one that was called so
+  restore_marks(**opened);
+  out.set_text(path);
+}
+
+void Designer::Parts::close(Client& client, const Close& request) {
+  client.documents.erase(request.document());
+  std::erase_if(client.pages, [&](const Page& page) { return page.document() == request.document(); });
+  std::erase_if(client.sent, [&](const auto& one) {
+    return one.first.find(' ' + request.document() + ' ') != std::string::npos;
+  });
+  for (const auto& [id, other] : clients_) {
+    if (other.documents.contains(request.document())) return;
+  }
+  desk_.close(request.document());
+}
+
+void Designer::Parts::discard(Client& client, const Discard& request, Answer& out) {
+  const std::string& path = request.document();
+  const bool is_elsewhere = std::ranges::any_of(clients_, [&](const auto& other) {
+    return &other.second != &client && other.second.documents.contains(path);
+  });
+  if (is_elsewhere || !Desk::is_new(path)) {
+    out.set_ok(false);
+    out.set_error(is_elsewhere ? "another window has it open: close that first"
+                               : "only what has no file can be thrown away");
+    return;
+  }
+  desk_.discard(path);
+  Close close_it;
+  close_it.set_document(path);
+  close(client, close_it);
+  drop_marks(path);
+  tell_lists();
+}
+
+void Designer::Parts::save(const Save& request, Answer& out) {
+  OpenConfiguration* one = desk_.find(request.document());
+  if (one == nullptr) {
+    out.set_ok(false);
+    out.set_error(fmt::format("`{}` is not open", text::shown(request.document(), 200)));
+    return;
+  }
+  const std::string before = one->path;
+  const text::Result<std::string> saved = desk_.save(*one, request);
+  if (!saved) {
+    fail(out, saved.error());
+    if (saved.error().kind != "changed-on-disk") return;
+    FromDesigner message;
+    message.mutable_file_changed()->set_document(before);
+    message.mutable_file_changed()->set_is_dirty_here(true);
+    for (auto& [to, client] : clients_) {
+      if (client.documents.contains(before)) send(to, message);
+    }
+    return;
+  }
+  out.set_text(*saved);
+  if (*saved == before) return;
+  if (last_trial_.document == before) last_trial_.document = *saved;
+  if (auto marks = marks_.extract(before); !marks.empty()) {
+    mark_store_.keep(*saved, marks.mapped());
+    mark_store_.drop(before);
+    marks_.insert_or_assign(*saved, std::move(marks.mapped()));
+  }
+  for (auto& [id, client] : clients_) {
+    if (client.documents.erase(before) == 0) continue;
+    client.documents.insert(*saved);
+    for (Page& page : client.pages) {
+      if (page.document() == before) page.set_document(*saved);
+    }
+  }
+  tell_lists();
+}
+
+void Designer::Parts::reload(const Reload& request, Answer& out) {
+  OpenConfiguration* one = desk_.find(request.document());
+  if (one == nullptr) {
+    out.set_ok(false);
+    out.set_error(fmt::format("`{}` is not open", text::shown(request.document(), 200)));
+    return;
+  }
+  const text::Result<bool> done = desk_.reload(*one, request.merge(), now());
+  if (!done) fail(out, done.error());
+}
+
+void Designer::Parts::list_files(const ListFiles& request, Answer& out) {
+  const auto entries = desk_.project().list(request.folder());
+  if (!entries) {
+    fail(out, entries.error());
+    return;
+  }
+  console::FileList& files = *out.mutable_files();
+  files.set_folder(request.folder());
+  for (const console::ProjectFolder::Entry& entry : *entries) {
+    console::FileList::Entry& one = *files.add_entries();
+    one.set_path(entry.path);
+    one.set_is_folder(entry.is_folder);
+    one.set_kind(entry.path.ends_with(".cdl") ? "configuration" : entry.kind);
+  }
+}
+
+}  // namespace mlab::designer
