@@ -72,10 +72,10 @@ test("the start page says what an example is for", async () => {
 test("the browser's own print has the drawing, whole", async () => {
   const { designer } = await opened();
   const { page } = designer;
-  await page.waitForTimeout(2500); // what draws for the printer comes later than the page
   const sheet = () => page.locator(".print-sheet svg").count();
-  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
-  expect(await sheet()).toBe(1);
+  const print = () => page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  // What draws for the printer comes later than the page.
+  await expect.poll(() => print().then(sheet)).toBe(1);
   await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
   expect(await sheet()).toBe(0);
 });
