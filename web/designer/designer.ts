@@ -3,7 +3,7 @@ import { Link } from "./link/link.ts";
 import { type Crumb, crumbsOf, shortened } from "./pages/crumbs.ts";
 import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
 import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Page, Request } from "./protocol.ts";
-import { kWide, type Notice, type Shown, type State, type Store, shownAfter, without } from "./state.ts";
+import { kWide, type Notice, renamed, type Shown, type State, type Store, shownAfter, without } from "./state.ts";
 
 /** How a page is come to: by a step of its own, which Back takes back, or along the steps that the browser has kept. */
 type Step = "on" | "along";
@@ -196,6 +196,12 @@ export class Designer {
         store.setState({ hello: body.value });
         this.arrive();
         break;
+      case "renamed": {
+        const { from, to } = body.value;
+        store.setState((state) => renamed(state, from, to));
+        this.keepAddress(false, "");
+        break;
+      }
       case "lists": {
         const { recent, files } = body.value;
         store.setState(({ hello }) => ({ hello: hello && { ...hello, recent, files } }));

@@ -1,7 +1,17 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { DocumentSchema, HelloSchema } from "./protocol.ts";
-import { besideSimulator, createState, firstShown, readShown, shownAfter, without } from "./state.ts";
+import { pageKey } from "./pages/pages.ts";
+import { DocumentSchema, DrawingSchema, HelloSchema } from "./protocol.ts";
+import {
+  besideSimulator,
+  createState,
+  firstShown,
+  readShown,
+  renamed,
+  type State,
+  shownAfter,
+  without,
+} from "./state.ts";
 
 test("what is shown is kept over a reload", () => {
   localStorage.clear();
@@ -56,4 +66,23 @@ test("a document that has gone is not listed any more", () => {
   const left = without(store.getState(), "new:1");
   expect(Object.keys(left.documents ?? {})).toEqual(["a.cdl"]);
   expect(left.hello?.recent.map(({ path }) => path)).toEqual(["a.cdl"]);
+});
+
+test("what is known of a document is known under its new name", () => {
+  const first = createState(localStorage, 1600).getState();
+  const page = (document: string) => create(DrawingSchema, { page: { document, path: "Wander" } });
+  const before = {
+    ...first,
+    documents: { "new:1": create(DocumentSchema, { path: "new:1", text: "x" }) },
+    drawings: { [pageKey("new:1", "Wander")]: page("new:1"), [pageKey("b.cdl", "Wander")]: page("b.cdl") },
+    document: "new:1",
+    page: "Wander",
+    trail: [{ document: "new:1", page: "", title: "" }],
+  };
+  const after: State = { ...before, ...renamed(before, "new:1", "a.cdl") };
+  expect(Object.keys(after.documents)).toEqual(["a.cdl"]);
+  expect(after.documents["a.cdl"]).toMatchObject({ path: "a.cdl", text: "x" });
+  expect(Object.keys(after.drawings).sort()).toEqual([pageKey("a.cdl", "Wander"), pageKey("b.cdl", "Wander")]);
+  expect(after.drawings[pageKey("a.cdl", "Wander")]!.page!.document).toBe("a.cdl");
+  expect(after).toMatchObject({ document: "a.cdl", page: "Wander", trail: [{ document: "a.cdl" }] });
 });

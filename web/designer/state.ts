@@ -2,6 +2,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { LinkState } from "./link/link.ts";
 import type { Crumb } from "./pages/crumbs.ts";
+import { pageKey } from "./pages/pages.ts";
 import type { Document, Drawing, FileChanged, Hello, Mark, Palette } from "./protocol.ts";
 
 export type DialogName =
@@ -189,6 +190,27 @@ export function without({ documents, hello }: State, path: string): Partial<Stat
   return {
     documents: others,
     hello: hello && { ...hello, recent: hello.recent.filter((entry) => entry.path !== path) },
+  };
+}
+
+/** A document is called otherwise: what is known of it is known under its new name. */
+export function renamed(state: State, from: string, to: string): Partial<State> {
+  const moved = <T>(all: Readonly<Record<string, T>>): Record<string, T> =>
+    Object.fromEntries(Object.entries(all).map(([path, one]) => [path === from ? to : path, one]));
+  const drawings = Object.values(state.drawings).map((drawing): [string, Drawing] => {
+    const page = drawing.page?.document === from ? { ...drawing.page, document: to } : drawing.page;
+    return [pageKey(page?.document ?? "", page?.path ?? ""), page ? { ...drawing, page } : drawing];
+  });
+  const document = state.documents[from];
+  const { documents, ...rest } = without(state, from);
+  return {
+    ...rest,
+    documents: document ? { ...documents, [to]: { ...document, path: to } } : documents!,
+    drawings: Object.fromEntries(drawings),
+    palettes: moved(state.palettes),
+    marks: moved(state.marks),
+    document: state.document === from ? to : state.document,
+    trail: state.trail.map((crumb) => (crumb.document === from ? { ...crumb, document: to } : crumb)),
   };
 }
 

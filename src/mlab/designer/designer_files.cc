@@ -167,8 +167,12 @@ void Designer::Parts::save(const Save& request, Answer& out) {
     mark_store_.drop(before);
     marks_.insert_or_assign(*saved, std::move(marks.mapped()));
   }
-  for (auto& [id, client] : clients_) {
+  FromDesigner renamed;
+  renamed.mutable_renamed()->set_from(before);
+  renamed.mutable_renamed()->set_to(*saved);
+  for (auto& [to, client] : clients_) {
     if (client.documents.erase(before) == 0) continue;
+    send(to, renamed);
     client.documents.insert(*saved);
     for (Page& page : client.pages) {
       if (page.document() == before) page.set_document(*saved);

@@ -104,3 +104,22 @@ test("without a connection the page says so, and goes on when it is back", async
   await designer.setValue(designer.named("Noise"), "persistence", "5 s");
   await designer.named("Noise").getByText("5 s").waitFor();
 });
+
+test("all windows go along with a document that is saved under another name", async () => {
+  const { designer, mlab, project } = await begin();
+  await designer.newAssemblage("Wander");
+  await designer.place("Noise");
+  const other = await look(`${mlab.url.replace(/#.*/, "")}${new URL(designer.page.url()).hash}`);
+  await other.on("Wander");
+  await designer.saveAs("wander");
+  await expect.poll(() => project.read("wander.cdl")).toContain("Noise");
+  await other.page
+    .getByRole("navigation", { name: "Where you are" })
+    .getByRole("button", { name: "wander.cdl" })
+    .waitFor();
+  expect(other.page.url()).toContain("wander.cdl");
+  // Both work on in it.
+  await other.place("Stand");
+  await designer.named("Stand").waitFor();
+  await designer.run();
+});

@@ -59,7 +59,6 @@ export function SaveAsDialog() {
   const path = join(folder, withEnding(name, ".cdl"));
   const problem = nameProblem(name);
   const save = async () => {
-    const { page } = designer.state;
     const answer = await designer.link.ask({
       case: "save",
       value: { document: document.path, as: path, overwrite: isThere },
@@ -71,8 +70,6 @@ export function SaveAsDialog() {
     }
     close();
     const saved = answer.result.case === "text" && answer.result.value !== "" ? answer.result.value : path;
-    if (saved !== document.path) await designer.open(saved, page);
-    if (isNew(document.path)) designer.forget(document.path);
     designer.say(`Saved ${saved}`);
   };
   return (

@@ -59,6 +59,10 @@ test("a few letters find a component, by its historic name too, or by what it is
   expect(found("", all)).toHaveLength(3);
 });
 
+test("what is called exactly so comes before what only begins so", () => {
+  expect(found("stand", inGroups("Standby", "Stand")).map((one) => one.name)).toEqual(["Stand", "Standby"]);
+});
+
 test("states do what moves", () => {
   expect(all.filter((one) => isForPage(one, true)).map((one) => one.name)).toEqual(["MoveToGoal", "Noise"]);
   expect(firstSentence("A random direction. Changes now and then.")).toBe("A random direction.");

@@ -51,10 +51,13 @@ export function isOpenAtFirst(group: string, isStates: boolean): boolean {
   return isStates || !kLater.includes(group);
 }
 
-/** Of those, what is called so; the best first. */
+/** Of those, what is called so; exactly so before all else, then the best first. */
 export function found(query: string, components: readonly Component[]): Component[] {
+  const wanted = query.trim().toLowerCase();
+  const isExact = (one: Component) => [one.name, one.title].some((name) => name.toLowerCase() === wanted);
   const names = ranked(query, components, (one) => `${one.title || one.name} ${one.name} ${one.aliases.join(" ")}`);
-  if (names.length > 0 || query.trim() === "") return names;
+  if (wanted === "") return names;
+  if (names.length > 0) return [...names.filter(isExact), ...names.filter((one) => !isExact(one))];
   return ranked(query, components, (one) => one.help).slice(0, 20);
 }
 
