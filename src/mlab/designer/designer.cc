@@ -243,15 +243,21 @@ void Designer::Parts::fail(Answer& out, const text::Diagnostic& why) const {
   for (const std::string& hint : why.hints) d.add_hints(hint);
 }
 
-OpenConfiguration* Designer::Parts::editable(const std::string& path, Answer& out) {
+OpenConfiguration* Designer::Parts::opened(const std::string& path, Answer& out) {
   OpenConfiguration* one = desk_.find(path);
-  const bool is_writable = one != nullptr && one->is_writable;
-  if (is_writable) return one;
+  if (one == nullptr) {
+    out.set_ok(false);
+    out.set_error(fmt::format("`{}` is not open", text::shown(path, 200)));
+  }
+  return one;
+}
+
+OpenConfiguration* Designer::Parts::editable(const std::string& path, Answer& out) {
+  OpenConfiguration* one = opened(path, out);
+  if (one == nullptr || one->is_writable) return one;
   out.set_ok(false);
-  out.set_error(one == nullptr
-                    ? fmt::format("`{}` is not open", text::shown(path, 200))
-                    : fmt::format("`{}` is read only: save it under another name, or make your own copy",
-                                  text::shown(path, 200)));
+  out.set_error(fmt::format("`{}` is read only: save it under another name, or make your own copy",
+                            text::shown(path, 200)));
   return nullptr;
 }
 

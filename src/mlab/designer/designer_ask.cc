@@ -39,22 +39,14 @@ void add_location(const Model& model, const std::string& document, text::Span sp
 }  // namespace
 
 void Designer::Parts::fits(const Fits& request, Answer& out) {
-  const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    out.set_ok(false);
-    out.set_error("the document is not open");
-    return;
-  }
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   *out.mutable_fits() = fitting(*one->drawn, request, desk_.offered(*one));
 }
 
 void Designer::Parts::describe(const Describe& request, Answer& out) {
-  OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    out.set_ok(false);
-    out.set_error("the document is not open");
-    return;
-  }
+  OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   const std::vector<Offered> offered = desk_.offered(*one);
   const Offered* file = find_offered(offered, *one->drawn, request.component());
   const Model& model = file != nullptr ? *file->model : *one->drawn;
@@ -72,12 +64,8 @@ void Designer::Parts::describe(const Describe& request, Answer& out) {
 }
 
 void Designer::Parts::ask_language(const AskLanguage& request, Answer& out) {
-  const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    out.set_ok(false);
-    out.set_error("the document is not open");
-    return;
-  }
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   const language::Text text{one->model->source(), language::Language::kConfiguration};
   switch (request.what()) {
     case AskLanguage::COMPLETE: {

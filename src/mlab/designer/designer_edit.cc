@@ -32,12 +32,8 @@ void Designer::Parts::edit(const Edit& request, Answer& out) {
 }
 
 void Designer::Parts::copy(const Copy& request, Answer& out) {
-  const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    out.set_ok(false);
-    out.set_error("the document is not open");
-    return;
-  }
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   text::Result<std::string> text = copied(*one->drawn, request);
   if (!text) {
     fail(out, text.error());

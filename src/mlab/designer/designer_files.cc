@@ -1,13 +1,14 @@
 // What there is to open, opening, saving and closing.
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "mlab/designer/designer_parts.h"
 #include "mlab/designer/open_text.h"
-#include "mlab/text/shown.h"
 
 namespace mlab::designer {
 namespace {
@@ -96,15 +97,15 @@ void Designer::Parts::tell_lists() {
 }
 
 void Designer::Parts::open(Client& client, const Open& request, Answer& out) {
-  const text::Result<OpenConfiguration*> opened = desk_.open(request.path(), now());
-  if (!opened) {
-    fail(out, opened.error());
+  const text::Result<OpenConfiguration*> found = desk_.open(request.path(), now());
+  if (!found) {
+    fail(out, found.error());
     return;
   }
-  const std::string& path = (*opened)->path;
+  const std::string& path = (*found)->path;
   client.documents.insert(path);
   if (request.path().empty()) drop_marks(path);  // of an earlier one that was called so
-  restore_marks(**opened);
+  restore_marks(**found);
   out.set_text(path);
 }
 
@@ -140,12 +141,8 @@ void Designer::Parts::discard(Client& client, const Discard& request, Answer& ou
 }
 
 void Designer::Parts::save(const Save& request, Answer& out) {
-  OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    out.set_ok(false);
-    out.set_error(fmt::format("`{}` is not open", text::shown(request.document(), 200)));
-    return;
-  }
+  OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   const std::string before = one->path;
   const text::Result<std::string> saved = desk_.save(*one, request);
   if (!saved) {
@@ -182,12 +179,8 @@ void Designer::Parts::save(const Save& request, Answer& out) {
 }
 
 void Designer::Parts::reload(const Reload& request, Answer& out) {
-  OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    out.set_ok(false);
-    out.set_error(fmt::format("`{}` is not open", text::shown(request.document(), 200)));
-    return;
-  }
+  OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   const text::Result<bool> done = desk_.reload(*one, request.merge(), now());
   if (!done) fail(out, done.error());
 }

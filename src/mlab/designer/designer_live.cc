@@ -78,11 +78,8 @@ void read_in_pieces(const LookAtRun& look_at_run, const std::shared_ptr<FieldRea
 }  // namespace
 
 void Designer::Parts::find_live(const FindLive& request, Answer& out) {
-  const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    fail(out, not_known("the document is not open").error());
-    return;
-  }
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   LivePaths& live = *out.mutable_live();
   if (!last_trial_.model) return;
   const bool was_tried = last_trial_.document == one->path;
@@ -100,11 +97,8 @@ void Designer::Parts::find_live(const FindLive& request, Answer& out) {
 
 void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
   constexpr std::size_t kLongest = 4000;  // bytes
-  const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    fail(out, not_known("the document is not open").error());
-    return;
-  }
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   if (const std::size_t size = request.mark().ByteSizeLong(); size > kLongest) {
     fail(out, not_known(fmt::format("the mark has {} bytes; at most {} are kept", size, kLongest)).error());
     return;
@@ -288,11 +282,8 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
 
 void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
                                  Answer& out) {
-  const OpenConfiguration* one = desk_.find(request.document());
-  if (one == nullptr) {
-    fail(out, not_known("the document is not open").error());
-    return;
-  }
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
   const text::Result<FieldGrid> grid = grid_of(request);
   if (!grid) {
     fail(out, grid.error());

@@ -58,6 +58,8 @@ class Designer::Parts {
   /// What is asked for; the answer's `ok` is set already.
   void answer(console::ConnectionId from, Client& client, const ToDesigner& message, Answer& out);
   void fail(Answer& out, const text::Diagnostic& why) const;
+  /// The document of a request; null where it is not open, which the answer says then.
+  OpenConfiguration* opened(const std::string& path, Answer& out);
   /// The document of a request that changes it; null where it can't, which the answer says then.
   OpenConfiguration* editable(const std::string& path, Answer& out);
 
