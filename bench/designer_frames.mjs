@@ -115,7 +115,7 @@ async function measure(nodes) {
     });
     const begin = performance.now();
     await page.goto(url);
-    await page.locator(".react-flow__node").first().waitFor();
+    await page.locator("[aria-busy=false] .react-flow__node").first().waitFor();
     const load = performance.now() - begin;
     await page.waitForTimeout(3000);
     const shown = await page.locator(".react-flow__node").count();

@@ -3,7 +3,6 @@ import { lazy, type ReactNode, Suspense, useEffect } from "react";
 import { IconButton } from "../console/ui/controls.tsx";
 import { Commands, ShortcutSheet } from "./actions/dialogs.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
-import { prepareLayout } from "./arrange/layout.ts";
 import { Canvas } from "./canvas/canvas.tsx";
 import { CanvasTools } from "./canvas/canvas_tools.tsx";
 import { type Designer, nameOf } from "./designer.ts";
@@ -119,10 +118,6 @@ function Work() {
 function Centre() {
   const drawing = useDrawing();
   const key = usePart((state) => pageKey(state.document, state.page));
-  const isAwaited = drawing === undefined;
-  useEffect(() => {
-    if (isAwaited) prepareLayout();
-  }, [isAwaited]);
   if (!drawing) return <p className="empty">Reading…</p>;
   return (
     <ReactFlowProvider key={key}>

@@ -19,7 +19,7 @@ export function layOut(drawing: Drawing): Promise<Spot[]> {
   });
 }
 
-/** While a drawing is on its way: its layout does not have to wait for the worker to start. */
+/** While the page is on its way: its layout does not have to wait for the worker to start. */
 export function prepareLayout(): void {
   worker ??= start();
 }

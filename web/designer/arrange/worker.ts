@@ -1,12 +1,17 @@
-// Automatic layout, off the page's thread. elk is large: it is loaded when it is asked for, which pages that are too large
-// for it never do.
+// Automatic layout, off the page's thread. elk is large: it is loaded as soon as the worker runs, while the page is still
+// on its way.
 import type { ELK, ElkNode } from "elkjs/lib/elk-api";
 import { columnSpots } from "./columns.ts";
 import { fromElk, gridSpots, largest, type Spot, toElk } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
 
-let elk: Promise<ELK> | null = null;
 const kMostForElk = 240; // nodes; its time grows faster than their number
+
+const elk: Promise<ELK> = import("elkjs/lib/elk.bundled.js").then(({ default: Elk }) => {
+  const made = new Elk();
+  self.onmessage = answer; // elk takes what is said to a worker for said to itself
+  return made;
+});
 
 self.onmessage = answer;
 
@@ -26,10 +31,5 @@ async function answer(event: MessageEvent<{ request: number; graph: LayoutGraph 
 }
 
 async function laidOut(graph: ElkNode): Promise<ElkNode> {
-  elk ??= import("elkjs/lib/elk.bundled.js").then(({ default: Elk }) => {
-    const made = new Elk();
-    self.onmessage = answer; // elk takes what is said to a worker for said to itself
-    return made;
-  });
   return (await elk).layout(graph);
 }
