@@ -10,7 +10,6 @@ const kDataflow: Record<string, string> = {
   "elk.spacing.nodeNode": "32",
   "elk.spacing.componentComponent": "48",
   "elk.layered.spacing.nodeNodeBetweenLayers": "88",
-  "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
   "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
   "elk.separateConnectedComponents": "true",
 };
@@ -20,28 +19,26 @@ const kStates: Record<string, string> = {
   "elk.spacing.edgeNode": "28",
   "elk.spacing.edgeLabel": "6",
   "elk.layered.spacing.nodeNodeBetweenLayers": "40",
-  "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
   "elk.layered.considerModelOrder.strategy": "PREFER_NODES",
   "elk.edgeLabels.inline": "true",
 };
-/** What a page is mostly looked at in [px]. */
-const kSight = { width: 960, height: 800 };
-
-/** Of several layouts the one that is seen largest. */
-export function largest(results: readonly ElkNode[]): ElkNode {
-  const zoom = ({ width = 1, height = 1 }: ElkNode) => Math.min(1, kSight.width / width, kSight.height / height);
-  return results.reduce((best, one) => (zoom(one) > zoom(best) ? one : best));
-}
-
+const kPlacement = { careful: "NETWORK_SIMPLEX", quick: "BRANDES_KOEPF" } as const;
 /** `direction`: of states only; dataflow goes to the right. */
-export function toElk(graph: LayoutGraph, direction: "RIGHT" | "DOWN" = "RIGHT"): ElkNode {
+export function toElk(
+  graph: LayoutGraph,
+  method: keyof typeof kPlacement = "careful",
+  direction: "RIGHT" | "DOWN" = "RIGHT",
+): ElkNode {
   const isFlow = graph.kind === "dataflow";
   // On a page with errors a wire can lead to an input, or from an output, that its node does not have.
   const hasOutput = new Set(graph.nodes.filter((node) => node.outputY >= 0).map((node) => node.id));
   const hasInput = new Set(graph.nodes.flatMap((node) => node.inputs.map((input) => `${node.id}/${input.id}`)));
   return {
     id: "page",
-    layoutOptions: isFlow ? kDataflow : { ...kStates, "elk.direction": direction },
+    layoutOptions: {
+      ...(isFlow ? kDataflow : { ...kStates, "elk.direction": direction }),
+      "elk.layered.nodePlacement.strategy": kPlacement[method],
+    },
     children: graph.nodes.map(
       (node): ElkNode => ({
         id: node.id,
@@ -106,17 +103,4 @@ export function fromElk(result: ElkNode): Spot[] {
 
 export function onPitch(value: number): number {
   return Math.round(value / kPitch) * kPitch;
-}
-
-/** Things that have no wires: in rows, as wide as the widest. */
-export function gridSpots(graph: LayoutGraph, columns = 4): Spot[] {
-  const width = Math.max(160, ...graph.nodes.map((node) => node.width)) + 40;
-  const spots: Spot[] = [];
-  let y = 0;
-  for (let begin = 0; begin < graph.nodes.length; begin += columns) {
-    const row = graph.nodes.slice(begin, begin + columns);
-    for (const [i, node] of row.entries()) spots.push({ id: node.id, x: onPitch(i * width), y: onPitch(y) });
-    y += Math.max(...row.map((node) => node.height)) + 40;
-  }
-  return spots;
 }

@@ -1,7 +1,8 @@
 // Asks the worker for a layout.
 import type { Drawing } from "../protocol.ts";
-import { gridSpots, type Spot } from "./elk.ts";
+import type { Spot } from "./elk.ts";
 import { graphOf } from "./graph.ts";
+import { gridSpots } from "./grid.ts";
 
 let worker: Worker | null = null;
 let lastRequest = 0;

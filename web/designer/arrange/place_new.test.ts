@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { gridSpots } from "./elk.ts";
+import { gridSpots } from "./grid.ts";
 import { placeNew } from "./place_new.ts";
 
 const place = fc.record({ x: fc.integer({ min: -400, max: 400 }), y: fc.integer({ min: -400, max: 400 }) });
@@ -27,7 +27,7 @@ test("what stands stays, and nothing new lies on anything", () => {
 
 test("things without wires stand in rows", () => {
   const nodes = Array.from({ length: 5 }, (_, i) => ({ id: `${i}`, width: 160, height: 40, inputs: [], outputY: -1 }));
-  const spots = gridSpots({ kind: "grid", nodes, wires: [] }, 4);
+  const spots = gridSpots({ kind: "grid", nodes, wires: [] });
   expect(spots.map(({ x, y }) => [x, y])).toEqual([
     [0, 0],
     [200, 0],

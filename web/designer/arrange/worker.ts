@@ -1,11 +1,11 @@
 // Automatic layout, off the page's thread. elk is large: it is loaded as soon as the worker runs, while the page is still
 // on its way.
-import type { ELK, ElkNode } from "elkjs/lib/elk-api";
+import type { ELK } from "elkjs/lib/elk-api";
 import { columnSpots } from "./columns.ts";
-import { fromElk, gridSpots, largest, type Spot, toElk } from "./elk.ts";
+import { methodFor } from "./effort.ts";
+import { fromElk, type Spot, toElk } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
-
-const kMostForElk = 240; // nodes; its time grows faster than their number
+import { gridSpots, readable, snakeSpots } from "./grid.ts";
 
 const elk: Promise<ELK> = import("elkjs/lib/elk.bundled.js").then(({ default: Elk }) => {
   const made = new Elk();
@@ -17,19 +17,17 @@ self.onmessage = answer;
 
 async function answer(event: MessageEvent<{ request: number; graph: LayoutGraph }>): Promise<void> {
   const { request, graph } = event.data;
-  let spots: Spot[];
-  try {
-    const isLarge = graph.kind === "dataflow" && graph.nodes.length > kMostForElk;
-    if (graph.kind === "grid") spots = gridSpots(graph);
-    else if (isLarge) spots = columnSpots(graph);
-    else if (graph.kind === "dataflow") spots = fromElk(await laidOut(toElk(graph)));
-    else spots = fromElk(largest([await laidOut(toElk(graph)), await laidOut(toElk(graph, "DOWN"))]));
-  } catch {
-    spots = gridSpots(graph); // what elk can't do still has to be seen
-  }
+  const spots = await laidOut(graph).catch(() => gridSpots(graph)); // what elk can't do still has to be seen
   self.postMessage({ request, spots });
 }
 
-async function laidOut(graph: ElkNode): Promise<ElkNode> {
-  return (await elk).layout(graph);
+async function laidOut(graph: LayoutGraph): Promise<Spot[]> {
+  const method = methodFor(graph);
+  if (method === "grid") return gridSpots(graph);
+  if (method === "columns") return columnSpots(graph);
+  if (method === "snake") return snakeSpots(graph);
+  const engine = await elk;
+  const across = fromElk(await engine.layout(toElk(graph, method)));
+  if (graph.kind === "dataflow") return across;
+  return readable([across, fromElk(await engine.layout(toElk(graph, method, "DOWN")))], graph);
 }

@@ -20,6 +20,7 @@ import { type CSSProperties, type DragEvent, type MouseEvent, useEffect, useMemo
 import { arrangeChange } from "../arrange/arrange.ts";
 import { kPitch, onPitch } from "../arrange/elk.ts";
 import { innerOf } from "../pages/inside.ts";
+import { isEmptyDrawing } from "../pages/pages.ts";
 import { isTabbed, offerFocus } from "../pages/panes.ts";
 import { placeState } from "../palette/place.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
@@ -38,7 +39,7 @@ import { selectionAfter, stillThere } from "./selected.ts";
 import { NoteView, ResultView } from "./small_views.tsx";
 import { forgetMoved, isArranged, keepMoved, usePlaces } from "./use_places.ts";
 import { ValueEditor } from "./value_editor.tsx";
-import { boundsOf, fitReadably, holdsAll, kFit, setView } from "./view.ts";
+import { boundsOf, fitReadably, holdsAll, kFarthest, kFit, setView } from "./view.ts";
 import { WireView } from "./wire_view.tsx";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "./wiring.ts";
 
@@ -88,7 +89,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   // Once, when the page has come into sight or become one of states; later only where somebody asks for it.
   useEffect(() => {
     // On an empty page the camera stays where the first thing is put.
-    if (drawing.nodes.length + drawing.states.length === 0) {
+    if (isEmptyDrawing(drawing)) {
       fittedKind.current = drawing.kind;
       setInSight(true);
     }
@@ -306,7 +307,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         zoomOnDoubleClick={false}
         snapToGrid
         snapGrid={[kPitch, kPitch]}
-        minZoom={0.04}
+        minZoom={kFarthest}
         maxZoom={2}
         connectionRadius={26}
         onlyRenderVisibleElements={isLarge}
@@ -318,6 +319,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         {shown.minimap && hasRoom && <Overview nodes={nodes} size={miniSize} />}
         <ConnectReason />
       </ReactFlow>
+      {!isInSight && <p className="arranging muted">Arranging…</p>}
       <ValueEditor />
       <ContextMenu />
     </section>

@@ -10,6 +10,9 @@ export const kFit = {
   maxZoom: 1,
 } as const;
 
+/** No page is looked at from farther away [zoom]. */
+export const kFarthest = 0.02;
+
 interface Box {
   x: number;
   y: number;
@@ -89,7 +92,7 @@ const kReadable = 0.7;
 
 /** The canvas's viewport in which `bounds` is seen as a whole. */
 function whole(bounds: Box, canvas: Size): Viewport {
-  return getViewportForBounds(bounds, canvas.width, canvas.height, 0.04, kFit.maxZoom, kFit.padding);
+  return getViewportForBounds(bounds, canvas.width, canvas.height, kFarthest, kFit.maxZoom, kFit.padding);
 }
 
 /**

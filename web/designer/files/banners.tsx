@@ -4,9 +4,10 @@ import { type ReactNode, useEffect, useState } from "react";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon } from "../../console/ui/icons.tsx";
 import { crumbsIn, type Designer, nameOf } from "../designer.ts";
+import { isEmptyDrawing } from "../pages/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../protocol.ts";
 import type { State } from "../state.ts";
-import { useDesigner, useDocument, usePart } from "../use.ts";
+import { useDesigner, useDocument, useDrawing, usePart } from "../use.ts";
 
 /** What stays as long as the page does, or stops all work. */
 export function Banners() {
@@ -172,7 +173,8 @@ async function copyInto(designer: Designer, into: Document): Promise<void> {
 function OutdatedBanner() {
   const designer = useDesigner();
   const document = useDocument();
-  if (!document?.isOutdated) return null;
+  const drawing = useDrawing();
+  if (!document?.isOutdated || !drawing || isEmptyDrawing(drawing)) return null; // the canvas itself says so
   return (
     <Banner tone="hold">
       <Icon name="warning" />

@@ -1,12 +1,14 @@
 // What to do on a page on which nothing stands yet.
 import { Button } from "../../console/ui/controls.tsx";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
-import { useDesigner, usePart } from "../use.ts";
+import { useDesigner, useDocument, usePart } from "../use.ts";
+import { isEmptyDrawing } from "./pages.ts";
 
 export function EmptyHint({ drawing }: { drawing: Drawing }) {
   const designer = useDesigner();
   const page = usePart((state) => state.page);
-  if (drawing.nodes.length + drawing.states.length > 0) return null;
+  const isOutdated = useDocument()?.isOutdated ?? false;
+  if (!isEmptyDrawing(drawing)) return null;
   if (page !== "" && drawing.way.length === 0) {
     return (
       <div className="empty-hint">
@@ -14,6 +16,17 @@ export function EmptyHint({ drawing }: { drawing: Drawing }) {
         <p className="muted">It has gone from the file, or the text can't be read as it stands.</p>
         <Button tone="primary" icon="folder" onPress={() => designer.goTo(designer.state.document, "")}>
           The whole file
+        </Button>
+      </div>
+    );
+  }
+  if (isOutdated) {
+    return (
+      <div className="empty-hint">
+        <h2>Nothing can be drawn of this text</h2>
+        <p className="muted">It can't be read as a configuration. The text says where, and what was expected there.</p>
+        <Button tone="primary" icon="text" onPress={() => designer.show({ problems: true, text: true })}>
+          Show why
         </Button>
       </div>
     );

@@ -1,5 +1,12 @@
 // Pages of a document: `Forage.Searching` is what stands inside of the state Searching of Forage; empty is the file.
 
+import type { Drawing } from "../protocol.ts";
+
+/** Nothing that does anything stands on it. */
+export function isEmptyDrawing({ nodes, states }: Drawing): boolean {
+  return nodes.length + states.length === 0;
+}
+
 /** The page that encloses this one; none for the file's. */
 export function outer(path: string): string | undefined {
   if (path === "") return undefined;

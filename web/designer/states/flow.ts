@@ -6,7 +6,7 @@ import type { Drawing, State, Transition } from "../protocol.ts";
 import { type Curve, curveBetween, loopAt, type Rect } from "./curve.ts";
 import { stateSize } from "./form.ts";
 import { kScales, labelLines, labelSize } from "./label.ts";
-import { type Route, routesOf, type Way } from "./routes.ts";
+import { type LabelSizes, type Route, Router } from "./routes.ts";
 
 export interface StateData extends Record<string, unknown> {
   state: State;
@@ -24,6 +24,9 @@ export interface TransitionData extends Record<string, unknown> {
   siblings: number;
   page: string;
 }
+/** Of more of them, labels are as large as they are: there is no room for larger ones, and looking for it takes long. */
+const kManyTransitions = 150;
+
 export type StateNode = FlowNode<StateData, "state">;
 export type TransitionEdge = Edge<TransitionData, "transition">;
 
@@ -116,23 +119,22 @@ export function transitionRoutes(drawing: Drawing, places: Places, wanted = 1): 
     const at = places.get(state.name);
     if (at) rects.set(state.name, { ...at, ...stateSize(state) });
   }
+  const router = new Router(drawing.transitions, rects);
   let best: { routes: Route[]; scale: number; trouble: number } | undefined;
-  for (const scale of kScales.filter((one) => one <= wanted)) {
-    const found = routesOf(
-      drawing.transitions.map((transition) => wayOf(drawing, transition, scale)),
-      rects,
-    );
+  const isMany = drawing.transitions.length > kManyTransitions;
+  for (const scale of kScales.filter((one) => one <= wanted && (one === 1 || !isMany))) {
+    const found = router.run(drawing.transitions.map((transition) => labelsOf(drawing, transition, scale)));
     if (!best || found.trouble < best.trouble) best = { ...found, scale };
     if (best.trouble === 0) break;
   }
   return best ?? { routes: [], scale: 1 };
 }
 
-function wayOf(drawing: Drawing, transition: Transition, scale: number): Way {
-  const { from, to, trigger } = transition;
+function labelsOf(drawing: Drawing, transition: Transition, scale: number): LabelSizes {
+  const { trigger } = transition;
   const marks = labelMarks(transition, siblingsOf(drawing, transition));
   const [label, short] = [false, true].map((isShort) => labelSize(labelLines(trigger, isShort), marks, scale));
-  return { from, to, label: label!, short: short! };
+  return { label: label!, short: short! };
 }
 
 /** How many signs stand beside the trigger: its number where there are several, the arrow of those that start anew. */

@@ -29,15 +29,26 @@ export function crosses(points: readonly Point[], rect: Rect): boolean {
   return false;
 }
 
-function passes(a: Point, b: Point, rect: Rect): boolean {
-  const across = clipped(a.x, b.x, rect.x, rect.x + rect.width);
-  const down = clipped(a.y, b.y, rect.y, rect.y + rect.height);
-  return across !== null && down !== null && Math.max(across[0], down[0], 0) < Math.min(across[1], down[1], 1);
-}
-
-/** Between which shares of the way from `a` to `b` it is within the limits. */
-function clipped(a: number, b: number, low: number, high: number): [number, number] | null {
-  if (a === b) return a > low && a < high ? [0, 1] : null;
-  const [begin, end] = [(low - a) / (b - a), (high - a) / (b - a)];
-  return begin < end ? [begin, end] : [end, begin];
+/** Called for millions of pieces while a page is drawn, so it makes nothing. */
+function passes(a: Point, b: Point, { x, y, width, height }: Rect): boolean {
+  if ((a.x <= x && b.x <= x) || (a.x >= x + width && b.x >= x + width)) return false;
+  if ((a.y <= y && b.y <= y) || (a.y >= y + height && b.y >= y + height)) return false;
+  // between which shares of the way from `a` to `b` it is within the limits, across and down
+  const dx = b.x - a.x;
+  const dy = b.y - a.y;
+  let begin = 0;
+  let end = 1;
+  if (dx !== 0) {
+    const left = (x - a.x) / dx;
+    const right = (x + width - a.x) / dx;
+    begin = Math.max(begin, Math.min(left, right));
+    end = Math.min(end, Math.max(left, right));
+  }
+  if (dy !== 0) {
+    const top = (y - a.y) / dy;
+    const bottom = (y + height - a.y) / dy;
+    begin = Math.max(begin, Math.min(top, bottom));
+    end = Math.min(end, Math.max(top, bottom));
+  }
+  return begin < end;
 }

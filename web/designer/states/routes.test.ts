@@ -2,8 +2,11 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import { curveBetween, loopAt, type Rect } from "./curve.ts";
 import { crosses, isOver, pathOf } from "./geometry.ts";
-import { type Route, routesOf, type Way } from "./routes.ts";
+import { type Way as Ends, type LabelSizes, type Route, Router } from "./routes.ts";
 
+type Way = Ends & LabelSizes;
+
+const routesOf = (ways: readonly Way[], rects: ReadonlyMap<string, Rect>) => new Router(ways, rects).run(ways);
 const box = (x: number, y: number) => ({ x, y, width: 128, height: 64 });
 const way = (from: string, to: string, width = 120): Way => ({
   from,

@@ -1,14 +1,17 @@
 // The ways of transitions, and where on its way each label stands: so that no way passes another state, and no label lies
 // on a state, on another label or on another way. Each is tried against all others, in the order of the text and again
 // until nothing gets better: small changes move little, and the same page is drawn the same.
-import { type Curve, curveBetween, loopAt, type Rect } from "./curve.ts";
+import { type Curve, curveBetween, loopAt, type Point, type Rect } from "./curve.ts";
 import { crosses, enlarged, holds, isOver, pathOf } from "./geometry.ts";
 import type { LabelSize } from "./label.ts";
 
 export interface Way {
   from: string;
   to: string;
-  /** Of its label: as it is best, and cut short where there is no room for that [px]. */
+}
+
+/** Of a way's label: as it is best, and cut short where there is no room for that [px]. */
+export interface LabelSizes {
   label: LabelSize;
   short: LabelSize;
 }
@@ -25,7 +28,12 @@ const kStep = 24; // [px]
 const kMostSteps = 11;
 const kPlaces = [0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78];
 const kLoops = [0, 1, -1, 2, -2, 3, -3];
-const kMostRounds = 5;
+/** How thoroughly it is looked for, by the number of ways: the work grows with its square. */
+const kThoroughness = [
+  { ways: 100, rounds: 5, steps: kMostSteps },
+  { ways: 200, rounds: 1, steps: 6 },
+  { ways: Number.POSITIVE_INFINITY, rounds: 0, steps: 2 },
+];
 const kGap = 5; // between a label and anything else [px]
 const kArrow = 14; // a label leaves this much of the arrow's end free [px]
 const kClear = 8; // a way keeps this far from other states [px]
@@ -37,7 +45,9 @@ const kCost = { onState: 100, onLabel: 100, onWay: 60, passes: 80, together: 50,
 interface Drawn {
   bend: number;
   curve: Curve;
-  points: readonly { x: number; y: number }[];
+  points: readonly Point[];
+  /** Where its label may stand, by kPlaces. */
+  middles: readonly Point[];
   box: Rect;
   /** Without any label. */
   cost: number;
@@ -54,15 +64,14 @@ export interface Routes {
   trouble: number;
 }
 
-export function routesOf(ways: readonly Way[], rects: ReadonlyMap<string, Rect>): Routes {
-  return new Router(ways, rects).run();
-}
-
-class Router {
-  private readonly taken: (Taken | undefined)[];
+/** Of one page: what ways could be taken is worked out once, for labels of any size. */
+export class Router {
   private readonly tried: (readonly Drawn[])[];
   private readonly states: readonly Rect[];
   private readonly bounds: Rect;
+  private readonly thoroughness: { rounds: number; steps: number };
+  private labels: readonly LabelSizes[] = [];
+  private taken: (Taken | undefined)[] = [];
 
   constructor(
     private readonly ways: readonly Way[],
@@ -70,13 +79,16 @@ class Router {
   ) {
     this.states = [...rects.values()];
     this.bounds = enlarged(boundsOf(this.states), 60);
+    this.thoroughness = kThoroughness.find((one) => ways.length <= one.ways)!;
     this.tried = ways.map((way) => this.candidates(way));
-    this.taken = ways.map(() => undefined);
   }
 
-  run(): Routes {
+  /** `labels`: one for each way. */
+  run(labels: readonly LabelSizes[]): Routes {
+    this.labels = labels;
+    this.taken = this.ways.map(() => undefined);
     for (const i of this.ways.keys()) this.choose(i);
-    for (let round = 0; round < kMostRounds; ++round) {
+    for (let round = 0; round < this.thoroughness.rounds; ++round) {
       let isBetter = false;
       for (const i of this.ways.keys()) {
         if (this.taken[i] && this.troubles(i, this.taken[i]!) > 0) isBetter = this.choose(i) || isBetter;
@@ -94,34 +106,38 @@ class Router {
     const to = this.rects.get(way.to);
     if (!from || !to) return [];
     const isLoop = way.from === way.to;
-    const others = [...this.rects].filter(([name]) => name !== way.from && name !== way.to).map(([, rect]) => rect);
-    const bends = isLoop ? kLoops : kBends;
+    const others = [...this.rects]
+      .filter(([name]) => name !== way.from && name !== way.to)
+      .map(([, rect]) => enlarged(rect, kClear));
+    const bends = isLoop ? kLoops : kBends.slice(0, 1 + 2 * this.thoroughness.steps);
     return bends.map((bend, order) => {
       const curve = isLoop ? loopAt(from, bend) : curveBetween(from, to, bend, way.from > way.to);
       const points = pathOf(curve);
-      const passed = others.filter((rect) => crosses(points, enlarged(rect, kClear))).length;
       const box = boundsOf(points.map(({ x, y }) => ({ x, y, width: 0, height: 0 })));
+      const passed = others.filter((rect) => isOver(rect, box) && crosses(points, rect)).length;
+      const middles = (isLoop ? [0.5] : kPlaces).map((at) => curve.pointAt(at));
       const strays = outside(box, this.bounds);
       const cost = kCost.passes * passed + (isLoop ? 2 * order : Math.abs(bend) * 0.03) + strays * 0.05;
-      return { bend, curve, points, box, cost };
+      return { bend, curve, points, middles, box, cost };
     });
   }
 
   /** Takes the best route for a way, all others as they are. @returns whether it is another one than before */
   private choose(i: number): boolean {
-    const way = this.ways[i]!;
+    const { label: whole, short } = this.labels[i]!;
     const before = this.taken[i];
     let best: Taken | undefined;
     let least = Number.POSITIVE_INFINITY;
     for (const drawn of this.tried[i]!) {
+      if (drawn.cost >= least) continue;
       const base = drawn.cost + this.costOfWay(i, drawn);
-      if (base >= least) continue;
       for (const isShort of [false, true]) {
-        for (const at of way.from === way.to ? [0.5] : kPlaces) {
+        for (const [place, middle] of drawn.middles.entries()) {
+          const at = kPlaces[place]!;
           const extra = base + Math.abs(at - 0.5) * 6 + (isShort ? kCost.short : 0);
           if (extra >= least) continue;
-          const label = around(drawn.curve, at, isShort ? way.short : way.label);
-          const cost = extra + this.costOfLabel(i, drawn, label);
+          const label = around(middle, isShort ? short : whole);
+          const cost = extra + this.costOfLabel(i, drawn, label, least - extra);
           if (cost >= least) continue;
           least = cost;
           best = { drawn, label, route: { bend: drawn.bend, at, isShort } };
@@ -169,17 +185,19 @@ class Router {
     return cost;
   }
 
-  private costOfLabel(i: number, drawn: Drawn, label: Rect): number {
+  /** At least `enough` where it is that much or more: what is left is not looked at. */
+  private costOfLabel(i: number, drawn: Drawn, label: Rect, enough = Number.POSITIVE_INFINITY): number {
     let cost = this.strayCost(label);
     for (const state of this.states) if (isOver(state, label, kGap)) cost += kCost.onState;
     if (this.ways[i]!.from !== this.ways[i]!.to && holds(enlarged(label, kArrow), drawn.curve.end))
       cost += kCost.onArrow;
-    this.taken.forEach((other, j) => {
-      if (!other || j === i) return;
+    const roomy = enlarged(label, kGap);
+    for (let j = 0; j < this.taken.length && cost < enough; ++j) {
+      const other = this.taken[j];
+      if (!other || j === i) continue;
       if (isOver(other.label, label, kGap)) cost += kCost.onLabel;
-      if (isOver(other.drawn.box, label, kGap) && crosses(other.drawn.points, enlarged(label, kGap)))
-        cost += kCost.onWay;
-    });
+      if (isOver(other.drawn.box, label, kGap) && crosses(other.drawn.points, roomy)) cost += kCost.onWay;
+    }
     return cost;
   }
 }
@@ -189,8 +207,7 @@ const kBends: readonly number[] = [0, ...Array.from({ length: kMostSteps }, (_, 
   (bend) => (bend === 0 ? [0] : [bend, -bend]),
 );
 
-function around(curve: Curve, at: number, size: LabelSize): Rect {
-  const middle = curve.pointAt(at);
+function around(middle: Point, size: LabelSize): Rect {
   return { x: middle.x - size.width / 2, y: middle.y - size.height / 2, ...size };
 }
 
