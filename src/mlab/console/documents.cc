@@ -10,6 +10,7 @@
 #include "mlab/console/mission_text.h"
 #include "mlab/console/utf8.h"
 #include "mlab/lang/mdl/tree.h"
+#include "mlab/text/line_ends.h"
 
 namespace mlab::console {
 namespace {
@@ -78,8 +79,8 @@ text::Result<OpenDocuments::Key> OpenDocuments::open_file(const std::string& pat
   if (!is_utf8(*on_disk))
     notices_.push_back(
         fmt::format("{} is not UTF-8: it is read as Latin 1, and saved as UTF-8", shown(path)));
-  out.source = source_of(project_.disk_path(path), as_utf8(*on_disk));
-  out.saved = std::move(*on_disk);
+  out.saved = text::unix_lines(std::move(*on_disk));
+  out.source = source_of(project_.disk_path(path), as_utf8(*out.saved));
   return add(std::move(out));
 }
 

@@ -6,6 +6,7 @@
 #include "mlab/console/document_parts.h"
 #include "mlab/console/documents.h"
 #include "mlab/console/mission_text.h"
+#include "mlab/text/line_ends.h"
 
 namespace mlab::console {
 namespace {
@@ -20,6 +21,11 @@ constexpr const char* kNewMission =
     "  0. UNIT scouts START 100 100 0 20\n";
 constexpr const char* kNewOverlay = "MISSION-AREA 1000 1000\n\nCONTROL MEASURES:\n";
 constexpr double kDraftPause = 1.0;  // between two drafts of a text [s]
+
+// A document's text with the line ends of its file.
+std::string for_disk(const ProjectFolder& project, const OpenDocument& document) {
+  return text::lines_as_in(project.read(document.path).value_or(""), std::string(document.source->text()));
+}
 
 }  // namespace
 
@@ -36,13 +42,13 @@ text::Result<bool> OpenDocuments::save_one(OpenDocument& document) {
           fmt::format("{} has come into being meanwhile: save under another name", shown(document.path)));
   } else if (is_there) {
     const text::Result<std::string> on_disk = project_.read(document.path);
-    if (!on_disk || *on_disk != *document.saved)
+    if (!on_disk || text::unix_lines(*on_disk) != *document.saved)
       return refused("changed-on-disk",
                      fmt::format("{} has been changed by somebody else since it was opened: save "
                                  "under another name, or open it anew",
                                  shown(document.path)));
   }
-  const text::Result<bool> written = project_.write(document.path, document.source->text());
+  const text::Result<bool> written = project_.write(document.path, for_disk(project_, document));
   if (!written) return written;
   document.saved = std::string(document.source->text());
   drafts_.drop(document.path);
@@ -100,7 +106,7 @@ void OpenDocuments::keep_all_drafts() {
 // that it means the same.
 text::Result<bool> OpenDocuments::save_as(OpenDocument& document, const std::string& path) {
   if (is_taken(path)) return refused("file-exists", fmt::format("there is {} already", shown(path)));
-  const text::Result<bool> written = project_.write(path, document.source->text());
+  const text::Result<bool> written = project_.write(path, for_disk(project_, document));
   if (!written) return written;
   drafts_.drop(document.path);
   const std::string old_folder = fs::path(document.source->name()).parent_path().string();
@@ -129,7 +135,7 @@ void OpenDocuments::take_along(const std::string& from_folder, const std::string
     const std::string below = fs::path(overlay.source->name()).lexically_relative(from_folder).string();
     const auto to = project_.name_of((fs::path(to_folder) / below).string());
     if (below.starts_with("..") || !to || project_.is_file(*to) || find(*to) != nullptr) continue;
-    if (!project_.write(*to, overlay.source->text())) continue;
+    if (!project_.write(*to, for_disk(project_, overlay))) continue;
     drafts_.drop(overlay.path);
     overlay.path = *to;
     overlay.source = source_of(project_.disk_path(*to), std::string(overlay.source->text()));

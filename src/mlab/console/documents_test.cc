@@ -10,6 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "mlab/console/testing/scratch_project.h"
+#include "mlab/text/line_ends.h"
 
 namespace mlab::console {
 namespace {
@@ -292,6 +293,19 @@ TEST_F(DocumentsOfAMission, AreSavedAsTheyStand) {
   EXPECT_TRUE(open.edit_state().is_dirty());
   ASSERT_TRUE(open.save({}));
   EXPECT_EQ(scratch.read("project/m.odl"), kOverlay);
+}
+
+TEST_F(DocumentsOfAMission, KeepTheLineEndsOfTheirFiles) {
+  scratch.write("project/m.mdl", mlab::text::lines_as_in("\r\n", kMission));
+  ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  EXPECT_EQ(text(open, "m.mdl"), kMission);
+  EXPECT_FALSE(open.documents_message().documents(0).is_dirty());
+  ASSERT_TRUE(change(open, "m.mdl", "\"m\"", "\"n\""));
+  ASSERT_TRUE(open.save({}));
+  EXPECT_TRUE(scratch.read("project/m.mdl").contains("\"n\"\r\n"));
+  EXPECT_TRUE(mlab::text::has_dos_lines(scratch.read("project/m.mdl")));
 }
 
 TEST_F(DocumentsOfAMission, NeverOverwriteWhatSomebodyElseWrote) {

@@ -103,6 +103,25 @@ TEST(Designer, SavesAndRefusesToOverwriteWhatOthersChanged) {
   EXPECT_FALSE(browser.document("a.cdl").is_dirty());
 }
 
+TEST(Designer, KeepsTheLineEndsOfAFile) {
+  Browser browser;
+  browser.write("a.cdl", "// one\r\n// two\r\n");
+  browser.open("a.cdl");
+  EXPECT_EQ(browser.document("a.cdl").text(), "// one\n// two\n");
+  EXPECT_FALSE(browser.document("a.cdl").is_dirty());
+  browser.type("a.cdl", "// one\n// and a half\n// two\n");
+  const auto save = [&](const std::string& as) {
+    return browser.ask([&](ToDesigner& m) {
+      m.mutable_save()->set_document("a.cdl");
+      m.mutable_save()->set_as(as);
+    });
+  };
+  EXPECT_TRUE(save("").ok());
+  EXPECT_EQ(browser.read("a.cdl"), "// one\r\n// and a half\r\n// two\r\n");
+  EXPECT_TRUE(save("b.cdl").ok());
+  EXPECT_EQ(browser.read("b.cdl"), browser.read("a.cdl"));
+}
+
 TEST(Designer, TakesOverAFileThatOthersChanged) {
   Browser browser;
   browser.write("a.cdl", kText);

@@ -17,6 +17,7 @@
 #include "mlab/library/library.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/robot/robot_program.h"
+#include "mlab/text/line_ends.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -200,7 +201,8 @@ bool Desk::is_writable(std::string_view path) const {
 }
 
 // As ProjectFolder writes missions: as a whole or not at all, and through no link.
-text::Result<bool> Desk::write(const std::string& path, std::string_view text) const {
+text::Result<bool> Desk::write(const std::string& path, const std::string& text,
+                               const std::string& lines_of) const {
   const std::optional<std::vector<std::string>> parts = plain_parts(path);
   if (!parts || !is_writable(path)) {
     return refused("cannot-write",
@@ -211,7 +213,7 @@ text::Result<bool> Desk::write(const std::string& path, std::string_view text) c
   using console::EnclosedFolder;
   const std::string problem =
       EnclosedFolder::of_file(project_.folder(), *parts, EnclosedFolder::Missing::kMake)
-          .write(parts->back(), text);
+          .write(parts->back(), text::lines_as_in(project_.read(lines_of).value_or(""), text));
   if (!problem.empty())
     return refused("cannot-write", fmt::format("cannot write {}: {}", shown(path), problem));
   return true;
@@ -223,7 +225,7 @@ text::Result<std::string> Desk::read(const std::string& path) const {
     return refused("cannot-read", fmt::format("the library has no {}", shown(path)));
   }
   text::Result<std::string> content = project_.read(path);
-  if (content) *content = console::as_utf8(*content);
+  if (content) *content = text::unix_lines(console::as_utf8(*content));
   return content;
 }
 
@@ -400,12 +402,12 @@ text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request
     const bool is_there = project_.is_file(path);
     if (is_there && (is_other || !one.saved))
       return refused("file-exists", fmt::format("there is {} already", shown(path)));
-    const text::Result<std::string> on_disk = is_there ? project_.read(path) : text::Result<std::string>("");
-    if (is_there && (!on_disk || console::as_utf8(*on_disk) != *one.saved))
+    const text::Result<std::string> on_disk = is_there ? read(path) : text::Result<std::string>("");
+    if (is_there && (!on_disk || *on_disk != *one.saved))
       return refused("changed-on-disk",
                      fmt::format("{} has been changed by somebody else since it was opened", shown(path)));
   }
-  const text::Result<bool> written = write(path, one.text.text());
+  const text::Result<bool> written = write(path, one.text.text(), one.path);
   if (!written) return std::unexpected(written.error());
   drafts_.drop(one.path);
   one.draft_revision = 0;
@@ -436,7 +438,7 @@ text::Result<bool> Desk::save_to_library(OpenConfiguration& one, const std::stri
   if (open != nullptr) {
     library = open->text.text();
   } else if (project_.is_file(kProjectLibrary)) {
-    text::Result<std::string> content = project_.read(kProjectLibrary);
+    text::Result<std::string> content = read(kProjectLibrary);
     if (!content) return std::unexpected(content.error());
     library = std::move(*content);
   }
@@ -451,7 +453,7 @@ text::Result<bool> Desk::save_to_library(OpenConfiguration& one, const std::stri
   } else {
     library += (library.empty() ? "" : "\n") + text + "\n";
   }
-  const text::Result<bool> written = write(kProjectLibrary, library);
+  const text::Result<bool> written = write(kProjectLibrary, library, kProjectLibrary);
   if (!written) return written;
   look_beside();
   if (open != nullptr) {

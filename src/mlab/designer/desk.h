@@ -114,9 +114,12 @@ class Desk {
   std::map<std::string, std::string> open_texts() const;
 
  private:
+  /// In UTF-8, and with LF where every line of the file ends in CR LF.
   text::Result<std::string> read(const std::string& path) const;
   bool is_writable(std::string_view path) const;
-  text::Result<bool> write(const std::string& path, std::string_view text) const;
+  /// @param lines_of  the file whose line ends it gets
+  text::Result<bool> write(const std::string& path, const std::string& text,
+                           const std::string& lines_of) const;
   std::string source_name(const std::string& path) const;
   OpenConfiguration* add(std::unique_ptr<OpenConfiguration> one);
   void model(OpenConfiguration& one);
