@@ -1,11 +1,11 @@
 // A state: its name, what it does in it, marks of start and end.
 import { Handle, type NodeProps, Position } from "@xyflow/react";
-import { memo } from "react";
+import { type CSSProperties, Fragment, memo } from "react";
 import { Icon } from "../../console/ui/icons.tsx";
 import { useLive } from "../live/use_live.ts";
 import { useDesigner, usePart } from "../use.ts";
 import type { StateNode } from "./flow.ts";
-import { stateSize } from "./form.ts";
+import { farNameSize, nameParts, stateSize } from "./form.ts";
 
 export const StateView = memo(function StateView({ data, selected }: NodeProps<StateNode>) {
   const { state, page } = data;
@@ -25,8 +25,10 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
     trouble,
     state.isFinal ? "final" : "",
   ];
+  const size = stateSize(state);
+  const farSize = farNameSize({ name: state.name, width: size.width });
   return (
-    <div className={classes.join(" ")} style={stateSize(state)} title={state.help || undefined}>
+    <div className={classes.join(" ")} style={size} title={state.help || undefined}>
       <Handle id="in" type="target" position={Position.Left} className="state-in" isConnectableStart={false} />
       {state.isStart && (
         <svg className="state-start" viewBox="0 0 34 20" aria-hidden="true">
@@ -34,7 +36,14 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
           <path d="M11 10h20M26 5l6 5-6 5" />
         </svg>
       )}
-      <span className="state-name ellipsis">{state.name}</span>
+      <span className="state-name ellipsis" style={{ "--far-size": `${farSize}px` } as CSSProperties}>
+        {nameParts(state.name).map((part, i) => (
+          <Fragment key={`${i} ${part}`}>
+            {i > 0 && <wbr />}
+            {part}
+          </Fragment>
+        ))}
+      </span>
       <span className="state-does ellipsis">{state.title || state.member}</span>
       {state.isFinal && <span className="state-mark">end</span>}
       {state.inner && (
