@@ -60,6 +60,7 @@ function connect(): { connection: Connection; model: Model; socket: FakeSocket }
         posted.push(url);
         return true;
       },
+      isStranger: async () => false,
     },
   });
   connection.connect();

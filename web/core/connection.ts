@@ -1,12 +1,17 @@
-// The WebSocket to the server: says Hello, keeps coming back, answers requests, and acknowledges frames once drawn.
+// The session's connection to the server: says Hello and what it watches, and acknowledges frames once drawn.
 import { create } from "@bufbuild/protobuf";
-import type { Link, Model } from "./model.ts";
-import { decodeToBrowser, encodeToServer, kProtocol, type Order, type Reply, ReplySchema } from "./protocol.ts";
+import type { Model } from "./model.ts";
+import {
+  decodeToBrowser,
+  encodeToServer,
+  kProtocol,
+  type Order,
+  type Reply,
+  ReplySchema,
+  type ToBrowser,
+} from "./protocol.ts";
+import { ServerLink, type Speech, withToken } from "./server_link.ts";
 import { Watching } from "./watching.ts";
-
-const kShortestPause = 250; // ms before the first new attempt, doubled with each
-const kLongestPause = 5000;
-const kMostBuffered = 256 * 1024; // bytes; beyond, acknowledgements and sticks are left out
 
 /** What the browser gives, replaced in tests. */
 export interface Surroundings {
@@ -14,6 +19,8 @@ export interface Surroundings {
   /** Calls back when what was changed until now has been drawn. */
   afterDrawing(done: () => void): void;
   post(url: string): Promise<boolean>;
+  /** Whether a server is there that does not know the page's token; by asking it, where nothing else is said. */
+  isStranger?(page: URL): Promise<boolean>;
 }
 
 export interface ConnectionOptions {
@@ -28,13 +35,7 @@ export interface ConnectionOptions {
 
 export class Connection {
   readonly watching = new Watching((watch) => this.tell({ case: "watch", value: watch }));
-  private socket: WebSocket | null = null;
-  private lastRequest = 0;
-  private readonly waiting = new Map<number, (reply: Reply) => void>();
-  private attempts = 0;
-  private timer: ReturnType<typeof setTimeout> | undefined;
-  private isClosed = false;
-  private isWelcome = false;
+  private readonly link: ServerLink<Order, ToBrowser, Reply>;
   private readonly surroundings: Surroundings;
 
   constructor(
@@ -42,61 +43,50 @@ export class Connection {
     private readonly options: ConnectionOptions,
   ) {
     this.surroundings = options.surroundings ?? kBrowser;
+    const { open, isStranger } = this.surroundings;
+    this.link = new ServerLink({
+      page: options.page,
+      path: "session",
+      speech: kSpeech,
+      opened: () => this.hello(),
+      receive: (message) => this.receive(message),
+      changed: (link) => model.set("link", link),
+      open,
+      isStranger,
+    });
   }
 
   connect(): void {
-    clearTimeout(this.timer);
-    if (this.socket || this.isClosed) return;
-    this.setLink(this.attempts ? "lost" : "connecting", this.model.get("link").reason);
-    const socket = this.surroundings.open(socketUrl(this.options.page));
-    socket.binaryType = "arraybuffer";
-    this.socket = socket;
-    this.isWelcome = false;
-    socket.onopen = () => this.hello();
-    socket.onmessage = (event) => this.receive(event.data);
-    socket.onclose = (event) => this.lose(socket, event);
+    this.link.connect();
   }
 
   /** Ends it for good, as when the page is left. */
   close(): void {
-    this.isClosed = true;
-    clearTimeout(this.timer);
-    this.socket?.close();
+    this.link.close();
   }
 
-  /** The Reply, which says what was wrong where it was not ok. Never throws: a lost connection is such a Reply too. */
+  /** As ServerLink does. */
   ask(order: Order): Promise<Reply> {
-    const request = ++this.lastRequest;
-    if (!this.isOpen()) return Promise.resolve(refusal(request, "there is no connection to the server"));
-    return new Promise((resolve) => {
-      this.waiting.set(request, resolve);
-      this.socket!.send(encodeToServer(request, order));
-    });
+    return this.link.ask(order);
   }
 
-  /** Without an answer. False where it was not sent: no connection, or so slow that it would only pile up. */
+  /** As ServerLink does. */
   tell(order: Order): boolean {
-    if (!this.isOpen() || this.socket!.bufferedAmount > kMostBuffered) return false;
-    this.socket!.send(encodeToServer(0, order));
-    return true;
+    return this.link.tell(order);
   }
 
   /** By both ways, the socket and a request of its own, whichever is there first. */
   async emergencyStop(): Promise<boolean> {
     const [reply, posted] = await Promise.all([
       this.ask({ case: "emergencyStop", value: {} }),
-      this.surroundings.post(pageUrl(this.options.page, "stop")).catch(() => false),
+      this.surroundings.post(withToken(this.options.page, "stop")).catch(() => false),
     ]);
     return reply.ok || posted;
   }
 
   /** `/report` and the like, with the token. */
   url(path: string): string {
-    return pageUrl(this.options.page, path);
-  }
-
-  private isOpen(): boolean {
-    return this.socket?.readyState === 1;
+    return withToken(this.options.page, path);
   }
 
   private hello(): void {
@@ -105,46 +95,12 @@ export class Connection {
     this.watching.flush();
   }
 
-  private receive(data: unknown): void {
-    if (!(data instanceof ArrayBuffer)) return;
-    const message = decodeToBrowser(new Uint8Array(data));
-    const { body } = message;
-    if (body.case === "reply") {
-      this.waiting.get(body.value.request)?.(body.value);
-      this.waiting.delete(body.value.request);
-      return;
-    }
-    if (body.case === "welcome") {
-      this.attempts = 0;
-      this.isWelcome = true;
-      this.setLink("open", "");
-    }
+  private receive(message: ToBrowser): void {
     this.model.accept(message);
-    if (body.case === "frame") {
-      const frame = body.value.number;
-      this.surroundings.afterDrawing(() => this.tell({ case: "acknowledge", value: { frame } }));
-    }
-  }
-
-  private lose(socket: WebSocket, event: CloseEvent): void {
-    if (this.socket !== socket) return;
-    this.socket = null;
-    for (const [request, resolve] of this.waiting) resolve(refusal(request, "the connection to the server was lost"));
-    this.waiting.clear();
-    if (this.isClosed) return;
-    // 1008: the server does not want us, and would not the next time.
-    if (event.code === 1008 && !this.isWelcome) {
-      this.setLink("refused", event.reason || "the server refused the connection");
-      return;
-    }
-    const pause = Math.min(kLongestPause, kShortestPause * 2 ** this.attempts) * (0.8 + 0.4 * Math.random());
-    ++this.attempts;
-    this.timer = setTimeout(() => this.connect(), pause);
-    this.setLink("lost", event.reason || "the server does not answer", Date.now() + pause);
-  }
-
-  private setLink(state: Link["state"], reason: string, retryAt = 0): void {
-    this.model.set("link", { state, reason, retryAt });
+    const { body } = message;
+    if (body.case !== "frame") return;
+    const frame = body.value.number;
+    this.surroundings.afterDrawing(() => this.tell({ case: "acknowledge", value: { frame } }));
   }
 }
 
@@ -159,22 +115,13 @@ export function tabKey(storage: Storage): string {
   return key;
 }
 
-function refusal(request: number, error: string): Reply {
-  return create(ReplySchema, { request, ok: false, error });
-}
-
-function pageUrl(page: URL, path: string): string {
-  const url = new URL(path.replace(/^\//, ""), page);
-  const token = page.searchParams.get("token");
-  url.search = "";
-  url.hash = "";
-  if (token) url.searchParams.set("token", token);
-  return url.href;
-}
-
-function socketUrl(page: URL): string {
-  return pageUrl(page, "session").replace(/^http/, "ws");
-}
+const kSpeech: Speech<Order, ToBrowser, Reply> = {
+  encode: encodeToServer,
+  decode: decodeToBrowser,
+  answerIn: ({ body }) => (body.case === "reply" ? body.value : undefined),
+  refusal: (request, error) => create(ReplySchema, { request, ok: false, error }),
+  isWelcome: ({ body }) => body.case === "welcome",
+};
 
 const kBrowser: Surroundings = {
   open: (url) => new WebSocket(url),

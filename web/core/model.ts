@@ -29,20 +29,12 @@ import {
 import { RobotTable } from "./robots.ts";
 import { RosterIndex } from "./roster.ts";
 import { kNothing, type Selection } from "./selection.ts";
+import type { LinkState } from "./server_link.ts";
 import { Store } from "./store.ts";
 import { TrailStore } from "./trails.ts";
 
-export interface Link {
-  /** "refused": the server doesn't take the token or the protocol; nothing is tried again. */
-  readonly state: "connecting" | "open" | "lost" | "refused";
-  /** Why, for a person; empty while all is well. */
-  readonly reason: string;
-  /** When the next attempt is made [ms since the epoch]; 0: none is planned. */
-  readonly retryAt: number;
-}
-
 export interface Parts {
-  link: Link;
+  link: LinkState;
   welcome: Welcome | null;
   project: Project | null;
   documents: Documents | null;

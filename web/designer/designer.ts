@@ -1,5 +1,5 @@
 // What can be asked of the server, and what its messages change here. One per page.
-import { Link } from "./link/link.ts";
+import { type Link, linkTo } from "./link/link.ts";
 import { type Crumb, crumbsOf, shortened } from "./pages/crumbs.ts";
 import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
 import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Page, Request } from "./protocol.ts";
@@ -19,7 +19,7 @@ export class Designer {
     readonly page: URL,
     open?: (url: string) => WebSocket,
   ) {
-    this.link = new Link({
+    this.link = linkTo({
       page,
       receive: (message) => this.receive(message),
       changed: (link) => store.setState({ link }),

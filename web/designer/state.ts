@@ -1,6 +1,6 @@
 // What the page knows: what the server tells, what is looked at, what is open. Values are replaced, never changed in place.
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { LinkState } from "./link/link.ts";
+import type { LinkState } from "../core/server_link.ts";
 import type { Crumb } from "./pages/crumbs.ts";
 import { pageKey } from "./pages/pages.ts";
 import type { Document, Drawing, FileChanged, Hello, Mark, Palette } from "./protocol.ts";

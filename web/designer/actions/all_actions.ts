@@ -1,9 +1,9 @@
 // Everything that can be done: for keys, menus, the list of commands and the sheet of shortcuts.
+import { withToken } from "../../core/server_link.ts";
 import { camera, fit } from "../canvas/view.ts";
 import type { Designer } from "../designer.ts";
 import { isNew } from "../designer.ts";
 import { extensions } from "../extensions.ts";
-import { withToken } from "../link/link.ts";
 import { innerOf } from "../pages/inside.ts";
 import { outer } from "../pages/pages.ts";
 import { goToPane } from "../pages/panes.ts";

@@ -1,17 +1,20 @@
 import { create, fromBinary, toBinary } from "@bufbuild/protobuf";
 import { expect, test, vi } from "vitest";
+import { type LinkState, withToken } from "../../core/server_link.ts";
 import { type FromDesigner, FromDesignerSchema, ToDesignerSchema } from "../protocol.ts";
-import { addressOf, Link, type LinkState, withToken } from "./link.ts";
+import { linkTo } from "./link.ts";
 
 const page = new URL("http://127.0.0.1:8080/designer.html?token=abc#file=a.cdl");
 
 class Socket {
   readyState = 0;
+  bufferedAmount = 0;
   binaryType = "";
   sent: ReturnType<typeof decode>[] = [];
   onopen = () => {};
   onmessage = (_: { data: unknown }) => {};
   onclose = (_: { code: number; reason: string }) => {};
+  constructor(readonly url: string) {}
   send(bytes: Uint8Array) {
     this.sent.push(decode(bytes));
   }
@@ -31,13 +34,13 @@ function begin(isStranger = async () => false) {
   const sockets: Socket[] = [];
   const states: LinkState["state"][] = [];
   const heard: FromDesigner[] = [];
-  const link = new Link({
+  const link = linkTo({
     page,
     receive: (message) => heard.push(message),
     changed: ({ state }) => states.push(state),
     isStranger,
-    open: () => {
-      sockets.push(new Socket());
+    open: (url) => {
+      sockets.push(new Socket(url));
       return sockets.at(-1) as unknown as WebSocket;
     },
   });
@@ -46,7 +49,7 @@ function begin(isStranger = async () => false) {
 }
 
 test("addresses carry the token and nothing else", () => {
-  expect(addressOf(page)).toBe("ws://127.0.0.1:8080/designer?token=abc");
+  expect(begin().sockets[0]!.url).toBe("ws://127.0.0.1:8080/designer?token=abc");
   expect(withToken(page, "./")).toBe("http://127.0.0.1:8080/?token=abc");
 });
 

@@ -1,4 +1,5 @@
 // Running, for one page of the designer: its connection to the simulator, and what can be asked of it.
+
 import { sentence } from "../../console/orders.ts";
 import type { Session } from "../../console/session.ts";
 import { Ui } from "../../console/shell/ui.ts";
@@ -7,9 +8,9 @@ import { Model } from "../../core/model.ts";
 import { spokenPath } from "../../core/port_words.ts";
 import { type Breakpoint, Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
+import { withToken } from "../../core/server_link.ts";
 import { fit } from "../canvas/view.ts";
 import type { Designer } from "../designer.ts";
-import { withToken } from "../link/link.ts";
 import { lastPart } from "../pages/pages.ts";
 import type { Drawing } from "../protocol.ts";
 import { besideSimulator, kWide } from "../state.ts";
