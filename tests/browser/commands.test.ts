@@ -87,7 +87,7 @@ test("every command is found by its name", async () => {
   const { page } = console;
   await console.reaches("Ready");
   await page.keyboard.press("Control+k");
-  await page.getByRole("combobox", { name: "Search all commands" }).fill("emerg");
+  await page.getByRole("combobox", { name: "All commands" }).fill("emerg");
   await page.getByRole("option", { name: /Emergency stop/ }).waitFor();
   await page.keyboard.press("Enter");
   await console.reaches("Emergency stop");

@@ -1,6 +1,5 @@
 import { useEffect } from "react";
-import { Palette } from "./actions/palette.tsx";
-import { ShortcutSheet } from "./actions/shortcut_sheet.tsx";
+import { Palette, ShortcutSheet } from "./actions/palette.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { HandOverDialog } from "./clients/hand_over.tsx";
 import { panels } from "./extensions.ts";

@@ -31,6 +31,10 @@ export function shownShortcut(shortcut: string, isMac = false): string {
     enter: "Enter",
     delete: "Delete",
     home: "Home",
+    arrowleft: "←",
+    arrowright: "→",
+    arrowup: "↑",
+    arrowdown: "↓",
   };
   const parts = shortcut.endsWith("+") ? [...shortcut.slice(0, -1).split("+"), "+"] : shortcut.split("+");
   return parts

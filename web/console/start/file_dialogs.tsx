@@ -1,48 +1,38 @@
 // Open, new, save as: over the files of the project, which the server lists.
-import { useState } from "react";
+import { useCallback, useState } from "react";
 import { Complete_Language, NewDocument_Kind } from "../../core/protocol.ts";
 import { openMission, order } from "../orders.ts";
 import { usePart, useSession, useUi } from "../session.ts";
 import { Button, Field } from "../ui/controls.tsx";
 import { DialogBox } from "../ui/menus.tsx";
-import { FileList } from "./file_list.tsx";
+import { FileList, type Listed } from "./file_list.tsx";
+import { OpenFileDialog } from "./open_dialog.tsx";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "./paths.ts";
 
 export function OpenDialog() {
   const session = useSession();
   const project = usePart("project");
-  const [folder, setFolder] = useState(folderOf(inProject(project?.mission ?? "")));
-  const [chosen, setChosen] = useState("");
-  const close = () => session.ui.set("dialog", "");
-  const open = async (path: string) => {
-    if (await openMission(session, path)) close();
-  };
   return (
-    <DialogBox
+    <OpenFileDialog
       title="Open a mission"
-      onClose={close}
-      footer={
-        <>
-          <Button onPress={close}>Cancel</Button>
-          <Button tone="primary" isDisabled={chosen === ""} onPress={() => void open(chosen)}>
-            Open
-          </Button>
-        </>
-      }
-    >
-      <FileList
-        folder={folder}
-        onFolder={(next) => {
-          setFolder(next);
-          setChosen("");
-        }}
-        chosen={chosen}
-        onChoose={setChosen}
-        onOpen={(path) => void open(path)}
-        isSelectable={(entry) => entry.kind === "mission"}
-      />
-      <p className="help">What is not saved of the open mission stays as a draft.</p>
-    </DialogBox>
+      first={folderOf(inProject(project?.mission ?? ""))}
+      list={useListing()}
+      isSelectable={(entry) => entry.kind === "mission"}
+      open={(path) => openMission(session, path)}
+      onClose={() => session.ui.set("dialog", "")}
+      help="What is not saved of the open mission stays as a draft."
+    />
+  );
+}
+
+function useListing(): (folder: string) => Promise<Listed> {
+  const { connection } = useSession();
+  return useCallback(
+    async (folder) => {
+      const { ok, error, result } = await connection.ask({ case: "listFiles", value: { folder } });
+      return { problem: ok ? "" : error, entries: result.case === "files" ? result.value.entries : [] };
+    },
+    [connection],
   );
 }
 
@@ -51,6 +41,7 @@ export function NewMissionDialog() {
   const [folder, setFolder] = useState("");
   const [name, setName] = useState("mission");
   const [kind, setKind] = useState(NewDocument_Kind.MISSION);
+  const list = useListing();
   const close = () => session.ui.set("dialog", "");
   const problem = nameProblem(name);
   const path = join(folder, withEnding(name, kind === NewDocument_Kind.MISSION ? ".mdl" : ".odl"));
@@ -103,6 +94,7 @@ export function NewMissionDialog() {
         onChoose={() => {}}
         onOpen={() => {}}
         isSelectable={() => false}
+        list={list}
       />
     </DialogBox>
   );
@@ -114,6 +106,7 @@ export function SaveAsDialog() {
   const shown = useUi("document");
   const document = documents.find((one) => one.path === shown) ?? documents[0];
   const before = inProject(document?.path ?? "");
+  const list = useListing();
   const [folder, setFolder] = useState(folderOf(before));
   const [name, setName] = useState(nameOf(before) || nameOf((document?.path ?? "").replace(/^examples:/, "")));
   const close = () => session.ui.set("dialog", "");
@@ -147,6 +140,7 @@ export function SaveAsDialog() {
         onChoose={(chosen) => setName(nameOf(chosen))}
         onOpen={() => {}}
         isSelectable={(entry) => entry.kind !== "picture"}
+        list={list}
       />
     </DialogBox>
   );

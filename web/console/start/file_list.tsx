@@ -1,7 +1,7 @@
+// The files of a folder of the project, as the server lists them.
 import { useEffect, useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import type { FileList_Entry } from "../../core/protocol.ts";
-import { useSession } from "../session.ts";
 import { Button } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
 import { ancestors, nameOf } from "./paths.ts";
@@ -14,24 +14,33 @@ interface FileListProps {
   /** Enter or a double click. */
   onOpen: (path: string) => void;
   isSelectable: (entry: FileList_Entry) => boolean;
+  /** What is in a folder. The same function as long as nothing else is to be read. */
+  list: (folder: string) => Promise<Listed>;
 }
 
-export function FileList({ folder, onFolder, chosen, onChoose, onOpen, isSelectable }: FileListProps) {
-  const { connection } = useSession();
+export interface Listed {
+  entries: readonly FileList_Entry[];
+  /** Why there are none; empty: all is well. */
+  problem: string;
+}
+
+export function FileList({ folder, onFolder, chosen, onChoose, onOpen, isSelectable, list }: FileListProps) {
   const [entries, setEntries] = useState<readonly FileList_Entry[] | null>(null);
   const [problem, setProblem] = useState("");
   useEffect(() => {
     let isCurrent = true;
     setEntries(null);
-    void connection.ask({ case: "listFiles", value: { folder } }).then((reply) => {
+    void list(folder).then((listed) => {
       if (!isCurrent) return;
-      setProblem(reply.ok ? "" : reply.error);
-      setEntries(reply.result.case === "files" ? reply.result.value.entries : []);
+      setProblem(listed.problem);
+      setEntries(listed.entries);
     });
     return () => {
       isCurrent = false;
     };
-  }, [connection, folder]);
+  }, [list, folder]);
+  const files = (entries ?? []).filter((entry) => !entry.isFolder);
+  const hasKinds = new Set(files.map((entry) => entry.kind)).size > 1;
   const act = (path: string) => {
     const entry = entries?.find((one) => one.path === path);
     if (entry?.isFolder) onFolder(entry.path);
@@ -59,9 +68,7 @@ export function FileList({ folder, onFolder, chosen, onChoose, onOpen, isSelecta
           else if (entry) onChoose(entry.path);
         }}
         onAction={(key) => act(String(key))}
-        disabledKeys={(entries ?? [])
-          .filter((entry) => !entry.isFolder && !isSelectable(entry))
-          .map((entry) => entry.path)}
+        disabledKeys={files.filter((entry) => !isSelectable(entry)).map((entry) => entry.path)}
         renderEmptyState={() => <p className="empty small">{entries ? "Nothing here." : "Reading…"}</p>}
         items={(entries ?? []).map((entry) => ({ id: entry.path, entry }))}
       >
@@ -69,7 +76,7 @@ export function FileList({ folder, onFolder, chosen, onChoose, onOpen, isSelecta
           <ListBoxItem id={entry.path} className="file" textValue={nameOf(entry.path)}>
             <Icon name={entry.isFolder ? "folder" : entry.kind === "overlay" ? "map" : "file"} />
             <span className="grow ellipsis">{nameOf(entry.path)}</span>
-            {!entry.isFolder && entry.kind !== "other" && <span className="small muted">{entry.kind}</span>}
+            {hasKinds && !entry.isFolder && entry.kind !== "other" && <span className="small muted">{entry.kind}</span>}
           </ListBoxItem>
         )}
       </ListBox>

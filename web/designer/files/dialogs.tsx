@@ -1,5 +1,7 @@
 // Open, save as, save to the library.
-import { useState } from "react";
+import { useCallback, useState } from "react";
+import { FileList, type Listed } from "../../console/start/file_list.tsx";
+import { OpenFileDialog } from "../../console/start/open_dialog.tsx";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "../../console/start/paths.ts";
 import { Button, Field } from "../../console/ui/controls.tsx";
 import { DialogBox } from "../../console/ui/menus.tsx";
@@ -8,41 +10,35 @@ import { Choice } from "../details/choice.tsx";
 import { declarationOf } from "../pages/pages.ts";
 import type { Document } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
-import { FileList } from "./file_list.tsx";
 
 export function OpenDialog() {
   const designer = useDesigner();
-  const [folder, setFolder] = useState(folderOf(inProject(designer.state.document)));
-  const [chosen, setChosen] = useState("");
-  const close = () => designer.store.setState({ dialog: "" });
-  const open = async (path: string) => {
-    if (await designer.open(path)) close();
-  };
   return (
-    <DialogBox
+    <OpenFileDialog
       title="Open a configuration"
-      onClose={close}
-      footer={
-        <>
-          <Button onPress={close}>Cancel</Button>
-          <Button tone="primary" isDisabled={chosen === ""} onPress={() => void open(chosen)}>
-            Open
-          </Button>
-        </>
-      }
-    >
-      <FileList
-        folder={folder}
-        onFolder={(next) => {
-          setFolder(next);
-          setChosen("");
-        }}
-        chosen={chosen}
-        onChoose={setChosen}
-        onOpen={(path) => void open(path)}
-      />
-      <p className="help">What is not saved of the open ones is kept.</p>
-    </DialogBox>
+      first={folderOf(inProject(designer.state.document))}
+      list={useListing()}
+      isSelectable={() => true}
+      open={(path) => designer.open(path)}
+      onClose={() => designer.store.setState({ dialog: "" })}
+      help="What is not saved of the open ones is kept."
+    />
+  );
+}
+
+/** Folders and configurations. */
+function useListing(): (folder: string) => Promise<Listed> {
+  const designer = useDesigner();
+  return useCallback(
+    async (folder) => {
+      const { ok, error, result } = await designer.link.ask({ case: "listFiles", value: { folder } });
+      const entries = result.case === "files" ? result.value.entries : [];
+      return {
+        problem: ok ? "" : error,
+        entries: entries.filter((entry) => entry.isFolder || entry.path.endsWith(".cdl")),
+      };
+    },
+    [designer],
   );
 }
 
@@ -54,6 +50,7 @@ export function SaveAsDialog() {
   const [name, setName] = useState(() => firstName(document));
   const [isThere, setIsThere] = useState(false);
   const [refusal, setRefusal] = useState("");
+  const list = useListing();
   const close = () => designer.store.setState({ dialog: "" });
   if (!document) return null;
   const path = join(folder, withEnding(name, ".cdl"));
@@ -113,6 +110,8 @@ export function SaveAsDialog() {
         chosen=""
         onChoose={(chosen) => setName(nameOf(chosen))}
         onOpen={() => {}}
+        isSelectable={() => true}
+        list={list}
       />
     </DialogBox>
   );

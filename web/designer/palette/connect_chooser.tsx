@@ -1,5 +1,6 @@
 // Connecting by keyboard: the inputs of the page that the selected node's output fits.
 import { useEffect, useState } from "react";
+import { type Choice, Chooser } from "../../console/actions/chooser.tsx";
 import { ranked } from "../../console/actions/search.ts";
 import { rowId } from "../canvas/form.ts";
 import { inputName } from "../canvas/input_name.ts";
@@ -7,7 +8,6 @@ import { connectChange } from "../canvas/wiring.ts";
 import { lastPart } from "../pages/pages.ts";
 import { Drawing_Kind, type FitList_Fit } from "../protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
-import { type Choice, Chooser } from "./chooser.tsx";
 
 export function ConnectChooser() {
   const designer = useDesigner();

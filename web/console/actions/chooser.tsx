@@ -1,14 +1,16 @@
 // A list to be searched by a few letters, in the middle of the page: components to place, inputs to connect, commands.
 import { type ReactNode, useRef, useState } from "react";
 import { Dialog, Modal, ModalOverlay } from "react-aria-components";
-import { Icon } from "../../console/ui/icons.tsx";
-import "../../console/actions/actions.css";
+import { Icon } from "../ui/icons.tsx";
+import "./actions.css";
 
 export interface Choice {
   id: string;
   label: string;
   detail?: string | undefined;
   tail?: string | undefined;
+  /** The keys that do the same. */
+  keys?: string | undefined;
   icon?: ReactNode;
   /** Why it can't be chosen. */
   blocked?: string | undefined;
@@ -107,6 +109,7 @@ export function Chooser({
                   )}
                 </span>
                 {choice.tail && <span className="small muted">{choice.tail}</span>}
+                {choice.keys && <kbd>{choice.keys}</kbd>}
               </div>
             ))}
             {choices.length === 0 && <p className="empty">{empty}</p>}

@@ -1,0 +1,76 @@
+// All that can be done: found by typing a few letters, and as a sheet of its keys.
+import { Icon, type IconName } from "../ui/icons.tsx";
+import { DialogBox } from "../ui/menus.tsx";
+import { Chooser } from "./chooser.tsx";
+import { shownShortcut } from "./keys.ts";
+import { ranked } from "./search.ts";
+
+export interface Command {
+  id: string;
+  label: string;
+  group: string;
+  icon?: IconName;
+  shortcut?: string;
+  /** Why it can't be done now. */
+  blocked?: string | undefined;
+  run: () => void;
+}
+
+interface CommandsProps {
+  commands: readonly Command[];
+  onClose: () => void;
+}
+
+export function CommandPalette({ commands, onClose }: CommandsProps) {
+  return (
+    <Chooser
+      title="All commands"
+      placeholder="What do you want to do?"
+      find={(query) =>
+        ranked(query, commands, (one) => `${one.label} ${one.group}`).map((one) => ({
+          id: one.id,
+          label: one.label,
+          tail: one.group,
+          keys: one.shortcut && shownShortcut(one.shortcut),
+          ...(one.blocked ? { blocked: one.blocked } : {}),
+          ...(one.icon ? { icon: <Icon name={one.icon} /> } : {}),
+        }))
+      }
+      onChoose={(id) => commands.find((one) => one.id === id)?.run()}
+      onClose={onClose}
+    />
+  );
+}
+
+interface KeySheetProps extends CommandsProps {
+  /** What the mouse does: the heading, and what is done by what. */
+  pointer: { title: string; rows: readonly (readonly [string, string])[] };
+}
+
+/** The commands that have a key, by their groups. */
+export function KeySheet({ commands, pointer, onClose }: KeySheetProps) {
+  const groups = new Map<string, (readonly [string, string])[]>();
+  for (const { group, label, shortcut } of commands)
+    if (shortcut) groups.set(group, [...(groups.get(group) ?? []), [shownShortcut(shortcut), label]]);
+  return (
+    <DialogBox title="Keyboard shortcuts" onClose={onClose} width={900}>
+      <div className="sheet">
+        {[...groups, [pointer.title, pointer.rows] as const].map(([title, rows]) => (
+          <section key={title}>
+            <h3>{title}</h3>
+            <dl>
+              {rows.map(([keys, does]) => (
+                <div key={`${keys} ${does}`}>
+                  <dt>{does}</dt>
+                  <dd>
+                    <kbd>{keys}</kbd>
+                  </dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+        ))}
+      </div>
+    </DialogBox>
+  );
+}
