@@ -4,10 +4,11 @@ import { Compartment, EditorState } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { useEffect, useRef } from "react";
 import { bytesOf } from "../../console/editor/bytes.ts";
+import { kFromServer } from "../../console/editor/live_editor.ts";
 import { applyFix } from "../problems/apply_fix.ts";
 import { AskLanguage_What, type Document } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
-import { kFromServer, type LiveText, liveText } from "./live_text.ts";
+import { type LiveText, liveText } from "./live_text.ts";
 import { editorParts } from "./setup.ts";
 import "../../console/editor/editor.css";
 
