@@ -8,9 +8,14 @@ import { kWide, type Notice, renamed, type Shown, type State, type Store, shownA
 /** How a page is come to: by a step of its own, which Back takes back, or along the steps that the browser has kept. */
 type Step = "on" | "along";
 
+/** Once one of these was done, what was refused before is of yesterday. */
+const kMends: ReadonlySet<Request["case"]> = new Set(["edit", "undo", "redo", "save", "reload"]);
+
 export class Designer {
   readonly link: Link;
   private pendingNode = "";
+  /** Documents by the names that they had: steps of the browser still lead to those. */
+  private readonly movedTo = new Map<string, string>();
   /** The way of a page that is being gone into: a component of the library has to be opened first. */
   private entered: Crumb[] | null = null;
 
@@ -64,6 +69,7 @@ export class Designer {
   async ask(request: Request): Promise<Answer> {
     const answer = await this.link.ask(request);
     if (!answer.ok) this.tell(answer.error);
+    else if (kMends.has(request.case) && this.state.notice?.tone === "danger") this.store.setState({ notice: null });
     return answer;
   }
 
@@ -116,9 +122,19 @@ export class Designer {
 
   /** The address's fragment, as when the page is loaded or somebody goes back. */
   followAddress(): void {
-    const place = fromFragment(window.location.hash);
+    const written = fromFragment(window.location.hash);
+    const place = { ...written, document: this.nowCalled(written.document) };
+    if (place.document !== written.document) {
+      window.history.replaceState(null, "", window.location.pathname + window.location.search + toFragment(place));
+    }
     const isSame = place.document === this.state.document && place.page === this.state.page;
     if (!isSame || place.node) this.goTo(place.document, place.page, place.node, "along");
+  }
+
+  private nowCalled(document: string): string {
+    let now = document;
+    for (let i = 0; i < this.movedTo.size && !this.state.documents[now]; ++i) now = this.movedTo.get(now) ?? now;
+    return now;
   }
 
   /** All changes or none, as one step of undo. */
@@ -146,15 +162,16 @@ export class Designer {
   }
 
   /** Under its name, or asks for one where it has none or can't be changed. */
-  async save(overwrite = false): Promise<void> {
+  async save(overwrite = false): Promise<boolean> {
     const document = this.document;
-    if (!document) return;
+    if (!document) return false;
     if (document.isReadOnly || isNew(document.path)) {
       this.store.setState({ dialog: "save-as" });
-      return;
+      return false;
     }
     const answer = await this.ask({ case: "save", value: { document: document.path, overwrite } });
     if (answer.ok) this.say(`Saved ${document.path}`);
+    return answer.ok;
   }
 
   /** Throws away a document that has no file. */
@@ -199,6 +216,7 @@ export class Designer {
       case "renamed": {
         const { from, to } = body.value;
         store.setState((state) => renamed(state, from, to));
+        this.movedTo.set(from, to);
         this.keepAddress(false, "");
         break;
       }

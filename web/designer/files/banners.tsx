@@ -73,13 +73,16 @@ function ChangedBanner() {
     const answer = await designer.ask({ case: "reload", value: { document: document.path, merge } });
     if (answer.ok) dismiss();
   };
+  const keep = async () => {
+    if (await designer.save(true)) dismiss();
+  };
   const name = nameOf(document);
   if (changed.isGone) {
     return (
       <Banner tone="hold">
         <Icon name="file" />
         <span className="grow">{name} is gone from the disk. Save writes it anew.</span>
-        <Button onPress={() => void designer.save(true).then(dismiss)}>Save</Button>
+        <Button onPress={() => void keep()}>Save</Button>
         <IconButton icon="close" label="Dismiss" onPress={dismiss} />
       </Banner>
     );
@@ -97,11 +100,13 @@ function ChangedBanner() {
     <Banner tone="hold" role="alert">
       <Icon name="file" />
       <span className="grow">{name} was changed on the disk, and you have changes that are not saved.</span>
-      <Button tone="primary" onPress={() => void reload(true)}>
-        Merge both
-      </Button>
-      <Button onPress={() => void reload(false)}>Take the disk's</Button>
-      <Button onPress={() => void designer.save(true).then(dismiss)}>Keep mine</Button>
+      <span className="banner-acts">
+        <Button tone="primary" onPress={() => void reload(true)}>
+          Merge both
+        </Button>
+        <Button onPress={() => void reload(false)}>Take the disk's</Button>
+        <Button onPress={() => void keep()}>Keep mine</Button>
+      </span>
     </Banner>
   );
 }
@@ -208,7 +213,9 @@ function NoticeBanner() {
 export function sentence(text: string): string {
   const plain = text.replaceAll("`", "").trim();
   if (plain === "") return "";
-  const capital = plain[0]!.toUpperCase() + plain.slice(1);
+  // The name of a file stays as it is written.
+  const isName = /^\S*[./_]\S/.test(plain);
+  const capital = isName ? plain : plain[0]!.toUpperCase() + plain.slice(1);
   return /[.!?]$/.test(capital) ? capital : `${capital}.`;
 }
 
