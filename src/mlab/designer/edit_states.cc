@@ -197,6 +197,19 @@ Done Editor::remove_states(const PageView& view, const Remove& change) {
   const cdl::Sequence& all = *view.page->sequence;
   if (gone.size() >= all.states.size()) return refusal("a sequence has one state at least");
   const TokenMap& tokens = work_.tokens();
+  // Where it began: it begins in the first that stays.
+  const auto stays = [&](const cdl::State& state) { return !gone.contains(state.name.text); };
+  const auto first_left = std::ranges::find_if(all.states, stays);
+  if (first_left == all.states.end()) return refusal("a sequence has one state at least");
+  const bool loses_start = std::ranges::any_of(
+      all.states, [&](const cdl::State& state) { return state.is_start && !stays(state); });
+  if (loses_start && std::ranges::none_of(all.states, [&](const cdl::State& state) {
+        return state.is_start && stays(state);
+      })) {
+    std::size_t begin = tokens.at(first_left->name.place.span.begin);
+    while (begin > 0 && tokens.word(begin - 1) == "final") --begin;
+    work_.insert(tokens.tokens()[begin].span.begin, "start ");
+  }
   for (const cdl::State& state : all.states) {
     const bool is_gone = gone.contains(state.name.text);
     for (const cdl::Transition& transition : state.transitions) {

@@ -146,6 +146,30 @@ TEST(Edit, ExposesAnInputAsAParameter) {
             "    wild: Noise(persistence = persistence);\n  }\n}\n");
 }
 
+TEST(Edit, ASequenceThatLosesItsStartBeginsInTheFirstStateThatStays) {
+  DrawnText text(R"(assemblage Walk() {
+  sequence {
+    start Out: MoveAhead();
+      when Wait(delay = 3 s) goto Rest;
+    final Rest: Stand();
+    Back: MoveAhead();
+      when Wait(delay = 3 s) goto Out;
+  }
+}
+)");
+  text.change([](Change& change) {
+    change.mutable_remove()->set_page("Walk");
+    change.mutable_remove()->add_nodes("Out");
+  });
+  EXPECT_EQ(text.text(), R"(assemblage Walk() {
+  sequence {
+    start final Rest: Stand();
+    Back: MoveAhead();
+  }
+}
+)");
+}
+
 TEST(Edit, DrawsStates) {
   DrawnText text("assemblage Forage(attractor: object_class = Mine) {\n}\n");
   text.place("Forage", "sequence");
