@@ -8,6 +8,7 @@ import { innerOf } from "../pages/inside.ts";
 import { outer } from "../pages/pages.ts";
 import { goToPane } from "../pages/panes.ts";
 import { Drawing_Kind } from "../protocol.ts";
+import { startTour } from "../tour/start.ts";
 import type { Action } from "./action.ts";
 import { arrangeAll } from "./arranging.ts";
 import {
@@ -477,7 +478,8 @@ function viewActions(designer: Designer): Action[] {
   ];
 }
 
-function helpActions({ store }: Designer): Action[] {
+function helpActions(designer: Designer): Action[] {
+  const { store } = designer;
   return [
     {
       id: "commands",
@@ -496,7 +498,7 @@ function helpActions({ store }: Designer): Action[] {
       shortcut: "?",
       run: () => store.setState({ dialog: "shortcuts" }),
     },
-    { id: "tour", label: "Guided first tour", group: "Help", icon: "why", run: () => store.setState({ tour: 0 }) },
+    { id: "tour", label: "Guided first tour", group: "Help", icon: "why", run: () => void startTour(designer) },
   ];
 }
 

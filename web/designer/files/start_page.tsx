@@ -5,6 +5,7 @@ import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon, type IconName } from "../../console/ui/icons.tsx";
 import { DialogBox } from "../../console/ui/menus.tsx";
 import { isNew } from "../designer.ts";
+import { startTour } from "../tour/start.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { type Entry, recentEntries, shownPlace } from "./unsaved.ts";
 import "../../console/start/start.css";
@@ -31,7 +32,7 @@ export function StartPage() {
           </p>
         </header>
         <div className="columns">
-          <Button tone="primary" className="large" icon="why" onPress={() => void beginTour(designer)}>
+          <Button tone="primary" className="large" icon="why" onPress={() => void startTour(designer)}>
             Guided first tour
           </Button>
           <Button className="large" icon="plus" onPress={() => void designer.open("", "")}>
@@ -89,11 +90,6 @@ function DiscardDialog({ entry, onClose }: { entry: Entry; onClose: () => void }
       <p>It was never saved: what it holds is lost.</p>
     </DialogBox>
   );
-}
-
-/** From an empty canvas to a robot that wanders. */
-export async function beginTour(designer: ReturnType<typeof useDesigner>): Promise<void> {
-  if (await designer.open("", "")) designer.store.setState({ tour: 0 });
 }
 
 function Entries({

@@ -2,7 +2,7 @@
 // by what stands in the drawing, however it came there.
 
 import { drawingOf } from "../designer.ts";
-import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
 import type { State } from "../state.ts";
 
 export interface Step {
@@ -10,6 +10,8 @@ export interface Step {
   text: string;
   /** What of the page it is about: a selector. */
   at?: string;
+  /** What of the drawing it speaks of: components, or the Result. They are brought into sight. */
+  nodes?: readonly string[];
   /** Which component of the palette comes next; empty: none. */
   next?: (state: State) => string;
   /** Done; the tour goes on by itself. Without: by a button. */
@@ -41,13 +43,14 @@ export const kSteps: readonly Step[] = [
   },
   {
     title: "Wires",
-    text: "Drag from the round output at the right of Noise to an input of cooperate. While you drag, the inputs that fit light up. Then the same with the other two.",
+    text: "Drag from the round output at the right of Noise to “+ add” of cooperate. While you drag, the inputs that fit light up. Then the same with the other two.",
     at: ".canvas",
+    nodes: [...kMotors, "cooperate"],
     isDone: (state) => readersOf(drawingOf(state), kMotors).size >= 3,
   },
   {
     title: "Eyes",
-    text: "The two lower ones have to see obstacles: place Sense obstacles, which is below Sensors, and lead its output to the readings of both.",
+    text: "Avoid static obstacles and Probe have to see obstacles: place Sense obstacles, which is below Sensors, and lead its output to the readings of both.",
     at: ".canvas",
     next: (state) => missing(state, ["sense_obstacles"]),
     isDone: (state) => isFed(drawingOf(state), "AvoidStaticObstacles") && isFed(drawingOf(state), "Probe"),
@@ -56,12 +59,14 @@ export const kSteps: readonly Step[] = [
     title: "The result",
     text: "Lead the output of cooperate to Result: that is what Wander makes a robot do.",
     at: ".canvas",
+    nodes: ["cooperate", kResult],
     isDone: (state) => (drawingOf(state)?.resultNode ?? "") !== "",
   },
   {
     title: "Values",
     text: "Click on a value, such as persistence of Noise, to change it: how long the robot keeps a direction. At the top right you see whether anything is wrong.",
     at: "[data-testid='verdict']",
+    nodes: ["Noise"],
   },
   {
     title: "Run",
@@ -72,6 +77,13 @@ export const kSteps: readonly Step[] = [
 
 function has(drawing: Drawing | undefined, component: string): boolean {
   return drawing?.nodes.some((node) => node.component === component || node.name === component) ?? false;
+}
+
+/** The names of the nodes that a step speaks of, as they stand on the page. */
+export function nodesOf(step: Step, drawing: Drawing | undefined): string[] {
+  const spoken = step.nodes ?? [];
+  const named = (drawing?.nodes ?? []).filter(({ component }) => spoken.includes(component)).map(({ name }) => name);
+  return spoken.includes(kResult) ? [...named, kResult] : named;
 }
 
 /** The first of them that does not stand on the page yet. */

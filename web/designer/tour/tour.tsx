@@ -1,8 +1,10 @@
 // The card of the guided first tour, and the ring round what it is about.
-import { useEffect, useState } from "react";
+import { type RefObject, useEffect, useRef, useState } from "react";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { fit } from "../canvas/view.ts";
 import { useDesigner, usePart } from "../use.ts";
-import { kSteps } from "./steps.ts";
+import { bestCorner, type Corner, isInside } from "./corner.ts";
+import { kSteps, nodesOf, type Step } from "./steps.ts";
 import "./tour.css";
 
 export function Tour() {
@@ -10,8 +12,15 @@ export function Tour() {
   const at = usePart((state) => state.tour);
   const step = kSteps[at];
   const isDone = usePart((state) => kSteps[state.tour]?.isDone?.(state) ?? false);
+  // A step that was done before it came waits for who reads it.
+  const entered = useRef({ at: -1, wasDone: false });
+  if (entered.current.at !== at) entered.current = { at, wasDone: isDone };
+  else if (!isDone) entered.current.wasDone = false;
+  useInSight(step);
+  const card = useRef<HTMLElement>(null);
+  const corner = useCorner(card, step !== undefined);
   useEffect(() => {
-    if (!isDone) return;
+    if (!isDone || entered.current.wasDone) return;
     const timer = setTimeout(() => go(designer, at + 1), 500);
     return () => clearTimeout(timer);
   }, [isDone, at, designer]);
@@ -21,7 +30,7 @@ export function Tour() {
   return (
     <>
       <Ring selector={step.at ?? ""} next={next} />
-      <section className="tour-card" aria-label="Guided tour" aria-live="polite">
+      <section ref={card} className={`tour-card ${corner}`} aria-label="Guided tour" aria-live="polite">
         <header>
           <h2>{step.title}</h2>
           <span className="small muted">
@@ -52,6 +61,43 @@ export function Tour() {
 
 function go(designer: ReturnType<typeof useDesigner>, step: number): void {
   designer.store.setState({ tour: step < kSteps.length ? step : -1 });
+}
+
+/** Brings what a step speaks of into sight when the step comes. */
+function useInSight(step: Step | undefined): void {
+  const designer = useDesigner();
+  useEffect(() => {
+    const area = document.querySelector(".canvas")?.getBoundingClientRect();
+    if (!step || !area) return;
+    const boxes = nodesOf(step, designer.drawing).map((name) => elementOf(name)?.getBoundingClientRect());
+    if (boxes.some((box) => box && !isInside(box, area))) fit();
+  }, [step, designer]);
+}
+
+function elementOf(node: string): Element | null {
+  return document.querySelector(`.canvas .react-flow__node[data-id="${CSS.escape(node)}"]`);
+}
+
+/** Out of the way of what is drawn. It stays under the pointer, and while it has the focus. */
+function useCorner(card: RefObject<HTMLElement | null>, isShown: boolean): Corner {
+  const [corner, setCorner] = useState<Corner>("bottom-right");
+  useEffect(() => {
+    if (!isShown) return;
+    const look = () => {
+      const own = card.current;
+      const area = document.querySelector(".canvas")?.getBoundingClientRect();
+      if (!own || !area || own.matches(":hover, :focus-within")) return;
+      const drawn = [...document.querySelectorAll(".canvas .react-flow__node")].map((one) =>
+        one.getBoundingClientRect(),
+      );
+      const { offsetWidth: width, offsetHeight: height } = own;
+      setCorner((now) => bestCorner(area, { width, height }, drawn, now));
+    };
+    look();
+    const timer = setInterval(look, 400);
+    return () => clearInterval(timer);
+  }, [card, isShown]);
+  return corner;
 }
 
 /** Round the part of the page that the step is about, or the component that comes next, which is brought into sight. */

@@ -1,0 +1,8 @@
+// The tour begins on an empty page: with a new configuration, unless the one that is shown is empty.
+import type { Designer } from "../designer.ts";
+
+export async function startTour(designer: Designer): Promise<void> {
+  const { document } = designer;
+  const isEmpty = document !== undefined && !document.isReadOnly && document.declarations.length === 0;
+  if (isEmpty || (await designer.open("", ""))) designer.store.setState({ tour: 0 });
+}
