@@ -14,9 +14,13 @@ const kPauseOfMany = 100; // where the page has many values
 
 /** The page under which values of pins are kept. */
 export const kPinPage = "$pin";
+/** Below it: how long the plots of probes are; `number` is in seconds. */
+export const kPinSpan = "$span";
 
 export class Follower {
   private readonly traces = new Traces();
+  /** The robot of which they are. */
+  private traced = 0;
   private known: readonly { program: string; path: string }[] = [];
   private plan: Plan | null = null;
   private witnesses: ReadonlyMap<string, readonly string[]> = new Map();
@@ -84,7 +88,10 @@ export class Follower {
     if (!isSame) store.setState({ places });
     if (place !== undefined && place !== before.place) store.setState({ place });
     this.plan = drawing && place !== undefined ? planOf(drawing, place, ports) : null;
-    this.traces.keep(new Set());
+    // Probes go on: what they have shown is of the same ports, of the same robot.
+    const isOther = this.traced !== this.robot;
+    this.traced = this.robot;
+    this.traces.keep(new Set(isOther ? [] : before.pins.map(({ port }) => liveKey(kPinPage, port))));
     connection.watching.wish("drawing", {
       rate: designer.state.shown.live ? 30 : 15,
       details: this.robot === 0 ? [] : [this.robot],
@@ -159,6 +166,8 @@ export class Follower {
         const key = liveKey(kPinPage, path);
         if (value) values.set(key, withTrace(value, ports[at]!, key, this.traces));
       }
+      const span = Math.round(this.traces.span);
+      values.set(liveKey(kPinPage, kPinSpan), { text: span < 1 ? "" : `the last ${span} s`, number: span });
     }
     liveValues.set(values);
   }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Traces, tracePath } from "./traces.ts";
+import { Traces, tracePath, traceRange } from "./traces.ts";
 
 test("a moment gives one sample, and going back begins anew", () => {
   const traces = new Traces();
@@ -33,4 +33,16 @@ test("a plot fills its box, and a value that stays is a line in the middle", () 
   expect(tracePath([3, 3], 79, 12)).toBe("M78.0 6.0L79.0 6.0");
   expect(tracePath([1], 79, 12)).toBe("");
   expect(tracePath([Number.NaN, Number.POSITIVE_INFINITY], 79, 12)).toBe("");
+});
+
+test("a plot knows between which values it goes, and over how long", () => {
+  expect(traceRange([2, Number.NaN, -1, 1])).toEqual({ low: -1, high: 2 });
+  expect(traceRange([3, 3])).toBeUndefined();
+  expect(traceRange([3])).toBeUndefined();
+  const traces = new Traces();
+  expect(traces.span).toBe(0);
+  for (let time = 0; time < 200; ++time) traces.at(time);
+  expect(traces.span).toBe(79);
+  traces.at(5);
+  expect(traces.span).toBe(0);
 });

@@ -6,12 +6,22 @@ export class Traces {
   private readonly samples = new Map<string, number[]>();
   private time = Number.NEGATIVE_INFINITY;
   private isNew = false;
+  /** Of the last moments [s]. */
+  private readonly times: number[] = [];
 
   /** Begins the samples of a moment [s]; going back in time forgets all. */
   at(time: number): void {
-    if (time < this.time) this.samples.clear();
+    if (time < this.time) this.clear();
     this.isNew = time !== this.time;
     this.time = time;
+    if (!this.isNew) return;
+    this.times.push(time);
+    if (this.times.length > kMost) this.times.shift();
+  }
+
+  /** How long the longest plot can be that ends now [s]: of as many samples as are kept. */
+  get span(): number {
+    return this.times.length === 0 ? 0 : this.time - this.times[0]!;
   }
 
   /** The samples with this one, oldest first; the same array as before where no time has passed. */
@@ -25,6 +35,7 @@ export class Traces {
 
   clear(): void {
     this.samples.clear();
+    this.times.length = 0;
     this.time = Number.NEGATIVE_INFINITY;
   }
 
@@ -32,6 +43,15 @@ export class Traces {
   keep(keys: ReadonlySet<string>): void {
     for (const key of this.samples.keys()) if (!keys.has(key)) this.samples.delete(key);
   }
+}
+
+/** Between which values the samples are; nothing: too few, or nothing changes. */
+export function traceRange(samples: readonly number[]): { low: number; high: number } | undefined {
+  const finite = samples.filter(Number.isFinite);
+  if (finite.length < 2) return undefined;
+  const low = Math.min(...finite);
+  const high = Math.max(...finite);
+  return high - low > 1e-12 ? { low, high } : undefined;
 }
 
 /** A path through the samples, in a box of this size; empty where there are less than two or nothing changes. */
