@@ -29,8 +29,9 @@ export function openMenu(designer: Designer, id: string, event: { clientX: numbe
 }
 
 function entriesOf(designer: Designer, id: string): Action[] {
-  const common = allActions(designer).filter((one) => kCommon.includes(one.id));
-  return [...(extensions.menu?.(designer, id) ?? []), ...common].filter((one) => one.blocked === undefined);
+  const common = allActions(designer).filter((one) => kCommon.includes(one.id) && one.blocked === undefined);
+  // What only waits for a run is there before one, and says so.
+  return [...(extensions.menu?.(designer, id) ?? []), ...common];
 }
 
 export function ContextMenu() {
@@ -54,9 +55,19 @@ export function ContextMenu() {
       >
         <Menu className="menu" aria-label={`Menu of ${opened.id}`} autoFocus="first" onClose={close}>
           {entries.map((entry) => (
-            <MenuItem key={entry.id} id={entry.id} className="menu-item" textValue={entry.label} onAction={entry.run}>
+            <MenuItem
+              key={entry.id}
+              id={entry.id}
+              className="menu-item"
+              textValue={entry.label}
+              isDisabled={entry.blocked !== undefined}
+              onAction={entry.run}
+            >
               {entry.icon && <Icon name={entry.icon} />}
-              <span className="texts">{entry.label}</span>
+              <span className="texts">
+                {entry.label}
+                {entry.blocked !== undefined && <span className="small muted">{entry.blocked}</span>}
+              </span>
               {entry.shortcut && (
                 <span className="tail">
                   <kbd>{shownShortcut(entry.shortcut)}</kbd>

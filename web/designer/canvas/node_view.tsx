@@ -3,6 +3,7 @@ import { Handle, type NodeProps, Position } from "@xyflow/react";
 import { memo } from "react";
 import { Icon } from "../../console/ui/icons.tsx";
 import { LiveBadge } from "../live/badge.tsx";
+import { BreakDot } from "../live/break_dot.tsx";
 import { useLive } from "../live/use_live.ts";
 import type { Node } from "../protocol.ts";
 import { useDesigner, usePart } from "../use.ts";
@@ -42,6 +43,7 @@ export const NodeView = memo(function NodeView({ data, selected }: Props) {
       <svg className="node-outline" width={form.width} height={form.height} aria-hidden="true">
         <path d={outlinePath(form.outline, form.width, form.height)} />
       </svg>
+      <BreakDot page={page} id={node.name} />
       {distance === "far" ? (
         <>
           <div className="node-far">{form.title}</div>

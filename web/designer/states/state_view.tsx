@@ -2,6 +2,7 @@
 import { Handle, type NodeProps, Position } from "@xyflow/react";
 import { type CSSProperties, Fragment, memo } from "react";
 import { Icon } from "../../console/ui/icons.tsx";
+import { BreakDot } from "../live/break_dot.tsx";
 import { useLive } from "../live/use_live.ts";
 import { useDesigner, usePart } from "../use.ts";
 import type { StateNode } from "./flow.ts";
@@ -36,6 +37,7 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
           <path d="M11 10h20M26 5l6 5-6 5" />
         </svg>
       )}
+      <BreakDot page={page} id={state.name} />
       <span className="state-name ellipsis" style={{ "--far-size": `${farSize}px` } as CSSProperties}>
         {nameParts(state.name).map((part, i) => (
           <Fragment key={`${i} ${part}`}>

@@ -1,6 +1,7 @@
 // A transition: the way from state to state, with its trigger and its place in the order of asking.
 import { EdgeLabelRenderer, type EdgeProps, useInternalNode } from "@xyflow/react";
 import { memo, useEffect, useRef, useState } from "react";
+import { BreakDot, useBreaks } from "../live/break_dot.tsx";
 import { useLive } from "../live/use_live.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { curveOf, type TransitionEdge, transitionId } from "./flow.ts";
@@ -47,6 +48,7 @@ function TransitionLabel({
   const designer = useDesigner();
   const { transition, siblings, lines, scale } = data;
   const id = transitionId(transition);
+  const breaks = useBreaks(data.page, id);
   const isSelected = usePart((state) => state.selection.includes(id));
   return (
     <button
@@ -55,11 +57,12 @@ function TransitionLabel({
       style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px) scale(${scale})` }}
       title={[transition.trigger, transition.help].filter((one) => one !== "").join("\n\n") || undefined}
       data-transition={id}
-      aria-label={spokenTransition(transition)}
+      aria-label={`${spokenTransition(transition)}${breaks ? ", with a breakpoint" : ""}`}
       aria-pressed={isSelected}
       onClick={(event) => designer.select(event.shiftKey ? [...designer.state.selection, id] : [id])}
       onDoubleClick={() => designer.store.setState({ dialog: "rename", subject: id })}
     >
+      <BreakDot page={data.page} id={id} />
       {siblings > 1 && <span className="transition-order" data-order={transition.index + 1} aria-hidden="true" />}
       <span className="transition-lines" data-lines={lines.join("\n")} aria-hidden="true" />
       {transition.restarts && <span className="transition-anew" title="Starts the state anew" aria-hidden="true" />}
