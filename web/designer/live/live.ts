@@ -17,7 +17,7 @@ import { besideSimulator, kWide } from "../state.ts";
 import type { BreakpointInit } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
-import { createLiveState, type DrawnAt, type Pin } from "./live_state.ts";
+import { createLiveState, type DrawnAt, type Pin, setupKey, type Tried } from "./live_state.ts";
 import { drawnAtOf, endedMarks, type MarkInit, markAt, pinsOf, renamedBreakpoints } from "./marks.ts";
 import { remember, remembered } from "./remembered.ts";
 import { isMoving, runButton, type Situation } from "./run_button.ts";
@@ -79,9 +79,15 @@ export class Live {
       errors: document?.problems.filter(({ diagnostic }) => !diagnostic?.isWarning).length ?? 0,
       hasSubject: subjectOf(document?.declarations ?? [], subject, designer.state.page) !== undefined,
       isOurs,
-      isCurrent: isOurs && tried.revision === document?.revision,
+      isCurrent: isOurs && tried.revision === document?.revision && !this.isOtherSetup(tried),
       mode: model.get("status")?.mode ?? Status_Mode.NO_MISSION,
     };
+  }
+
+  /** Whether what runs, how many or where was changed since; another page alone is none: it may be only looked at. */
+  private isOtherSetup(tried: Tried): boolean {
+    const state = this.store.getState();
+    return tried.setup !== setupKey(state.subject, state);
   }
 
   /** Opens the pane; where the window is narrow the drawing gets the palette's room. */
@@ -147,6 +153,7 @@ export class Live {
     const tried = {
       document: document.path,
       revision: document.revision,
+      setup: setupKey(subject, { robots, overlay, starts }),
       mission: trial?.mission ?? "",
       notes: trial?.notes ?? [],
     };
@@ -329,7 +336,10 @@ export class Live {
   }
 
   private recall(): void {
-    if (!this.store.getState().tried) this.store.setState({ tried: remembered(window.sessionStorage, this.server) });
+    const state = this.store.getState();
+    if (state.tried) return;
+    const tried = remembered(window.sessionStorage, this.server, setupKey(state.subject, state));
+    this.store.setState({ tried });
   }
 
   private handOver(): void {

@@ -8,6 +8,8 @@ import type { FieldArrow } from "./field_arrows.ts";
 export interface Tried {
   readonly document: string;
   readonly revision: bigint;
+  /** What was asked for, as `setupKey` says it. */
+  readonly setup: string;
   /** Path of the mission among the simulator's documents. */
   readonly mission: string;
   /** What was assumed, sentences. */
@@ -69,6 +71,11 @@ export interface LiveState {
   field: Field | null;
   /** Why there is no field. */
   fieldError: string;
+}
+
+/** What runs, how many, where: the same words for the same run. */
+export function setupKey(name: string, { robots, overlay, starts }: Pick<LiveState, "robots" | "overlay" | "starts">) {
+  return JSON.stringify([name, robots, overlay, starts]);
 }
 
 export type LiveStore = StoreApi<LiveState>;

@@ -11,14 +11,16 @@ export function remember(storage: Storage, server: string, tried: Tried): void {
   }
 }
 
-export function remembered(storage: Storage, server: string): Tried | null {
+/** `setup`: what is set now, which is what was tried as far as anybody knows. */
+export function remembered(storage: Storage, server: string, setup: string): Tried | null {
   try {
     const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "null");
     if (typeof stored !== "object" || stored === null) return null;
     const { document, revision, mission, notes, server: of } = stored as Record<string, unknown>;
     if (of !== server || typeof document !== "string" || typeof mission !== "string") return null;
     if (typeof revision !== "string" || !/^\d+$/.test(revision) || !Array.isArray(notes)) return null;
-    return { document, revision: BigInt(revision), mission, notes: notes.filter((one) => typeof one === "string") };
+    const texts = notes.filter((one) => typeof one === "string");
+    return { document, revision: BigInt(revision), setup, mission, notes: texts };
   } catch {
     return null;
   }

@@ -41,7 +41,7 @@ function Bar() {
         </Button>
       </Hint>
       {offersChange(now) && (
-        <Hint text="The text has changed since it was run: begins anew with what stands there now">
+        <Hint text="The text, or what is to run, has changed since it was run: begins anew with what stands there now">
           <Button icon="restart" onPress={() => void live.tryOut(true)}>
             Run the change
           </Button>
