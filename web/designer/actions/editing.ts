@@ -231,7 +231,7 @@ async function makeNote(designer: Designer, name: string, note: ChangeOf<"setNot
 
 export function addNote(designer: Designer): Promise<void> {
   const size = { width: 200, height: 80 };
-  return makeNote(designer, "add a comment", { text: "Comment", ...size, ...freePlace(designer, size) });
+  return makeNote(designer, "add a comment", { text: "Comment", ...size, ...freePlace(designer, "", size) });
 }
 
 const kFrameRoom = 24;

@@ -1,5 +1,6 @@
 // Puts a component on the page that is shown.
 
+import { beside, sideOf } from "../arrange/beside.ts";
 import { onPitch } from "../arrange/elk.ts";
 import { canvasStore } from "../canvas/canvas_store.ts";
 import { rowId } from "../canvas/form.ts";
@@ -14,12 +15,16 @@ import { memberOf, stateName } from "../states/member.ts";
 /** As large as most nodes; how large a new one is shows only when it is there. */
 const kUsual = { width: 200, height: 60 };
 
-/** Where a new node comes that nobody said a place for: in the middle of what is in sight, not on another one. */
-export function freePlace(designer: Designer, { width, height } = kUsual): { x: number; y: number } {
+/**
+ * Where a new node comes that nobody said a place for: beside the one that is selected, else in the middle of what is in
+ * sight; not on another one.
+ */
+export function freePlace(designer: Designer, component = "", { width, height } = kUsual): { x: number; y: number } {
   const { view } = canvasStore.getState();
   const drawing = designer.drawing;
-  const x = onPitch(view.x + view.width / 2 - 90);
-  let y = onPitch(view.y + view.height / 2 - 40);
+  const wished = besideSelected(designer, component, { width, height });
+  const x = onPitch(wished?.x ?? view.x + view.width / 2 - 90);
+  let y = onPitch(wished?.y ?? view.y + view.height / 2 - 40);
   const places = drawing ? placesOf(drawing) : null;
   if (!drawing || !places) return { x, y };
   const sizes = sizesOf(drawing);
@@ -36,11 +41,21 @@ export function freePlace(designer: Designer, { width, height } = kUsual): { x: 
   return { x, y };
 }
 
+function besideSelected(designer: Designer, component: string, size: { width: number; height: number }) {
+  const { selection, palettes, document } = designer.state;
+  const { drawing } = designer;
+  const node = selection.length === 1 ? drawing?.nodes.find(({ name }) => name === selection[0]) : undefined;
+  const placed = palettes[document]?.components.find(({ name }) => name === component);
+  const at = node && drawing && placesOf(drawing)?.get(node.name);
+  const box = node && drawing && sizesOf(drawing).get(node.name);
+  return placed && at && box ? beside(sideOf(node, placed), { ...at, ...box }, size) : undefined;
+}
+
 export async function place(designer: Designer, component: string, placing: Placing | null): Promise<boolean> {
   const { page } = designer.state;
   const drawing = designer.drawing;
   if (!drawing) return false;
-  const { x, y } = placing ?? freePlace(designer);
+  const { x, y } = placing ?? freePlace(designer, component);
   if (drawing.kind === Drawing_Kind.STATES) return placeState(designer, component, placing?.replace ?? "", { x, y });
   if (placing?.replace) {
     return (await designer.edit("", { case: "replace", value: { page, node: placing.replace, component } })).ok;

@@ -1,0 +1,41 @@
+// On which side of the selected node a new one comes, so that wires between the two lead on and not back.
+
+/** What of a node or of a component counts. */
+export interface Ends {
+  readonly type: string;
+  readonly inputs: readonly { readonly type: string }[];
+}
+
+export type Side = "right" | "left" | "below";
+
+/** Right of it what takes its value, left of it what it takes, and below it what has nothing to do with it. */
+export function sideOf(selected: Ends, placed: Ends): Side {
+  if (takes(placed, selected)) return "right";
+  if (takes(selected, placed)) return "left";
+  return "below";
+}
+
+function takes(reader: Ends, from: Ends): boolean {
+  return from.type !== "" && reader.inputs.some(({ type }) => type === from.type || type === "" || type === "any");
+}
+
+const kRoom = { across: 64, down: 32 }; // px between the two
+
+export interface Box {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Its upper left corner. */
+export function beside(side: Side, box: Box, size: { width: number; height: number }): { x: number; y: number } {
+  switch (side) {
+    case "right":
+      return { x: box.x + box.width + kRoom.across, y: box.y };
+    case "left":
+      return { x: box.x - size.width - kRoom.across, y: box.y };
+    case "below":
+      return { x: box.x, y: box.y + box.height + kRoom.down };
+  }
+}
