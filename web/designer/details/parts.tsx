@@ -1,5 +1,5 @@
 // Fields that send what is typed in them when they are left, and headings: the same in all details.
-import { type ReactNode, useEffect, useId, useState } from "react";
+import { type ReactNode, useEffect, useId, useRef, useState } from "react";
 import { Field } from "../../console/ui/controls.tsx";
 import { useIsReadOnly } from "../use.ts";
 
@@ -80,12 +80,32 @@ export function Section({ title, children, tools }: { title: string; children: R
   );
 }
 
+/** As the text shows it under the pointer; what reads Markdown comes when it is needed, the words are there at once. */
+function Help({ markdown }: { markdown: string }) {
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    let isGone = false;
+    void import("../text/help.ts").then(({ helpElement }) => {
+      if (!isGone) host.current?.replaceChildren(helpElement(markdown, window.document));
+    });
+    return () => {
+      isGone = true;
+    };
+  }, [markdown]);
+  // A new one for other words: React must not meet what was put in its place.
+  return (
+    <div key={markdown} ref={host} className="small details-help">
+      {markdown}
+    </div>
+  );
+}
+
 export function Heading({ name, kind, help }: { name: string; kind: string; help?: string }) {
   return (
     <header className="details-head">
       <h2 className="ellipsis">{name}</h2>
       <span className="small muted">{kind}</span>
-      {help && <p className="small details-help">{help}</p>}
+      {help && <Help markdown={help} />}
     </header>
   );
 }

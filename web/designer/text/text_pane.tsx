@@ -71,6 +71,7 @@ function Editor({ document }: { document: Document }) {
     if (reveal.focus) editor.focus();
   }, [reveal, live]);
   useSelectionShown(view, live);
+  usePageShown(view, live, document.path);
   return <div ref={host} className="editor-text" />;
 }
 
@@ -93,6 +94,20 @@ function useSelectionShown(view: { current: EditorView | null }, live: LiveText)
       effects: EditorView.scrollIntoView(anchor, { y: "center" }),
     });
   }, [selection, designer, view, live]);
+}
+
+/** A page that opens brings its declaration to the top, unless somebody writes in the text. */
+function usePageShown(view: { current: EditorView | null }, live: LiveText, path: string): void {
+  const page = usePart((state) => (state.document === path ? state.page : ""));
+  const designer = useDesigner();
+  const isKnown = usePart((state) => state.documents[path] !== undefined);
+  useEffect(() => {
+    const editor = view.current;
+    const name = page.split(".")[0];
+    const shown = designer.state.documents[path]?.declarations.find((one) => one.name === name);
+    if (!editor || !isKnown || editor.hasFocus || !shown || live.isAhead) return;
+    editor.dispatch({ effects: EditorView.scrollIntoView(live.placeOf(shown.begin), { y: "start", yMargin: 8 }) });
+  }, [page, path, isKnown, designer, view, live]);
 }
 
 /** Where the cursor is in the text, the canvas selects. */
