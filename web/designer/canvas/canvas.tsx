@@ -285,7 +285,11 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
         }}
         onNodeContextMenu={(event, node) => showMenu(designer, node.id, event)}
         onEdgeContextMenu={(event, wire) => showMenu(designer, wire.id, event)}
-        onNodeDoubleClick={(_, node) => enter(designer, drawing, node.id)}
+        onNodeDoubleClick={(_, node) => {
+          // The browser has taken it for a word: what it found to select is in a pane beside the canvas.
+          window.getSelection()?.removeAllRanges();
+          enter(designer, drawing, node.id);
+        }}
         onMove={(event, view) => {
           if (event) isFitted.current = false; // by hand
           noteView(view, nodes.length);
