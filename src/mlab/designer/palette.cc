@@ -131,6 +131,7 @@ Palette palette_of(const Model& model, const DrawingContext& context) {
     one.set_help(op.help);
     one.set_type(op.type);
   }
+  for (const auto& [name, op] : model.configuration().operators) out.add_coordinators(name);
   std::set<std::string, std::less<>> names;
   for (const auto& [name, assemblage] : model.configuration().assemblages) {
     *out.add_components() = palette_entry(components.of(*assemblage), model, context);

@@ -53,7 +53,7 @@ test("who looks inside of a component of the library makes it his own, and is in
   await expect.poll(() => project.read("three.cdl")).toContain("assemblage AvoidDynamicObstacles(");
 });
 
-test("a caste is given a coordinator; what is refused goes from the field", async () => {
+test("a caste is given a coordinator, of those that there are", async () => {
   const { designer, project } = await begin({
     mission: "forage",
     file: "forager.cdl",
@@ -64,12 +64,13 @@ test("a caste is given a coordinator; what is refused goes from the field", asyn
       ),
   });
   await designer.toDeclaration("All");
-  const field = designer.details.getByRole("textbox", { name: "Coordinated by" }).first();
-  await field.fill("Nobody");
-  await field.press("Enter");
-  await expect.poll(() => field.inputValue()).toBe("");
-  await field.fill("DistinctTargets");
-  await field.press("Enter");
+  const field = designer.details.getByRole("button", { name: "Coordinated by" }).first();
+  await field.click();
+  const offered = designer.page.getByRole("option");
+  await offered.first().waitFor();
+  expect(await offered.allInnerTexts()).toEqual(["nothing", "DistinctTargets"]);
+  await offered.nth(1).click();
+  await expect.poll(() => field.innerText()).toBe("DistinctTargets");
   await designer.page.locator("body").press("Control+s");
   await expect.poll(() => project.read("forager.cdl")).toMatch(/society All: caste \{[^}]*\} by DistinctTargets;/);
 });

@@ -1,8 +1,12 @@
 // A society: its members, in each other as they are drawn.
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { type Drawing, type Node, Node_Shape } from "../protocol.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
+import { useDesigner, useIsReadOnly, usePart } from "../use.ts";
+import { Choice } from "./choice.tsx";
 import { Section, SentField } from "./parts.tsx";
+
+/** No operator: as a key of a list, which can't be empty. */
+const kNothing = "$nothing";
 
 export function SocietyDetails({ drawing }: { drawing: Drawing }) {
   const designer = useDesigner();
@@ -55,6 +59,9 @@ function Member({ node, society, isReadOnly, set }: MemberProps) {
   const path = node.member;
   const isCaste = node.shape === Node_Shape.CASTE;
   const by = node.inputs.find((port) => port.name === "by")?.value ?? "";
+  // Also what stands there and is not known, or has arguments.
+  const known = usePart((state) => state.palettes[state.document]?.coordinators) ?? [];
+  const coordinators = [...new Set([kNothing, ...known, by || kNothing])];
   const same = { path, name: node.component, count: node.count, by, isCaste };
   return (
     <li className="member">
@@ -79,11 +86,12 @@ function Member({ node, society, isReadOnly, set }: MemberProps) {
           }
         />
       )}
-      <SentField
+      <Choice
         label="Coordinated by"
-        value={by}
-        placeholder="nothing"
-        send={(operator) => set(`coordinate ${node.component}`, { ...same, by: operator })}
+        value={by || kNothing}
+        choices={coordinators.map((one) => [one, one === kNothing ? "nothing" : one] as const)}
+        isDisabled={isReadOnly}
+        onChange={(next) => void set(`coordinate ${node.component}`, { ...same, by: next === kNothing ? "" : next })}
       />
     </li>
   );
