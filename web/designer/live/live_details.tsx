@@ -8,13 +8,13 @@ import { Button, Field, IconButton } from "../../console/ui/controls.tsx";
 import { Breakpoint_Condition_Comparison as Comparison, type Port, Port_Role } from "../../core/protocol.ts";
 import { Choice } from "../details/choice.tsx";
 import { Section } from "../details/parts.tsx";
-import type { Drawing } from "../protocol.ts";
+import type { Drawing, Node } from "../protocol.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
 import { LiveArrow } from "./badge.tsx";
 import { atCondition, kComparisons, onPort } from "./break_points.ts";
 import { InSession } from "./in_session.tsx";
 import { liveMenu } from "./menu.ts";
-import { parameterName, parametersBelow, type Target, targetOf } from "./targets.ts";
+import { isWritten, parameterName, parametersBelow, type Target, targetOf } from "./targets.ts";
 import { useLive } from "./use_live.ts";
 import { useLivePage, usePath } from "./use_live_part.ts";
 
@@ -41,7 +41,7 @@ function Running({ drawing, id, target }: { drawing: Drawing; id: string; target
     <Section title="While it runs">
       <div className="rows live-details">
         {target.kind === "value" && isRunning && <Value drawing={drawing} live={target.live} />}
-        {isNode && isRunning && <Parameters path={path} />}
+        {isNode && isRunning && <Parameters path={path} node={drawing.nodes.find(({ name }) => name === id)} />}
         <div className="columns" style={{ gap: 4 }}>
           {actions.map((one) => (
             <Button key={one.id} {...(one.icon ? { icon: one.icon } : {})} onPress={one.run}>
@@ -67,7 +67,7 @@ function Value({ drawing, live }: { drawing: Drawing; live: string }) {
 }
 
 /** Sliders of the running robots, and the way back into the text. */
-function Parameters({ path }: { path: string }) {
+function Parameters({ path, node }: { path: string; node: Node | undefined }) {
   const live = useLivePage();
   const roster = useSessionPart("roster");
   const isOperator = useIsOperator();
@@ -92,7 +92,13 @@ function Parameters({ path }: { path: string }) {
             robots={robots.includes(robot) ? [robot, ...robots.filter((id) => id !== robot)] : robots}
             isDisabled={!isOperator}
           />
-          <WriteBack port={port} index={ports.indexOf(port)} robot={robot} write={live.writeBack.bind(live)} />
+          <WriteBack
+            port={port}
+            index={ports.indexOf(port)}
+            robot={robot}
+            node={node}
+            write={live.writeBack.bind(live)}
+          />
         </div>
       ))}
     </div>
@@ -103,14 +109,16 @@ interface WriteBackProps {
   port: Port;
   index: number;
   robot: number;
+  /** As it is drawn. */
+  node: Node | undefined;
   write: (port: string, value: string) => Promise<void>;
 }
 
-function WriteBack({ port, index, robot, write }: WriteBackProps) {
+function WriteBack({ port, index, robot, node, write }: WriteBackProps) {
   const shown = usePortText(robot, index);
   const isReadOnly = useIsReadOnly();
   const name = parameterName(port.path);
-  if (isReadOnly || shown === "" || shown === port.initial) return null;
+  if (isReadOnly || shown === "" || shown === port.initial || isWritten(node, name, shown)) return null;
   return (
     <Button icon="save" onPress={() => void write(port.path, shown)}>
       Write {name} = {shown} to the text

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { Drawing_Kind, DrawingSchema } from "../protocol.ts";
-import { parameterName, parametersBelow, targetOf } from "./targets.ts";
+import { isWritten, parameterName, parametersBelow, targetOf } from "./targets.ts";
 
 test("nodes, wires and the result have values", () => {
   const drawing = create(DrawingSchema, {
@@ -40,4 +40,17 @@ test("a node's parameters stand directly below it", () => {
 test("parameters are called as people call them", () => {
   expect(parameterName("movement.Probe.safety_margin")).toBe("safety margin");
   expect(parameterName("movement.gains[0]")).toBe("weight 1");
+});
+
+test("a value that stands in the text is known there, in the unit of the text", () => {
+  const node = {
+    inputs: [
+      { name: "safety_margin", value: "0.4 m" },
+      { name: "goal", value: "" },
+    ],
+  };
+  expect(isWritten(node, "safety margin", "0.4")).toBe(true);
+  expect(isWritten(node, "safety margin", "0.5")).toBe(false);
+  expect(isWritten(node, "goal", "true")).toBe(false);
+  expect(isWritten(undefined, "goal", "1")).toBe(false);
 });

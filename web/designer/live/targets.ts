@@ -36,3 +36,13 @@ export function parameterName(path: string): string {
   const weight = /^gains\[(\d+)\]$/.exec(name);
   return weight ? `weight ${Number(weight[1]) + 1}` : name.replaceAll("_", " ");
 }
+
+/** Whether the text has this value of a parameter already: a number, in the unit in which it is written there. */
+export function isWritten(
+  node: { readonly inputs: readonly { readonly name: string; readonly value: string }[] } | undefined,
+  name: string,
+  shown: string,
+): boolean {
+  const input = node?.inputs.find((one) => one.name.replaceAll("_", " ") === name);
+  return input !== undefined && /^-?[\d.]/.test(shown) && Number.parseFloat(input.value) === Number.parseFloat(shown);
+}
