@@ -123,3 +123,45 @@ test("all windows go along with a document that is saved under another name", as
   await designer.named("Stand").waitFor();
   await designer.run();
 });
+
+test("what was refused is gone once the file's two texts are one again, and is told with the file's own name", async () => {
+  const { designer, project } = await opened();
+  const { page } = designer;
+  await designer.on("One");
+  await designer.setValue(designer.named("Noise"), "persistence", "3 s");
+  project.write("one.cdl", kOne.replace("10 s", "20 s"));
+  await designer.button("Merge both").click();
+  await page.getByText(/The same lines were changed/).waitFor();
+  await page.keyboard.press("Control+s");
+  await page.getByText("one.cdl has been changed by somebody else", { exact: false }).waitFor();
+  await designer.button("Keep mine").click();
+  await page.locator(".banner").first().waitFor({ state: "detached" });
+  expect(project.read("one.cdl")).toContain("3 s");
+});
+
+test("steps back lead to a document by the name that it was saved under", async () => {
+  const { designer } = await begin();
+  const { page } = designer;
+  await designer.newAssemblage("Wander");
+  await designer.place("Noise");
+  await designer.toFile();
+  await designer.saveAs("wander");
+  await expect.poll(() => page.url()).toContain("wander.cdl");
+  await page.goBack();
+  await designer.on("Wander");
+  await designer.named("Noise").waitFor();
+  expect(page.url()).toContain("file=wander.cdl&page=Wander");
+});
+
+test("a tall drawing is printed on one sheet, whichever way that lies", async () => {
+  const { designer } = await begin({ mission: "forage", file: "forager.cdl" });
+  const { page } = designer;
+  await designer.toDeclaration("Forage");
+  await designer.node("Searching").waitFor();
+  const sheets = () => page.locator(".print-sheet svg").count();
+  await expect.poll(() => page.evaluate(() => window.dispatchEvent(new Event("beforeprint"))).then(sheets)).toBe(1);
+  for (const landscape of [false, true]) {
+    const pdf = (await page.pdf({ landscape, format: "A4" })).toString("latin1");
+    expect(pdf.match(/\/Type\s*\/Page\b/g)).toHaveLength(1);
+  }
+});

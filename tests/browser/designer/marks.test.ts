@@ -1,5 +1,5 @@
 // Probes and breakpoints stay with what they were set on: over reloads, in every window, and when it is renamed.
-import { test } from "vitest";
+import { expect, test } from "vitest";
 import { begin, type DesignerPage, look } from "./designer.ts";
 
 const kTurns = `assemblage Turns() {
@@ -85,4 +85,38 @@ test("probes are there after a reload and in every window", async () => {
     .click();
   await other.probes.getByRole("button", { name: /^Take away the probe/ }).click();
   await designer.probes.waitFor({ state: "detached" });
+});
+
+test("that there are breakpoints shows before a run, and on the drawing", async () => {
+  const { designer } = await opened(kTurns);
+  const { page } = designer;
+  await designer.on("Turns");
+  await transition(designer, "Waiting").click({ button: "right" });
+  const entry = page.getByRole("menuitem", { name: /^Break Waiting → Moving/ });
+  await entry.getByText("Run it first").waitFor();
+  expect(await entry.getAttribute("aria-disabled")).toBe("true");
+  await page.keyboard.press("Escape");
+  await designer.run();
+  await breakAt(designer, "Waiting", /^Break Waiting → Moving/);
+  await page.getByRole("button", { name: /^Transition 1 of Waiting.*with a breakpoint$/ }).waitFor();
+  expect(await page.locator(".break-dot").count()).toBe(1);
+  await designer.breakpoints.getByRole("button", { name: /^Remove the breakpoint/ }).click();
+  await page.locator(".break-dot").waitFor({ state: "detached" });
+});
+
+test("how many robots run is taken over by a run of its own, which is offered", async () => {
+  const { designer } = await opened(kTurns);
+  const { page } = designer;
+  await designer.on("Turns");
+  await designer.run();
+  await designer.simulator.getByText("3 robots").waitFor();
+  expect(await designer.button("Run the change").count()).toBe(0);
+  await designer.button("What runs").click();
+  const count = page.getByRole("textbox", { name: "Robots" });
+  await count.fill("7");
+  await count.press("Enter");
+  await page.keyboard.press("Escape");
+  await designer.button("Run the change").click();
+  await designer.simulator.getByText("7 robots").waitFor();
+  await designer.button("Run the change").waitFor({ state: "detached" });
 });
