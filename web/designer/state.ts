@@ -95,6 +95,8 @@ export interface State {
   reveal: Reveal | null;
   /** Step of the first tour; -1: not shown. */
   tour: number;
+  /** The step was done before it came: it waits for who reads it. */
+  tourWaits: boolean;
   /** Said to people who can't see it. */
   spoken: string;
 }
@@ -143,6 +145,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
     notice: null,
     reveal: null,
     tour: -1,
+    tourWaits: false,
     spoken: "",
   }));
   store.subscribe((state, before) => {

@@ -4,5 +4,5 @@ import type { Designer } from "../designer.ts";
 export async function startTour(designer: Designer): Promise<void> {
   const { document } = designer;
   const isEmpty = document !== undefined && !document.isReadOnly && document.declarations.length === 0;
-  if (isEmpty || (await designer.open("", ""))) designer.store.setState({ tour: 0 });
+  if (isEmpty || (await designer.open("", ""))) designer.store.setState({ tour: 0, tourWaits: false });
 }

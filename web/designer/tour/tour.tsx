@@ -12,18 +12,16 @@ export function Tour() {
   const at = usePart((state) => state.tour);
   const step = kSteps[at];
   const isDone = usePart((state) => kSteps[state.tour]?.isDone?.(state) ?? false);
-  // A step that was done before it came waits for who reads it.
-  const entered = useRef({ at: -1, wasDone: false });
-  if (entered.current.at !== at) entered.current = { at, wasDone: isDone };
-  else if (!isDone) entered.current.wasDone = false;
+  const waits = usePart((state) => state.tourWaits);
   useInSight(step);
   const card = useRef<HTMLElement>(null);
   const corner = useCorner(card, step !== undefined);
   useEffect(() => {
-    if (!isDone || entered.current.wasDone) return;
+    if (!isDone) designer.store.setState({ tourWaits: false });
+    if (!isDone || waits) return;
     const timer = setTimeout(() => go(designer, at + 1), 500);
     return () => clearTimeout(timer);
-  }, [isDone, at, designer]);
+  }, [isDone, waits, at, designer]);
   const next = usePart((state) => kSteps[state.tour]?.next?.(state) ?? "");
   if (!step) return null;
   const isLast = at === kSteps.length - 1;
@@ -60,7 +58,8 @@ export function Tour() {
 }
 
 function go(designer: ReturnType<typeof useDesigner>, step: number): void {
-  designer.store.setState({ tour: step < kSteps.length ? step : -1 });
+  const tourWaits = kSteps[step]?.isDone?.(designer.state) ?? false;
+  designer.store.setState({ tour: step < kSteps.length ? step : -1, tourWaits });
 }
 
 /** Brings what a step speaks of into sight when the step comes. */
