@@ -45,7 +45,9 @@ function besideSelected(designer: Designer, component: string, size: { width: nu
   const { selection, palettes, document } = designer.state;
   const { drawing } = designer;
   const node = selection.length === 1 ? drawing?.nodes.find(({ name }) => name === selection[0]) : undefined;
-  const placed = palettes[document]?.components.find(({ name }) => name === component);
+  const known = palettes[document]?.components.find(({ name }) => name === component);
+  // The language's own operators take anything.
+  const placed = known?.group === "Operators" ? { type: known.type, inputs: [{ type: "" }] } : known;
   const at = node && drawing && placesOf(drawing)?.get(node.name);
   const box = node && drawing && sizesOf(drawing).get(node.name);
   return placed && at && box ? beside(sideOf(node, placed), { ...at, ...box }, size) : undefined;
