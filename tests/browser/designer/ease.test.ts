@@ -120,3 +120,45 @@ test("of two windows the one that is worked in has the robots", async () => {
   expect(await designer.page.getByText("Only the operator").count()).toBe(0);
   expect(await other.page.getByText("Only the operator").count()).toBe(0);
 });
+
+test("a page that opens brings its declaration to the top of the text, and help reads as it is meant", async () => {
+  const { designer } = await begin({ mission: "forage", file: "forager.cdl" });
+  const { page } = designer;
+  await designer.toDeclaration("Forage");
+  await page.keyboard.press("t");
+  const top = async () => {
+    const box = await designer.text.locator(".cm-line", { hasText: "assemblage Forage(" }).boundingBox();
+    const pane = await page.locator(".cm-scroller").boundingBox();
+    return (box?.y ?? 1e9) - (pane?.y ?? 0);
+  };
+  await expect.poll(top).toBeLessThan(60);
+  await designer.toDeclaration("Wander");
+  await expect
+    .poll(
+      async () => (await designer.text.locator(".cm-line", { hasText: "assemblage Wander(" }).boundingBox())?.y ?? 1e9,
+    )
+    .toBeLessThan(160);
+  await designer.select(designer.named("Noise"));
+  await designer.details.locator(".details-help code", { hasText: "persistence" }).waitFor();
+  expect(await designer.details.locator(".details-help").innerText()).not.toContain("`");
+});
+
+test("a double click on a node selects no text beside the canvas", async () => {
+  const { designer } = await opened();
+  await designer.toFile();
+  await designer.node("Wander").dblclick({ position: { x: 70, y: 10 } });
+  await designer.on("Wander");
+  expect(await designer.page.evaluate(() => window.getSelection()?.type)).not.toBe("Range");
+});
+
+test("what is placed by keys comes where its wire leads on", async () => {
+  const { designer } = await opened();
+  await designer.goTo("Wander");
+  const x = async (name: string) => (await designer.named(name).boundingBox())!.x;
+  await designer.place("AvoidStaticObstacles");
+  await designer.place("sense_obstacles");
+  await expect.poll(async () => (await x("sense_obstacles")) < (await x("AvoidStaticObstacles"))).toBe(true);
+  await designer.select(designer.named("AvoidStaticObstacles"));
+  await designer.place("cooperate");
+  await expect.poll(async () => (await x("cooperate")) > (await x("AvoidStaticObstacles")) + 150).toBe(true);
+});
