@@ -268,8 +268,10 @@ void BreakpointTable::look_for_condition(One& one, const fleet::FleetRobot& robo
   told.set_port(clean(port.path));
   told.set_value(clean(Program::print(frame, port)));
   const Condition& condition = one.told.condition();
-  told.set_text(fmt::format("robot {}: {} is {} ({} {})", robot.id.value, told.port(), told.value(),
-                            sign_of(condition.comparison()), clean(condition.value())));
+  std::string text = fmt::format("robot {}: {} is {}", robot.id.value, told.port(), told.value());
+  if (condition.comparison() != Condition::EQUAL)
+    text += fmt::format(" ({} {})", sign_of(condition.comparison()), clean(condition.value()));
+  told.set_text(std::move(text));
   hit(one, std::move(told), out);
 }
 

@@ -1,11 +1,12 @@
 // What has to be known before anything else, across the whole width.
-import { useEffect, useState } from "react";
+
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, sentence, takeOperator } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
+import { useSecondsUntil } from "../ui/use_seconds.ts";
 
 export function Banners() {
   return (
@@ -136,14 +137,4 @@ function Notice() {
       <IconButton icon="close" label="Dismiss" onPress={() => ui.set("notice", null)} />
     </div>
   );
-}
-
-function useSecondsUntil(time: number): number {
-  const [now, setNow] = useState(() => Date.now());
-  useEffect(() => {
-    if (time === 0) return;
-    const timer = setInterval(() => setNow(Date.now()), 250);
-    return () => clearInterval(timer);
-  }, [time]);
-  return time === 0 ? 0 : Math.max(0, Math.ceil((time - now) / 1000));
 }

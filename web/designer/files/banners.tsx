@@ -1,8 +1,10 @@
 // Lines above the canvas: the connection is lost, the file changed on disk, the text does not parse, something went wrong.
+
 import { create } from "@bufbuild/protobuf";
-import { type ReactNode, useEffect, useState } from "react";
+import { type ReactNode, useEffect } from "react";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon } from "../../console/ui/icons.tsx";
+import { useSecondsUntil } from "../../console/ui/use_seconds.ts";
 import { crumbsIn, type Designer, nameOf } from "../designer.ts";
 import { isEmptyDrawing } from "../pages/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../protocol.ts";
@@ -217,14 +219,4 @@ export function sentence(text: string): string {
   const isName = /^\S*[./_]\S/.test(plain);
   const capital = isName ? plain : plain[0]!.toUpperCase() + plain.slice(1);
   return /[.!?]$/.test(capital) ? capital : `${capital}.`;
-}
-
-function useSecondsUntil(time: number): number {
-  const [now, setNow] = useState(() => Date.now());
-  useEffect(() => {
-    if (time === 0) return;
-    const timer = setInterval(() => setNow(Date.now()), 250);
-    return () => clearInterval(timer);
-  }, [time]);
-  return time === 0 ? 0 : Math.max(0, Math.ceil((time - now) / 1000));
 }

@@ -45,6 +45,19 @@ export function breakpointText({ what }: Pick<Breakpoint, "what">): string {
   return `${spokenPath(port)} ${comparisonSign(comparison)} ${value}`;
 }
 
+/** What has stopped the run: `robot 1: Searching: near is true`, `robot 1: Forage goes from Searching to Acquiring`. */
+export function hitText({
+  robot,
+  sequence,
+  from,
+  to,
+  port,
+  value,
+}: Omit<Halted_Hit, "breakpoint" | "text" | "$typeName">): string {
+  if (port !== "") return `robot ${robot}: ${spokenPath(port)} is ${value}`;
+  return `robot ${robot}: ${spokenPath(sequence)} goes from ${from} to ${to}`;
+}
+
 /** The one on a transition, if there is one. */
 export function onTransition(
   all: readonly Breakpoint[],

@@ -1,12 +1,11 @@
 // All breakpoints: on, off, away; and where the run stands when one has stopped it.
-import { plain } from "../../console/format.ts";
 import { sentence } from "../../console/orders.ts";
 import { usePart as useSessionPart } from "../../console/session.ts";
 import { Button, IconButton, Switch } from "../../console/ui/controls.tsx";
 import { Icon } from "../../console/ui/icons.tsx";
 import { type Breakpoint, Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
-import { breakpointText } from "./break_points.ts";
+import { breakpointText, hitText } from "./break_points.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
 
 const kLost = "What it was set on is not in the drawing any more; if it comes back, so does this";
@@ -96,7 +95,7 @@ export function HaltedNotice() {
     <div className="notice hold sim-halted" role="alert">
       <Icon name="pause" />
       <span className="grow">
-        {sentence(plain(hit.text))}
+        {sentence(hitText(hit))}
         {halted.hits.length > 1 ? ` And ${halted.hits.length - 1} more.` : ""}
       </span>
       {(place || hit.robot !== 0) && <Button onPress={show}>Show</Button>}

@@ -14,7 +14,7 @@ import type { Designer } from "../designer.ts";
 import { lastPart } from "../pages/pages.ts";
 import type { Drawing } from "../protocol.ts";
 import { besideSimulator, kWide } from "../state.ts";
-import type { BreakpointInit } from "./break_points.ts";
+import { type BreakpointInit, hitText } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
 import { createLiveState, type DrawnAt, type Pin, setupKey, type Tried } from "./live_state.ts";
@@ -361,7 +361,7 @@ export class Live {
   private tellHalt(): void {
     const hit = this.model.get("halted")?.hits[0];
     if (!hit) return;
-    this.designer.say(`Paused: ${hit.text}`);
+    this.designer.say(`Paused: ${hitText(hit)}`);
     if (this.store.getState().drawnAt.has(hit.breakpoint)) this.showPane();
   }
 
