@@ -1,5 +1,4 @@
 // What has to be known before anything else, across the whole width.
-
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, sentence, takeOperator } from "../orders.ts";
