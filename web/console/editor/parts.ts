@@ -26,7 +26,7 @@ import { bytesOf, unitsOf } from "./bytes.ts";
 
 const highlighting = HighlightStyle.define([
   { tag: tags.keyword, color: "var(--accent-text)", fontWeight: "600" },
-  { tag: tags.typeName, color: "var(--go-text)", fontWeight: "600" },
+  { tag: tags.typeName, color: "var(--go-text)" },
   { tag: tags.propertyName, color: "var(--text-2)" },
   { tag: tags.atom, color: "var(--hold-text)" },
   { tag: tags.string, color: "var(--hold-text)" },
