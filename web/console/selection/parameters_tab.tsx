@@ -159,7 +159,8 @@ function Write({ port, label, shown, isDisabled, set, isCompact = false }: Contr
     <Field
       label={label}
       value={typed ?? now}
-      isDisabled={isDisabled}
+      // The first value that comes would else be put before what is being typed.
+      isDisabled={isDisabled || (port.isNumber && shown === "")}
       problem={problem}
       {...(limits && !isCompact ? { help: limits } : {})}
       inputMode={port.isNumber ? "decimal" : "text"}
