@@ -1,6 +1,7 @@
 // States and transitions.
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -195,17 +196,14 @@ Done Editor::remove_transition(const RemoveTransition& change) {
 Done Editor::remove_states(const PageView& view, const Remove& change) {
   const std::set<std::string> gone(change.nodes().begin(), change.nodes().end());
   const cdl::Sequence& all = *view.page->sequence;
-  if (gone.size() >= all.states.size()) return refusal("a sequence has one state at least");
-  const TokenMap& tokens = work_.tokens();
-  // Where it began: it begins in the first that stays.
   const auto stays = [&](const cdl::State& state) { return !gone.contains(state.name.text); };
+  const auto is_start = [](const cdl::State& state) { return state.is_start; };
   const auto first_left = std::ranges::find_if(all.states, stays);
   if (first_left == all.states.end()) return refusal("a sequence has one state at least");
-  const bool loses_start = std::ranges::any_of(
-      all.states, [&](const cdl::State& state) { return state.is_start && !stays(state); });
-  if (loses_start && std::ranges::none_of(all.states, [&](const cdl::State& state) {
-        return state.is_start && stays(state);
-      })) {
+  const TokenMap& tokens = work_.tokens();
+  // Where it began has gone: it begins in the first that stays.
+  if (std::ranges::any_of(all.states, is_start) &&
+      std::ranges::none_of(all.states | std::views::filter(stays), is_start)) {
     std::size_t begin = tokens.at(first_left->name.place.span.begin);
     while (begin > 0 && tokens.word(begin - 1) == "final") --begin;
     work_.insert(tokens.tokens()[begin].span.begin, "start ");

@@ -1,4 +1,5 @@
 // On which side of the selected node a new one comes, so that wires between the two lead on and not back.
+import type { Rect } from "../states/curve.ts";
 
 /** What of a node or of a component counts. */
 export interface Ends {
@@ -21,15 +22,8 @@ function takes(reader: Ends, from: Ends): boolean {
 
 const kRoom = { across: 64, down: 32 }; // px between the two
 
-export interface Box {
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
-
 /** Its upper left corner. */
-export function beside(side: Side, box: Box, size: { width: number; height: number }): { x: number; y: number } {
+export function beside(side: Side, box: Rect, size: { width: number; height: number }): { x: number; y: number } {
   switch (side) {
     case "right":
       return { x: box.x + box.width + kRoom.across, y: box.y };

@@ -39,7 +39,7 @@ import { selectionAfter, stillThere } from "./selected.ts";
 import { NoteView, ResultView } from "./small_views.tsx";
 import { forgetMoved, isArranged, keepMoved, usePlaces } from "./use_places.ts";
 import { ValueEditor } from "./value_editor.tsx";
-import { boundsOf, fitReadably, holdsAll, kFarthest, kFit, setView } from "./view.ts";
+import { boundsOf, fitReadably, holdsAll, kFarthest, kFit, nodeElement, setView } from "./view.ts";
 import { WireView } from "./wire_view.tsx";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "./wiring.ts";
 
@@ -121,7 +121,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const section = useRef<HTMLElement>(null);
   useEffect(() => {
     if (designer.state.dialog !== "") return;
-    const chosen = selection.length === 1 ? nodeElement(section.current, selection[0]!) : null;
+    const chosen = selection.length === 1 ? nodeElement(selection[0]!) : null;
     const focused = document.activeElement;
     const isOurs = focused === section.current || (focused?.matches(".canvas .react-flow__node") ?? false);
     if (chosen && isOurs && chosen !== focused) chosen.focus({ preventScroll: true });
@@ -336,10 +336,6 @@ function selectable(drawing: Drawing): ReadonlySet<string> {
   const isStates = drawing.kind === Drawing_Kind.STATES;
   const wires = isStates ? drawing.transitions.map(transitionId) : wiresOf(drawing, []).map((wire) => wire.id);
   return new Set([...[...nodes, ...states].map((one) => one.name), ...notes.map((note) => note.id), ...wires]);
-}
-
-function nodeElement(canvas: HTMLElement | null, id: string): HTMLElement | null {
-  return canvas?.querySelector<HTMLElement>(`.react-flow__node[data-id="${CSS.escape(id)}"]`) ?? null;
 }
 
 /** Where on the page one is; a page that is seen as a whole needs none. */

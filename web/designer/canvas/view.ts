@@ -132,6 +132,11 @@ export function holdsAll(view: Box, what: Box | null): boolean {
   );
 }
 
+/** As it is drawn on the page that is shown; null: it is not. */
+export function nodeElement(id: string): HTMLElement | null {
+  return document.querySelector<HTMLElement>(`.canvas .react-flow__node[data-id="${CSS.escape(id)}"]`);
+}
+
 let current: ReactFlowInstance | null = null;
 
 export function setView(flow: ReactFlowInstance): () => void {

@@ -118,7 +118,7 @@ function WriteBack({ port, index, robot, node, write }: WriteBackProps) {
   const shown = usePortText(robot, index);
   const isReadOnly = useIsReadOnly();
   const name = parameterName(port.path);
-  if (isReadOnly || shown === "" || shown === port.initial || isWritten(node, name, shown)) return null;
+  if (isReadOnly || shown === "" || shown === port.initial || isWritten(node, name, shown, port.unit)) return null;
   return (
     <Button icon="save" onPress={() => void write(port.path, shown)}>
       Write {name} = {shown} to the text

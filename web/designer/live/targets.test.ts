@@ -49,8 +49,10 @@ test("a value that stands in the text is known there, in the unit of the text", 
       { name: "goal", value: "" },
     ],
   };
-  expect(isWritten(node, "safety margin", "0.4")).toBe(true);
-  expect(isWritten(node, "safety margin", "0.5")).toBe(false);
-  expect(isWritten(node, "goal", "true")).toBe(false);
-  expect(isWritten(undefined, "goal", "1")).toBe(false);
+  expect(isWritten(node, "safety margin", "0.4", "m")).toBe(true);
+  expect(isWritten(node, "safety margin", "0.5", "m")).toBe(false);
+  expect(isWritten({ inputs: [{ name: "range", value: "1 km" }] }, "range", "1", "m")).toBe(false);
+  expect(isWritten({ inputs: [{ name: "range", value: "1e3" }] }, "range", "1000", "m")).toBe(true);
+  expect(isWritten(node, "goal", "true", "")).toBe(false);
+  expect(isWritten(undefined, "goal", "1", "")).toBe(false);
 });

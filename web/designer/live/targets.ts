@@ -37,12 +37,14 @@ export function parameterName(path: string): string {
   return weight ? `weight ${Number(weight[1]) + 1}` : name.replaceAll("_", " ");
 }
 
-/** Whether the text has this value of a parameter already: a number, in the unit in which it is written there. */
+/** Whether the text has this number for a parameter already, in the port's unit or without any. */
 export function isWritten(
   node: { readonly inputs: readonly { readonly name: string; readonly value: string }[] } | undefined,
   name: string,
   shown: string,
+  unit: string,
 ): boolean {
   const input = node?.inputs.find((one) => one.name.replaceAll("_", " ") === name);
-  return input !== undefined && /^-?[\d.]/.test(shown) && Number.parseFloat(input.value) === Number.parseFloat(shown);
+  const [, number, written] = /^(-?[\d.]+(?:e[-+]?\d+)?)\s*(.*)$/i.exec(input?.value ?? "") ?? [];
+  return number !== undefined && (written === "" || written === unit) && Number(number) === Number.parseFloat(shown);
 }

@@ -54,14 +54,13 @@ export function traceRange(samples: readonly number[]): { low: number; high: num
   return high - low > 1e-12 ? { low, high } : undefined;
 }
 
-/** A path through the samples, in a box of this size; empty where there are less than two or nothing changes. */
+/** A path through the samples, in a box of this size, level where nothing changes; empty where there are less than two. */
 export function tracePath(samples: readonly number[], width: number, height: number): string {
   const finite = samples.filter(Number.isFinite);
   if (finite.length < 2) return "";
-  const low = Math.min(...finite);
-  const high = Math.max(...finite);
-  const span = high - low;
-  const y = (value: number) => (span > 1e-12 ? (1 - (value - low) / span) * (height - 2) + 1 : height / 2);
+  const range = traceRange(finite);
+  const share = (value: number) => (range ? (range.high - value) / (range.high - range.low) : 0.5);
+  const y = (value: number) => share(value) * (height - 2) + 1;
   const step = width / (kMost - 1);
   const first = width - (finite.length - 1) * step;
   return finite

@@ -1,11 +1,5 @@
 // Where the card of the tour stands: in the corner of the canvas where it lies on the least of what is drawn.
-
-export interface Rect {
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
+import type { Rect } from "../states/curve.ts";
 
 export const kCorners = ["bottom-right", "top-right", "bottom-left", "top-left"] as const;
 export type Corner = (typeof kCorners)[number];

@@ -1,7 +1,7 @@
 // The card of the guided first tour, and the ring round what it is about.
 import { type RefObject, useEffect, useRef, useState } from "react";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
-import { fit } from "../canvas/view.ts";
+import { fit, nodeElement } from "../canvas/view.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { bestCorner, type Corner, isInside } from "./corner.ts";
 import { kSteps, nodesOf, type Step } from "./steps.ts";
@@ -68,13 +68,9 @@ function useInSight(step: Step | undefined): void {
   useEffect(() => {
     const area = document.querySelector(".canvas")?.getBoundingClientRect();
     if (!step || !area) return;
-    const boxes = nodesOf(step, designer.drawing).map((name) => elementOf(name)?.getBoundingClientRect());
+    const boxes = nodesOf(step, designer.drawing).map((name) => nodeElement(name)?.getBoundingClientRect());
     if (boxes.some((box) => box && !isInside(box, area))) fit();
   }, [step, designer]);
-}
-
-function elementOf(node: string): Element | null {
-  return document.querySelector(`.canvas .react-flow__node[data-id="${CSS.escape(node)}"]`);
 }
 
 /** Out of the way of what is drawn. It stays under the pointer, and while it has the focus. */
