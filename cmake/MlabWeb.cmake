@@ -17,5 +17,9 @@ add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/web.stamp
   DEPENDS ${web_sources} ${web_roots} COMMENT "Building the web client" VERBATIM)
 if(MLAB_WEB)
   add_custom_target(web ALL DEPENDS ${CMAKE_BINARY_DIR}/web.stamp)
+  # Without this an installation from a build folder that never built the page would lack it silently.
+  install(CODE "if(NOT EXISTS \"${web_out}/index.html\")
+      message(FATAL_ERROR \"the page of the console is not built: cmake --build ${CMAKE_BINARY_DIR} builds it, -DMLAB_WEB=OFF leaves it out\")
+    endif()")
   install(DIRECTORY ${web_out} DESTINATION ${CMAKE_INSTALL_DATADIR}/mlab)
 endif()

@@ -1,9 +1,10 @@
 # Installs the Debian packages of tools/packages/*.txt that are missing.
 
-# Sets `product_packages` to the lists for building and running the product. A machine that has Node and npm from
-# elsewhere keeps them: Debian's would take their place.
+# Sets `product_packages` to the lists for building and running the product. Node and npm are needed for the page of the
+# console alone (`wants_web`). A machine that has them from elsewhere keeps them: Debian's would take their place.
 find_product_packages() {
   product_packages=("$root/tools/packages/run.txt")
+  [[ -n $wants_web ]] || return 0
   command -v node >/dev/null && command -v npm >/dev/null || product_packages+=("$root/tools/packages/node.txt")
 }
 

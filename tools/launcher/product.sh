@@ -1,5 +1,5 @@
 # Makes build/release current: packages, configuration, build. Sourced by the launcher, which sets `root`, `build`,
-# `binary` and `stamp`.
+# `binary`, `stamp`, `web_stamp` and `wants_web`.
 
 source "$root/tools/launcher/messages.sh"
 source "$root/tools/launcher/packages.sh"
@@ -19,15 +19,49 @@ build_product() {
   [[ -x $binary ]] || is_first=1
   find_product_packages
   ensure_packages "${product_packages[@]}"
-  # The stamp is as old as the start of the build: what is edited meanwhile is newer.
-  printf '%s\n' "$root" >"$stamp.new"
   [[ -z $is_first ]] || say "builds for the first time, which takes some minutes"
   [[ -n $is_first ]] || is_terminal || say "builds what changed"
+  [[ -z $wants_web ]] || is_web_current || start_web
+  is_binary_current || build_binary
+  finish_web
+  [[ -z $is_first ]] || say "built in $((SECONDS - started)) s"
+}
+
+build_binary() {
+  # The stamp is as old as the start of the build: what is edited meanwhile is newer.
+  printf '%s\n' "$root" >"$stamp.new"
   configure "$build/release" -DCMAKE_BUILD_TYPE=Release -DMLAB_UNITY=ON -DMLAB_TESTS=OFF "-DMLAB_WEB_FOLDER=$build/web"
-  build_folder "$build/release" all || give_up "the build failed; what the compiler said stands above"
+  build_folder "$build/release" mlab || give_up "the build failed; what the compiler said stands above"
   [[ -x $binary ]] || give_up "the build made no $binary"
   mv -f "$stamp.new" "$stamp"
-  [[ -z $is_first ]] || say "built in $((SECONDS - started)) s"
+}
+
+# The page is built beside the compiler, mostly waiting for the network. Where that fails everything but the console
+# works all the same: `mlab` finds the reason in web_missing.txt, and the next call tries again.
+web_process=
+start_web() {
+  printf '%s\n' "$root" >"$web_stamp.new"
+  # A group of its own: one signal ends npm and all that it started.
+  set -m
+  bash "$root/tools/web/build" "$build/web" "$build/release/share/mlab/web" >"$build/release/web.log" 2>&1 9>&- &
+  web_process=$!
+  set +m
+  trap 'kill -- "-$web_process" 2>/dev/null' EXIT
+}
+
+finish_web() {
+  [[ -n $web_process ]] || return 0
+  local missing=$build/release/share/mlab/web_missing.txt
+  show_progress "mlab: building the page of the console"
+  if wait "$web_process"; then
+    rm -f "$missing"
+    mv -f "$web_stamp.new" "$web_stamp"
+  else
+    mkdir -p "${missing%/*}"
+    cp "$build/release/web.log" "$missing"
+  fi
+  end_progress
+  trap - EXIT
 }
 
 # One launcher at a time builds; the lock goes with the process, however it ends.

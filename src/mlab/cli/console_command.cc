@@ -250,6 +250,8 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
 int run_console(const RunOptions& options) {
   if (!options.plot.empty() || options.limit || options.quiet)
     return usage_error("--plot, --limit and --quiet go with --headless");
+  if (const std::string reason = why_web_is_missing(); !reason.empty())
+    return usage_error("there is no page to show; --headless carries a mission out without\n" + reason);
   std::optional<RunManner> manner = run_manner(options, kConsoleSpeed);
   const std::optional<console::ServerSettings> where = manner ? server_settings(options) : std::nullopt;
   if (!where) return kBadInput;

@@ -5,7 +5,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <system_error>
+
+#include <fmt/format.h>
 
 #include "mlab/cli/version.h"
 
@@ -89,6 +92,16 @@ language::Surroundings surroundings() {
 
 std::string web_folder() {
   return (prefix() / "share" / "mlab" / "web").string();
+}
+
+std::string why_web_is_missing() {
+  // The launcher leaves it where it could not build the page of these sources; an older page is then no help.
+  const fs::path told = prefix() / "share" / "mlab" / "web_missing.txt";
+  std::ifstream file(told, std::ios::binary);
+  if (file) return (std::ostringstream() << file.rdbuf()).str();
+  std::error_code error;
+  if (fs::exists(fs::path(web_folder()) / "index.html", error)) return "";
+  return fmt::format("this mlab was built or installed without it: there is no {}\n", web_folder());
 }
 
 std::string example_folder() {

@@ -33,6 +33,8 @@ language::Surroundings surroundings();
 /// The web client of the operator console, and the missions that come with mlab: of the installation, or of
 /// what it was built from.
 std::string web_folder();
+/// Why there is no web client to hand out, in lines for a person; empty where there is one.
+std::string why_web_is_missing();
 std::string example_folder();
 /// Where the console keeps what it remembers from one start to the next, by the rules of XDG; made where it
 /// is missing. Empty where there is no such place.
