@@ -15,6 +15,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"base", {}},
     {"geom", {"base"}},
     {"text", {"base"}},
+    {"cell", {"base", "text"}},
     {"percept", {"geom"}},
     {"robot_wire", {"percept"}},
     {"flow", {"percept", "text"}},

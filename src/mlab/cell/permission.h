@@ -1,0 +1,59 @@
+#pragma once
+
+#include <expected>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "mlab/cell/means.h"
+
+namespace mlab::cell {
+
+/// Texts, as they were.
+using Texts = std::set<std::string, std::less<>>;
+
+/// What decides about code that files bring.
+struct Grounds {
+  enum class Purpose {
+    kRun,    ///< robots are to move
+    kCheck,  ///< what is wrong with a text is to be said: `mlab check`, `mlab lsp`
+  };
+  enum class People {
+    kHere,       ///< whoever takes part may start programs on this machine anyway
+    kElsewhere,  ///< `--listen`: people on other machines take part
+  };
+  Purpose purpose;
+  People people;
+  bool allows_native;  ///< `--allow-native`
+  bool without_cell;   ///< `--no-cell`
+  bool is_trusted;     ///< the folder, by who opened it in an editor
+  /// Of kElsewhere: code that lay on disk when the command line named it.
+  std::shared_ptr<const Texts> known;
+};
+
+/// Whether code that files bring may be compiled and run, and within what walls. Who compiles or starts
+/// something takes one, and there is one place that makes it: the command, out of its options (a test of the
+/// source tree looks that nobody else does). So no caller can forget to ask: what gives the walls is the
+/// question.
+class Permission {
+ public:
+  static Permission decide(const Grounds& grounds, const Means& means) { return Permission(grounds, means); }
+
+  /// Whether this text may be given to the compiler, and the walls that it works in.
+  /// @errors  a sentence for a person that says why not, and what would help
+  std::expected<Wall, std::string> to_compile(std::string_view code) const;
+  /// The same of running what was made of the text.
+  std::expected<Wall, std::string> to_run(std::string_view code) const;
+  /// The same of an executable that lies on disk: nobody here has seen its code.
+  std::expected<Wall, std::string> to_start(std::string_view executable) const;
+
+ private:
+  Permission(const Grounds& grounds, const Means& means);
+  std::expected<Wall, std::string> judge(std::string_view code, std::string_view what) const;
+
+  Grounds grounds_;
+  std::expected<Wall, std::string> wall_;
+};
+
+}  // namespace mlab::cell
