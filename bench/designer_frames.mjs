@@ -1,12 +1,14 @@
 // How fluid the designer is in a real browser: the time to the first drawing, and how long frames take while a person moves
 // the canvas, zooms and drags a node, also while robots run it: with what the simulator sends meanwhile, and what it sends
-// while another page is shown. `node bench/designer_frames.mjs [NODES...]`; MLAB_COMMAND is the mlab.
+// while another page is shown. Once as a whole, from far away, and once near; each figure with the nodes and wires that were
+// in sight: where one is missing it ends with an error. `node bench/designer_frames.mjs [NODES...]`; MLAB_COMMAND is the mlab.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { openBrowser } from "../web/tools/browser.mjs";
+import { wiresInSight } from "../web/tools/wires.mjs";
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const command = process.env.MLAB_COMMAND ?? join(root, "build", "test", "bin", "mlab");
@@ -69,7 +71,7 @@ async function frames(page, act) {
 }
 
 /** The same canvas while three robots run what is drawn. */
-async function running(page, centre) {
+async function running(page, centre, look) {
   await page.locator("[data-tour=run]").click();
   await page.getByText("Running", { exact: true }).waitFor();
   await page.waitForTimeout(2000);
@@ -79,17 +81,82 @@ async function running(page, centre) {
       await page.waitForTimeout(12);
     }
   };
-  await page.mouse.move(centre.x - 300, centre.y);
-  const still = await frames(page, () => page.waitForTimeout(3000));
-  const live = await frames(page, moved);
-  const here = await kilobytes(page);
+  const acts = {};
+  for (const distance of ["far", "near"]) {
+    await look(distance);
+    await page.mouse.move(centre.x - 300, centre.y);
+    acts[`${distance}, live, still`] = await frames(page, () => page.waitForTimeout(3000));
+    acts[`${distance}, live, moved`] = await frames(page, moved);
+    acts[`${distance}, from simulator`] = { "kB/s": await kilobytes(page) };
+  }
   await page.locator("body").press("Home");
   await page.waitForTimeout(1000);
-  return {
-    "live, still": still,
-    "live, moved": live,
-    "from simulator": { "kB/s": here, "kB/s, other page": await kilobytes(page) },
-  };
+  acts["from simulator, other page"] = { "kB/s": await kilobytes(page) };
+  return acts;
+}
+
+/** The canvas moved, zoomed, a node dragged. */
+async function standing(page, centre, distance) {
+  await page.mouse.move(centre.x, centre.y);
+  const moved = await frames(page, async () => {
+    for (let i = 0; i < 90; ++i) {
+      await page.mouse.wheel(i % 30 < 15 ? 24 : -24, i % 30 < 15 ? 10 : -10);
+      await page.waitForTimeout(12);
+    }
+  });
+  await page.keyboard.down("Control");
+  const zoomed = await frames(page, async () => {
+    for (let i = 0; i < 60; ++i) {
+      await page.mouse.wheel(0, i % 20 < 10 ? -30 : 30);
+      await page.waitForTimeout(12);
+    }
+  });
+  await page.keyboard.up("Control");
+  const at = await grip(page);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  const dragged = await frames(page, async () => {
+    for (let i = 0; i < 90; ++i) {
+      await page.mouse.move(at.x + 80 * Math.sin(i / 12), at.y + 60 * Math.sin(i / 9));
+      await page.waitForTimeout(12);
+    }
+  });
+  await page.mouse.up();
+  return { [`${distance}, moved`]: moved, [`${distance}, zoomed`]: zoomed, [`${distance}, dragged`]: dragged };
+}
+
+/** Where a node of those in sight is taken hold of. */
+function grip(page) {
+  return page.evaluate(() => {
+    const canvas = document.querySelector(".canvas").getBoundingClientRect();
+    const middle = { x: canvas.x + canvas.width / 2, y: canvas.y + canvas.height / 2 };
+    const grips = [...document.querySelectorAll(".react-flow__node-node")].map((node) => {
+      const { x, y, width, height } = node.getBoundingClientRect();
+      return { x: x + width / 2, y: y + Math.min(6, height / 2) };
+    });
+    const away = ({ x, y }) => Math.hypot(x - middle.x, y - middle.y);
+    return grips.sort((a, b) => away(a) - away(b))[0];
+  });
+}
+
+/** The camera from which the whole page is seen, or nodes at their actual size; fails where a wire is missing there. */
+async function looking(page, drawn, distance) {
+  await page.locator("body").press("f");
+  await page.waitForTimeout(1000);
+  if (distance === "near") {
+    await page.locator("body").press("1");
+    await page.waitForTimeout(1000);
+    const at = await grip(page); // there is one in the middle
+    const canvas = await page.locator(".canvas").boundingBox();
+    await page.mouse.move(canvas.x + canvas.width / 2, canvas.y + canvas.height / 2);
+    await page.mouse.wheel(at.x - canvas.x - canvas.width / 2, at.y - canvas.y - canvas.height / 2);
+    await page.waitForTimeout(1000);
+  }
+  const seen = await wiresInSight(page);
+  const isWhole = distance === "near" ? seen.wires > 0 : seen.wires === drawn - 1 && seen.nodes === drawn;
+  if (!isWhole || seen.loose > 0 || seen.bare > 0)
+    throw new Error(`of ${drawn} nodes, ${distance}, these are in sight: ${JSON.stringify(seen)}`);
+  return seen;
 }
 
 /** What the simulator sends in a second. */
@@ -118,39 +185,17 @@ async function measure(nodes) {
     await page.locator("[aria-busy=false] .react-flow__node").first().waitFor();
     const load = performance.now() - begin;
     await page.waitForTimeout(3000);
-    const shown = await page.locator(".react-flow__node").count();
+    const drawn = 1 + Number.parseInt(await page.getByTestId("selected").textContent(), 10); // and the result
     const box = await page.locator(".canvas").boundingBox();
     const centre = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-    await page.mouse.move(centre.x, centre.y);
-    const pan = await frames(page, async () => {
-      for (let i = 0; i < 90; ++i) {
-        await page.mouse.wheel(i % 30 < 15 ? 24 : -24, i % 30 < 15 ? 10 : -10);
-        await page.waitForTimeout(12);
-      }
-    });
-    await page.keyboard.down("Control");
-    const zoom = await frames(page, async () => {
-      for (let i = 0; i < 60; ++i) {
-        await page.mouse.wheel(0, i % 20 < 10 ? -30 : 30);
-        await page.waitForTimeout(12);
-      }
-    });
-    await page.keyboard.up("Control");
-    const node = await page
-      .locator(".react-flow__node")
-      .nth(Math.floor(shown / 2))
-      .boundingBox();
-    await page.mouse.move(node.x + node.width / 2, node.y + 6);
-    await page.mouse.down();
-    const drag = await frames(page, async () => {
-      for (let i = 0; i < 90; ++i) {
-        await page.mouse.move(node.x + node.width / 2 + 80 * Math.sin(i / 12), node.y + 6 + 60 * Math.sin(i / 9));
-        await page.waitForTimeout(12);
-      }
-    });
-    await page.mouse.up();
-    const live = await running(page, centre);
-    return { shown, load, pan, zoom, drag, ...live };
+    const acts = {};
+    const seen = {};
+    for (const distance of ["far", "near"]) {
+      seen[distance] = await looking(page, drawn, distance);
+      Object.assign(acts, await standing(page, centre, distance));
+    }
+    Object.assign(acts, await running(page, centre, (distance) => looking(page, drawn, distance)));
+    return { drawn, load, seen, acts };
   } finally {
     await browser.close();
     mlab.kill("SIGINT");
@@ -160,10 +205,13 @@ async function measure(nodes) {
 }
 
 for (const nodes of counts.length > 0 ? counts : [10, 500, 2000]) {
-  const { shown, load, ...acts } = await measure(nodes);
-  console.log(`${nodes} nodes: ${shown} elements, first drawing after ${Math.round(load)} ms`);
+  const { drawn, load, seen, acts } = await measure(nodes);
+  const inSight = Object.entries(seen).map(([distance, { nodes, wires }]) => `${distance} ${nodes} and ${wires} wires`);
+  console.log(
+    `${nodes} nodes: ${drawn} drawn, in sight ${inSight.join(", ")}; first drawing after ${Math.round(load)} ms`,
+  );
   for (const [act, figures] of Object.entries(acts)) {
     const shownFigures = Object.entries(figures).map(([name, value]) => `${name} ${value.toFixed(1)}`);
-    console.log(`  ${act.padEnd(14)} ${shownFigures.join("   ")}`);
+    console.log(`  ${act.padEnd(26)} ${shownFigures.join("   ")}`);
   }
 }

@@ -15,6 +15,7 @@ import {
   SelectionMode,
   useReactFlow,
   useStore,
+  useStoreApi,
 } from "@xyflow/react";
 import { type CSSProperties, type DragEvent, type MouseEvent, useEffect, useMemo, useRef, useState } from "react";
 import { arrangeChange } from "../arrange/arrange.ts";
@@ -29,11 +30,12 @@ import { scaleAt } from "../states/label.ts";
 import { StateView, spokenState } from "../states/state_view.tsx";
 import { TransitionView } from "../states/transition_view.tsx";
 import { useDesigner, usePart } from "../use.ts";
-import { canvasStore, distanceAt, kCrowd, useCanvas } from "./canvas_store.ts";
+import { canvasStore, distanceAt, useCanvas } from "./canvas_store.ts";
 import { ConnectReason } from "./connect_reason.tsx";
 import { ContextMenu, openMenu } from "./context_menu.tsx";
 import { FarWires } from "./far_wires.tsx";
 import { type CanvasNode, type CanvasWire, nodesOf, wiresOf } from "./flow.ts";
+import { useGivenHandles } from "./given_handles.ts";
 import { NodeView, spokenNode } from "./node_view.tsx";
 import { selectionAfter, stillThere } from "./selected.ts";
 import { NoteView, ResultView } from "./small_views.tsx";
@@ -54,6 +56,7 @@ export const kDragged = "application/x-mlab-component";
 export function Canvas({ drawing }: { drawing: Drawing }) {
   const designer = useDesigner();
   const flow = useReactFlow();
+  useGivenHandles(useStoreApi());
   const [nodes, setNodes] = useState<FlowNode[]>([]);
   const [edges, setEdges] = useState<Edge[]>([]);
   const places = usePlaces(drawing);
@@ -405,7 +408,6 @@ function noteView({ x, y, zoom }: { x: number; y: number; zoom: number }, nodes:
   const distance = distanceAt(zoom, nodes);
   canvasStore.setState({
     distance,
-    keepsPorts: nodes <= kCrowd,
     scale: scaleAt(zoom),
     view: { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom },
   });

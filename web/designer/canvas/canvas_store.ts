@@ -6,8 +6,6 @@ export type Distance = "near" | "far" | "farthest";
 
 export interface CanvasState {
   distance: Distance;
-  /** Whether nodes have their ports from far away as well: wires end at them. A crowd's wires are drawn in one piece. */
-  keepsPorts: boolean;
   /** How much larger than usual names and labels of states are written, as scaleAt says. */
   scale: number;
   /** While a wire is drawn: for every input (`node/port`) or, drawn backwards, node, why it does not fit; empty: it does. */
@@ -26,7 +24,6 @@ export interface CanvasState {
 
 export const canvasStore = createStore<CanvasState>(() => ({
   distance: "near",
-  keepsPorts: true,
   scale: 1,
   fits: null,
   editing: null,
@@ -40,7 +37,7 @@ export function useCanvas<T>(pick: (state: CanvasState) => T): T {
   return useStore(canvasStore, pick);
 }
 
-export const kCrowd = 300; // nodes
+const kCrowd = 300; // nodes
 
 /** Inner parts of nodes are left out where they could not be read. */
 export function distanceAt(zoom: number, nodes: number): Distance {

@@ -45,10 +45,7 @@ export const NodeView = memo(function NodeView({ data, selected }: Props) {
       </svg>
       <BreakDot page={page} id={node.name} />
       {distance === "far" ? (
-        <>
-          <div className="node-far">{form.title}</div>
-          <FarPorts form={form} />
-        </>
+        <div className="node-far">{form.title}</div>
       ) : (
         <Parts node={node} form={form} page={page} />
       )}
@@ -90,36 +87,6 @@ function Parts({ node, form, page }: { node: Node; form: Form; page: string }) {
       )}
       {form.outputY >= 0 && <Output node={node} form={form} />}
       {node.isLoose && <LiveBadge page={page} live={node.live} y={form.outputY} />}
-    </>
-  );
-}
-
-/** Where wires end, without anything to be seen or met there. */
-function FarPorts({ form }: { form: Form }) {
-  if (!useCanvas((state) => state.keepsPorts)) return null;
-  return (
-    <>
-      {[...form.rows, ...form.extras].map(({ id, y }) => (
-        <Handle
-          key={id}
-          type="target"
-          id={id}
-          position={Position.Left}
-          className="port far-port"
-          style={{ top: y }}
-          isConnectable={false}
-        />
-      ))}
-      {form.outputY >= 0 && (
-        <Handle
-          type="source"
-          id={kOut}
-          position={Position.Right}
-          className="port far-port"
-          style={{ top: form.outputY }}
-          isConnectable={false}
-        />
-      )}
     </>
   );
 }
