@@ -1,4 +1,4 @@
-// Large pages: their wires can be seen, from far away and near.
+// Large pages: their wires can be seen, from far away and near, and what is wide opens so that it can be read.
 import { expect, test } from "vitest";
 import { wiresInSight } from "../../../web/tools/wires.mjs";
 import { begin, type DesignerPage } from "./designer.ts";
@@ -49,4 +49,22 @@ test.each([
   await expect.poll(() => zoom(designer)).toBe(1);
   await expect.poll(() => wiresInSight(page)).toMatchObject({ loose: 0, bare: 0 });
   expect((await wiresInSight(page)).wires).toBeGreaterThan(4);
+});
+
+test.each([12, 100])("a sum of %i opens in columns, so that it can be read", async (count) => {
+  const designer = await open(Array.from({ length: count }, (_, i) => `    1: Noise(persistence = ${i + 1} s);`));
+  const { page } = designer;
+  const letters = await page.evaluate(() => {
+    const title = document.querySelector<HTMLElement>(".node-title, .node-far")!;
+    const zoomed = title.getBoundingClientRect().height / title.offsetHeight;
+    return Number.parseFloat(getComputedStyle(title).fontSize) * zoomed;
+  });
+  expect(letters).toBeGreaterThan(6.4);
+  const seen = await wiresInSight(page);
+  expect(seen).toMatchObject({ loose: 0, bare: 0 });
+  expect(seen.wires).toBeGreaterThan(10);
+  const lefts = await page
+    .locator(".react-flow__node")
+    .evaluateAll((nodes) => new Set(nodes.map((node) => Math.round(node.getBoundingClientRect().right))).size);
+  if (count > 12) expect(lefts).toBeGreaterThanOrEqual(4);
 });

@@ -1,6 +1,8 @@
 import { expect, test } from "vitest";
 import { columnSpots } from "./columns.ts";
 import type { LayoutGraph } from "./graph.ts";
+import { flowSpots } from "./grid.ts";
+import { zoomOf } from "./sight.ts";
 
 function many(sums: number): LayoutGraph {
   const node = (id: string) => ({ id, width: 160, height: 64, inputs: [], outputY: 20 });
@@ -61,6 +63,24 @@ test("many that drive nothing are folded as well", () => {
   const { width, height } = bounds(graph);
   expect(width / height).toBeGreaterThan(1);
   expect(width / height).toBeLessThan(2.6);
+});
+
+test.each([12, 30, 100])("what drives a sum of %i stands in columns where one would be a strip", (members) => {
+  const names = [...Array(members).keys()].map((i) => `noise${i}`);
+  const graph: LayoutGraph = {
+    kind: "dataflow",
+    nodes: [
+      { id: "sum", width: 208, height: 46 + 24 * members, inputs: [], outputY: 20 },
+      ...names.map((id) => ({ id, width: 160, height: 70, inputs: [], outputY: 20 })),
+    ],
+    wires: names.map((from, i) => ({ from, to: "sum", port: `members[${i}]` })),
+  };
+  const strip = graph.nodes.map(({ id }, i) => ({ id, x: id === "sum" ? 300 : 0, y: id === "sum" ? 0 : 102 * i }));
+  const spots = flowSpots(strip, graph);
+  const columns = new Set(spots.map(({ x }) => x)).size - 1;
+  expect(columns).toBe(members === 12 ? 1 : members === 30 ? 4 : 5); // twelve can be read in one
+  expect(zoomOf(spots, graph)).toBeGreaterThan(0.3);
+  expect(spots.find(({ id }) => id === "sum")!.x).toBe(Math.max(...spots.map(({ x }) => x)));
 });
 
 test("a circle is laid out too", () => {

@@ -1,44 +1,59 @@
-// A layout for pages that are too large for elk: what drives stands in a column left of what it drives, above each other
-// in the order of the readers. What would be too tall is folded into bands beside each other. Linear in nodes and wires.
+// A layout for pages that are too large for elk, or of which elk makes a tall strip: what drives a node stands left of it, in
+// as many columns as let the page be seen largest; all that drives one of these stands left of that, in the same way.
+// Linear in nodes and wires, but for how many columns are tried.
 import { onPitch, type Spot } from "./elk.ts";
 import type { LayoutGraph, LayoutNode } from "./graph.ts";
+import { kSight } from "./sight.ts";
 
-const kBetweenColumns = 96; // [px]
-const kBetweenBands = 160;
-const kBetweenNodes = 32;
-const kShape = 1.6; // of the page: its width by its height, as windows are
-const kFew = 8; // columns of so few nodes stand as they are; the first of more is folded, with all that drives it
+const kBetweenColumns = 72; // [px]
+const kBetweenNodes = 28;
+const kMostColumns = 60;
 
-/** Nodes by columns, the first at the right. */
-type Columns = LayoutNode[][];
+interface Size {
+  width: number;
+  height: number;
+}
+
+/** A node with all that drives it. */
+interface Unit {
+  readonly node: LayoutNode;
+  readonly drivers: Unit[];
+  /** Of all of it [px]. */
+  size: Size;
+  columns: Unit[][];
+}
 
 export function columnSpots(graph: LayoutGraph): Spot[] {
-  const ordered = fromReaders(graph);
-  const counts: number[] = [];
-  for (const { column } of ordered) counts[column] = (counts[column] ?? 0) + 1;
-  const cut = Math.max(
-    0,
-    counts.findIndex((count) => count > kFew),
-  );
-  const ends: Columns = [];
-  const units: Columns[] = [];
-  for (const { node, column } of ordered) {
-    if (column < cut) add(ends, column, node);
-    else {
-      if (column === cut) units.push([]);
-      add(units.at(-1)!, column - cut, node);
-    }
+  const { ends, all } = unitsOf(graph);
+  for (const unit of all.toReversed()) {
+    unit.columns = folded(unit.drivers, unit.node);
+    unit.size = sizeWith(unit.columns, unit.node);
   }
-  const all = join(units);
-  const bands = folded(units, Math.sqrt((heightOf(all) * (widthOf(all) + kBetweenBands)) / kShape));
   const spots: Spot[] = [];
-  let right = place(ends, 0, spots);
-  for (const band of bands.toReversed()) right = place(band, right, spots) - (kBetweenBands - kBetweenColumns);
+  const waiting: { unit: Unit; right: number; top: number }[] = [];
+  const place = (columns: Unit[][], right: number, top: number, height: number) => {
+    let at = right;
+    for (const column of columns) {
+      let y = top + (height - heightOf(column)) / 2;
+      for (const unit of column) {
+        waiting.push({ unit, right: at, top: y });
+        y += unit.size.height + kBetweenNodes;
+      }
+      at -= widthOf(column) + kBetweenColumns;
+    }
+  };
+  place(folded(ends, null), 0, 0, 0);
+  for (let next = waiting.pop(); next; next = waiting.pop()) {
+    const { unit, right, top } = next;
+    const { node, size, columns } = unit;
+    spots.push({ id: node.id, x: onPitch(right - node.width), y: onPitch(top + (size.height - node.height) / 2) });
+    place(columns, right - node.width - kBetweenColumns, top, size.height);
+  }
   return spots;
 }
 
-/** Every node once, each reader before what drives it; its column is how far it is from the end. */
-function fromReaders(graph: LayoutGraph): { node: LayoutNode; column: number }[] {
+/** Every node once, each reader before what drives it; `ends` drive nothing that is not in them. */
+function unitsOf(graph: LayoutGraph): { ends: Unit[]; all: Unit[] } {
   const byId = new Map(graph.nodes.map((node) => [node.id, node]));
   const drivers = new Map<string, string[]>();
   const isDriver = new Set<string>();
@@ -49,82 +64,69 @@ function fromReaders(graph: LayoutGraph): { node: LayoutNode; column: number }[]
     else drivers.set(to, [from]);
     isDriver.add(from);
   }
-  const ordered: { node: LayoutNode; column: number }[] = [];
+  const ends: Unit[] = [];
+  const all: Unit[] = [];
   const seen = new Set<string>();
   const visit = (begin: LayoutNode) => {
-    const waiting = [{ node: begin, column: 0 }];
+    const waiting: { node: LayoutNode; siblings: Unit[] }[] = [{ node: begin, siblings: ends }];
     for (let next = waiting.pop(); next; next = waiting.pop()) {
-      const { node, column } = next;
+      const { node, siblings } = next;
       if (seen.has(node.id)) continue;
       seen.add(node.id);
-      ordered.push(next);
+      const unit: Unit = { node, drivers: [], size: { width: 0, height: 0 }, columns: [] };
+      all.push(unit);
+      siblings.push(unit);
       for (const id of (drivers.get(node.id) ?? []).toReversed())
-        waiting.push({ node: byId.get(id)!, column: column + 1 });
+        waiting.push({ node: byId.get(id)!, siblings: unit.drivers });
     }
   };
   for (const node of graph.nodes) if (!isDriver.has(node.id)) visit(node);
   for (const node of graph.nodes) visit(node); // what is left drives itself in a circle
-  return ordered;
+  return { ends, all };
 }
 
-function add(columns: Columns, column: number, node: LayoutNode): void {
-  columns[column] ??= [];
-  columns[column].push(node);
+/**
+ * Units in columns, from the last at the right to the first at the left; of all numbers of columns the one that is seen
+ * largest together with the node that they drive.
+ */
+function folded(units: readonly Unit[], reader: LayoutNode | null): Unit[][] {
+  let best: Unit[][] = [];
+  let largest = 0;
+  for (let count = 1; count <= Math.min(units.length, kMostColumns); ++count) {
+    const columns = inColumns(units, count);
+    const { width, height } = sizeWith(columns, reader);
+    const zoom = Math.min(kSight.width / width, kSight.height / height);
+    if (zoom > largest) {
+      largest = zoom;
+      best = columns;
+    } else if (kSight.width / width < largest) break; // it only becomes wider
+  }
+  return best.toReversed();
 }
 
-function addAll(columns: Columns, unit: Columns): void {
-  for (const [column, nodes] of unit.entries()) for (const node of nodes) add(columns, column, node);
-}
-
-function join(units: readonly Columns[]): Columns {
-  const columns: Columns = [];
-  for (const unit of units) addAll(columns, unit);
+/** Each below the shortest column: as they are read, row by row, so that a wire leads to an input at about its own height. */
+function inColumns(units: readonly Unit[], count: number): Unit[][] {
+  const columns: Unit[][] = Array.from({ length: count }, () => []);
+  const heights = columns.map(() => 0);
+  for (const unit of units) {
+    const shortest = heights.indexOf(Math.min(...heights));
+    columns[shortest]!.push(unit);
+    heights[shortest]! += unit.size.height + kBetweenNodes;
+  }
   return columns;
 }
 
-/** Units in their order, in bands of about this height [px]; a unit stays whole. */
-function folded(units: readonly Columns[], height: number): Columns[] {
-  const bands: Columns[] = [];
-  let taken: number[] = []; // of the last band, by column
-  for (const unit of units) {
-    const added = unit.map(columnHeight);
-    const isFull = added.some((more, column) => (taken[column] ?? 0) > 0 && taken[column]! + more > height);
-    if (isFull || bands.length === 0) {
-      bands.push([]);
-      taken = [];
-    }
-    addAll(bands.at(-1)!, unit);
-    for (const [column, more] of added.entries()) taken[column] = (taken[column] ?? 0) + more;
-  }
-  return bands;
+function heightOf(units: readonly Unit[]): number {
+  return units.reduce((sum, { size }) => sum + size.height + kBetweenNodes, 0);
 }
 
-function columnHeight(nodes: readonly LayoutNode[]): number {
-  return nodes.reduce((sum, node) => sum + node.height + kBetweenNodes, 0);
+function widthOf(column: readonly Unit[]): number {
+  return column.reduce((most, { size }) => Math.max(most, size.width), 0);
 }
 
-function heightOf(columns: Columns): number {
-  return Math.max(0, ...columns.map(columnHeight));
-}
-
-function columnWidth(nodes: readonly LayoutNode[]): number {
-  return nodes.reduce((most, node) => Math.max(most, node.width), 0) + kBetweenColumns;
-}
-
-function widthOf(columns: Columns): number {
-  return columns.reduce((sum, nodes) => sum + columnWidth(nodes), 0);
-}
-
-/** From the first column, whose right side is at `right`, leftwards; each in the middle of the height. Gives where it ends. */
-function place(columns: Columns, right: number, spots: Spot[]): number {
-  let at = right;
-  for (const nodes of columns) {
-    let y = -columnHeight(nodes) / 2;
-    for (const node of nodes) {
-      spots.push({ id: node.id, x: onPitch(at - node.width), y: onPitch(y) });
-      y += node.height + kBetweenNodes;
-    }
-    at -= columnWidth(nodes);
-  }
-  return at;
+function sizeWith(columns: readonly Unit[][], reader: LayoutNode | null): Size {
+  return {
+    width: columns.reduce((sum, column) => sum + widthOf(column) + kBetweenColumns, reader?.width ?? 0),
+    height: Math.max(reader?.height ?? 0, ...columns.map(heightOf)),
+  };
 }

@@ -1,10 +1,12 @@
 // Rows: for what has no wires, and for states of which a layered layout would be too large to read.
+import { columnSpots } from "./columns.ts";
 import { onPitch, type Spot } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
+import { zoomOf } from "./sight.ts";
 
-/** What a page is mostly looked at in [px]. */
-const kSight = { width: 960, height: 800 };
 const kLegible = 0.3; // zoom; below it letters are of 4 px
+const kClear = 0.5; // zoom; values of nodes are still to be made out
+const kLarger = 1.3; // what wires that pass behind nodes are worth
 
 /** Things that have no wires: four in a row, each column as wide as the widest. */
 export function gridSpots(graph: LayoutGraph): Spot[] {
@@ -18,14 +20,17 @@ export function snakeSpots(graph: LayoutGraph): Spot[] {
 
 /** Of several layouts the one that is seen largest, or the snake where none of them could be read. */
 export function readable(layouts: readonly Spot[][], graph: LayoutGraph): Spot[] {
-  const sizes = new Map(graph.nodes.map((node) => [node.id, node]));
-  const zooms = layouts.map((spots) => {
-    const right = spots.reduce((most, { id, x }) => Math.max(most, x + sizes.get(id)!.width), 1);
-    const bottom = spots.reduce((most, { id, y }) => Math.max(most, y + sizes.get(id)!.height), 1);
-    return Math.min(1, kSight.width / right, kSight.height / bottom);
-  });
+  const zooms = layouts.map((spots) => zoomOf(spots, graph));
   const best = Math.max(...zooms);
   return best < kLegible ? snakeSpots(graph) : layouts[zooms.indexOf(best)]!;
+}
+
+/** Dataflow as elk lays it out, or in columns where that is a strip, and columns are seen clearly larger. */
+export function flowSpots(across: Spot[], graph: LayoutGraph): Spot[] {
+  const zoom = zoomOf(across, graph);
+  if (zoom >= kClear) return across;
+  const columns = columnSpots(graph);
+  return zoomOf(columns, graph) > kLarger * zoom ? columns : across;
 }
 
 /** `room`: between them [px]; `isSnake`: every second row goes back. */

@@ -36,8 +36,15 @@ test("where panes take the room, what is selected stands in the middle", () => {
   expect((chosen.y + 40) * zoom + y).toBeCloseTo(360);
 });
 
-test("a page that no window could show readably is shown as a whole", () => {
+test("of a page that no window could show readably the begin is shown", () => {
   const crowd = { x: 0, y: 0, width: 4000, height: 9000 };
-  const { zoom } = readable(crowd, { width: 320, height: 720 }, screen, null);
-  expect(crowd.height * zoom).toBeLessThanOrEqual(720);
+  const { x, y, zoom } = readable(crowd, { width: 900, height: 720 }, screen, null);
+  expect({ x, zoom }).toEqual({ x: 64, zoom: 0.7 });
+  expect(y).toBeCloseTo(28);
+});
+
+test("states are shown as a whole where no window is large enough, as long as they can be made out", () => {
+  const many = { x: 0, y: 0, width: 1000, height: 2400 };
+  const { zoom } = readable(many, { width: 760, height: 720 }, screen, null, 0.25);
+  expect(many.height * zoom).toBeLessThanOrEqual(720);
 });

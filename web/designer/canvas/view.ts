@@ -74,7 +74,8 @@ export async function fitReadably(flow: ReactFlowInstance): Promise<void> {
   const canvas = canvasSize();
   if (!bounds || !canvas) return;
   const chosen = boundsOf(flow.getNodes().filter((node) => node.selected));
-  await flow.setViewport(readable(bounds, canvas, { width: innerWidth, height: innerHeight }, chosen));
+  const legible = flow.getNodes().some(({ type }) => type === "state") ? kLegibleStates : kTolerable;
+  await flow.setViewport(readable(bounds, canvas, { width: innerWidth, height: innerHeight }, chosen, legible));
 }
 
 function canvasSize(): Size | null {
@@ -88,6 +89,7 @@ interface Size {
 }
 
 const kTolerable = 0.5; // values of nodes are still to be made out
+const kLegibleStates = 0.25; // what is written there is larger from afar
 const kReadable = 0.7;
 
 /** The canvas's viewport in which `bounds` is seen as a whole. */
@@ -96,12 +98,13 @@ function whole(bounds: Box, canvas: Size): Viewport {
 }
 
 /**
- * Everything, if that can be read, or could not be in the whole window either. Else it is the panes that take the room:
- * what is chosen, or where the page begins (at the left, where values come from), as large as it takes to read it.
+ * Everything, if that can be read, or from `legible` on [zoom] could not be read in the whole window either. Else the page is
+ * large, or the panes take the room: what is chosen, or where the page begins (at the left, where values come from), as
+ * large as it takes to read it.
  */
-export function readable(bounds: Box, canvas: Size, page: Size, chosen: Box | null): Viewport {
+export function readable(bounds: Box, canvas: Size, page: Size, chosen: Box | null, legible = kTolerable): Viewport {
   const all = whole(bounds, canvas);
-  if (all.zoom >= kTolerable || whole(bounds, page).zoom < kTolerable) return all;
+  if (all.zoom >= kTolerable || (all.zoom >= legible && whole(bounds, page).zoom < kTolerable)) return all;
   const [left, top] = [Number.parseFloat(kFit.padding.left), Number.parseFloat(kFit.padding.top)];
   const middle = (begin: number, length: number, room: number) => room / 2 - (begin + length / 2) * kReadable;
   if (chosen) {
