@@ -83,6 +83,51 @@ test("Escape leaves a dialog and Enter does what it is for", async () => {
   await expect.poll(() => project.read("kept.cdl")).toContain("assemblage Wander");
 });
 
+test("Escape takes back what was typed, in fields, in several lines and in comments", async () => {
+  const { designer } = await opened();
+  const { details, page } = designer;
+  await designer.goTo("Urges");
+  const help = details.getByRole("textbox", { name: "What it is for" });
+  await help.fill("Not meant");
+  await help.press("Escape");
+  expect(await help.inputValue()).toBe("");
+  await designer.select(designer.node("Noise"));
+  const persistence = details.getByRole("textbox", { name: /^persistence/ });
+  const before = await persistence.inputValue();
+  await persistence.fill("99 s");
+  await persistence.press("Escape");
+  expect(await persistence.inputValue()).toBe(before);
+  await persistence.press("Tab"); // what is left is not sent either
+  await page.keyboard.press("Shift+C");
+  const comment = page.getByRole("textbox", { name: "Text of the comment" });
+  await comment.fill("Not meant");
+  await comment.press("Escape");
+  await comment.waitFor({ state: "detached" });
+  await page.getByText("Not saved").waitFor();
+  await page.locator("body").press("Control+z"); // the comment; nothing else was done
+  await page.getByText("Not saved").waitFor({ state: "detached" });
+});
+
+test("a dialog shows what the document says by now, and goes with what it is about", async () => {
+  const { designer, project } = await opened();
+  const { page, details } = designer;
+  const text = (initial: string) => kTwo.replace("Urges()", `Urges(eager: gain = ${initial})`);
+  project.write("two.cdl", text("0.3"));
+  await designer.goTo("Urges");
+  await details.getByRole("button", { name: /^eager/ }).click();
+  const initial = page.getByRole("dialog").getByRole("textbox", { name: "Default" });
+  expect(await initial.inputValue()).toBe("0.3");
+  project.write("two.cdl", text("0.4"));
+  await expect.poll(() => initial.inputValue()).toBe("0.4");
+  await initial.fill("0.7");
+  project.write("two.cdl", text("0.5"));
+  await details.getByText("= 0.5").waitFor();
+  expect(await initial.inputValue()).toBe("0.7");
+  project.write("two.cdl", kTwo);
+  await page.getByText("eager is not there any more").waitFor();
+  expect(await page.getByRole("dialog").count()).toBe(0);
+});
+
 test("the words of a comment are typed at once, in a free place", async () => {
   const { designer, project } = await opened();
   await designer.goTo("Urges");

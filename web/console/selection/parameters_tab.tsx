@@ -159,6 +159,7 @@ function Write({ port, label, shown, isDisabled, set, isCompact = false }: Contr
     <Field
       label={label}
       value={typed ?? now}
+      committed={now}
       // The first value that comes would else be put before what is being typed.
       isDisabled={isDisabled || (port.isNumber && shown === "")}
       problem={problem}

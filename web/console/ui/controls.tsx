@@ -136,24 +136,35 @@ interface FieldProps {
   isDisabled?: boolean;
   autoFocus?: boolean;
   inputMode?: "decimal" | "numeric" | "text";
+  /** What Escape brings back; without it, what stood there when the field was entered or last sent. */
+  committed?: string;
 }
 
 export function Field(props: FieldProps) {
   const { label, value, problem, help, onCommit } = props;
+  const entered = useRef(value);
   return (
     <TextField
       className="field"
       value={value}
       onChange={props.onChange}
+      onFocus={() => {
+        entered.current = value;
+      }}
       isInvalid={problem !== undefined}
       isDisabled={props.isDisabled ?? false}
       autoFocus={props.autoFocus ?? false}
       {...(props.hiddenLabel ? { "aria-label": label } : {})}
       onBlur={() => onCommit?.(value)}
       onKeyDown={(event) => {
-        if (event.key === "Enter") onCommit?.(value);
+        if (event.key === "Enter") {
+          onCommit?.(value);
+          entered.current = value;
+        }
+        if (event.key !== "Escape") return;
         // A dialog is left by Escape from its fields, too.
-        if (event.key === "Escape" && (event.target as Element).closest("[role=dialog]")) event.continuePropagation();
+        if ((event.target as Element).closest("[role=dialog]")) event.continuePropagation();
+        else props.onChange(props.committed ?? entered.current);
       }}
     >
       {!props.hiddenLabel && <Label>{label}</Label>}

@@ -1,6 +1,6 @@
 // What stands on the canvas beside nodes: where the page's value goes, comments, frames.
 import { Handle, type NodeProps, NodeResizer, Position } from "@xyflow/react";
-import { memo, useEffect, useState } from "react";
+import { memo, useEffect, useRef, useState } from "react";
 import { kResult } from "../protocol.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { canvasStore, useCanvas } from "./canvas_store.ts";
@@ -48,8 +48,9 @@ export const NoteView = memo(function NoteView({ id, data, selected }: NoteProps
         ...change,
       },
     });
+  const isTaken = useRef(false); // by Escape; a field that goes is left as well
   const commit = () => {
-    if (typed !== null && typed !== note.text) send({ text: typed });
+    if (typed !== null && typed !== note.text && !isTaken.current) send({ text: typed });
     setTyped(null);
   };
   return (
@@ -72,11 +73,17 @@ export const NoteView = memo(function NoteView({ id, data, selected }: NoteProps
           // biome-ignore lint/a11y/noAutofocus: somebody has just asked to type in it
           autoFocus
           value={typed}
-          onFocus={(event) => event.currentTarget.select()}
+          onFocus={(event) => {
+            isTaken.current = false;
+            event.currentTarget.select();
+          }}
           onChange={(event) => setTyped(event.target.value)}
           onBlur={commit}
           onKeyDown={(event) => {
-            if (event.key === "Escape") setTyped(null);
+            if (event.key === "Escape") {
+              isTaken.current = true;
+              setTyped(null);
+            }
             if (event.key === "Enter" && (event.ctrlKey || note.isFrame)) commit();
             event.stopPropagation();
           }}

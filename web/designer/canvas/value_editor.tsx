@@ -75,12 +75,13 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const given = what === "weight" ? port.weight : port.value;
-  const [typed, setTyped] = useState(given || (what === "value" ? port.initial : ""));
+  const shown = given || (what === "value" ? port.initial : "");
+  const [typed, setTyped] = useState(shown);
   const [problem, setProblem] = useState<string | undefined>();
-  useEffect(() => setTyped(given || (what === "value" ? port.initial : "")), [given, port.initial, what]);
+  useEffect(() => setTyped(shown), [shown]);
   const label = what === "weight" ? `Weight of ${rowLabel(port)}` : port.label || port.name;
   const send = async (value: string) => {
-    if (value === given || isReadOnly) return onDone();
+    if (value === given || value === shown || isReadOnly) return onDone(); // a default that is only left is not written
     const answer = await designer.link.ask({
       case: "edit",
       value: {
@@ -108,6 +109,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
       <Field
         label={what === "weight" ? label : fieldLabel(label, port.type, port.unit)}
         value={typed}
+        committed={shown}
         onChange={(next) => {
           setTyped(next);
           setProblem(undefined);

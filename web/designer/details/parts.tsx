@@ -14,7 +14,7 @@ interface SentFieldProps {
   hiddenLabel?: boolean;
 }
 
-/** One line; sent by Enter or by leaving it, where it is another one than before. */
+/** One line; sent by Enter or by leaving it, where it is another one than before. Escape takes back what was typed. */
 export function SentField({ value, send, isDisabled, ...rest }: SentFieldProps) {
   const isReadOnly = useIsReadOnly();
   const [typed, setTyped] = useState(value);
@@ -26,6 +26,7 @@ export function SentField({ value, send, isDisabled, ...rest }: SentFieldProps) 
     <Field
       {...rest}
       value={typed}
+      committed={value}
       onChange={setTyped}
       onCommit={(next) => next.trim() !== value && void sent(next.trim())}
       isDisabled={isReadOnly || (isDisabled ?? false)}
@@ -33,7 +34,7 @@ export function SentField({ value, send, isDisabled, ...rest }: SentFieldProps) 
   );
 }
 
-/** Several lines; sent by leaving it, as Ctrl Enter does. */
+/** Several lines; sent by leaving it, as Ctrl Enter does. Escape takes back what was typed. */
 export function SentText({
   label,
   value,
@@ -62,7 +63,12 @@ export function SentText({
         disabled={isReadOnly}
         onChange={(event) => setTyped(event.target.value)}
         onBlur={() => typed.trim() !== value && send(typed.trim())}
-        onKeyDown={(event) => event.key === "Enter" && (event.ctrlKey || event.metaKey) && event.currentTarget.blur()}
+        onKeyDown={(event) => {
+          if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) event.currentTarget.blur();
+          if (event.key !== "Escape") return;
+          setTyped(value);
+          event.stopPropagation();
+        }}
       />
     </div>
   );

@@ -7,6 +7,7 @@ import { Button, Field } from "../../console/ui/controls.tsx";
 import { DialogBox } from "../../console/ui/menus.tsx";
 import { nameOf as fileName, isNew } from "../designer.ts";
 import { Choice } from "../details/choice.tsx";
+import { useFollowing } from "../pages/follow.ts";
 import { declarationOf } from "../pages/pages.ts";
 import type { Document } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
@@ -47,7 +48,7 @@ export function SaveAsDialog() {
   const document = useDocument();
   const before = inProject(document?.path ?? "");
   const [folder, setFolder] = useState(folderOf(before));
-  const [name, setName] = useState(() => firstName(document));
+  const [name, setName] = useFollowing(firstName(document));
   const [isThere, setIsThere] = useState(false);
   const [refusal, setRefusal] = useState("");
   const list = useListing();

@@ -146,7 +146,13 @@ function BreakWhen({ path, id, type }: { path: string; id: string; type: string 
         choices={kComparisons.map(([one, sign]) => [String(one), sign] as const)}
         onChange={(next) => setComparison(Number(next) as Comparison)}
       />
-      <Field label="Value" value={typed} onChange={setTyped} placeholder={type === "Vector" ? "its length" : ""} />
+      <Field
+        label="Value"
+        value={typed}
+        committed=""
+        onChange={setTyped}
+        placeholder={type === "Vector" ? "its length" : ""}
+      />
       <IconButton icon="plus" label="Set the breakpoint" isDisabled={typed.trim() === ""} onPress={set} />
       {all.length > 0 && <span className="small muted">{all.length} set</span>}
     </div>

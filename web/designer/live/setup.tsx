@@ -67,6 +67,7 @@ function Count({ value, isDisabled, set }: { value: number; isDisabled: boolean;
     <Field
       label="Robots"
       value={typed}
+      committed={String(value)}
       onChange={setTyped}
       inputMode="numeric"
       isDisabled={isDisabled}

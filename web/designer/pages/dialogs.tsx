@@ -1,10 +1,12 @@
 // Small dialogs about what is on the page: names, new declarations, parameters, groups.
-import { type ReactNode, useState } from "react";
+import { type ReactNode, useRef, useState } from "react";
 import { Button, Field } from "../../console/ui/controls.tsx";
 import { DialogBox } from "../../console/ui/menus.tsx";
 import { Choice } from "../details/choice.tsx";
+import type { Drawing } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
+import { useClosedWithout, useFollowing } from "./follow.ts";
 import { cdlName } from "./names.ts";
 import { lastPart } from "./pages.ts";
 
@@ -23,7 +25,7 @@ interface AskProps {
 
 export function Ask({ title, label, first, button, help, isFree = false, children, done }: AskProps) {
   const designer = useDesigner();
-  const [value, setValue] = useState(first);
+  const [value, setValue] = useFollowing(first);
   const [problem, setProblem] = useState<string | undefined>();
   const close = () => designer.store.setState({ dialog: "" });
   const wrong = isFree ? undefined : cdlName(value);
@@ -77,6 +79,9 @@ export function RenameDialog() {
   const node = usePart((state) => state.subject);
   const page = usePart((state) => state.page);
   const transition = drawing && transitionOf(drawing, node);
+  const isThere = !drawing || transition !== undefined || isOn(drawing, node);
+  const isOurs = useRef(false); // what is renamed here is not lost
+  useClosedWithout(isThere || isOurs.current, lastPart(node));
   if (transition) {
     return (
       <Ask
@@ -87,6 +92,7 @@ export function RenameDialog() {
         isFree
         done={async (trigger) => {
           const { from, index } = transition;
+          isOurs.current = true;
           const answer = await designer.link.ask(
             editOf(designer, `trigger of ${from}`, { case: "setTransition", value: { page, from, index, trigger } }),
           );
@@ -103,12 +109,18 @@ export function RenameDialog() {
       button="Rename"
       done={async (name) => {
         if (name === lastPart(node)) return "";
+        isOurs.current = true;
         const answer = await designer.link.ask(editOf(designer, "", { case: "rename", value: { page, node, name } }));
         if (answer.ok) designer.select([name]);
+        else isOurs.current = false;
         return answer.error;
       }}
     />
   );
+}
+
+function isOn({ nodes, states }: Drawing, name: string): boolean {
+  return [...nodes, ...states].some((one) => one.name === name);
 }
 
 const kKinds: Record<string, string> = { assemblage: "an assemblage", robot: "a robot", society: "a society" };
@@ -156,17 +168,20 @@ export function ParameterDialog() {
   const drawing = useDrawing();
   const subject = usePart((state) => state.subject);
   const before = drawing?.parameters.find((one) => one.name === subject);
-  const [name, setName] = useState(before?.name ?? "");
-  const [type, setType] = useState(before?.type ?? "gain");
-  const [initial, setInitial] = useState(before?.initial ?? "");
-  const [low, setLow] = useState(before?.min === undefined ? "" : String(before.min));
-  const [high, setHigh] = useState(before?.max === undefined ? "" : String(before.max));
-  const [help, setHelp] = useState(before?.help ?? "");
+  const [name, setName] = useFollowing(before?.name ?? "");
+  const [type, setType] = useFollowing(before?.type ?? "gain");
+  const [initial, setInitial] = useFollowing(before?.initial ?? "");
+  const [low, setLow] = useFollowing(before?.min === undefined ? "" : String(before.min));
+  const [high, setHigh] = useFollowing(before?.max === undefined ? "" : String(before.max));
+  const [help, setHelp] = useFollowing(before?.help ?? "");
+  const isOurs = useRef(false); // what is renamed here is not lost
+  useClosedWithout(subject === "" || before !== undefined || isOurs.current, subject);
   const [problem, setProblem] = useState("");
   const owner = drawing?.page?.path ?? "";
   const close = () => designer.store.setState({ dialog: "" });
   const save = async () => {
     if (cdlName(name) !== undefined) return;
+    isOurs.current = true;
     const changes = [
       ...(before && before.name !== name
         ? [{ case: "rename" as const, value: { page: owner, node: before.name, name } }]
@@ -176,6 +191,7 @@ export function ParameterDialog() {
     const answer = await designer.link.ask(
       editOf(designer, before ? `change parameter ${name}` : `add parameter ${name}`, ...changes),
     );
+    isOurs.current = answer.ok;
     if (answer.ok) close();
     else setProblem(answer.error);
   };
