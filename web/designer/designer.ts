@@ -131,7 +131,8 @@ export class Designer {
     if (!isSame || place.node) this.goTo(place.document, place.page, place.node, "along");
   }
 
-  private nowCalled(document: string): string {
+  /** By the name that it has since it was saved under another one. */
+  nowCalled(document: string): string {
     let now = document;
     for (let i = 0; i < this.movedTo.size && !this.state.documents[now]; ++i) now = this.movedTo.get(now) ?? now;
     return now;

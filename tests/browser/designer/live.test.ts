@@ -114,13 +114,36 @@ test("a parameter of the running robots is changed, and written back to the text
   expect(await designer.button("Run the change").count()).toBe(0);
 });
 
-test("the movement field is read while time stands still", async () => {
+test("the movement field is read as it is switched on, live, and says why it can't be", async () => {
   const { designer } = await opened(kWander);
+  const { simulator } = designer;
   await designer.on("Wander");
   await run(designer);
-  await pause(designer);
   await designer.button("Movement field of the selection").click();
-  await designer.simulator.getByText("Movement field of Wander", { exact: false }).waitFor();
+  const note = simulator.getByText("Movement field of Wander", { exact: false });
+  await note.waitFor();
+  await simulator.getByText("Running", { exact: true }).waitFor(); // nobody had to pause it
+  await designer.select(designer.named("Noise"));
+  await simulator.getByText("Movement field of Noise", { exact: false }).waitFor();
+  await designer.toFile();
+  await simulator.getByText("No movement field: The page of a file gives no movement").waitFor();
+});
+
+test("a new configuration keeps its run when it is saved", async () => {
+  const { designer } = await begin({ width: 1600, height: 900 });
+  await designer.newAssemblage("Wander");
+  await designer.place("Noise");
+  await designer.wire(designer.output(designer.node("Noise")), designer.result);
+  await designer.hasWires(1);
+  await run(designer);
+  await designer.saveAs("kept");
+  await designer.page.getByText("kept.cdl").first().waitFor();
+  await designer.button("Pause").waitFor();
+  expect(await designer.simulator.getByText("another mission").count()).toBe(0);
+  const before = await time(designer);
+  await expect.poll(() => time(designer)).toBeGreaterThan(before + 0.5);
+  await designer.page.locator(".wire-label.live").first().waitFor();
+  expect(await designer.button("Run the change").count()).toBe(0);
 });
 
 test("a probe stays in sight on other pages", async () => {

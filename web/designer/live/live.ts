@@ -17,7 +17,7 @@ import { besideSimulator, kWide } from "../state.ts";
 import { type BreakpointInit, hitText } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
-import { createLiveState, type DrawnAt, type Pin, setupKey, type Tried } from "./live_state.ts";
+import { createLiveState, type DrawnAt, type LiveState, type Pin, setupKey, type Tried } from "./live_state.ts";
 import { drawnAtOf, endedMarks, type MarkInit, markAt, pinsOf, renamedBreakpoints } from "./marks.ts";
 import { remember, remembered } from "./remembered.ts";
 import { isMoving, runButton, type Situation } from "./run_button.ts";
@@ -36,6 +36,7 @@ export class Live {
   readonly follower: Follower;
   private handsOverUntil = 0;
   private known = new Set<number>();
+  private fieldRequest = 0;
 
   constructor(readonly designer: Designer) {
     this.connection = new Connection(this.model, {
@@ -72,7 +73,8 @@ export class Live {
     const { designer, model, store } = this;
     const { isBusy, tried, subject } = store.getState();
     const document = designer.document;
-    const isOurs = tried !== null && tried.document === document?.path && this.holds(tried.mission);
+    const isOurs =
+      tried !== null && this.designer.nowCalled(tried.document) === document?.path && this.holds(tried.mission);
     return {
       isConnected: model.get("link").state === "open",
       isBusy,
@@ -268,24 +270,38 @@ export class Live {
   async readField(node: string, visible: Parameters<typeof gridFor>[0], scale: number): Promise<void> {
     const { designer, store, model } = this;
     const scene = model.get("scene");
-    if (!scene) return;
+    const request = ++this.fieldRequest;
+    const tell = (field: LiveState["field"], fieldError: string) => {
+      if (request === this.fieldRequest && store.getState().showsField) store.setState({ field, fieldError });
+    };
+    if (!scene) {
+      tell(null, "Nothing runs.");
+      return;
+    }
     const { area, columns, rows } = gridFor(visible, scene, scale);
-    if (columns === 0 || rows === 0) return;
+    if (columns === 0 || rows === 0) {
+      tell(null, "The map shows nothing of the mission's area.");
+      return;
+    }
     const { document, page } = designer.state;
-    const robot = this.follower.robot;
+    if (page === "") {
+      tell(null, "The page of a file gives no movement; open one of its declarations.");
+      return;
+    }
+    const robot = this.situation.isOurs ? this.follower.robot : 0; // others' robots don't run this
     const heading = model.placeOf(robot)?.heading ?? 0;
     const answer = await designer.link.ask({
       case: "readField",
       value: { document, page, node, robot, area, columns, rows, heading },
     });
     if (!answer.ok || answer.result.case !== "field") {
-      store.setState({ field: null, fieldError: sentence(answer.error || "there is no field") });
+      tell(null, sentence(answer.error || "there is no field"));
       return;
     }
     const { arrows, note } = answer.result.value;
     const pitch = Math.min((area.xMax - area.xMin) / columns, (area.yMax - area.yMin) / rows);
     const title = spokenPath(node === "" ? page : node);
-    store.setState({ field: { arrows: readArrows(arrows), pitch, note, title }, fieldError: "" });
+    tell({ arrows: readArrows(arrows), pitch, note, title }, "");
   }
 
   /** To where it is drawn. */

@@ -7,7 +7,7 @@ import { MapView } from "../../core/map/map_view.ts";
 import { kFieldKey } from "./keys.ts";
 import { isMoving } from "./run_button.ts";
 import { StartsTool } from "./starts_tool.ts";
-import { useField, useReadField } from "./use_field.ts";
+import { useField } from "./use_field.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
 
 export function MapHost() {
@@ -49,9 +49,7 @@ function MapTools() {
   const map = useLiveState((state) => state.map);
   const isPlacing = useLiveState((state) => state.isPlacing);
   const shows = useLiveState((state) => state.showsField);
-  const status = useSessionPart("status");
   const robot = useSessionPart("selection").robots[0];
-  const read = useReadField();
   return (
     <div className="map-tools" role="toolbar" aria-label="Map tools" aria-orientation="vertical">
       <IconButton
@@ -67,9 +65,6 @@ function MapTools() {
         pressed={shows}
         onPress={() => live.store.setState({ showsField: !shows, field: null, fieldError: "" })}
       />
-      {shows && status && isMoving(status.mode) && (
-        <IconButton icon="cycle" label="Read the field again" onPress={read} />
-      )}
       <hr />
       <IconButton icon="fit" label="Fit the whole map" onPress={() => map?.fit()} />
       <IconButton icon="plus" label="Zoom in on the map" onPress={() => map?.zoom(Math.SQRT2)} />

@@ -74,6 +74,7 @@ function Place() {
   const error = useLiveState((state) => state.error);
   const fieldError = useLiveState((state) => state.fieldError);
   const field = useLiveState((state) => (state.showsField ? state.field : null));
+  const isReading = useLiveState(({ showsField, field, fieldError }) => showsField && !field && fieldError === "");
   const isPlacing = useLiveState((state) => state.isPlacing);
   const { act, hint } = runButton(now);
   const isEmpty = !scene || now.mode === Status_Mode.NO_MISSION;
@@ -93,6 +94,11 @@ function Place() {
       {fieldError !== "" && (
         <p className="notice" role="status">
           No movement field: {fieldError}
+        </p>
+      )}
+      {isReading && !isEmpty && (
+        <p className="sim-note small" role="status">
+          Reading the movement field…
         </p>
       )}
       {field && (
