@@ -10,6 +10,8 @@
 #include "mlab/cli/bench_networks.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cnl/elaborate.h"
@@ -26,7 +28,7 @@ constexpr double kShareOfArena = 0.9;  // goals are drawn in the inner 90 per ce
 
 std::optional<sim::BenchScenario> scenario_of(const BenchOptions& options, text::Diagnostics& sink) {
   if (options.positions.empty()) return sim::make_bench_scenario(options.robots, options.seed);
-  const text::Result<text::SourcePtr> source = text::read_source(options.positions);
+  const text::Result<text::SourcePtr> source = read_input(options.positions);
   if (!source) {
     sink.report(source.error());
     return std::nullopt;
@@ -88,7 +90,7 @@ int bench(const BenchOptions& options) {
   text::Diagnostics sink;
   const std::optional<sim::BenchScenario> scenario = scenario_of(options, sink);
   const std::shared_ptr<const flow::Program> program = scenario ? program_of(options.control, sink) : nullptr;
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   if (!scenario || !program) return kBadInput;
   if (!options.json.empty() && !is_writable(options.json)) {
     fmt::print(stderr, "mlab bench: --json {}: the file can't be written\n", options.json);

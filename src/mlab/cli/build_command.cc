@@ -13,6 +13,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/export_command.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/lang/cdl/emit_cnl.h"
 #include "mlab/robot/configuration_file.h"
@@ -96,7 +97,7 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
         robot_build::emit_cpp(robot), output, toolchain(), sink,
         [&](std::size_t done, std::size_t total, const std::string& what) { line.show(done, total, what); });
   }
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   if (!report) return kBadInput;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   fmt::print("{}: {} of {} files compiled, {:.1f} s\n", output, report->compiled.size(),
@@ -128,7 +129,7 @@ int build(const BuildOptions& asked) {
     robot->version = kVersion;
   }
   if (robot && options.emit.empty()) return build_program(options, *robot, sink);
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   if (!robot) return kBadInput;
   return put(options.emit == "cpp" ? robot_build::joined(robot_build::emit_cpp(*robot))
                                    : cdl::cnl_text(robot->network),

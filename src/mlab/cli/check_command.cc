@@ -6,6 +6,8 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/language/service.h"
 #include "mlab/text/diagnostic.h"
 
@@ -83,7 +85,7 @@ int check(const CheckOptions& options) {
   for (const std::string& file : options.files) {
     Checked checked;
     checked.file = file;
-    if (text::Result<text::SourcePtr> source = text::read_source(file)) {
+    if (text::Result<text::SourcePtr> source = read_input(file)) {
       check_source(*source, checked);
     } else {
       checked.sink.report(source.error());
@@ -94,7 +96,7 @@ int check(const CheckOptions& options) {
       files.push_back(checked_json(checked));
       continue;
     }
-    fmt::print(stderr, "{}", text::render(checked.sink));
+    tell(checked.sink);
     fmt::print("{}: {}", file, checked.language ? name(*checked.language) : "unreadable");
     if (checked.sink.items().empty()) {
       fmt::print(", ok\n");

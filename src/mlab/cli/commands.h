@@ -85,6 +85,13 @@ int import(const ImportOptions& options);
 /// The language server, until it is told to exit.
 int lsp();
 
+struct NewOptions {
+  std::string kind;  ///< one of new_kinds
+  std::string name;  ///< of the files without their endings, perhaps with a folder
+};
+int make_new(const NewOptions& options);
+std::vector<std::string> new_kinds();
+
 struct BenchOptions {
   std::uint32_t robots = 1000;
   int threads = 1;

@@ -21,7 +21,9 @@
 #include "mlab/cli/browser.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
 #include "mlab/cli/run_settings.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/console.pb.h"
 #include "mlab/console/server/server.h"
@@ -135,7 +137,7 @@ Look look_at(const RunOptions& options, fleet::RunSettings& settings) {
     out.is_usable = changes.has_value() && !sink.has_errors();
     settings.environment = changes.value_or(overlay::EnvironmentChanges{});
   }
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   out.warnings = sink.warning_count();
   return out;
 }
@@ -250,6 +252,7 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
 int run_console(const RunOptions& options) {
   if (!options.plot.empty() || options.limit || options.quiet)
     return usage_error("--plot, --limit and --quiet go with --headless");
+  if (is_standard_input(options.mission)) return usage_error("-, standard input, goes with --headless");
   if (const std::string reason = why_web_is_missing(); !reason.empty())
     return usage_error("there is no page to show; --headless carries a mission out without\n" + reason);
   std::optional<RunManner> manner = run_manner(options, kConsoleSpeed);

@@ -9,6 +9,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/describe_configuration.h"
 #include "mlab/cli/describe_historic.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
 #include "mlab/robot/configuration_file.h"
@@ -140,7 +141,7 @@ int describe_robot(const std::string& format) {
   text::Diagnostics sink;
   const auto standard = robot::load_program("robot", {}, {}, {}, {}, sink);
   if (!standard) {
-    fmt::print(stderr, "{}", text::render(sink));
+    tell(sink);
     return kFailed;
   }
   Json parameters = Json::array();

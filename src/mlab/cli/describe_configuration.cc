@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mlab/cli/describe_historic.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/print.h"
 #include "mlab/robot/configuration_file.h"
@@ -237,7 +238,7 @@ int describe_configuration_file(const DescribeOptions& options) {
     const cdl::Configuration configuration = cdl::load(*source, robot::library_environment(), sink);
     if (!sink.has_errors()) show(declarations_of(configuration, *source), options.format);
   }
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   return sink.has_errors() ? kBadInput : kDone;
 }
 

@@ -11,6 +11,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/export/format.h"
 #include "mlab/lang/cdl/formula.h"
 #include "mlab/robot/configuration_file.h"
@@ -48,7 +49,7 @@ int write_formula(const BuildOptions& options) {
   } else {
     sink.report(source.error());
   }
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   return sink.has_errors() ? kBadInput : put(out, options.output);
 }
 
@@ -73,7 +74,7 @@ int export_configuration(const BuildOptions& options) {
                                                program_sources(""), sink);
   std::optional<std::string> text;
   if (robot) text = exported(*robot, options.emit, sink);
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   return text ? put(*text, options.output) : kBadInput;
 }
 

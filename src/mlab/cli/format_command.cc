@@ -6,6 +6,8 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/language/service.h"
 #include "mlab/text/diagnostic.h"
 
@@ -32,12 +34,17 @@ int format(const FormatOptions& options) {
   int status = kDone;
   for (const std::string& file : options.files) {
     text::Diagnostics sink;
-    text::Result<text::SourcePtr> source = text::read_source(file);
+    text::Result<text::SourcePtr> source = read_input(file);
     if (!source) sink.report(source.error());
     const std::optional<std::string> wanted = source ? canonical(*source, sink) : std::nullopt;
     if (!wanted) {
-      fmt::print(stderr, "{}{}: left as it is\n", text::render(sink), file);
+      tell(sink);
+      fmt::print(stderr, "{}: left as it is\n", file);
       status = kBadInput;
+      continue;
+    }
+    if (is_standard_input(file) && !options.check_only) {
+      fmt::print("{}", *wanted);
       continue;
     }
     if (*wanted == (*source)->text()) continue;

@@ -6,6 +6,8 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/designer/spread.h"
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/robot/configuration_file.h"
@@ -16,16 +18,16 @@ namespace mlab::cli {
 
 int import(const ImportOptions& options) {
   text::Diagnostics sink;
-  const text::Result<text::SourcePtr> source = text::read_source(options.file);
+  const text::Result<text::SourcePtr> source = read_input(options.file);
   if (!source) {
-    fmt::print(stderr, "{}", text::render(source.error()));
+    tell(source.error());
     return kBadInput;
   }
   const cdl_historic::Vocabulary vocabulary(robot::component_library(),
                                             robot::library_environment().built_in);
   const std::string out = designer::spread_out(cdl_historic::import_as_text(*source, vocabulary, sink),
                                                robot::library_environment());
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   if (sink.has_errors()) {
     fmt::print(stderr, "mlab import: {} has errors; nothing is written\n", options.file);
     return kBadInput;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -6,15 +7,19 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/export_command.h"
+#include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
+#include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
 namespace {
@@ -42,8 +47,9 @@ int hardware_threads() {
 
 void add_run(CLI::App& app, RunOptions& o) {
   CLI::App* c = app.add_subcommand("run", "Carry out a mission in simulation, watched from a browser.");
-  c->add_option("mission", o.mission, "the mission file (.mdl); without one the console opens empty")
-      ->type_name("MISSION");
+  c->add_option("mission", o.mission,
+                "the mission file; without one the console opens empty; -: standard input, with --headless")
+      ->type_name("MISSION.mdl");
   c->add_flag("--headless", o.headless, "no console: print the steps as they happen");
   c->add_flag("--proceed", o.proceed, "answer every Proceed? with yes");
   c->add_option("--speed", o.speed, "real, N times real time, or max (default: 10; headless: max)")
@@ -113,14 +119,14 @@ void add_edit(CLI::App& app, RunOptions& o) {
       "edit",
       "Draw configurations of robots and see them live, in the browser. Without a file it starts with the\n"
       "examples and the component library.");
-  c->add_option("file", o.configuration, "the configuration (.cdl)")->type_name("FILE");
+  c->add_option("file", o.configuration, "the configuration")->type_name("FILE.cdl");
   add_console(c, o, "Where and how");
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* c = app.add_subcommand(
       "check", "Parse and check files of missions, overlays, networks and configurations.");
-  c->add_option("files", o.files, "files; the language is told by name or content")
+  c->add_option("files", o.files, "files; the language is told by name or content; -: standard input")
       ->required()
       ->type_name("FILE");
   c->add_option("--format", o.format, "how problems are printed")
@@ -131,7 +137,9 @@ void add_check(CLI::App& app, CheckOptions& o) {
 
 void add_fmt(CLI::App& app, FormatOptions& o) {
   CLI::App* c = app.add_subcommand("fmt", "Rewrite files in the canonical layout, comments kept.");
-  c->add_option("files", o.files, "files to rewrite in place")->required()->type_name("FILE");
+  c->add_option("files", o.files, "files to rewrite in place; -: standard input, to standard output")
+      ->required()
+      ->type_name("FILE");
   c->add_flag("--check", o.check_only,
               "change nothing; exit status 1 where a file is not in the canonical layout");
 }
@@ -176,7 +184,9 @@ void add_build(CLI::App& app, BuildOptions& o) {
 
 void add_import(CLI::App& app, ImportOptions& o) {
   CLI::App* c = app.add_subcommand("import", "Turn a configuration of the historic tools into one of ours.");
-  c->add_option("file", o.file, "the historic configuration (.cdl)")->required()->type_name("FILE");
+  c->add_option("file", o.file, "the historic configuration (.cdl); -: standard input")
+      ->required()
+      ->type_name("FILE");
   c->add_option("-o,--output", o.output, "write it to this file, not to the terminal")->type_name("FILE");
   c->add_flag("--strict", o.strict, "warnings count as problems (exit status 1)");
 }
@@ -196,7 +206,7 @@ void add_bench(CLI::App& app, BenchOptions& o) {
       ->capture_default_str()
       ->check(CLI::IsMember({"diffusion", "schemas"}));
   c->add_option("--positions", o.positions,
-                "read obstacles and robots from a CSV file instead of generating them")
+                "read obstacles and robots from a CSV file instead of generating them; -: standard input")
       ->type_name("FILE");
   c->add_option("--range", o.range, "of the range sensors [m]")
       ->capture_default_str()
@@ -217,6 +227,105 @@ void add_lsp(CLI::App& app, bool& says_stdio) {
   CLI::App* c = app.add_subcommand(
       "lsp", "Language server for editors: LSP 3.17 over standard input and output (docs/editors.md).");
   c->add_flag("--stdio", says_stdio, "what it does anyway; many editors say it");
+}
+
+void add_new(CLI::App& app, NewOptions& o) {
+  CLI::App* c = app.add_subcommand("new",
+                                   "Write a small mission, behavior or configuration to begin with, and what "
+                                   "it takes to run it: NAME.mdl,\n"
+                                   "NAME.odl, NAME.cnl or NAME.cdl. What is there already is left alone.");
+  c->add_option("kind", o.kind, "what to begin")
+      ->required()
+      ->check(CLI::IsMember(new_kinds()))
+      ->type_name("KIND");
+  c->add_option("name", o.name, "what it is called; a folder may stand before it")
+      ->required()
+      ->type_name("NAME");
+}
+
+// What shows or writes something of the command line itself.
+struct OwnOptions {
+  std::string help_of;  // never read: help is answered by the command it is asked of
+  std::string shell;
+  std::string folder;
+};
+
+void add_own(CLI::App& app, OwnOptions& o) {
+  CLI::App* completion =
+      app.add_subcommand("completion", "Print what a shell reads to complete command lines of mlab.");
+  completion->add_option("shell", o.shell, "which shell; bash takes it as: source <(mlab completion bash)")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->type_name("SHELL");
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(command->get_name());
+  CLI::App* help = app.add_subcommand("help", "Show the help of a command.");
+  help->add_option("command", o.help_of, "which; without one: of all")
+      ->check(CLI::IsMember(commands))
+      ->type_name("COMMAND");
+  // For the installation, not for people.
+  CLI::App* write = app.add_subcommand("write-shell-files", "Write completions and manual pages.")->group("");
+  write->add_option("folder", o.folder, "share/ of the installation")->required();
+}
+
+int show_own(const CLI::App& app, const OwnOptions& o) {
+  const ProgramWords program = words_of(app);
+  if (app.got_subcommand("write-shell-files")) return write_shell_files(program, o.folder) ? kDone : kFailed;
+  fmt::print("{}", o.shell == "bash"  ? bash_completion(program)
+                   : o.shell == "zsh" ? zsh_completion(program)
+                                      : fish_completion(program));
+  return kDone;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string nearest = text::nearest_name(word, known);
+  return nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest);
+}
+
+// A first word that is no command, or an option that the command doesn't have, with the nearest that there
+// is.
+// @return false where the mistake is of another kind
+bool tell_unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
+  const ProgramWords program = words_of(app);
+  std::vector<std::string> known;
+  const CommandWords* command = &program.own;
+  for (const CommandWords& one : program.commands) {
+    known.push_back(one.name);
+    if (!words.empty() && one.name == words.front()) command = &one;
+  }
+  const bool is_own = command == &program.own;
+  if (is_own && !words.empty() && !words.front().starts_with('-')) {
+    fmt::print(stderr, "mlab: there is no command `{}`{}\nRun mlab --help for all of them.\n", words.front(),
+               did_you_mean(words.front(), known));
+    return true;
+  }
+  known.clear();
+  for (const OptionWords& option : command->options)
+    known.insert(known.end(), option.names.begin(), option.names.end());
+  for (const std::string& all : words) {
+    const std::string word = all.substr(0, all.find('='));
+    if (!word.starts_with("--") || word == "--" || std::ranges::find(known, word) != known.end()) continue;
+    fmt::print(stderr, "mlab{}{}: there is no option `{}`{}\nRun with --help for all of them.\n",
+               is_own ? "" : " ", is_own ? "" : command->name, word, did_you_mean(word, known));
+    return true;
+  }
+  return false;
+}
+
+bool is_unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty() || words.front().starts_with('-')) return false;
+  return app.get_subcommands([&](const CLI::App* one) { return one->check_name(words.front()); }).empty();
+}
+
+// `mlab help run` is `mlab run --help`.
+std::vector<std::string> words_in(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || words.size() > 2 || words.front() != "help" || words.back().starts_with('-'))
+    return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -247,9 +356,17 @@ int parse_and_run(int argc, char** argv) {
   add_bench(app, bench_options);
   bool says_stdio = false;
   add_lsp(app, says_stdio);
+  NewOptions new_options;
+  add_new(app, new_options);
+  OwnOptions own_options;
+  add_own(app, own_options);
+  const std::vector<std::string> words = words_in(argc, argv);
+  if (is_unknown_command(app, words) && tell_unknown_word(app, words)) return kBadInput;
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes them from the end
   } catch (const CLI::ParseError& e) {
+    const bool is_success = e.get_exit_code() == 0;  // help and version come this way, too
+    if (!is_success && tell_unknown_word(app, words)) return kBadInput;
     return app.exit(e) == 0 ? kDone : kBadInput;
   }
   if (app.got_subcommand("run")) return run(run_options);
@@ -260,6 +377,8 @@ int parse_and_run(int argc, char** argv) {
   if (app.got_subcommand("build")) return build(build_options);
   if (app.got_subcommand("import")) return import(import_options);
   if (app.got_subcommand("lsp")) return lsp();
+  if (app.got_subcommand("new")) return make_new(new_options);
+  if (!app.got_subcommand("bench")) return show_own(app, own_options);
   return bench(bench_options);
 }
 

@@ -1,4 +1,3 @@
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -6,27 +5,27 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
-#include <variant>
 
 #include <fmt/core.h>
 
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
 #include "mlab/cli/plot.h"
 #include "mlab/cli/run_screen.h"
 #include "mlab/cli/run_settings.h"
+#include "mlab/cli/terminal.h"
+#include "mlab/cli/terminal_operator.h"
 #include "mlab/cli/version.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/fleet/report.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
@@ -39,120 +38,21 @@ void on_run_interrupt(int) {
   if (run_interrupts > 1) _exit(kFailed);
 }
 
-// One line of standard input, without blocking for longer than `wait_ms`.
-class Answers {
- public:
-  enum class Kind { kNone, kLine, kEnd };
-  Kind poll_line(int wait_ms, std::string& line) {
-    if (const std::size_t end = pending_.find('\n'); end != std::string::npos) {
-      line = pending_.substr(0, end);
-      pending_.erase(0, end + 1);
-      return Kind::kLine;
-    }
-    if (is_over_) return Kind::kEnd;
-    pollfd fd{STDIN_FILENO, POLLIN, 0};
-    if (::poll(&fd, 1, wait_ms) <= 0) return Kind::kNone;
-    char block[512];
-    const ssize_t n = ::read(STDIN_FILENO, block, sizeof block);
-    if (n > 0) {
-      pending_.append(block, static_cast<std::size_t>(n));
-    } else {
-      is_over_ = true;
-      if (!pending_.empty()) pending_ += '\n';
-    }
-    return poll_line(0, line);
-  }
-
- private:
-  std::string pending_;
-  bool is_over_ = false;
-};
-
-// The operator at a terminal: shows what is asked and takes the answers.
-class TerminalOperator {
- public:
-  TerminalOperator(fleet::MissionRun& run, RunScreen& screen) : run_(run), screen_(screen) {}
-
-  void see(const mission::Effect& effect) {
-    if (const auto* ask = std::get_if<mission::effect::Ask>(&effect)) {
-      asked_[ask->question] = ask->text;
-      is_prompted_ = false;
-    }
-    if (const auto* gone = std::get_if<mission::effect::Withdraw>(&effect)) {
-      if (is_prompted_ && !asked_.empty() && asked_.begin()->first == gone->question) {
-        fmt::print("\n");
-        is_prompted_ = false;
-      }
-      asked_.erase(gone->question);
-    }
-    const auto* told = std::get_if<mission::effect::Tell>(&effect);
-    if (told != nullptr && told->kind == mission::effect::Tell::Kind::kCommandEnded && teleoperated_ &&
-        run_.state().commands[told->command].unit == run_.mission().units[*teleoperated_].name)
-      teleoperated_.reset();
-    if (const auto* open = std::get_if<mission::effect::OpenTeleoperation>(&effect)) {
-      teleoperated_ = open->unit;
-      screen_.line(fmt::format("  unit {} is teleoperated, and there is no stick here: press Enter to end it",
-                               text::shown(run_.mission().units[open->unit].name)));
-    }
-  }
-  bool is_needed() const { return !asked_.empty() || teleoperated_.has_value(); }
-  // A unit is under the stick: nothing but a person ends that.
-  bool is_steering() const { return teleoperated_.has_value(); }
-
-  // Asks and waits for at most `wait_ms`. False where nobody is left to answer.
-  bool attend(int wait_ms) {
-    if (!asked_.empty() && !std::exchange(is_prompted_, true)) {
-      screen_.clear_progress();
-      fmt::print("{} [y/n] ", text::shown(asked_.begin()->second, 200));
-      std::fflush(stdout);
-    }
-    std::string line;
-    const Answers::Kind kind = answers_.poll_line(wait_ms, line);
-    if (kind == Answers::Kind::kEnd) {
-      if (!asked_.empty() && !std::exchange(is_over_, true)) fmt::print("\n");
-      return false;
-    }
-    if (kind == Answers::Kind::kLine) {
-      if (isatty(STDIN_FILENO) == 0) fmt::print("{}\n", text::shown(line));
-      take(line);
-    }
-    return true;
-  }
-
- private:
-  void take(std::string line) {
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-    if (asked_.empty()) {
-      if (teleoperated_)
-        run_.post(mission::event::TeleoperationComplete{*std::exchange(teleoperated_, std::nullopt)});
-      return;
-    }
-    is_prompted_ = false;
-    const bool yes = line == "y" || line == "Y" || line == "yes" || line == "proceed" || line == "PROCEED";
-    const bool no = line == "n" || line == "N" || line == "no" || line == "abort" || line == "ABORT";
-    if (!yes && !no) {
-      screen_.line("  y lets the unit proceed, n aborts the mission");
-      return;
-    }
-    const std::uint32_t question = asked_.begin()->first;
-    asked_.erase(asked_.begin());
-    run_.post(mission::event::Answer{question, yes});
-  }
-
-  fleet::MissionRun& run_;
-  RunScreen& screen_;
-  Answers answers_;
-  std::map<std::uint32_t, std::string> asked_;
-  std::optional<std::uint32_t> teleoperated_;
-  bool is_prompted_ = false;
-  bool is_over_ = false;  // nobody will answer any more
-};
-
 struct Prepared {
   std::unique_ptr<fleet::MissionRun> run;
   MissionClock clock;
   double speed = 0.0;
+  text::Diagnostics warnings;  // of loading
 };
+
+std::shared_ptr<const mission::Mission> load(const RunOptions& options, text::Diagnostics& sink) {
+  const mdl::LoadOptions around{options.seed, overlay_folders()};
+  if (!is_standard_input(options.mission)) return mdl::load_mission(options.mission, sink, around);
+  const text::Result<text::SourcePtr> source = read_input(options.mission);
+  if (source) return mdl::check_mission(*source, "", sink, around);
+  sink.report(source.error());
+  return nullptr;
+}
 
 // Everything that can be wrong before the first cycle. Diagnostics are printed here.
 std::optional<Prepared> prepare(const RunOptions& options, int& status) {
@@ -162,9 +62,8 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   if (!manner) return std::nullopt;
   out.clock = manner->clock;
   out.speed = manner->speed;
-  text::Diagnostics sink;
-  const std::shared_ptr<const mission::Mission> mission =
-      mdl::load_mission(options.mission, sink, {options.seed, overlay_folders()});
+  text::Diagnostics& sink = out.warnings;
+  const std::shared_ptr<const mission::Mission> mission = load(options, sink);
   if (mission) {
     fleet::RunSettings& settings = manner->settings;
     const robot::ProgramSources sources =
@@ -175,7 +74,7 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
     }
     if (!sink.has_errors()) out.run = fleet::MissionRun::create(mission, sources, settings, sink);
   }
-  fmt::print(stderr, "{}", text::render(sink));
+  tell(sink);
   if (!out.run) return std::nullopt;
   if (options.strict && sink.warning_count() > 0) {
     fmt::print(stderr, "mlab run: not run, because of {} warning{} and --strict\n", sink.warning_count(),
@@ -194,6 +93,12 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
   run.post(mission::event::Execute{});
   while (run_interrupts == 0) {
+    if (const double ahead = person.ahead(); ahead > 0.0) {
+      const double before = steady_seconds();
+      person.attend(static_cast<int>(std::min(ahead * 1000.0, 100.0)) + 1);
+      idle += steady_seconds() - before;
+      continue;
+    }
     if (options.limit && run.time() >= *options.limit) {
       screen.line(fmt::format("[{:9.1f} s] ended by --limit", run.time()));
       return true;
@@ -258,6 +163,7 @@ int run(const RunOptions& options) {
 
   const std::string outcome = fleet::outcome_name(run, interrupted);
   screen.show_summary(run, outcome, performance.wall_seconds);
+  screen.show_warnings(prepared->warnings);
   if (!options.report.empty() &&
       !deliver("report", options.report, fleet::report_json(run, performance, interrupted)))
     return kFailed;

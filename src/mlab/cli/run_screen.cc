@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,20 +26,83 @@ using mission::effect::Tell;
 
 constexpr std::size_t kMostCharacters = 300;  // of a line that a mission's author had a hand in
 
-// The commands say which step they belong to, so a line for the step itself would only repeat them.
-bool is_worth_a_line(Tell::Kind kind, bool quiet) {
-  if (quiet) return kind == Tell::Kind::kWarning;
-  return kind != Tell::Kind::kStepStarted && kind != Tell::Kind::kStepEnded;
+constexpr std::size_t kMostOfAKind = 10;
+constexpr std::size_t kMostOfAKindQuietly = 3;
+constexpr std::size_t kMostKinds = 30;
+constexpr std::size_t kMostLoadWarnings = 10;
+
+// The text with each number as one `#`.
+std::string kind_of(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool is_digit = c >= '0' && c <= '9';
+    if (!is_digit)
+      out += c;
+    else if (!out.ends_with('#'))
+      out += '#';
+  }
+  return out;
 }
 
 }  // namespace
 
-RunScreen::RunScreen(bool quiet) : quiet_(quiet), is_terminal_(isatty(STDOUT_FILENO) == 1) {}
+bool RepeatedWarnings::admit(const std::string& text) {
+  const std::string kind = kind_of(text);
+  const auto it = kinds_.find(kind);
+  if (it == kinds_.end() && kinds_.size() >= kMostKinds) {
+    ++of_no_kind_;
+    return false;
+  }
+  Kind& found = it == kinds_.end() ? kinds_[kind] : it->second;
+  if (found.count++ == most_of_a_kind_) found.first = text;
+  return found.count <= most_of_a_kind_;
+}
+
+std::vector<std::string> RepeatedWarnings::left_out() const {
+  std::vector<std::string> out;
+  for (const auto& [text, kind] : kinds_) {
+    if (kind.count > most_of_a_kind_)
+      out.push_back(fmt::format("{} more like: {}", kind.count - most_of_a_kind_, kind.first));
+  }
+  if (of_no_kind_ > 0) out.push_back(fmt::format("{} more of other kinds", of_no_kind_));
+  return out;
+}
+
+RunScreen::RunScreen(bool quiet)
+    : quiet_(quiet),
+      is_terminal_(isatty(STDOUT_FILENO) == 1),
+      warnings_(quiet ? kMostOfAKindQuietly : kMostOfAKind) {}
 
 void RunScreen::line(const std::string& text) {
   clear_progress();
+  const std::string asked = std::exchange(prompt_, "");
+  if (!asked.empty()) fmt::print("{}", is_terminal_ ? "\r\x1b[K" : "\n");
   fmt::print("{}\n", text);
   std::fflush(stdout);
+  if (!asked.empty()) show_prompt(asked);
+}
+
+void RunScreen::show_prompt(const std::string& text) {
+  if (prompt_ == text) return;
+  clear_progress();
+  prompt_ = text;
+  fmt::print("{}", text);
+  std::fflush(stdout);
+}
+
+void RunScreen::end_prompt(bool is_answered) {
+  if (!std::exchange(prompt_, "").empty() && !is_answered) fmt::print("\n");
+  std::fflush(stdout);
+}
+
+// The commands say which step they belong to, so a line for the step itself would only repeat them. Quietly:
+// what is wrong, and why the mission has failed.
+bool RunScreen::is_worth_a_line(const fleet::MissionRun& run, const Tell& told) {
+  if (told.kind == Tell::Kind::kWarning) return warnings_.admit(told.text);
+  if (quiet_)
+    return told.kind == Tell::Kind::kCommandEnded &&
+           run.state().commands[told.command].outcome == mission::Outcome::kFailed;
+  return told.kind != Tell::Kind::kStepStarted && told.kind != Tell::Kind::kStepEnded;
 }
 
 void RunScreen::clear_progress() {
@@ -61,7 +126,7 @@ void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect
     print->robot_info ? show_robots(run) : show_database(run);
   const auto* told = std::get_if<Tell>(&effect);
   if (told == nullptr) return;
-  if (!is_worth_a_line(told->kind, quiet_)) return;
+  if (!is_worth_a_line(run, *told)) return;
   line(fmt::format("[{:9.1f} s] {}{}", run.time(), told->kind == Tell::Kind::kWarning ? "warning: " : "",
                    text::shown(told->text, kMostCharacters)));
 }
@@ -90,7 +155,7 @@ void RunScreen::show_robots(const fleet::MissionRun& run) {
 }
 
 void RunScreen::show_progress(const fleet::MissionRun& run) {
-  if (!is_terminal_ || quiet_) return;
+  if (!is_terminal_ || quiet_ || !prompt_.empty()) return;
   const double now = steady_seconds();
   if (now - last_drawn_ < kRedrawSeconds) return;
   if (last_drawn_ > 0.0) {
@@ -140,6 +205,26 @@ void RunScreen::show_summary(const fleet::MissionRun& run, const std::string& ou
         text::shown(run.mission().units[i].name), metrics.mean_error(), metrics.max_error,
         100.0 * metrics.out_share());
   }
+  std::fflush(stdout);
+}
+
+void RunScreen::show_warnings(const text::Diagnostics& at_load) const {
+  std::vector<std::string> lines;
+  for (const text::Diagnostic& d : at_load.items()) {
+    if (d.severity != text::Severity::kWarning || lines.size() >= kMostLoadWarnings) continue;
+    lines.push_back(d.place.source
+                        ? fmt::format("{}:{}: {}", d.place.source->name(),
+                                      d.place.source->line_column(d.place.span.begin).line, d.message)
+                        : d.message);
+    if (!d.hints.empty()) lines.back() += fmt::format(" ({})", d.hints.front());
+  }
+  const std::size_t count = at_load.warning_count();
+  if (count > lines.size()) lines.push_back(fmt::format("... and {} more", count - lines.size()));
+  if (count > 0) fmt::print("{} warning{}:\n", count, count == 1 ? "" : "s");
+  for (const std::string& one : lines) fmt::print("  {}\n", one);
+  const std::vector<std::string> left_out = warnings_.left_out();
+  if (!left_out.empty()) fmt::print("warnings that were not shown:\n");
+  for (const std::string& one : left_out) fmt::print("  {}\n", text::shown(one, kMostCharacters));
   std::fflush(stdout);
 }
 

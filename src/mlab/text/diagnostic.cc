@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <fstream>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
+
+#include "mlab/text/colors.h"
 
 namespace mlab::text {
 namespace {
@@ -72,6 +69,19 @@ std::string location(const Place& place) {
   return fmt::format("{}:{}:{}: ", place.source->name(), at.line, at.column);
 }
 
+// Escape sequences around a piece of text, where colours are wanted.
+struct Paint {
+  bool is_on;
+  const char* of_level;
+
+  std::string painted(const char* code, const std::string& text) const {
+    return is_on && !text.empty() ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+  }
+  std::string level(const std::string& text) const { return painted(of_level, text); }
+  std::string bold(const std::string& text) const { return painted("1", text); }
+  std::string hint(const std::string& text) const { return painted("36", text); }
+};
+
 std::string small_letters(std::string_view name) {
   std::string out(name);
   for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -117,52 +127,56 @@ Diagnostic& Diagnostics::warning(std::string kind, Place place, std::string mess
   return items_.size() > before ? items_.back() : dropped_ = {};
 }
 
-std::string render(const Diagnostic& diagnostic) {
-  const char* level = diagnostic.severity == Severity::kError ? "error" : "warning";
-  std::string out =
-      fmt::format("{}{}: {} [{}]\n", location(diagnostic.place), level, diagnostic.message, diagnostic.kind);
+namespace {
+
+std::string rendered(const Diagnostic& diagnostic, bool in_colors) {
+  const bool is_error = diagnostic.severity == Severity::kError;
+  const Paint paint{in_colors, is_error ? "1;31" : "1;33"};
+  std::string out = fmt::format("{}{}: {} [{}]\n", paint.bold(location(diagnostic.place)),
+                                paint.level(is_error ? "error" : "warning"), paint.bold(diagnostic.message),
+                                diagnostic.kind);
   if (const Source* source = diagnostic.place.source.get()) {
     const LineColumn at = source->line_column(diagnostic.place.span.begin);
     const Excerpt shown = excerpt(*source, diagnostic.place.span);
     out += fmt::format("{:>5} | {}\n", at.line, shown.text);
-    out += fmt::format("      | {}{}{}{}\n", std::string(shown.caret, ' '), std::string(shown.carets, '^'),
-                       diagnostic.label.empty() ? "" : " ", diagnostic.label);
+    const std::string marked = std::string(shown.carets, '^') + (diagnostic.label.empty() ? "" : " ");
+    out +=
+        fmt::format("      | {}{}\n", std::string(shown.caret, ' '), paint.level(marked + diagnostic.label));
   } else if (!diagnostic.label.empty()) {
     out += fmt::format("      = {}\n", diagnostic.label);
   }
-  for (const std::string& hint : diagnostic.hints) out += fmt::format("      = hint: {}\n", hint);
+  for (const std::string& hint : diagnostic.hints)
+    out += fmt::format("      = {}: {}\n", paint.hint("hint"), hint);
   for (const Note& note : diagnostic.notes)
-    out += fmt::format("{}note: {}\n", location(note.place), note.message);
+    out += fmt::format("{}{}: {}\n", location(note.place), paint.hint("note"), note.message);
   return out;
 }
 
-std::string render(const Diagnostics& diagnostics) {
+std::string rendered(const Diagnostics& diagnostics, bool in_colors) {
   std::string out;
-  for (const Diagnostic& item : diagnostics.items()) out += render(item);
+  for (const Diagnostic& item : diagnostics.items()) out += rendered(item, in_colors);
   const std::size_t said = diagnostics.items().size();
   const std::size_t all = diagnostics.error_count() + diagnostics.warning_count();
   if (all > said) out += fmt::format("... and {} more\n", all - said);
   return out;
 }
 
-Result<SourcePtr> read_source(const std::string& path) {
-  const auto failed = [&](std::string kind, const std::string& why) {
-    return std::unexpected(Diagnostic{
-        Severity::kError, std::move(kind), fmt::format("cannot read `{}`: {}", path, why), {}, {}, {}, {}});
-  };
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return failed("cannot-read", std::generic_category().message(errno));
-  std::string text;
-  char block[1 << 16];
-  while (file.read(block, sizeof block) || file.gcount() > 0) {
-    text.append(block, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > Source::kMaxBytes)
-      return failed("file-too-large", fmt::format("it has more than {} bytes", Source::kMaxBytes));
-  }
-  if (file.bad() || (text.empty() && errno != 0))
-    return failed("cannot-read", std::generic_category().message(errno));
-  return std::make_shared<const Source>(path, std::move(text));
+}  // namespace
+
+std::string render(const Diagnostic& diagnostic) {
+  return rendered(diagnostic, false);
+}
+
+std::string render(const Diagnostics& diagnostics) {
+  return rendered(diagnostics, false);
+}
+
+std::string render_in_colors(const Diagnostic& diagnostic) {
+  return rendered(diagnostic, true);
+}
+
+std::string render_in_colors(const Diagnostics& diagnostics) {
+  return rendered(diagnostics, true);
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cli {
+
+/// Whether what goes to this descriptor is coloured: it is a terminal that can, and nobody asked for none
+/// (NO_COLOR, as no-color.org has it).
+bool is_colored(int descriptor);
+
+/// Diagnostics on standard error, coloured on a terminal.
+void tell(const text::Diagnostics& diagnostics);
+void tell(const text::Diagnostic& diagnostic);
+
+}  // namespace mlab::cli
