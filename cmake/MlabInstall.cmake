@@ -20,6 +20,33 @@ foreach(folder missions library docs)
   endif()
 endforeach()
 
+# Completions and manual pages, out of the built command itself.
+set(shell_files ${CMAKE_BINARY_DIR}/shell_files)
+add_custom_command(OUTPUT ${shell_files}.stamp
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${shell_files}
+  COMMAND mlab write-shell-files ${shell_files}
+  COMMAND ${CMAKE_COMMAND} -E touch ${shell_files}.stamp
+  DEPENDS mlab COMMENT "Writing completions and manual pages" VERBATIM)
+add_custom_target(shell_files ALL DEPENDS ${shell_files}.stamp)
+install(DIRECTORY ${shell_files}/ DESTINATION ${CMAKE_INSTALL_DATADIR})
+
+# What is inside and whose it is: our own, the libraries whose headers are compiled in (as their Debian packages say),
+# and the packages in the web client (as its build wrote them down).
+set(HEADER_NOTICES "")
+foreach(package libcli11-dev nlohmann-json3-dev libboost1.81-dev libfmt-dev libprotobuf-dev libtbb-dev)
+  if(EXISTS /usr/share/doc/${package}/copyright)
+    file(READ /usr/share/doc/${package}/copyright notice)
+    string(REGEX REPLACE "\n\n" "\n.\n" notice "${notice}")
+    string(REGEX REPLACE "\n" "\n " notice "\n${notice}")
+    string(APPEND HEADER_NOTICES " .\n ---- ${package}\n .${notice}\n")
+  endif()
+endforeach()
+configure_file(${CMAKE_SOURCE_DIR}/cmake/copyright.in ${CMAKE_BINARY_DIR}/copyright @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/mlab)
+if(MLAB_WEB)
+  install(FILES ${web_out}/third_party_licences.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/mlab RENAME web_licences.txt)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME mlab)
 set(CPACK_PACKAGE_CONTACT "the missionlab maintainers")

@@ -1,13 +1,15 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
+import { licences } from "./tools/licences.ts";
 
 // `npm run dev` shows the page beside a running `mlab run`: MLAB_SERVER is the address that it printed.
 const server = process.env.MLAB_SERVER ?? "http://127.0.0.1:8080";
+const inside = licences();
 const handedOn = { target: server, changeOrigin: true };
 
 export default defineConfig({
   base: "./",
-  plugins: [react()],
+  plugins: [react(), inside.page],
   build: {
     outDir: "dist",
     target: "es2022",
@@ -15,7 +17,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 1600,
     rolldownOptions: { input: { index: "index.html", designer: "designer.html" } },
   },
-  worker: { format: "es" }, // loads elk when it needs it
+  worker: { format: "es", plugins: () => [inside.worker] }, // loads elk when it needs it
   server: {
     host: "127.0.0.1",
     proxy: {
