@@ -142,6 +142,28 @@ TEST_F(Command, NewLeavesWhatIsThereAndRefusesNamesThatWouldNotWork) {
   }
 }
 
+TEST_F(Command, WhereThePageIsMissingTheConsoleSaysWhyAndAllElseWorks) {
+  // An installation of the command alone.
+  fs::create_directories(folder_ / "bin");
+  fs::copy_file(MLAB_COMMAND, folder_ / "bin" / "mlab");
+  write("map.odl", kMap);
+  write("m.mdl", kMission);
+  const auto alone = [&](const std::string& arguments) {
+    return mlab("--version > /dev/null && ./bin/mlab " + arguments);
+  };
+  const Outcome console = alone("run m.mdl --no-browser --port 0");
+  EXPECT_EQ(console.status, 2);
+  EXPECT_TRUE(has(console.err, "there is no page to show")) << console.err;
+  EXPECT_TRUE(has(console.err, "--headless")) << console.err;
+  EXPECT_EQ(alone("edit --no-browser --port 0").status, 2);
+  EXPECT_EQ(alone("run m.mdl --headless").status, 0);
+  EXPECT_EQ(alone("check m.mdl map.odl").status, 0);
+  // The launcher leaves what npm said.
+  fs::create_directories(folder_ / "share" / "mlab");
+  write("share/mlab/web_missing.txt", "npm error code ENOTFOUND\n");
+  EXPECT_TRUE(has(alone("run m.mdl --no-browser --port 0").err, "npm error code ENOTFOUND"));
+}
+
 TEST_F(Command, QuietlyARunSaysWhyItFailed) {
   write("map.odl", std::string(kMap) + "WALL w 130 0 130 200\n");
   write("m.mdl", kMission);
