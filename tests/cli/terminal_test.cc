@@ -71,6 +71,11 @@ TEST_F(OnATerminal, DiagnosticsAreColoredUnlessNobodyWantsThat) {
     EXPECT_TRUE(has(plain, "map.odl:5:")) << plain;
     EXPECT_FALSE(has(plain, "\x1b[")) << plain;
   }
+  write_question("1");
+  Terminal run(folder_, "export TERM=xterm; unset NO_COLOR; " + kRun + "run m.mdl --headless --proceed");
+  EXPECT_EQ(run.finish(), 0);
+  EXPECT_TRUE(has(run.output(), "\x1b[1;32mdone\x1b[0m")) << run.output();
+  write("map.odl", std::string(kMap) + "PP Broken 1\n");
   EXPECT_FALSE(has(mlab("check map.odl", "TERM=xterm").err, "\x1b["));
 }
 

@@ -13,6 +13,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/cli/clock.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cli {
@@ -127,7 +128,8 @@ void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect
   const auto* told = std::get_if<Tell>(&effect);
   if (told == nullptr) return;
   if (!is_worth_a_line(run, *told)) return;
-  line(fmt::format("[{:9.1f} s] {}{}", run.time(), told->kind == Tell::Kind::kWarning ? "warning: " : "",
+  line(fmt::format("[{:9.1f} s] {}{}", run.time(),
+                   told->kind == Tell::Kind::kWarning ? colored("warning: ", Color::kWarning) : "",
                    text::shown(told->text, kMostCharacters)));
 }
 
@@ -176,8 +178,8 @@ void RunScreen::show_progress(const fleet::MissionRun& run) {
 
 void RunScreen::show_summary(const fleet::MissionRun& run, const std::string& outcome, double wall_seconds) {
   clear_progress();
-  fmt::print("\n{} after {:.1f} s simulated, {:.2f} s real ({:.0f} robot-cycles per second)\n", outcome,
-             run.time(), wall_seconds,
+  fmt::print("\n{} after {:.1f} s simulated, {:.2f} s real ({:.0f} robot-cycles per second)\n",
+             colored(outcome, outcome == "done" ? Color::kGood : Color::kBad), run.time(), wall_seconds,
              wall_seconds > 0.0 ? static_cast<double>(run.robot_cycles()) / wall_seconds : 0.0);
   std::size_t shown_robots = 0;
   std::uint64_t contacts = 0;

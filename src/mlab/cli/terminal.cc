@@ -19,6 +19,12 @@ bool is_colored(int descriptor) {
          terminal != "dumb";
 }
 
+std::string colored(const std::string& text, Color color) {
+  constexpr const char* kCodes[] = {"1;32", "1;33", "1;31"};
+  if (!is_colored(STDOUT_FILENO)) return text;
+  return fmt::format("\x1b[{}m{}\x1b[0m", kCodes[static_cast<std::size_t>(color)], text);
+}
+
 text::Result<text::SourcePtr> read_input(const std::string& file) {
   return is_standard_input(file) ? text::read_standard_input() : text::read_source(file);
 }
