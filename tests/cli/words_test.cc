@@ -46,6 +46,12 @@ TEST_F(Command, ADashIsStandardInput) {
   EXPECT_EQ(mlab("fmt -", "printf 'SITE   Test\\nCONTROL MEASURES: PP Here 1 2\\n' |").out,
             "SITE Test\n\nCONTROL MEASURES:\n\nPP Here 1 2\n");
   EXPECT_EQ(mlab("run -", "cat m.mdl |").status, 2) << "a console needs a file";
+  const Outcome described = mlab("describe -", "echo 'robot Tin is Scout { movement = Stand(); }' |");
+  EXPECT_TRUE(has(described.out, "Tin")) << described.out << described.err;
+  EXPECT_EQ(mlab("run m.mdl --headless --environment -", "echo STEP_COUNT 5 REMOV |").status, 2);
+  EXPECT_EQ(
+      mlab("run m.mdl --headless --environment -", "echo STEP_COUNT 5 ADD OBSTACLE 130 103 12 |").status, 0);
+  EXPECT_EQ(mlab("build -", "echo |").status, 2);
   EXPECT_FALSE(fs::exists(folder_ / "-"));
 }
 

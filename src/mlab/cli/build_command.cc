@@ -13,6 +13,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/export_command.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/lang/cdl/emit_cnl.h"
@@ -110,6 +111,10 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
 int build(const BuildOptions& asked) {
   BuildOptions options = asked;
   const fs::path path(options.file);
+  if (is_standard_input(options.file)) {
+    fmt::print(stderr, "mlab build: -: expected a file, whose name is the robot's\n");
+    return kBadInput;
+  }
   if (options.emit.empty() && path.extension() != ".cnl") {
     options.emit = generator_of(architecture_of(options.file));
     if (!options.emit.empty() && options.output.empty())

@@ -9,6 +9,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/describe_configuration.h"
 #include "mlab/cli/describe_historic.h"
+#include "mlab/cli/input.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
@@ -198,7 +199,8 @@ void refuse_unknown(const std::string& name, const std::vector<HistoricMeaning>&
 int describe(const DescribeOptions& options) {
   if (options.name.empty()) return describe_all(options.format);
   if (options.name == "robot" || options.name == "standard") return describe_robot(options.format);
-  if (robot::names_configuration(options.name)) return describe_configuration_file(options);
+  if (is_standard_input(options.name) || robot::names_configuration(options.name))
+    return describe_configuration_file(options);
   const std::vector<HistoricMeaning> meanings = historic_meanings(options.name);
   std::string shown = describe_component(options);
   const bool is_known = !shown.empty();

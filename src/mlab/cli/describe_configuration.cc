@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mlab/cli/describe_historic.h"
+#include "mlab/cli/input.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/print.h"
@@ -231,7 +232,7 @@ void print_historic_names(std::string_view ours) {
 
 int describe_configuration_file(const DescribeOptions& options) {
   text::Diagnostics sink;
-  const text::Result<text::SourcePtr> source = text::read_source(options.name);
+  const text::Result<text::SourcePtr> source = read_input(options.name);
   if (!source) {
     sink.report(source.error());
   } else {

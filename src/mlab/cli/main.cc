@@ -67,7 +67,9 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->type_name("FILE.json");
   c->add_option("--plot", o.plot, "draw the map and the robots' ways as an SVG picture")
       ->type_name("FILE.svg");
-  c->add_option("--environment", o.environment, "change the world while the mission runs, as this file says")
+  c->add_option(
+       "--environment", o.environment,
+       "change the world while the mission runs, as this file says; -: standard input, with --headless")
       ->type_name("FILE");
   c->add_option("--start-time", o.start_time,
                 "what the mission's clock shows at the start: \"YYYY-MM-DD HH:MM[:SS]\" (default: now)")
@@ -149,7 +151,7 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
   c->add_option(
        "name", o.name,
        "a component or assemblage, by its own name or a historic one; `robot`, the standard robot; or a "
-       "configuration file")
+       "configuration file; -: one from standard input")
       ->type_name("NAME");
   c->add_option("--format", o.format, "text, json, or markdown")
       ->capture_default_str()

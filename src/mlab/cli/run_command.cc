@@ -69,8 +69,11 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
     const robot::ProgramSources sources =
         program_sources(std::filesystem::path(options.mission).parent_path().string(), options.allow_native);
     if (!options.environment.empty()) {
-      settings.environment = envchange::load(options.environment, mission->overlay.origin, sink)
-                                 .value_or(overlay::EnvironmentChanges{});
+      const text::Result<text::SourcePtr> source = read_input(options.environment);
+      if (!source) sink.report(source.error());
+      if (source)
+        settings.environment =
+            envchange::parse(*source, mission->overlay.origin, sink).value_or(overlay::EnvironmentChanges{});
     }
     if (!sink.has_errors()) out.run = fleet::MissionRun::create(mission, sources, settings, sink);
   }

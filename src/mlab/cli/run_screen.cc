@@ -27,9 +27,8 @@ using mission::effect::Tell;
 
 constexpr std::size_t kMostCharacters = 300;  // of a line that a mission's author had a hand in
 
-constexpr std::size_t kMostOfAKind = 10;
-constexpr std::size_t kMostOfAKindQuietly = 3;
-constexpr std::size_t kMostKinds = 30;
+constexpr RepeatedWarnings::Limits kUsual{1000, 1000};
+constexpr RepeatedWarnings::Limits kQuietly{3, 30};
 constexpr std::size_t kMostLoadWarnings = 10;
 
 // The text with each number as one `#`.
@@ -50,29 +49,27 @@ std::string kind_of(const std::string& text) {
 bool RepeatedWarnings::admit(const std::string& text) {
   const std::string kind = kind_of(text);
   const auto it = kinds_.find(kind);
-  if (it == kinds_.end() && kinds_.size() >= kMostKinds) {
+  if (it == kinds_.end() && kinds_.size() >= limits_.kinds) {
     ++of_no_kind_;
     return false;
   }
   Kind& found = it == kinds_.end() ? kinds_[kind] : it->second;
-  if (found.count++ == most_of_a_kind_) found.first = text;
-  return found.count <= most_of_a_kind_;
+  if (found.count++ == limits_.of_a_kind) found.first = text;
+  return found.count <= limits_.of_a_kind;
 }
 
 std::vector<std::string> RepeatedWarnings::left_out() const {
   std::vector<std::string> out;
   for (const auto& [text, kind] : kinds_) {
-    if (kind.count > most_of_a_kind_)
-      out.push_back(fmt::format("{} more like: {}", kind.count - most_of_a_kind_, kind.first));
+    if (kind.count > limits_.of_a_kind)
+      out.push_back(fmt::format("{} more like: {}", kind.count - limits_.of_a_kind, kind.first));
   }
   if (of_no_kind_ > 0) out.push_back(fmt::format("{} more of other kinds", of_no_kind_));
   return out;
 }
 
 RunScreen::RunScreen(bool quiet)
-    : quiet_(quiet),
-      is_terminal_(isatty(STDOUT_FILENO) == 1),
-      warnings_(quiet ? kMostOfAKindQuietly : kMostOfAKind) {}
+    : quiet_(quiet), is_terminal_(isatty(STDOUT_FILENO) == 1), warnings_(quiet ? kQuietly : kUsual) {}
 
 void RunScreen::line(const std::string& text) {
   clear_progress();

@@ -13,7 +13,11 @@ namespace mlab::cli {
 /// Warnings that differ in nothing but numbers are shown a few times, and counted from then on.
 class RepeatedWarnings {
  public:
-  explicit RepeatedWarnings(std::size_t most_of_a_kind) : most_of_a_kind_(most_of_a_kind) {}
+  struct Limits {
+    std::size_t of_a_kind;
+    std::size_t kinds;
+  };
+  explicit RepeatedWarnings(Limits limits) : limits_(limits) {}
   /// @return true where it is to be shown
   bool admit(const std::string& text);
   /// For each kind of which some were not shown: `1203 more like: ...`, with the first of them.
@@ -24,7 +28,7 @@ class RepeatedWarnings {
     std::string first;
     std::size_t count = 0;
   };
-  std::size_t most_of_a_kind_;
+  Limits limits_;
   std::map<std::string, Kind> kinds_;
   std::size_t of_no_kind_ = 0;  // past the number of kinds that are kept
 };
