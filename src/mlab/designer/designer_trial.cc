@@ -113,9 +113,9 @@ text::Result<TrialField> Designer::Parts::field_of(const Try& request, const con
   overlay::Overlay map;
   if (request.overlay().empty()) {
     out.overlay = fs::path(trial.overlay_path).filename().string();
-    map.area = overlay::Area{40.0, 30.0};
-    out.goal = {34.0, 24.0};
-    out.starts = {{20.0, 12.0}};
+    map.area = kTrialArea;
+    out.goal = kTrialGoal;
+    out.starts = {kTrialStart};
   } else {
     const std::string disk = desk_.project().disk_path(request.overlay());
     if (disk.empty() || !desk_.project().is_file(request.overlay()))

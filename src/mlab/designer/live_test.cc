@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "mlab/designer/live_paths.h"
 #include "mlab/designer/testing/live_desk.h"
+#include "mlab/designer/trial.h"
 
 namespace mlab::designer {
 namespace {
@@ -146,6 +148,22 @@ TEST(WriteBack, RefusesWhatHasNoPlaceInTheText) {
   EXPECT_EQ(desk.document(path).text(), text);
 }
 
+TEST(ReadField, TheStandardBodySensesAsFarAsThePageAsks) {
+  LiveDesk desk;
+  const std::string path = desk.write(
+      "assemblage Shy() {\n"
+      "  AvoidStaticObstacles(readings = sense_obstacles(range = 30 m), sphere = 30 m, safety_margin = 5 m)\n"
+      "}\n");
+  std::vector<LiveDesk::Arrow> arrows;
+  const Answer answer = desk.field(path, "Shy", "", 0, &arrows);
+  ASSERT_TRUE(answer.ok()) << answer.error();
+  // At (80, 40) the nearest obstacle is 22 m away.
+  const auto near = std::ranges::find_if(
+      arrows, [](const auto& one) { return std::hypot(one.x - 80.0, one.y - 40.0) < 0.1; });
+  ASSERT_NE(near, arrows.end());
+  EXPECT_GT(std::hypot(near->dx, near->dy), 0.01);
+}
+
 TEST(ReadField, PointsToTheGoalAndAwayFromObstacles) {
   LiveDesk desk;
   const std::string path = desk.write(kGoHome);
@@ -155,20 +173,20 @@ TEST(ReadField, PointsToTheGoalAndAwayFromObstacles) {
   EXPECT_NE(answer.field().note(), "");
   ASSERT_EQ(arrows.size(), 13U * 9U);
   for (const LiveDesk::Arrow& arrow : arrows) {
-    const double to_x = 34.0 - arrow.x;
-    const double to_y = 24.0 - arrow.y;
+    const double to_x = kTrialGoal.x - arrow.x;
+    const double to_y = kTrialGoal.y - arrow.y;
     const double far = std::hypot(to_x, to_y);
     if (far < 1.0) continue;
     EXPECT_NEAR(arrow.dx, to_x / far, 1e-3) << arrow.x << " " << arrow.y;
     EXPECT_NEAR(arrow.dy, to_y / far, 1e-3);
   }
-  // Beside the obstacle at (24, 21), of radius 1.5, what it is pushed by points away.
+  // Beside the obstacle at (58, 56), of radius 3, what it is pushed by points away.
   ASSERT_TRUE(desk.field(path, "Home", "AvoidStaticObstacles", 0, &arrows).ok());
   bool is_pushed = false;
   for (const LiveDesk::Arrow& arrow : arrows) {
-    const double away = (arrow.x - 24.0) * arrow.dx + (arrow.y - 21.0) * arrow.dy;
-    const double distance = std::hypot(arrow.x - 24.0, arrow.y - 21.0);
-    if (distance < 2.8 && std::hypot(arrow.dx, arrow.dy) > 0.01) {
+    const double away = (arrow.x - 58.0) * arrow.dx + (arrow.y - 56.0) * arrow.dy;
+    const double distance = std::hypot(arrow.x - 58.0, arrow.y - 56.0);
+    if (distance < 4.8 && std::hypot(arrow.dx, arrow.dy) > 0.01) {
       EXPECT_GT(away, 0.0);
       is_pushed = true;
     }

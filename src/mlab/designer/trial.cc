@@ -16,44 +16,50 @@
 namespace mlab::designer {
 
 const char* const kTrialOverlay =
-    R"(-- A field for trying things out: some obstacles, objects to fetch, and a basket to bring them to.
+    R"(-- A field for trying things out: some obstacles, objects to fetch, and a basket to bring them to. As large as the ranges
+-- and distances that the library assumes.
 
 SCENARIO "Trial"
 SITE Field
-MISSION-AREA 40 30
+MISSION-AREA 160 120
 
 CONTROL MEASURES:
 
-AA Start 20 12 2
-PP Goal 34 24 1
-BASKET 20 16 0.6
+AA Start 80 48 4
+PP Goal 136 96 4
+BASKET 80 64 1.5
 
-ATTRACTOR  4  4
-ATTRACTOR  9 25
-ATTRACTOR 14  7
-ATTRACTOR 26 26
-ATTRACTOR 30  6
-ATTRACTOR 36 14
+ATTRACTOR  66  40
+ATTRACTOR  94  54
+ATTRACTOR  56  28
+ATTRACTOR  36 100
+ATTRACTOR 104 104
+ATTRACTOR 120  24
+ATTRACTOR 144  56
+ATTRACTOR  16  16
 
-OBSTACLE 11 18 1.2
-OBSTACLE 27 13 1
-OBSTACLE 24 21 1.5
-OBSTACLE 15 12 0.6
-OBSTACLE 31 19 0.8
+OBSTACLE  58 56 3
+OBSTACLE 104 46 3
+OBSTACLE  96 80 4
+OBSTACLE  66 76 2
+OBSTACLE 124 76 3
+OBSTACLE  40 34 4
+OBSTACLE  30 88 4
+OBSTACLE 138 32 3
 )";
 
 namespace {
 
 constexpr double kStartsApart = 1.5;  // robots that no place was said for [m]
 
-// A body that can all that the library's binding points ask for.
+// A body that can all that the library's binding points ask for. It knows of obstacles as far as it is asked,
+// not only as far as its ring of range sensors reaches.
 constexpr const char* kTrialBody = R"(class {} {{
   body {{
     radius = 0.25 m;
     drive = holonomic;
     ring_count = 36;
     ring_range = 8 m;
-    ring_obstacles = 1;
   }}
   sensor location: GetPose() binds sense_location;
   sensor eyes: DetectObstacles() binds sense_obstacles;
@@ -61,7 +67,7 @@ constexpr const char* kTrialBody = R"(class {} {{
   sensor radio: DetectRobots() binds sense_robots;
   sensor camera: DetectObjects() binds sense_objects;
   sensor choice: ClosestObject() binds choose_target;
-  actuator base: DriveAndSpin(base_velocity = 1 m/s, max_velocity = 1.5 m/s, cautious_velocity = 0.1 m/s) binds movement;
+  actuator base: DriveAndSpin(base_velocity = 2 m/s, max_velocity = 3 m/s, cautious_velocity = 0.2 m/s) binds movement;
   actuator camera_mount: PanTilt() binds pantilt;
 }}
 )";

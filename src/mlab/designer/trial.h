@@ -7,6 +7,7 @@
 
 #include "mlab/designer/model.h"
 #include "mlab/geom/pose.h"
+#include "mlab/overlay/overlay.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::designer {
@@ -49,7 +50,10 @@ struct TrialField {
 std::string trial_mission(const TrialConfiguration& configuration, const std::string& file,
                           const TrialField& field);
 
-/// An overlay with some obstacles, attractors and a basket: 40 x 30 m.
+/// An overlay with some obstacles, attractors and a basket, where nobody has chosen one.
 extern const char* const kTrialOverlay;
+inline constexpr overlay::Area kTrialArea{160.0, 120.0};  ///< of it
+inline constexpr geom::Point kTrialStart{80.0, 48.0};
+inline constexpr geom::Point kTrialGoal{136.0, 96.0};
 
 }  // namespace mlab::designer

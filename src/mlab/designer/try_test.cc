@@ -110,7 +110,7 @@ TEST(Try, RunsWhatWasNeverSaved) {
   ASSERT_TRUE(desk.browser().wait([&] { return desk.browser().roster().robots_size() == 3; }));
   ASSERT_TRUE(desk.runs_until(20.0));
   EXPECT_EQ(desk.browser().status().mode(), Status::RUNNING);
-  EXPECT_EQ(desk.browser().scene().width(), 40.0);
+  EXPECT_EQ(desk.browser().scene().width(), kTrialArea.width);
   EXPECT_GT(desk.browser().scene().obstacles_size(), 2);
   EXPECT_GT(desk.browser().scene().objects_size(), 2);
   EXPECT_TRUE(std::filesystem::is_empty(desk.folder().path("project"))) << "nothing is written";

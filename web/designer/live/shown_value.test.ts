@@ -13,6 +13,14 @@ test("words stay, and digits in names too", () => {
   expect(shownText("Mine", "m")).toBe("Mine");
 });
 
+test("what is infinite or no number is told as that", () => {
+  expect(shownText("inf", "m")).toBe("∞ m");
+  expect(shownText("-inf", "")).toBe("-∞");
+  expect(shownText("(inf, -inf)", "")).toBe("(∞, -∞)");
+  expect(shownText("nan", "m")).toBe("no number");
+  expect(shownText("Infantry", "")).toBe("Infantry");
+});
+
 test("what is long is cut", () => {
   expect(shownText("[1.5, 2.25, 3.125, 4.0625, 5, 6, 7, 8, 9]", "").length).toBeLessThanOrEqual(26);
 });

@@ -2,16 +2,19 @@
 import { quantity } from "../../console/format.ts";
 
 const kMostLetters = 26;
+const kInfinite = /(?<![\w.])\+?(-?)inf(?:inity)?(?!\w)/gi;
+const kNoNumber = /(?<![\w.])[-+]?nan(?!\w)/gi;
 const kNumber = /[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi;
 
 /** Words as they are; numbers with three digits; cut where it is long. */
 export function shownText(text: string, unit: string): string {
+  const finite = text.replace(kInfinite, "$1∞").replace(kNoNumber, "no number");
   // Digits that are part of a name (`Robot2`) stay.
-  const short = text.replace(kNumber, (found, at: number) =>
-    at > 0 && /[A-Za-z_]/.test(text[at - 1]!) ? found : quantity(Number(found)),
+  const short = finite.replace(kNumber, (found, at: number) =>
+    at > 0 && /[A-Za-z_]/.test(finite[at - 1]!) ? found : quantity(Number(found)),
   );
   const cut = short.length > kMostLetters ? `${short.slice(0, kMostLetters - 1)}…` : short;
-  return unit !== "" && /^[-+.\d]/.test(cut) && !cut.includes(",") ? `${cut} ${unit}` : cut;
+  return unit !== "" && /^[-+.\d∞]/.test(cut) && !cut.includes(",") ? `${cut} ${unit}` : cut;
 }
 
 /** A vector by its length. */

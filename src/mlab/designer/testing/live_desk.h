@@ -137,10 +137,10 @@ class LiveDesk {
       request.set_page(page);
       request.set_node(node);
       request.set_robot(robot);
-      request.mutable_area()->set_x_min(2.0);
-      request.mutable_area()->set_y_min(2.0);
-      request.mutable_area()->set_x_max(38.0);
-      request.mutable_area()->set_y_max(28.0);
+      request.mutable_area()->set_x_min(20.0);
+      request.mutable_area()->set_y_min(20.0);
+      request.mutable_area()->set_x_max(140.0);
+      request.mutable_area()->set_y_max(100.0);
       request.set_columns(13);
       request.set_rows(9);
     });
