@@ -59,6 +59,17 @@ const fleet::FleetRobot* body_in(const fleet::MissionRun* run, std::uint32_t rob
   return nullptr;
 }
 
+// What the trial has added is in no text that somebody could change.
+std::optional<std::vector<Hop>> own_way(const Model& trial, const std::string& robot, const std::string& page,
+                                        const std::string& place, const OpenConfiguration& one) {
+  std::optional<std::vector<Hop>> way = way_to(trial, robot, page, place);
+  if (!way) return way;
+  for (Hop& hop : *way) {
+    if (one.drawn->page(hop.page).graph == nullptr) hop.page.clear();
+  }
+  return way;
+}
+
 using LookAtRun = std::function<void(console::RunLook look)>;
 
 // On the session's thread, a few milliseconds at a time: robots go on meanwhile.
@@ -115,13 +126,7 @@ void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
   std::optional<std::vector<Hop>> way;
   if (last_trial_.model && last_trial_.document == one->path) {
     for (const auto& [robot, count] : last_trial_.configuration.robots) {
-      if (!way) way = way_to(*last_trial_.model, robot, request.mark().page(), request.mark().place());
-    }
-  }
-  // What the trial has added is in no text that somebody could change.
-  if (way) {
-    for (Hop& hop : *way) {
-      if (one->drawn->page(hop.page).graph == nullptr) hop.page.clear();
+      if (!way) way = own_way(*last_trial_.model, robot, request.mark().page(), request.mark().place(), *one);
     }
   }
   out.set_text(fmt::format("{}", marks.add(request.mark(), one->drawn, std::move(way))));
@@ -140,6 +145,29 @@ void Designer::Parts::remove_mark(const RemoveMark& request, Answer& out) {
 void Designer::Parts::drop_marks(const std::string& document) {
   marks_.erase(document);
   mark_store_.drop(document);
+}
+
+void Designer::Parts::move_marks() {
+  const auto marks = marks_.find(last_trial_.document);
+  const OpenConfiguration* one = desk_.find(last_trial_.document);
+  if (marks == marks_.end() || one == nullptr) return;
+  marks->second.follow(one->drawn);
+  const Model& model = *last_trial_.model;
+  const bool is_changed = marks->second.move_to(
+      *one->drawn, [&](const std::string& page, const std::string& place) -> std::optional<Marks::Run> {
+        std::optional<Marks::Run> first;
+        for (const auto& [robot, count] : last_trial_.configuration.robots) {
+          for (const std::string& path : live_paths(model, robot, model.source()->name(), page)) {
+            std::optional<std::vector<Hop>> way = own_way(model, robot, page, path, *one);
+            if (path == place) return Marks::Run{path, std::move(way)};
+            if (!first) first = Marks::Run{path, std::move(way)};
+          }
+        }
+        return first;
+      });
+  if (!is_changed) return;
+  mark_store_.keep(marks->first, marks->second);
+  publish();
 }
 
 void Designer::Parts::restore_marks(const OpenConfiguration& one) {

@@ -106,6 +106,9 @@ class Designer::Parts {
   void set_mark(const SetMark& request, Answer& out);
   void remove_mark(const RemoveMark& request, Answer& out);
   void drop_marks(const std::string& document);
+  /// Takes the marks of what is tried to where their pages run in it, and tells everybody before the answer
+  /// comes.
+  void move_marks();
   /// Those of an earlier server.
   void restore_marks(const OpenConfiguration& one);
   void write_back(const WriteBack& request, Answer& out);

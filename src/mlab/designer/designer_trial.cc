@@ -234,6 +234,7 @@ void Designer::Parts::tried_out(console::ConnectionId from, std::uint32_t number
     add_problems(result.problems, trial.configuration, *one, out);
   if (result.error.empty()) {
     last_trial_ = trial;
+    move_marks();
     Trial& told = *out.mutable_trial();
     told.set_mission(trial.mission);
     for (const auto& [robot, count] : trial.configuration.robots) told.add_robots(robot);

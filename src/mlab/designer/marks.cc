@@ -87,6 +87,24 @@ bool has_trigger(const OwnerGraph& graph, const GraphPage& page, const std::stri
   return std::ranges::any_of(graph.hidden, [&](const auto& one) { return one.second == path; });
 }
 
+// What it is called in the program, by the place in which its page runs.
+void set_port(Mark& mark, const GraphPage& page) {
+  const GraphNode* node = mark.trigger().empty() ? node_of(page, mark.node()) : nullptr;
+  std::string port;
+  if (!mark.trigger().empty()) port = joined_path(mark.place(), mark.trigger());
+  if (node != nullptr) port = path_at(mark.place(), page, node->path);
+  mark.set_port(port);
+  if (!mark.has_breakpoint()) return;
+  if (mark.breakpoint().has_condition()) {
+    mark.mutable_breakpoint()->mutable_condition()->set_port(port);
+    return;
+  }
+  console::Breakpoint::Transition& transition = *mark.mutable_breakpoint()->mutable_transition();
+  transition.set_sequence(mark.place());
+  transition.set_from(mark.from());
+  transition.set_to(mark.to());
+}
+
 // Where the page runs now, without the page's own base; nothing: a part of the way has gone.
 std::optional<std::string> follow_way(std::vector<Hop>& way, const NameMap& names, const Model& model) {
   std::string place;
@@ -168,36 +186,41 @@ bool Marks::follow(One& one, const NameMap& names, const Model& model) {
     mark.set_place(joined_path(*place, page->base));
   }
 
-  std::string port;
+  if (!mark.trigger().empty() && mark.trigger().starts_with(state + '.'))
+    mark.set_trigger(mark.from() + mark.trigger().substr(state.size()));
   std::string drawn;
   if (!mark.trigger().empty()) {
-    if (mark.trigger().starts_with(state + '.'))
-      mark.set_trigger(mark.from() + mark.trigger().substr(state.size()));
     drawn = drawn_id(*page, mark.from(), mark.to());
-    port = joined_path(mark.place(), mark.trigger());
     const OwnerGraph* graph = model.page(*is).graph;
     if (drawn.empty() || graph == nullptr || !has_trigger(*graph, *page, mark.trigger())) return false;
   } else if (!mark.node().empty()) {
-    const GraphNode* node = node_of(*page, mark.node());
-    if (node == nullptr) return false;
-    port = path_at(mark.place(), *page, node->path);
-    const bool is_same = mark.node() == node_before && port == port_before;
-    drawn = is_same && !mark.drawn().empty() ? mark.drawn() : mark.node();
+    if (node_of(*page, mark.node()) == nullptr) return false;
+    drawn = mark.node();
   } else {
     drawn = drawn_id(*page, mark.from(), mark.to());
     if (drawn.empty()) return false;
   }
-  mark.set_port(port);
-  mark.set_drawn(drawn);
-  if (mark.has_breakpoint() && mark.breakpoint().has_condition()) {
-    mark.mutable_breakpoint()->mutable_condition()->set_port(port);
-  } else if (mark.has_breakpoint()) {
-    console::Breakpoint::Transition& transition = *mark.mutable_breakpoint()->mutable_transition();
-    transition.set_sequence(mark.place());
-    transition.set_from(mark.from());
-    transition.set_to(mark.to());
-  }
+  set_port(mark, *page);
+  const bool is_same = !mark.node().empty() && mark.node() == node_before && mark.port() == port_before;
+  if (!is_same || mark.drawn().empty()) mark.set_drawn(drawn);
   return true;
+}
+
+bool Marks::move_to(
+    const Model& model,
+    const std::function<std::optional<Run>(const std::string& page, const std::string& place)>& find) {
+  bool is_changed = false;
+  for (auto& [id, one] : all_) {
+    const GraphPage* page = page_of(model, one.told.page());
+    if (one.told.is_lost() || page == nullptr) continue;
+    std::optional<Run> run = find(one.told.page(), one.told.place());
+    if (!run || run->place == one.told.place()) continue;
+    one.told.set_place(run->place);
+    one.way = std::move(run->way);
+    set_port(one.told, *page);
+    is_changed = true;
+  }
+  return is_changed;
 }
 
 void Marks::encode(::mlab::designer::MarkList& out) const {

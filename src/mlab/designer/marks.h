@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,6 +40,20 @@ class Marks {
   std::size_t size() const { return all_.size(); }
   /// Follows them to the text as it stands now. True where something is otherwise.
   bool follow(const std::shared_ptr<const Model>& model);
+
+  struct Run {
+    std::string place;
+    std::optional<std::vector<Hop>> way;
+  };
+  /// Another run has begun: what is marked on a page is from now on where that page runs in it.
+  /// @param model  that the marks are of
+  /// @param find   where a page runs now, the place that it had before it if there is a choice; nothing:
+  /// nowhere, and the
+  ///               marks wait where they are
+  /// @return  true where something is otherwise
+  bool move_to(
+      const Model& model,
+      const std::function<std::optional<Run>(const std::string& page, const std::string& place)>& find);
   void encode(::mlab::designer::MarkList& out) const;
 
   /// @param out  `document` stays as it is

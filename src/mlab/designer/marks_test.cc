@@ -198,6 +198,26 @@ TEST_F(MarkTest, OnAConditionOfATriggerStopsTheRunAndFollowsItsState) {
   EXPECT_EQ(mark(id).drawn(), "Idling/0");
 }
 
+TEST_F(MarkTest, GoesWithItsPageToWhereThatRunsNow) {
+  const std::uint32_t on_transition = set_transition("Waiting", "Moving");
+  Mark probe;
+  probe.set_page("Inner.Moving");
+  probe.set_place("movement.Acting.Moving");
+  probe.set_node("cooperate");
+  probe.set_port("movement.Acting.Moving");
+  const std::uint32_t on_node = set(probe);
+  ASSERT_TRUE(desk_.try_out(path_, "Inner").ok());
+  EXPECT_EQ(shown(mark(on_transition)), "movement Waiting Moving Inner ");
+  EXPECT_EQ(mark(on_node).port(), "movement.Moving");
+  rename("Inner", "Waiting", "Idling");
+  EXPECT_EQ(shown(mark(on_transition)), "movement Idling Moving Inner Idling/0");
+  ASSERT_TRUE(desk_.try_out(path_, "Outer").ok());
+  EXPECT_EQ(shown(mark(on_transition)), "movement.Acting Idling Moving Inner Idling/0");
+  EXPECT_EQ(mark(on_node).port(), "movement.Acting.Moving");
+  rename("Outer", "Acting", "Going");
+  EXPECT_EQ(mark(on_node).port(), "movement.Going.Moving");
+}
+
 TEST_F(MarkTest, SurvivesTheEndOfEveryWindow) {
   const std::uint32_t id = set_transition("Waiting", "Moving");
   desk_.ask([&](ToDesigner& m) { m.mutable_close()->set_document(path_); });

@@ -139,9 +139,18 @@ export class Live {
     this.showPane();
     store.setState({ isBusy: true, error: "" });
     const before = await this.renameBreakpoints(document.path);
+    // Breakpoints go with their pages to where those run now, which is known when it stands ready.
+    const waits = execute && (designer.state.marks[document.path] ?? []).some(({ breakpoint }) => breakpoint);
     const answer = await designer.link.ask({
       case: "try",
-      value: { document: document.path, robot: found.name, count: robots, overlay, starts: [...starts], execute },
+      value: {
+        document: document.path,
+        robot: found.name,
+        count: robots,
+        overlay,
+        starts: [...starts],
+        execute: execute && !waits,
+      },
     });
     store.setState({ isBusy: false, error: answer.ok ? "" : sentence(answer.error) });
     if (!answer.ok) {
@@ -160,6 +169,10 @@ export class Live {
       notes: trial?.notes ?? [],
     };
     store.setState({ tried, field: null, fieldError: "" });
+    if (waits) {
+      await this.renameBreakpoints(document.path);
+      await this.control(Control_Action.EXECUTE);
+    }
     designer.say(execute ? `${found.name} runs` : `${found.name} stands ready`);
     this.follower.look();
     return true;
