@@ -4,6 +4,7 @@ import type { Action } from "./actions/action.ts";
 import type { Designer } from "./designer.ts";
 import { liveActions } from "./live/actions.ts";
 import { LiveDetails } from "./live/live_details.tsx";
+import { LiveInputs } from "./live/live_inputs.tsx";
 import { LiveSide } from "./live/live_side.tsx";
 import { liveMenu } from "./live/menu.ts";
 import { RunBar } from "./live/run_bar.tsx";
@@ -16,6 +17,8 @@ export interface Extensions {
   live: ComponentType | null;
   /** At the end of the details of what is selected; `id` as in `State.selection`. */
   details: ComponentType<{ drawing: Drawing; id: string }> | null;
+  /** Gives the fields of a node's inputs while it runs. */
+  inputs: typeof LiveInputs | null;
   /** Added to the menus of a node, a wire or a transition. */
   menu: ((designer: Designer, id: string) => readonly Action[]) | null;
   /** Added to all actions, with their shortcuts. */
@@ -26,6 +29,7 @@ export const extensions: Extensions = {
   run: RunBar,
   live: LiveSide,
   details: LiveDetails,
+  inputs: LiveInputs,
   menu: liveMenu,
   actions: liveActions,
 };

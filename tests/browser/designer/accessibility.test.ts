@@ -93,7 +93,7 @@ for (const colours of ["light", "dark"] as const) {
     await designer.toDeclaration("Wander");
     await page.locator(".wire-label.live").first().waitFor();
     await designer.select(designer.named("Probe"));
-    await designer.details.getByTestId("live-parameters").waitFor();
+    await designer.details.getByRole("radio", { name: "The robots, now" }).waitFor();
     found.push(...(await violations(designer, "a node selected")));
     await designer.details.getByRole("button", { name: "Pin a probe" }).click();
     await designer.probes.locator(".live-arrow").first().waitFor();

@@ -101,8 +101,13 @@ test("a parameter of the running robots is changed, and written back to the text
   await designer.on("Wander");
   await run(designer);
   await designer.select(designer.named("Noise"));
-  const live = designer.details.getByTestId("live-parameters");
-  const field = live.getByRole("textbox", { name: /persistence/ });
+  // One field; what it changes is chosen beside it.
+  const field = designer.details.getByRole("textbox", { name: /persistence/ });
+  await designer.details.getByRole("radio", { name: "The text" }).click();
+  await expect.poll(() => field.inputValue()).toBe("2 s");
+  await designer.details.getByRole("radio", { name: "The robots, now" }).click();
+  await expect.poll(() => field.inputValue()).toBe("2");
+  expect(await field.count()).toBe(1);
   await field.fill("7");
   await field.press("Enter");
   await designer.details.getByRole("button", { name: /^Write persistence = 7 to the text/ }).click();

@@ -1,3 +1,4 @@
+import type { ReactNode } from "react";
 import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { ownCopy } from "../actions/all_actions.ts";
 import { ungroup } from "../actions/editing.ts";
@@ -7,6 +8,8 @@ import { ValueField } from "../canvas/value_editor.tsx";
 import { typeWords } from "../canvas/value_words.ts";
 import { disconnectChange } from "../canvas/wiring.ts";
 import type { Designer } from "../designer.ts";
+import { extensions } from "../extensions.ts";
+import type { FieldOf } from "../live/live_inputs.tsx";
 import { lastPart } from "../pages/pages.ts";
 import { type Drawing, type Node, Node_Shape, type Port } from "../protocol.ts";
 import { useDesigner, useIsReadOnly, usePart } from "../use.ts";
@@ -28,15 +31,7 @@ export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node })
         />
       )}
       <NodeButtons designer={designer} node={node} isReadOnly={isReadOnly} />
-      {node.inputs.length > 0 && (
-        <Section title="Inputs">
-          <ul className="inputs">
-            {node.inputs.map((port) => (
-              <Input key={rowId(port.name, port.index)} drawing={drawing} node={node} port={port} />
-            ))}
-          </ul>
-        </Section>
-      )}
+      {node.inputs.length > 0 && <Inputs drawing={drawing} node={node} />}
       {node.type !== "" && (
         <Section title="Output">
           <p className="small">
@@ -47,6 +42,21 @@ export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node })
       )}
     </div>
   );
+}
+
+function Inputs({ drawing, node }: { drawing: Drawing; node: Node }) {
+  const Live = extensions.inputs;
+  const list = (fieldOf: FieldOf, chooser: ReactNode) => (
+    <Section title="Inputs">
+      {chooser}
+      <ul className="inputs">
+        {node.inputs.map((port) => (
+          <Input key={rowId(port.name, port.index)} drawing={drawing} node={node} port={port} fieldOf={fieldOf} />
+        ))}
+      </ul>
+    </Section>
+  );
+  return Live ? <Live node={node}>{list}</Live> : list(() => undefined, null);
 }
 
 function kindLine(node: Node): string {
@@ -105,7 +115,14 @@ function NodeButtons({ designer, node, isReadOnly }: { designer: Designer; node:
   );
 }
 
-function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Port }) {
+interface InputProps {
+  drawing: Drawing;
+  node: Node;
+  port: Port;
+  fieldOf: FieldOf;
+}
+
+function Input({ drawing, node, port, fieldOf }: InputProps) {
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const page = drawing.page?.path ?? "";
@@ -144,13 +161,15 @@ function Input({ drawing, node, port }: { drawing: Drawing; node: Node; port: Po
               <IconButton icon="plus" label={`Place something for ${label}`} onPress={drive} />
             ))}
         </div>
-        {port.isMember && isWired && <ValueField node={node} port={port} what="weight" isCompact onDone={() => {}} />}
+        {port.isMember &&
+          isWired &&
+          (fieldOf(port, "weight") ?? <ValueField node={node} port={port} what="weight" isCompact onDone={() => {}} />)}
       </li>
     );
   }
   return (
     <li className="input-row">
-      <ValueField node={node} port={port} what="value" isCompact onDone={() => {}} />
+      {fieldOf(port, "value") ?? <ValueField node={node} port={port} what="value" isCompact onDone={() => {}} />}
       {!isReadOnly && (
         <IconButton className="input-drive" icon="plus" label={`Place something for ${label}`} onPress={drive} />
       )}

@@ -1,20 +1,17 @@
-// At the end of the details of what is selected, while it runs: its value, its parameters, its breakpoints.
+// At the end of the details of what is selected, while it runs: its value, its breakpoints.
 import { useState } from "react";
-import { Parameter } from "../../console/selection/parameters_tab.tsx";
-import { usePortText } from "../../console/selection/ports_tab.tsx";
-import { useSomePorts } from "../../console/selection/use_watched.ts";
-import { useIsOperator, usePart as useSessionPart } from "../../console/session.ts";
+import { usePart as useSessionPart } from "../../console/session.ts";
 import { Button, Field, IconButton } from "../../console/ui/controls.tsx";
-import { Breakpoint_Condition_Comparison as Comparison, type Port, Port_Role } from "../../core/protocol.ts";
+import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import { Choice } from "../details/choice.tsx";
 import { Section } from "../details/parts.tsx";
-import type { Drawing, Node } from "../protocol.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
+import type { Drawing } from "../protocol.ts";
+import { useDesigner } from "../use.ts";
 import { LiveArrow } from "./badge.tsx";
 import { atCondition, kComparisons, onPort } from "./break_points.ts";
 import { InSession } from "./in_session.tsx";
 import { liveMenu } from "./menu.ts";
-import { isWritten, parameterName, parametersBelow, type Target, targetOf } from "./targets.ts";
+import { type Target, targetOf } from "./targets.ts";
 import { useLive } from "./use_live.ts";
 import { useLivePage, usePath } from "./use_live_part.ts";
 
@@ -33,7 +30,6 @@ function Running({ drawing, id, target }: { drawing: Drawing; id: string; target
   const path = usePath(target.kind === "value" ? target.live : ".");
   useSessionPart("breakpoints");
   useSessionPart("roster");
-  const isNode = drawing.nodes.some((node) => node.name === id);
   const actions = liveMenu(designer, id).filter((one) => one.blocked === undefined);
   const isRunning = path !== "";
   if (!isRunning && actions.length === 0) return null;
@@ -41,7 +37,6 @@ function Running({ drawing, id, target }: { drawing: Drawing; id: string; target
     <Section title="While it runs">
       <div className="rows live-details">
         {target.kind === "value" && isRunning && <Value drawing={drawing} live={target.live} />}
-        {isNode && isRunning && <Parameters path={path} node={drawing.nodes.find(({ name }) => name === id)} />}
         <div className="columns" style={{ gap: 4 }}>
           {actions.map((one) => (
             <Button key={one.id} {...(one.icon ? { icon: one.icon } : {})} onPress={one.run}>
@@ -63,66 +58,6 @@ function Value({ drawing, live }: { drawing: Drawing; live: string }) {
       {value.vector && <LiveArrow {...value.vector} />}
       {value.text}
     </p>
-  );
-}
-
-/** Sliders of the running robots, and the way back into the text. */
-function Parameters({ path, node }: { path: string; node: Node | undefined }) {
-  const live = useLivePage();
-  const roster = useSessionPart("roster");
-  const isOperator = useIsOperator();
-  const robot = useSessionPart("selection").robots[0] ?? 0;
-  const program = roster.robot(robot)?.program;
-  const ports = roster.portsOf(robot);
-  const own = parametersBelow(ports, path).filter((port) => port.role !== Port_Role.OUTPUT);
-  const robots = roster.robots.filter((one) => one.program === program).map(({ id }) => id);
-  useSomePorts(
-    "live-parameters",
-    own.map((port) => port.path),
-  );
-  if (own.length === 0) return null;
-  return (
-    <div className="rows" data-testid="live-parameters">
-      {own.map((port) => (
-        <div key={port.path} className="live-parameter">
-          <Parameter
-            port={port}
-            index={ports.indexOf(port)}
-            name={parameterName(port.path)}
-            robots={robots.includes(robot) ? [robot, ...robots.filter((id) => id !== robot)] : robots}
-            isDisabled={!isOperator}
-          />
-          <WriteBack
-            port={port}
-            index={ports.indexOf(port)}
-            robot={robot}
-            node={node}
-            write={live.writeBack.bind(live)}
-          />
-        </div>
-      ))}
-    </div>
-  );
-}
-
-interface WriteBackProps {
-  port: Port;
-  index: number;
-  robot: number;
-  /** As it is drawn. */
-  node: Node | undefined;
-  write: (port: string, value: string) => Promise<void>;
-}
-
-function WriteBack({ port, index, robot, node, write }: WriteBackProps) {
-  const shown = usePortText(robot, index);
-  const isReadOnly = useIsReadOnly();
-  const name = parameterName(port.path);
-  if (isReadOnly || shown === "" || shown === port.initial || isWritten(node, name, shown, port.unit)) return null;
-  return (
-    <Button icon="save" onPress={() => void write(port.path, shown)}>
-      Write {name} = {shown} to the text
-    </Button>
   );
 }
 

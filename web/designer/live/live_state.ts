@@ -71,6 +71,8 @@ export interface LiveState {
   field: Field | null;
   /** Why there is no field. */
   fieldError: string;
+  /** What the fields of a node's inputs change while it runs. */
+  changes: "robots" | "text";
 }
 
 /** What runs, how many, where: the same words for the same run. */
@@ -101,5 +103,6 @@ export function createLiveState(): LiveStore {
     showsField: false,
     field: null,
     fieldError: "",
+    changes: "robots",
   }));
 }
