@@ -1,6 +1,7 @@
 import { Button, IconButton, Switch } from "../../console/ui/controls.tsx";
 import type { Drawing, State } from "../protocol.ts";
 import { transitionId } from "../states/flow.ts";
+import { triggerWords } from "../states/trigger_words.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
 import { Heading, Section, SentField, SentText } from "./parts.tsx";
 
@@ -76,7 +77,7 @@ export function StateDetails({ drawing, state }: { drawing: Drawing; state: Stat
           {out.map((one) => (
             <li key={transitionId(one)}>
               <Button tone="link" onPress={() => designer.select([transitionId(one)])}>
-                <span className="mono">{one.trigger || "when?"}</span> → {one.to}
+                <span className="mono">{triggerWords(one.trigger) || "when?"}</span> → {one.to}
               </Button>
             </li>
           ))}

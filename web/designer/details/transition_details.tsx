@@ -1,5 +1,6 @@
 import { Button, IconButton, Switch } from "../../console/ui/controls.tsx";
 import type { Drawing, Transition } from "../protocol.ts";
+import { triggerText, triggerWords } from "../states/trigger_words.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
 import { Choice } from "./choice.tsx";
 import { Heading, SentText } from "./parts.tsx";
@@ -21,10 +22,10 @@ export function TransitionDetails({ drawing, transition }: { drawing: Drawing; t
       <Heading name={`${from} → ${transition.to}`} kind="transition" help={transition.help} />
       <SentText
         label="When"
-        value={transition.trigger}
+        value={triggerWords(transition.trigger)}
         isCode
         rows={2}
-        send={(trigger) => void set(`trigger of ${from}`, { trigger })}
+        send={(typed) => void set(`trigger of ${from}`, { trigger: triggerText(typed) })}
       />
       <Choice
         label="To"

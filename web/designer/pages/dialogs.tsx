@@ -5,6 +5,7 @@ import { DialogBox } from "../../console/ui/menus.tsx";
 import { Choice } from "../details/choice.tsx";
 import type { Drawing } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
+import { triggerText, triggerWords } from "../states/trigger_words.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
 import { useClosedWithout, useFollowing } from "./follow.ts";
 import { cdlName } from "./names.ts";
@@ -87,10 +88,11 @@ export function RenameDialog() {
       <Ask
         title={`Transition from ${transition.from} to ${transition.to}`}
         label="When"
-        first={transition.trigger}
+        first={triggerWords(transition.trigger)}
         button="Set"
         isFree
-        done={async (trigger) => {
+        done={async (typed) => {
+          const trigger = triggerText(typed);
           const { from, index } = transition;
           isOurs.current = true;
           const answer = await designer.link.ask(

@@ -1,4 +1,5 @@
 // What is written at a transition: its trigger in lines of a length that can be read, and the room that it takes.
+import { triggerWords } from "./trigger_words.ts";
 
 export interface LabelSize {
   readonly width: number;
@@ -16,7 +17,7 @@ const kMarkWidth = 20; // of its number, of the sign that it starts anew [px]
 
 /** The text in lines; `isShort`: in one, cut where it does not fit. */
 export function labelLines(trigger: string, isShort = false): string[] {
-  const text = trigger.trim().replaceAll(/\s+/g, " ") || "when?";
+  const text = triggerWords(trigger).trim().replaceAll(/\s+/g, " ") || "when?";
   if (isShort) return [text.length > kShortLength ? `${text.slice(0, kShortLength - 1)}…` : text];
   const lines: string[] = [];
   let rest = text;

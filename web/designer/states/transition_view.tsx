@@ -5,6 +5,7 @@ import { BreakDot, useBreaks } from "../live/break_dot.tsx";
 import { useLive } from "../live/use_live.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { curveOf, type TransitionEdge, transitionId } from "./flow.ts";
+import { triggerWords } from "./trigger_words.ts";
 
 type TransitionData = NonNullable<TransitionEdge["data"]>;
 
@@ -55,7 +56,7 @@ function TransitionLabel({
       type="button"
       className={`transition-label nodrag nopan ${className} ${isSelected ? "selected" : ""}`}
       style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px) scale(${scale})` }}
-      title={[transition.trigger, transition.help].filter((one) => one !== "").join("\n\n") || undefined}
+      title={[triggerWords(transition.trigger), transition.help].filter((one) => one !== "").join("\n\n") || undefined}
       data-transition={id}
       aria-label={`${spokenTransition(transition)}${breaks ? ", with a breakpoint" : ""}`}
       aria-pressed={isSelected}
@@ -72,7 +73,7 @@ function TransitionLabel({
 
 /** With all that is written on the label, and in its words. */
 function spokenTransition({ index, from, to, trigger, restarts }: TransitionData["transition"]): string {
-  return `Transition ${index + 1} of ${from}: ${trigger ? `when ${trigger}` : "when?"}, to ${to}${restarts ? ", anew" : ""}`;
+  return `Transition ${index + 1} of ${from}: ${trigger ? `when ${triggerWords(trigger)}` : "when?"}, to ${to}${restarts ? ", anew" : ""}`;
 }
 
 /** True for a moment after the transition was made. */
