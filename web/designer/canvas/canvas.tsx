@@ -23,7 +23,7 @@ import { kPitch, onPitch } from "../arrange/elk.ts";
 import { innerOf } from "../pages/inside.ts";
 import { isEmptyDrawing } from "../pages/pages.ts";
 import { isTabbed, offerFocus } from "../pages/panes.ts";
-import { placeState } from "../palette/place.ts";
+import { dropAt } from "../palette/touch_drag.ts";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { stateNodes, transitionEdges, transitionId } from "../states/flow.ts";
 import { scaleAt } from "../states/label.ts";
@@ -221,10 +221,7 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
     const component = event.dataTransfer.getData(kDragged);
     if (!component || isReadOnly) return;
     event.preventDefault();
-    const at = flow.screenToFlowPosition({ x: event.clientX, y: event.clientY });
-    const where = { x: onPitch(at.x - 80), y: onPitch(at.y - 20) };
-    if (isStates) void placeState(designer, component, "", where);
-    else void designer.edit(`place ${component}`, { case: "place", value: { page, component, ...where } });
+    dropAt(designer, component, event.clientX, event.clientY);
   };
 
   const isLarge = nodes.length > 120;

@@ -10,6 +10,7 @@ import { type Component, Drawing_Kind } from "../protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../use.ts";
 import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
 import { place } from "./place.ts";
+import { dragByTouch } from "./touch_drag.ts";
 import { keepUnfolded, readUnfolded } from "./unfolded.ts";
 
 const kNone: readonly Component[] = [];
@@ -87,6 +88,9 @@ function Entry({ component }: { component: Component }) {
           event.dataTransfer.setData(kDragged, component.name);
           event.dataTransfer.setData("text/plain", component.name);
           event.dataTransfer.effectAllowed = "copy";
+        }}
+        onPointerDown={(event) => {
+          if (!isReadOnly) dragByTouch(designer, component.name, title, event);
         }}
         onClick={(event) => {
           if (event.detail < 2) void place(designer, component.name, null); // a double click places one, too

@@ -1,0 +1,61 @@
+// A component dragged out of the palette by a finger or a pen: the browser's own dragging knows mice only. Up and down
+// scrolls, sideways drags.
+import { onPitch } from "../arrange/elk.ts";
+import { camera } from "../canvas/view.ts";
+import type { Designer } from "../designer.ts";
+import { Drawing_Kind } from "../protocol.ts";
+import { placeState } from "./place.ts";
+
+const kSlop = 10; // [px]
+
+interface Began {
+  readonly pointerType: string;
+  readonly pointerId: number;
+  readonly clientX: number;
+  readonly clientY: number;
+}
+
+/** Puts it where it was let go, where that is on the canvas [px of the window]. */
+export function dropAt(designer: Designer, component: string, x: number, y: number): void {
+  const { drawing } = designer;
+  const at = camera()?.screenToFlowPosition({ x, y });
+  if (!drawing || drawing.isReadOnly || !at) return;
+  const where = { x: onPitch(at.x - 80), y: onPitch(at.y - 20) };
+  if (drawing.kind === Drawing_Kind.STATES) void placeState(designer, component, "", where);
+  else {
+    const page = drawing.page?.path ?? "";
+    void designer.edit(`place ${component}`, { case: "place", value: { page, component, ...where } });
+  }
+}
+
+/** From when the finger came down; ends with it. */
+export function dragByTouch(designer: Designer, component: string, title: string, began: Began): void {
+  if (began.pointerType === "mouse") return;
+  let ghost: HTMLElement | null = null;
+  const move = (event: PointerEvent) => {
+    if (event.pointerId !== began.pointerId) return;
+    if (!ghost) {
+      if (Math.hypot(event.clientX - began.clientX, event.clientY - began.clientY) < kSlop) return;
+      ghost = document.createElement("div");
+      ghost.className = "palette-ghost";
+      ghost.textContent = title;
+      document.body.append(ghost);
+    }
+    ghost.style.translate = `${event.clientX}px ${event.clientY}px`;
+  };
+  const end = (event: PointerEvent) => {
+    if (event.pointerId !== began.pointerId) return;
+    for (const [name, listener] of listeners) window.removeEventListener(name, listener);
+    const wasDragged = ghost !== null;
+    ghost?.remove();
+    if (!wasDragged || event.type !== "pointerup") return; // cancelled: it scrolled
+    const over = document.elementFromPoint(event.clientX, event.clientY);
+    if (over?.closest(".centre")) dropAt(designer, component, event.clientX, event.clientY);
+  };
+  const listeners = [
+    ["pointermove", move],
+    ["pointerup", end],
+    ["pointercancel", end],
+  ] as const;
+  for (const [name, listener] of listeners) window.addEventListener(name, listener);
+}
