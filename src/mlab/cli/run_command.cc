@@ -158,6 +158,8 @@ int run(const RunOptions& options) {
   performance.mission_clock = print(prepared->clock);
   performance.program_version = kVersion;
   screen.show_start(run);
+  for (const mission::Print& wanted : run.mission().prints)
+    screen.show(run, mission::effect::Print{wanted.robot_info});
   const double began = steady_seconds();
   const double cpu_began = cpu_seconds();
   const bool interrupted = carry_out(*prepared, options, screen, person, plot);

@@ -48,14 +48,19 @@ void TerminalOperator::see(const mission::Effect& effect) {
   }
   if (const auto* gone = std::get_if<mission::effect::Withdraw>(&effect)) withdraw(gone->question);
   const auto* told = std::get_if<mission::effect::Tell>(&effect);
-  if (told != nullptr && told->kind == mission::effect::Tell::Kind::kCommandEnded && teleoperated_ &&
-      run_.state().commands[told->command].unit == run_.mission().units[*teleoperated_].name)
-    teleoperated_.reset();
+  if (told != nullptr && told->kind == mission::effect::Tell::Kind::kCommandEnded)
+    teleoperated_.erase(told->command);
   if (const auto* open = std::get_if<mission::effect::OpenTeleoperation>(&effect)) {
-    teleoperated_ = open->unit;
-    screen_.line(fmt::format("  unit {} is teleoperated, and there is no stick here: press Enter to end it",
-                             text::shown(run_.mission().units[open->unit].name)));
+    teleoperated_.insert(open->command);
+    screen_.line(fmt::format("  {}: there is no stick here, press Enter to end it",
+                             text::shown(run_.state().commands[open->command].text)));
   }
+}
+
+bool TerminalOperator::is_steering() const {
+  return std::ranges::any_of(run_.state().runs, [&](const mission::Run& run) {
+    return teleoperated_.contains(run.record) && !run.ends;
+  });
 }
 
 void TerminalOperator::withdraw(std::uint32_t question) {
@@ -95,8 +100,7 @@ bool TerminalOperator::attend(int wait_ms) {
 void TerminalOperator::take(std::string line) {
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
   if (asked_.empty()) {
-    if (teleoperated_)
-      run_.post(mission::event::TeleoperationComplete{*std::exchange(teleoperated_, std::nullopt)});
+    if (!teleoperated_.empty()) run_.post(mission::event::TeleoperationComplete{*teleoperated_.begin()});
     return;
   }
   const bool yes = line == "y" || line == "Y" || line == "yes" || line == "proceed" || line == "PROCEED";

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <set>
 #include <string>
 
 #include "mlab/cli/run_screen.h"
@@ -27,9 +27,9 @@ class TerminalOperator {
   TerminalOperator(fleet::MissionRun& run, RunScreen& screen);
 
   void see(const mission::Effect& effect);
-  bool is_needed() const { return !asked_.empty() || teleoperated_.has_value(); }
-  /// A unit is under the stick: nothing but a person ends that.
-  bool is_steering() const { return teleoperated_.has_value(); }
+  bool is_needed() const { return !asked_.empty() || !teleoperated_.empty(); }
+  /// A unit is under the stick, and nothing but a person ends that: no UNTIL does.
+  bool is_steering() const;
   /// A person who is asked what answers itself after some time has that time by the clock on the wall,
   /// however fast the run is otherwise.
   /// @return how far the run is ahead of that clock [s]; 0: it may go on
@@ -52,9 +52,9 @@ class TerminalOperator {
   RunScreen& screen_;
   Answers answers_;
   std::map<std::uint32_t, Question> asked_;
-  std::optional<std::uint32_t> teleoperated_;
-  bool is_person_;        // at a terminal
-  bool is_over_ = false;  // nobody will answer any more
+  std::set<std::uint32_t> teleoperated_;  // commands
+  bool is_person_;                        // at a terminal
+  bool is_over_ = false;                  // nobody will answer any more
 };
 
 }  // namespace mlab::cli

@@ -63,6 +63,18 @@ class CompletionTest : public ::testing::Test {
 
 using Strings = std::vector<std::string>;
 
+TEST_F(CompletionTest, OffersRobotsByTheirNumbersAndWhatTheyCanDo) {
+  EXPECT_EQ(typed("ro|"), (Strings{"ROBOT", "ROBOTS"}));
+  EXPECT_EQ(typed("ROBOT |"), (Strings{"1", "2"}));
+  EXPECT_EQ(typed("ROBOT 2 m|"), Strings{"MOVETO"});
+  EXPECT_FALSE(has(typed("ROBOT 2 |"), "1")) << "ROBOT takes one number";
+  EXPECT_TRUE(has(typed("robots 2 |"), "1"));
+  EXPECT_FALSE(has(typed("robots 2 |"), "2")) << "it is named already";
+  EXPECT_TRUE(has(typed("robots 2 |"), "STOP"));
+  EXPECT_EQ(typed("ROBOTS 2 1 FOLLOW |"), (Strings{"PL-Red", "\"AXIS-long way\""}));
+  EXPECT_TRUE(has(typed("ROBOTS 2 1 MOVETO 3 4 |"), "AND"));
+}
+
 TEST_F(CompletionTest, FollowsATypedCommandFromWordToWord) {
   EXPECT_EQ(typed("u|"), Strings{"UNIT"});
   EXPECT_EQ(typed("UNIT |"), (Strings{"<", "pair", "left", "\"right wing\""}));
@@ -80,7 +92,8 @@ TEST_F(CompletionTest, FollowsATypedCommandFromWordToWord) {
   EXPECT_EQ(typed("UNIT left MOVETO 3 4 PHASE-LINE r|"), Strings{"PL-Red"});
   EXPECT_TRUE(has(typed("UNIT left MOVETO 3 4 PHASE-LINE Red |"), "ACKNOWLEDGE"));
   EXPECT_TRUE(has(typed("UNIT left MOVETO 3 4 PHASE-LINE Red ACK \"x\" |"), "WAIT"));
-  EXPECT_FALSE(has(typed("UNIT left MOVETO 3 4 |"), "UNTIL"));
+  EXPECT_TRUE(has(typed("UNIT left MOVETO 3 4 |"), "UNTIL"));
+  EXPECT_FALSE(has(typed("UNIT left START 3 4 |"), "UNTIL"));
   EXPECT_TRUE(has(typed("UNIT left OCCUPY 3 4 |"), "UNTIL"));
   EXPECT_EQ(typed("UNIT left OCCUPY 3 4 UNTIL |"), Strings{"TIMEOUT"});
   EXPECT_EQ(typed("UNIT left STOP AND U|"), Strings{"UNIT"});

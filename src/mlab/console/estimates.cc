@@ -43,9 +43,10 @@ void Estimates::look(const mission::State& state) {
   });
   for (const mission::Run& run : state.runs) {
     Track& track = tracks_[run.record];
-    track.initial.resize(run.needed.size(), -1.0);
-    for (std::size_t i = 0; i < run.needed.size(); ++i)
-      track.initial[i] = std::max(track.initial[i], remaining_of(state, run, run.needed[i]));
+    for (const base::RobotId id : run.needed) {
+      double& initial = track.initial.try_emplace(id, -1.0).first->second;
+      initial = std::max(initial, remaining_of(state, run, id));
+    }
     const double remaining = farthest(state, run);
     if (remaining < 0.0) continue;
     track.samples.push_back({state.time, remaining});
@@ -61,12 +62,11 @@ Estimates::Estimate Estimates::of(const mission::State& state, const mission::Ru
   out.remaining = farthest(state, run);
   const auto at = tracks_.find(run.record);
   double sum = 0.0;
-  for (std::size_t i = 0; i < run.needed.size(); ++i) {
-    const mission::RobotState* robot = find(state, run.needed[i]);
+  for (const base::RobotId id : run.needed) {
+    const mission::RobotState* robot = find(state, id);
     if (!is_of(state, run, robot)) continue;
-    const double initial =
-        at == tracks_.end() || i >= at->second.initial.size() ? -1.0 : at->second.initial[i];
-    const double remaining = remaining_of(state, run, run.needed[i]);
+    const double initial = at == tracks_.end() ? -1.0 : at->second.initial_of(id);
+    const double remaining = remaining_of(state, run, id);
     if (robot->done)
       sum += 1.0;
     else if (initial > 0.0 && remaining >= 0.0)

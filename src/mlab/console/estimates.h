@@ -37,8 +37,12 @@ class Estimates {
     double remaining;
   };
   struct Track {
-    std::vector<double> initial;  // of each needed robot: the most that remained [m]; negative: not known yet
+    std::map<base::RobotId, double> initial;  // the most that remained [m]; negative: not known yet
     std::deque<Sample> samples;
+    double initial_of(base::RobotId robot) const {
+      const auto known = initial.find(robot);
+      return known == initial.end() ? -1.0 : known->second;
+    }
   };
   std::map<std::uint32_t, Track> tracks_;  // by record of the command
   double next_ = 0.0;

@@ -39,8 +39,12 @@ std::string clauses_of(const mission::UnitCommand& c) {
 std::string mdl_text(const mission::Mission& mission, const mission::Command& command) {
   const auto* c = std::get_if<mission::UnitCommand>(&command);
   if (c == nullptr) return clean(mission::command_text(mission, command));
-  std::string text =
-      fmt::format("UNIT {} {}", mission::unit_name(mission, c->unit), mission::task_name(c->task));
+  std::string text = "UNIT " + mission::addressee(mission, *c);
+  if (c->unit == mission::kNoUnit) {
+    text = c->robots.size() == 1 ? "ROBOT" : "ROBOTS";
+    for (const base::RobotId id : c->robots) text += fmt::format(" {}", id.value);
+  }
+  text += fmt::format(" {}", mission::task_name(c->task));
   if (!c->place_name.empty()) text += " " + c->place_name;
   return clean(text + clauses_of(*c));
 }
@@ -128,9 +132,9 @@ void encode_port(const flow::Program& program, const flow::Port& port, Port& out
   if (port.role != flow::Port::Role::kOutput) out.set_initial(clean(flow::Program::print(initial, port)));
 }
 
-void encode_roster(const fleet::MissionRun& run, std::size_t count_units, Roster& out) {
+void encode_roster(const fleet::MissionRun& run, Roster& out) {
   const mission::Mission& mission = run.mission();
-  count_units = std::min(count_units, mission.units.size());
+  const std::size_t count_units = mission.units.size();
   const auto units = smallest_units(mission, count_units);
   std::map<std::string, const mission::RobotType*> types;
   for (const mission::RobotType& type : mission.types) types[type.name] = &type;

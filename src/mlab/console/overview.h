@@ -17,7 +17,7 @@ void encode_plan(const mission::Mission& mission, std::uint64_t revision, const 
 
 /// Robots, named units and robot programs with their ports.
 /// @param count_units  so many units are told; later ones were made up for a single robot
-void encode_roster(const fleet::MissionRun& run, std::size_t count_units, Roster& out);
+void encode_roster(const fleet::MissionRun& run, Roster& out);
 
 /// A port as a browser shows it.
 void encode_port(const flow::Program& program, const flow::Port& port, Port& out);

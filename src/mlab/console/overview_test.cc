@@ -34,7 +34,7 @@ TEST(Plan, WhatItSaysCanBeTypedAgain) {
 TEST(Roster, HoldsRobotsUnitsAndPrograms) {
   const auto run = testing::run_of(testing::kTravel);
   Roster roster;
-  encode_roster(*run, run->mission().units.size(), roster);
+  encode_roster(*run, roster);
   ASSERT_EQ(roster.robots_size(), 4);
   EXPECT_EQ(roster.robots(0).color(), "#0000ff");
   EXPECT_EQ(roster.robots(2).unit(), "rest");
@@ -63,7 +63,7 @@ TEST(Roster, ANestedUnitHasItsParent) {
   const auto run = testing::run_of(
       "UNIT <all> (<left> ROBOT ROBOT) (<right> ROBOT)\nCOMMAND LIST:\n0. UNIT all START 1 1 0 5\n");
   Roster roster;
-  encode_roster(*run, run->mission().units.size(), roster);
+  encode_roster(*run, roster);
   ASSERT_EQ(roster.units_size(), 3);
   EXPECT_EQ(roster.units(0).name(), "all");
   EXPECT_EQ(roster.units(1).parent(), 0);

@@ -63,7 +63,8 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
   if (control.action() == Control::JUMP && control.step() >= state.mission->steps.size())
     return fmt::format("there is no step {} in this mission", control.step());
   if (control.action() == Control::PAUSE && !is_running) return "nothing runs";
-  if (control.action() == Control::SKIP_STEP && !is_running && state.step + 1 >= state.mission->steps.size())
+  if (control.action() == Control::SKIP_STEP && !state.in_step &&
+      state.step + 1 >= state.mission->steps.size())
     return "there is no step after this one";
   note(who, control.action() == Control::JUMP
                 ? fmt::format("jump to step {}", clean(state.mission->steps[control.step()].label))
@@ -108,7 +109,7 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
 // What runs is finished, and then nothing goes on by itself.
 void Session::Parts::single_step() {
   const mission::State& state = live_->run().state();
-  if (state.mode != mission::State::Mode::kRunning) {
+  if (!state.in_step) {
     post(event::SingleStep{});
     return;
   }
@@ -118,7 +119,7 @@ void Session::Parts::single_step() {
 
 void Session::Parts::skip_step() {
   const mission::State& state = live_->run().state();
-  if (state.mode != mission::State::Mode::kRunning)
+  if (!state.in_step)
     post(event::Jump{state.step + 1});
   else
     post(event::SingleStep{});

@@ -108,18 +108,9 @@ void Session::Parts::follow_documents(Follow how) {
   change_mission(plain);
 }
 
-std::shared_ptr<const mission::Mission> Session::Parts::with_single_units(
-    const std::shared_ptr<const mission::Mission>& plain) const {
-  if (singles_.empty()) return plain;
-  auto out = std::make_shared<mission::Mission>(*plain);
-  for (const base::RobotId robot : singles_)
-    out->units.push_back({fmt::format("robot {}", robot.value), {robot}, {}, {}});
-  return out;
-}
-
 bool Session::Parts::change_mission(std::shared_ptr<const mission::Mission> plain) {
   plain_ = std::move(plain);
-  const std::shared_ptr<const mission::Mission> mission = with_single_units(plain_);
+  const std::shared_ptr<const mission::Mission> mission = plain_;
   const std::uint64_t number = ++loading_;
   const auto& known = live_->crew()->programs;
   const bool is_quick = std::ranges::all_of(mission->types, [&](const mission::RobotType& type) {
@@ -134,7 +125,6 @@ bool Session::Parts::change_mission(std::shared_ptr<const mission::Mission> plai
     }
     live_->edit(crew);
     breakpoints_.change(&live_->run());
-    named_units_ = plain_->units.size();
     ++plan_revision_;
     ++version_;
     has_nothing_to_do_ = false;

@@ -48,7 +48,6 @@ void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet:
   seed_ = seed;
   from_documents_ = plain_ = documents_.mission();
   typed_edits_.clear();
-  singles_.clear();
   if (!plain_) {
     adopt(nullptr, nullptr);
     return;
@@ -83,7 +82,6 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
     live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_);
     live_->run().set_stands_still_for_operator(pace_.speed() == 0.0);
     live_->run().set_emergency_stop(is_stopped_);
-    named_units_ = live_->run().mission().units.size();
     for (const auto& [robot, ports] : parameters_) {
       for (const auto& [port, value] : ports) live_->run().set_parameter({robot}, port, value);
     }

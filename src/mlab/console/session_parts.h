@@ -113,8 +113,6 @@ class Session::Parts {
 
   Answered start_teleoperation(const std::string& who, const StartTeleoperation& start);
   Answered end_teleoperation(const std::string& who, const EndTeleoperation& end);
-  /// The unit that holds this robot alone, made where there is none.
-  std::optional<std::uint32_t> single_unit(base::RobotId robot);
   void update_teleoperations();
 
   // ---- session_edit.cc
@@ -131,9 +129,6 @@ class Session::Parts {
   /// The run goes on with another version of its mission.
   /// @return false: what it needs is being made, it will happen later
   bool change_mission(std::shared_ptr<const mission::Mission> plain);
-  /// The version with a unit for each robot that was taken by itself.
-  std::shared_ptr<const mission::Mission> with_single_units(
-      const std::shared_ptr<const mission::Mission>& plain) const;
   void update_picture();
 
   // ---- session_load.cc
@@ -213,11 +208,9 @@ class Session::Parts {
   std::shared_ptr<const text::Files> trial_files_;  // that programs of a trial are read with
   TrialDone trial_done_;                            // who waits for it; empty: nobody
   bool executes_trial_ = false;
-  std::size_t named_units_ = 0;                             // units after these were made for single robots
   std::shared_ptr<const mission::Mission> from_documents_;  // that the run follows
   std::shared_ptr<const mission::Mission> plain_;           // the same with what was typed
   std::vector<std::string> typed_edits_;                    // lines that added to the mission
-  std::vector<base::RobotId> singles_;                      // robots with a unit of their own
   std::map<std::uint32_t, std::map<std::string, std::string>>
       parameters_;                  // that people set, by robot and port
   std::uint64_t world_key_ = 0;     // of the obstacles that the scene has

@@ -30,7 +30,7 @@ void Session::Parts::broadcast(const ToBrowser& message) {
 void Session::Parts::fill_roster(ToBrowser& out) const {
   Roster& roster = *out.mutable_roster();
   roster.Clear();
-  if (live_) encode_roster(live_->run(), named_units_, roster);
+  if (live_) encode_roster(live_->run(), roster);
 }
 
 void Session::Parts::fill_starts(ToBrowser& out) {

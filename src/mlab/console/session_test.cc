@@ -241,7 +241,8 @@ TEST(Session, TeleoperationMovesARobotWhileTheStickIsHeldAndEndsByMessage) {
   ASSERT_EQ(Browser::error_of(anna.ask(end_other)), "");
   ASSERT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 1; }));
   EXPECT_EQ(anna.status().teleoperations(0).unit(), "robot 3");
-  const Status::Command& steered = anna.status().steps(anna.status().steps_size() - 1).commands(0);
+  const Status::Command& steered = anna.status().steps(anna.status().steps_size() - 2).commands(0);
+  EXPECT_EQ(steered.unit(), "robot 3");
   EXPECT_LT(steered.progress(), 0.0) << "nobody knows where to";
   EXPECT_LT(steered.remaining(), 0.0);
   anna.watch_for(0.3);
@@ -265,7 +266,7 @@ TEST(Session, TeleoperationMovesARobotWhileTheStickIsHeldAndEndsByMessage) {
   EXPECT_EQ(Browser::error_of(anna.ask(end)), "");
   EXPECT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 0; }));
   EXPECT_NE(Browser::error_of(anna.ask(end)), "");
-  EXPECT_EQ(anna.roster().units_size(), 3) << "units for single robots are nobody's business";
+  EXPECT_EQ(anna.roster().units_size(), 3) << "an order to a robot makes no unit of the mission";
 }
 
 TEST(Session, OnlyTheOperatorCommandsAndThePlaceIsHandedOver) {

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "mlab/console/overview.h"
+#include "mlab/mission/wording.h"
 
 namespace mlab::console {
 namespace {
@@ -18,6 +19,14 @@ Status::Outcome outcome_of(mission::Outcome outcome) {
   static_assert(static_cast<int>(mission::Outcome::kSkipped) == Status::SKIPPED);
   static_assert(static_cast<int>(mission::Outcome::kDone) == Status::DONE);
   return static_cast<Status::Outcome>(outcome);
+}
+
+// Only where the unit's name does not say it.
+void encode_followers(const State& state, const mission::Run& run, Status::Command& out) {
+  const bool is_whole = run.unit < state.mission->units.size() &&
+                        state.mission->units[run.unit].members.size() == run.needed.size();
+  if (is_whole) return;
+  for (const base::RobotId id : run.needed) out.add_followers(id.value);
 }
 
 void encode_command(const State& state, std::uint32_t record, const Estimates& estimates,
@@ -38,6 +47,9 @@ void encode_command(const State& state, std::uint32_t record, const Estimates& e
   out.set_robots(estimate.robots);
   out.set_robots_done(estimate.robots_done);
   if (command.outcome != mission::Outcome::kRunning) return;
+  encode_followers(state, *run, out);
+  out.set_waits_for(clean(mission::waiting_text(state, *run)));
+  out.set_is_held(run->phase == mission::Run::Phase::kHeld);
   out.set_remaining(estimate.remaining);
   out.set_arrival(estimate.arrival);
   out.set_progress(estimate.progress);
@@ -84,8 +96,9 @@ void encode_run(const fleet::MissionRun& run, const Estimates& estimates, Status
   out.set_seed(run.seed());
   out.set_mission_clock(clock_time(state.options, run.time()));
   const std::size_t first = state.steps.size() - std::min(state.steps.size(), kMostSteps);
-  for (std::size_t i = first; i < state.steps.size(); ++i) {
+  for (std::size_t i = 0; i < state.steps.size(); ++i) {
     const mission::StepRecord& step = state.steps[i];
+    if (i < first && step.outcome != mission::Outcome::kRunning) continue;
     Status::Step& told = *out.add_steps();
     told.set_label(clean(step.label));
     told.set_step(step.step);

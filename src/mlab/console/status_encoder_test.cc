@@ -56,6 +56,29 @@ TEST(Status, TellsWhatRemainsAndWhenItWillBeDone) {
   EXPECT_EQ(status_of(*run, estimates).steps(1).commands(0).progress(), 1.0);
 }
 
+TEST(Status, TellsWhoFollowsACommandThatRobotsWereOrderedAwayFrom) {
+  const auto run = testing::run_of(testing::kTravel);
+  run->post(mission::event::Execute{});
+  testing::step(*run, 20);
+  text::Diagnostics problems;
+  const auto order = mdl::parse_immediate("ROBOT 2 MOVETO 10 10", run->mission(), problems);
+  ASSERT_TRUE(order.has_value()) << text::render(problems);
+  run->post(mission::event::Typed{order->commands});
+  testing::step(*run, 5);
+  const Status status = status_of(*run, {});
+  ASSERT_EQ(status.steps_size(), 3);
+  const Status::Command& left = status.steps(1).commands(0);
+  EXPECT_EQ(left.outcome(), Status::UNDER_WAY);
+  ASSERT_EQ(left.followers_size(), 1);
+  EXPECT_EQ(left.followers(0), 1U);
+  const Status::Command& own = status.steps(2).commands(0);
+  EXPECT_EQ(own.unit(), "robot 2");
+  ASSERT_EQ(own.followers_size(), 1);
+  EXPECT_EQ(own.followers(0), 2U);
+  EXPECT_EQ(own.waits_for(), "1 of 1 robots");
+  EXPECT_EQ(mode_of(*run), Status::RUNNING);
+}
+
 TEST(Status, TellsTheMissionClock) {
   mission::ExecutiveOptions options;
   options.epoch_seconds = 86400.0;

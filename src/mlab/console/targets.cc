@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -43,21 +44,54 @@ std::optional<std::string> why_skipped(const fleet::MissionRun& run, const UnitC
   return std::nullopt;
 }
 
-// The command that the robot is under and not done with; empty: none.
-std::string current_command(const fleet::MissionRun& run, base::RobotId id) {
-  const mission::State& state = run.state();
-  const auto robot = std::ranges::lower_bound(state.robots, id, {}, &mission::RobotState::id);
-  if (robot == state.robots.end() || robot->id != id || robot->run >= state.runs.size()) return "";
-  const mission::Run& command = state.runs[robot->run];
-  return command.phase == mission::Run::Phase::kEnded ? "" : state.commands[command.record].text;
-}
-
 std::string short_text(const UnitCommand& command) {
   std::string text(mission::task_name(command.task));
   if (!command.place_name.empty()) text += " " + command.place_name;
   if (mission::formation_of(command) != percept::Formation::kNone)
     text += fmt::format(", {}", percept::name(mission::formation_of(command)));
   return text;
+}
+
+// The units of the new command that its robots go to.
+void name_replaced(const std::string& text, const Targets::Standing& ended, Targets& out) {
+  for (Targets::Unit& unit : *out.mutable_units()) {
+    const bool takes = std::ranges::any_of(unit.robots(), [&](std::uint32_t robot) {
+      return std::ranges::find(ended.leaving(), robot) != ended.leaving().end();
+    });
+    if (takes) unit.set_replaces(clean(unit.replaces().empty() ? text : unit.replaces() + "; " + text));
+  }
+}
+
+// What becomes of a command that is under way.
+void encode_standing(const mission::State& state, const mission::Run& run,
+                     const std::set<base::RobotId>& taken, Targets& out) {
+  Targets::Standing& told = *out.add_standing();
+  told.set_unit(clean(state.commands[run.record].unit));
+  told.set_command(clean(short_text(*run.command)));
+  const bool is_held = run.phase == mission::Run::Phase::kHeld;
+  for (const base::RobotId id : run.needed) {
+    if (!is_held && taken.contains(id)) told.add_leaving(id.value);
+  }
+  told.set_staying(static_cast<std::uint32_t>(run.needed.size()) -
+                   static_cast<std::uint32_t>(told.leaving_size()));
+  if (told.leaving_size() == 0) return;
+  told.set_fate(told.staying() > 0 ? Targets::Standing::GOES_ON_WITHOUT : Targets::Standing::ENDS);
+  if (told.fate() == Targets::Standing::ENDS) name_replaced(state.commands[run.record].text, told, out);
+}
+
+// Units nobody of which has or gets a command; of units inside of each other the outermost.
+void encode_idle(const mission::Mission& mission, std::set<base::RobotId> busy, Targets& out) {
+  for (const mission::Unit& unit : mission.units) {
+    const bool is_idle = !unit.name.empty() && std::ranges::none_of(unit.members, [&](base::RobotId id) {
+      return busy.contains(id);
+    });
+    if (!is_idle) continue;
+    busy.insert(unit.members.begin(), unit.members.end());
+    Targets::Standing& told = *out.add_standing();
+    told.set_unit(clean(unit.name));
+    told.set_fate(Targets::Standing::IDLE);
+    told.set_staying(static_cast<std::uint32_t>(unit.members.size()));
+  }
 }
 
 }  // namespace
@@ -67,17 +101,17 @@ void encode_targets(const fleet::MissionRun& run, const mission::Mission& missio
   std::map<base::RobotId, std::size_t> last;  // the command that gets a robot that several name
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const auto* command = std::get_if<UnitCommand>(&commands[i]);
-    if (command == nullptr || command->unit >= mission.units.size()) continue;
-    for (const base::RobotId id : mission.units[command->unit].members) last[id] = i;
+    if (command == nullptr) continue;
+    for (const base::RobotId id : mission::members_of(mission, *command)) last[id] = i;
   }
+  std::set<base::RobotId> taken;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const auto* command = std::get_if<UnitCommand>(&commands[i]);
-    if (command == nullptr || command->unit >= mission.units.size()) continue;
+    if (command == nullptr) continue;
     Targets::Unit& unit = *out.add_units();
-    unit.set_name(clean(mission::unit_name(mission, command->unit)));
+    unit.set_name(clean(mission::addressee(mission, *command)));
     unit.set_command(clean(short_text(*command)));
-    std::set<std::string> replaced;
-    for (const base::RobotId id : mission.units[command->unit].members) {
+    for (const base::RobotId id : mission::members_of(mission, *command)) {
       std::optional<std::string> reason = why_skipped(run, *command, id);
       if (!reason && last[id] != i) reason = "a later command of this line takes it";
       if (reason) {
@@ -87,12 +121,17 @@ void encode_targets(const fleet::MissionRun& run, const mission::Mission& missio
         continue;
       }
       unit.add_robots(id.value);
-      if (std::string text = current_command(run, id); !text.empty()) replaced.insert(std::move(text));
+      taken.insert(id);
     }
-    std::string text;
-    for (const std::string& one : replaced) text += (text.empty() ? "" : "; ") + one;
-    unit.set_replaces(clean(text));
   }
+  if (taken.empty()) return;
+  std::set<base::RobotId> busy = taken;
+  for (const mission::Run& under_way : run.state().runs) {
+    if (under_way.phase == mission::Run::Phase::kEnded) continue;
+    encode_standing(run.state(), under_way, taken, out);
+    busy.insert(under_way.needed.begin(), under_way.needed.end());
+  }
+  encode_idle(mission, std::move(busy), out);
 }
 
 }  // namespace mlab::console

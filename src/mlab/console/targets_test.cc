@@ -34,6 +34,33 @@ TEST(Targets, RobotsThatAreNotStartedAreSkippedAndItIsSaidWhatIsReplaced) {
   EXPECT_EQ(rest.units(0).replaces(), "");
 }
 
+TEST(Targets, EveryUnitIsNamedWithWhatBecomesOfIt) {
+  const auto run = testing::run_of(
+      "MISSION-AREA 1000 1000\nUNIT <a> ROBOT ROBOT\nUNIT <b> ROBOT ROBOT\nUNIT <c> ROBOT\nCOMMAND LIST:\n"
+      "0. UNIT a START 100 100 0 40 AND UNIT b START 100 300 0 40\n"
+      "1. UNIT a MOVETO 700 120 AND UNIT b MOVETO 700 320\n");
+  run->post(mission::event::Execute{});
+  testing::step(*run, 20);
+  const Targets targets = targets_of(*run, "ROBOTS 2 3 4 MOVETO 10 10");
+  ASSERT_EQ(targets.units_size(), 1);
+  EXPECT_EQ(targets.units(0).name(), "robots 2-4");
+  EXPECT_EQ(targets.units(0).robots_size(), 3);
+  EXPECT_EQ(targets.units(0).replaces(), "unit b MOVETO 700 320");
+  ASSERT_EQ(targets.standing_size(), 3);
+  EXPECT_EQ(targets.standing(0).unit(), "a");
+  EXPECT_EQ(targets.standing(0).fate(), Targets::Standing::GOES_ON_WITHOUT);
+  ASSERT_EQ(targets.standing(0).leaving_size(), 1);
+  EXPECT_EQ(targets.standing(0).leaving(0), 2U);
+  EXPECT_EQ(targets.standing(0).staying(), 1U);
+  EXPECT_EQ(targets.standing(1).unit(), "b");
+  EXPECT_EQ(targets.standing(1).fate(), Targets::Standing::ENDS);
+  EXPECT_EQ(targets.standing(2).unit(), "c");
+  EXPECT_EQ(targets.standing(2).fate(), Targets::Standing::IDLE);
+  const Targets other = targets_of(*run, "UNIT a MOVETO 10 10");
+  EXPECT_EQ(other.standing(1).unit(), "b");
+  EXPECT_EQ(other.standing(1).fate(), Targets::Standing::GOES_ON);
+}
+
 TEST(Targets, StartSkipsWhoRunsAlready) {
   const auto run = testing::run_of(testing::kTravel);
   run->post(mission::event::Execute{});

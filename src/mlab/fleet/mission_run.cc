@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/mission/command.h"
+#include "mlab/mission/wording.h"
 
 namespace mlab::fleet {
 
@@ -96,7 +97,7 @@ std::vector<PlannedStart> MissionRun::planned_starts() {
   const std::shared_ptr<const sim::Simulator::State> before = simulator_->snapshot();
   const auto plan = [&](const mission::UnitCommand& command) {
     std::size_t rank = 0;
-    for (const base::RobotId id : mission().units[command.unit].members) {
+    for (const base::RobotId id : mission::members_of(mission(), command)) {
       const FleetRobot* robot = fleet_->find(id);
       if (robot == nullptr) continue;
       const geom::Pose wanted = mission::start_pose(mission(), command, rank++);
@@ -260,7 +261,7 @@ void MissionRun::measure() {
     ++robot_cycles_;
     const Group* group = fleet_->group(robot);
     if (group == nullptr || !group->command || group->order.formation == percept::Formation::kNone ||
-        group->members.size() < 2)
+        group->members.size() < 2 || group->command->unit == mission::kNoUnit)
       continue;
     if (group->command->unit >= metrics_.size()) metrics_.resize(state_.mission->units.size());
     UnitMetrics& metrics = metrics_[group->command->unit];
@@ -272,20 +273,29 @@ void MissionRun::measure() {
   }
 }
 
+std::vector<base::RobotId> MissionRun::commanded(std::uint32_t command) const {
+  const std::string& whom = state_.commands[command].unit;
+  const auto unit = std::ranges::find(state_.mission->units, whom, &mission::Unit::name);
+  if (!whom.empty() && unit != state_.mission->units.end()) return unit->members;
+  for (const FleetRobot& robot : fleet_->robots()) {
+    const Group* group = fleet_->group(robot);
+    if (group != nullptr && group->command && group->command->unit == mission::kNoUnit &&
+        mission::robots_name(group->command->robots) == whom)
+      return group->command->robots;
+  }
+  return {};
+}
+
 void MissionRun::explain_failures(std::uint32_t command) {
   if (command >= state_.commands.size() || state_.commands[command].outcome != mission::Outcome::kFailed)
     return;
   constexpr int kMostRobots = 8;
   int said = 0;
-  for (const mission::Unit& unit : state_.mission->units) {
-    if (unit.name != state_.commands[command].unit) continue;
-    for (const base::RobotId id : unit.members) {
-      const FleetRobot* robot = fleet_->find(id);
-      if (robot == nullptr || robot->action.status.done || said >= kMostRobots) continue;
-      ++said;
-      for (std::string& line : explain(*robot)) tell(Tell::Kind::kMessage, std::move(line));
-    }
-    return;
+  for (const base::RobotId id : commanded(command)) {
+    const FleetRobot* robot = fleet_->find(id);
+    if (robot == nullptr || robot->action.status.done || said >= kMostRobots) continue;
+    ++said;
+    for (std::string& line : explain(*robot)) tell(Tell::Kind::kMessage, std::move(line));
   }
 }
 

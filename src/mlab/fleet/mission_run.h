@@ -164,6 +164,8 @@ class MissionRun {
   void tell(mission::effect::Tell::Kind kind, std::string text);
   void answer_calls();
   void tell_faults();
+  // Whom a command of the history was for.
+  std::vector<base::RobotId> commanded(std::uint32_t command) const;
   void explain_failures(std::uint32_t command);
 
   RunSettings settings_;

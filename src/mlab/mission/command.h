@@ -1,12 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "mlab/geom/pose.h"
 #include "mlab/mission/mission.h"
 #include "mlab/percept/formation.h"
 
 namespace mlab::mission {
+
+/// Whom the command is for, in rank order: the members of its unit, or the robots that it names. None where
+/// the mission has no such unit.
+inline const std::vector<base::RobotId>& members_of(const Mission& mission, const UnitCommand& command) {
+  static const std::vector<base::RobotId> kNobody;
+  if (command.unit == kNoUnit) return command.robots;
+  return command.unit < mission.units.size() ? mission.units[command.unit].members : kNobody;
+}
 
 /// The formation that the command gives: SWEEPTO sweeps unless a clause says otherwise.
 inline percept::Formation formation_of(const UnitCommand& command) {

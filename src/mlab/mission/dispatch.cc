@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "mlab/mission/claim.h"
+#include "mlab/mission/clock.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/parts.h"
 #include "mlab/mission/question.h"
@@ -17,61 +19,27 @@ namespace {
 
 using percept::Task;
 
-// Those members that the plan in force knows.
-std::vector<base::RobotId> members_of(const State& state, std::uint32_t unit) {
-  std::vector<base::RobotId> members;
-  if (unit >= state.mission->units.size()) return members;
-  for (const base::RobotId id : state.mission->units[unit].members) {
-    if (find_robot(state, id) != nullptr) members.push_back(id);
-  }
-  return members;
-}
-
 void leave_order(Turn& turn, RobotState& robot) {
   if (robot.sequence == 0) return;
   if (turn.shrunk.empty() || turn.shrunk.back() != robot.sequence) turn.shrunk.push_back(robot.sequence);
   robot.sequence = 0;
 }
 
-// The run takes its robots from whoever else in this step wanted them.
-void claim(Turn& turn, std::uint32_t run_index) {
-  State& s = turn.state;
-  Run& run = s.runs[run_index];
-  std::vector<base::RobotId> twice;
-  for (const base::RobotId id : run.needed) {
-    RobotState& robot = *find_robot(s, id);
-    if (robot.run != kNoRun) twice.push_back(id);
-    robot.run = run_index;
-    robot.done = robot.warned = false;
-    robot.remaining = robot.best = std::numeric_limits<double>::infinity();
-  }
-  run.missing = static_cast<std::uint32_t>(run.needed.size());
-  if (twice.empty()) return;
-  warn(turn, fmt::format("{}{} {} in two commands of this step; only the last one, `{}`, counts, the other "
-                         "can't be completed",
-                         step_prefix(s), robots_text(twice), twice.size() == 1 ? "is" : "are",
-                         s.commands[run.record].text));
-}
-
-void start_robots(Turn& turn, Run& run) {
-  std::vector<base::RobotId> alive;
+// Who of the unit runs already keeps the place of its rank.
+void start_robots(Turn& turn, Run& run, const std::vector<base::RobotId>& unit) {
   std::size_t rank = 0;
-  for (const base::RobotId id : run.needed) {
-    RobotState& robot = *find_robot(turn.state, id);
+  auto next = run.needed.begin();
+  for (const base::RobotId id : unit) {
+    if (next == run.needed.end()) return;
+    if (find_robot(turn.state, id) == nullptr) continue;
     const geom::Pose pose = start_pose(*turn.state.mission, *run.command, rank++);
-    if (robot.is_running && robot.life != RobotState::Life::kStopped) {
-      alive.push_back(id);
-      robot.done = true;
-      --run.missing;
-      continue;
-    }
+    if (id != *next) continue;
+    ++next;
+    RobotState& robot = *find_robot(turn.state, id);
     leave_order(turn, robot);
     robot.life = RobotState::Life::kStarted;
+    robot.seen = 0;
     emit(turn, effect::Start{id, pose});
-  }
-  if (!alive.empty()) {
-    warn(turn, fmt::format("{}{} {} already and can't be started again", step_prefix(turn.state),
-                           robots_text(alive), alive.size() == 1 ? "runs" : "run"));
   }
 }
 
@@ -100,61 +68,91 @@ void order_robots(Turn& turn, Run& run) {
                                       .halted = planned.halted});
     run.parts.push_back(part);
   }
+  const State& s = turn.state;
+  if (run.command->until && run.command->task != Task::kOccupy)
+    run.ends = run_time_of(*run.command->until, s.options, s.time);
   if (run.command->task != Task::kTeleoperate) return;
   run.phase = Run::Phase::kTeleoperation;
-  if (!turn.state.options.proceed_all) emit(turn, effect::OpenTeleoperation{run.unit});
+  if (!s.options.proceed_all) emit(turn, effect::OpenTeleoperation{run.record});
+}
+
+// The command goes out to its robots, which leave whatever they did.
+void carry_out(Turn& turn, Run& run) {
+  run.phase = Run::Phase::kRobots;
+  const std::vector<base::RobotId> unit = run.needed;
+  if (!claim(turn, run)) return;
+  if (run.command->task == Task::kStart)
+    start_robots(turn, run, unit);
+  else if (run.command->task == Task::kStop)
+    stop_robots(turn, run);
+  else
+    order_robots(turn, run);
 }
 
 struct Begin {
   Turn& turn;
-  const std::shared_ptr<const void>& owner;
+  const std::shared_ptr<const void>& keeper;
+  std::uint32_t owner;
   std::uint32_t record;
 
   void operator()(const UnitCommand& command) const {
     State& s = turn.state;
-    const auto index = static_cast<std::uint32_t>(s.runs.size());
     Run& run = s.runs.emplace_back();
     run.record = record;
+    run.owner = owner;
     run.unit = command.unit;
-    run.command = CommandRef{std::shared_ptr<const UnitCommand>(owner, &command)};
-    run.needed = members_of(s, command.unit);
-    claim(turn, index);
-    if (command.task == Task::kStart)
-      start_robots(turn, run);
-    else if (command.task == Task::kStop)
-      stop_robots(turn, run);
+    run.command = CommandRef{std::shared_ptr<const UnitCommand>(keeper, &command)};
+    run.needed = members_of(*s.mission, command);
+    run.missing = static_cast<std::uint32_t>(run.needed.size());
+    if (is_free(s, run))
+      carry_out(turn, run);
     else
-      order_robots(turn, run);
+      message(turn,
+              fmt::format("{}{} waits for {}", owner_prefix(s, owner), s.commands[record].text,
+                          waiting_text(s, run)),
+              owner);
   }
   void operator()(const SetBoolean& option) const { at_once(effect::Set{option}); }
   void operator()(const SetNumber& option) const { at_once(effect::Set{option}); }
   void operator()(const Print& print) const { at_once(effect::Print{print.robot_info}); }
   void operator()(const Quit&) const {
-    end_command(turn, record, Outcome::kDone, {});
+    end_command(turn, owner, record, Outcome::kDone, {});
     quit(turn);
   }
 
   template <class T>
   void at_once(T effect) const {
     emit(turn, std::move(effect));
-    end_command(turn, record, Outcome::kDone, {});
+    end_command(turn, owner, record, Outcome::kDone, {});
   }
 };
 
 }  // namespace
 
 void begin_commands(Turn& turn, const std::vector<Command>& commands,
-                    const std::shared_ptr<const void>& owner) {
+                    const std::shared_ptr<const void>& keeper, std::uint32_t owner) {
   State& s = turn.state;
-  s.runs.reserve(commands.size());
+  s.runs.reserve(s.runs.size() + commands.size());
   for (const Command& command : commands) {
     const auto record = static_cast<std::uint32_t>(s.commands.size());
     s.commands.push_back(record_of(*s.mission, command, s.time));
-    ++s.steps.back().command_count;
-    tell(turn, effect::Tell::Kind::kCommandStarted, step_prefix(s) + s.commands.back().text, record);
-    std::visit(Begin{turn, owner, record}, command);
+    ++s.steps[owner].command_count;
+    tell(turn, effect::Tell::Kind::kCommandStarted, owner_prefix(s, owner) + s.commands.back().text, owner,
+         record);
+    std::visit(Begin{turn, keeper, owner, record}, command);
     if (s.mode == State::Mode::kQuit) return;
   }
+}
+
+bool begin_held(Turn& turn) {
+  State& s = turn.state;
+  bool any = false;
+  for (Run& run : s.runs) {
+    if (run.phase != Run::Phase::kHeld || !is_free(s, run)) continue;
+    carry_out(turn, run);
+    any = true;
+  }
+  return any;
 }
 
 std::uint32_t give_order(Turn& turn, Group group) {
@@ -176,6 +174,13 @@ void set_halted(Turn& turn, Group& group, bool halted) {
   if (group.halted == halted) return;
   group.halted = halted;
   emit(turn, order_of(group));
+}
+
+void halt(Turn& turn, Run& run) {
+  for (Part& part : run.parts) {
+    part.halted = true;
+    if (Group* group = find_group(turn.state, part.sequence)) set_halted(turn, *group, true);
+  }
 }
 
 effect::Order order_of(const Group& group) {

@@ -69,9 +69,9 @@ struct LetProceed {
 struct Withdraw {
   std::uint32_t question = 0;
 };
-/// The operator's stick steers this unit until he says that it is enough.
+/// The operator's stick steers the robots of this command until he says that it is enough.
 struct OpenTeleoperation {
-  std::uint32_t unit = 0;
+  std::uint32_t command = 0;  ///< index into State::commands
 };
 /// Something happened that is shown and logged.
 struct Tell {
@@ -85,7 +85,7 @@ struct Tell {
     kMissionEnded
   };
   Kind kind = Kind::kMessage;
-  std::uint32_t step = kNoStep;  ///< index into Mission::steps
+  std::uint32_t step = kNoStep;  ///< index into Mission::steps; kNoStep for orders of the operator
   std::uint32_t command = 0;     ///< index into State::commands; meaningful for the command kinds
   std::string text;
 };

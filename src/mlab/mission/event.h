@@ -34,7 +34,7 @@ struct Pause {};
 struct Resume {};
 /// Running: abandon the step and start the next. Else: start one step, and stop after it.
 struct SingleStep {};
-/// Running: finish the step (or the typed commands), then stop. Else: nothing.
+/// A step runs: finish it, then stop. Else: nothing.
 struct StopAfterStep {};
 /// Running: start that step now. Else: go there.
 struct Jump {
@@ -54,7 +54,8 @@ struct Answer {
   std::uint32_t question = 0;
   bool proceed = true;
 };
-/// A typed command, already resolved against the mission; several were joined by AND.
+/// An order of the operator, already resolved against the mission; several commands were joined by AND. It
+/// ends what its own robots do, and nothing else.
 struct Typed {
   std::vector<Command> commands;
 };
@@ -62,9 +63,9 @@ struct Typed {
 struct Edited {
   std::shared_ptr<const Mission> mission;
 };
-/// The operator says that teleoperation of this unit is over.
+/// The operator says that the teleoperation by this command is over.
 struct TeleoperationComplete {
-  std::uint32_t unit = 0;
+  std::uint32_t command = 0;  ///< index into State::commands
 };
 }  // namespace event
 using Event =

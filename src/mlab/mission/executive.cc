@@ -28,15 +28,17 @@ struct Handle {
 // Every robot that the run still waits for has asked something by itself.
 bool awaits_robots_that_ask(const State& state, const Run& run) {
   if (run.missing == 0) return false;
-  const auto index = static_cast<std::uint32_t>(&run - state.runs.data());
+  const std::uint32_t index = index_of(state, run);
   return std::ranges::all_of(state.robots, [&](const RobotState& robot) {
     return robot.done || robot.run != index ||
            std::ranges::find(state.questions, robot.id, &Question::robot) != state.questions.end();
   });
 }
 
+// A command that waits for orders needs what these need.
 bool needs_only_an_answer(const State& state, const Run& run) {
-  if (run.phase == Run::Phase::kProceed) return true;
+  if (run.phase == Run::Phase::kProceed || run.phase == Run::Phase::kHeld) return true;
+  if (run.ends) return false;
   if (run.phase != Run::Phase::kRobots) return false;
   if (awaits_robots_that_ask(state, run)) return true;
   for (std::size_t i = 0; i < run.lines.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mlab/base/random.h"
+#include "mlab/mission/command.h"
 #include "mlab/mission/executive.h"
 #include "mlab/mission/toy_fleet.h"
 
@@ -15,11 +16,22 @@ namespace {
 using namespace testing;  // NOLINT(google-build-using-namespace): the test's own vocabulary
 using percept::Task;
 
+// Some robots, in any order; few of them, robot 7 among them, may not exist.
+void name_robots(base::Random& random, UnitCommand& c) {
+  c.unit = kNoUnit;
+  for (std::uint32_t id = 1; id <= 7; ++id) {
+    if (random.below(3) == 0)
+      c.robots.insert(c.robots.begin() + static_cast<std::ptrdiff_t>(random.below(c.robots.size() + 1)),
+                      {id});
+  }
+}
+
 // A unit command of any kind, with all that the grammar lets it have and more.
 UnitCommand any_command(base::Random& random, std::uint32_t units) {
   const geom::Point goal{random.uniform(0, 1000), random.uniform(0, 1000)};
   UnitCommand c = command(static_cast<std::uint32_t>(random.below(units)),
                           static_cast<Task>(1 + random.below(7)), "P", goal);
+  if (random.below(4) == 0) name_robots(random, c);
   c.technique = static_cast<Technique>(random.below(3));
   c.formation = static_cast<percept::Formation>(random.below(percept::kFormationCount));
   for (std::uint64_t n = random.below(4); n > 0; --n)
@@ -109,7 +121,7 @@ Event any_event(base::Random& random, const State& state) {
     case 7:
       return event::Edited{random.below(4) == 0 ? nullptr : any_mission(random)};
     case 8:
-      return event::TeleoperationComplete{id(4)};
+      return event::TeleoperationComplete{id(static_cast<std::uint32_t>(state.commands.size()))};
     case 29:
       return event::StopAfterStep{};
     case 9:
@@ -151,7 +163,7 @@ struct Describe {
   }
   std::string operator()(const effect::Withdraw& e) const { return fmt::format("withdraw {}", e.question); }
   std::string operator()(const effect::OpenTeleoperation& e) const {
-    return fmt::format("teleoperate {}", e.unit);
+    return fmt::format("teleoperate {}", e.command);
   }
   std::string operator()(const effect::Tell& e) const { return fmt::format("{} {}", e.step, e.text); }
 };
@@ -162,30 +174,62 @@ std::string describe(const std::vector<Effect>& effects) {
   return text;
 }
 
+// What runs has a record that runs and something to wait for; what doesn't run has neither.
 void expect_reasons_to_wait(const State& s) {
-  if (s.mode == State::Mode::kRunning) {
-    RC_ASSERT(!waits_for(s).empty());
-    RC_ASSERT(s.steps.back().outcome == Outcome::kRunning);
-  } else {
-    RC_ASSERT(s.runs.empty());
-    RC_ASSERT(s.questions.empty());
-    RC_ASSERT((s.steps.empty() || s.steps.back().outcome != Outcome::kRunning));
+  const bool runs = s.mode == State::Mode::kRunning;
+  RC_ASSERT(runs != waits_for(s).empty());
+  RC_ASSERT((runs || s.runs.empty()));
+  RC_ASSERT((s.in_step || s.is_ending || !s.runs.empty()) == runs);
+  for (std::uint32_t i = 0; i < s.steps.size(); ++i) {
+    const bool has_command = std::ranges::any_of(
+        s.runs, [&](const Run& run) { return run.owner == i && run.phase != Run::Phase::kEnded; });
+    RC_ASSERT((s.steps[i].outcome == Outcome::kRunning) == has_command);
+    const bool is_the_step = s.in_step && i == s.step_record;
+    RC_ASSERT((!has_command || is_the_step || s.steps[i].step == kNoStep));
   }
+  RC_ASSERT(std::ranges::is_sorted(s.runs, {}, [](const Run& run) { return run.owner; }));
+}
+
+bool is_under(const State& s, const Run& run, base::RobotId id) {
+  const auto robot = std::ranges::find(s.robots, id, &RobotState::id);
+  return robot != s.robots.end() && robot->run == static_cast<std::size_t>(&run - s.runs.data());
+}
+
+void expect_exact_counts(const State& s) {
   for (const Run& run : s.runs) {
-    const auto undone = std::ranges::count_if(run.needed, [&](base::RobotId id) {
-      const auto robot = std::ranges::find(s.robots, id, &RobotState::id);
-      return robot->run != static_cast<std::size_t>(&run - s.runs.data()) || !robot->done;
-    });
-    // A robot that was done before another command of the step took it stays counted as done.
-    RC_ASSERT(run.missing <= static_cast<std::size_t>(undone));
-    const bool asks =
-        std::ranges::any_of(s.questions, [&](const Question& q) { return &s.runs[q.run] == &run; });
+    const bool asks = std::ranges::any_of(
+        s.questions, [&](const Question& q) { return q.robot.value == 0 && &s.runs.at(q.run) == &run; });
     RC_ASSERT((run.phase != Run::Phase::kProceed || asks));
     RC_ASSERT((run.phase != Run::Phase::kEnded || !asks));
+    if (run.phase == Run::Phase::kEnded) continue;
+    const auto undone = std::ranges::count_if(run.needed, [&](base::RobotId id) {
+      return !is_under(s, run, id) || !std::ranges::find(s.robots, id, &RobotState::id)->done;
+    });
+    RC_ASSERT(run.missing == static_cast<std::size_t>(undone));
     if (run.phase == Run::Phase::kRobots && run.missing == 0 && !s.paused) {
       RC_ASSERT(std::ranges::any_of(
           run.lines, [](const LineState& l) { return l.phase == LineState::Phase::kHolding; }));
     }
+  }
+}
+
+// Commands of different owners that are under way never want the same robot; those of the plan wait for
+// orders.
+void expect_one_owner_for_each_robot(const State& s) {
+  for (const Run& run : s.runs) {
+    if (run.phase == Run::Phase::kEnded) continue;
+    bool is_held_up = false;
+    for (const Run& other : s.runs) {
+      if (&other == &run || other.phase == Run::Phase::kEnded || other.phase == Run::Phase::kHeld) continue;
+      const bool shares = std::ranges::any_of(run.needed, [&](base::RobotId id) {
+        return std::ranges::find(other.needed, id) != other.needed.end();
+      });
+      RC_ASSERT((!shares || run.phase == Run::Phase::kHeld));
+      is_held_up |= shares;
+    }
+    if (run.phase != Run::Phase::kHeld) continue;
+    RC_ASSERT((s.in_step && run.owner == s.step_record));
+    RC_ASSERT((is_held_up || s.paused));
   }
 }
 
@@ -212,7 +256,40 @@ RC_GTEST_PROP(ExecutiveLaws, AnyEventsLeaveAStateThatKnowsWhatItWaitsFor, (std::
     const Event event = any_event(random, state);
     state = advance(std::move(state), event).state;
     expect_reasons_to_wait(state);
+    expect_exact_counts(state);
+    expect_one_owner_for_each_robot(state);
     expect_orders_in_order(state);
+  }
+}
+
+// An order changes nothing of commands whose robots it does not name.
+RC_GTEST_PROP(ExecutiveLaws, AnOrderEndsOnlyWhatItsOwnRobotsDo, (std::uint64_t seed)) {
+  base::Random random(seed);
+  State state = initial_state(any_mission(random), {.patience = 30.0});
+  for (int i = 0; i < 100; ++i) {
+    const Event event = any_event(random, state);
+    if (std::holds_alternative<event::Edited>(event)) continue;
+    const auto* typed = std::get_if<event::Typed>(&event);
+    const State before = state;
+    state = advance(std::move(state), event).state;
+    if (typed == nullptr) continue;
+    for (const Run& run : before.runs) {
+      if (run.phase == Run::Phase::kHeld) continue;
+      const bool is_touched = std::ranges::any_of(typed->commands, [&](const Command& c) {
+        const auto* command = std::get_if<UnitCommand>(&c);
+        if (command == nullptr) return false;
+        const auto& named = members_of(*before.mission, *command);
+        return std::ranges::any_of(
+            run.needed, [&](base::RobotId id) { return std::ranges::find(named, id) != named.end(); });
+      });
+      const auto now = std::ranges::find(state.runs, run.record, &Run::record);
+      if (is_touched || now == state.runs.end()) continue;
+      RC_ASSERT(now->needed == run.needed);
+      RC_ASSERT(now->parts == run.parts);
+      RC_ASSERT((now->phase != Run::Phase::kEnded ||
+                 state.commands[run.record].outcome != Outcome::kReplaced ||
+                 run.phase == Run::Phase::kEnded));
+    }
   }
 }
 
@@ -259,8 +336,9 @@ RC_GTEST_PROP(ExecutiveLaws, EveryRunEnds, (std::uint64_t seed, bool robots_repo
     state = advance(std::move(state), cycle).state;
     const std::vector<Question> questions = state.questions;
     for (const Question& q : questions) state = advance(std::move(state), event::Answer{q.id, true}).state;
-    for (std::uint32_t unit = 0; unit < 5; ++unit)
-      state = advance(std::move(state), event::TeleoperationComplete{unit}).state;
+    const auto commands = static_cast<std::uint32_t>(state.commands.size());
+    for (std::uint32_t command = commands - std::min(commands, 20U); command < commands; ++command)
+      state = advance(std::move(state), event::TeleoperationComplete{command}).state;
   }
   RC_ASSERT(state.mode != State::Mode::kRunning);
 }

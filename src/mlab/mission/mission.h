@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,9 +74,13 @@ struct PhaseLine {
   friend bool operator==(const PhaseLine&, const PhaseLine&) = default;
 };
 
-/// `UNIT u ...`
+/// In place of a unit's index where a command names robots.
+inline constexpr std::uint32_t kNoUnit = std::numeric_limits<std::uint32_t>::max();
+
+/// `UNIT u ...`, `ROBOTS 2 5 7 ...`
 struct UnitCommand {
-  std::uint32_t unit = 0;  ///< index into Mission::units
+  std::uint32_t unit = 0;             ///< index into Mission::units; kNoUnit: `robots` are meant
+  std::vector<base::RobotId> robots;  ///< a unit without a name as long as the command lasts, in rank order
   percept::Task task = percept::Task::kMoveTo;
   std::string place_name;          ///< as written; `310 205` for coordinates; empty for STOP
   geom::Point goal;                ///< [m, world]
@@ -88,8 +93,8 @@ struct UnitCommand {
   std::optional<double> heading;  ///< HEADING of the formation [rad, world]
   std::vector<PhaseLine> phase_lines;
   std::string on_completion;         ///< message; empty: none
-  std::optional<MissionTime> until;  ///< OCCUPY: proceeds by itself then
-  text::Place place;                 ///< of the unit's name
+  std::optional<MissionTime> until;  ///< OCCUPY: proceeds by itself then; others: are done then
+  text::Place place;                 ///< of the unit's name, or of the first robot's number
 };
 
 /// What SET switches on and off.

@@ -13,10 +13,6 @@
 namespace mlab::mission {
 namespace {
 
-bool is_running(const State& state) {
-  return state.mode == State::Mode::kRunning;
-}
-
 void set_paused(Turn& turn, bool paused) {
   if (turn.state.paused == paused) return;
   turn.state.paused = paused;
@@ -27,24 +23,13 @@ void set_paused(Turn& turn, bool paused) {
 void start_at(Turn& turn, std::size_t step) {
   State& s = turn.state;
   s.outcome = Outcome::kRunning;
-  if (step >= s.mission->steps.size()) {
-    end_mission(turn, Outcome::kDone, "mission done");
+  s.step = static_cast<std::uint32_t>(std::min(step, s.mission->steps.size()));
+  if (s.step == s.mission->steps.size()) {
+    end_plan(turn);
     return;
   }
-  begin_step(turn, static_cast<std::uint32_t>(step));
+  begin_step(turn, s.step);
   go_on(turn);
-}
-
-std::vector<base::RobotId> robots_in(const Mission& mission, const std::vector<Command>& commands) {
-  std::vector<base::RobotId> robots;
-  for (const Command& command : commands) {
-    if (const auto* c = std::get_if<UnitCommand>(&command)) {
-      const auto& members = mission.units[c->unit].members;
-      robots.insert(robots.end(), members.begin(), members.end());
-    }
-  }
-  std::ranges::sort(robots);
-  return robots;
 }
 
 bool moves_units(const std::vector<Command>& commands) {
@@ -55,7 +40,7 @@ bool moves_units(const std::vector<Command>& commands) {
 bool knows_units(const Mission& mission, const std::vector<Command>& commands) {
   return std::ranges::all_of(commands, [&](const Command& command) {
     const auto* c = std::get_if<UnitCommand>(&command);
-    return c == nullptr || c->unit < mission.units.size();
+    return c == nullptr || c->unit == kNoUnit || c->unit < mission.units.size();
   });
 }
 
@@ -102,6 +87,7 @@ std::size_t step_labelled(const Mission& mission, const std::string& label, std:
 // Units keep their meaning for commands that run, by name.
 void rename_units(State& state, const Mission& edited) {
   for (Run& run : state.runs) {
+    if (run.unit == kNoUnit) continue;
     const std::string& wanted = state.commands[run.record].unit;
     std::uint32_t unit = 0;
     while (unit < edited.units.size() && unit_name(edited, unit) != wanted) ++unit;
@@ -114,12 +100,11 @@ void rename_units(State& state, const Mission& edited) {
 void handle(Turn& turn, const event::Execute&) {
   State& s = turn.state;
   set_paused(turn, false);
-  if (!is_running(s)) {
+  if (!s.in_step && !s.is_ending) {
     start_at(turn, s.step);
     return;
   }
   s.single = false;
-  if (s.typed) s.goes_on = true;
   go_on(turn);
 }
 
@@ -133,23 +118,14 @@ void handle(Turn& turn, const event::Resume&) {
 
 void handle(Turn& turn, const event::SingleStep&) {
   State& s = turn.state;
-  if (!is_running(s)) {
-    s.single = true;
-    start_at(turn, s.step);
-    return;
-  }
-  const std::size_t next = s.typed ? s.step : s.step + 1;
+  const bool in_step = s.in_step;
   abandon_step(turn, Outcome::kSkipped);
-  start_at(turn, next);
+  if (!in_step) s.single = true;
+  start_at(turn, in_step ? s.step + 1 : s.step);
 }
 
 void handle(Turn& turn, const event::StopAfterStep&) {
-  State& s = turn.state;
-  if (!is_running(s)) return;
-  if (s.typed)
-    s.goes_on = false;
-  else
-    s.single = true;
+  if (turn.state.in_step) turn.state.single = true;
 }
 
 void handle(Turn& turn, const event::Jump& event) {
@@ -158,7 +134,7 @@ void handle(Turn& turn, const event::Jump& event) {
     warn(turn, "there is no such step to go to");
     return;
   }
-  if (!is_running(s)) {
+  if (!s.in_step && !s.is_ending) {
     s.step = event.step;
     return;
   }
@@ -169,9 +145,9 @@ void handle(Turn& turn, const event::Jump& event) {
 void handle(Turn& turn, const event::Rewind&) {
   State& s = turn.state;
   abandon_step(turn, Outcome::kSkipped);
-  s.mode = State::Mode::kIdle;
-  s.single = s.goes_on = false;
+  s.single = s.is_ending = false;
   s.step = 0;
+  rest(turn);
 }
 
 void handle(Turn& turn, const event::Abort&) {
@@ -199,27 +175,20 @@ void handle(Turn& turn, const event::Typed& event) {
     }
     return;
   }
-  const bool in_plan = is_running(s) && !s.typed;
-  const bool goes_on = is_running(s) && (in_plan ? !s.single : s.goes_on);
-  abandon_step(turn, Outcome::kReplaced, robots_in(*s.mission, event.commands));
-  if (in_plan && ++s.step >= s.mission->steps.size() && !goes_on) s.step = 0;
-  s.single = false;
-  s.goes_on = goes_on;
-  begin_typed(turn, event.commands);
+  begin_order(turn, event.commands);
   go_on(turn);
 }
 
 void handle(Turn& turn, const event::Edited& event) {
   State& s = turn.state;
   if (event.mission == nullptr || event.mission == s.mission) return;
-  const bool in_step = is_running(s) && !s.typed;
+  const bool in_step = s.in_step;
   std::string label;
   if (s.step < s.mission->steps.size()) label = s.mission->steps[s.step].label;
   const std::size_t step = step_labelled(*event.mission, label, s.step);
   const bool gone = step >= event.mission->steps.size();
   if (in_step && gone) {
     abandon_step(turn, Outcome::kSkipped);
-    s.mode = State::Mode::kIdle;
     s.single = false;
     warn(turn, fmt::format("step {} is no longer in the plan; execution stops", label));
   }
@@ -232,7 +201,7 @@ void handle(Turn& turn, const event::Edited& event) {
 
 void handle(Turn& turn, const event::TeleoperationComplete& event) {
   for (Run& run : turn.state.runs) {
-    if (run.phase == Run::Phase::kTeleoperation && run.unit == event.unit) complete(turn, run);
+    if (run.phase == Run::Phase::kTeleoperation && run.record == event.command) complete(turn, run);
   }
   go_on(turn);
 }

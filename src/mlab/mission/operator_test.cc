@@ -99,12 +99,13 @@ TEST_F(Operator, StopAfterStepFinishesTheStepThatRunsAndStops) {
   EXPECT_EQ(state().outcome, Outcome::kRunning);
 }
 
-TEST_F(Operator, StopAfterStepLetsATypedCommandFinishAndGoesOnWithNothing) {
+TEST_F(Operator, StopAfterStepLetsAnOrderFinishAndGoesOnWithNothing) {
   start_and_reach(1);
-  fleet_->send(event::Typed{{move_to(a_, "X", {50, 100})}});
+  fleet_->send(event::Typed{{move_to(a_, "X", {50, 900})}});
   fleet_->send(event::StopAfterStep{});
   ASSERT_TRUE(fleet_->run());
-  EXPECT_EQ(state().steps.back().outcome, Outcome::kDone);
+  EXPECT_EQ(state().steps[1].outcome, Outcome::kDone);
+  EXPECT_TRUE(fleet_->has_told("typed: unit a MOVETO X done"));
   EXPECT_EQ(state().step, 2U);
   EXPECT_EQ(state().mode, State::Mode::kIdle);
 }
@@ -167,49 +168,6 @@ TEST_F(Operator, RunsTheMissionAgainRightAfterAnAbort) {
   fleet_->send(event::Execute{});
   ASSERT_TRUE(fleet_->run());
   EXPECT_EQ(state().outcome, Outcome::kDone);
-}
-
-TEST_F(Operator, ATypedCommandReplacesWhatRunsAndThePlanGoesOnAfterIt) {
-  start_and_reach(1);
-  fleet_->send(event::Typed{{move_to(a_, "X", {50, 100})}});
-  EXPECT_EQ(state().steps[1].outcome, Outcome::kReplaced);
-  EXPECT_EQ(state().commands[1].outcome, Outcome::kReplaced);
-  EXPECT_EQ(fleet_->robot(2).order.members.size(), 1U) << "the other keeps its command, alone";
-  ASSERT_TRUE(fleet_->run_until([&] { return !state().typed; }));
-  EXPECT_EQ(state().step, 2U);
-  EXPECT_EQ(state().mode, State::Mode::kRunning);
-  EXPECT_TRUE(fleet_->has_told("typed: unit a MOVETO X done"));
-  ASSERT_TRUE(fleet_->run());
-  EXPECT_EQ(state().outcome, Outcome::kDone);
-}
-
-TEST_F(Operator, ATypedCommandSkipsTheCommandsOfTheStepWhoseRobotsItDoesNotTake) {
-  maker_.step("4", {move_to(a_, "A", {400, 0}), move_to(b_, "B", {400, 100})});
-  fleet_ = std::make_unique<ToyFleet>(maker_.make());
-  start_and_reach(4);
-  fleet_->send(event::Typed{{move_to(b_, "X", {1, 1})}});
-  EXPECT_TRUE(fleet_->has_told("step 4: unit a MOVETO A skipped\nstep 4: unit b MOVETO B replaced"));
-  ASSERT_TRUE(fleet_->run());
-  EXPECT_EQ(state().outcome, Outcome::kDone);
-}
-
-TEST_F(Operator, ATypedCommandOutsideARunLeavesThePlanWhereItIs) {
-  fleet_->send(event::SingleStep{});
-  ASSERT_TRUE(fleet_->run());
-  fleet_->send(event::Typed{{move_to(a_, "X", {50, 100}), move_to(b_, "Y", {50, 0})}});
-  EXPECT_TRUE(state().typed);
-  ASSERT_TRUE(fleet_->run());
-  EXPECT_EQ(state().step, 1U);
-  EXPECT_EQ(state().outcome, Outcome::kRunning);
-  EXPECT_LE(geom::distance(fleet_->position(1), {50, 100}), 2.0);
-}
-
-TEST_F(Operator, ATypedCommandInPlaceOfTheLastSingleStepRewinds) {
-  fleet_->send(event::Jump{3});
-  fleet_->send(event::SingleStep{});
-  fleet_->send(event::Typed{{start(both_)}});
-  ASSERT_TRUE(fleet_->run());
-  EXPECT_EQ(state().step, 0U);
 }
 
 TEST_F(Operator, ATypedOccupyAsksItsOwnQuestion) {
@@ -290,7 +248,7 @@ TEST_F(Operator, ATypedRouteOutlivesTheEvent) {
   }
   ASSERT_EQ(fleet_->robot(1).order.order.route.size(), 2U);
   EXPECT_EQ(fleet_->robot(1).order.order.route[1], (geom::Point{60, 60}));
-  ASSERT_TRUE(fleet_->run_until([&] { return !state().typed; }));
+  ASSERT_TRUE(fleet_->run_until([&] { return fleet_->has_told("typed: unit both FOLLOW R done"); }));
 }
 
 TEST_F(Operator, AnEditedPlanGoesOnWithTheStepOfTheSameLabel) {

@@ -48,11 +48,12 @@ std::vector<std::vector<base::RobotId>> halves(const std::vector<base::RobotId>&
 std::vector<std::vector<base::RobotId>> divide(const State& state, const Run& run) {
   std::vector<std::vector<base::RobotId>> parts;
   const Mission& mission = *state.mission;
-  for (const std::uint32_t part : mission.units[run.unit].parts) {
+  const bool is_known = run.unit < mission.units.size();
+  for (const std::uint32_t part : is_known ? mission.units[run.unit].parts : std::vector<std::uint32_t>()) {
     if (part >= mission.units.size()) continue;
     std::vector<base::RobotId> members;
     for (const base::RobotId id : mission.units[part].members) {
-      if (find_robot(state, id) != nullptr) members.push_back(id);
+      if (std::ranges::find(run.needed, id) != run.needed.end()) members.push_back(id);
     }
     if (!members.empty()) parts.push_back(std::move(members));
   }

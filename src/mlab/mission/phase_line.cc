@@ -38,7 +38,7 @@ bool crosses(const Turn& turn, const RobotState& robot, const PhaseLine& line) {
 }
 
 bool is_reached(const Turn& turn, const Run& run, const PhaseLine& line) {
-  const auto run_index = static_cast<std::size_t>(&run - turn.state.runs.data());
+  const std::uint32_t run_index = index_of(turn.state, run);
   return std::ranges::any_of(run.needed, [&](base::RobotId id) {
     const RobotState* robot = find_robot(turn.state, id);
     return robot != nullptr && robot->run == run_index && crosses(turn, *robot, line);
@@ -53,24 +53,29 @@ void reach(Turn& turn, Run& run, std::uint32_t index) {
   const State& s = turn.state;
   const PhaseLine& said = run.command->phase_lines[index];
   if (said.not_before) run.lines[index].not_before = run_time_of(*said.not_before, s.options, s.time);
-  std::string text = fmt::format("unit {} is at phase line {}", unit_name(*s.mission, run.unit), said.name);
+  std::string text =
+      fmt::format("{} {} at phase line {}", addressee(s, run), is_one(run) ? "is" : "are", said.name);
   if (!said.acknowledge.empty()) text += ": " + said.acknowledge;
-  message(turn, std::move(text));
+  message(turn, std::move(text), run.owner);
   if (said.waits) ask_to_acknowledge(turn, run, index);
   if (may_pass(s, said, run.lines[index])) {
     run.lines[index].phase = LineState::Phase::kPassed;
     return;
   }
   run.lines[index].phase = LineState::Phase::kHolding;
-  message(turn, fmt::format("unit {} holds, waiting for {}", unit_name(*s.mission, run.unit),
-                            waiting_text(s, run)));
+  message(turn,
+          fmt::format("{} {}, waiting for {}", addressee(s, run), is_one(run) ? "holds" : "hold",
+                      waiting_text(s, run)),
+          run.owner);
 }
 
 void release(Turn& turn, Run& run, std::uint32_t index) {
   run.lines[index].phase = LineState::Phase::kPassed;
   run.stalled = 0.0;
-  message(turn, fmt::format("unit {} goes on across phase line {}", unit_name(*turn.state.mission, run.unit),
-                            run.command->phase_lines[index].name));
+  message(turn,
+          fmt::format("{} {} on across phase line {}", addressee(turn.state, run),
+                      is_one(run) ? "goes" : "go", run.command->phase_lines[index].name),
+          run.owner);
 }
 
 }  // namespace

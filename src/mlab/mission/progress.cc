@@ -94,9 +94,11 @@ void warn_of_silent_robots(Turn& turn, const std::vector<base::RobotId>& silent)
   for (const base::RobotId id : silent) by_run[find_robot(s, id)->run].push_back(id);
   for (const auto& [run, robots] : by_run) {
     const bool one = robots.size() == 1;
+    const std::uint32_t owner = s.runs[run].owner;
     warn(turn,
-         fmt::format("{}{} {} running, but `{}` waits for {}", step_prefix(s), robots_text(robots),
-                     one ? "is not" : "are not", s.commands[s.runs[run].record].text, one ? "it" : "them"));
+         fmt::format("{}{} {} running, but `{}` waits for {}", owner_prefix(s, owner), robots_text(robots),
+                     one ? "is not" : "are not", s.commands[s.runs[run].record].text, one ? "it" : "them"),
+         owner);
   }
 }
 
@@ -107,16 +109,26 @@ void take_time(Turn& turn, double time) {
   s.time = time;
 }
 
-// Fails the first command that made no progress for too long.
+// A command that ends by itself at a time is not waited for in vain.
+bool needs_patience(const Run& run) {
+  return run.phase == Run::Phase::kRobots && run.missing > 0 && !run.ends && !holds_at_line(run);
+}
+
+// Fails commands that made no progress for too long; of a step the first one, with which the step fails.
 void check_patience(Turn& turn) {
   State& s = turn.state;
-  for (Run& run : s.runs) {
-    if (run.phase != Run::Phase::kRobots || run.missing == 0 || holds_at_line(run)) continue;
+  bool has_failed = false;
+  for (std::size_t i = 0; i < s.runs.size(); ++i) {
+    Run& run = s.runs[i];
+    if (!needs_patience(run)) continue;
     run.stalled += turn.elapsed;
     if (s.options.patience <= 0.0 || run.stalled < s.options.patience) continue;
+    has_failed = true;
+    const bool of_step = is_step(s, run.owner);
     fail(turn, run, fmt::format("no progress for {:.0f} s; {}", run.stalled, undone_text(s, run)));
-    return;
+    if (of_step) break;  // its runs are gone
   }
+  if (has_failed) go_on(turn);
 }
 
 }  // namespace

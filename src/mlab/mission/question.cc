@@ -13,8 +13,10 @@
 namespace mlab::mission {
 namespace {
 
-std::uint32_t index_of(const State& state, const Run& run) {
-  return static_cast<std::uint32_t>(&run - state.runs.data());
+// `Unit "scouts" is`, `Robots 2, 5 are`
+std::string asking_text(const State& state, const Run& run) {
+  if (run.unit != kNoUnit) return fmt::format("Unit \"{}\" is", unit_name(*state.mission, run.unit));
+  return fmt::format("R{} {}", robots_name(run.command->robots).substr(1), is_one(run) ? "is" : "are");
 }
 
 void ask(Turn& turn, const Run& run, std::string text, std::optional<std::uint32_t> phase_line,
@@ -48,8 +50,7 @@ void ask_to_proceed(Turn& turn, Run& run) {
     complete(turn, run);
     return;
   }
-  std::string text = fmt::format("Unit \"{}\" is occupying {}. Proceed?", unit_name(*s.mission, run.unit),
-                                 run.command->place_name);
+  std::string text = fmt::format("{} occupying {}. Proceed?", asking_text(s, run), run.command->place_name);
   if (s.options.proceed_all) {
     message(turn, text + " yes");
     complete(turn, run);
@@ -62,8 +63,8 @@ void ask_to_proceed(Turn& turn, Run& run) {
 void ask_to_acknowledge(Turn& turn, Run& run, std::uint32_t phase_line) {
   const State& s = turn.state;
   const PhaseLine& line = run.command->phase_lines[phase_line];
-  std::string text = fmt::format("Unit \"{}\" is at phase line {}: {}. Acknowledge?",
-                                 unit_name(*s.mission, run.unit), line.name, line.acknowledge);
+  std::string text =
+      fmt::format("{} at phase line {}: {}. Acknowledge?", asking_text(s, run), line.name, line.acknowledge);
   if (s.options.proceed_all) {
     message(turn, text + " yes");
     run.lines[phase_line].acknowledged = true;
@@ -92,6 +93,13 @@ void withdraw_of(Turn& turn, base::RobotId robot) {
   if (at != questions.end()) withdraw(turn, static_cast<std::size_t>(at - questions.begin()));
 }
 
+void withdraw_of(Turn& turn, const Run& run) {
+  const State& s = turn.state;
+  for (std::size_t i = s.questions.size(); i-- > 0;) {
+    if (s.questions[i].robot.value == 0 && s.questions[i].run == index_of(s, run)) withdraw(turn, i);
+  }
+}
+
 void answer(Turn& turn, std::uint32_t question, bool proceed) {
   auto& questions = turn.state.questions;
   const auto at = std::ranges::find(questions, question, &Question::id);
@@ -113,8 +121,10 @@ void expire_questions(Turn& turn) {
       continue;
     }
     withdraw(turn, i);
-    message(turn, fmt::format("{}: it is {}, proceeds by itself",
-                              s.commands[s.runs[question.run].record].text, clock_text(s.time, s.options)));
+    message(turn,
+            fmt::format("{}: it is {}, proceeds by itself", s.commands[s.runs[question.run].record].text,
+                        clock_text(s.time, s.options)),
+            s.runs[question.run].owner);
     say_yes(turn, question);
   }
 }

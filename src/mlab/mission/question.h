@@ -18,6 +18,9 @@ void ask_for_robot(Turn& turn, base::RobotId robot);
 /// The robot's program runs no longer: nobody waits for the answer.
 void withdraw_of(Turn& turn, base::RobotId robot);
 
+/// The run is over: nobody waits for answers to its questions.
+void withdraw_of(Turn& turn, const Run& run);
+
 /// The operator's answer; an unknown question is ignored.
 void answer(Turn& turn, std::uint32_t question, bool proceed);
 /// Questions whose time has come answer themselves with yes.

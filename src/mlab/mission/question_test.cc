@@ -148,9 +148,9 @@ TEST(Teleoperation, LastsUntilTheOperatorEndsIt) {
   fleet.run_cycles(200);
   EXPECT_EQ(fleet.count<effect::OpenTeleoperation>(), 1);
   EXPECT_EQ(fleet.state().step, 1U) << "teleoperation may take any time";
-  fleet.send(event::TeleoperationComplete{a + 1});
+  fleet.send(event::TeleoperationComplete{0});
   EXPECT_EQ(fleet.state().step, 1U);
-  fleet.send(event::TeleoperationComplete{a});
+  fleet.send(event::TeleoperationComplete{1});
   EXPECT_EQ(fleet.state().step, 2U);
   ASSERT_TRUE(fleet.run(1.0));
   EXPECT_EQ(fleet.state().outcome, Outcome::kDone);

@@ -45,7 +45,7 @@ struct CommandRef {
 /// One line of the run's history: a command, from its start to its end.
 struct CommandRecord {
   std::string text;       ///< `unit scouts OCCUPY ATK-AP1 (Diamond)`, `SET SHOW-TRAILS ON`
-  std::string unit;       ///< empty for SET, PRINT, QUIT
+  std::string unit;       ///< or the robots: `robots 2, 5`; empty for SET, PRINT, QUIT
   std::string task;       ///< `OCCUPY`, `SET`, ...
   std::string place;      ///< as written; empty: none
   std::string formation;  ///< `Diamond`; empty: none
@@ -56,8 +56,9 @@ struct CommandRecord {
 
   friend bool operator==(const CommandRecord&, const CommandRecord&) = default;
 };
+/// A step of the plan, or an order of the operator.
 struct StepRecord {
-  std::string label;             ///< empty for typed commands
+  std::string label;             ///< empty for an order of the operator
   std::uint32_t step = kNoStep;  ///< index into the steps of the plan that was in force
   double start = 0.0;
   double end = 0.0;
@@ -131,22 +132,25 @@ struct Part {
 
 inline constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
 
-/// A unit command of the step that runs.
+/// A unit command of the step that runs, or of an order of the operator that is under way.
 struct Run {
   enum class Phase : std::uint8_t {
+    kHeld,           ///< of the plan: waits until none of its robots is under an order of the operator
     kRobots,         ///< waits for its robots, or holds at a phase line
     kProceed,        ///< waits for the operator's clearance
     kTeleoperation,  ///< waits for the end of teleoperation
     kEnded
   };
   std::uint32_t record = 0;  ///< index into State::commands
-  std::uint32_t unit = 0;    ///< index into Mission::units
+  std::uint32_t owner = 0;   ///< index into State::steps: the step or the order that it belongs to
+  std::uint32_t unit = 0;    ///< index into Mission::units; kNoUnit: the command names robots
   CommandRef command;
-  Phase phase = Phase::kRobots;
-  std::vector<base::RobotId> needed;            ///< all members of the unit, in rank order
-  std::uint32_t missing = 0;                    ///< how many of `needed` are not done
-  double stalled = 0.0;                         ///< time without progress [s]
-  std::vector<LineState> lines;                 ///< for each phase line of the command
+  Phase phase = Phase::kHeld;
+  std::vector<base::RobotId> needed;  ///< whom it is for, without those that orders took, in rank order
+  std::optional<double> ends;         ///< it is done at this run time (UNTIL behind others than OCCUPY) [s]
+  std::uint32_t missing = 0;          ///< how many of `needed` are not done
+  double stalled = 0.0;               ///< time without progress [s]
+  std::vector<LineState> lines;       ///< for each phase line of the command
   Technique technique = Technique::kTraveling;  ///< what is possible: a unit of one robot travels
   std::vector<Part> parts;                      ///< empty for START and STOP
   bool in_file = false;           ///< the parts go one behind the other; else they can pass each other
@@ -173,24 +177,26 @@ struct Question {
 /// Everything that the executive knows. Plain and copyable; two states are equal when they would do the same
 /// (the same plan is the same object). Everything but the plan is values, so a journal can hold it.
 struct State {
+  /// Running: a step or an order is under way.
   enum class Mode : std::uint8_t { kIdle, kRunning, kQuit };
 
   std::shared_ptr<const Mission> mission;  ///< never null
   ExecutiveOptions options;
   Mode mode = Mode::kIdle;
   bool paused = false;
+  bool in_step = false;                 ///< a step of the plan runs: steps[step_record]
   bool single = false;                  ///< stops after the step that runs
-  bool typed = false;                   ///< what runs is a typed command, not a step
-  bool goes_on = false;                 ///< after the typed command the plan goes on at `step`
+  bool is_ending = false;               ///< all steps are over; the mission is done when the orders are
   Outcome outcome = Outcome::kPending;  ///< of the mission
   std::uint32_t step = 0;               ///< index of the step that runs, or that Execute would start
+  std::uint32_t step_record = 0;        ///< index into `steps`; meaningful where a step runs
   double time = 0.0;                    ///< of the last cycle [s]
   std::uint64_t cycle = 0;              ///< number of the last cycle, from 1
   std::uint32_t last_sequence = 0;
   std::uint32_t last_question = 0;
   std::vector<RobotState> robots;   ///< by id, ascending
   std::vector<Group> groups;        ///< by sequence, ascending: the orders in force
-  std::vector<Run> runs;            ///< the unit commands of the step that runs
+  std::vector<Run> runs;            ///< of the step that runs and of all orders; those of one owner together
   std::vector<Question> questions;  ///< by id, ascending
   std::vector<StepRecord> steps;    ///< all that were started, in their order
   std::vector<CommandRecord> commands;

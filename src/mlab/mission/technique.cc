@@ -48,7 +48,7 @@ void measure(const State& state, const Run& run, Part& part) {
     part.done = true;  // all its robots went to other orders
     return;
   }
-  const auto run_index = static_cast<std::size_t>(&run - state.runs.data());
+  const std::uint32_t run_index = index_of(state, run);
   part.done = std::ranges::all_of(group->members, [&](base::RobotId id) {
     const RobotState& robot = *find_robot(state, id);
     return robot.done || robot.run != run_index;

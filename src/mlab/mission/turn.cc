@@ -25,10 +25,9 @@ auto find_group_in(Groups& groups, std::uint32_t sequence) -> decltype(groups.da
 
 }  // namespace
 
-void tell(Turn& turn, effect::Tell::Kind kind, std::string text, std::uint32_t command) {
+void tell(Turn& turn, effect::Tell::Kind kind, std::string text, std::uint32_t owner, std::uint32_t command) {
   const State& s = turn.state;
-  const bool in_step = s.mode == State::Mode::kRunning && !s.typed;
-  emit(turn, effect::Tell{kind, in_step ? s.step : kNoStep, command, std::move(text)});
+  emit(turn, effect::Tell{kind, is_step(s, owner) ? s.step : kNoStep, command, std::move(text)});
 }
 
 RobotState* find_robot(State& state, base::RobotId id) {
@@ -44,10 +43,17 @@ const Group* find_group(const State& state, std::uint32_t sequence) {
   return find_group_in(state.groups, sequence);
 }
 
-std::string step_prefix(const State& state) {
-  if (state.typed) return "typed: ";
-  if (state.step >= state.mission->steps.size()) return {};
-  return fmt::format("step {}: ", state.mission->steps[state.step].label);
+const Run* order_of_robot(const State& state, base::RobotId id) {
+  const RobotState* robot = find_robot(state, id);
+  if (robot == nullptr || robot->run == kNoRun) return nullptr;
+  const Run& run = state.runs[robot->run];
+  return run.phase != Run::Phase::kEnded && !is_step(state, run.owner) ? &run : nullptr;
+}
+
+std::string owner_prefix(const State& state, std::uint32_t owner) {
+  if (owner >= state.steps.size()) return {};
+  const StepRecord& record = state.steps[owner];
+  return record.step == kNoStep ? "typed: " : fmt::format("step {}: ", record.label);
 }
 
 }  // namespace mlab::mission

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
@@ -24,12 +25,17 @@ template <class T>
 void emit(Turn& turn, T effect) {
   turn.effects.emplace_back(std::in_place_type<T>, std::move(effect));
 }
-void tell(Turn& turn, effect::Tell::Kind kind, std::string text, std::uint32_t command = 0);
-inline void message(Turn& turn, std::string text) {
-  tell(turn, effect::Tell::Kind::kMessage, std::move(text));
+/// In place of an index into State::steps: of no step and no order.
+inline constexpr std::uint32_t kNoOwner = std::numeric_limits<std::uint32_t>::max();
+
+/// @param owner  index into State::steps: the step or the order of which something is told
+void tell(Turn& turn, effect::Tell::Kind kind, std::string text, std::uint32_t owner = kNoOwner,
+          std::uint32_t command = 0);
+inline void message(Turn& turn, std::string text, std::uint32_t owner = kNoOwner) {
+  tell(turn, effect::Tell::Kind::kMessage, std::move(text), owner);
 }
-inline void warn(Turn& turn, std::string text) {
-  tell(turn, effect::Tell::Kind::kWarning, std::move(text));
+inline void warn(Turn& turn, std::string text, std::uint32_t owner = kNoOwner) {
+  tell(turn, effect::Tell::Kind::kWarning, std::move(text), owner);
 }
 
 /// Null where the mission has no robot of that id.
@@ -44,7 +50,20 @@ inline bool in_sight(const State& state, const RobotState& robot) {
   return robot.seen != 0 && robot.seen == state.cycle;
 }
 
+/// True where the step or order of this record is the step of the plan that runs.
+inline bool is_step(const State& state, std::uint32_t owner) {
+  return state.in_step && owner == state.step_record;
+}
+/// The run of an order of the operator that this robot is under; null where there is none.
+const Run* order_of_robot(const State& state, base::RobotId id);
+/// Where the run stands in State::runs.
+inline std::uint32_t index_of(const State& state, const Run& run) {
+  return static_cast<std::uint32_t>(&run - state.runs.data());
+}
+
 /// `step 3: `, `typed: `
-std::string step_prefix(const State& state);
+///
+/// @param owner  index into State::steps
+std::string owner_prefix(const State& state, std::uint32_t owner);
 
 }  // namespace mlab::mission

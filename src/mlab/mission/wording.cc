@@ -77,7 +77,8 @@ struct TextOf {
   const Mission& mission;
 
   std::string operator()(const UnitCommand& c) const {
-    std::string text = fmt::format("unit {} {}", unit_name(mission, c.unit), task_name(c.task));
+    std::string text =
+        fmt::format("{}{} {}", c.unit == kNoUnit ? "" : "unit ", addressee(mission, c), task_name(c.task));
     if (!c.place_name.empty()) text += " " + c.place_name;
     const percept::Formation formation = formation_of(c);
     const std::string_view technique = technique_text(c.technique);
@@ -101,12 +102,6 @@ struct TextOf {
 
 // Why a robot is not done with the run's command.
 std::string reason(const State& state, const Run& run, const RobotState& robot) {
-  const auto owner = static_cast<std::size_t>(&run - state.runs.data());
-  if (robot.run != owner) {
-    if (robot.run >= state.runs.size()) return "taken by another command";
-    return fmt::format("taken by another command of the same step, `{}`",
-                       state.commands[state.runs[robot.run].record].text);
-  }
   const bool starts = run.command->task == percept::Task::kStart;
   if (run.command->task == percept::Task::kStop) return "does not stop";
   if (robot.life == RobotState::Life::kStopped) return "stopped";
@@ -128,8 +123,17 @@ std::string robot_text(const State& state, const Run& run, const RobotState& rob
   return text + ": " + reason(state, run, robot);
 }
 
+// The orders of the operator that a command of the plan waits for.
+std::string held_text(const State& state, const Run& run) {
+  for (const base::RobotId id : run.needed) {
+    if (const Run* order = order_of_robot(state, id))
+      return fmt::format("the order `{}`", state.commands[order->record].text);
+  }
+  return "nothing";
+}
+
 bool is_done(const State& state, const Run& run, const RobotState& robot) {
-  return robot.done && robot.run == static_cast<std::size_t>(&run - state.runs.data());
+  return robot.done && robot.run == index_of(state, run);
 }
 
 }  // namespace
@@ -147,6 +151,33 @@ std::string unit_name(const Mission& mission, std::uint32_t unit) {
   return u.name.empty() ? "of " + robots_text(u.members) : u.name;
 }
 
+std::string robots_name(const std::vector<base::RobotId>& robots) {
+  std::string text = robots.size() == 1 ? "robot " : "robots ";
+  for (std::size_t i = 0; i < robots.size();) {
+    std::size_t last = i;
+    while (last + 1 < robots.size() && robots[last + 1].value == robots[last].value + 1) ++last;
+    if (last == i + 1) last = i;  // two of them are named, not a range
+    text += fmt::format("{}{}", i > 0 ? ", " : "", robots[i].value);
+    if (last > i) text += fmt::format("-{}", robots[last].value);
+    i = last + 1;
+  }
+  return text;
+}
+
+std::string addressee(const Mission& mission, const UnitCommand& command) {
+  return command.unit == kNoUnit ? robots_name(command.robots) : unit_name(mission, command.unit);
+}
+
+std::string addressee(const State& state, const Run& run) {
+  const std::string name =
+      run.unit == kNoUnit ? robots_name(run.command->robots) : unit_name(*state.mission, run.unit);
+  return run.unit == kNoUnit ? name : "unit " + name;
+}
+
+bool is_one(const Run& run) {
+  return run.unit != kNoUnit || run.command->robots.size() == 1;
+}
+
 std::string command_text(const Mission& mission, const Command& command) {
   return std::visit(TextOf{mission}, command);
 }
@@ -160,7 +191,7 @@ CommandRecord record_of(const Mission& mission, const Command& command, double t
     record.task = record.text.substr(0, record.text.find(' '));
     return record;
   }
-  record.unit = unit_name(mission, c->unit);
+  record.unit = addressee(mission, *c);
   record.task = task_name(c->task);
   record.place = c->place_name;
   if (formation_of(*c) != percept::Formation::kNone) record.formation = percept::name(formation_of(*c));
@@ -195,6 +226,8 @@ std::string undone_text(const State& state, const Run& run) {
 
 std::string waiting_text(const State& state, const Run& run) {
   switch (run.phase) {
+    case Run::Phase::kHeld:
+      return held_text(state, run);
     case Run::Phase::kProceed:
       return "the operator's clearance";
     case Run::Phase::kTeleoperation:

@@ -13,6 +13,15 @@ std::string_view task_name(percept::Task task);
 /// The unit's name, or `unit of robots 1, 2` where it has none.
 std::string unit_name(const Mission& mission, std::uint32_t unit);
 
+/// Robots by all their ids, as a name for them: `robot 3`, `robots 1-4, 7`.
+std::string robots_name(const std::vector<base::RobotId>& robots);
+/// Whom a command is for: the unit's name, or the robots'.
+std::string addressee(const Mission& mission, const UnitCommand& command);
+/// Whom a run is for, in a sentence: `unit scouts`, `robots 1-4, 7`.
+std::string addressee(const State& state, const Run& run);
+/// It takes the verb's singular: a unit, or one robot.
+bool is_one(const Run& run);
+
 /// How the command is called in every text for people: `unit scouts OCCUPY ATK-AP1 (Diamond)`.
 std::string command_text(const Mission& mission, const Command& command);
 /// The record of a command that starts now.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include <fmt/core.h>
@@ -51,11 +52,9 @@ std::optional<mission::Command> CommandReader::read(const Statement& statement) 
 
 std::optional<mission::Command> CommandReader::unit_command(const statement::UnitAction& action) {
   const std::size_t errors = diagnostics_.error_count();
-  const std::optional<std::uint32_t> unit = scope_.roster.find_unit(action.unit);
   mission::UnitCommand out;
-  out.unit = unit.value_or(0);
+  const bool is_known = read_addressee(action, out);
   out.task = action.task;
-  out.place = place(action.unit.span);
   if (action.location) read_location(action, out);
   if (action.step) check_lengths({&action.step->x, &action.step->y}, "an offset", source_, diagnostics_);
   if (action.step) out.start_step = {action.step->x.value, action.step->y.value};
@@ -71,8 +70,35 @@ std::optional<mission::Command> CommandReader::unit_command(const statement::Uni
     before = &clause;
     read_clause(clause, out);
   }
-  if (!unit || diagnostics_.error_count() > errors) return std::nullopt;
+  if (!is_known || diagnostics_.error_count() > errors) return std::nullopt;
   return out;
+}
+
+bool CommandReader::read_addressee(const statement::UnitAction& action, mission::UnitCommand& out) {
+  if (action.robots.empty()) {
+    const std::optional<std::uint32_t> unit = scope_.roster.find_unit(action.unit);
+    out.unit = unit.value_or(0);
+    out.place = place(action.unit.span);
+    return unit.has_value();
+  }
+  out.unit = mission::kNoUnit;
+  out.place = place({action.robots.front().span.begin, action.robots.back().span.end});
+  std::map<std::uint32_t, text::Span> named;
+  bool are_known = true;
+  for (const Number& number : action.robots) {
+    const std::optional<base::RobotId> id = scope_.roster.find_robot(number);
+    are_known &= id.has_value();
+    if (!id) continue;
+    const auto [first, is_new] = named.try_emplace(id->value, number.span);
+    if (is_new) {
+      out.robots.push_back(*id);
+      continue;
+    }
+    diagnostics_
+        .warning("repeated-robot", place(number.span), fmt::format("robot {} is named already", id->value))
+        .notes.push_back({"the first time is here", place(first->second)});
+  }
+  return are_known;
 }
 
 void CommandReader::read_location(const statement::UnitAction& action, mission::UnitCommand& out) {

@@ -30,6 +30,7 @@ class CommandReader {
 
  private:
   std::optional<mission::Command> unit_command(const statement::UnitAction& action);
+  bool read_addressee(const statement::UnitAction& action, mission::UnitCommand& out);
   void read_location(const statement::UnitAction& action, mission::UnitCommand& out);
   void read_route(const statement::UnitAction& action, const overlay::ControlMeasure& line,
                   mission::UnitCommand& out);

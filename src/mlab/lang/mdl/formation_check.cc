@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/mission/command.h"
 
 namespace mlab::mdl {
 namespace {
@@ -25,12 +26,12 @@ bool has_stations(percept::Formation formation) {
 }
 
 // The first members tell for the others: units of different types are small.
-std::size_t looked_at(const mission::Unit& unit) {
-  return std::min<std::size_t>(unit.members.size(), kRobotsLookedAt);
+std::size_t looked_at(const std::vector<base::RobotId>& members) {
+  return std::min<std::size_t>(members.size(), kRobotsLookedAt);
 }
 
-std::string described(const mission::Unit& unit, percept::Formation formation) {
-  return fmt::format("{} robots in {}", unit.members.size(), percept::name(formation));
+std::string described(const std::vector<base::RobotId>& members, percept::Formation formation) {
+  return fmt::format("{} robots in {}", members.size(), percept::name(formation));
 }
 
 }  // namespace
@@ -98,25 +99,25 @@ const std::vector<geom::Offset>& FormationCheck::stations(percept::Formation for
   return entry->second;
 }
 
-double FormationCheck::spacing_of(const mission::Unit& unit) {
+double FormationCheck::spacing_of(const std::vector<base::RobotId>& members) {
   double out = 0.0;
-  for (std::size_t i = 0; i < looked_at(unit); ++i) {
-    out = std::max(out, spacing_of_type_[type_of_robot_.at(unit.members[i].value)]);
+  for (std::size_t i = 0; i < looked_at(members); ++i) {
+    out = std::max(out, spacing_of_type_[type_of_robot_.at(members[i].value)]);
   }
   return out;
 }
 
 Extent FormationCheck::extent(const mission::UnitCommand& command, double heading) {
-  const mission::Unit& unit = mission_.units[command.unit];
-  const double spacing = spacing_of(unit);
+  const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
+  const double spacing = spacing_of(members);
   double radius = 0.0;
-  for (std::size_t i = 0; i < looked_at(unit); ++i) {
-    radius = std::max(radius, radius_of_type_[type_of_robot_.at(unit.members[i].value)]);
+  for (std::size_t i = 0; i < looked_at(members); ++i) {
+    radius = std::max(radius, radius_of_type_[type_of_robot_.at(members[i].value)]);
   }
   const double c = std::cos(heading);
   const double s = std::sin(heading);
   Extent out;
-  for (const geom::Offset station : stations(command.formation, static_cast<int>(looked_at(unit)))) {
+  for (const geom::Offset station : stations(command.formation, static_cast<int>(looked_at(members)))) {
     const double x = (station.x * c - station.y * s) * spacing;
     const double y = (station.x * s + station.y * c) * spacing;
     out = {std::min(out.min_x, x), std::max(out.max_x, x), std::min(out.min_y, y), std::max(out.max_y, y)};
@@ -125,8 +126,8 @@ Extent FormationCheck::extent(const mission::UnitCommand& command, double headin
 }
 
 void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segment leg) {
-  const mission::Unit& unit = mission_.units[command.unit];
-  if (!has_stations(command.formation) || unit.members.size() < 2) return;
+  const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
+  if (!has_stations(command.formation) || members.size() < 2) return;
   check_room(command);
   const geom::Offset way = leg.b - leg.a;
   const bool has_way = geom::length(way) > kShortestLeg;
@@ -137,8 +138,8 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
     diagnostics_
         .warning("formation-larger-than-area", command.place,
                  fmt::format("{} need {:.6g} by {:.6g} m, the mission area has {:.6g} by {:.6g} m",
-                             described(unit, command.formation), needed.width(), needed.height(), area.width,
-                             area.height))
+                             described(members, command.formation), needed.width(), needed.height(),
+                             area.width, area.height))
         .hints.emplace_back(
             "neighbours stand `formation_spacing` apart, a parameter of NEW-ROBOT (50 m where it is not "
             "given)");
@@ -155,9 +156,9 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
 // Two or three robots find their places all the same; more push each other off their stations for ever. Only
 // a spacing that was written is the author's doing.
 void FormationCheck::check_room(const mission::UnitCommand& command) {
-  const mission::Unit& unit = mission_.units[command.unit];
-  if (command.task != percept::Task::kOccupy || unit.members.size() < 4) return;
-  const mission::RobotType& type = mission_.types[type_of_robot_.at(unit.members[0].value)];
+  const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
+  if (command.task != percept::Task::kOccupy || members.size() < 4) return;
+  const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
   const double spacing = number_parameter(type, "formation_spacing", kDefaultSpacing);
   const double sphere = number_parameter(type, "occupy_avoid_robot_sphere", kDefaultRobotSphere);
   const bool is_written =
@@ -167,7 +168,7 @@ void FormationCheck::check_room(const mission::UnitCommand& command) {
   diagnostics_
       .warning("formation-tighter-than-robots", command.place,
                fmt::format("{} stand {:.6g} m apart, but push each other away within {:.6g} m",
-                           described(unit, command.formation), spacing, sphere))
+                           described(members, command.formation), spacing, sphere))
       .hints.emplace_back(
           fmt::format("set `occupy_avoid_robot_sphere` and `navigation_avoid_robot_sphere` below {:.6g} "
                       "too, and both `..._min_range` below them",
@@ -179,11 +180,11 @@ void FormationCheck::check_gap(const mission::UnitCommand& command, geom::Segmen
   // Seen along the way, the formation's heading is turned by what a HEADING clause turns it.
   const Extent needed = extent(command, heading - geom::direction(leg.b - leg.a));
   if (needed.height() <= gap.size) return;
-  const mission::Unit& unit = mission_.units[command.unit];
+  const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
   auto& warning =
       diagnostics_.warning("formation-wider-than-gap", command.place,
                            fmt::format("{} are {:.6g} m wide, the gap {} on the way to {} has {:.6g} m",
-                                       described(unit, command.formation), needed.height(),
+                                       described(members, command.formation), needed.height(),
                                        in_backticks(gap.name), in_backticks(command.place_name), gap.size));
   warning.notes.push_back({fmt::format("{} declared here", in_backticks(gap.name)), gap.place});
   if (command.formation != percept::Formation::kColumn)

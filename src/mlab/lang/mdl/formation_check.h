@@ -34,7 +34,7 @@ class FormationCheck {
 
  private:
   const std::vector<geom::Offset>& stations(percept::Formation formation, int count);
-  double spacing_of(const mission::Unit& unit);
+  double spacing_of(const std::vector<base::RobotId>& members);
   Extent extent(const mission::UnitCommand& command, double heading);
   void check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,
                  const overlay::ControlMeasure& gap);

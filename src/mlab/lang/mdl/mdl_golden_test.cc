@@ -51,7 +51,7 @@ TEST_F(MdlGolden, EveryKindOfDiagnosticHasOne) {
   auto files = golden::golden_files(".", ".mdl");
   for (auto& path : golden::golden_files(".", ".typed")) files.push_back(path);
   const auto said =
-      golden::kinds_said_in(kFolder, {"error(", "warning(", "fail(", "complain(", "warn_once("});
+      golden::kinds_said_in(kFolder, {"error(", "warning(", "note(", "fail(", "complain(", "warn_once("});
   EXPECT_GT(said.size(), 50U);
   auto shown = golden::kinds_expected_in(files);
   shown.insert("too-many-points");  // takes an overlay of megabytes: see limits_test.cc

@@ -1,5 +1,6 @@
 #include "mlab/lang/mdl/names.h"
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@ namespace mlab::mdl {
 namespace {
 
 constexpr std::uint32_t kMaxWishedId = 65535;
+constexpr double kMaxRobotId = 4e9;  // what an id can hold
 
 template <class Range, class Projection>
 std::string nearest(std::string_view name, const Range& things, Projection name_of) {
@@ -195,6 +197,31 @@ std::optional<std::uint32_t> Roster::find_unit(const Name& name) {
   error.hints.push_back(fmt::format("did you mean {}?", in_backticks(near)));
   error.notes.push_back(
       {fmt::format("{} is defined here", in_backticks(near)), mission_.units[units_.at(near)].place});
+  return std::nullopt;
+}
+
+std::optional<base::RobotId> Roster::find_robot(const Number& number) {
+  const bool is_whole = number.value >= 1.0 && number.value <= kMaxRobotId &&
+                        number.value == static_cast<double>(static_cast<std::uint32_t>(number.value));
+  if (!is_whole) {
+    diagnostics_.error(
+        "bad-robot-number", place(number.span),
+        fmt::format("a robot's number is a whole number from 1, found {}", in_backticks(number.text)));
+    return std::nullopt;
+  }
+  const base::RobotId id{static_cast<std::uint32_t>(number.value)};
+  if (taken_ids_.contains(id.value)) return id;
+  if (damage_.units) return std::nullopt;
+  auto& error =
+      diagnostics_.error("unknown-robot", place(number.span), fmt::format("there is no robot {}", id.value));
+  std::uint32_t least = last_id_;
+  for (const mission::Robot& robot : mission_.robots) least = std::min(least, robot.id.value);
+  error.hints.push_back(
+      mission_.robots.empty() ? "robots come with units, which are defined before `COMMAND LIST:`"
+      : mission_.robots.size() == last_id_ - least + 1
+          ? fmt::format("the robots of this mission have the numbers {} to {}", least, last_id_)
+          : fmt::format("the {} robots of this mission have numbers from {} to {}, not all of them",
+                        mission_.robots.size(), least, last_id_));
   return std::nullopt;
 }
 

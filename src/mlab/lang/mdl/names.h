@@ -26,7 +26,7 @@ class PlaceIndex {
   std::unordered_map<std::string_view, std::uint32_t> by_name_;  // only asked, never walked through
 };
 
-/// Defines robots types, robots and units in a mission, and finds them again.
+/// Defines robot types, robots and units in a mission, and finds them again.
 class Roster {
  public:
   /// @param mission  what is defined in it already counts; outlives this
@@ -37,6 +37,8 @@ class Roster {
   void define_unit(const statement::UnitDefinition& statement);
   /// Reports an unknown unit, with the name that may have been meant.
   std::optional<std::uint32_t> find_unit(const Name& name);
+  /// Reports a number that no robot has.
+  std::optional<base::RobotId> find_robot(const Number& number);
   /// A type of this name is defined further below, at this place: said where it is missed above.
   void announce_type(const Name& name);
 

@@ -40,12 +40,12 @@ bool takes_clause(Task task, std::size_t index) {
   const std::string_view clause = kClauseNames[index];
   switch (task) {
     case Task::kMoveTo:
-      return clause != "UNTIL";
+      return true;
     case Task::kSweepTo:
     case Task::kFollow:
-      return clause != "UNTIL" && clause != "HEADING";
+      return clause != "HEADING";
     case Task::kTeleoperate:
-      return clause == "FORMATION" || clause == "SPEED" || clause == "ON-COMPLETION";
+      return clause == "FORMATION" || clause == "SPEED" || clause == "ON-COMPLETION" || clause == "UNTIL";
     case Task::kOccupy:
       return clause == "FORMATION" || clause == "HEADING" || clause == "UNTIL";
     default:
@@ -84,19 +84,48 @@ statement::UnitAction Parser::unit_action() {
     return out;
   }
   out.unit = name("the unit's name");
+  if (!stuck_) action(out, "unit " + in_backticks(out.unit.text));
+  return out;
+}
+
+// Behind the word ROBOT or ROBOTS.
+statement::UnitAction Parser::robots_action(bool says_robots) {
+  statement::UnitAction out;
+  out.says_robots = says_robots;
+  robot_numbers(out);
   if (stuck_) return out;
+  const bool is_one = out.robots.size() == 1;
+  action(out, is_one ? "robot " + out.robots.front().text : fmt::format("the {} robots", out.robots.size()));
+  return out;
+}
+
+void Parser::robot_numbers(statement::UnitAction& action) {
+  action.robots.push_back(number("a robot's number"));
+  while (!stuck_ && action.says_robots && at(TokenKind::kNumber)) action.robots.push_back(number("a number"));
+  if (stuck_) return;
+  if (at(TokenKind::kNumber)) {
+    fail("several-robots", token().span,
+         fmt::format("ROBOT takes one number, here is {} too", in_backticks(written(token()))))
+        .hints.push_back(fmt::format("write `ROBOTS {} {}`", action.robots.front().text, written(token())));
+  } else if (at(TokenKind::kComma)) {
+    fail("comma-between-robots", token().span, "the numbers of robots stand side by side, without commas")
+        .hints.emplace_back("write `ROBOTS 2 5 7`");
+  }
+}
+
+// What they shall do. `whom`: in words
+void Parser::action(statement::UnitAction& out, const std::string& whom) {
   out.task = at(TokenKind::kWord) ? task_of(token().word) : Task::kNone;
   if (out.task == Task::kNone) {
     const std::vector<std::string> known = {"START",   "MOVETO",      "OCCUPY", "FOLLOW",
                                             "SWEEPTO", "TELEOPERATE", "STOP"};
-    fail_unknown("unknown-command", fmt::format("what unit {} shall do", in_backticks(out.unit.text)), known);
-    return out;
+    fail_unknown("unknown-command", fmt::format("what {} shall do", whom), known);
+    return;
   }
   advance();
   if (out.task != Task::kStop) out.location = location(command_word(out.task));
   if (out.task == Task::kStart) start_step(out);
   clauses(out);
-  return out;
 }
 
 Location Parser::location(std::string_view command) {

@@ -71,9 +71,9 @@ const std::vector<std::string>& statement_words(Section section) {
   static const std::vector<std::string> kPreamble = {
       "MISSION NAME",     "SCENARIO",  "OVERLAY", "MISSION-AREA", "LOAD-MAP", "SP",           "OBSTACLE",
       "CREATE-OBSTACLES", "NEW-ROBOT", "UNIT",    "SET",          "PRINT",    "COMMAND LIST:"};
-  static const std::vector<std::string> kStep = {"UNIT", "SET", "PRINT", "QUIT"};
+  static const std::vector<std::string> kStep = {"UNIT", "ROBOT", "ROBOTS", "SET", "PRINT", "QUIT"};
   static const std::vector<std::string> kTyped = {
-      "UNIT", "SET", "PRINT", "QUIT", "OBSTACLE", "CREATE-OBSTACLES", "INJECTTRACK"};
+      "UNIT", "ROBOT", "ROBOTS", "SET", "PRINT", "QUIT", "OBSTACLE", "CREATE-OBSTACLES", "INJECTTRACK"};
   return section == Section::kPreamble ? kPreamble : section == Section::kStep ? kStep : kTyped;
 }
 
@@ -84,6 +84,7 @@ bool is_allowed(Word word, Section section) {
     case Word::kPrint:
       return true;
     case Word::kQuit:
+    case Word::kRobot:
       return section != Section::kPreamble;
     case Word::kInjectTrack:
       return section == Section::kTyped;
@@ -125,6 +126,9 @@ std::optional<Statement> Parser::parsed_statement(Section section, Damage& damag
   if (at(TokenKind::kMissionName) && section == Section::kPreamble) {
     advance();
     out.what = statement::MissionName{name("the mission's name")};
+  } else if (is_robots(token()) && section != Section::kPreamble) {
+    advance();
+    out.what = robots_action(true);
   } else if (at(TokenKind::kWord) && is_allowed(token().word, section)) {
     statement_by_word(section, out, damage);
   } else {
@@ -181,6 +185,9 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
         damage.units |= stuck_;
       }
       break;
+    case Word::kRobot:
+      out.what = robots_action(false);
+      break;
     case Word::kSet:
       out.what = set(section);
       break;
@@ -219,8 +226,9 @@ void Parser::refuse_statement(Section section, Damage& damage) {
     fail("not-typed", t.span, fmt::format("{} cannot be typed, it belongs into the mission file", said));
   } else if (section == Section::kStep && is_preamble_word) {
     fail("not-in-steps", t.span, fmt::format("{} belongs before `COMMAND LIST:`", said));
-  } else if (section == Section::kPreamble && t.kind == TokenKind::kWord &&
-             (is_action(t.word) || t.word == Word::kQuit)) {
+  } else if (section == Section::kPreamble &&
+             ((t.kind == TokenKind::kWord && (is_action(t.word) || t.word == Word::kQuit)) ||
+              (starts_command(t) && token(1).kind == TokenKind::kNumber))) {
     fail("not-in-preamble", t.span, fmt::format("{} belongs into a step behind `COMMAND LIST:`", said));
   } else if (is_overlay_word(written(t))) {
     fail("not-in-missions", t.span, fmt::format("{} belongs into an overlay, not into a mission", said));

@@ -136,13 +136,20 @@ Number Parser::number_of(const Token& t) {
   return out;
 }
 
+bool Parser::is_robots(const Token& t) const {
+  return t.kind == TokenKind::kName && equal_without_case(written(t), "ROBOTS");
+}
+
+bool Parser::starts_command(const Token& t) const {
+  static constexpr std::array kCommands = {Word::kUnit, Word::kRobot, Word::kSet, Word::kPrint, Word::kQuit};
+  return is_robots(t) ||
+         (t.kind == TokenKind::kWord && std::ranges::find(kCommands, t.word) != kCommands.end());
+}
+
 // `20.` where no step begins: its author meant a number.
 bool Parser::at_misread_number() const {
   const Token& next = token(1);
-  const bool before_command =
-      next.kind == TokenKind::kWord && (next.word == Word::kUnit || next.word == Word::kSet ||
-                                        next.word == Word::kPrint || next.word == Word::kQuit);
-  return at(TokenKind::kLabel) && !token().first_on_line && !before_command;
+  return at(TokenKind::kLabel) && !token().first_on_line && !starts_command(next);
 }
 
 Number Parser::number(std::string_view what) {
@@ -212,8 +219,11 @@ bool Parser::begins_step() const {
   const Token& t = token();
   if (!t.first_on_line || at_end()) return false;
   const bool is_digit_first = written(t)[0] >= '0' && written(t)[0] <= '9';
-  const bool before_command = token(1).kind == TokenKind::kWord && !token(1).first_on_line &&
-                              (token(1).word == Word::kUnit || token(1).word == Word::kQuit);
+  const bool before_command =
+      !token(1).first_on_line &&
+      (is_robots(token(1)) ||
+       (token(1).kind == TokenKind::kWord &&
+        (token(1).word == Word::kUnit || token(1).word == Word::kRobot || token(1).word == Word::kQuit)));
   return t.kind == TokenKind::kLabel || (t.kind == TokenKind::kNumber && before_command) ||
          (t.kind == TokenKind::kFile && is_digit_first && written(t).contains('.'));
 }
@@ -348,7 +358,7 @@ void Parser::step_label(LabelledStep& step) {
   } else if (starts_statement(t) && !at(Word::kUnit) && !at(Word::kSet) && !at(Word::kPrint)) {
     Damage ignored;
     refuse_statement(Section::kStep, ignored);
-  } else if (at(Word::kUnit) || at(Word::kQuit) || at(Word::kSet) || at(Word::kPrint)) {
+  } else if (starts_command(t)) {
     complain("missing-label", t.span,
              fmt::format("expected a step label, as `1.`, before {}", in_backticks(text)));
   } else {
@@ -373,8 +383,7 @@ void Parser::step_commands(LabelledStep& step) {
         step.commands.push_back(std::move(*parsed));
       }
     }
-    const bool at_command = at(Word::kUnit) || at(Word::kQuit) || at(Word::kSet) || at(Word::kPrint);
-    if (!stuck_ && at_command) {
+    if (!stuck_ && starts_command(token())) {
       complain("missing-and", token().span,
                fmt::format("expected `AND` or a step label before {}", in_backticks(written(token()))));
       continue;

@@ -34,6 +34,10 @@ class Parser {
   const Token& token(std::size_t ahead = 0) const;
   std::string_view written(const Token& t) const { return source_->text(t.span); }
   bool at(TokenKind kind) const { return token().kind == kind; }
+  /// The word ROBOTS, which is reserved only where a command may begin.
+  bool is_robots(const Token& t) const;
+  /// Begins a command of a step.
+  bool starts_command(const Token& t) const;
   bool at(Word word) const { return token().kind == TokenKind::kWord && token().word == word; }
   bool at_end() const { return at(TokenKind::kEnd); }
   void advance();
@@ -101,6 +105,9 @@ class Parser {
 
   // parse_command.cc
   statement::UnitAction unit_action();
+  statement::UnitAction robots_action(bool says_robots);
+  void robot_numbers(statement::UnitAction& action);
+  void action(statement::UnitAction& action, const std::string& whom);
   void start_step(statement::UnitAction& action);
   Location location(std::string_view command);
   void clauses(statement::UnitAction& action);

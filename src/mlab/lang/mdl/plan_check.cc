@@ -13,6 +13,8 @@
 #include "mlab/lang/mdl/formation_check.h"
 #include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/mission/command.h"
+#include "mlab/mission/wording.h"
 
 namespace mlab::mdl {
 namespace {
@@ -82,10 +84,17 @@ class PlanCheck {
   };
 
   RobotState& state(base::RobotId id) { return robots_[index_of_.at(id.value)]; }
-  const mission::Unit& unit_of(const UnitCommand& c) const { return mission_.units[c.unit]; }
+  const std::vector<base::RobotId>& robots_of(const UnitCommand& c) const {
+    return mission::members_of(mission_, c);
+  }
+  // Whom a command is for, as its author wrote it.
+  std::string whom(const UnitCommand& c) const {
+    const std::string name = in_backticks(mission::addressee(mission_, c));
+    return c.unit == mission::kNoUnit ? name : "unit " + name;
+  }
 
   bool may_visit(const UnitCommand& c) {
-    visits_ += unit_of(c).members.size();
+    visits_ += robots_of(c).size();
     return visits_ < kMaxRobotVisits;
   }
 
@@ -111,7 +120,7 @@ class PlanCheck {
   void check_two_commands(const UnitCommand& c) {
     Met busy;
     const UnitCommand* other = nullptr;
-    for (const base::RobotId id : unit_of(c).members) {
+    for (const base::RobotId id : robots_of(c)) {
       RobotState& robot = state(id);
       if (robot.step == step_ && busy.count++ == 0) {
         busy.first = id;
@@ -120,7 +129,7 @@ class PlanCheck {
       robot.step = step_;
       robot.command = &c;
     }
-    if (other == nullptr) return;
+    if (other == nullptr || c.unit == mission::kNoUnit) return;  // who names robots means it
     diagnostics_
         .warning("robot-in-two-commands", c.place,
                  busy.count == 1
@@ -134,24 +143,33 @@ class PlanCheck {
     Met absent;
     Met started;
     Met stopped;
-    for (const base::RobotId id : unit_of(c).members) {
+    for (const base::RobotId id : robots_of(c)) {
       RobotState& robot = state(id);
       (robot.life == Life::kAbsent ? absent : robot.life == Life::kStarted ? started : stopped).add(id);
       if (c.task == Task::kStart) robot.life = Life::kStarted;
       if (c.task == Task::kStop) robot.life = Life::kStopped;
     }
-    const std::string unit = in_backticks(unit_of(c).name);
+    const bool is_one = c.unit != mission::kNoUnit || c.robots.size() == 1;
+    const char* is = is_one ? "is" : "are";
+    const char* get = is_one ? "gets" : "get";
     if (c.task == Task::kStart) {
-      if (started.count > 0) warn_once("already-started", c, fmt::format("unit {} is started already", unit));
+      if (started.count > 0)
+        warn_once("already-started", c, fmt::format("{} {} started already", whom(c), is));
     } else if (absent.count > 0) {
-      warn_once("not-started", c, fmt::format("unit {} gets a command before it is started", unit));
+      warn_once(
+          "not-started", c,
+          fmt::format("{} {} a command before {} started", whom(c), get, is_one ? "it is" : "they are"));
     } else if (stopped.count > 0) {
-      warn_once("after-stop", c, fmt::format("unit {} gets a command after it was stopped", unit));
+      warn_once(
+          "after-stop", c,
+          fmt::format("{} {} a command after {} stopped", whom(c), get, is_one ? "it was" : "they were"));
     }
   }
 
   void warn_once(const char* kind, const UnitCommand& c, std::string message) {
-    if (warned_.insert({kind, c.unit}).second) diagnostics_.warning(kind, c.place, std::move(message));
+    const bool is_new = c.unit == mission::kNoUnit ? warned_robots_.insert({kind, c.robots}).second
+                                                   : warned_.insert({kind, c.unit}).second;
+    if (is_new) diagnostics_.warning(kind, c.place, std::move(message));
   }
 
   void check_way(const UnitCommand& c) {
@@ -164,10 +182,10 @@ class PlanCheck {
       }
     } else if (c.task != Task::kTeleoperate) {
       check_goal(c);
-      const RobotState& first = state(unit_of(c).members.front());
+      const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
     }
-    for (const base::RobotId id : unit_of(c).members) {
+    for (const base::RobotId id : robots_of(c)) {
       RobotState& robot = state(id);
       robot.place = c.goal;
       robot.has_place = true;
@@ -189,14 +207,14 @@ class PlanCheck {
   }
 
   void check_start(const UnitCommand& c) {
-    const std::vector<base::RobotId>& members = unit_of(c).members;
+    const std::vector<base::RobotId>& members = robots_of(c);
     const double spacing = geom::length(c.start_step);
     if (members.size() > 1 && spacing < 2.0 * body_radius(members.front())) {
       diagnostics_
           .warning(
               "start-on-one-spot", c.place,
               fmt::format("the {} robots of {} start {:g} m apart and will be moved to where there is room",
-                          members.size(), in_backticks(unit_of(c).name), spacing))
+                          members.size(), in_backticks(mission::addressee(mission_, c)), spacing))
           .hints.push_back(
               fmt::format("write `START {} 0 20` for a row to the north, 20 m apart", c.place_name));
     }
@@ -252,6 +270,7 @@ class PlanCheck {
   std::unordered_map<std::uint32_t, std::uint32_t> index_of_;  // by robot's number
   std::map<std::string, const mission::Step*> labels_;
   std::set<std::pair<std::string_view, std::uint32_t>> warned_;
+  std::set<std::pair<std::string_view, std::vector<base::RobotId>>> warned_robots_;
   mutable std::vector<double> radius_of_type_;
   mission::Options options_ = mission_.options;  // in force at this point of the plan
   std::uint64_t visits_ = 0;

@@ -215,7 +215,9 @@ struct StatementPrinter {
     return s.is_red ? "INJECTTRACK RED" : "INJECTTRACK YELLOW";
   }
   std::string operator()(const statement::UnitAction& s) const {
-    std::string out = fmt::format("UNIT {} {}", text_of(s.unit), text_of(s.task));
+    std::string out = s.robots.empty() ? "UNIT " + text_of(s.unit) : s.says_robots ? "ROBOTS" : "ROBOT";
+    for (const Number& robot : s.robots) out += " " + robot.text;
+    out += fmt::format(" {}", text_of(s.task));
     if (s.location) out += " " + text_of(*s.location);
     if (s.step) out += fmt::format(" {} {}", s.step->x.text, s.step->y.text);
     for (const Clause& c : s.clauses) out += " " + std::visit(ClausePrinter{}, c.what);

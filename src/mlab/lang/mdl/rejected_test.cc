@@ -51,7 +51,7 @@ TEST(MdlRejected, StepsGetOneErrorAtTheRightPlace) {
                    {"0. UNIT u OCCUPY a ^TECHNIQUE TRAVELING", "clause-not-allowed"},
                    {"0. UNIT u OCCUPY a ^SPEED 3", "clause-not-allowed"},
                    {"0. UNIT u TELEOPERATE a ^TECHNIQUE TRAVELING", "clause-not-allowed"},
-                   {"0. UNIT u MOVETO a ^UNTIL TIMEOUT 3", "clause-not-allowed"},
+                   {"0. UNIT u START a ^UNTIL TIMEOUT 3", "clause-not-allowed"},
                    {"0. SET ^ROBOT-LENGTH 2", "not-in-steps"},
                    {"0. SET ^SEED 2", "not-in-steps"},
                    {"0. UNIT u MOVETO ^LINE", "unknown-control-measure"},

@@ -161,7 +161,9 @@ struct InjectTrack {
   bool is_red = true;
 };
 struct UnitAction {
-  Name unit;
+  Name unit;                   ///< meaningless where robots are named
+  std::vector<Number> robots;  ///< `ROBOT 3`, `ROBOTS 2 5 7`
+  bool says_robots = false;    ///< ROBOTS, not ROBOT
   percept::Task task = percept::Task::kMoveTo;
   std::optional<Location> location;  ///< none for STOP
   std::optional<StartStep> step;     ///< START
