@@ -52,29 +52,20 @@ class MdlWorld {
     return found == types_.end() ? nullptr : found->second;
   }
 
-  /// For completion: as far as the mission can be understood.
+  /// Types, robots and units, as far as the mission can be understood.
   mission::Mission sketch() const {
     mission::Mission out;
-    out.types.clear();
-    const auto add_type = [&](const std::string& name, const std::string& program) {
-      mission::RobotType& made = out.types.emplace_back();
-      made.name = name;
-      made.program = program;
-    };
-    add_type("ROBOT", "robot");
+    mission::RobotType& standard = out.types.emplace_back();
+    standard.name = "ROBOT";
+    standard.program = "robot";
+    text::Diagnostics unsaid;
+    mdl::Roster roster(out, text_.source, tree_.damage, unsaid);
     for (const mdl::Statement& one : tree_.preamble) {
-      if (const auto* type = std::get_if<mdl::statement::NewRobot>(&one.what))
-        add_type(type->name.text, type->program.text);
-      const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&one.what);
-      if (unit == nullptr) continue;
-      for (const mdl::Group& group : unit->groups) {
-        if (!group.name) continue;
-        mission::Unit made;
-        made.name = group.name->text;
-        made.members.resize(teams_.at(made.name).robots);
-        out.units.push_back(std::move(made));
-      }
+      if (const auto* type = std::get_if<mdl::statement::NewRobot>(&one.what)) roster.define_type(*type);
+      if (const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&one.what))
+        roster.define_unit(*unit);
     }
+    std::ranges::sort(out.robots, {}, &mission::Robot::id);
     return out;
   }
 
@@ -180,9 +171,11 @@ class MdlNames {
   }
 
   void unit_action(const mdl::statement::UnitAction& action) {
-    Name& unit = add(NameKind::kTeam, action.unit.span);
-    const auto team = world_.teams().find(unit.text);
-    if (team != world_.teams().end()) unit.target = {source(), team->second.span};
+    if (action.robots.empty()) {
+      Name& unit = add(NameKind::kTeam, action.unit.span);
+      const auto team = world_.teams().find(unit.text);
+      if (team != world_.teams().end()) unit.target = {source(), team->second.span};
+    }
     if (action.location && action.location->name) place(*action.location->name);
     for (const mdl::Clause& clause : action.clauses) {
       if (const auto* line = std::get_if<mdl::clause::PhaseLine>(&clause.what)) place(line->line);
@@ -240,6 +233,44 @@ std::string hover_of(const MdlWorld& world, const Name& name) {
     default:
       return "";
   }
+}
+
+// `robot 3`, with its type and the innermost unit with a name that it is in.
+std::string robot_text(const mission::Mission& mission, std::uint32_t number) {
+  const auto robot = std::ranges::find(mission.robots, base::RobotId{number}, &mission::Robot::id);
+  if (robot == mission.robots.end()) return "";
+  const mission::Unit* home = nullptr;
+  for (const mission::Unit& unit : mission.units) {
+    const bool is_in = std::ranges::find(unit.members, robot->id) != unit.members.end();
+    if (is_in && !unit.name.empty() && (home == nullptr || unit.members.size() < home->members.size()))
+      home = &unit;
+  }
+  return fmt::format("robot {}, a `{}`{}", number, mission.types[robot->type].name,
+                     home == nullptr ? "" : fmt::format(" of unit `{}`", home->name));
+}
+
+// The number of a robot that a command names.
+std::optional<Hover> hover_robot(const MdlWorld& world, std::uint32_t cursor) {
+  const auto in = [&](const mdl::Statement& one) -> std::optional<Hover> {
+    const auto* action = std::get_if<mdl::statement::UnitAction>(&one.what);
+    if (action == nullptr) return std::nullopt;
+    for (const mdl::Number& robot : action->robots) {
+      if (cursor < robot.span.begin || cursor > robot.span.end) continue;
+      std::string text =
+          robot_text(world.sketch(), static_cast<std::uint32_t>(std::clamp(robot.value, 0.0, 4e9)));
+      return text.empty() ? std::nullopt : std::optional(Hover{std::move(text), robot.span});
+    }
+    return std::nullopt;
+  };
+  for (const mdl::LabelledStep& step : world.tree().steps) {
+    for (const mdl::Statement& one : step.commands) {
+      if (auto found = in(one)) return found;
+    }
+  }
+  for (const mdl::Statement& one : world.tree().typed) {
+    if (auto found = in(one)) return found;
+  }
+  return std::nullopt;
 }
 
 /// The NEW-ROBOT whose parentheses are open at the end of the text, as far as it is written.
@@ -341,6 +372,7 @@ std::optional<Hover> hover_mdl(const Text& text, std::uint32_t cursor, const Sur
     std::string markdown = hover_of(world, *name);
     if (!markdown.empty()) return Hover{std::move(markdown), name->span};
   }
+  if (auto robot = hover_robot(world, cursor)) return robot;
   text::Diagnostics unsaid;
   for (const mdl::Token& token : mdl::lex(text.source, unsaid).tokens) {
     if (token.kind == mdl::TokenKind::kEnd || token.span.begin > cursor || cursor > token.span.end) continue;
@@ -385,7 +417,13 @@ std::vector<Shade> tokens_mdl(const Text& text) {
   for (const mdl::CommentToken& comment : lexed.comments)
     out.push_back({comment.span, Shade::Kind::kComment});
   for (const mdl::Token& token : lexed.tokens) {
+    const mdl::Token& next = *(&token + (token.kind == mdl::TokenKind::kEnd ? 0 : 1));
     switch (token.kind) {
+      case mdl::TokenKind::kName:  // not a reserved word
+        if (next.kind == mdl::TokenKind::kNumber &&
+            mdl::equal_without_case(text.source->text(token.span), "ROBOTS"))
+          out.push_back({token.span, Shade::Kind::kKeyword});
+        break;
       case mdl::TokenKind::kMissionName:
       case mdl::TokenKind::kCommandList:
       case mdl::TokenKind::kImmediateCommand:

@@ -62,7 +62,8 @@ class MissionCompleter {
                    StatementCandidates& out)
       : names_(names), out_(out), part_(is_typed ? Part::kTyped : Part::kPreamble) {
     text::Diagnostics unsaid;
-    tokens_ = mdl::lex(std::make_shared<const text::Source>("", before), unsaid).tokens;
+    source_ = std::make_shared<const text::Source>("", before);
+    tokens_ = mdl::lex(source_, unsaid).tokens;
     tokens_.pop_back();  // the end
     find_statement(is_typed);
   }
@@ -75,6 +76,10 @@ class MissionCompleter {
     }
     if (is(0, Word::kUnit)) {
       is_preamble ? unit_definition() : unit_command();
+      return;
+    }
+    if (names_robots()) {
+      robots_command();
       return;
     }
     if (is(0, Word::kSet)) {
@@ -168,6 +173,8 @@ class MissionCompleter {
 
   void command_words() {
     out_.add("UNIT", "keyword", "name action: tells a unit what to do");
+    out_.add("ROBOT", "keyword", "number action: tells one robot what to do");
+    out_.add("ROBOTS", "keyword", "numbers action: robots that are a unit as long as the command lasts");
     out_.add("SET", "keyword", "option value");
     out_.add("PRINT", "keyword", "what is known");
     out_.add("QUIT", "keyword", "ends the run");
@@ -217,22 +224,52 @@ class MissionCompleter {
       robot_types();
       return;
     }
-    if (count() == 2) {
+    behind_addressee(2);
+  }
+
+  // ROBOT is a word of the language, ROBOTS only where a command begins.
+  bool names_robots() const {
+    if (part_ == Part::kPreamble) return false;
+    return is(0, Word::kRobot) || (token(0).kind == TokenKind::kName &&
+                                   mdl::equal_without_case(source_->text(token(0).span), "ROBOTS"));
+  }
+
+  void robots_command() {
+    std::size_t i = 1;
+    while (i < count() && token(i).kind == TokenKind::kNumber) ++i;
+    const bool takes_more = i == 1 || token(0).kind == TokenKind::kName;
+    if (i == count() && takes_more) robots();
+    if (i > 1) behind_addressee(i);
+  }
+
+  void robots() {
+    if (names_.mission == nullptr) return;
+    for (const mission::Robot& robot : names_.mission->robots) {
+      const std::string number = std::to_string(robot.id.value);
+      const bool is_named =
+          std::ranges::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(first_), tokens_.end(),
+                              [&](const mdl::Token& t) { return source_->text(t.span) == number; });
+      if (!is_named) out_.add(number, "robot", names_.mission->types[robot.type].name);
+    }
+  }
+
+  // `at`: the word that says what shall be done.
+  void behind_addressee(std::size_t at) {
+    if (count() == at) {
       actions();
       return;
     }
-    const mdl::Token& action = token(2);
-    const bool is_follow = is(2, Word::kFollow);
+    const mdl::Token& action = token(at);
     if (action.kind != TokenKind::kWord) return;
-    if (is(2, Word::kStop)) {
+    if (is(at, Word::kStop)) {
       out_.add("AND", "keyword", "another command that begins together with this one");
       return;
     }
-    if (count() == 3) {
-      places(is_follow);
+    if (count() == at + 1) {
+      places(is(at, Word::kFollow));
       return;
     }
-    const std::size_t behind_place = token(3).kind == TokenKind::kNumber ? 5 : 4;
+    const std::size_t behind_place = at + (token(at + 1).kind == TokenKind::kNumber ? 3 : 2);
     if (count() >= behind_place) clauses(action.word);
   }
 
@@ -240,6 +277,7 @@ class MissionCompleter {
     if (part_ == Part::kTyped) out_.add("<", "keyword", "defines a new unit");
     if (names_.mission == nullptr) return;
     for (const mission::Unit& unit : names_.mission->units) {
+      if (unit.name.empty()) continue;
       const std::size_t robots = unit.members.size();
       out_.add_name(unit.name, "unit", std::to_string(robots) + (robots == 1 ? " robot" : " robots"));
     }
@@ -278,7 +316,9 @@ class MissionCompleter {
         places(false);
         return;
       case Word::kUntil:
-        out_.add("TIMEOUT", "keyword", "seconds, from when the unit is in place");
+        out_.add("TIMEOUT", "keyword",
+                 action == Word::kOccupy ? "seconds, from when the unit is in place"
+                                         : "seconds, from when the command begins");
         return;
       case Word::kOnCompletion:
         out_.add("MESSAGE", "keyword", "text");
@@ -305,6 +345,7 @@ class MissionCompleter {
     if (moves) out_.add("PHASE-LINE", "keyword", "line: its crossing is told");
     if (moves || steers) out_.add("ON-COMPLETION", "keyword", "MESSAGE text");
     if (holds) out_.add("UNTIL", "keyword", "when it goes on without your answer");
+    if (moves || steers) out_.add("UNTIL", "keyword", "when it is done, wherever the unit is then");
     out_.add("AND", "keyword", "another command that begins together with this one");
     if (moves || holds || steers) formations();
     if (moves) techniques();
@@ -350,6 +391,7 @@ class MissionCompleter {
   const KnownNames& names_;
   StatementCandidates& out_;
   Part part_;
+  text::SourcePtr source_;
   std::vector<mdl::Token> tokens_;
   std::size_t first_ = 0;  // word of the statement at the cursor
 };

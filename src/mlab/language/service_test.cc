@@ -103,7 +103,8 @@ class ServiceTest : public ::testing::Test {
     folder_.put("m.mdl",
                 "OVERLAY map.odl\nSP Home 5 5\nNEW-ROBOT scout \"robots.cdl#Scout\" (urge = 0.7)\n"
                 "UNIT <pair> (<left> scout) (<right> ROBOT)\nCOMMAND LIST:\n"
-                " 1. UNIT pair START Home\n 2. UNIT left MOVETO PP-Charlie PHASE-LINE \"red line\"\n");
+                " 1. UNIT pair START Home\n 2. UNIT left MOVETO PP-Charlie PHASE-LINE \"red line\"\n"
+                " 3. ROBOTS 2 1 STOP\n");
   }
 
   std::optional<text::Place> declared(const std::string& file, const std::string& what) const {
@@ -142,6 +143,8 @@ TEST_F(ServiceTest, TellsWhatThingsAre) {
   EXPECT_NE(hovered("m.mdl", "Charlie").find("`PP-Charlie` at 10 10"), std::string::npos);
   EXPECT_NE(hovered("m.mdl", "MOVETO").find("moves there"), std::string::npos);
   EXPECT_NE(hovered("m.mdl", "urge").find("range 0 .. 1"), std::string::npos);
+  EXPECT_EQ(hovered("m.mdl", "2 1 STOP"), "robot 2, a `ROBOT` of unit `right`");
+  EXPECT_NE(hovered("m.mdl", "ROBOTS").find("a unit as long as the command lasts"), std::string::npos);
   EXPECT_NE(hovered("map.odl", "PP").find("passage point"), std::string::npos);
 }
 

@@ -78,12 +78,13 @@ constexpr Entry kMdl[] = {
     {"TECHNIQUE", "who moves and who watches"},
     {"SPEED", "metres per second"},
     {"PHASE-LINE", "a line whose crossing is told"},
-    {"UNTIL", "when an OCCUPY proceeds by itself"},
+    {"UNTIL", "when an OCCUPY proceeds by itself, or another command is done"},
     {"TIMEOUT", "seconds, from when the unit is in place"},
     {"ON-COMPLETION", "`ON-COMPLETION MESSAGE text`: told when the command is done"},
     {"ACKNOWLEDGE", "a text that the operator acknowledges"},
     {"WAIT", "the unit halts until it is acknowledged"},
-    {"ROBOT", "the standard robot"},
+    {"ROBOT", "in the preamble the standard robot; in a step `ROBOT number action`: one robot by its number"},
+    {"ROBOTS", "`ROBOTS numbers action`: robots that are a unit as long as the command lasts"},
 };
 
 constexpr Entry kOdl[] = {
