@@ -102,7 +102,8 @@ export class Console {
     return { x, y };
   }
 
-  private rowOf(panel: Locator, name: string): Locator {
+  /** Of the list of robots and units. */
+  rowOf(panel: Locator, name: string): Locator {
     return panel.getByRole("row").filter({ has: this.page.getByText(name, { exact: true }) });
   }
 

@@ -11,23 +11,20 @@ const of = (unit: string, ...robots: number[]) => addressedUnits({ unit, robots 
 
 describe("a command by mouse", () => {
   it("goes to the selected unit", () => {
-    expect(of("left", 1, 2)).toEqual({ units: ["left"], note: "" });
+    expect(of("left", 1, 2)).toEqual({ units: ["left"], robots: [], note: "" });
   });
   it("goes to the largest units that are selected as a whole", () => {
     expect(of("", 4, 3, 2, 1).units).toEqual(["scouts"]);
-    expect(of("", 3, 4)).toEqual({ units: ["right"], note: "" });
+    expect(of("", 3, 4)).toEqual({ units: ["right"], robots: [], note: "" });
   });
-  it("says so when more robots are meant than were selected", () => {
-    const one = of("", 3);
-    expect(one.units).toEqual(["right"]);
-    expect(one.note).toMatch(/all of right/);
-    expect(of("", 1, 2, 3).units).toEqual(["left", "right"]);
+  it("goes to the selected robots and nobody else where they are no whole units", () => {
+    expect(of("", 3)).toEqual({ units: [], robots: [3], note: "" });
+    expect(of("", 3, 1, 2)).toEqual({ units: [], robots: [1, 2, 3], note: "" });
+    expect(of("", 9)).toEqual({ units: [], robots: [9], note: "" });
   });
   it("goes to the only unit there is where nothing is selected", () => {
     expect(of("").units).toEqual(["scouts"]);
-    expect(addressedUnits({ unit: "", robots: [] }, kUnits.slice(1)).units).toEqual([]);
-  });
-  it("says which robots can't be commanded", () => {
-    expect(of("", 9)).toEqual({ units: [], note: expect.stringMatching(/Robot 9 is in no unit/) });
+    const none = addressedUnits({ unit: "", robots: [] }, kUnits.slice(1));
+    expect(none).toEqual({ units: [], robots: [], note: expect.stringMatching(/Select a unit or robots/) });
   });
 });

@@ -1,8 +1,8 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { TargetsSchema } from "../../core/protocol.ts";
+import { Targets_Standing_Fate as Fate, TargetsSchema } from "../../core/protocol.ts";
 import { Recall, withLine } from "./history.ts";
-import { targetLines } from "./targets.ts";
+import { standingLines, targetLines } from "./targets.ts";
 
 describe("the lines typed before", () => {
   it("come back one by one, and the typed one at the end", () => {
@@ -38,7 +38,6 @@ describe("the targets of a command", () => {
             { robot: 5, reason: "it is parked" },
             { robot: 9, reason: "it is stopped" },
           ],
-          replaces: "OCCUPY AA-AA1",
         },
       ],
     });
@@ -48,8 +47,23 @@ describe("the targets of a command", () => {
         does: "MOVETO PP-A",
         meant: "3 robots (1–3)",
         skipped: ["robots 4, 5: it is parked", "robot 9: it is stopped"],
-        replaces: "OCCUPY AA-AA1",
       },
+    ]);
+  });
+  it("are followed by every other unit and what becomes of it, what changes first", () => {
+    const standing = [
+      { unit: "b", command: "MOVETO B", fate: Fate.GOES_ON, staying: 2 },
+      { unit: "a", command: "MOVETO A", fate: Fate.GOES_ON_WITHOUT, leaving: [2], staying: 1 },
+      { unit: "robots 5, 6", command: "OCCUPY X", fate: Fate.ENDS, leaving: [5, 6] },
+      { unit: "c", fate: Fate.IDLE, staying: 4 },
+      { unit: "d", fate: Fate.IDLE, staying: 4 },
+    ];
+    const lines = standingLines(create(TargetsSchema, { standing }));
+    expect(lines.map((line) => `${line.unit}: ${line.fate}`)).toEqual([
+      "a: goes on with MOVETO A without robot 2, 1 left",
+      "robots 5, 6: ends OCCUPY X",
+      "b: goes on with MOVETO B",
+      "c, d: no command before or after",
     ]);
   });
   it("say so where nobody is meant", () => {

@@ -5,6 +5,7 @@ import { nearestLine, type PlaceMeasure, placeFor, referenceTo, snapToCenter } f
 
 const kCommand: MouseCommand = {
   units: ["scouts"],
+  robots: [],
   task: "MOVETO",
   place: { x: 310, y: 205 },
   formation: "Wedge",
@@ -32,6 +33,15 @@ describe("mdlText", () => {
     });
     expect(textOf({ ...all, task: "SWEEPTO", formation: "" })).toEqual({
       text: "UNIT scouts SWEEPTO 310 205 TECHNIQUE Traveling SPEED 3",
+    });
+  });
+
+  it("names robots by their numbers", () => {
+    expect(textOf({ units: [], robots: [3], formation: "", heading: null })).toEqual({
+      text: "ROBOT 3 MOVETO 310 205",
+    });
+    expect(textOf({ units: [], robots: [2, 5, 7], formation: "Line", heading: null })).toEqual({
+      text: "ROBOTS 2 5 7 MOVETO 310 205 FORMATION Line",
     });
   });
 

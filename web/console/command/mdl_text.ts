@@ -87,6 +87,8 @@ export type MdlPlace = { readonly reference: string } | { readonly x: number; re
 
 export interface MouseCommand {
   readonly units: readonly string[];
+  /** Robots by their numbers, in place of units: a unit for as long as the command lasts. */
+  readonly robots: readonly number[];
   readonly task: TaskName;
   readonly place: MdlPlace;
   /** Empty: the clause is left out. */
@@ -100,12 +102,17 @@ export interface MouseCommand {
 
 /** The line, or what is missing, as a sentence. Clauses that the task doesn't take are left out. */
 export function mdlText(command: MouseCommand): { text: string } | { error: string } {
-  if (command.units.length === 0) return { error: "Select a unit first." };
+  const { robots } = command;
+  if (command.units.length === 0 && robots.length === 0) return { error: "Select a unit or robots first." };
   const place = placeText(command.place);
   if (place === null) return { error: "This place has no name that MDL could write." };
   const info = taskInfo(command.task);
   if (info.needsLine && !("reference" in command.place)) return { error: "Choose a line to follow." };
   const lines: string[] = [];
+  if (robots.length > 0)
+    lines.push(
+      `${robots.length === 1 ? "ROBOT" : "ROBOTS"} ${robots.join(" ")} ${command.task} ${place}${clauses(command, info)}`,
+    );
   for (const unit of command.units) {
     const name = mdlName(unit);
     if (name === null) return { error: `Unit ${unit} has no name that MDL could write.` };

@@ -2,6 +2,7 @@
 import { type CSSProperties, type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
 import { createPortal } from "react-dom";
 import { useStore } from "zustand";
+import { idRanges } from "../../core/format.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import type { Reply } from "../../core/protocol.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
@@ -31,13 +32,14 @@ import { DiagnosticsView, TargetsView } from "./targets_view.tsx";
 export function CommandOptions() {
   const map = useUi("map");
   const { goal, isDragging } = useStore(orderStore);
-  const { units, note } = useAddressed();
+  const { units, robots, note } = useAddressed();
+  const whom = robots.length > 0 ? `${robots.length === 1 ? "robot" : "robots"} ${idRanges(robots)}` : units.join(", ");
   return (
     <>
       <span className="small">
-        {units.length > 0 ? (
+        {whom !== "" ? (
           <>
-            For <b>{units.join(", ")}</b>: click the goal, drag for the formation’s heading.
+            For <b>{whom}</b>: click the goal, drag for the formation’s heading.
           </>
         ) : (
           note
@@ -75,6 +77,7 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
   const line = goal.line === null ? null : referenceTo(placeMeasures(session), goal.line);
   const built = mdlText({
     units: addressed.units,
+    robots: addressed.robots,
     task: order.task,
     place: order.task === "FOLLOW" && line !== null ? { reference: line } : place,
     formation: order.formation,

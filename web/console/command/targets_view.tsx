@@ -1,12 +1,30 @@
 import type { Diagnostic, Targets } from "../../core/protocol.ts";
 import { unitsOf } from "../editor/bytes.ts";
 import { sentence } from "../orders.ts";
-import { targetLines } from "./targets.ts";
+import { standingLines, type TargetLine, targetLines } from "./targets.ts";
 
-/** Who is meant, who is skipped and why, what is replaced. */
+/** Who is meant, who is skipped and why, and what becomes of every other unit. */
 export function TargetsView({ targets }: { targets: Targets }) {
   const lines = targetLines(targets);
   if (lines.length === 0) return <p className="small muted">Concerns no unit.</p>;
+  const standing = standingLines(targets);
+  return (
+    <>
+      <TargetList lines={lines} />
+      {standing.length > 0 && (
+        <ul className="targets targets-standing" aria-label="The others">
+          {standing.map((line) => (
+            <li key={`${line.unit} ${line.fate}`} className={`small ${line.isTouched ? "target-replaces" : "muted"}`}>
+              <strong>{line.unit}</strong> {line.fate}
+            </li>
+          ))}
+        </ul>
+      )}
+    </>
+  );
+}
+
+function TargetList({ lines }: { lines: TargetLine[] }) {
   return (
     <ul className="targets">
       {lines.map((line) => (
@@ -19,7 +37,6 @@ export function TargetsView({ targets }: { targets: Targets }) {
               Skipped: {text}
             </p>
           ))}
-          {line.replaces && <p className="small target-replaces">Ends what it does now: {line.replaces}</p>}
         </li>
       ))}
     </ul>

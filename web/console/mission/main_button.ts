@@ -1,5 +1,6 @@
 // The main button: it always says what it will do, and there is always one next thing to do.
 import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../core/protocol.ts";
+import { kTyped } from "./steps.ts";
 
 export interface MainButton {
   label: string;
@@ -119,21 +120,26 @@ export function mainButton(situation: Situation): MainButton {
   }
 }
 
-/** A step, or a typed command, has been begun and not ended. */
-export function isUnderWay(status: Status): boolean {
-  return status.steps.at(-1)?.outcome === Status_Outcome.UNDER_WAY;
+/** A step, or an order, has been begun and not ended. */
+function isUnderWay(status: Status): boolean {
+  return status.steps.some((step) => step.outcome === Status_Outcome.UNDER_WAY);
+}
+
+/** Of the plan: orders may be under way beside it. */
+function isStepUnderWay(status: Status): boolean {
+  return status.steps.some((step) => step.step !== kTyped && step.outcome === Status_Outcome.UNDER_WAY);
 }
 
 /** What Step does now. */
 export function stepWords(status: Status | null): string {
-  return status && isUnderWay(status)
+  return status && isStepUnderWay(status)
     ? "Finishes the step that runs, and stops there"
     : "Carries out the next step, and stops after it";
 }
 
 /** What Skip does now. */
 export function skipWords(status: Status | null): string {
-  return status && isUnderWay(status)
+  return status && isStepUnderWay(status)
     ? "Gives up the step that runs, and starts the next"
     : "Passes over the next step, without starting anything";
 }

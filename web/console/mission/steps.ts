@@ -1,7 +1,7 @@
 // The list of the mission's steps as a person sees it: what is planned, how far each has come, what runs now.
 import { type Plan, type Status, Status_Mode, Status_Outcome, type Status_Step } from "../../core/protocol.ts";
 
-export const kTyped = 0xffffffff; // step of a typed command
+export const kTyped = 0xffffffff; // step of an order
 
 export type StepState = "planned" | "next" | "running" | "done" | "failed" | "aborted" | "replaced" | "skipped";
 
@@ -115,8 +115,10 @@ export const kStateWords: Record<StepState, string> = {
   skipped: "Skipped",
 };
 
-/** `UNIT scouts MOVETO X` is shown as its unit and the rest, which is what differs from line to line. */
+/** `UNIT scouts MOVETO X` is shown as its unit (or its robots) and the rest, which is what differs from line to line. */
 export function splitCommand(text: string): { unit: string; order: string } {
+  const robots = /^\s*(ROBOTS?\s+\d[\d\s,-]*?)\s+([A-Z][\s\S]*)$/i.exec(text);
+  if (robots) return { unit: (robots[1] as string).toLowerCase(), order: (robots[2] as string).trim() };
   const match = /^\s*UNIT\s+("[^"]*"|\S+)\s+([\s\S]*)$/i.exec(text);
   return match
     ? { unit: (match[1] as string).replaceAll('"', ""), order: (match[2] as string).trim() }
@@ -161,7 +163,7 @@ function commandOf(command: Status_Step["commands"][number]): CommandRow {
     arrival: command.arrival,
     robots: command.robots,
     robotsDone: command.robotsDone,
-    message: command.message,
+    message: command.isHeld ? `waits for ${command.waitsFor}` : command.message,
   };
 }
 

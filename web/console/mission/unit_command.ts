@@ -1,13 +1,42 @@
-import { type Status, Status_Outcome } from "../../core/protocol.ts";
+import { type Status, type Status_Command, Status_Outcome } from "../../core/protocol.ts";
 import { splitCommand } from "./steps.ts";
 
 /** What the unit is doing now, without its name; empty: nothing. */
 export function commandOfUnit(status: Status | null, unit: string): string {
   for (const step of [...(status?.steps ?? [])].reverse()) {
     for (const command of step.commands) {
-      if (command.unit === unit && command.outcome === Status_Outcome.UNDER_WAY)
-        return splitCommand(command.text).order;
+      if (command.unit === unit && command.outcome === Status_Outcome.UNDER_WAY) return shown(command);
     }
   }
   return "";
+}
+
+function shown(command: Status_Command): string {
+  const { order } = splitCommand(command.text);
+  if (command.isHeld) return `${order} waits for ${command.waitsFor}`;
+  const left = command.followers.length;
+  return left > 0 ? `${order}, ${left} robot${left === 1 ? "" : "s"} left` : order;
+}
+
+export interface Followed {
+  /** Whom the command names. */
+  readonly unit: string;
+  readonly order: string;
+}
+
+/** Which command under way each robot follows. */
+export function followedBy(
+  status: Status | null,
+  robotsOf: (unit: string) => readonly number[],
+): ReadonlyMap<number, Followed> {
+  const result = new Map<number, Followed>();
+  for (const step of status?.steps ?? []) {
+    for (const command of step.commands) {
+      if (command.outcome !== Status_Outcome.UNDER_WAY || command.isHeld || command.unit === "") continue;
+      const followed = { unit: command.unit, order: splitCommand(command.text).order };
+      const robots = command.followers.length > 0 ? command.followers : robotsOf(command.unit);
+      for (const id of robots) result.set(id, followed);
+    }
+  }
+  return result;
 }

@@ -7,7 +7,7 @@ import {
   Status_Outcome,
   StatusSchema,
 } from "../../core/protocol.ts";
-import { commandOfUnit } from "../mission/unit_command.ts";
+import { commandOfUnit, followedBy } from "../mission/unit_command.ts";
 import { openAlerts } from "../shell/alerts.ts";
 import { countdown } from "./countdown.ts";
 
@@ -36,6 +36,33 @@ describe("what a unit is doing", () => {
     });
     expect(commandOfUnit(status, "a")).toBe("OCCUPY Y");
     expect(commandOfUnit(status, "b")).toBe("");
+  });
+  it("is told with what it waits for, or how many robots are left", () => {
+    const command = { unit: "a", text: "unit a MOVETO X", outcome: Status_Outcome.UNDER_WAY };
+    const held = { ...command, isHeld: true, waitsFor: "the order `robot 1 MOVETO Y`" };
+    expect(commandOfUnit(create(StatusSchema, { steps: [{ commands: [held] }] }), "a")).toBe(
+      "MOVETO X waits for the order `robot 1 MOVETO Y`",
+    );
+    const left = { ...command, followers: [2] };
+    expect(commandOfUnit(create(StatusSchema, { steps: [{ commands: [left] }] }), "a")).toBe("MOVETO X, 1 robot left");
+  });
+});
+
+describe("what a robot follows", () => {
+  it("is its unit's command, or the order that names it", () => {
+    const under = Status_Outcome.UNDER_WAY;
+    const status = create(StatusSchema, {
+      steps: [
+        { commands: [{ unit: "a", text: "unit a MOVETO X", outcome: under, followers: [1] }] },
+        { commands: [{ unit: "robots 2, 3", text: "robots 2, 3 OCCUPY Y (Line)", outcome: under, followers: [2, 3] }] },
+        { commands: [{ unit: "b", text: "unit b MOVETO Z", outcome: under }] },
+      ],
+    });
+    const followed = followedBy(status, (unit) => (unit === "b" ? [4] : []));
+    expect(followed.get(1)).toEqual({ unit: "a", order: "MOVETO X" });
+    expect(followed.get(3)).toEqual({ unit: "robots 2, 3", order: "OCCUPY Y (Line)" });
+    expect(followed.get(4)?.order).toBe("MOVETO Z");
+    expect(followed.has(5)).toBe(false);
   });
 });
 

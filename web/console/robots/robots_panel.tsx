@@ -3,7 +3,7 @@ import { useMemo, useState } from "react";
 import { Button as AriaButton, GridList, GridListItem, ListLayout, Virtualizer } from "react-aria-components";
 import type { Selection } from "../../core/selection.ts";
 import { count } from "../format.ts";
-import { commandOfUnit } from "../mission/unit_command.ts";
+import { commandOfUnit, type Followed, followedBy } from "../mission/unit_command.ts";
 import { usePart, useSession } from "../session.ts";
 import { Button, Search } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
@@ -17,6 +17,8 @@ export function RobotsPanel() {
   const selection = usePart("selection");
   const [query, setQuery] = useState("");
   const [folded, setFolded] = useState<ReadonlySet<string>>(new Set());
+  const status = usePart("status");
+  const followed = useMemo(() => followedBy(status, (unit) => roster.robotsOf(unit)), [status, roster]);
   const rows = useMemo(() => rosterRows(roster, query, folded), [roster, query, folded]);
   const select = (next: Selection) => model.select(next);
   const fold = (unit: string) => {
@@ -41,19 +43,24 @@ export function RobotsPanel() {
             select(selectionOf(keys === "all" ? rows.map((row) => row.key) : [...keys].map(String), roster))
           }
           onAction={() => ui.get("map")?.fitSelection()}
-          items={rows.map((row) => ({ id: row.key, row, isFolded: row.kind === "unit" && folded.has(row.name) }))}
+          items={rows.map((row) => ({
+            id: row.key,
+            row,
+            isFolded: row.kind === "unit" && folded.has(row.name),
+            followed: row.kind === "robot" ? followed.get(row.id) : undefined,
+          }))}
           renderEmptyState={() => (
             <p className="empty small">
               {roster.robots.length === 0 ? "This mission has no robots." : "Nothing is called that."}
             </p>
           )}
         >
-          {({ id, row, isFolded }) => (
+          {({ id, row, isFolded, followed }) => (
             <GridListItem id={id} className="robot-row" textValue={row.name}>
               {row.kind === "unit" ? (
                 <UnitRow row={row} isFolded={isFolded} onFold={() => fold(row.name)} />
               ) : (
-                <RobotRow row={row} />
+                <RobotRow row={row} followed={followed} />
               )}
             </GridListItem>
           )}
@@ -99,13 +106,19 @@ function UnitRow({
   );
 }
 
-function RobotRow({ row }: { row: Extract<RosterRow, { kind: "robot" }> }) {
+function RobotRow({ row, followed }: { row: Extract<RosterRow, { kind: "robot" }>; followed: Followed | undefined }) {
   const { model, ui } = useSession();
   const color = model.get("roster").robot(row.id)?.color || "gray";
   return (
     <span className="robot-cells" style={{ paddingLeft: row.depth * 16 + 8 }}>
       <span className="swatch" style={{ background: color }} />
       <span className="ellipsis">{row.name}</span>
+      {followed && (
+        <span className="small muted ellipsis grow robot-follows" title={`Follows ${followed.unit} ${followed.order}`}>
+          {followed.unit === row.unit || followed.unit === `robot ${row.id}` ? "" : `${followed.unit}: `}
+          {followed.order}
+        </span>
+      )}
       <Facts id={row.id} />
       <AriaButton
         className="button quiet square"
