@@ -93,6 +93,60 @@ class TorusCells {
   double per_metre_ = 1.0;
 };
 
+/// The cells of an endless square grid, laid onto a table of fixed size along a lattice: one step along a row
+/// is one place on, one row up is `stride` places on. Unlike on a torus, what stands in line, in whatever
+/// direction, comes to places of its own all over the table.
+class LatticeCells {
+ public:
+  /// As TorusCells.
+  void resize(std::size_t places, double cell);
+  std::size_t size() const { return static_cast<std::size_t>(mask_) + 1; }
+  double cell() const { return cell_; }
+  std::uint32_t place(double x, double y) const { return place(index(x), index(y)); }
+
+  /// Calls row(first, last) for runs of places next to each other that hold all cells of the box, none twice.
+  /// @return  false: so many cells would share places that everything has to be looked at; nothing was called
+  template <class Row>
+  bool for_each_run(const Box& box, Row&& row) const {
+    const std::int64_t x0 = index(box.x0);
+    const std::int64_t y0 = index(box.y0);
+    const auto width = static_cast<std::uint64_t>(index(box.x1) - x0) + 1;
+    const auto height = static_cast<std::uint64_t>(index(box.y1) - y0) + 1;
+    if (height > gaps_.size() || width > gaps_[height - 1]) return false;
+    std::uint32_t first = place(x0, y0);
+    for (std::uint64_t y = 0; y < height; ++y, first = (first + stride_) & mask_) {
+      const std::uint64_t last = first + width - 1;
+      if (last <= mask_) {
+        row(first, static_cast<std::uint32_t>(last));
+      } else {
+        row(first, mask_);
+        row(std::uint32_t{0}, static_cast<std::uint32_t>(last & mask_));
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::int64_t index(double coordinate) const {
+    // Without the call that std::floor is on processors of the oldest kind.
+    const double cells = coordinate * per_metre_;
+    const auto towards_zero = static_cast<std::int64_t>(cells);
+    return towards_zero - (cells < static_cast<double>(towards_zero) ? 1 : 0);
+  }
+  std::uint32_t place(std::int64_t x, std::int64_t y) const {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(x) +
+                                      static_cast<std::uint64_t>(y) * stride_) &
+           mask_;
+  }
+
+  std::uint32_t mask_ = 0;
+  std::uint32_t stride_ = 1;
+  /// By one less than a number of rows: how long their runs may be at most without meeting each other.
+  std::vector<std::uint32_t> gaps_;
+  double cell_ = 1.0;
+  double per_metre_ = 1.0;
+};
+
 /// Discs sorted into cells by their centres, to find those near a place. The size of the cells follows how
 /// far and how densely they stand; it only makes a difference to speed.
 class PointGrid {
@@ -104,17 +158,25 @@ class PointGrid {
   };
 
   /// Replaces everything. Takes the items as they are: no id may come twice.
-  /// @param smallest_cell  cells get no smaller than this, about the distance of the usual question [m]
+  /// @param smallest_cell  cells get no smaller than this [m]. Where questions reach far: `cell_for` them,
+  /// since
+  ///                       what stands in pairs and fours would else be parted by cells so small that a
+  ///                       question is more of them than the table has
   void build(std::span<const Item> items, double smallest_cell);
   /// Calls visit(item) for all items whose centre is in the box, and some others; none twice.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
     if (sorted_.empty()) return;
-    cells_.for_each_run(box, [&](std::uint32_t first, std::uint32_t last) {
+    const bool is_done = cells_.for_each_run(box, [&](std::uint32_t first, std::uint32_t last) {
       const Item* const end = sorted_.data() + starts_[last + 1];
       for (const Item* item = sorted_.data() + starts_[first]; item != end; ++item) visit(*item);
     });
+    if (is_done) return;
+    for (const Item& item : sorted_) visit(item);
   }
+  /// The cell that answers questions about everything within this reach best, by trials with robots anywhere,
+  /// in lines, columns and blocks [m].
+  static double cell_for(double reach) { return std::min(8.0, 0.25 * reach); }
   /// The largest of all items [m].
   double max_radius() const { return max_radius_; }
   double cell() const { return cells_.cell(); }
@@ -124,7 +186,7 @@ class PointGrid {
   /// Sorts into cells of the present size. @return how many places of the table are in use
   std::size_t sort(std::span<const Item> items);
 
-  TorusCells cells_;
+  LatticeCells cells_;
   int halvings_ = 0;  ///< of the cells that would just cover everything, because too many items shared one
   std::vector<std::uint32_t> starts_;  ///< by place: where its items begin in sorted_; one more for the end
   std::vector<std::uint32_t> places_;  ///< by item, while sorting

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -80,6 +82,65 @@ TEST(PointGrid, LooksAtFewThatAreNotWantedHoweverTheyAreSpread) {
       seen += answer.seen.size();
     }
     EXPECT_LT(static_cast<double>(seen) / (static_cast<double>(items.size()) / 10), 20.0);
+  }
+}
+
+/// Robots as they stand in missions: `at(i)` is where the i-th one does.
+template <class At>
+std::vector<Item> standing(std::uint32_t count, At&& at) {
+  std::vector<Item> items;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto [x, y] = at(i);
+    items.push_back({x, y, 0.2F, i});
+  }
+  return items;
+}
+
+/// How many a question about everything within `reach` of a robot looks at, for each that it is about.
+double looked_at(const std::vector<Item>& items, double reach) {
+  PointGrid grid;
+  for (int cycle = 0; cycle < 3; ++cycle) grid.build(items, std::max(0.4, PointGrid::cell_for(reach)));
+  std::size_t seen = 0;
+  std::size_t wanted = 0;
+  for (std::size_t i = 0; i < items.size(); i += 37) {
+    grid.visit(Box::around(items[i].x, items[i].y, reach), [&](const Item& item) {
+      ++seen;
+      const double dx = item.x - items[i].x;
+      const double dy = item.y - items[i].y;
+      wanted += dx * dx + dy * dy <= reach * reach ? 1 : 0;
+    });
+  }
+  return static_cast<double>(seen) / static_cast<double>(wanted);
+}
+
+TEST(PointGrid, RobotsInLineColumnOrBlockLookAtFewThatAreOutOfRange) {
+  using Place = std::pair<double, double>;
+  const auto in_units = [](std::uint32_t i, double apart, double between) {  // fours in column
+    return Place{0.0, (i / 4) * between + (i % 4) * apart};
+  };
+  base::Random random(1);
+  const std::vector<std::pair<const char*, std::vector<Item>>> worlds = {
+      {"line", standing(10'000, [](auto i) { return Place{2.0 * i, 50.0}; })},
+      {"column", standing(10'000, [](auto i) { return Place{50.0, 2.0 * i}; })},
+      {"diagonal", standing(10'000, [](auto i) { return Place{1.5 * i, 1.5 * i}; })},
+      {"steep line", standing(10'000, [](auto i) { return Place{1.0 * i, -3.0 * i}; })},
+      {"ten columns far apart",
+       standing(10'000, [](auto i) { return Place{500.0 * (i % 10), 3.0 * (i / 10)}; })},
+      {"hundred columns", standing(10'000, [](auto i) { return Place{20.0 * (i % 100), 2.0 * (i / 100)}; })},
+      {"block", standing(10'000, [](auto i) { return Place{1.0 * (i % 100), 1.0 * (i / 100)}; })},
+      {"250 units of four", standing(1'000, [&](auto i) { return in_units(i, 1.5, 25.0); })},
+      {"250 units of four in a square",
+       standing(1'000, [](auto i) { return Place{40.0 * (i / 4 % 16) + 1.5 * (i % 4), 40.0 * (i / 64)}; })},
+      {"pairs",
+       standing(10'000, [](auto i) { return Place{30.0 * (i / 2 % 71) + 0.5 * (i % 2), 30.0 * (i / 142)}; })},
+      {"anywhere", scattered(10'000, random, 158.0)},
+  };
+  for (const auto& [name, items] : worlds) {
+    for (const double reach : {3.0, 10.0, 30.0}) {
+      const double share = looked_at(items, reach);
+      RecordProperty(std::string(name) + " " + std::to_string(reach), std::to_string(share));
+      EXPECT_LT(share, 4.0) << name << ", " << reach << " m";
+    }
   }
 }
 

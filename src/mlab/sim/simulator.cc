@@ -116,6 +116,12 @@ struct Simulator::Parts {
 
   /// Sorts bodies and objects anew where they moved since. Whichever thread comes first does it.
   void refresh();
+  /// Notes how far somebody asks for robots [m].
+  void note_reach(float asked_now) {
+    float before = asked.load(std::memory_order_relaxed);
+    while (before < asked_now && !asked.compare_exchange_weak(before, asked_now, std::memory_order_relaxed)) {
+    }
+  }
   std::uint32_t kind_of(const BodySpec& spec);
   void want(const percept::Action& action, std::uint32_t body, double dt);
   bool counts_wheels(std::uint32_t body) const {
@@ -136,6 +142,8 @@ struct Simulator::Parts {
   std::vector<geom::Pose> departure;    ///< of all bodies, before they move; where has_odometry
   PointGrid grid;
   std::vector<PointGrid::Item> items;
+  std::atomic<float> asked{0.0F};  ///< the farthest that robots were looked for since the grid was built [m]
+  float reach = 0.0F;              ///< the same over some cycles, for the size of its cells
   std::atomic<bool> is_stale{true};
   std::mutex refreshing;
   Placer placer;
@@ -157,7 +165,8 @@ void Simulator::Parts::refresh() {
     items.push_back({bodies.x[i], bodies.y[i], rounded_up(bodies.radius[i]), i});
     widest = std::max(widest, bodies.radius[i]);
   }
-  grid.build(items, std::max(0.05, 2.0 * widest));
+  reach = std::max(asked.exchange(0.0F, std::memory_order_relaxed), 0.5F * reach);
+  grid.build(items, std::max({0.05, 2.0 * widest, PointGrid::cell_for(static_cast<double>(reach))}));
   state.objects.refresh();
   is_stale.store(false, std::memory_order_release);
 }
@@ -352,6 +361,10 @@ void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buff
   const Sensors::Scene scene{bodies,        parts_->grid,          *state.statics, state.objects,
                              parts_->kinds, parts_->settings.seed, state.cycle};
   Sensors sensors(scene, i, buffer);
+  const bool uses_ring = needs.ranges || (needs.obstacle_range > 0.0 && spec(body).has_ring_obstacles);
+  const double ring = uses_ring ? spec(body).ring.range : 0.0;
+  parts_->note_reach(
+      static_cast<float>(usable_range(std::max({needs.robot_range, needs.object_range, ring}))));
   if (needs.obstacle_range > 0.0) sensors.sense_obstacles(usable_range(needs.obstacle_range), out);
   if (needs.robot_range > 0.0) sensors.sense_robots(usable_range(needs.robot_range), needs.max_robots, out);
   if (needs.object_range > 0.0) sensors.sense_objects(usable_range(needs.object_range), out);
