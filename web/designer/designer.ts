@@ -211,7 +211,7 @@ export class Designer {
     const { store } = this;
     switch (body.case) {
       case "hello":
-        store.setState({ hello: body.value });
+        store.setState({ hello: body.value, notKept: "" });
         this.arrive();
         break;
       case "renamed": {
@@ -244,6 +244,9 @@ export class Designer {
         store.setState((state) => ({ changed: { ...state.changed, [changed.document]: changed } }));
         break;
       }
+      case "keeping":
+        store.setState({ notKept: body.value.notKept });
+        break;
       case "marks": {
         const { document, marks } = body.value;
         store.setState((state) => ({ marks: { ...state.marks, [document]: marks } }));

@@ -75,6 +75,8 @@ export interface State {
   drawings: Readonly<Record<string, Drawing>>;
   palettes: Readonly<Record<string, Palette>>;
   changed: Readonly<Record<string, FileChanged>>;
+  /** Why what is not saved would be lost with the server; empty: it is kept. */
+  notKept: string;
   /** Probes and breakpoints, by document. */
   marks: Readonly<Record<string, readonly Mark[]>>;
   /** Path of the document that is shown; empty: the start page. */
@@ -132,6 +134,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
     drawings: {},
     palettes: {},
     changed: {},
+    notKept: "",
     marks: {},
     document: "",
     page: "",

@@ -29,13 +29,14 @@ OpenDocuments::OpenDocuments(ProjectFolder& project, mdl::LoadOptions options,
     : project_(project),
       options_(std::move(options)),
       drafts_(state_folder, project.folder()),
+      keeper_(drafts_),
       map_(std::make_shared<const overlay::Overlay>()) {
   options_.files = files();
   update_scene();
 }
 
 OpenDocuments::~OpenDocuments() {
-  keep_all_drafts();
+  keep_drafts(0.0, DraftKeeper::When::kAtOnce);
 }
 
 // ---- which documents there are
@@ -104,7 +105,7 @@ std::vector<const OpenDocument*> OpenDocuments::documents() const {
 // ---- which mission
 
 text::Result<bool> OpenDocuments::open(const std::string& path, double now) {
-  keep_all_drafts();
+  if (text::Result<bool> kept = keep_what_leaves(now); !kept) return kept;
   std::map<Key, OpenDocument> before = std::exchange(open_, {});
   const text::Result<Key> key = open_file(path, true);
   if (!key) {
@@ -156,11 +157,12 @@ OpenDocuments::Key OpenDocuments::add_trial(const std::string& path, const std::
   return add(std::move(out));
 }
 
-text::Result<bool> OpenDocuments::open_trial(const Trial& trial) {
+text::Result<bool> OpenDocuments::open_trial(const Trial& trial, double now) {
   const bool has_overlay = !trial.overlay_path.empty();
   const bool has_place = !project_.disk_path(trial.path).empty() &&
                          (!has_overlay || !project_.disk_path(trial.overlay_path).empty());
   if (!has_place) return refused("no-folder", fmt::format("there is no place for {}", shown(trial.path)));
+  if (text::Result<bool> kept = keep_what_leaves(now); !kept) return kept;
   close();
   mission_file_ = add_trial(trial.path, trial.text, true);
   if (has_overlay) add_trial(trial.overlay_path, trial.overlay_text, false);
@@ -169,7 +171,6 @@ text::Result<bool> OpenDocuments::open_trial(const Trial& trial) {
 }
 
 void OpenDocuments::close() {
-  keep_all_drafts();
   open_.clear();
   mission_file_ = 0;
   overlays_.clear();
@@ -188,7 +189,7 @@ void OpenDocuments::restore_drafts(double now) {
       if (!draft || !document.saved || draft->text == document.source->text() || !is_utf8(draft->text))
         continue;
       changes.push_back({key, 0, std::string(document.source->text()), draft->text});
-      document.draft_revision = document.revision;
+      document.draft.kept = document.revision;
       notices_.push_back(
           draft->file_digest == Drafts::digest(*document.saved)
               ? fmt::format("restored the unsaved text of {}", shown(document.path))
@@ -506,6 +507,7 @@ EditState OpenDocuments::edit_state() const {
   out.set_undo_number(log_.undo_number());
   out.set_redo_number(log_.redo_number());
   out.set_is_dirty(std::ranges::any_of(documents(), &OpenDocument::is_dirty));
+  out.set_not_kept(not_kept());
   return out;
 }
 

@@ -12,6 +12,7 @@
 
 #include "mlab/console.pb.h"
 #include "mlab/console/completion.h"
+#include "mlab/console/draft_keeper.h"
 #include "mlab/console/drafts.h"
 #include "mlab/console/edit_log.h"
 #include "mlab/console/overlay_edit.h"
@@ -33,9 +34,8 @@ struct OpenDocument {
   std::uint64_t revision = 1;        ///< grows with every change, undone ones as well
   std::optional<std::string> saved;  ///< as it stands on disk; nothing: not saved yet
   bool is_writable = true;
-  bool is_trial = false;             ///< of a Trial: there is nothing to save, unless under another name
-  double draft_time = -1e9;          ///< when a draft was written last
-  std::uint64_t draft_revision = 0;  ///< the text that it has; 0: there is none
+  bool is_trial = false;  ///< of a Trial: there is nothing to save, unless under another name
+  DraftState draft;
 
   /// What an undone edit leaves of a file that it had made.
   bool is_nothing() const { return !saved && source->text().empty(); }
@@ -62,23 +62,21 @@ class OpenDocuments {
   /// Opens a mission and its overlays, and begins the log of edits anew. Unsaved texts of the mission before
   /// stay as drafts. Drafts of the opened ones are put in as the first edit, so that undoing gives what
   /// stands on disk. A mission with errors is opened, too: then `mission()` is null.
-  /// @errors `cannot-read`
+  /// @errors `cannot-read`; `not-kept`: what is not saved can't be kept, so it would be lost
   text::Result<bool> open(const std::string& path, double now);
   /// A mission given on the command line, wherever it stands: what it names outside of the project becomes
   /// readable.
   text::Result<bool> open_on_disk(const std::string& disk_path, double now);
   /// Opens what a Trial brings along, in place of what was open. No draft is kept of it.
-  /// @errors `no-folder`: its paths are none
-  text::Result<bool> open_trial(const Trial& trial);
+  /// @errors `no-folder`: its paths are none; `not-kept`
+  text::Result<bool> open_trial(const Trial& trial, double now);
   /// The mission that is open is one.
   bool is_trial() const { return is_open() && mission_document().is_trial; }
-  /// Closes everything. Unsaved texts stay as drafts.
-  void close();
   bool is_open() const { return mission_file_ != 0; }
 
   /// A file that is not on disk yet. A MISSION is opened in place of what was open, with an empty overlay
   /// beside it; an OVERLAY comes to the mission that is open, which then names it.
-  /// @errors `file-exists`, `cannot-write` (a path that can't be written), `no-mission`
+  /// @errors `file-exists`, `cannot-write` (a path that can't be written), `no-mission`, `not-kept`
   text::Result<bool> create(const NewDocument& request, double now);
 
   // ---- edits
@@ -99,11 +97,16 @@ class OpenDocuments {
   /// `read-only`.
   ///         What could be saved before the error is saved.
   text::Result<bool> save(const SaveDocuments& request);
-  /// Writes drafts of what is not saved and was not written in the last second. To be called after edits and
-  /// now and then.
-  void keep_drafts(double now);
-  /// The same at once.
-  void keep_all_drafts();
+  /// Writes drafts of what is not saved, so that what ends this process takes nothing. To be called after
+  /// edits, before they are answered, and now and then: what could not be written is tried again after a
+  /// second.
+  void keep_drafts(double now, DraftKeeper::When when = DraftKeeper::When::kNowAndThen);
+  /// Waits until they are on the disk.
+  void sync_drafts(double now);
+  /// Why what is not saved would be lost with this process; empty: it would not.
+  std::string not_kept() const;
+  /// What would be lost: ``a.mdl`: No space left on device`.
+  std::vector<std::string> losses() const;
 
   // ---- what the texts mean
 
@@ -158,6 +161,7 @@ class OpenDocuments {
   text::Result<Key> open_file(const std::string& path, bool is_mission);
   Key add_trial(const std::string& path, const std::string& text, bool is_mission);
   Key add(OpenDocument document);
+  void close();
   void open_overlays();
   void restore_drafts(double now);
   text::Files files();
@@ -176,6 +180,8 @@ class OpenDocuments {
   void replace(const TextChange& change, bool undone);
   /// Does the changes, enters them as one edit, and checks.
   void commit(std::string name, std::vector<TextChange> changes, double now);
+  /// For what is about to leave: what is not saved stays as drafts, or an error says what can't.
+  text::Result<bool> keep_what_leaves(double now);
   text::Result<bool> save_one(OpenDocument& document);
   text::Result<bool> save_as(OpenDocument& document, const std::string& path);
   void take_along(const std::string& from_folder, const std::string& to_folder);
@@ -185,6 +191,7 @@ class OpenDocuments {
   ProjectFolder& project_;
   mdl::LoadOptions options_;
   Drafts drafts_;
+  DraftKeeper keeper_;
   std::map<Key, OpenDocument> open_;
   Key last_key_ = 0;
   Key mission_file_ = 0;                      // 0: none

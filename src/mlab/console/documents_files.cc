@@ -20,7 +20,6 @@ constexpr const char* kNewMission =
     "COMMAND LIST:\n\n"
     "  0. UNIT scouts START 100 100 0 20\n";
 constexpr const char* kNewOverlay = "MISSION-AREA 1000 1000\n\nCONTROL MEASURES:\n";
-constexpr double kDraftPause = 1.0;  // between two drafts of a text [s]
 
 // A document's text with the line ends of its file.
 std::string for_disk(const ProjectFolder& project, const OpenDocument& document) {
@@ -51,8 +50,8 @@ text::Result<bool> OpenDocuments::save_one(OpenDocument& document) {
   const text::Result<bool> written = project_.write(document.path, for_disk(project_, document));
   if (!written) return written;
   document.saved = std::string(document.source->text());
-  drafts_.drop(document.path);
-  document.draft_revision = 0;
+  document.draft.problem = drafts_.drop(document.path);
+  document.draft.kept = 0;
   return true;
 }
 
@@ -84,22 +83,42 @@ text::Result<bool> OpenDocuments::save(const SaveDocuments& request) {
   return out;
 }
 
-void OpenDocuments::keep_drafts(double now) {
+void OpenDocuments::keep_drafts(double now, DraftKeeper::When when) {
+  keeper_.look(now);
   for (auto& [key, document] : open_) {
-    if (!document.is_dirty() || document.is_nothing()) {
-      if (document.draft_revision != 0) drafts_.drop(document.path);
-      document.draft_revision = 0;
-    } else if (document.draft_revision != document.revision && now - document.draft_time >= kDraftPause) {
-      drafts_.keep(document.path, document.source->text(), document.saved ? &*document.saved : nullptr);
-      document.draft_revision = document.revision;
-      document.draft_time = now;
-    }
+    const std::string* file = document.saved ? &*document.saved : nullptr;
+    const bool is_unsaved = document.is_dirty() && !document.is_nothing();
+    keeper_.follow({document.path, document.source->text(), file, document.revision, is_unsaved},
+                   document.draft, now, when);
   }
 }
 
-void OpenDocuments::keep_all_drafts() {
-  for (auto& [key, document] : open_) document.draft_time = -1e9;
-  keep_drafts(0.0);
+void OpenDocuments::sync_drafts(double now) {
+  keep_drafts(now, DraftKeeper::When::kAtOnce);
+  for (auto& [key, document] : open_) keeper_.sync(document.path, document.draft);
+}
+
+std::vector<std::string> OpenDocuments::losses() const {
+  std::vector<std::string> out;
+  for (const auto& [key, document] : open_) {
+    if (!document.draft.problem.empty())
+      out.push_back(fmt::format("{}: {}", shown(document.path), document.draft.problem));
+  }
+  return out;
+}
+
+std::string OpenDocuments::not_kept() const {
+  const std::vector<std::string> lost = losses();
+  return lost.empty() ? keeper_.folder_problem() : lost.front();
+}
+
+text::Result<bool> OpenDocuments::keep_what_leaves(double now) {
+  keep_drafts(now, DraftKeeper::When::kAtOnce);
+  const std::vector<std::string> lost = losses();
+  if (lost.empty()) return true;
+  return refused("not-kept", fmt::format("what is not saved would be lost: save it first, or undo it "
+                                         "(it can't be kept as a draft: {})",
+                                         lost.front()));
 }
 
 // The same text under another name. A mission takes with it what stands beside it and is not there yet, so
@@ -114,7 +133,7 @@ text::Result<bool> OpenDocuments::save_as(OpenDocument& document, const std::str
   document.source = source_of(project_.disk_path(path), std::string(document.source->text()));
   document.saved = std::string(document.source->text());
   document.is_writable = true;
-  document.draft_revision = 0;
+  document.draft = {};
   document.is_trial = false;
   if (document.is_mission) {
     for (auto& [key, other] : open_) {
@@ -135,13 +154,16 @@ void OpenDocuments::take_along(const std::string& from_folder, const std::string
     const std::string below = fs::path(overlay.source->name()).lexically_relative(from_folder).string();
     const auto to = project_.name_of((fs::path(to_folder) / below).string());
     if (below.starts_with("..") || !to || project_.is_file(*to) || find(*to) != nullptr) continue;
-    if (!project_.write(*to, for_disk(project_, overlay))) continue;
+    if (const auto written = project_.write(*to, for_disk(project_, overlay)); !written) {
+      notices_.push_back(fmt::format("its overlay was not saved along: {}", written.error().message));
+      continue;
+    }
     drafts_.drop(overlay.path);
     overlay.path = *to;
     overlay.source = source_of(project_.disk_path(*to), std::string(overlay.source->text()));
     overlay.saved = std::string(overlay.source->text());
     overlay.is_writable = true;
-    overlay.draft_revision = 0;
+    overlay.draft = {};
     notices_.push_back(fmt::format("saved its overlay as {}", shown(*to)));
   }
 }
@@ -160,6 +182,7 @@ text::Result<bool> OpenDocuments::create_mission(const std::string& path, double
   const fs::path overlay = fs::path(path).replace_extension(".odl");
   if (overlay == path) return refused("cannot-write", "a mission's name ends with .mdl");
   const bool has_overlay = project_.is_file(overlay.string());
+  if (text::Result<bool> kept = keep_what_leaves(now); !kept) return kept;
   close();
   const std::string name = fs::path(path).stem().string();
   OpenDocument mission;
@@ -175,7 +198,6 @@ text::Result<bool> OpenDocuments::create_mission(const std::string& path, double
     add(std::move(map));
   }
   check();
-  keep_drafts(now);
   return true;
 }
 

@@ -58,10 +58,14 @@ std::string Drafts::digest(std::string_view text) {
   return fmt::format("{:016x}{:016x}", base::hash_text(text), base::hash_text(text, text.size()));
 }
 
-void Drafts::keep(std::string_view path, std::string_view text, const std::string* file) {
-  if (!fits_in_a_line(path)) return;
+std::string Drafts::keep(std::string_view path, std::string_view text, const std::string* file) {
+  if (!fits_in_a_line(path)) return "its name has more than one line";
   const std::string was = file == nullptr ? "new" : digest(*file);
-  folder_.write(file_of(path), fmt::format("{}{}\n{}\n{}", kFirstLine, was, path, text));
+  return folder_.write(file_of(path), fmt::format("{}{}\n{}\n{}", kFirstLine, was, path, text));
+}
+
+std::string Drafts::sync(std::string_view path) const {
+  return folder_.sync(file_of(path));
 }
 
 std::optional<Drafts::Draft> Drafts::find(std::string_view path) const {
@@ -70,8 +74,8 @@ std::optional<Drafts::Draft> Drafts::find(std::string_view path) const {
   return std::move(stored->draft);
 }
 
-void Drafts::drop(std::string_view path) {
-  folder_.remove(file_of(path));
+std::string Drafts::drop(std::string_view path) {
+  return folder_.remove(file_of(path));
 }
 
 std::vector<std::string> Drafts::new_files() const {

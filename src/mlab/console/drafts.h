@@ -10,6 +10,7 @@
 namespace mlab::console {
 
 /// What is kept between sessions of one project: texts that were not saved, and which missions were opened.
+/// Functions that return a text say why it could not be done; empty: it was, and outlives this process.
 class Drafts {
  public:
   struct Draft {
@@ -26,9 +27,13 @@ class Drafts {
   /// @param project  where the project is on the machine
   Drafts(const std::string& folder, std::string_view project);
 
-  void keep(std::string_view path, std::string_view text, const std::string* file);
+  std::string keep(std::string_view path, std::string_view text, const std::string* file);
+  /// Waits until a draft that was kept is on the disk.
+  std::string sync(std::string_view path) const;
   std::optional<Draft> find(std::string_view path) const;
-  void drop(std::string_view path);
+  std::string drop(std::string_view path);
+  /// Tries whether drafts can be kept.
+  std::string problem() const { return folder_.problem(); }
   /// Of new files, which are not on disk yet.
   std::vector<std::string> new_files() const;
 

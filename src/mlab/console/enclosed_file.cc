@@ -37,10 +37,16 @@ std::string reason(int error) {
   return std::generic_category().message(error);
 }
 
+// Folders of some file systems can't be synced, and need not be.
+bool sync_folder(int fd) {
+  return ::fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+}
+
 bool write_all(int fd, std::string_view text) {
   while (!text.empty()) {
     const ssize_t n = ::write(fd, text.data(), text.size());
     if (n < 0 && errno == EINTR) continue;
+    if (n == 0) errno = ENOSPC;
     if (n <= 0) return false;
     text.remove_prefix(static_cast<std::size_t>(n));
   }
@@ -53,7 +59,7 @@ EnclosedFolder::EnclosedFolder(const std::string& root, std::span<const std::str
   fd_ = ::open(root.c_str(), kFolder);
   for (const std::string& part : parts) {
     if (fd_ < 0) break;
-    if (missing == Missing::kMake) ::mkdirat(fd_, part.c_str(), 0777);
+    if (missing == Missing::kMake && ::mkdirat(fd_, part.c_str(), 0777) == 0) sync_folder(fd_);
     const int next = ::openat(fd_, part.c_str(), kFolder | O_NOFOLLOW);
     error_ = errno;
     ::close(fd_);
@@ -114,7 +120,8 @@ std::string EnclosedFolder::read(const std::string& name, std::size_t most_bytes
   }
 }
 
-std::string EnclosedFolder::write(const std::string& name, std::string_view text) const {
+std::string EnclosedFolder::write(const std::string& name, std::string_view text, Reach reach,
+                                  unsigned mode) const {
   if (fd_ < 0) return reason(error_);
   struct stat before{};
   const bool exists = ::fstatat(fd_, name.c_str(), &before, AT_SYMLINK_NOFOLLOW) == 0;
@@ -122,19 +129,25 @@ std::string EnclosedFolder::write(const std::string& name, std::string_view text
   if (exists && ::faccessat(fd_, name.c_str(), W_OK, 0) != 0) return reason(errno);
   const std::string beside = fmt::format(".{}.{}.part", name.substr(0, 200), ::getpid());
   ::unlinkat(fd_, beside.c_str(), 0);
-  const mode_t mode = exists ? before.st_mode & 0777U : 0666U;
+  const mode_t wanted = mode != 0 ? mode : exists ? before.st_mode & 0777U : 0666U;
   const Descriptor file(
-      ::openat(fd_, beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+      ::openat(fd_, beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, wanted));
   if (file < 0) return reason(errno);
-  if (exists) ::fchmod(file, mode);
-  if (write_all(file, text) && ::fsync(file) == 0 &&
-      ::renameat(fd_, beside.c_str(), fd_, name.c_str()) == 0) {
-    ::fsync(fd_);
-    return "";
-  }
+  if (exists) ::fchmod(file, wanted);
+  const bool waits = reach == Reach::kOnDisk;
+  const bool is_in_place = write_all(file, text) && (!waits || ::fsync(file) == 0) &&
+                           ::renameat(fd_, beside.c_str(), fd_, name.c_str()) == 0;
+  if (is_in_place && (!waits || sync_folder(fd_))) return "";
   const int error = errno;
-  ::unlinkat(fd_, beside.c_str(), 0);
+  if (!is_in_place) ::unlinkat(fd_, beside.c_str(), 0);
   return reason(error);
+}
+
+std::string EnclosedFolder::sync(const std::string& name) const {
+  if (fd_ < 0) return reason(error_);
+  const Descriptor file(::openat(fd_, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (file < 0 || ::fsync(file) != 0 || !sync_folder(fd_)) return reason(errno);
+  return "";
 }
 
 }  // namespace mlab::console

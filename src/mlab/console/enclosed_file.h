@@ -39,10 +39,18 @@ class EnclosedFolder {
   bool has_file(const std::string& name) const;
   /// @return  why it could not be read; empty: it was
   std::string read(const std::string& name, std::size_t most_bytes, std::string& out) const;
-  /// Writes a file beside it, waits until that is on the disk, and puts it in place. Never writes through a
-  /// link.
+  /// How far what is written has got when `write` returns: kInFileSystem outlives this process, kOnDisk the
+  /// machine's power.
+  enum class Reach { kInFileSystem, kOnDisk };
+  /// Writes a file beside it, and puts it in place: there is the old one or the new one at any moment. Never
+  /// writes through a link.
+  /// @param mode  of the file; 0: that of the file that stands there, or of any new one
   /// @return  why it could not be written; empty: it was
-  std::string write(const std::string& name, std::string_view text) const;
+  std::string write(const std::string& name, std::string_view text, Reach reach = Reach::kOnDisk,
+                    unsigned mode = 0) const;
+  /// Waits until a file that stands there is on the disk, and its name.
+  /// @return  why that is not sure; empty: it is
+  std::string sync(const std::string& name) const;
 
  private:
   int fd_ = -1;

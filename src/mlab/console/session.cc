@@ -29,6 +29,9 @@ void Session::emergency_stop() {
 Session::Picture Session::picture(std::uint64_t revision) const {
   return parts_->picture(revision);
 }
+std::vector<std::string> Session::end() {
+  return parts_->end();
+}
 std::string Session::report() const {
   return parts_->report();
 }

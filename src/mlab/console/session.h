@@ -22,7 +22,10 @@ struct SessionSettings {
   std::string mission;                       ///< path of the mission to open first; empty: none
   std::string version;                       ///< of mlab
   std::string include_root;                  ///< as robot::ProgramSources
-  std::string state_folder;                  ///< drafts, recent files
+  std::string state_folder;                  ///< drafts, recent files; empty: nothing is kept
+  /// Called, on the session's thread, whenever this changes: why what is not saved would be lost with this
+  /// process. Empty: it would not.
+  std::function<void(const std::string& why)> tell_not_kept = {};
   double speed = 10.0;                       ///< simulated seconds per second; 0: as fast as it goes
   bool may_compile = true;                   ///< native code of missions may be compiled and run
   bool allow_native = false;                 ///< as robot::ProgramSources
@@ -38,11 +41,15 @@ class Session {
   using Send = std::function<void(ConnectionId to, std::shared_ptr<const std::string> bytes)>;
 
   Session(SessionSettings settings, Send send);
-  /// Ends the run and the thread. Drafts are kept.
+  /// As `end`.
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  /// Ends the run and the thread. What is not saved is on the disk then, as drafts; what is asked later is
+  /// not answered.
+  /// @return  what could not be kept, and why: ``a.mdl`: No space left on device`
+  std::vector<std::string> end();
   /// A message of a connection, in order of arrival. The first one has to be a Hello.
   void receive(ConnectionId from, std::unique_ptr<ToServer> message);
   void closed(ConnectionId connection);

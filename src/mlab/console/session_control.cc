@@ -71,6 +71,8 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
                 : name_of(control.action()));
   switch (control.action()) {
     case Control::EXECUTE:
+      documents_.sync_drafts(now());  // so that it stays known what was executed
+      tell_not_kept();
       post(event::Execute{});
       break;
     case Control::PAUSE:

@@ -68,8 +68,24 @@ Session::Parts::Answered Session::Parts::edit(const std::string& who, const ToSe
     default:
       return "this request is not known here";
   }
+  keep_drafts();
   follow_documents();
   return error;
+}
+
+// Whatever ends this process after the answer, what it answers is in the file system, or the page says that it
+// is not.
+void Session::Parts::keep_drafts() {
+  documents_.keep_drafts(now());
+  tell_not_kept();
+}
+
+void Session::Parts::tell_not_kept() {
+  std::string why = documents_.not_kept();
+  if (why == not_kept_) return;
+  not_kept_ = std::move(why);
+  changes_.edits = true;
+  if (settings_.tell_not_kept) settings_.tell_not_kept(not_kept_);
 }
 
 Session::Parts::Answered Session::Parts::open(const std::string& who, const std::string& path) {

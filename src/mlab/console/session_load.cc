@@ -22,7 +22,7 @@ void Session::Parts::look_at_run(RunLook look) {
 }
 
 void Session::Parts::start_trial(const Trial& trial, TrialDone done) {
-  if (const text::Result<bool> opened = documents_.open_trial(trial); !opened) {
+  if (const text::Result<bool> opened = documents_.open_trial(trial, now()); !opened) {
     done({opened.error().message, {}});
     return;
   }

@@ -56,11 +56,16 @@ Session::Parts::Parts(SessionSettings settings, Send send)
 }
 
 Session::Parts::~Parts() {
+  end();
+}
+
+std::vector<std::string> Session::Parts::end() {
   ends_ = true;
   inbox_.wake();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
   jobs_end_.request_stop();
   workshop_.reset();
+  return documents_.losses();
 }
 
 double Session::Parts::now() const {
@@ -120,10 +125,10 @@ void Session::Parts::work() {
     advance();
     update_teleoperations();
     if (live_ && live_->run().is_over()) has_ended_ = true;
+    keep_drafts();
     publish();
-    documents_.keep_drafts(now());
   }
-  documents_.keep_all_drafts();
+  documents_.sync_drafts(now());
 }
 
 void Session::Parts::open_first_mission() {

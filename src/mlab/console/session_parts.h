@@ -48,6 +48,7 @@ class Session::Parts {
   void look_at_run(RunLook look);
   Picture picture(std::uint64_t revision) const;
   std::string report();
+  std::vector<std::string> end();
   bool has_ended() const { return has_ended_; }
 
  private:
@@ -119,6 +120,8 @@ class Session::Parts {
 
   Answered edit(const std::string& who, const ToServer& message);
   Answered open(const std::string& who, const std::string& path);
+  void keep_drafts();
+  void tell_not_kept();
   Answered set_parameter(const std::string& who, const SetParameter& set);
   /// Sets parameters of robots to these texts, now and in every later run. @errors  nothing has changed then
   Answered apply_parameters(const std::vector<std::uint32_t>& robots, const std::string& port,
@@ -195,6 +198,7 @@ class Session::Parts {
 
   ProjectFolder project_;
   OpenDocuments documents_;
+  std::string not_kept_;  // as it was told last
   std::string session_name_;  // another one each time the server is started
   EventLog log_;
   Roles roles_;

@@ -1,16 +1,44 @@
 #include "mlab/console/state_folder.h"
 
+#include <signal.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include <fmt/core.h>
 
 #include "mlab/base/hash.h"
-#include "mlab/console/enclosed_file.h"
 
 namespace mlab::console {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kNowhere = "neither XDG_STATE_HOME nor HOME names a folder";
+
+// The process that a half written file belongs to: `.NAME.PID.part`.
+std::optional<pid_t> writer_of(std::string_view name) {
+  constexpr std::string_view kEnd = ".part";
+  if (!name.starts_with('.') || !name.ends_with(kEnd)) return std::nullopt;
+  name.remove_suffix(kEnd.size());
+  const std::string_view digits = name.substr(name.rfind('.') + 1);
+  pid_t out = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), out);
+  const bool is_number = error == std::errc{} && end == digits.data() + digits.size() && out > 0;
+  return is_number ? std::optional(out) : std::nullopt;
+}
+
+bool has_ended(pid_t process) {
+  return ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
+}  // namespace
 
 StateFolder::StateFolder(const std::string& folder, std::string_view project) {
   if (folder.empty()) return;
@@ -18,6 +46,24 @@ StateFolder::StateFolder(const std::string& folder, std::string_view project) {
   std::error_code cannot;
   fs::create_directories(folder_, cannot);
   fs::permissions(folder_, fs::perms::owner_all, cannot);
+  remove_leftovers();
+}
+
+// Made where it is missing: a disk that was full may have room by now.
+EnclosedFolder StateFolder::open() const {
+  EnclosedFolder there(folder_, {});
+  if (there) return there;
+  std::error_code cannot;
+  fs::create_directories(folder_, cannot);
+  fs::permissions(folder_, fs::perms::owner_all, cannot);
+  return {folder_, {}};
+}
+
+void StateFolder::remove_leftovers() const {
+  for (const EnclosedFolder::Item& item : open().items(1000)) {
+    const std::optional<pid_t> writer = writer_of(item.name);
+    if (writer && has_ended(*writer)) remove(item.name);
+  }
 }
 
 std::string StateFolder::name_of(std::string_view path, std::string_view extension) {
@@ -28,14 +74,27 @@ bool StateFolder::read(const std::string& name, std::size_t most_bytes, std::str
   return !folder_.empty() && EnclosedFolder(folder_, {}).read(name, most_bytes, out).empty();
 }
 
-void StateFolder::write(const std::string& name, std::string_view bytes) const {
-  if (!folder_.empty()) EnclosedFolder(folder_, {}).write(name, bytes);
+std::string StateFolder::write(const std::string& name, std::string_view bytes) const {
+  if (folder_.empty()) return kNowhere;
+  return open().write(name, bytes, EnclosedFolder::Reach::kInFileSystem, 0600);
 }
 
-void StateFolder::remove(const std::string& name) const {
-  if (folder_.empty()) return;
+std::string StateFolder::remove(const std::string& name) const {
+  if (folder_.empty()) return "";
   std::error_code cannot;
   fs::remove(fs::path(folder_) / name, cannot);
+  return cannot ? cannot.message() : "";
+}
+
+std::string StateFolder::sync(const std::string& name) const {
+  return folder_.empty() ? kNowhere : open().sync(name);
+}
+
+std::string StateFolder::problem() const {
+  const std::string name = fmt::format("probe.{}", ::getpid());
+  std::string out = write(name, std::string(4096, '\n'));
+  if (!folder_.empty()) remove(name);
+  return out;
 }
 
 std::vector<std::string> StateFolder::names(std::string_view extension) const {

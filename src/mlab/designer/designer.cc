@@ -32,6 +32,9 @@ Designer::~Designer() = default;
 void Designer::receive(console::ConnectionId from, std::unique_ptr<ToDesigner> message) {
   parts_->receive(from, std::move(message));
 }
+std::vector<std::string> Designer::end() {
+  return parts_->end();
+}
 void Designer::closed(console::ConnectionId connection) {
   parts_->closed(connection);
 }
@@ -54,10 +57,17 @@ Designer::Parts::Parts(DesignerSettings settings, Send send)
 }
 
 Designer::Parts::~Parts() {
+  end();
+}
+
+std::vector<std::string> Designer::Parts::end() {
   ends_ = true;
   jobs_end_.request_stop();
   inbox_->wake();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+  std::vector<std::string> out = desk_.losses();
+  for (const auto& [document, why] : unkept_marks_) out.push_back(why);
+  return out;
 }
 
 void Designer::Parts::receive(console::ConnectionId from, std::unique_ptr<ToDesigner> message) {
@@ -68,13 +78,7 @@ void Designer::Parts::receive(console::ConnectionId from, std::unique_ptr<ToDesi
 
 void Designer::Parts::closed(console::ConnectionId connection) {
   inbox_->post([this, connection] {
-    const auto client = clients_.find(connection);
-    if (client == clients_.end()) return;
-    for (const std::string& path : client->second.documents) {
-      OpenConfiguration* one = desk_.find(path);
-      if (one != nullptr) one->draft_time = -1e9;
-    }
-    clients_.erase(client);
+    clients_.erase(connection);
   });
 }
 
@@ -95,6 +99,7 @@ void Designer::Parts::work() {
     std::vector<console::Inbox::Task> tasks = inbox_->wait_until(wake);
     while (!ends_) {
       for (const console::Inbox::Task& task : tasks) task();
+      keep_drafts();
       publish();
       send_answers();
       start_compilations();
@@ -102,10 +107,34 @@ void Designer::Parts::work() {
       if (tasks.empty()) break;
     }
     if (now() - last_look_ > kDiskPause) look_at_disk();
-    desk_.keep_drafts(now());
+    keep_drafts();
   }
-  for (OpenConfiguration* one : desk_.all()) one->draft_time = -1e9;
-  desk_.keep_drafts(0.0);
+  desk_.sync_drafts(now());
+}
+
+// Whatever ends this process after an answer, what it answers is in the file system, or the page says that it
+// is not.
+void Designer::Parts::keep_drafts() {
+  desk_.keep_drafts(now());
+  keep_marks_again();
+  tell_not_kept();
+}
+
+void Designer::Parts::tell_not_kept() {
+  std::string why = desk_.not_kept();
+  if (why.empty() && !unkept_marks_.empty()) why = unkept_marks_.begin()->second;
+  if (why == not_kept_) return;
+  not_kept_ = std::move(why);
+  for (const auto& [to, client] : clients_) {
+    if (client.has_greeted) send(to, keeping_message());
+  }
+  if (settings_.tell_not_kept) settings_.tell_not_kept(not_kept_);
+}
+
+FromDesigner Designer::Parts::keeping_message() const {
+  FromDesigner out;
+  out.mutable_keeping()->set_not_kept(not_kept_);
+  return out;
 }
 
 void Designer::Parts::start_compilations() {

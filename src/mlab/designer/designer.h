@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
@@ -19,6 +20,8 @@ struct DesignerSettings {
   std::string version;         ///< of mlab
   std::string include_root;    ///< as robot::ProgramSources
   std::string state_folder;    ///< drafts, recent files; empty: nothing is kept
+  /// As SessionSettings::tell_not_kept, on the designer's thread.
+  std::function<void(const std::string& why)> tell_not_kept = {};
   /// Hands a mission to the session in which it is seen running; any thread may call the second argument.
   /// Empty: there is none.
   std::function<void(console::Trial trial, console::TrialDone done)> try_out;
@@ -36,11 +39,13 @@ class Designer {
   using Send = std::function<void(console::ConnectionId to, std::shared_ptr<const std::string> bytes)>;
 
   Designer(DesignerSettings settings, Send send);
-  /// Ends the thread. Drafts are kept.
+  /// As `end`.
   ~Designer();
   Designer(const Designer&) = delete;
   Designer& operator=(const Designer&) = delete;
 
+  /// As Session::end.
+  std::vector<std::string> end();
   /// A message of a connection, in order of arrival. The first one has to be a Greeting.
   void receive(console::ConnectionId from, std::unique_ptr<ToDesigner> message);
   void closed(console::ConnectionId connection);

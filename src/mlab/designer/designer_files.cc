@@ -67,6 +67,7 @@ void Designer::Parts::greet(console::ConnectionId from, Client& client, const Gr
   for (const std::string& path : desk_.overlays())
     add_entry(*hello.mutable_overlays(), path, file_title(path));
   send(from, message);
+  if (!not_kept_.empty()) send(from, keeping_message());
   if (!first_error_.empty()) {
     out.set_ok(false);
     out.set_error(first_error_);
@@ -160,9 +161,9 @@ void Designer::Parts::save(const Save& request, Answer& out) {
   if (*saved == before) return;
   if (last_trial_.document == before) last_trial_.document = *saved;
   if (auto marks = marks_.extract(before); !marks.empty()) {
-    mark_store_.keep(*saved, marks.mapped());
+    const auto moved = marks_.insert_or_assign(*saved, std::move(marks.mapped())).first;
+    keep_marks(*saved, moved->second);
     mark_store_.drop(before);
-    marks_.insert_or_assign(*saved, std::move(marks.mapped()));
   }
   FromDesigner renamed;
   renamed.mutable_renamed()->set_from(before);

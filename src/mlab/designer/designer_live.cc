@@ -130,7 +130,7 @@ void Designer::Parts::set_mark(const SetMark& request, Answer& out) {
     }
   }
   out.set_text(fmt::format("{}", marks.add(request.mark(), one->drawn, std::move(way))));
-  mark_store_.keep(one->path, marks);
+  keep_marks(one->path, marks);
 }
 
 void Designer::Parts::remove_mark(const RemoveMark& request, Answer& out) {
@@ -139,12 +139,32 @@ void Designer::Parts::remove_mark(const RemoveMark& request, Answer& out) {
     fail(out, not_known("there is no such mark").error());
     return;
   }
-  mark_store_.keep(marks->first, marks->second);
+  keep_marks(marks->first, marks->second);
+}
+
+void Designer::Parts::keep_marks(const std::string& document, const Marks& marks) {
+  const std::string why = mark_store_.keep(document, marks);
+  if (why.empty())
+    unkept_marks_.erase(document);
+  else
+    unkept_marks_[document] = fmt::format("marks of `{}`: {}", text::shown(document, 200), why);
+}
+
+// What could not be kept is tried again, but not all the time.
+void Designer::Parts::keep_marks_again() {
+  constexpr double kPause = 1.0;  // [s]
+  if (unkept_marks_.empty() || now() - marks_tried_ < kPause) return;
+  marks_tried_ = now();
+  for (const auto& [document, why] : std::map(unkept_marks_)) {
+    const auto marks = marks_.find(document);
+    if (marks != marks_.end()) keep_marks(document, marks->second);
+  }
 }
 
 void Designer::Parts::drop_marks(const std::string& document) {
   marks_.erase(document);
   mark_store_.drop(document);
+  unkept_marks_.erase(document);
 }
 
 void Designer::Parts::move_marks() {
@@ -166,7 +186,7 @@ void Designer::Parts::move_marks() {
         return first;
       });
   if (!is_changed) return;
-  mark_store_.keep(marks->first, marks->second);
+  keep_marks(marks->first, marks->second);
   publish();
 }
 

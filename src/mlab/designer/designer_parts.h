@@ -33,6 +33,7 @@ class Designer::Parts {
 
   void receive(console::ConnectionId from, std::unique_ptr<ToDesigner> message);
   void closed(console::ConnectionId connection);
+  std::vector<std::string> end();
 
  private:
   /// A browser: what it looks at, and what it has been sent last.
@@ -109,6 +110,8 @@ class Designer::Parts {
   /// Takes the marks of what is tried to where their pages run in it, and tells everybody before the answer
   /// comes.
   void move_marks();
+  void keep_marks(const std::string& document, const Marks& marks);
+  void keep_marks_again();
   /// Those of an earlier server.
   void restore_marks(const OpenConfiguration& one);
   void write_back(const WriteBack& request, Answer& out);
@@ -145,6 +148,9 @@ class Designer::Parts {
   /// Gives the compiler all texts that have changed.
   void start_compilations();
   double now() const;
+  void keep_drafts();
+  void tell_not_kept();
+  FromDesigner keeping_message() const;
 
   DesignerSettings settings_;
   Send send_;
@@ -156,6 +162,9 @@ class Designer::Parts {
   LastTrial last_trial_;
   std::map<std::string, Marks> marks_;  ///< by document; also of those that nobody looks at now
   MarkStore mark_store_;
+  std::map<std::string, std::string> unkept_marks_;  ///< by document: why
+  double marks_tried_ = 0.0;
+  std::string not_kept_;  ///< as it was told last
   std::set<std::string, std::less<>> typed_;  ///< documents of which nothing but the text is new yet
   std::vector<std::pair<console::ConnectionId, FromDesigner>> answers_;  ///< of requests that came together
   bool is_deferred_ = false;  ///< the request in hand is answered later

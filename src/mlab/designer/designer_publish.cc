@@ -14,7 +14,7 @@ void Designer::Parts::publish() {
   settle();
   for (auto& [path, marks] : marks_) {
     const OpenConfiguration* one = desk_.find(path);
-    if (one != nullptr && marks.follow(one->drawn)) mark_store_.keep(path, marks);
+    if (one != nullptr && marks.follow(one->drawn)) keep_marks(path, marks);
   }
   for (auto& [to, client] : clients_) publish_to(to, client);
 }

@@ -215,6 +215,8 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
   }
   trial.text = trial_mission(*completed, file, *field);
   trial.execute = request.execute();
+  desk_.sync_drafts(now());  // so that it stays known what was executed
+  tell_not_kept();
   const LastTrial last = {one->path, tried, *completed, file, trial.path, wish};
   is_deferred_ = true;
   settings_.try_out(

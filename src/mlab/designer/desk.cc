@@ -28,7 +28,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kLibrary = "library:";
 constexpr std::string_view kLibraryFolder = "library/";
 constexpr std::string_view kNew = "new:";
-constexpr double kDraftPause = 1.0;  // between two drafts of a text [s]
 
 std::unexpected<text::Diagnostic> refused(std::string kind, std::string message) {
   return std::unexpected(
@@ -70,6 +69,7 @@ const library::ConfigurationText* library_text(std::string_view path) {
 Desk::Desk(const Settings& settings)
     : project_({settings.project_folder, settings.example_folder}),
       drafts_(settings.state_folder.empty() ? "" : settings.state_folder + "/designer", project_.folder()),
+      keeper_(drafts_),
       files_(files()) {}
 
 OpenConfiguration* Desk::find(std::string_view path) {
@@ -348,30 +348,46 @@ text::Result<OpenConfiguration*> Desk::open_on_disk(const std::string& disk_path
 void Desk::restore_draft(OpenConfiguration& one, double now) {
   const std::optional<console::Drafts::Draft> draft = drafts_.find(one.path);
   if (!draft) return;
-  one.text.change(draft->text, "restore unsaved work", now);
-  one.draft_revision = one.text.revision();
+  if (draft->text != one.text.text()) one.text.change(draft->text, "restore unsaved work", now);
+  one.draft.kept = one.text.revision();
 }
 
-void Desk::keep_drafts(double now) {
+void Desk::keep_draft(OpenConfiguration& one, double now, console::DraftKeeper::When when) {
+  if (!one.is_writable) return;
+  const std::string* file = one.saved ? &*one.saved : nullptr;
+  keeper_.follow({one.path, one.text.text(), file, one.text.revision(), one.is_dirty()}, one.draft, now, when);
+}
+
+void Desk::keep_drafts(double now, console::DraftKeeper::When when) {
+  keeper_.look(now);
+  for (const auto& [path, one] : open_) keep_draft(*one, now, when);
+}
+
+void Desk::sync_drafts(double now) {
+  keep_drafts(now, console::DraftKeeper::When::kAtOnce);
+  for (const auto& [path, one] : open_) keeper_.sync(path, one->draft);
+}
+
+std::vector<std::string> Desk::losses() const {
+  std::vector<std::string> out;
   for (const auto& [path, one] : open_) {
-    if (!one->is_writable) continue;
-    if (!one->is_dirty()) {
-      if (one->draft_revision != 0) drafts_.drop(path);
-      one->draft_revision = 0;
-    } else if (one->draft_revision != one->text.revision() && now - one->draft_time >= kDraftPause) {
-      drafts_.keep(path, one->text.text(), one->saved ? &*one->saved : nullptr);
-      one->draft_revision = one->text.revision();
-      one->draft_time = now;
-    }
+    if (one->draft.problem.empty()) continue;
+    const std::string name = is_new(path) ? fmt::format("`{}`", unsaved_title(one->text.text())) : shown(path);
+    out.push_back(fmt::format("{}: {}", name, one->draft.problem));
   }
+  return out;
+}
+
+std::string Desk::not_kept() const {
+  const std::vector<std::string> lost = losses();
+  return lost.empty() ? keeper_.folder_problem() : lost.front();
 }
 
 void Desk::close(std::string_view path) {
   OpenConfiguration* one = find(path);
   if (one == nullptr) return;
-  one->draft_time = -1e9;
-  keep_drafts(0.0);
-  open_.erase(open_.find(path));
+  keep_draft(*one, 0.0, console::DraftKeeper::When::kAtOnce);
+  if (one->draft.problem.empty()) open_.erase(open_.find(path));
 }
 
 void Desk::discard(const std::string& path) {
@@ -409,8 +425,8 @@ text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request
   }
   const text::Result<bool> written = write(path, one.text.text(), one.path);
   if (!written) return std::unexpected(written.error());
-  drafts_.drop(one.path);
-  one.draft_revision = 0;
+  one.draft = {};
+  one.draft.problem = drafts_.drop(one.path);
   one.saved = one.text.text();
   one.asked.reset();
   one.is_writable = true;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mlab/console/draft_keeper.h"
 #include "mlab/console/drafts.h"
 #include "mlab/console/project_folder.h"
 #include "mlab/designer.pb.h"
@@ -41,8 +42,7 @@ struct OpenConfiguration {
   std::uint64_t beside_seen = 0;             ///< Desk::offered_number when it was read
   std::uint64_t model_number = 0;            ///< grows with every new model
   double compile_ms = -1.0;
-  double draft_time = -1e9;
-  std::uint64_t draft_revision = 0;  ///< 0: there is no draft
+  console::DraftState draft;
 
   explicit OpenConfiguration(std::string content) : text(std::move(content)) {}
   bool is_dirty() const { return saved ? *saved != text.text() : !text.text().empty(); }
@@ -69,7 +69,7 @@ class Desk {
   text::Result<OpenConfiguration*> open(const std::string& path, double now);
   /// A file given on the command line, wherever it stands.
   text::Result<OpenConfiguration*> open_on_disk(const std::string& disk_path, double now);
-  /// Nobody looks at it any more; what is not saved stays as a draft.
+  /// Nobody looks at it any more; what is not saved stays as a draft, or, where that can't be written, open.
   void close(std::string_view path);
   /// The same, and nothing of it stays.
   void discard(const std::string& path);
@@ -95,7 +95,11 @@ class Desk {
     bool is_dirty_here = false;
   };
   std::vector<Change> look_at_disk(double now);
-  void keep_drafts(double now);
+  /// As OpenDocuments has them.
+  void keep_drafts(double now, console::DraftKeeper::When when = console::DraftKeeper::When::kNowAndThen);
+  void sync_drafts(double now);
+  std::string not_kept() const;
+  std::vector<std::string> losses() const;
 
   DrawingContext context(const OpenConfiguration& one) const;
   /// The id of the document that a source is the text of; empty where it can't be opened.
@@ -125,6 +129,7 @@ class Desk {
   void model(OpenConfiguration& one);
   text::Result<OpenConfiguration*> import(const std::string& path, const std::string& content, double now);
   void restore_draft(OpenConfiguration& one, double now);
+  void keep_draft(OpenConfiguration& one, double now, console::DraftKeeper::When when);
   text::Result<bool> save_to_library(OpenConfiguration& one, const std::string& declaration);
   text::Files files();
   /// The same for other threads: the open texts as they stand now.
@@ -137,6 +142,7 @@ class Desk {
 
   console::ProjectFolder project_;
   console::Drafts drafts_;
+  console::DraftKeeper keeper_;
   text::Files files_;
   cdl::Environment environment_;
   std::map<std::string, std::unique_ptr<OpenConfiguration>, std::less<>> open_;

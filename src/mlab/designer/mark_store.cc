@@ -16,19 +16,16 @@ std::string kept_in(std::string_view document) {
 
 }  // namespace
 
-void MarkStore::keep(const std::string& document, const Marks& marks) const {
-  if (marks.is_empty()) {
-    drop(document);
-    return;
-  }
+std::string MarkStore::keep(const std::string& document, const Marks& marks) const {
+  if (marks.is_empty()) return drop(document);
   KeptMarks kept;
   kept.set_document(document);
   marks.encode(kept);
-  folder_.write(kept_in(document), kept.SerializeAsString());
+  return folder_.write(kept_in(document), kept.SerializeAsString());
 }
 
-void MarkStore::drop(std::string_view document) const {
-  folder_.remove(kept_in(document));
+std::string MarkStore::drop(std::string_view document) const {
+  return folder_.remove(kept_in(document));
 }
 
 std::optional<Marks> MarkStore::find(std::string_view document, const cdl::Environment& environment) const {

@@ -17,8 +17,9 @@ class MarkStore {
   /// @param project  where the project is on the machine
   MarkStore(const std::string& folder, std::string_view project) : folder_(folder, project) {}
 
-  void keep(const std::string& document, const Marks& marks) const;
-  void drop(std::string_view document) const;
+  /// @return  why they could not be kept; empty: they are, and outlive this process
+  std::string keep(const std::string& document, const Marks& marks) const;
+  std::string drop(std::string_view document) const;
   /// Nothing: there are none, or they can't be read. Names are those of the text that they were kept with.
   std::optional<Marks> find(std::string_view document, const cdl::Environment& environment) const;
 

@@ -1,7 +1,8 @@
 // What has to be known before anything else, across the whole width.
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
+import { plain } from "../format.ts";
 import { showErrors } from "../mission/press.ts";
-import { control, passOperator, sentence, takeOperator } from "../orders.ts";
+import { control, passOperator, save, sentence, takeOperator } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
@@ -15,6 +16,7 @@ export function Banners() {
       <RequestBanner />
       <WatchingBanner />
       <OlderTextBanner />
+      <NotKeptBanner />
       <Notice />
     </>
   );
@@ -121,6 +123,23 @@ function OlderTextBanner() {
       <Icon name="warning" />
       <span className="grow">The mission text has errors. What runs is the last version without.</span>
       <Button onPress={() => showErrors(session)}>Show the errors</Button>
+    </div>
+  );
+}
+
+function NotKeptBanner() {
+  const session = useSession();
+  const edits = usePart("edits");
+  const isOperator = useIsOperator();
+  if (!edits?.notKept) return null;
+  return (
+    <div className={`banner ${edits.isDirty ? "danger" : "hold"}`} role="alert">
+      <Icon name="warning" />
+      <span className="grow">
+        What is not saved is not kept, and is lost when mlab ends: {plain(edits.notKept)}.
+        {edits.isDirty ? " There is something that is not saved." : ""}
+      </span>
+      {edits.isDirty && isOperator && <Button onPress={() => save(session)}>Save</Button>}
     </div>
   );
 }

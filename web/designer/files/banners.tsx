@@ -16,6 +16,7 @@ export function Banners() {
   return (
     <>
       <LinkBanner />
+      <NotKeptBanner />
       <ReadOnlyBanner />
     </>
   );
@@ -61,6 +62,24 @@ function LinkBanner() {
           <Button onPress={() => designer.link.connect()}>Try now</Button>
         </>
       )}
+    </Banner>
+  );
+}
+
+function NotKeptBanner() {
+  const designer = useDesigner();
+  const notKept = usePart((state) => state.notKept);
+  const isDirty = usePart((state) => Object.values(state.documents).some((document) => document.isDirty));
+  const canSave = useDocument()?.isDirty === true;
+  if (!notKept) return null;
+  return (
+    <Banner tone={isDirty ? "danger" : "hold"} role="alert">
+      <Icon name="warning" />
+      <span className="grow">
+        What is not saved is not kept, and is lost when mlab ends: {notKept.replaceAll("`", "")}.
+        {isDirty ? " There is something that is not saved." : ""}
+      </span>
+      {canSave && <Button onPress={() => void designer.save()}>Save</Button>}
     </Banner>
   );
 }

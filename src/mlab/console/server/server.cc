@@ -95,7 +95,9 @@ class Server::Network {
     is_loopback_ = address.is_loopback();
     is_any_ = address.is_unspecified();
     port_ = acceptor_.local_endpoint(code).port();
-    Access access(settings.token.empty() ? make_token() : settings.token,
+    const bool keeps_token =
+        !settings.token.empty() && (settings.token_port == 0 || settings.token_port == port_);
+    Access access(keeps_token ? settings.token : make_token(),
                   {address_, hostname(), port_, is_encrypted()});
     desk_ = std::make_unique<Desk>(io_, Routes(std::move(access), WebFiles::read(settings.web_folder)));
     return true;
@@ -122,6 +124,7 @@ class Server::Network {
   }
 
   std::uint16_t port() const { return port_; }
+  const std::string& token() const { return desk_->routes.access().token(); }
   bool is_encrypted() const { return tls_ != nullptr; }
   bool is_loopback() const { return is_loopback_; }
 
@@ -237,6 +240,9 @@ void Server::send(ConnectionId to, std::shared_ptr<const std::string> bytes) {
 }
 std::uint16_t Server::port() const {
   return network_->port();
+}
+const std::string& Server::token() const {
+  return network_->token();
 }
 std::vector<std::string> Server::urls(const std::string& page) const {
   return network_->urls(page);

@@ -24,6 +24,7 @@ struct ServerSettings {
   std::string key;                      ///< PEM file
   std::string web_folder;               ///< index.html and what it loads
   std::string token;                    ///< empty: a new random one
+  std::uint16_t token_port = 0;         ///< the only port that the token is good for; 0: any
 };
 
 /// Bytes to be sent, and what they are.
@@ -68,6 +69,7 @@ class Server {
   void send(ConnectionId to, std::shared_ptr<const std::string> bytes);
 
   std::uint16_t port() const;
+  const std::string& token() const;
   /// What to open in a browser, token included: first from this machine, then, where it listens to others,
   /// from elsewhere.
   /// @param page  `designer.html`; empty: the console's
