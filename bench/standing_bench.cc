@@ -2,6 +2,7 @@
 // and drives about. Prints how fast that goes in processor time, and a sum that tells whether they ended at
 // the same places.
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>

@@ -39,6 +39,11 @@ export class Mlab {
     return Mlab.answering(new Mlab("run", options));
   }
 
+  /** As `start`, with the folder of what one before it remembered. */
+  static startAgain(state: string, ...options: string[]): Promise<Mlab> {
+    return Mlab.answering(new Mlab("run", options, state));
+  }
+
   /** As `mlab edit OPTIONS`. `state`: the folder of what one before it remembered. */
   static edit(options: string[], state?: string): Promise<Mlab> {
     return Mlab.answering(new Mlab("edit", options, state));

@@ -90,6 +90,24 @@ test("the page says so when the server is gone, and offers nothing that could no
   await page.context().close();
 });
 
+test("a page that was left open finds its way back to a server that was killed and started again", async () => {
+  const mission = join(missions, "demo_c", "demo_c.mdl");
+  const first = await Mlab.start(mission);
+  const page = await openPage();
+  await page.goto(first.url);
+  const execute = page.getByTestId("start-button").filter({ hasText: "Execute" });
+  await execute.waitFor();
+  const state = await first.kill();
+  await page.getByText(/Connection lost/).waitFor();
+  const again = await Mlab.startAgain(state, mission, "--port", new URL(first.url).port);
+  expect(again.url).toBe(first.url);
+  await page.getByText(/Connection lost/).waitFor({ state: "detached" });
+  await execute.click();
+  await page.getByTestId("run-state").filter({ hasText: "Running" }).waitFor();
+  await page.context().close();
+  await again.stop();
+});
+
 test("a mission that nobody started is no failure", async () => {
   expect(await mlab.stop()).toBe(0);
 });

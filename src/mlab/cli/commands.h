@@ -37,6 +37,7 @@ struct RunOptions {
   std::string key;                    ///< PEM file
   std::string project;                ///< folder; empty: the mission's, or the current one
   bool no_browser = false;
+  bool new_token = false;  ///< pages that were left open do not find this server
 
   // Of the designer, which is the console with one page more.
   bool edits = false;

@@ -4,16 +4,21 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -22,12 +27,16 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/kept_address.h"
+#include "mlab/cli/output.h"
 #include "mlab/cli/run_settings.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/console.pb.h"
+#include "mlab/console/project_folder.h"
 #include "mlab/console/server/server.h"
 #include "mlab/console/session.h"
+#include "mlab/console/state_folder.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
 #include "mlab/lang/envchange/envchange.h"
@@ -52,6 +61,7 @@ void on_interrupt(int) {
   ::clock_gettime(CLOCK_MONOTONIC, &now);
   if (was_interrupted == 0) first_interrupt = now;
   was_interrupted = 1;
+  output_hurries = 1;
   const double seconds = static_cast<double>(now.tv_sec - first_interrupt.tv_sec) +
                          1e-9 * static_cast<double>(now.tv_nsec - first_interrupt.tv_nsec);
   if (seconds > 0.5) _exit(kFailed);
@@ -117,6 +127,20 @@ std::optional<console::ServerSettings> server_settings(const RunOptions& options
   return out;
 }
 
+// What an open page knows of the last server is good for this one, where it gets the same port. Whoever has
+// that port by now may have been told the token, so on another one there is a new one.
+void take_over(const KeptAddress& kept, const RunOptions& options, console::ServerSettings& out) {
+  if (kept.found() == KeptAddress::Found::kUnsafe)
+    fmt::print(stderr, "mlab: warning: the address of the last start is not used again: {}\n",
+               kept.problem());
+  if (kept.found() != KeptAddress::Found::kAddress || kept.address().host != out.address) return;
+  const bool may_choose = out.ports.size() > 1;
+  if (may_choose) out.ports.insert(out.ports.begin(), kept.address().port);
+  if (options.new_token) return;
+  out.token = kept.address().token;
+  out.token_port = kept.address().port;
+}
+
 // The mission, for what the terminal says about it; what is wrong with it is shown here and in the console.
 struct Look {
   std::shared_ptr<const mission::Mission> mission;
@@ -142,7 +166,36 @@ Look look_at(const RunOptions& options, fleet::RunSettings& settings) {
   return out;
 }
 
-void show_start(const console::Server& server, const RunOptions& options, const Look& look, bool was_opened) {
+/// Says at this terminal when what is not saved begins or ceases to be kept. Two threads may tell it.
+class KeepingTold {
+ public:
+  explicit KeepingTold(std::string folder) : folder_(std::move(folder)) {}
+
+  /// @param why  it is not kept; empty: it is
+  void tell(const std::string& who, const std::string& why) {
+    const std::scoped_lock lock(mutex_);
+    const bool was_kept = is_kept();
+    why_[who] = why;
+    if (!why.empty() && why != told_)
+      fmt::print(stderr, "mlab: warning: what is not saved is not kept: {}{}\n", why,
+                 folder_.empty() ? "" : fmt::format(" (in {})", folder_));
+    if (!was_kept && is_kept()) fmt::print(stderr, "mlab: what is not saved is kept again\n");
+    told_ = is_kept() ? "" : why.empty() ? told_ : why;
+  }
+
+ private:
+  bool is_kept() const {
+    return std::ranges::all_of(why_, [](const auto& entry) { return entry.second.empty(); });
+  }
+
+  const std::string folder_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> why_;
+  std::string told_;
+};
+
+void show_start(const console::Server& server, const RunOptions& options, const Look& look, bool was_opened,
+                bool is_kept) {
   const std::vector<std::string> urls = server.urls(options.edits ? "designer.html" : "");
   if (options.edits)
     fmt::print("The designer{}.\n", options.configuration.empty() ? "" : " for " + options.configuration);
@@ -155,8 +208,8 @@ void show_start(const console::Server& server, const RunOptions& options, const 
                options.mission, look.mission->robots.size(), look.mission->steps.size());
   fmt::print("{} in a browser:\n\n", was_opened ? "It opens" : "Open this address");
   for (const std::string& url : urls) fmt::print("    {}\n", url);
-  fmt::print("\nCtrl-C here ends {}.\n",
-             options.edits ? "the designer; what is not saved is kept" : "the run and the console");
+  fmt::print("\nCtrl-C here ends {}; what is not saved is {}.\n",
+             options.edits ? "the designer" : "the run and the console", is_kept ? "kept" : "lost then");
   std::fflush(stdout);
   if (!server.is_loopback() && !server.is_encrypted()) {
     fmt::print(
@@ -208,6 +261,11 @@ designer::DesignerSettings designer_settings(const RunOptions& options,
 
 int serve(const RunOptions& options, console::SessionSettings settings, const Look& look,
           console::Server& server) {
+  KeepingTold keeping(settings.state_folder);
+  settings.tell_not_kept = [&](const std::string& why) { keeping.tell("console", why); };
+  const std::string& kept_in = settings.state_folder;
+  const std::string project = console::ProjectFolder({settings.project_folder, ""}).folder();
+  const bool is_kept = console::StateFolder(kept_in, project).problem().empty();
   settings.may_compile = server.is_loopback() || options.allow_native;
   const auto send = [&server](console::ConnectionId to, auto bytes) { server.send(to, std::move(bytes)); };
   designer::DesignerSettings drawing = designer_settings(options, settings);
@@ -215,6 +273,7 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   drawing.try_out = [&session](console::Trial trial, console::TrialDone done) {
     session.try_out(std::move(trial), std::move(done));
   };
+  drawing.tell_not_kept = [&](const std::string& why) { keeping.tell("designer", why); };
   drawing.look_at_run = [&session](console::RunLook shown) { session.look_at_run(std::move(shown)); };
   std::unique_ptr<designer::Designer> designer;  // ends first: it asks the session
   if (options.edits) designer = std::make_unique<designer::Designer>(std::move(drawing), send);
@@ -237,13 +296,18 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   server.start(std::move(handlers));
   Browser browser;
   const std::string page = options.edits ? "designer.html" : "";
-  show_start(server, options, look, !options.no_browser && browser.open(server.urls(page).front()));
+  show_start(server, options, look, !options.no_browser && browser.open(server.urls(page).front()), is_kept);
   wait_for_interrupt();
   fmt::print("\nending\n");
   const std::string report = session.report();
   server.stop();
+  std::vector<std::string> lost = designer ? designer->end() : std::vector<std::string>{};
+  std::ranges::move(session.end(), std::back_inserter(lost));
+  for (const std::string& what : lost)
+    fmt::print(stderr, "mlab: error: what was not saved is lost: {}\n", what);
   if (!options.report.empty() && !report.empty() && !deliver("report", options.report, report))
     return kFailed;
+  if (!lost.empty()) return kFailed;
   return options.strict && look.warnings > 0 ? kFailed : exit_status(report);
 }
 
@@ -256,15 +320,22 @@ int run_console(const RunOptions& options) {
   if (const std::string reason = why_web_is_missing(); !reason.empty())
     return usage_error("there is no page to show; --headless carries a mission out without\n" + reason);
   std::optional<RunManner> manner = run_manner(options, kConsoleSpeed);
-  const std::optional<console::ServerSettings> where = manner ? server_settings(options) : std::nullopt;
+  std::optional<console::ServerSettings> where = manner ? server_settings(options) : std::nullopt;
   if (!where) return kBadInput;
   const Look look = look_at(options, manner->settings);
   if (!look.is_readable || !look.is_usable) return kBadInput;
+  console::SessionSettings settings = session_settings(options, std::move(*manner));
+  const KeptAddress kept(settings.state_folder,
+                         console::ProjectFolder({settings.project_folder, ""}).folder(),
+                         options.edits ? "edit" : "run");
+  take_over(kept, options, *where);
   std::string error;
   const std::unique_ptr<console::Server> server = console::Server::open(*where, error);
   if (!server) return usage_error(error);
   if (!listen_for_interrupts()) return usage_error("the operating system has no descriptor left");
-  return serve(options, session_settings(options, std::move(*manner)), look, *server);
+  if (const std::string why = kept.keep({where->address, server->port(), server->token()}); !why.empty())
+    fmt::print(stderr, "mlab: warning: a page that is left open will not find the next server: {}\n", why);
+  return serve(options, std::move(settings), look, *server);
 }
 
 int edit(RunOptions options) {

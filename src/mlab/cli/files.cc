@@ -127,9 +127,7 @@ std::string state_folder() {
   if (folder.empty() && !environment_variable("HOME").empty())
     folder = fs::path(environment_variable("HOME")) / ".local" / "state";
   if (!folder.is_absolute()) return "";
-  std::error_code error;
-  fs::create_directories(folder / "mlab", error);
-  return fs::is_directory(folder / "mlab", error) ? (folder / "mlab").string() : "";
+  return (folder / "mlab").string();
 }
 
 }  // namespace mlab::cli

@@ -36,8 +36,8 @@ std::string web_folder();
 /// Why there is no web client to hand out, in lines for a person; empty where there is one.
 std::string why_web_is_missing();
 std::string example_folder();
-/// Where the console keeps what it remembers from one start to the next, by the rules of XDG; made where it
-/// is missing. Empty where there is no such place.
+/// Where the console keeps what it remembers from one start to the next, by the rules of XDG; it may be
+/// missing. Empty where there is no such place.
 std::string state_folder();
 
 }  // namespace mlab::cli

@@ -17,6 +17,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/export_command.h"
+#include "mlab/cli/output.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
 #include "mlab/text/diagnostic.h"
@@ -114,6 +115,11 @@ void add_console(CLI::App* c, RunOptions& o, const std::string& group) {
       ->type_name("FOLDER")
       ->group(group);
   c->add_flag("--no-browser", o.no_browser, "only print the address")->group(group);
+  c->add_flag(
+       "--new-token", o.new_token,
+       "lets nobody in who has the address of an earlier start (else it stays the same for a project, so\n"
+       "that pages which were left open find their way back)")
+      ->group(group);
 }
 
 void add_edit(CLI::App& app, RunOptions& o) {
@@ -389,7 +395,8 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return mlab::cli::parse_and_run(argc, argv);
+    mlab::cli::guard_output();
+    return mlab::cli::output_status(mlab::cli::parse_and_run(argc, argv));
   } catch (const std::exception& e) {
     fmt::print(stderr, "mlab: {}\n", e.what());
     return mlab::cli::kFailed;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/output.h"
 #include "mlab/cli/plot.h"
 #include "mlab/cli/run_screen.h"
 #include "mlab/cli/run_settings.h"
@@ -31,11 +33,26 @@ namespace mlab::cli {
 namespace {
 
 volatile std::sig_atomic_t run_interrupts = 0;
+timespec first_run_interrupt{};
 
-// The first Ctrl-C ends the run in an orderly way; who presses it again wants out at once.
+// The first Ctrl-C ends the run in an orderly way; who presses it again wants out at once. One key press can
+// come as several signals: from the terminal, and from a program that stands between.
 void on_run_interrupt(int) {
-  run_interrupts = run_interrupts + 1;
-  if (run_interrupts > 1) _exit(kFailed);
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  if (run_interrupts == 0) first_run_interrupt = now;
+  run_interrupts = 1;
+  output_hurries = 1;
+  const double seconds = static_cast<double>(now.tv_sec - first_run_interrupt.tv_sec) +
+                         1e-9 * static_cast<double>(now.tv_nsec - first_run_interrupt.tv_nsec);
+  if (seconds > 0.5) _exit(kFailed);
+}
+
+// Until then, or until somebody wants an end.
+void pass_time(double seconds) {
+  const double end = steady_seconds() + seconds;
+  while (run_interrupts == 0 && steady_seconds() < end)
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.1, end - steady_seconds())));
 }
 
 struct Prepared {
@@ -128,7 +145,7 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
     }
     if (prepared.speed > 0.0) {
       const double ahead = run.time() / prepared.speed - (steady_seconds() - began - idle);
-      if (ahead > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(std::min(ahead, 1.0)));
+      if (ahead > 0.0) pass_time(ahead);
     }
   }
   return true;

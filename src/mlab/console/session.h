@@ -26,9 +26,9 @@ struct SessionSettings {
   /// Called, on the session's thread, whenever this changes: why what is not saved would be lost with this
   /// process. Empty: it would not.
   std::function<void(const std::string& why)> tell_not_kept = {};
-  double speed = 10.0;                       ///< simulated seconds per second; 0: as fast as it goes
-  bool may_compile = true;                   ///< native code of missions may be compiled and run
-  bool allow_native = false;                 ///< as robot::ProgramSources
+  double speed = 10.0;        ///< simulated seconds per second; 0: as fast as it goes
+  bool may_compile = true;    ///< native code of missions may be compiled and run
+  bool allow_native = false;  ///< as robot::ProgramSources
   fleet::RunSettings run;
 };
 

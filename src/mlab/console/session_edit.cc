@@ -73,8 +73,8 @@ Session::Parts::Answered Session::Parts::edit(const std::string& who, const ToSe
   return error;
 }
 
-// Whatever ends this process after the answer, what it answers is in the file system, or the page says that it
-// is not.
+// Whatever ends this process after the answer, what it answers is in the file system, or the page says that
+// it is not.
 void Session::Parts::keep_drafts() {
   documents_.keep_drafts(now());
   tell_not_kept();

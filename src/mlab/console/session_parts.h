@@ -198,7 +198,7 @@ class Session::Parts {
 
   ProjectFolder project_;
   OpenDocuments documents_;
-  std::string not_kept_;  // as it was told last
+  std::string not_kept_;      // as it was told last
   std::string session_name_;  // another one each time the server is started
   EventLog log_;
   Roles roles_;

@@ -77,9 +77,7 @@ void Designer::Parts::receive(console::ConnectionId from, std::unique_ptr<ToDesi
 }
 
 void Designer::Parts::closed(console::ConnectionId connection) {
-  inbox_->post([this, connection] {
-    clients_.erase(connection);
-  });
+  inbox_->post([this, connection] { clients_.erase(connection); });
 }
 
 double Designer::Parts::now() const {

@@ -164,7 +164,7 @@ class Designer::Parts {
   MarkStore mark_store_;
   std::map<std::string, std::string> unkept_marks_;  ///< by document: why
   double marks_tried_ = 0.0;
-  std::string not_kept_;  ///< as it was told last
+  std::string not_kept_;                      ///< as it was told last
   std::set<std::string, std::less<>> typed_;  ///< documents of which nothing but the text is new yet
   std::vector<std::pair<console::ConnectionId, FromDesigner>> answers_;  ///< of requests that came together
   bool is_deferred_ = false;  ///< the request in hand is answered later

@@ -355,7 +355,8 @@ void Desk::restore_draft(OpenConfiguration& one, double now) {
 void Desk::keep_draft(OpenConfiguration& one, double now, console::DraftKeeper::When when) {
   if (!one.is_writable) return;
   const std::string* file = one.saved ? &*one.saved : nullptr;
-  keeper_.follow({one.path, one.text.text(), file, one.text.revision(), one.is_dirty()}, one.draft, now, when);
+  keeper_.follow({one.path, one.text.text(), file, one.text.revision(), one.is_dirty()}, one.draft, now,
+                 when);
 }
 
 void Desk::keep_drafts(double now, console::DraftKeeper::When when) {
@@ -372,7 +373,8 @@ std::vector<std::string> Desk::losses() const {
   std::vector<std::string> out;
   for (const auto& [path, one] : open_) {
     if (one->draft.problem.empty()) continue;
-    const std::string name = is_new(path) ? fmt::format("`{}`", unsaved_title(one->text.text())) : shown(path);
+    const std::string name =
+        is_new(path) ? fmt::format("`{}`", unsaved_title(one->text.text())) : shown(path);
     out.push_back(fmt::format("{}: {}", name, one->draft.problem));
   }
   return out;

@@ -97,8 +97,7 @@ class Server::Network {
     port_ = acceptor_.local_endpoint(code).port();
     const bool keeps_token =
         !settings.token.empty() && (settings.token_port == 0 || settings.token_port == port_);
-    Access access(keeps_token ? settings.token : make_token(),
-                  {address_, hostname(), port_, is_encrypted()});
+    Access access(keeps_token ? settings.token : make_token(), {address_, hostname(), port_, is_encrypted()});
     desk_ = std::make_unique<Desk>(io_, Routes(std::move(access), WebFiles::read(settings.web_folder)));
     return true;
   }

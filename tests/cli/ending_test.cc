@@ -1,0 +1,201 @@
+// How the command ends where nobody takes what it prints, and where somebody wants it to end.
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace mlab {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kWideMap =
+    "SITE Test\nMISSION-AREA 3000 3000\nCONTROL MEASURES:\nPP Here 100 100\nPP There 2900 2900\n";
+constexpr const char* kShortMission =
+    "MISSION NAME Short\nOVERLAY map.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Here\n";
+constexpr const char* kLongMission =
+    "MISSION NAME Long\nOVERLAY map.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u "
+    "MOVETO There\n";
+
+class Ending : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              ("mlab_ending_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "map.odl") << kWideMap;
+    std::ofstream(folder_ / "short.mdl") << kShortMission;
+    std::ofstream(folder_ / "long.mdl") << kLongMission;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Its exit status; what it says about that is in err.txt.
+  int shell(const std::string& line) const {
+    const std::string whole = "cd '" + folder_.string() + "' && { " + line + "; } 2> err.txt < /dev/null";
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): a test program has one thread
+    const int status = std::system(whole.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string text_of(const std::string& file) const {
+    std::ifstream stream(folder_ / file);
+    return (std::ostringstream() << stream.rdbuf()).str();
+  }
+  // The outcome that a report tells; empty: there is none, or half of one.
+  std::string outcome(const std::string& file) const {
+    const auto report = nlohmann::json::parse(text_of(file), nullptr, false);
+    return report.is_object() ? report.value("outcome", "") : "";
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Ending, AWriteErrorOnStandardOutputIsStatusOneForEveryCommand) {
+  const std::string mlab = std::string("'") + MLAB_COMMAND + "' ";
+  for (const char* arguments :
+       {"--help", "--version", "run --help", "check short.mdl", "check --format json short.mdl", "describe",
+        "describe --format json", "describe Noise", "describe robot", "run --headless short.mdl",
+        "run --headless --quiet short.mdl", "bench --robots 2 --cycles 1"}) {
+    EXPECT_EQ(shell(mlab + arguments + " > /dev/full"), 1) << arguments;
+    EXPECT_NE(text_of("err.txt").find("standard output could not be written: No space left on device"),
+              std::string::npos)
+        << arguments << ": " << text_of("err.txt");
+    EXPECT_EQ(shell(mlab + arguments + " > out.txt"), 0) << arguments << ": " << text_of("err.txt");
+    EXPECT_NE(text_of("out.txt"), "") << arguments;
+  }
+}
+
+TEST_F(Ending, AReaderWhoLeavesOrNeverWasIsAWriteErrorAndNoSignal) {
+  const std::string mlab = std::string("'") + MLAB_COMMAND + "' ";
+  EXPECT_EQ(shell(mlab + "describe --format json >&-"), 1);
+  // The reader is gone for sure before a word is written.
+  const std::string gone = "mkfifo gone; { sleep 0.2 < gone & }; exec 3> gone; wait; ";
+  EXPECT_EQ(shell(gone + mlab + "describe --format json >&3"), 1);
+  EXPECT_EQ(text_of("err.txt"), "") << "who closes a pager knows it";
+}
+
+TEST_F(Ending, TheReportIsWrittenWhereNobodyReadsWhatIsPrinted) {
+  EXPECT_EQ(shell(std::string("'") + MLAB_COMMAND + "' run --headless short.mdl --report r.json > /dev/full"),
+            1);
+  EXPECT_EQ(outcome("r.json"), "done");
+}
+
+/// A run of a mission that takes hours, as a process of its own.
+class LongRun {
+ public:
+  LongRun(const fs::path& folder, int output) {
+    process_ = ::fork();
+    if (process_ != 0) return;
+    ::dup2(output, STDOUT_FILENO);
+    const int nothing = ::open("/dev/null", O_RDWR);
+    ::dup2(nothing, STDIN_FILENO);
+    if (::chdir(folder.c_str()) != 0) ::_exit(98);
+    ::execl(MLAB_COMMAND, MLAB_COMMAND, "run", "--headless", "long.mdl", "--speed", "1", "--report", "r.json",
+            nullptr);
+    ::_exit(99);
+  }
+  void signal(int number) const { ::kill(process_, number); }
+  // Until it takes signals itself, as it does from its first word on.
+  void wait_until_it_listens() const {
+    for (int tries = 0; tries < 3000; ++tries, std::this_thread::sleep_for(std::chrono::milliseconds(20))) {
+      std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+      for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("SigCgt:") &&
+            (std::stoull(line.substr(7), nullptr, 16) >> (SIGTERM - 1) & 1U) != 0)
+          return;
+      }
+    }
+    ADD_FAILURE() << "it never listens to SIGTERM";
+  }
+  /// @return  its exit status; -1: a signal ended it
+  int wait() const {
+    int status = 0;
+    ::waitpid(process_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t process_ = -1;
+};
+
+class Interrupted : public Ending, public testing::WithParamInterface<int> {
+ protected:
+  void SetUp() override {
+    Ending::SetUp();
+    ASSERT_EQ(::pipe2(pipe_, O_CLOEXEC), 0);
+  }
+  void TearDown() override {
+    for (const int end : pipe_) ::close(end);
+    Ending::TearDown();
+  }
+  // Reads until the run says that it goes.
+  void wait_for_start() {
+    std::string seen;
+    char block[512];
+    while (seen.find("step 1") == std::string::npos) {
+      const ssize_t n = ::read(pipe_[0], block, sizeof block);
+      ASSERT_GT(n, 0) << seen;
+      seen.append(block, static_cast<std::size_t>(n));
+    }
+  }
+  // The pipe takes no more.
+  void fill() {
+    ::fcntl(pipe_[1], F_SETFL, O_NONBLOCK);
+    const std::string block(4096, '\n');
+    while (::write(pipe_[1], block.data(), block.size()) > 0) {
+    }
+    ::fcntl(pipe_[1], F_SETFL, 0);
+  }
+  // With summary and report, within 2 s on a machine that has nothing else to do.
+  void expect_end(const LongRun& run, Clock::time_point asked) {
+    EXPECT_EQ(run.wait(), 1) << "it did not come to its end";
+    EXPECT_LT(Clock::now() - asked, std::chrono::seconds(10));
+    EXPECT_EQ(outcome("r.json"), "interrupted");
+  }
+
+  int pipe_[2] = {-1, -1};
+};
+
+TEST_P(Interrupted, ARunEndsWithSummaryAndReportOnOneSignalOrOneKeyThatComesTwice) {
+  for (const int times : {1, 2}) {
+    const LongRun run(folder_, pipe_[1]);
+    wait_for_start();
+    const auto asked = Clock::now();
+    for (int i = 0; i < times; ++i) run.signal(GetParam());
+    expect_end(run, asked);
+    fs::remove(folder_ / "r.json");
+    char block[8192];
+    const ssize_t n = ::read(pipe_[0], block, sizeof block);
+    EXPECT_NE(std::string(block, static_cast<std::size_t>(std::max<ssize_t>(n, 0))).find("interrupted after"),
+              std::string::npos);
+  }
+}
+
+TEST_P(Interrupted, ARunEndsWithItsReportWhereTheReaderTakesNothing) {
+  fill();
+  const LongRun run(folder_, pipe_[1]);
+  run.wait_until_it_listens();
+  const auto asked = Clock::now();
+  run.signal(GetParam());
+  expect_end(run, asked);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM));
+
+}  // namespace
+}  // namespace mlab
