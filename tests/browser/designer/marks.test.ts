@@ -120,3 +120,27 @@ test("how many robots run is taken over by a run of its own, which is offered", 
   await designer.simulator.getByText("7 robots").waitFor();
   await designer.button("Run the change").waitFor({ state: "detached" });
 });
+
+test("a breakpoint on what was tried alone holds inside of a robot, too", async () => {
+  const inside = "assemblage Both() {\n  cooperate {\n    1: Turns();\n    0.1: Noise();\n  }\n}\n";
+  const body = "class Body {\n  actuator base: DriveAndSpin() binds movement;\n}\n";
+  const robot = `${body}robot Rover is Body {\n  movement = Both();\n}\n`;
+  const { designer } = await opened(`${kTurns}${inside}${robot}`);
+  const { page, simulator } = designer;
+  const choose = async (name: string) => {
+    await designer.button("What runs").click();
+    await page.locator(".run-setup .choice").first().click();
+    await page.getByRole("option", { name: new RegExp(`^${name}`) }).click();
+    await page.keyboard.press("Escape");
+  };
+  await designer.goTo("Turns");
+  await choose("Turns");
+  await designer.run();
+  await breakAt(designer, "Moving", /^Break Moving → Waiting/);
+  const notice = simulator.getByRole("alert");
+  await notice.getByText(/movement goes from Moving to Waiting/i).waitFor();
+  await choose("Rover");
+  await page.locator("[data-tour=run]").click();
+  await notice.getByText(/Turns goes from Moving to Waiting/).waitFor();
+  expect(await page.locator(".break-dot").count()).toBe(1);
+});
