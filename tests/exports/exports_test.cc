@@ -14,6 +14,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,8 +53,9 @@ struct Robot {
   }
 };
 
-std::optional<Robot> robot_of(const text::SourcePtr& source, text::Diagnostics& sink) {
-  auto configured = robot::configure(source, "", "", {}, {}, sink);
+std::optional<Robot> robot_of(const text::SourcePtr& source, text::Diagnostics& sink,
+                              std::string_view name = "") {
+  auto configured = robot::configure(source, name, "", {}, {}, sink);
   if (!configured) return std::nullopt;
   auto library = robot::library_with(configured->configuration.procedures, {}, sink);
   if (!library) return std::nullopt;
@@ -158,6 +160,13 @@ class Exports : public testing::Test {
     std::ofstream(folder_ / name) << text;
     return (folder_ / name).string();
   }
+  // Of run_btcpp.mjs, one for each case.
+  Json results_of(const Json& cases) const {
+    const Answer answer = answer_of(
+        fmt::format("node '{}' '{}'", (kFolder / "run_btcpp.mjs").string(), put("trees.json", cases.dump())));
+    EXPECT_EQ(answer.status, 0) << answer.output;
+    return Json::parse(answer.output, nullptr, false);
+  }
   const fs::path folder_;
 };
 
@@ -214,14 +223,114 @@ TEST_F(Exports, ABehaviorTreeExecutedByAnotherInterpreterIsInTheStatesOfTheRobot
       names.back().pop_back();
     }
   }
-  const Answer answer = answer_of(
-      fmt::format("node '{}' '{}'", (kFolder / "run_btcpp.mjs").string(), put("trees.json", cases.dump())));
-  ASSERT_EQ(answer.status, 0) << answer.output;
-  const Json results = Json::parse(answer.output, nullptr, false);
-  ASSERT_EQ(results.size(), expected.size()) << answer.output;
+  const Json results = results_of(cases);
+  ASSERT_EQ(results.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_EQ(results[i].get<std::vector<std::string>>(), expected[i]) << "seed " << i + 1 << "\n"
-                                                                       << cases[i]["tree"].get<std::string>();
+    EXPECT_EQ(results[i], Json(expected[i])) << "seed " << i + 1 << "\n"
+                                             << cases[i]["tree"].get<std::string>();
+}
+
+// A robot that is called as one of its skills is; skills and inputs with names that the library keeps; texts
+// that would be names on the blackboard.
+constexpr const char* kAwkward = R"(
+class Cart { actuator wheels: Drive() binds movement; }
+assemblage Sequence(name: text, _skipIf: gain = 1) -> Vector { cooperate { _skipIf: Stand(); 1: Noise(); } }
+assemblage Delay(ID: text = "{=}", portable: text = "=") -> Vector { cooperate { Stand(); Noise(); } }
+assemblage TrueNorth() -> Vector { cooperate { Stand(); Noise(); } }
+robot trueNorth is Cart {
+  movement = sequence {
+    start A: Sequence("{a}", 2);
+      when IsNotified(message = "{a}") goto B;
+    B: Delay();
+      when IsNotified(message = " {b} ") goto C;
+    C: sequence {
+      start D: TrueNorth();
+        when IsNotified(message = "=") goto E;
+      E: Stand();
+    };
+  };
+}
+robot TrueNorth is Cart { movement = sequence { start A: TrueNorth(); when IsNotified(message = "a") goto A restart; }; }
+)";
+
+TEST_F(Exports, NamesAndTextsThatTheLibraryOfBehaviorTreesKeepsForItselfPassItsParser) {
+  if (!is_there("node")) GTEST_SKIP() << "node is not here: apt-get install nodejs, or ./mlab test";
+  Json cases = Json::array();
+  for (const char* name : {"trueNorth", "TrueNorth"}) {
+    text::Diagnostics sink;
+    const auto robot = robot_of(std::make_shared<const text::Source>("awkward.cdl", kAwkward), sink, name);
+    ASSERT_TRUE(robot) << text::render(sink);
+    const auto tree = robot->written("btcpp", sink);
+    ASSERT_TRUE(tree) << text::render(sink);
+    cases.push_back({{"tree", *tree}, {"cycles", {Json::array(), {"{b}"}, {"{a}"}, {" {b} "}, {"="}}}});
+  }
+  const Json results = results_of(cases);
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0], Json({"A", "A", "B", "C/D", "C/E"})) << cases[0]["tree"].get<std::string>();
+  EXPECT_TRUE(results[1].is_array()) << results[1] << cases[1]["tree"].get<std::string>();
+}
+
+// What would be wrong with a tree, and what BehaviorTree.CPP 4.7 to 4.9 says of it.
+struct Refused {
+  const char* tree;
+  const char* why;
+};
+const Refused kRefused[] = {
+    {R"(<ReactiveSequence><Action ID="Wander"/></ReactiveSequence>)", "Unknown node type: Action"},
+    {R"(<Sequence><Condition ID="IsNear"/></Sequence>)", "Unknown node type: Condition"},
+    {R"(<Wander ID="Wander"/>)", "Attribute [ID] is not allowed in <Wander>"},
+    {R"(<Action/>)", "The tag <Action> must have the attribute [ID]"},
+    {R"(<Climb/>)", "Node not recognized: Climb"},
+    {R"(<Wander gian="1"/>)", "a port with name [gian]"},
+    {R"(<Wander _gain="1"/>)", "the attribute [_gain] would be dropped"},
+    {R"(<Wander gain="1" gain="2"/>)", "gain stands twice"},
+    {R"(<Wander><IsNear/></Wander>)", "The node 'Wander' must not have any child"},
+    {R"(<Sequence/>)", "The node 'Sequence' must have 1 or more children"},
+    {R"(<Inverter><IsNear/><IsNear/></Inverter>)", "The node 'Inverter' must have exactly 1 child"},
+    {R"(<Wander/><Wander/>)", "The tag <BehaviorTree> with ID 'T' must have exactly 1 child"},
+    {R"(<SubTree ID="Wander"/>)", "must not use the name of a registered Node"},
+    {R"(<Script code="trueNorth:='A'"/>)", "Error in the script"},
+    {R"(<Script code="a:='it's'"/>)", "Error in the script"},
+    {R"(<Sequence><Wander/>)", "Error parsing the XML"},
+};
+constexpr const char* kModels =
+    R"(<Action ID="Wander"><input_port name="gain"/></Action><Condition ID="IsNear"/>)";
+
+std::string tree_file(const char* id, const std::string& inside, const std::string& models) {
+  return fmt::format(
+      R"(<root BTCPP_format="4" main_tree_to_execute="T"><BehaviorTree ID="{}">{}</BehaviorTree>)"
+      R"(<TreeNodesModel>{}</TreeNodesModel></root>)",
+      id, inside, models);
+}
+
+TEST_F(Exports, TheInterpreterRefusesWhatTheLibraryOfBehaviorTreesRefuses) {
+  if (!is_there("node")) GTEST_SKIP() << "node is not here: apt-get install nodejs, or ./mlab test";
+  const std::string models = kModels;
+  Json cases = Json::array();
+  std::vector<std::string> expected;
+  const auto add = [&](const std::string& tree, const std::string& why) {
+    cases.push_back({{"tree", tree}, {"cycles", Json::array()}});
+    expected.push_back(why);
+  };
+  for (const Refused& one : kRefused) add(tree_file("T", one.tree, models), one.why);
+  add(tree_file("Wander", "<Wander/>", models), "must not use the name of a registered Node");
+  add(tree_file("Other", "<Wander/>", models), "Can't find a tree with name: T");
+  add(tree_file("T", "<Wander/>", models + R"(<Action ID="Delay"/>)"), "ID [Delay] already registered");
+  for (const char* port : {"name", "ID", "_while", "1st"}) {
+    add(tree_file("T", "<A/>", fmt::format(R"(<Action ID="A"><input_port name="{}"/></Action>)", port)),
+        "The name of a port must not be");
+  }
+  add(R"(<tree BTCPP_format="4"/>)", "The XML must have a root node called <root>");
+  add(R"(<root BTCPP_format="4"><TreeNodesModel/><TreeNodesModel/></root>)",
+      "Only a single node <TreeNodesModel> is supported");
+  add(tree_file("T", R"(<Sequence><Wander gain="1"/></Sequence>)", models), "");
+  const Json results = results_of(cases);
+  ASSERT_EQ(results.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const std::string why = results[i].is_object() ? results[i]["refused"].get<std::string>() : "";
+    EXPECT_EQ(why.empty(), expected[i].empty()) << why << cases[i]["tree"];
+    EXPECT_NE(why.find(expected[i]), std::string::npos) << why << cases[i]["tree"];
+  }
 }
 
 TEST_F(Exports, AStateChartExecutedByAnotherInterpreterIsInTheStatesOfTheRobot) {
@@ -245,7 +354,9 @@ TEST_F(Exports, AStateChartExecutedByAnotherInterpreterIsInTheStatesOfTheRobot) 
   std::size_t changes = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t cycle = 0; cycle < kCycles; ++cycle) {
-      ASSERT_EQ(results[i][cycle].get<std::vector<std::string>>(), runs[i].states[cycle])
+      ASSERT_EQ(results[i][cycle]["doing"], results[i][cycle]["states"])
+          << cases[i]["scxml"].get<std::string>();
+      ASSERT_EQ(results[i][cycle]["states"].get<std::vector<std::string>>(), runs[i].states[cycle])
           << "seed " << i + 1 << ", cycle " << cycle << "\nbefore: "
           << fmt::format("{}\nis so: {}\n", runs[i].states[cycle == 0 ? 0 : cycle - 1], runs[i].truth[cycle])
           << cases[i]["scxml"].get<std::string>();

@@ -1,28 +1,11 @@
 // A small interpreter of the behavior trees that `mlab build --emit btcpp` writes: which states are active, cycle by cycle,
-// for given truth values of the conditions. The nodes do what the documentation of BehaviorTree.CPP 4 says of them; actions
-// answer RUNNING.
+// for given truth values of the conditions. It takes what BehaviorTree.CPP 4 takes (btcpp_rules.mjs), and the nodes do what
+// the documentation of that says of them; actions answer RUNNING.
 //
-//   node run_btcpp.mjs CASES      CASES: [{"tree": XML, "cycles": [[true conditions]]}]; prints [["S1/S0"]]
+//   node run_btcpp.mjs CASES      CASES: [{"tree": XML, "cycles": [[true conditions]]}]; prints [["S1/S0"]], and for a
+//                                 tree that is refused {"refused": WHY}
 import { readFileSync } from "node:fs";
-
-function parse(xml) {
-  const root = { tag: "", attributes: {}, children: [] };
-  const open = [root];
-  const text = { "&amp;": "&", "&lt;": "<", "&gt;": ">", "&quot;": '"', "&apos;": "'" };
-  for (const [, close, tag, inside, leaf] of xml.matchAll(/<(\/?)([A-Za-z_]\w*)((?:\s+[\w.]+="[^"]*")*)\s*(\/?)>/g)) {
-    if (close) {
-      open.pop();
-      continue;
-    }
-    const attributes = {};
-    for (const [, key, value] of inside.matchAll(/([\w.]+)="([^"]*)"/g))
-      attributes[key] = value.replace(/&\w+;/g, (entity) => text[entity]);
-    const node = { tag, attributes, children: [], at: 0 };
-    open.at(-1).children.push(node);
-    if (!leaf) open.push(node);
-  }
-  return root.children[0].children.find((one) => one.tag === "BehaviorTree").children[0];
-}
+import { load, pointer } from "./btcpp_rules.mjs";
 
 class Run {
   constructor(tree) {
@@ -32,6 +15,13 @@ class Run {
   evaluate(code) {
     const js = code.replace(/:=/g, "=").replace(/'[^']*'|[A-Za-z_]\w*/g, (word) => (word[0] === "'" ? word : `board.${word}`));
     return new Function("board", `return (${js.replace(/;/g, ",")});`)(this.blackboard);
+  }
+  // What a node gets on a port.
+  input(node, port) {
+    const key = pointer(port, node.attributes[port]);
+    if (key === undefined) return node.attributes[port];
+    if (!(key in this.blackboard)) throw new Error(`port ${port} of ${node.tag}: there is no ${key} on the blackboard`);
+    return this.blackboard[key];
   }
   halt(node) {
     node.at = 0;
@@ -81,11 +71,12 @@ class Run {
         return "SUCCESS";
       case "AlwaysFailure":
         return "FAILURE";
-      case "Condition":
-        return this.truths.includes(node.attributes.message) ? "SUCCESS" : "FAILURE";
-      case "Action":
-        this.active.push(path);
-        return "RUNNING";
+    }
+    for (const port of Object.keys(node.attributes)) this.input(node, port);
+    if (node.kind === "Condition") return this.truths.includes(this.input(node, "message")) ? "SUCCESS" : "FAILURE";
+    if (node.kind === "Action") {
+      this.active.push(path);
+      return "RUNNING";
     }
     throw new Error(`there is no node ${node.tag}`);
   }
@@ -98,12 +89,15 @@ class Run {
   }
 }
 
-const cases = JSON.parse(readFileSync(process.argv[2], "utf8"));
-console.log(
-  JSON.stringify(
-    cases.map(({ tree, cycles }) => {
-      const run = new Run(parse(tree));
-      return cycles.map((truths) => run.cycle(truths).join("/"));
-    }),
-  ),
-);
+function outcome({ tree, cycles }) {
+  let root;
+  try {
+    root = load(tree);
+  } catch (error) {
+    return { refused: error.message };
+  }
+  const run = new Run(root);
+  return cycles.map((truths) => run.cycle(truths).join("/"));
+}
+
+console.log(JSON.stringify(JSON.parse(readFileSync(process.argv[2], "utf8")).map(outcome)));

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "mlab/export/btcpp_names.h"
 #include "mlab/export/plan.h"
 #include "mlab/export/xml.h"
 
@@ -38,12 +40,17 @@ std::string text_of(const Value& value) {
 
 class TreeWriter {
  public:
+  explicit TreeWriter(text::Diagnostics& sink) : sink_(sink) {}
+
   std::string run(const Plan& plan) {
-    name_plan(plan, plan.name);
+    root_ = &plan;
+    name_plan(plan, btcpp_key(plan.name));
+    name_texts(plan);
     put(plan, plan.name, "    ");
+    const std::string id = tree_id(plan.name);
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     out += fmt::format("<root BTCPP_format=\"4\" main_tree_to_execute=\"{}\">\n  <BehaviorTree ID=\"{}\">\n",
-                       escaped(plan.name), escaped(plan.name));
+                       escaped(id), escaped(id));
     out += tree_ + "  </BehaviorTree>\n  <TreeNodesModel>\n";
     for (const auto& [key, ports] : models_) {
       out += fmt::format("    <{} ID=\"{}\"{}>\n", key.first, escaped(key.second), ports.empty() ? "/" : "");
@@ -55,6 +62,14 @@ class TreeWriter {
   }
 
  private:
+  // A tree must not be called as a node is.
+  std::string tree_id(const std::string& wanted) const {
+    std::string out = btcpp_skill(wanted);
+    const auto is_node = [&](const auto& model) { return model.first.second == out; };
+    while (std::ranges::any_of(models_, is_node)) out += '_';
+    return out;
+  }
+
   std::string unused(const std::string& wanted) {
     std::string out = wanted;
     for (int n = 2; !taken_.insert(out).second; ++n) out = fmt::format("{}_{}", wanted, n);
@@ -69,6 +84,36 @@ class TreeWriter {
       const Step& step = plan.steps[i];
       if (step.plan) name_plan(*step.plan, key + "_" + step.name);
       if (takes_turns(plan, i)) turns_[&step] = unused(key + "_" + step.name + "_turn");
+    }
+  }
+
+  // Text in braces would be read as a name on the blackboard. So it is put there, under a name of its own.
+  void name_texts(const Plan& plan) {
+    for (const Step& step : plan.steps) {
+      if (step.plan && !step.plan->steps.empty())
+        name_texts(*step.plan);
+      else
+        name_texts(step.skill, step.place);
+      for (const Step::Exit& exit : step.exits) name_texts(exit.condition, exit.place);
+    }
+  }
+  void name_texts(const Condition& condition, const text::Place& place) {
+    if (condition.kind == Condition::Kind::kValue) name_texts(condition.value, place);
+    for (const Condition& operand : condition.operands) name_texts(operand, place);
+  }
+  void name_texts(const Value& call, const text::Place& place) {
+    for (const Argument& one : call.arguments) {
+      const std::string text = text_of(one.value);
+      if (!btcpp_is_pointer(text) || texts_.contains(text)) continue;
+      if (!btcpp_fits_script(text)) {
+        sink_
+            .error("text-in-braces", place,
+                   fmt::format("`{}` of `{}` is text in braces", one.name, call.text))
+            .hints = {
+            "BehaviorTree.CPP reads text in braces as a name on its blackboard; this one can't be put "
+            "there, for its scripts know neither `'` nor letters beyond ASCII in a text"};
+      }
+      texts_[text] = unused(keys_.at(root_) + "_text");
     }
   }
 
@@ -97,6 +142,8 @@ class TreeWriter {
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
       if (takes_turns(plan, i)) out += fmt::format("; {}:=0", turns_.at(&plan.steps[i]));
     }
+    if (&plan != root_) return out;
+    for (const auto& [text, key] : texts_) out += fmt::format("; {}:='{}'", key, text);
     return out;
   }
   std::string enters(const Plan& plan, std::size_t from, const Step::Exit& exit) const {
@@ -182,18 +229,24 @@ class TreeWriter {
       tree_ += fmt::format("{}<{}/>\n", indent, is_true ? "AlwaysSuccess" : "AlwaysFailure");
       return;
     }
-    std::set<std::string>& ports = models_[{kind, value.text}];
-    tree_ += fmt::format("{}<{} ID=\"{}\"", indent, kind, escaped(value.text));
+    const std::string skill = btcpp_skill(value.text);
+    std::set<std::string>& ports = models_[{kind, skill}];
+    tree_ += fmt::format("{}<{}", indent, skill);
     for (const Argument& one : value.arguments) {
-      // `name` and `ID` are the element's own.
-      const std::string port = one.name == "name" || one.name == "ID" ? one.name + "_" : one.name;
+      const std::string port = btcpp_port(one.name);
       ports.insert(port);
-      tree_ += fmt::format(" {}=\"{}\"", port, escaped(text_of(one.value)));
+      const std::string text = text_of(one.value);
+      const auto named = texts_.find(text);
+      tree_ += fmt::format(" {}=\"{}\"", port,
+                           escaped(named == texts_.end() ? text : fmt::format("{{{}}}", named->second)));
     }
     tree_ += "/>\n";
   }
 
+  text::Diagnostics& sink_;
+  const Plan* root_ = nullptr;
   std::string tree_;
+  std::map<std::string, std::string> texts_;  // text in braces: its name on the blackboard
   std::map<const Plan*, std::string> keys_;
   std::map<const Step*, std::string> turns_;
   std::set<std::string> taken_;
@@ -205,7 +258,10 @@ class TreeWriter {
 std::optional<std::string> write_btcpp(const Subject& subject, text::Diagnostics& sink) {
   const std::unique_ptr<Plan> plan = plan_of(subject, "BehaviorTree.CPP", sink);
   if (!plan || plan->steps.empty()) return std::nullopt;
-  return TreeWriter().run(*plan);
+  const std::size_t errors_before = sink.error_count();
+  std::string out = TreeWriter(sink).run(*plan);
+  if (sink.error_count() > errors_before) return std::nullopt;
+  return out;
 }
 
 }  // namespace mlab::exports

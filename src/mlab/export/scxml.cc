@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "mlab/export/network_view.h"
 #include "mlab/export/xml.h"
@@ -15,6 +16,7 @@ namespace mlab::exports {
 namespace {
 
 using flow::Node;
+using Json = nlohmann::ordered_json;
 
 /// A way out of a state: its condition in ECMAScript, and where to.
 struct WayOut {
@@ -42,7 +44,8 @@ class Chart {
     }
     out_ = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<scxml xmlns=\"http://www.w3.org/2005/07/scxml\" "
-        "version=\"1.0\" name=\"{}\" datamodel=\"ecmascript\">\n",
+        "version=\"1.0\" name=\"{}\" datamodel=\"ecmascript\">\n"
+        "  <datamodel>\n    <data id=\"doing\" expr=\"{{}}\"/>\n  </datamodel>\n",
         escaped(subject_.robot.name.text));
     put_regions(regions, subject_.robot.name.text, "", "  ");
     out_ += "</scxml>\n";
@@ -144,6 +147,24 @@ class Chart {
     return a.empty() ? b : fmt::format("{} || {}", a, b);
   }
 
+  // What is done there: the node, what it calls, and its inputs. It stands in the data model as long as the
+  // state is active, by the name of its sequence or select.
+  void put_doing(const std::string& owner, const std::string& state, const flow::Source& member,
+                 const std::string& indent) {
+    Json does = {{"state", state}};
+    const Node* node = member.kind == flow::Source::Kind::kName ? view_.node(member.text) : nullptr;
+    does[node == nullptr ? "value" : "node"] = member.text;
+    if (node != nullptr && !node->behavior.empty()) does["component"] = node->behavior;
+    for (std::size_t i = 0; node != nullptr && i < node->links.size(); ++i)
+      does["inputs"][node->links[i].input].push_back(node->links[i].source.text);
+    const std::string text = does.dump(-1, ' ', true, Json::error_handler_t::replace);
+    const std::string place = escaped(fmt::format("doing['{}']", owner));
+    out_ += fmt::format("{}<onentry>\n{}  <assign location=\"{}\" expr=\"{}\"/>\n{}</onentry>\n", indent,
+                        indent, place, escaped(text), indent);
+    out_ += fmt::format("{}<onexit>\n{}  <assign location=\"{}\" expr=\"null\"/>\n{}</onexit>\n", indent,
+                        indent, place, indent);
+  }
+
   void put_way(const WayOut& way, const std::string& busy, const std::string& event,
                const std::string& indent) {
     const std::string condition =
@@ -172,6 +193,7 @@ class Chart {
     for (const flow::State& state : sequence.states) {
       const std::vector<WayOut> ways = ways_out(sequence, state);
       out_ += fmt::format("{}<state id=\"{}\">\n", inner, escaped(sequence.name + "." + state.name));
+      put_doing(sequence.name, sequence.name + "." + state.name, state.member, inner + "  ");
       for (const WayOut& way : ways) put_way(way, busy, " event=\"cycle\"", inner + "  ");
       std::vector<const Node*> regions;
       std::set<const Node*> seen;
@@ -208,14 +230,15 @@ class Chart {
       put_way(way, busy, " event=\"cycle\"", inner + "  ");
     }
     out_ += inner + "</state>\n";
-    if (!has_otherwise) put_case(select.name + "-none", nullptr, ways, busy, inner);
+    if (!has_otherwise) put_case(select.name, select.name + "-none", nullptr, ways, busy, inner);
     for (const flow::Case& one : select.cases)
-      put_case(select.name + "-" + case_name(one), &one, ways, busy, inner);
+      put_case(select.name, select.name + "-" + case_name(one), &one, ways, busy, inner);
     out_ += indent + "</state>\n";
   }
-  void put_case(const std::string& id, const flow::Case* one, const std::vector<WayOut>& ways,
-                const std::string& busy, const std::string& indent) {
+  void put_case(const std::string& name, const std::string& id, const flow::Case* one,
+                const std::vector<WayOut>& ways, const std::string& busy, const std::string& indent) {
     out_ += fmt::format("{}<state id=\"{}\">\n", indent, escaped(id));
+    if (one != nullptr) put_doing(name, id, one->member, indent + "  ");
     std::vector<WayOut> others = ways;
     for (WayOut& way : others) way.is_taken = way.target != id;
     for (const WayOut& way : others) {
