@@ -10,6 +10,7 @@
 #include "mlab/lang/cdl/formula_term.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/testing/any_sentence.h"
 
 namespace mlab::cdl {
 namespace {
@@ -214,78 +215,9 @@ TEST(Formula, IsToldByItsStart) {
   EXPECT_FALSE(looks_like_formula(""));
 }
 
-// Any sentence: an instance that stands twice is the same each time, so whole terms are reused.
-class AnySentence {
- public:
-  Term society(int depth) {
-    const int kind = depth <= 0 ? 0 : *rc::gen::inRange(0, 3);
-    if (kind == 0) {
-      known_.clear();
-      percepts_.clear();
-      Term robot;
-      robot.symbol = Symbol::kRobot;
-      robot.members.push_back(assemblage(3));
-      return robot;
-    }
-    Term out;
-    out.symbol = kind == 1 ? Symbol::kCaste : Symbol::kTeam;
-    out.number = fresh();
-    const int count = *rc::gen::inRange(2, 4);
-    const Term first = society(depth - 1);
-    for (int i = 0; i < count; ++i) out.members.push_back(kind == 2 || i == 0 ? first : society(depth - 1));
-    return out;
-  }
-
- private:
-  int fresh() { return number_ += *rc::gen::inRange(1, 4); }
-  bool maybe() { return *rc::gen::inRange(0, 3) == 0; }
-
-  Term assemblage(int depth) {
-    if (!known_.empty() && maybe()) return known_[*rc::gen::inRange<std::size_t>(0, known_.size())];
-    Term out;
-    if (depth <= 0 || maybe()) {
-      out.symbol = Symbol::kBehavior;
-      if (maybe()) out.members.push_back(leaf(Symbol::kActive, fresh()));
-      out.members.push_back(percept(2));
-      if (!maybe()) out.members.push_back(leaf(Symbol::kMotor, fresh()));
-    } else {
-      out.symbol = *rc::gen::element(Symbol::kCooperation, Symbol::kCompetition, Symbol::kSequencing,
-                                     Symbol::kCoordination);
-      out.number = fresh();
-      const int count = *rc::gen::inRange(2, 4);
-      for (int i = 0; i < count; ++i) out.members.push_back(assemblage(depth - 1));
-    }
-    known_.push_back(out);
-    return out;
-  }
-
-  Term percept(int depth) {
-    if (!percepts_.empty() && maybe()) return percepts_[*rc::gen::inRange<std::size_t>(0, percepts_.size())];
-    Term out = leaf(Symbol::kPercept, maybe() ? 0 : fresh());
-    if (depth > 0 && maybe()) {
-      out.symbol = *rc::gen::element(Symbol::kFusion, Symbol::kPerceptualSequencing);
-      out.number = fresh();
-      const int count = *rc::gen::inRange(2, 4);
-      for (int i = 0; i < count; ++i) out.members.push_back(percept(depth - 1));
-    }
-    percepts_.push_back(out);
-    return out;
-  }
-
-  static Term leaf(Symbol symbol, int number) {
-    Term out;
-    out.symbol = symbol;
-    out.number = number;
-    return out;
-  }
-
-  int number_ = 0;
-  std::vector<Term> known_;
-  std::vector<Term> percepts_;
-};
-
 RC_GTEST_PROP(Formula, ASentenceGivesAConfigurationThatPrintsAsTheSentence, ()) {
-  const std::string sentence = print(AnySentence().society(2));
+  const auto pick = [](int low, int end) { return *rc::gen::inRange(low, end); };
+  const std::string sentence = print(testing::AnySentence(pick).society(2));
   text::Diagnostics sink;
   const Tree tree = parse_formula(source(sentence), sink);
   RC_ASSERT(text::render(sink) == "");

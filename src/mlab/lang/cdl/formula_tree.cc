@@ -138,11 +138,11 @@ class Builder {
   }
 
  private:
-  // One actuator is enough: G does not tell them apart.
+  // One actuator is enough: G does not tell them apart. Its input is called as that of the library's Drive.
   void declare_robot_class() {
     Binding movement;
     movement.name.text = "movement";
-    movement.parameters.push_back({{"velocity", {}}, {"Vector", {}}, {}, nullptr, {}, {}, {}});
+    movement.parameters.push_back({{"v", {}}, {"Vector", {}}, {}, nullptr, {}, {}, {}});
     tree_.items.emplace_back(std::move(movement));
     RobotClass robot_class;
     robot_class.name.text = "FormulaRobot";
