@@ -23,9 +23,10 @@ inline geom::Vector repulsion(geom::Vector center, double distance, double inner
   return {-center.x / length * strength, -center.y / length * strength, 0.0};
 }
 
-/// 0 up to `low`, 1 from `high` on, straight between; a step just beyond `low` where high <= low.
+/// 0 up to `low`, 1 from `high` on, straight between; a step just beyond `low` where high <= low. No number
+/// for what is none.
 constexpr double ramp(double value, double low, double high) {
-  if (!(value > low)) return 0.0;
+  if (value <= low) return 0.0;
   return value >= high ? 1.0 : (value - low) / (high - low);
 }
 

@@ -46,7 +46,11 @@ TEST(Ramp, RisesBetweenItsEnds) {
 TEST(Ramp, IsAStepWhereItHasNoWidth) {
   EXPECT_DOUBLE_EQ(ramp(5.0, 5.0, 5.0), 0.0);
   EXPECT_DOUBLE_EQ(ramp(5.0001, 5.0, 5.0), 1.0);
-  EXPECT_DOUBLE_EQ(ramp(std::numeric_limits<double>::quiet_NaN(), 5.0, 5.0), 0.0);
+}
+
+TEST(Ramp, OfNoNumberIsNone) {
+  EXPECT_TRUE(std::isnan(ramp(std::numeric_limits<double>::quiet_NaN(), 5.0, 5.0)));
+  EXPECT_TRUE(std::isnan(ramp(std::numeric_limits<double>::quiet_NaN(), 1.0, 5.0)));
 }
 
 }  // namespace

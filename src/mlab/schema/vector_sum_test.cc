@@ -1,6 +1,7 @@
 #include "mlab/schema/vector_sum.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,19 @@ TEST(VectorSum, EscapesSidewaysFromDemandsThatAreNotQuiteOpposite) {
   sum.add({5.0, 0.0});
   EXPECT_LT(sum.total().x, -1e12);
   EXPECT_DOUBLE_EQ(sum.total().y, 0.0);
+}
+
+TEST(VectorSum, WithAVectorThatIsNotFiniteIsNoNumber) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  for (const Vector bad : {Vector{kNaN, 0.0}, Vector{0.0, kNaN}, Vector{0.0, 0.0, kNaN}, Vector{kInf, 0.0},
+                           Vector{0.0, -kInf}}) {
+    VectorSum sum;
+    sum.add({0.5, 0.5});
+    sum.add(bad);
+    sum.add({kInfinity, 0.0});
+    EXPECT_TRUE(std::isnan(sum.total().x + sum.total().y + sum.total().z)) << bad.x << " " << bad.y;
+  }
 }
 
 TEST(VectorSum, StaysFiniteWithManyAbsoluteDemands) {
