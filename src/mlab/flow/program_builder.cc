@@ -258,6 +258,8 @@ void ProgramBuilder::check_lists(const Op& op) {
   for (std::size_t i = 0; i < op.inputs.size(); ++i) {
     const Input& input = op.behavior->inputs[i];
     if (!input.is_list) continue;
+    // A list behind another one pairs with it by position, and may be left out as a whole.
+    if (op.inputs[i].empty() && first != nullptr) continue;
     if (op.inputs[i].empty()) {
       sink_.warning("empty-list", op.node->place,
                     fmt::format("list `{}` of `{}` has no members", input.name, op.path));

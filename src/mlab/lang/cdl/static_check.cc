@@ -134,6 +134,20 @@ void StaticCheck::sequence_warnings(const Sequence& sequence) {
   }
 }
 
+namespace {
+
+// Somebody who writes that a state is left at once means it: `FirstTime` and `Immediate` of historic files
+// are written so.
+bool says_at_once(const Expression& trigger) {
+  if (const auto* name = std::get_if<Name>(&trigger.what)) return name->name.text == "true";
+  const auto* call = std::get_if<Call>(&trigger.what);
+  return call != nullptr && call->arguments.empty() &&
+         (call->callee.text == "Constant" || call->callee.text == "Immediate" ||
+          call->callee.text == "FIRST_TIME");
+}
+
+}  // namespace
+
 void StaticCheck::transition_warnings(const State& state) {
   using Constant = TriggerLogic::Constant;
   const std::vector<TriggerLogic::Verdict> verdicts = logic_.judge(state, *parameters_, *lets_);
@@ -155,7 +169,7 @@ void StaticCheck::transition_warnings(const State& state) {
       continue;
     }
     const Constant value = verdict.constant;
-    if (value == Constant::kNo) continue;
+    if (value == Constant::kNo || says_at_once(*state.transitions[i].trigger)) continue;
     text::Diagnostic& d = sink_.warning("constant-trigger", place,
                                         value == Constant::kTrue    ? "this trigger is always true"
                                         : value == Constant::kFalse ? "this trigger is never true"
