@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/mdl/formation_check.h"
+#include "mlab/lang/mdl/goal_check.h"
 #include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/mission/command.h"
@@ -22,9 +23,8 @@ namespace {
 using mission::UnitCommand;
 using percept::Task;
 
-// Robots looked at over the whole mission, and pairs of robot and obstacle: some tenths of a second.
+// Robots looked at over the whole mission: some tenths of a second.
 constexpr std::uint64_t kMaxRobotVisits = 5'000'000;
-constexpr std::uint64_t kMaxObstacleVisits = 20'000'000;
 
 // How many robots are in the state that a command meets; the first of them.
 struct Met {
@@ -41,6 +41,7 @@ class PlanCheck {
       : mission_(mission),
         diagnostics_(diagnostics),
         formations_(mission, diagnostics),
+        goals_(mission, diagnostics),
         robots_(mission.robots.size()) {
     for (std::uint32_t i = 0; i < mission.robots.size(); ++i) index_of_[mission.robots[i].id.value] = i;
   }
@@ -65,13 +66,14 @@ class PlanCheck {
       const auto* unit_command = std::get_if<UnitCommand>(&command);
       if (unit_command == nullptr || !may_visit(*unit_command)) continue;
       check_two_commands(*unit_command);
-      if (only_two_commands_) continue;
+      check_goal(*unit_command);
+      if (is_one_step_) continue;
       check_life(*unit_command);
       check_way(*unit_command);
     }
   }
 
-  void look_only_for_two_commands() { only_two_commands_ = true; }
+  void look_at_one_step() { is_one_step_ = true; }
 
  private:
   enum class Life : std::uint8_t { kAbsent, kStarted, kStopped };
@@ -181,7 +183,6 @@ class PlanCheck {
         formations_.check_leg(c, {c.route[i], c.route[i + 1]});
       }
     } else if (c.task != Task::kTeleoperate) {
-      check_goal(c);
       const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
     }
@@ -192,18 +193,11 @@ class PlanCheck {
     }
   }
 
-  bool is_outside(geom::Point p) const {
-    const overlay::Area area = mission_.overlay.mission_area();
-    return p.x < 0.0 || p.y < 0.0 || p.x > area.width || p.y > area.height;
+  bool has_goal(const UnitCommand& c) const {
+    return c.task != Task::kStop && c.task != Task::kStart && c.task != Task::kTeleoperate;
   }
-
   void check_goal(const UnitCommand& c) {
-    if (!is_outside(c.goal)) return;
-    const overlay::Area area = mission_.overlay.mission_area();
-    diagnostics_.warning(
-        "goal-outside-area", c.place,
-        fmt::format("{} is at {:g} {:g}, outside the mission area of {:g} by {:g} m",
-                    in_backticks(c.place_name), c.goal.x, c.goal.y, area.width, area.height));
+    if (has_goal(c)) goals_.check(c, body_radius(robots_of(c).front()));
   }
 
   void check_start(const UnitCommand& c) {
@@ -224,8 +218,8 @@ class PlanCheck {
     const overlay::ObstacleDisc* obstacle = nullptr;
     for (std::size_t k = 0; k < members.size(); ++k) {
       const geom::Point p = c.goal + c.start_step * static_cast<double>(k);
-      if (is_outside(p)) outside.add(members[k]);
-      const overlay::ObstacleDisc* hit = obstacle_at(p, body_radius(members[k]));
+      if (goals_.is_outside(p)) outside.add(members[k]);
+      const overlay::ObstacleDisc* hit = goals_.obstacle_at(p, body_radius(members[k]));
       if (hit == nullptr) continue;
       if (obstacle == nullptr) obstacle = hit;
       inside.add(members[k]);
@@ -254,18 +248,10 @@ class PlanCheck {
     return radius_of_type_[type];
   }
 
-  const overlay::ObstacleDisc* obstacle_at(geom::Point p, double radius) {
-    obstacle_visits_ += mission_.overlay.obstacles.size();
-    if (obstacle_visits_ > kMaxObstacleVisits) return nullptr;
-    for (const overlay::ObstacleDisc& obstacle : mission_.overlay.obstacles) {
-      if (geom::distance(p, obstacle.center) < obstacle.radius + radius) return &obstacle;
-    }
-    return nullptr;
-  }
-
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;
   FormationCheck formations_;
+  GoalCheck goals_;
   std::vector<RobotState> robots_;
   std::unordered_map<std::uint32_t, std::uint32_t> index_of_;  // by robot's number
   std::map<std::string, const mission::Step*> labels_;
@@ -274,10 +260,9 @@ class PlanCheck {
   mutable std::vector<double> radius_of_type_;
   mission::Options options_ = mission_.options;  // in force at this point of the plan
   std::uint64_t visits_ = 0;
-  std::uint64_t obstacle_visits_ = 0;
   std::uint32_t step_ = 0;
   bool quits_ = false;
-  bool only_two_commands_ = false;
+  bool is_one_step_ = false;
 };
 
 }  // namespace
@@ -289,7 +274,7 @@ void check_plan(const mission::Mission& mission, text::Diagnostics& diagnostics)
 void check_commands_of_one_step(const std::vector<mission::Command>& commands,
                                 const mission::Mission& mission, text::Diagnostics& diagnostics) {
   PlanCheck check(mission, diagnostics);
-  check.look_only_for_two_commands();
+  check.look_at_one_step();
   check.commands(commands);
 }
 
