@@ -9,21 +9,6 @@ namespace {
 
 using percept::ObjectClass;
 
-TEST(Objects, HaveTheColourOfTheirClass) {
-  EXPECT_EQ(color_of(ObjectClass::kMine), "orange");
-  EXPECT_EQ(color_of(ObjectClass::kFriendlyRobot), "blue");
-  EXPECT_EQ(object_class_of_color("Dark Sea Green"), ObjectClass::kTree);
-  EXPECT_EQ(object_class_of_color("pink"), std::nullopt);
-  EXPECT_EQ(object_class_of_color(""), std::nullopt);
-}
-
-TEST(Objects, HaveOneColourForEachClass) {
-  for (int i = 0; i < 11; ++i) {
-    const auto object_class = static_cast<ObjectClass>(i);
-    EXPECT_EQ(object_class_of_color(color_of(object_class)), object_class);
-  }
-}
-
 TEST(Objects, AreAsFarAsTheirEdge) {
   EXPECT_DOUBLE_EQ(edge_distance({.id = {1}, .center = {3.0, 4.0}, .radius = 2.0}), 3.0);
   EXPECT_DOUBLE_EQ(edge_distance({.id = {1}, .center = {1.0, 0.0}, .radius = 2.0}), 0.0);

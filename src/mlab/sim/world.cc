@@ -1,17 +1,17 @@
 #include "mlab/sim/world.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <deque>
 #include <map>
 #include <string>
 #include <tuple>
 
+#include "mlab/percept/object_colors.h"
+
 namespace mlab::sim {
 namespace {
 
-using percept::ObjectClass;
 using percept::ObjectStyle;
 
 bool is_usable(geom::Point p) {
@@ -19,32 +19,6 @@ bool is_usable(geom::Point p) {
 }
 bool is_usable(double radius) {
   return radius >= 0.0 && radius <= World::kFarthest;
-}
-
-/// @source  the historic table of object classes by colour
-ObjectClass class_of(std::string color) {
-  std::erase_if(color, [](char c) { return c == ' ' || c == '-' || c == '_'; });
-  std::transform(color.begin(), color.end(), color.begin(), [](unsigned char c) { return std::tolower(c); });
-  static constexpr struct {
-    const char* color;
-    ObjectClass object_class;
-  } kClasses[] = {
-      {"orange", ObjectClass::kMine},
-      {"red", ObjectClass::kEnemyRobot},
-      {"purple", ObjectClass::kFlag},
-      {"green", ObjectClass::kBasket},
-      {"black", ObjectClass::kRock},
-      {"darkseagreen", ObjectClass::kTree},
-      {"white", ObjectClass::kHomeBase},
-      {"brown", ObjectClass::kUnknown},
-      {"lightblue", ObjectClass::kHidingPlace},
-      {"yellow", ObjectClass::kYellowMarker},
-      {"blue", ObjectClass::kFriendlyRobot},
-  };
-  for (const auto& entry : kClasses) {
-    if (color == entry.color) return entry.object_class;
-  }
-  return ObjectClass::kUnknown;
 }
 
 ObjectStyle style_of(overlay::ObjectStyle style) {
@@ -100,7 +74,8 @@ World world_of(const overlay::Overlay& overlay) {
   for (const overlay::WorldObject& object : overlay.objects) {
     Object& added = world.objects.emplace_back();
     added.id = {++id};
-    added.object_class = class_of(object.color);
+    added.object_class =
+        percept::object_class_of_color(object.color).value_or(percept::ObjectClass::kUnknown);
     added.style = style_of(object.style);
     added.center = object.center;
     added.radius = object.diameter / 2;

@@ -9,6 +9,7 @@
 
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/mdl/token.h"
+#include "mlab/percept/object_colors.h"
 
 namespace mlab::mdl {
 namespace {
@@ -73,7 +74,10 @@ void Roster::define_type(const statement::NewRobot& statement) {
   mission::RobotType type;
   type.name = statement.name.text;
   type.program = statement.program.text;
-  if (statement.color) type.color = statement.color->text;
+  if (statement.color && !statement.color->text.empty()) {
+    type.color = statement.color->text;
+    check_color(*statement.color);
+  }
   if (statement.host) type.host = statement.host->text;
   type.place = place(statement.program.span);
   for (const Parameter& p : statement.parameters) {
@@ -81,6 +85,15 @@ void Roster::define_type(const statement::NewRobot& statement) {
   }
   wished_ids_.push_back(wished_id(type));
   mission_.types.push_back(std::move(type));
+}
+
+void Roster::check_color(const Name& color) {
+  if (percept::object_class_of_color(color.text)) return;
+  diagnostics_
+      .warning("unknown-color", place(color.span),
+               fmt::format("{} marks no class of objects: other robots see these as Unknown",
+                           in_backticks(color.text)))
+      .hints.push_back(fmt::format("the colours are {}", percept::colors_of_classes()));
 }
 
 void Roster::announce_type(const Name& name) {

@@ -43,6 +43,7 @@ class Roster {
   void announce_type(const Name& name);
 
  private:
+  void check_color(const Name& color);
   text::Place place(text::Span span) const { return {source_, span}; }
   std::optional<std::uint32_t> find_type(const Name& name);
   base::RobotId create_robot(std::uint32_t type, text::Place where);
