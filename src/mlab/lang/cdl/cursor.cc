@@ -176,10 +176,20 @@ Word Cursor::take_unit() {
   return {std::string(unit), place({at, at + static_cast<std::uint32_t>(unit.size())})};
 }
 
+// With its line end. Looked for once a line: a line may be the whole file.
+text::Span Cursor::line_around(std::uint32_t at) const {
+  if (at >= line_.begin && at < line_.end) return line_;
+  const std::string_view all = source_->text();
+  const std::size_t before = at == 0 ? std::string_view::npos : all.rfind('\n', at - 1);
+  const std::size_t behind = all.find('\n', at);
+  line_ = {static_cast<std::uint32_t>(before == std::string_view::npos ? 0 : before + 1),
+           static_cast<std::uint32_t>(behind == std::string_view::npos ? all.size() + 1 : behind + 1)};
+  return line_;
+}
+
 std::uint32_t Cursor::indent_of(std::uint32_t offset) const {
   const std::string_view all = source_->text();
-  const std::size_t newline = offset == 0 ? std::string_view::npos : all.rfind('\n', offset - 1);
-  const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
+  const std::size_t start = line_around(offset).begin;
   const std::size_t first = all.find_first_not_of(" \t", start);
   return static_cast<std::uint32_t>(first == std::string_view::npos ? 0 : first - start);
 }
@@ -222,7 +232,7 @@ void Cursor::close() {
 bool Cursor::enter() {
   if (++depth_ <= kMaxNesting) return true;
   if (depth_ == kMaxNesting + 1) {
-    error_line_ = 0;
+    error_line_ = {};
     error("nested-too-deep", here(), fmt::format("this stands more than {} levels deep", kMaxNesting));
   }
   at_ = tokens_.size() - 1;
@@ -235,9 +245,9 @@ text::Place Cursor::since(std::uint32_t begin) const {
 }
 
 text::Diagnostic* Cursor::error(std::string kind, const text::Place& where, std::string message) {
-  const std::uint32_t line = source_->line_column(where.span.begin).line;
-  if (gave_up_) return nullptr;
-  if (std::exchange(error_line_, line) == line) return nullptr;
+  const std::uint32_t at = where.span.begin;
+  if (gave_up_ || (at >= error_line_.begin && at < error_line_.end)) return nullptr;
+  error_line_ = line_around(at);
   return &sink_.error(std::move(kind), where, std::move(message));
 }
 

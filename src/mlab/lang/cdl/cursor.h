@@ -97,6 +97,7 @@ class Cursor {
     text::Span before;  ///< what stands before the `}`
   };
 
+  text::Span line_around(std::uint32_t at) const;
   std::uint32_t indent_of(std::uint32_t offset) const;
   text::Span last_span() const { return at_ == 0 ? text::Span{} : tokens_[at_ - 1].span; }
   std::uint32_t last_end() const { return at_ == 0 ? 0 : tokens_[at_ - 1].span.end; }
@@ -110,7 +111,8 @@ class Cursor {
   std::size_t at_ = 0;
   std::vector<Block> blocks_;
   std::optional<Mismatch> mismatch_;
-  std::uint32_t error_line_ = 0;
+  mutable text::Span line_;  ///< that was looked for last
+  text::Span error_line_;    ///< the line that something was said about last
   int depth_ = 0;
   bool gave_up_ = false;  ///< nothing more is said of this file
 };

@@ -1,0 +1,178 @@
+// Every parser is linear: whatever is repeated, four times as much takes about four times as long. One input
+// for each token that may stand in a language, in one line and in many.
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mlab/lang/cdl/formula.h"
+#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl_historic/parser.h"
+#include "mlab/lang/cnl/parser.h"
+#include "mlab/lang/envchange/envchange.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/lang/mdl/tree.h"
+#include "mlab/lang/odl/odl.h"
+
+namespace mlab {
+namespace {
+
+using Parse = std::function<void(const text::SourcePtr&, text::Diagnostics&)>;
+
+// Of this thread, so that whoever else runs on the machine does not count.
+double cpu_seconds_of(const Parse& parse, const std::string& text) {
+  const auto source = std::make_shared<const text::Source>("repeated", text);
+  const auto now = [] {
+    std::timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+  };
+  const double began = now();
+  text::Diagnostics sink;
+  parse(source, sink);
+  return now() - began;
+}
+
+std::string repeated(const std::string& piece, std::size_t bytes) {
+  std::string out;
+  while (out.size() < bytes) out += piece;
+  return out;
+}
+
+constexpr std::size_t kSmall = 25'000;
+constexpr std::size_t kLarge = 100'000;
+constexpr double kFastEnough = 0.08;  // [s]: no need to look closer; a quadratic one takes ten times that
+constexpr double kLinear = 9.0;       // a quadratic one takes sixteen times as long
+
+void expect_linear(const char* language, const Parse& parse, const std::vector<std::string>& openings,
+                   const std::vector<std::string>& tokens) {
+  for (const std::string& opening : openings) {
+    for (const std::string& token : tokens) {
+      for (const char* behind : {"", "\n"}) {
+        const std::string piece = token + behind;
+        if (cpu_seconds_of(parse, opening + repeated(piece, kLarge)) < kFastEnough) continue;
+        // The best of three, for a page that has to be fetched or a processor that is shared.
+        double small = 1e9;
+        double large = 1e9;
+        for (int i = 0; i < 3; ++i) {
+          small = std::min(small, cpu_seconds_of(parse, opening + repeated(piece, kSmall)));
+          large = std::min(large, cpu_seconds_of(parse, opening + repeated(piece, kLarge)));
+        }
+        EXPECT_LT(large, kLinear * small) << language << ": `" << opening << "` and then `" << piece << "`, "
+                                          << large << " s for " << kLarge << " bytes";
+      }
+    }
+  }
+}
+
+// What all of them are made of.
+std::vector<std::string> with_common(std::vector<std::string> own) {
+  for (const char* one :
+       {"-",  "--", "+",  "*",   "/",  "//",       "/*",   "*/", "#",   "!",     "?",   "%",  "&",
+        "|",  "^",  "~",  "@",   "$",  "\\",       "`",    "'",  "\"",  "\"a\"", "(",   ")",  "[",
+        "]",  "{",  "}",  "<",   ">",  "()",       "[]",   "{}", "<>",  "(a",    "{a",  "[a", ",",
+        ";",  ":",  ".",  "..",  "=",  "==",       "->",   "_",  "a",   "a.",    "a b", "1",  "-1",
+        "1.", ".5", "1e", "1e5", "\t", "\xc3\xa9", "\xff", "a;", "a{}", "a()",   "a=1", "a,"})
+    own.emplace_back(one);
+  return own;
+}
+
+TEST(Parsers, OfConfigurationsAreLinear) {
+  const Parse parse = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    cdl::parse(source, sink);
+  };
+  expect_linear("CDL", parse, {"", "robot R { movement = ", "assemblage A() { sequence { "},
+                with_common({"use \"a\";",
+                             "architecture A;",
+                             "assemblage",
+                             "assemblage A();",
+                             "binding b();",
+                             "class C {}",
+                             "robot R {}",
+                             "operator O {}",
+                             "society S: R;",
+                             "layout {}",
+                             "let x = 1;",
+                             "cooperate {",
+                             "compete by",
+                             "sequence {",
+                             "select by",
+                             "when a goto A;",
+                             "start A: B();",
+                             "and",
+                             "or",
+                             "not",
+                             "as",
+                             "active",
+                             "delay(",
+                             "/// help",
+                             "///< help",
+                             "note 1 2 \"a\";",
+                             "team of 2 R"}));
+  const Parse formula = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    cdl::parse_formula(source, sink);
+  };
+  expect_linear("G", formula, {"", "{"},
+                with_common({"{<p1 m1>}", "<p1 m1>", "[+1", "(#1 p1", "'*1", "'/1", "p1"}));
+}
+
+TEST(Parsers, OfProceduresAreLinear) {
+  const Parse parse = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    cnl::parse(source, sink);
+  };
+  expect_linear("CNL", parse, {"", "procedure Vector P with double a; header body ", "node n is "},
+                with_common({"procedure",    "procedure void P header body pend",
+                             "pend",         "header",
+                             "body",         "once",
+                             "with",         "alias A",
+                             "init {",       "init }",
+                             "node n is P;", "network N",
+                             "double a;",    "list",
+                             "in 1 .. 2",    "/// help",
+                             "pure",         "sequence",
+                             "state",        "public"}));
+}
+
+TEST(Parsers, OfMissionsAreLinear) {
+  const Parse parse = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    mdl::parse(source, sink);
+  };
+  expect_linear("MDL", parse, {"", "COMMAND LIST:\n0. ", "UNIT <u> "},
+                with_common({"UNIT <u> ROBOT", "UNIT u MOVETO a", "NEW-ROBOT a b", "OVERLAY a.odl",
+                             "SET SHOW-TRAILS ON", "COMMAND LIST:", "0.", "1. UNIT u STOP", "AND",
+                             "MISSION NAME a", "OBSTACLE 1 1 1", "SP a 1 1", "PHASE-LINE a",
+                             "FORMATION Wedge", "UNTIL TIMEOUT 1", "SPEED 1", "ROBOT", "QUIT", "PRINT"}));
+}
+
+TEST(Parsers, OfOverlaysAreLinear) {
+  const Parse parse = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    odl::parse(source, sink);
+  };
+  expect_linear("ODL", parse, {"", "CONTROL MEASURES:\n"},
+                with_common({"CONTROL MEASURES:", "AA a 1 1", "PP a 1 1", "WALL a 0 0 1 1", "OBSTACLE 1 1 1",
+                             "OBJECT 1 1 1 FIXED red", "ATTRACTOR 1 1", "MISSION-AREA 1 1", "ORIGIN 1 1",
+                             "GAP a 0 0 1 1", "BOUNDARY a 1 1", "1 1", "SCENARIO a", "ROOM a 1 1"}));
+  const Parse changes = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    envchange::parse(source, {}, sink);
+  };
+  expect_linear("environment changes", changes, {""},
+                with_common({"1 OBSTACLE 1 1 1", "AT 1", "TIME 1", "REMOVE", "ADD", "1 1 1"}));
+}
+
+TEST(Parsers, OfHistoricConfigurationsAreLinear) {
+  const Parse parse = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    cdl_historic::parse(source, sink);
+  };
+  expect_linear("historic CDL", parse, {"", "instAgent<0,0> A from B( "},
+                with_common({"bindArch AuRA;", "instAgent", "instAgent<0,0> A from B();",
+                             "instBP<1,1> $a from b();", "defAgent", "[ A ]", "%a = {1}", "{1}", "{^}",
+                             "<1,1>", "|a|", "$A", "a:b", "if", "goto", "[ A ]<1,1>", "name:b("}));
+}
+
+}  // namespace
+}  // namespace mlab
