@@ -100,11 +100,13 @@ std::string generate(const Tree& tree, const GenerateOptions& options) {
   });
   const std::vector<const Procedure*> procedures = own_procedures(tree);
   const std::string stem = stem_of(tree.source->name());
+  // A file may be called `class.cnl` or `1st.cnl`: its name alone is no name of C++.
+  const std::string file_space = "f_" + stem;
   std::vector<std::string> spaces;
   for (const Procedure* procedure : procedures) {
     spaces.push_back(fmt::format("p{}_{}", spaces.size() + 1, identifier(procedure->name.text)));
     out.line("");
-    out.line(fmt::format("namespace mlab_cnl::{}::{} {{", stem, spaces.back()));
+    out.line(fmt::format("namespace mlab_cnl::{}::{} {{", file_space, spaces.back()));
     write_procedure(out, *procedure);
     out.line("}");
   }
@@ -117,7 +119,7 @@ std::string generate(const Tree& tree, const GenerateOptions& options) {
   } else {
     out.line("  static const mlab::flow::Behavior* const kAll[] = {");
     for (const std::string& space : spaces)
-      out.line(fmt::format("      &mlab_cnl::{}::{}::behavior(),", stem, space));
+      out.line(fmt::format("      &mlab_cnl::{}::{}::behavior(),", file_space, space));
     out.line("  };");
     out.line("  return kAll;");
   }
