@@ -143,7 +143,7 @@ TEST_F(ServiceTest, TellsWhatThingsAre) {
   EXPECT_NE(hovered("m.mdl", "Charlie").find("`PP-Charlie` at 10 10"), std::string::npos);
   EXPECT_NE(hovered("m.mdl", "MOVETO").find("moves there"), std::string::npos);
   EXPECT_NE(hovered("m.mdl", "urge").find("range 0 .. 1"), std::string::npos);
-  EXPECT_EQ(hovered("m.mdl", "2 1 STOP"), "robot 2, a `ROBOT` of unit `right`");
+  EXPECT_EQ(hovered("m.mdl", " 2 "), "robot 2, a `ROBOT` of unit `right`");
   EXPECT_NE(hovered("m.mdl", "ROBOTS").find("a unit as long as the command lasts"), std::string::npos);
   EXPECT_NE(hovered("map.odl", "PP").find("passage point"), std::string::npos);
 }
@@ -252,7 +252,7 @@ TEST_F(ServiceTest, GivesTheOutlineOfAText) {
   EXPECT_EQ(outline[1].name, "Scout");
   EXPECT_EQ(outline[0].parts.size(), 2U);
   EXPECT_EQ(symbols(folder_.text("mine.cnl"), folder_.around()).size(), 3U);
-  EXPECT_EQ(symbols(folder_.text("m.mdl"), folder_.around()).size(), 7U);
+  EXPECT_EQ(symbols(folder_.text("m.mdl"), folder_.around()).size(), 8U);
   EXPECT_EQ(symbols(folder_.text("map.odl"), folder_.around()).size(), 2U);
 }
 
