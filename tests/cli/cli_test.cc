@@ -48,12 +48,14 @@ TEST_F(Command, AnEnvironmentFileWithAMistakeStopsTheRunBeforeItBegins) {
 TEST_F(Command, PrintInThePreambleAndAnOrderToOneRobotAreCarriedOut) {
   write("map.odl", kMap);
   write("mission.mdl",
-        "OVERLAY map.odl\nPRINT CONSOLE-DATABASE\nPRINT ROBOT-INFO\nUNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n"
+        "OVERLAY map.odl\nPRINT CONSOLE-DATABASE\nPRINT ROBOT-INFO\nNEW-ROBOT far \"robot\" blue shaft\n"
+        "UNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n"
         "0. UNIT u START Here 0 20\n1. UNIT u MOVETO There AND ROBOT 2 MOVETO 130 160 UNTIL TIMEOUT 90\n");
   const Outcome o = mlab("run mission.mdl --headless --report r.json");
   ASSERT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_TRUE(has(o.out, "PP         There")) << o.out;
   EXPECT_TRUE(has(o.out, "robot 2      ROBOT            not started")) << o.out;
+  EXPECT_TRUE(has(o.out, "note: robots of the type `far` run on this machine, not on `shaft`")) << o.out;
   EXPECT_LT(o.out.find("PP         There"), o.out.find("step 0")) << "once, before the mission begins";
   const Json report = Json::parse(text_of(folder_ / "r.json"));
   EXPECT_EQ(report.at("steps").at(1).at("commands").at(1).at("unit"), "robot 2");

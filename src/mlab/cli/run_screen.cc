@@ -14,6 +14,7 @@
 #include "mlab/base/angle.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/terminal.h"
+#include "mlab/mission/notes.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cli {
@@ -117,6 +118,7 @@ void RunScreen::show_start(const fleet::MissionRun& run) {
                    mission.name.empty() ? "mission" : text::shown(mission.name), mission.robots.size(),
                    mission.robots.size() == 1 ? "" : "s", mission.steps.size(),
                    mission.steps.size() == 1 ? "" : "s", run.seed(), run.cycle_duration()));
+  for (const std::string& note : mission::notes_of(mission)) line(text::shown(note));
 }
 
 void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect) {
