@@ -20,8 +20,13 @@ test("an order names every unit and what becomes of it, and ends only what its r
     options: ["--speed", "1"],
   });
   const { page } = console;
-  await console.button("Run").click();
-  await console.steps.getByText(/MOVETO 1900 400/).first().waitFor();
+  await console.button("Execute").click();
+  await console.reaches("Running");
+  await console.passes(1);
+  await console.steps
+    .getByText(/MOVETO 1900 400/)
+    .first()
+    .waitFor();
 
   // Typed, for one robot: the others are named.
   await console.commandLine.fill("ROBOT 2 MOVETO 100 1500");
@@ -42,6 +47,7 @@ test("an order names every unit and what becomes of it, and ends only what its r
   // By mouse, for the robots that are selected: those of two units.
   await console.rowOf(robots, "Robot 1").click();
   await console.rowOf(robots, "Robot 3").click({ modifiers: ["Control"] });
+  await console.panel("Mission");
   await page.keyboard.press("o");
   await page.getByText(/For robots 1, 3: click the goal/).waitFor();
   await console.dragMap([600, 900], [600, 900]);
@@ -52,7 +58,11 @@ test("an order names every unit and what becomes of it, and ends only what its r
   await order.getByText("goes on with MOVETO 100 1500").waitFor();
   await order.getByRole("button", { name: "Send" }).click();
   await order.waitFor({ state: "detached" });
-  await console.rowOf(robots, "Robot 3").getByText(/robots 1, 3: MOVETO/).waitFor();
+  await console.panel("Robots");
+  await console
+    .rowOf(robots, "Robot 3")
+    .getByText(/robots 1, 3: MOVETO/)
+    .waitFor();
   await console.rowOf(robots, "b").getByText("MOVETO 1900 400, 1 robot left").waitFor();
 
   // Both orders and the step run side by side; nothing of the step is lost but unit a's command.
