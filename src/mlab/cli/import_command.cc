@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,9 @@
 #include "mlab/cli/input.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/designer/spread.h"
+#include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
+#include "mlab/lang/cdl_historic/standing.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/text/diagnostic.h"
@@ -38,7 +41,17 @@ int import(const ImportOptions& options) {
     fmt::print(stderr, "mlab import: {} can't be written\n", options.output);
     return kBadInput;
   }
-  return options.strict && sink.warning_count() > 0 ? kFailed : kDone;
+  // Last, so that it is what a person sees: a robot that stands looks like one that works.
+  text::Diagnostics ours;
+  const std::vector<cdl_historic::Standing> standing = cdl_historic::standing_robots(
+      cdl::parse(std::make_shared<const text::Source>(options.file, out), ours));
+  if (!standing.empty()) {
+    fmt::print(stderr, "mlab import: {} stand{} still, for nothing here moves {}: {}\n",
+               standing.size() == 1 ? "a robot" : fmt::format("{} robots", standing.size()),
+               standing.size() == 1 ? "s" : "", standing.size() == 1 ? "it" : "them",
+               cdl_historic::said_of(standing));
+  }
+  return options.strict && (sink.warning_count() > 0 || !standing.empty()) ? kFailed : kDone;
 }
 
 }  // namespace mlab::cli
