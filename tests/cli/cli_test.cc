@@ -407,6 +407,46 @@ TEST_F(Command, CompilesLoadsAndRunsABehaviorOfTheMissionsOwn) {
   EXPECT_TRUE(has(wrong.err, "mine.cnl:7:19: error:")) << wrong.err;
 }
 
+TEST_F(Command, RunsRobotsThatActByThemselvesForAsLongAsIsSaid) {
+  write("map.odl", kMap);
+  write("wander.cdl",
+        "class Cart { actuator wheels: Drive(max_velocity = 2 m/s, base_velocity = 1 m/s) binds movement; }\n"
+        "robot R is Cart { movement = MoveAhead(); }\n");
+  const std::string mission =
+      "OVERLAY map.odl\nNEW-ROBOT w \"wander.cdl\"\nUNIT <u> w\nCOMMAND LIST:\n0. UNIT u START Here\n";
+  write("started.mdl", mission);
+  write("sent.mdl", mission + "1. UNIT u MOVETO There\n");
+  EXPECT_TRUE(has(mlab("check started.mdl").err, "[only-started]"));
+  EXPECT_TRUE(has(mlab("check sent.mdl").err, "[never-reports]"));
+  for (const char* file : {"started.mdl", "sent.mdl"}) {
+    const Outcome o = mlab("run " + std::string(file) + " --headless --for 30 --report r.json");
+    EXPECT_EQ(o.status, 0) << o.out << o.err;
+    const Json report = Json::parse(text_of(folder_ / "r.json"));
+    EXPECT_EQ(report.at("outcome"), "done") << file;
+    EXPECT_NEAR(report.at("mission").at("simulated_s").get<double>(), 30.0, 0.2) << file;
+    EXPECT_GT(report.at("robots").at(0).at("distance_m").get<double>(), 20.0) << file;
+  }
+  EXPECT_EQ(mlab("run sent.mdl --headless --limit 30").status, 1) << "a limit that is reached is a failure";
+  EXPECT_EQ(mlab("run sent.mdl --headless --for 0").status, 2);
+}
+
+TEST_F(Command, FilesMayBeCalledAsNothingInCppIs) {
+  write("map.odl", kMap);
+  for (const char* name : {"class", "1st"}) {
+    const std::string file = std::string(name) + ".cnl";
+    write(file,
+          "procedure Vector Straight\nwith\nheader\nbody\n  output = Vector{1.0, 0.0};\npend\nnode on is "
+          "Straight "
+          "with nend\n"
+          "node wheels is Drive with v = on; base_velocity = 1; max_velocity = 9; nend\n");
+    write("mission.mdl",
+          "OVERLAY map.odl\nNEW-ROBOT w \"" + file + "\"\nUNIT <u> w\nCOMMAND LIST:\n0. UNIT u START Here\n");
+    const Outcome o = mlab("run mission.mdl --headless --for 2");
+    EXPECT_EQ(o.status, 0) << file << "\n" << o.err;
+    EXPECT_EQ(mlab("check " + file).status, 0) << file;
+  }
+}
+
 TEST_F(Command, DescribesTheLibraryAndItsComponents) {
   EXPECT_TRUE(has(mlab("describe").out, "MoveToGoal"));
   const Outcome one = mlab("describe MOVE_TO_GOAL");

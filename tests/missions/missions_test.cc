@@ -79,7 +79,7 @@ TEST_P(Mission, ArrivesWithAnySeedWithoutAContact) {
     const auto run = prepare(folder / (GetParam() + ".mdl"), seed, 1);
     ASSERT_TRUE(run);
     carry_out(*run, expected["at_most_s"]);
-    EXPECT_EQ(fleet::outcome_name(*run, true), expected["outcome"].get<std::string>());
+    EXPECT_EQ(fleet::outcome_name(*run, fleet::RunEnd::kInterrupted), expected["outcome"].get<std::string>());
     EXPECT_EQ(run->state().steps.size(), expected["steps"].get<std::size_t>());
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       ASSERT_NE(robot.life, fleet::RobotLife::kNotStarted);
@@ -99,7 +99,7 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
   const auto report_with = [&](int threads) {
     const auto run = prepare(kMissions / GetParam() / (GetParam() + ".mdl"), 7, threads);
     carry_out(*run, 3600.0);
-    Json report = Json::parse(fleet::report_json(*run, {}, false));
+    Json report = Json::parse(fleet::report_json(*run, {}, fleet::RunEnd::kByItself));
     report.erase("performance");
     return report.dump();
   };
@@ -202,7 +202,7 @@ TEST(HistoricMissions, ArriveOrSayWhereTheyAreStuck) {
       if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) said += told->text + "\n";
     });
     carry_out(*run, 20'000.0);
-    const std::string outcome = fleet::outcome_name(*run, true);
+    const std::string outcome = fleet::outcome_name(*run, fleet::RunEnd::kInterrupted);
     if (outcome == "done") continue;
     EXPECT_EQ(outcome, "failed");
     EXPECT_NE(said.find("no progress"), std::string::npos) << said;

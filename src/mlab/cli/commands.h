@@ -23,12 +23,13 @@ struct RunOptions {
   std::string speed;  ///< `real`, `max` or a number; empty: the default of the surface
   std::uint64_t seed = 1;
   int threads = 1;
-  std::string report;           ///< file; empty: none
-  std::string plot;             ///< SVG file; empty: none
-  std::string environment;      ///< environment-change file; empty: none
-  std::string start_time;       ///< of the mission clock; empty: now
-  double patience = 600.0;      ///< [s]
-  std::optional<double> limit;  ///< simulated seconds after which the run is ended
+  std::string report;              ///< file; empty: none
+  std::string plot;                ///< SVG file; empty: none
+  std::string environment;         ///< environment-change file; empty: none
+  std::string start_time;          ///< of the mission clock; empty: now
+  double patience = 600.0;         ///< [s]
+  std::optional<double> limit;     ///< simulated seconds after which the run is ended
+  std::optional<double> duration;  ///< simulated seconds that it goes on for, and then is done
 
   // Of the operator console.
   std::optional<std::uint16_t> port;  ///< 0: any free one

@@ -80,7 +80,11 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->capture_default_str()
       ->check(refuse_unless_positive)
       ->type_name("SECONDS");
-  c->add_option("--limit", o.limit, "end the run after so many simulated seconds")
+  c->add_option("--for", o.duration,
+                "run for so many simulated seconds, for robots that act by themselves, and end as done")
+      ->check(refuse_unless_positive)
+      ->type_name("SECONDS");
+  c->add_option("--limit", o.limit, "end the run after so many simulated seconds, as interrupted")
       ->check(refuse_unless_positive)
       ->type_name("SECONDS");
   c->add_flag("--strict", o.strict, "warnings keep the mission from running (exit status 1)");

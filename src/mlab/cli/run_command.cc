@@ -83,6 +83,7 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   const std::shared_ptr<const mission::Mission> mission = load(options, sink);
   if (mission) {
     fleet::RunSettings& settings = manner->settings;
+    settings.goes_on_when_done = options.duration.has_value();
     const robot::ProgramSources sources =
         program_sources(std::filesystem::path(options.mission).parent_path().string(), options.allow_native);
     if (!options.environment.empty()) {
@@ -105,9 +106,9 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   return out;
 }
 
-// Steps until the mission has ended or somebody ends it. True where it was interrupted.
-bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen, TerminalOperator& person,
-               Plot& plot) {
+// Steps until the mission has ended, its time is up or somebody ends it.
+fleet::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
+                        TerminalOperator& person, Plot& plot) {
   fleet::MissionRun& run = *prepared.run;
   const double began = steady_seconds();
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
@@ -121,10 +122,14 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
     }
     if (options.limit && run.time() >= *options.limit) {
       screen.line(fmt::format("[{:9.1f} s] ended by --limit", run.time()));
-      return true;
+      return fleet::RunEnd::kInterrupted;
+    }
+    if (options.duration && run.time() >= *options.duration) {
+      screen.line(fmt::format("[{:9.1f} s] the time is up (--for)", run.time()));
+      return fleet::RunEnd::kTimeIsUp;
     }
     const fleet::MissionRun::Progress progress = run.step();
-    if (progress == fleet::MissionRun::Progress::kOver) return false;
+    if (progress == fleet::MissionRun::Progress::kOver) return fleet::RunEnd::kByItself;
     screen.show_progress(run);
     if (!options.plot.empty()) plot.note(run);
     const bool waits = progress == fleet::MissionRun::Progress::kWaits;
@@ -137,18 +142,18 @@ bool carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
             "no answer: standard input has ended. The mission is aborted; --proceed answers every question "
             "with yes");
         run.post(mission::event::Abort{});
-        return false;
+        return fleet::RunEnd::kByItself;
       }
       if (waits) idle += steady_seconds() - before;
     } else if (waits) {
-      return false;
+      return fleet::RunEnd::kByItself;
     }
     if (prepared.speed > 0.0) {
       const double ahead = run.time() / prepared.speed - (steady_seconds() - began - idle);
       if (ahead > 0.0) pass_time(ahead);
     }
   }
-  return true;
+  return fleet::RunEnd::kInterrupted;
 }
 
 }  // namespace
@@ -179,15 +184,15 @@ int run(const RunOptions& options) {
     screen.show(run, mission::effect::Print{wanted.robot_info});
   const double began = steady_seconds();
   const double cpu_began = cpu_seconds();
-  const bool interrupted = carry_out(*prepared, options, screen, person, plot);
+  const fleet::RunEnd end = carry_out(*prepared, options, screen, person, plot);
   performance.wall_seconds = steady_seconds() - began;
   performance.cpu_seconds = cpu_seconds() - cpu_began;
 
-  const std::string outcome = fleet::outcome_name(run, interrupted);
+  const std::string outcome = fleet::outcome_name(run, end);
   screen.show_summary(run, outcome, performance.wall_seconds);
   screen.show_warnings(prepared->warnings);
   if (!options.report.empty() &&
-      !deliver("report", options.report, fleet::report_json(run, performance, interrupted)))
+      !deliver("report", options.report, fleet::report_json(run, performance, end)))
     return kFailed;
   if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
   return outcome == "done" ? kDone : kFailed;

@@ -104,7 +104,8 @@ std::string Session::Parts::report() {
     performance.started_at = started_at_;
     performance.program_version = settings_.version;
     if (live_) performance.mission_clock = clock_time(live_->run().state().options, 0.0);
-    answer->set_value(live_ ? fleet::report_json(live_->run(), performance, !live_->run().is_over()) : "");
+    answer->set_value(live_ ? fleet::report_json(live_->run(), performance, fleet::RunEnd::kInterrupted)
+                            : "");
   });
   constexpr std::chrono::seconds kMost{5};
   return report.wait_for(kMost) == std::future_status::ready ? report.get() : "";

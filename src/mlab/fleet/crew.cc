@@ -25,7 +25,11 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
   const robot::RobotProgram* known = known_program(type, before);
   auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink,
                                  known == nullptr ? nullptr : known->program, type.name);
-  if (out && known != nullptr) out->body = known->body;
+  if (out && known != nullptr) {
+    out->body = known->body;
+    out->is_own = known->is_own;
+    out->reports = known->reports;
+  }
   return out;
 }
 

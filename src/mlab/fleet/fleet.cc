@@ -10,6 +10,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/percept/object_colors.h"
+
 namespace mlab::fleet {
 namespace {
 
@@ -79,6 +81,8 @@ FleetRobot Fleet::make_robot(const mission::Mission& mission, const mission::Rob
   robot.type = mission.types[declared.type].name;
   robot.program = &programs[declared.type];
   robot.body_spec = bodies[declared.type];
+  robot.seen_as = percept::object_class_of_color(mission.types[declared.type].color)
+                      .value_or(percept::ObjectClass::kUnknown);
   if (robot.program->program) {
     robot.frame = robot.program->initial;
     if (robot.program->program->has_asynchronous() && !async_)
@@ -101,7 +105,8 @@ std::optional<sim::Placement> Fleet::start(base::RobotId id, geom::Pose pose) {
   const std::size_t index = index_of(*found);
   FleetRobot& robot = robots_[index];
   if (robot.life != RobotLife::kNotStarted) simulator_.remove_body(robot.body);  // started anew
-  const std::optional<sim::Placement> placement = simulator_.add_body({robot.body_spec, pose, id, 0});
+  const std::optional<sim::Placement> placement =
+      simulator_.add_body({robot.body_spec, pose, id, 0, robot.seen_as});
   if (!placement) return std::nullopt;
   robot.body = placement->body;
   robot.start = placement->pose;

@@ -50,6 +50,7 @@ struct FleetRobot {
   std::string type;  ///< name of its robot type
   const robot::RobotProgram* program = nullptr;
   sim::BodySpec body_spec;
+  percept::ObjectClass seen_as = percept::ObjectClass::kFriendlyRobot;  ///< when it starts, by its colour
   RobotLife life = RobotLife::kNotStarted;
   sim::BodyIndex body;  ///< meaningful once started
   flow::Frame frame;

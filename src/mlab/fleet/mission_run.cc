@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/fleet/order_check.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/wording.h"
 
@@ -38,7 +39,9 @@ std::unique_ptr<MissionRun> MissionRun::create(std::shared_ptr<const mission::Mi
                                                const robot::ProgramSources& sources,
                                                const RunSettings& settings, text::Diagnostics& sink) {
   std::shared_ptr<const Crew> crew = make_crew(std::move(mission), sources, sink);
-  return crew ? std::make_unique<MissionRun>(std::move(crew), settings) : nullptr;
+  if (!crew) return nullptr;
+  check_orders(*crew, sink);
+  return std::make_unique<MissionRun>(std::move(crew), settings);
 }
 
 void MissionRun::post(const mission::Event& event) {
@@ -141,7 +144,8 @@ MissionRun::Progress MissionRun::step() {
     fleet_->report(report_.robots);
     post(report_);
   }
-  if (is_over()) return Progress::kOver;
+  if (is_over() && !(settings_.goes_on_when_done && state_.outcome == mission::Outcome::kDone))
+    return Progress::kOver;
   if (state_.paused || (settings_.stands_still_for_operator && mission::awaits_only_operator(state_)))
     return Progress::kWaits;
   ++cycle_;

@@ -25,6 +25,8 @@ struct RunSettings {
   mission::ExecutiveOptions executive;
   overlay::EnvironmentChanges environment;  ///< what changes in the world, and when
   bool stands_still_for_operator = true;    ///< time does not pass while nothing but an answer is awaited
+  bool goes_on_when_done =
+      false;  ///< time passes after the mission is done: robots that act by themselves do so
 };
 
 /// How well a unit kept its formations.
@@ -83,7 +85,7 @@ class MissionRun {
   enum class Progress : std::uint8_t {
     kStepped,  ///< a cycle went by
     kWaits,    ///< paused, or only the operator can move things on: no time passed
-    kOver,     ///< the mission has ended; more steps would only let the robots go on with their last orders
+    kOver,     ///< the mission has ended; no time passes any more, unless RunSettings::goes_on_when_done
   };
   /// One control cycle.
   Progress step();

@@ -124,11 +124,12 @@ Json performance_json(const MissionRun& run, const Performance& performance) {
 
 }  // namespace
 
-std::string outcome_name(const MissionRun& run, bool interrupted) {
-  return interrupted && !run.is_over() ? "interrupted" : std::string(mission::name(run.state().outcome));
+std::string outcome_name(const MissionRun& run, RunEnd end) {
+  if (run.is_over() || end == RunEnd::kByItself) return std::string(mission::name(run.state().outcome));
+  return end == RunEnd::kTimeIsUp ? "done" : "interrupted";
 }
 
-std::string report_json(const MissionRun& run, const Performance& performance, bool interrupted) {
+std::string report_json(const MissionRun& run, const Performance& performance, RunEnd end) {
   Json out;
   out["version"] = kSchemaVersion;
   out["mission"] = {{"name", run.mission().name},
@@ -142,7 +143,7 @@ std::string report_json(const MissionRun& run, const Performance& performance, b
         {{"cycle", answer.cycle}, {"question", answer.question}, {"proceed", answer.proceed}});
   }
   out["seed"] = run.seed();
-  out["outcome"] = outcome_name(run, interrupted);
+  out["outcome"] = outcome_name(run, end);
   out["steps"] = steps_json(run.state());
   out["robots"] = robots_json(run);
   out["units"] = units_json(run);

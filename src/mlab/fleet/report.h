@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "mlab/fleet/mission_run.h"
@@ -15,13 +16,19 @@ struct Performance {
   std::string program_version;
 };
 
+/// How a run came to its end.
+enum class RunEnd : std::uint8_t {
+  kByItself,
+  kInterrupted,  ///< from outside: the outcome of a mission that was not over is `interrupted`
+  kTimeIsUp      ///< it was to go on for so long: that of a mission that was not over is `done`
+};
+
 /// The report of a run as JSON, indented, ending with a newline. docs/report.md describes the schema;
 /// `version` counts its changes. For the same mission and seed everything but `performance` is the same, byte
 /// for byte.
-/// @param interrupted  the run was ended from outside; its outcome is then `interrupted`
-std::string report_json(const MissionRun& run, const Performance& performance, bool interrupted);
+std::string report_json(const MissionRun& run, const Performance& performance, RunEnd end);
 
 /// `done`, `failed`, `aborted`, `interrupted`, ...
-std::string outcome_name(const MissionRun& run, bool interrupted);
+std::string outcome_name(const MissionRun& run, RunEnd end);
 
 }  // namespace mlab::fleet

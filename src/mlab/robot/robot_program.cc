@@ -30,6 +30,17 @@ std::vector<std::string> parameter_names(const flow::Program& program) {
   return out;
 }
 
+// Whether something in it may tell the mission about an order; nobody knows that of what a mission brings
+// itself.
+bool may_report(const flow::Network& network) {
+  return std::ranges::any_of(network.nodes, [](const flow::Node& node) {
+    if (node.kind != flow::Node::Kind::kBehavior) return false;
+    const flow::Behavior* known = component_library().find(node.behavior).behavior;
+    constexpr std::string_view kTellers[] = {"ReportStatus", "ReportFlags", "ReportDone", "ReportStep"};
+    return known == nullptr || std::ranges::find(kTellers, known->name) != std::end(kTellers);
+  });
+}
+
 void set_parameters(std::span<const Setting> settings, const std::vector<std::string>& known_keys,
                     RobotProgram& robot, text::Diagnostics& sink) {
   for (const Setting& parameter : settings) {
@@ -91,8 +102,11 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     }
   } else if (last_part(name).ends_with(".cnl")) {
     robot.program = load_network(name, place, sources, sink);
+    robot.is_own = true;
   } else if (names_configuration(last_part(name))) {
+    robot.is_own = true;
     if (auto configured = load_configuration(name, type, place, sources, sink)) {
+      robot.reports = may_report(configured->lowered.network);
       robot.program = std::move(configured->program);
       robot.body = std::move(configured->lowered.body);
     }

@@ -36,6 +36,9 @@ struct RobotProgram {
   std::map<std::string, double> body;  ///< what a configuration says of the body: `radius`, ... in SI units
   std::shared_ptr<const NativeProgram> native = nullptr;  ///< runs in processes of its own; then no `program`
 
+  bool is_own = false;  ///< of a network or configuration that the mission names
+  bool reports = true;  ///< false: nothing in it ever says how far the robot is with an order
+
   /// Somebody answers to the name.
   bool can_run() const { return program != nullptr || native != nullptr; }
 };
