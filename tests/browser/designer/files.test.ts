@@ -13,7 +13,6 @@ test("what is not saved survives a closed tab and a killed server", async () => 
   await designer.setValue(designer.named("Noise"), "persistence", "3 s");
   await designer.button("Not saved").waitFor();
   await designer.page.goto("about:blank");
-  await new Promise((resolve) => setTimeout(resolve, 1500));
   const state = await mlab.kill();
   const again = await Mlab.edit([project.path("one.cdl"), "--project", project.folder], state);
   onTestFinished(async () => {
@@ -24,6 +23,26 @@ test("what is not saved survives a closed tab and a killed server", async () => 
   await page.named("Noise").getByText("3 s").waitFor();
   await page.button("Not saved").waitFor();
   expect(project.read("one.cdl")).toBe(kOne);
+});
+
+test("a page that was left open goes on with the next server where the killed one stood", async () => {
+  const { designer, mlab, project } = await opened();
+  await designer.on("One");
+  await designer.setValue(designer.named("Noise"), "persistence", "3 s");
+  await designer.button("Not saved").waitFor();
+  const state = await mlab.kill();
+  await designer.page.getByText(/Connection lost/).waitFor();
+  const port = new URL(mlab.url).port;
+  const again = await Mlab.edit([project.path("one.cdl"), "--project", project.folder, "--port", port], state);
+  onTestFinished(async () => {
+    await again.stop();
+  });
+  expect(again.url).toBe(mlab.url);
+  await designer.page.getByText(/Connection lost/).waitFor({ state: "detached" });
+  await designer.named("Noise").getByText("3 s").waitFor();
+  await designer.setValue(designer.named("Noise"), "persistence", "4 s");
+  await designer.named("Noise").getByText("4 s").waitFor();
+  designer.troubles.length = 0; // the browser complains of a server that does not answer
 });
 
 test("a file that is changed on disk is taken over, or asked about where there is something to lose", async () => {
