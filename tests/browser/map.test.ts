@@ -36,14 +36,23 @@ function bitmap(): Buffer {
   return file;
 }
 
-function withPicture(project: Project): void {
-  project.write("ground.bmp", bitmap());
-  project.write("ground.mapinfo", "ground.bmp\n100 0 800 800\n");
+/** The same as PPM, which browsers don't know: its rows go down from the top. */
+function pixmap(): Buffer {
+  const pixels = [0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0];
+  return Buffer.concat([Buffer.from("P6\n# by hand\n2 2\n255\n"), Buffer.from(pixels)]);
+}
+
+function withPicture(project: Project, name = "ground.bmp", picture = bitmap()): void {
+  project.write(name, picture);
+  project.write("ground.mapinfo", `${name}\n100 0 800 800\n`);
   project.write("democ.odl", project.read("democ.odl").replace("CONTROL MEASURES:", "LOAD-MAP ground.mapinfo\n\n$&"));
 }
 
-test("a background picture lies where its map-info file says, the right way up, and can be hidden", async () => {
-  const { console } = await begin({ mission: "demo_c", prepare: withPicture });
+test.each([
+  ["ground.bmp", bitmap()],
+  ["ground.ppm", pixmap()],
+])("a picture, %s, lies where its map-info file says, the right way up, and can be hidden", async (name, picture) => {
+  const { console } = await begin({ mission: "demo_c", prepare: (project) => withPicture(project, name, picture) });
   await console.reaches("Ready");
   // A picture is drawn a little paler than it is.
   const colour = async (x: number, y: number) => (await colorAt(console, x, y)).map((part) => (part > 128 ? 1 : 0));
@@ -57,7 +66,7 @@ test("a background picture lies where its map-info file says, the right way up, 
 });
 
 test("each layer is switched off and on, and its switching undone by name", async () => {
-  const { console } = await begin({ mission: "demo_c", prepare: withPicture });
+  const { console } = await begin({ mission: "demo_c", prepare: (project) => withPicture(project) });
   const { page } = console;
   await console.reaches("Ready");
   await console.panel("World");

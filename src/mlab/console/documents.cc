@@ -219,6 +219,10 @@ text::Files OpenDocuments::files() {
             text::Result<std::string> text = project_.read(*name);
             if (!text) return std::unexpected(text.error());
             return source_of(path, std::move(*text));
+          },
+          [this](const std::string& path) {
+            const auto name = project_.name_of(path);
+            return name ? project_.beginning(*name) : std::string();
           }};
 }
 

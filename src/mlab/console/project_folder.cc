@@ -171,6 +171,17 @@ text::Result<std::string> ProjectFolder::read(std::string_view path) const {
   return out;
 }
 
+std::string ProjectFolder::beginning(std::string_view path) const {
+  if (path.starts_with(kOutside))
+    return is_file(path) ? text::files_on_disk().beginning(std::string(path.substr(kOutside.size()))) : "";
+  const auto location = locate(path);
+  if (!location) return "";
+  std::string out;
+  // More than was asked for is a complaint, after the first of it has been read.
+  EnclosedFolder::of_file(location->root, location->parts).read(location->parts.back(), 1024, out);
+  return out;
+}
+
 text::Result<bool> ProjectFolder::write(std::string_view path, std::string_view text) const {
   const auto location = locate(path);
   if (!location || !is_writable(path)) {

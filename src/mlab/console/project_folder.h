@@ -49,6 +49,8 @@ class ProjectFolder {
   bool is_writable(std::string_view path) const;
   /// @errors `cannot-read`, `file-too-large`
   text::Result<std::string> read(std::string_view path) const;
+  /// How the file begins, a few kilobytes; empty where it can't be read.
+  std::string beginning(std::string_view path) const;
   /// Writes a file as a whole or not at all: beside it, then in its place. Folders that miss are made.
   /// @errors `cannot-write`
   text::Result<bool> write(std::string_view path, std::string_view text) const;

@@ -5,8 +5,8 @@
 #include <fmt/core.h>
 
 #include "mlab/console/overview.h"
-#include "mlab/console/picture_type.h"
 #include "mlab/console/session_parts.h"
+#include "mlab/overlay/picture.h"
 
 namespace mlab::console {
 namespace {
@@ -223,9 +223,10 @@ void Session::Parts::update_picture() {
   const auto name = planned ? project_.name_of(planned->file) : std::nullopt;
   if (name) {
     if (auto bytes = project_.read(*name)) {
-      picture.content_type = picture_type(*bytes);
+      overlay::ShownPicture shown = overlay::shown_picture(std::move(*bytes));
+      picture.content_type = std::move(shown.content_type);
       if (!picture.content_type.empty())
-        picture.bytes = std::make_shared<const std::string>(std::move(*bytes));
+        picture.bytes = std::make_shared<const std::string>(std::move(shown.bytes));
     }
   }
   const std::scoped_lock lock(picture_mutex_);

@@ -16,6 +16,9 @@ struct Files {
   std::function<bool(const std::string& path)> is_file;
   /// The text, its source named by the path. @errors as `read_source`
   std::function<Result<SourcePtr>(const std::string& path)> read;
+  /// How a file begins, at least a kilobyte of it where it has so many; empty where it can't be read. None
+  /// where nobody asks what kinds of files there are.
+  std::function<std::string(const std::string& path)> beginning;
 };
 
 const Files& files_on_disk();

@@ -6,6 +6,7 @@
 
 #include "mlab/lang/odl/map_info.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/overlay/picture.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::odl {
@@ -30,6 +31,14 @@ text::Diagnostic& warn_missing(text::Diagnostics& sink, std::string kind, const 
                       fmt::format("there is no {} `{}`", what, text::shown(name, 200)));
 }
 
+void warn_unshown(text::Diagnostics& sink, const text::Place& place, std::string_view name,
+                  std::string_view beginning) {
+  const std::string why = overlay::why_not_shown(beginning);
+  if (why.empty()) return;
+  sink.warning("picture-format", place, fmt::format("`{}` {}", text::shown(name, 200), why)).label =
+      "the background stays empty";
+}
+
 }  // namespace
 
 void load_map(const std::string& name, const std::string& near_path, const text::Place& place,
@@ -52,6 +61,7 @@ void load_map(const std::string& name, const std::string& near_path, const text:
   if (!info) return;
   const std::optional<std::string> picture = find_companion(info->picture, *path, files);
   if (!picture) warn_missing(sink, "missing-picture", place, "picture", info->picture);
+  if (picture && files.beginning) warn_unshown(sink, place, info->picture, files.beginning(*picture));
   into.map_picture =
       overlay::MapPicture{picture.value_or(info->picture), {info->x, info->y}, info->width, info->height};
   if (info->sets_area) into.area = overlay::Area{info->width, info->height};
