@@ -26,6 +26,7 @@ void EventLog::add(double time, Entry entry) {
 
 void EventLog::encode_since(std::uint64_t number, Log& out) const {
   const std::uint64_t first = last_ - entries_.size() + 1;
+  out.set_alerts_after(alerts_after_);
   out.set_is_whole(number + 1 < first || number == 0);
   for (std::uint64_t n = std::max(number + 1, first); n <= last_; ++n)
     *out.add_entries() = entries_[static_cast<std::size_t>(n - first)];

@@ -28,12 +28,16 @@ class EventLog {
   void add(double time, Entry entry);
   /// Number of the last entry; 0: there is none.
   std::uint64_t last() const { return last_; }
+  /// Another run begins: alerts until now are of an earlier one.
+  void begin_run() { alerts_after_ = last_; }
+  std::uint64_t alerts_after() const { return alerts_after_; }
   /// All entries after that number, as far as they are kept. `is_whole` is set where some of them are not.
   void encode_since(std::uint64_t number, Log& out) const;
 
  private:
   std::deque<Log::Entry> entries_;
   std::uint64_t last_ = 0;
+  std::uint64_t alerts_after_ = 0;
 };
 
 }  // namespace mlab::console

@@ -5,6 +5,17 @@
 namespace mlab::console {
 namespace {
 
+TEST(EventLog, TellsWhichAlertsAreOfAnEarlierRun) {
+  EventLog log;
+  log.add(1.0, {Log::STUCK, "robot 1 is stuck", 1, "", {}, true});
+  log.begin_run();
+  log.add(0.0, {Log::STUCK, "robot 2 is stuck", 2, "", {}, true});
+  Log out;
+  log.encode_since(0, out);
+  EXPECT_EQ(out.alerts_after(), 1U);
+  EXPECT_EQ(out.entries_size(), 2) << "they stay in the log";
+}
+
 TEST(EventLog, GivesWhatCameSince) {
   EventLog log;
   for (int i = 1; i <= 5; ++i) log.add(i, {Log::MESSAGE, std::to_string(i), 0, "", {}, false});

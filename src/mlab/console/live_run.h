@@ -41,6 +41,7 @@ class LiveRun {
   const Alarms& alarms() const { return alarms_; }
   Alarms& alarms() { return alarms_; }
   const TrailRecorder& trails() const { return trails_; }
+  TrailRecorder& trails() { return trails_; }
   SeriesRecorder& series() { return series_; }
   const SeriesRecorder& series() const { return series_; }
   TransitionRecorder& transitions() { return transitions_; }

@@ -66,6 +66,7 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
   if (control.action() == Control::SKIP_STEP && !state.in_step &&
       state.step + 1 >= state.mission->steps.size())
     return "there is no step after this one";
+  if (live_->run().is_over() && control.action() != Control::ABORT) forget_earlier_run();
   note(who, control.action() == Control::JUMP
                 ? fmt::format("jump to step {}", clean(state.mission->steps[control.step()].label))
                 : name_of(control.action()));
@@ -106,6 +107,12 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
       return "this control is not known here";
   }
   return std::nullopt;
+}
+
+void Session::Parts::forget_earlier_run() {
+  log_.begin_run();
+  live_->trails().clear();
+  changes_.trails = true;
 }
 
 // What runs is finished, and then nothing goes on by itself.

@@ -46,6 +46,7 @@ void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet:
   const std::uint64_t number = ++loading_;
   answer_trial("another run has taken its place", {});
   seed_ = seed;
+  log_.begin_run();
   from_documents_ = plain_ = documents_.mission();
   typed_edits_.clear();
   if (!plain_) {

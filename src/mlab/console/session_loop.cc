@@ -189,6 +189,7 @@ void Session::Parts::advance() {
     if (stop_wanted_.exchange(false)) engage_emergency_stop();
     if (!step_once()) {
       has_nothing_to_do_ = true;
+      if (is_stopped_) changes_.status = true;  // all stand
       break;
     }
     wall = now();

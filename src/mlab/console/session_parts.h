@@ -94,6 +94,8 @@ class Session::Parts {
   void single_step();
   void skip_step();
   void single_cycle();
+  /// The mission has ended, and begins anew: trails and alerts are of before.
+  void forget_earlier_run();
   /// Why no command can be given now.
   Answered why_not_now() const;
   void post(const mission::Event& event);
@@ -152,6 +154,8 @@ class Session::Parts {
   void publish_state();
   void publish_frames();
   void publish_log(Channel& channel);
+  void publish_beats();
+  void send_beat(const Channel& channel);
   void send(ConnectionId to, const ToBrowser& message);
   void broadcast(const ToBrowser& message);
   Status status_message() const;
@@ -241,6 +245,7 @@ class Session::Parts {
   std::uint64_t version_ = 1;       // of the world: grows with every cycle and edit
   Changes changes_;
   double last_status_ = -1e9;
+  double last_beats_ = -1e9;
   double began_ = 0.0;
   std::string started_at_;
 

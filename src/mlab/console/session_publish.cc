@@ -10,6 +10,11 @@ namespace {
 
 constexpr double kStatusApart = 0.05;  // two that tell of something that happened [s]
 constexpr double kStatusEvery = 0.25;  // while time passes [s]
+constexpr double kBeatEvery = 0.2;     // a little more often than the loop looks around at least [s]
+
+std::uint32_t count_of(std::size_t size) {
+  return static_cast<std::uint32_t>(size);
+}
 
 std::shared_ptr<const std::string> bytes_of(const ToBrowser& message) {
   return std::make_shared<const std::string>(message.SerializeAsString());
@@ -66,7 +71,11 @@ Status Session::Parts::status_message() const {
     out.set_seed(seed_);
   }
   teleoperations_.encode(out);
-  if (is_stopped_) out.set_mode(Status::STOPPED);
+  if (is_stopped_) {
+    out.set_mode(Status::STOPPED);
+    out.mutable_stop()->set_robots(live_ ? count_of(live_->run().robots_in_world()) : 0);
+    out.mutable_stop()->set_standing(live_ ? count_of(live_->run().robots_stopped()) : 0);
+  }
   out.set_speed(pace_.speed());
   out.set_speed_reached(meter_.speed(wall));
   if (time_runs_) out.set_behind(pace_.behind(wall, sim_time()));
@@ -79,6 +88,7 @@ void Session::Parts::publish() {
   publish_breakpoints();
   for (auto& [id, channel] : channels_) publish_log(channel);
   publish_frames();
+  publish_beats();
 }
 
 void Session::Parts::publish_state() {
@@ -142,11 +152,26 @@ void Session::Parts::publish_state() {
 }
 
 void Session::Parts::publish_log(Channel& channel) {
-  if (channel.log_seen == log_.last()) return;
+  const bool has_alerts = channel.alerts_seen == log_.alerts_after();
+  if (channel.log_seen == log_.last() && has_alerts) return;
+  channel.alerts_seen = log_.alerts_after();
   ToBrowser out;
   log_.encode_since(channel.log_seen, *out.mutable_log());
   channel.log_seen = log_.last();
   send(channel.connection(), out);
+}
+
+void Session::Parts::send_beat(const Channel& channel) {
+  ToBrowser out;
+  out.mutable_beat()->set_number(channel.beat);
+  send(channel.connection(), out);
+}
+
+void Session::Parts::publish_beats() {
+  const double wall = now();
+  if (wall < last_beats_ + kBeatEvery) return;
+  last_beats_ = wall;
+  for (const auto& [id, channel] : channels_) send_beat(channel);
 }
 
 void Session::Parts::publish_frames() {

@@ -136,6 +136,10 @@ Session::Parts::Answered Session::Parts::take_from_anybody(Channel& channel, con
     case ToServer::kAcknowledge:
       channel.acknowledge(message.acknowledge().frame());
       return std::nullopt;
+    case ToServer::kBeat:
+      channel.beat = message.beat().number();
+      send_beat(channel);
+      return std::nullopt;
     case ToServer::kWatch:
       channel.watch(message.watch());
       update_watches();

@@ -208,6 +208,87 @@ TEST(Session, TheEmergencyStopHoldsAllRobotsUntilItIsReleased) {
   EXPECT_TRUE(anna.wait([&] { return distance(start(), stands) > 1.0; }));
 }
 
+TEST(Session, TheEmergencyStopIsConfirmedRobotByRobotOnceTheyStand) {
+  TestSession session(kDemo, 10.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 5.0; }));
+  EXPECT_FALSE(anna.status().has_stop());
+  session->emergency_stop();
+  ASSERT_TRUE(anna.wait([&] {
+    return anna.status().has_stop() && anna.status().stop().standing() == anna.status().stop().robots();
+  }));
+  EXPECT_EQ(anna.status().mode(), Status::STOPPED);
+  EXPECT_EQ(anna.status().stop().robots(), 4U);
+  EXPECT_EQ(anna.control(Control::RELEASE_STOP), "");
+  ASSERT_TRUE(anna.wait([&] { return !anna.status().has_stop(); }));
+}
+
+TEST(Session, AfterAnAbortAJumpLeadsToItsStepAndTrailsAndAlertsOfBeforeGo) {
+  TestSession session(kDemo, 10.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 5.0; }));
+  ASSERT_EQ(anna.control(Control::ABORT), "");
+  ASSERT_TRUE(wait_for(anna, Status::ENDED));
+  Browser before(session, "Ben");
+  ASSERT_TRUE(before.wait([&] { return before.trails().trails_size() > 0; }));
+  ASSERT_EQ(anna.control(Control::JUMP, 1), "");
+  ASSERT_TRUE(wait_for(anna, Status::PAUSED)) << "it can be executed from there";
+  EXPECT_EQ(anna.status().current_step(), 1U);
+  EXPECT_GT(anna.alerts_after(), 0U);
+  ASSERT_TRUE(before.wait([&] { return before.trails().trails_size() == 0; }));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(wait_for(anna, Status::RUNNING));
+  EXPECT_EQ(anna.status().current_step(), 1U);
+}
+
+TEST(Session, BeatsComeUnaskedAndEachOneThatIsSentIsAnsweredWithItsNumber) {
+  TestSession session("", 10.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(anna.wait([&] { return anna.beat_count() > 2; })) << "nothing runs, and nothing is asked";
+  auto message = std::make_unique<ToServer>();
+  message->mutable_beat()->set_number(77);
+  anna.send(std::move(message));
+  ASSERT_TRUE(anna.wait([&] { return anna.beat() == 77; }));
+  const std::uint64_t count = anna.beat_count();
+  EXPECT_TRUE(anna.wait([&] { return anna.beat_count() > count + 2; }));
+  EXPECT_EQ(anna.beat(), 77U) << "who sends no more is told the last";
+}
+
+TEST(Session, APageThatFallsSilentLosesItsStickAndNothingElse) {
+  TestSession session(kDemo, 10.0);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 2.0; }));
+  ToServer start;
+  start.mutable_start_teleoperation()->set_robot(1);
+  ASSERT_EQ(Browser::error_of(anna.ask(start)), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 1; }));
+  Browser ben(session, "Ben");
+  ToServer stick;
+  stick.mutable_stick()->set_unit("robot 1");
+  stick.mutable_stick()->set_y(1.0);
+  const auto row = [&] { return robot_in(ben.frame(), 1); };
+  ASSERT_TRUE(ben.wait([&] { return row().id == 1; }));
+  const RobotRows::Row before = row();
+  anna.send(std::make_unique<ToServer>(stick));
+  ASSERT_TRUE(ben.wait([&] { return distance(row(), before) > 0.1; }));
+  // No beat and no stick from here on. It comes to rest, and all else is as it was.
+  RobotRows::Row last = row();
+  ASSERT_TRUE(ben.wait([&] {
+    ben.watch_for(0.3);
+    const RobotRows::Row now = row();
+    return distance(now, std::exchange(last, now)) == 0.0;
+  }));
+  EXPECT_EQ(ben.clients().operator_(), anna.welcome().client());
+  EXPECT_EQ(ben.status().teleoperations_size(), 1);
+  EXPECT_EQ(anna.control(Control::PAUSE), "") << "it goes on where it was";
+}
+
 TEST(Session, TheEmergencyStopOutlivesARestart) {
   TestSession session(kDemo, 10.0);
   Browser anna(session, "Anna");

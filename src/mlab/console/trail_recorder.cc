@@ -52,6 +52,11 @@ void TrailRecorder::look(const fleet::MissionRun& run) {
   }
 }
 
+void TrailRecorder::clear() {
+  trails_.clear();
+  count_ = 0;
+}
+
 void TrailRecorder::encode(Trails& out) const {
   for (const Trail& trail : trails_) {
     if (trail.points.empty()) continue;

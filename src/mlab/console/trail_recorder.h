@@ -19,6 +19,8 @@ class TrailRecorder {
 
   /// Once per cycle.
   void look(const fleet::MissionRun& run);
+  /// As if nobody had gone anywhere yet.
+  void clear();
   void encode(Trails& out) const;
   std::size_t point_count() const { return count_; }
 

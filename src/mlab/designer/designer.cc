@@ -104,6 +104,7 @@ void Designer::Parts::work() {
       tasks = inbox_->wait_until(std::chrono::steady_clock::now());
       if (tasks.empty()) break;
     }
+    send_beats();
     if (now() - last_look_ > kDiskPause) look_at_disk();
     keep_drafts();
   }
@@ -155,6 +156,13 @@ void Designer::Parts::look_at_disk() {
 }
 
 void Designer::Parts::handle(console::ConnectionId from, const ToDesigner& message) {
+  if (message.has_beat()) {
+    if (const auto known = clients_.find(from); known != clients_.end()) {
+      known->second.beat = message.beat().number();
+      send_beat(from, known->second);
+    }
+    return;
+  }
   if (!message.has_edit_text()) settle();
   Client& client = clients_[from];
   Answer out;

@@ -39,6 +39,7 @@ class Designer::Parts {
   /// A browser: what it looks at, and what it has been sent last.
   struct Client {
     bool has_greeted = false;
+    std::uint64_t beat = 0;  ///< number of its last one
     std::set<std::string, std::less<>> documents;
     std::vector<Page> pages;
     std::map<std::string, std::string> sent;  ///< of each document, page, palette, by a name for it
@@ -138,6 +139,9 @@ class Designer::Parts {
   void send_once(console::ConnectionId to, Client& client, const std::string& what,
                  const FromDesigner& message);
   void send(console::ConnectionId to, const FromDesigner& message);
+  /// Says to all, a few times a second, that this thread goes on.
+  void send_beats();
+  void send_beat(console::ConnectionId to, const Client& client);
 
   // ---- designer.cc again: what time brings
 
@@ -159,6 +163,7 @@ class Designer::Parts {
   std::string first_;  ///< path of the document that the command line named
   std::string first_error_;
   double last_look_ = 0.0;
+  double last_beats_ = 0.0;
   LastTrial last_trial_;
   std::map<std::string, Marks> marks_;  ///< by document; also of those that nobody looks at now
   MarkStore mark_store_;

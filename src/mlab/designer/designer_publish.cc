@@ -9,6 +9,12 @@
 #include "mlab/designer/open_text.h"
 
 namespace mlab::designer {
+namespace {
+
+// Between two beats [s]: a little less than the loop waits at most.
+constexpr double kBeatPause = 0.2;
+
+}  // namespace
 
 void Designer::Parts::publish() {
   settle();
@@ -128,6 +134,20 @@ void Designer::Parts::send_once(console::ConnectionId to, Client& client, const 
 
 void Designer::Parts::send(console::ConnectionId to, const FromDesigner& message) {
   send_(to, std::make_shared<const std::string>(message.SerializeAsString()));
+}
+
+void Designer::Parts::send_beat(console::ConnectionId to, const Client& client) {
+  FromDesigner message;
+  message.mutable_beat()->set_number(client.beat);
+  send(to, message);
+}
+
+void Designer::Parts::send_beats() {
+  if (now() - last_beats_ < kBeatPause) return;
+  last_beats_ = now();
+  for (const auto& [to, client] : clients_) {
+    if (client.has_greeted) send_beat(to, client);
+  }
 }
 
 }  // namespace mlab::designer

@@ -298,10 +298,14 @@ void Fleet::brake(double dt) {
   update_poses();
 }
 
-bool Fleet::is_moving() const {
-  return std::any_of(robots_.begin(), robots_.end(), [&](const FleetRobot& robot) {
-    return robot.life != RobotLife::kNotStarted && geom::length(simulator_.velocity(robot.body)) > 0.0;
-  });
+Fleet::Bodies Fleet::bodies() const {
+  Bodies out;
+  for (const FleetRobot& robot : robots_) {
+    if (robot.life == RobotLife::kNotStarted) continue;
+    ++out.all;
+    if (geom::length(simulator_.velocity(robot.body)) > 0.0) ++out.moving;
+  }
+  return out;
 }
 
 std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_view path,

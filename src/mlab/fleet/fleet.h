@@ -105,8 +105,12 @@ class Fleet {
   void step(double dt);
   /// One cycle in which no program runs and every body brakes [s].
   void brake(double dt);
-  /// Some body has not come to rest.
-  bool is_moving() const;
+  /// Robots in the world, and those of them that have not come to rest.
+  struct Bodies {
+    std::size_t all = 0;
+    std::size_t moving = 0;
+  };
+  Bodies bodies() const;
 
   const std::vector<FleetRobot>& robots() const { return robots_; }
   const FleetRobot* find(base::RobotId id) const;

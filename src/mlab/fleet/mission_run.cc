@@ -134,7 +134,14 @@ bool MissionRun::is_over() const {
 }
 
 std::size_t MissionRun::steps_done() const {
-  return state_.mode == mission::State::Mode::kRunning ? state_.step : state_.mission->steps.size();
+  const std::size_t all = state_.mission->steps.size();
+  if (state_.mode == mission::State::Mode::kRunning) return state_.step;
+  if (state_.outcome == mission::Outcome::kDone) return all;
+  std::vector<bool> is_done(all);
+  for (const mission::StepRecord& step : state_.steps) {
+    if (step.step < all) is_done[step.step] = step.outcome == mission::Outcome::kDone;
+  }
+  return static_cast<std::size_t>(std::ranges::count(is_done, true));
 }
 
 MissionRun::Progress MissionRun::step() {
@@ -200,7 +207,7 @@ void MissionRun::tell_faults() {
 }
 
 MissionRun::Progress MissionRun::brake() {
-  if (has_braked_ && !fleet_->is_moving()) return Progress::kWaits;
+  if (has_braked_ && fleet_->bodies().moving == 0) return Progress::kWaits;
   has_braked_ = true;
   ++cycle_;
   fleet_->brake(dt_);

@@ -103,6 +103,13 @@ class MissionRun {
     is_stopped_ = stopped;
   }
   bool is_stopped() const { return is_stopped_; }
+  /// How many robots are in the world, and how many of these the stop has brought to stand: none before the
+  /// first cycle in which they were braked.
+  std::size_t robots_in_world() const { return fleet_->bodies().all; }
+  std::size_t robots_stopped() const {
+    const Fleet::Bodies bodies = fleet_->bodies();
+    return is_stopped_ && has_braked_ ? bodies.all - bodies.moving : 0;
+  }
 
   /// The operator's stick for one robot.
   void set_joystick(base::RobotId robot, const percept::Joystick& joystick) {

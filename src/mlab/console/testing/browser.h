@@ -142,6 +142,10 @@ class Browser {
   const Halted& halted() const { return halted_; }
   const std::vector<Log::Entry>& log() const { return log_; }
   std::uint64_t frame_count() const { return frame_count_; }
+  std::uint64_t alerts_after() const { return alerts_after_; }
+  /// The number in the last beat, and how many came.
+  std::uint64_t beat() const { return beat_; }
+  std::uint64_t beat_count() const { return beat_count_; }
   /// What was asked is not looked at again until the session tells of it again.
   void forget_questions() { questions_.Clear(); }
   void acknowledge_frames(bool does) { acknowledges_ = does; }
@@ -187,6 +191,7 @@ class Browser {
         break;
       case ToBrowser::kLog:
         if (message.log().is_whole()) log_.clear();
+        alerts_after_ = message.log().alerts_after();
         log_.insert(log_.end(), message.log().entries().begin(), message.log().entries().end());
         break;
       case ToBrowser::kClients:
@@ -209,6 +214,10 @@ class Browser {
         break;
       case ToBrowser::kHalted:
         halted_ = message.halted();
+        break;
+      case ToBrowser::kBeat:
+        beat_ = message.beat().number();
+        ++beat_count_;
         break;
       case ToBrowser::BODY_NOT_SET:
         break;
@@ -246,6 +255,9 @@ class Browser {
   Halted halted_;
   std::vector<Log::Entry> log_;
   std::uint64_t frame_count_ = 0;
+  std::uint64_t alerts_after_ = 0;
+  std::uint64_t beat_ = 0;
+  std::uint64_t beat_count_ = 0;
 };
 
 }  // namespace mlab::console::testing
