@@ -11,12 +11,15 @@ test("robots that stand in the way of a rock and get no nearer are told as stuck
   await console.dragMap([140, 170], [154, 170]);
   const alerts = page.getByRole("region", { name: "Alerts" });
   await alerts.getByText("Robot 1 was moved: an obstacle appeared where it stood").waitFor();
+  expect(await alerts.locator(".toast").count()).toBe(1);
   await console.setSpeed("×10");
   await console.main.click();
   const stuck = alerts.locator(".toast").filter({ hasText: /Robot \d is stuck: no nearer to done/ });
   await stuck.first().waitFor({ timeout: 60_000 });
   await console.main.filter({ hasText: "Pause" }).click();
   await console.reaches("Paused");
+  expect(await alerts.locator(".toast").count()).toBe(1);
+  await alerts.getByRole("button", { name: / more$/ }).click();
   await console.panel("Robots");
   await page.getByRole("row").filter({ hasText: "Stuck" }).first().waitFor();
 

@@ -62,6 +62,15 @@ export class Mlab {
     return /https?:\/\/\S+/.exec(this.output)?.[0] ?? "";
   }
 
+  /** It is there, and does nothing, until `thaw`. */
+  freeze(): void {
+    this.process.kill("SIGSTOP");
+  }
+
+  thaw(): void {
+    this.process.kill("SIGCONT");
+  }
+
   /** As when the machine is switched off: nothing is said to it. @returns the folder of what it remembers */
   async kill(): Promise<string> {
     this.process.kill("SIGKILL");
@@ -71,6 +80,7 @@ export class Mlab {
 
   /** As Ctrl-C. @returns the exit status */
   async stop(): Promise<number | null> {
+    this.thaw();
     if (this.process.exitCode === null) this.process.kill("SIGINT");
     const status = await this.ended;
     rmSync(this.state, { recursive: true, force: true });

@@ -48,3 +48,35 @@ test("the emergency stop is whole in every state of the run, in a small window",
   await console.reaches("Emergency stop");
   await whole();
 });
+
+test("abort and restart ask once; a jump after an abort leads on at its step", async () => {
+  const { console } = await begin({ mission: "demo_c", options: ["--speed", "2"] });
+  const { page } = console;
+  await console.main.click();
+  await console.reaches("Running");
+  await console.steps.getByText(/^1 of /).waitFor();
+  await console.button("Abort").click();
+  const dialog = page.getByRole("dialog", { name: "Abort the mission?" });
+  await dialog.getByRole("button", { name: "Go on as it is" }).click();
+  await dialog.waitFor({ state: "detached" });
+  await console.reaches("Running");
+  await console.button("Abort").click();
+  await dialog.getByRole("button", { name: "Abort", exact: true }).click();
+  await console.reaches("Aborted");
+  await console.steps.getByText(/^1 of /).waitFor(); // the one that was aborted is not done
+
+  await console.button("Actions of step 1").click();
+  await page.getByRole("menuitem", { name: /^Jump to this step/ }).click();
+  await console.reaches("Paused");
+  await console.main.filter({ hasText: "Execute" }).click();
+  await console.reaches("Running");
+  await console.steps.locator(".step.running").getByText("1", { exact: true }).waitFor();
+
+  await console.button("Restart").click();
+  await page
+    .getByRole("dialog", { name: "Restart the run?" })
+    .getByRole("button", { name: "Restart", exact: true })
+    .click();
+  await console.reaches("Ready");
+  expect(await console.time()).toBe(0);
+});

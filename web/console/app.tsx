@@ -1,28 +1,35 @@
 import { useEffect } from "react";
 import { Palette, ShortcutSheet } from "./actions/palette.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
+import { useCalls } from "./calls/use_calls.ts";
 import { HandOverDialog } from "./clients/hand_over.tsx";
 import { panels } from "./extensions.ts";
+import { ConfirmDialog } from "./mission/confirm.tsx";
 import { Questions } from "./questions/questions.tsx";
 import { useWatching } from "./selection/use_watched.ts";
 import { type Session, SessionContext, usePart, useSession, useUi } from "./session.ts";
 import { Banners } from "./shell/banners.tsx";
 import { Dock, Rail } from "./shell/dock.tsx";
 import { ErrorFence } from "./shell/error_fence.tsx";
-import { MapPane } from "./shell/map_pane.tsx";
+import { kNarrow } from "./shell/layout.ts";
+import { MapPane, ToolOptions } from "./shell/map_pane.tsx";
 import { useRevealing } from "./shell/revealing.ts";
 import { Strip } from "./shell/strip.tsx";
 import { useTheme } from "./shell/theme.ts";
 import { Toasts } from "./shell/toasts.tsx";
 import { TopBar } from "./shell/top_bar.tsx";
+import { useFollowStop } from "./shell/use_stop.ts";
 import { NewMissionDialog, OpenDialog, SaveAsDialog } from "./start/file_dialogs.tsx";
 import { StartPage } from "./start/start_page.tsx";
 import { Waiting } from "./start/waiting.tsx";
 import { useRevealTeleoperation } from "./teleoperation/use_reveal.ts";
+import { isStale, Silence } from "./ui/silence.tsx";
 import "./styles/tokens.css";
 import "./styles/base.css";
 import "./styles/controls.css";
 import "./styles/shell.css";
+import "./styles/over.css";
+import "./styles/narrow.css";
 
 export function App({ session }: { session: Session }) {
   return (
@@ -40,11 +47,15 @@ function Page() {
   useRevealTeleoperation(panels);
   useTitle();
   useWatching();
+  useFollowStop();
+  useCalls();
+  const link = usePart("link");
+  const isKnown = usePart("welcome") !== null;
   return (
-    <div className="app">
+    <div className={`app ${isKnown && isStale(link) ? "stale" : ""}`}>
       <TopBar />
-      <Banners />
       <Work />
+      <Silence link={link} />
       <Dialogs />
     </div>
   );
@@ -53,8 +64,18 @@ function Page() {
 function Work() {
   const project = usePart("project");
   const welcome = usePart("welcome");
-  if (!welcome || !project) return <Waiting />;
-  if (project.mission === "") return <StartPage />;
+  const isNarrow = useUi("room").width < kNarrow;
+  const hasMap = welcome !== null && project !== null && project.mission !== "";
+  if (!hasMap) {
+    return (
+      <>
+        {welcome && project ? <StartPage /> : <Waiting />}
+        <div className="over-page">
+          <Banners />
+        </div>
+      </>
+    );
+  }
   return (
     <>
       <div className="work">
@@ -64,7 +85,13 @@ function Work() {
           <ErrorFence name="The map">
             <MapPane />
           </ErrorFence>
-          <Questions />
+          <div className="over-map">
+            <div className="over-map-left">
+              <ToolOptions />
+              {!isNarrow && <Banners />}
+            </div>
+            {!isNarrow && <Questions />}
+          </div>
           <Toasts />
         </main>
         <Dock side="right" />
@@ -72,6 +99,12 @@ function Work() {
       </div>
       <Dock side="bottom" />
       <Strip />
+      {isNarrow && (
+        <div className="over-page">
+          <Questions />
+          <Banners />
+        </div>
+      )}
     </>
   );
 }
@@ -90,6 +123,9 @@ function Dialogs() {
       return <SaveAsDialog />;
     case "hand-over":
       return <HandOverDialog />;
+    case "abort":
+    case "restart":
+      return <ConfirmDialog />;
     default:
       return null;
   }

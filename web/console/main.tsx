@@ -6,7 +6,9 @@ import { App } from "./app.tsx";
 import { Ui } from "./shell/ui.ts";
 
 const model = new Model();
-const ui = new Ui(model, window.localStorage, window.innerWidth);
+const roomNow = () => ({ width: window.innerWidth, height: window.innerHeight });
+const ui = new Ui(model, window.localStorage, roomNow());
+window.addEventListener("resize", () => ui.set("room", roomNow()));
 const connection = new Connection(model, {
   page: new URL(window.location.href),
   name: ui.get("name"),

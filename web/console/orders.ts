@@ -1,5 +1,5 @@
 // What a person orders of the server; what goes wrong is shown to them.
-import type { Control_Action, Order, Reply } from "../core/protocol.ts";
+import { Control_Action, type Order, type Reply, Status_Mode } from "../core/protocol.ts";
 import { plain } from "./format.ts";
 import type { Session } from "./session.ts";
 
@@ -17,6 +17,15 @@ export function control(session: Session, action: Control_Action, step = 0): voi
   void order(session, { case: "control", value: { action, step } });
 }
 
+/** What can't be taken back is asked once: aborting, and beginning anew what has begun. */
+export function askFirst(session: Session, action: Control_Action.ABORT | Control_Action.RESTART): void {
+  const mode = session.model.get("status")?.mode ?? Status_Mode.NO_MISSION;
+  const isNothing = mode === Status_Mode.READY || mode === Status_Mode.NO_MISSION;
+  const hasEnded = mode === Status_Mode.ENDED;
+  if (isNothing || (hasEnded && action === Control_Action.RESTART)) control(session, action);
+  else session.ui.set("dialog", action === Control_Action.ABORT ? "abort" : "restart");
+}
+
 export function answer(session: Session, question: number, proceed: boolean): void {
   void order(session, { case: "answer", value: { question, proceed } });
 }
@@ -25,10 +34,12 @@ export function setSpeed(session: Session, speed: number): void {
   void order(session, { case: "setSpeed", value: { speed } });
 }
 
-/** By two ways at once; does not wait for anything else. */
+/** By two ways at once; does not wait for anything else. The page says so until every robot has confirmed it. */
 export async function emergencyStop(session: Session): Promise<void> {
+  session.ui.set("stopSent", true);
   const ok = await session.connection.emergencyStop();
-  if (!ok) session.ui.tell("The emergency stop did not reach the server. Stop the robots by other means.");
+  if (!ok && session.ui.get("stopSent"))
+    session.ui.tell("The emergency stop did not reach the server. Stop the robots by other means.");
 }
 
 export function undo(session: Session): void {

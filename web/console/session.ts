@@ -1,7 +1,8 @@
 // The session that all panels show, and how they subscribe to it.
-import { createContext, useCallback, useContext, useSyncExternalStore } from "react";
+import { createContext, useCallback, useContext, useMemo, useSyncExternalStore } from "react";
 import type { Connection } from "../core/connection.ts";
 import type { Model, Parts } from "../core/model.ts";
+import { fitted, type Layout } from "./shell/layout.ts";
 import type { Ui, UiParts } from "./shell/ui.ts";
 
 export interface Session {
@@ -32,6 +33,13 @@ export function useUi<Name extends keyof UiParts>(name: Name): UiParts[Name] {
   const { ui } = useSession();
   const subscribe = useCallback((listener: () => void) => ui.subscribe(name, listener), [ui, name]);
   return useSyncExternalStore(subscribe, () => ui.get(name));
+}
+
+/** The panels as the window has room for them. */
+export function useLayout(): Layout {
+  const layout = useUi("layout");
+  const room = useUi("room");
+  return useMemo(() => fitted(layout, room), [layout, room]);
 }
 
 /** Whether this browser's person is the operator and can be heard. */

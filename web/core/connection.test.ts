@@ -153,6 +153,34 @@ test("where the line is clogged nothing more is put into it", () => {
   expect(connection.tell({ case: "stick", value: { unit: "u", x: 1 } })).toBe(false);
 });
 
+test("an open socket from which nothing comes is told as silent, and given up after a while", async () => {
+  const { connection, model, socket } = connect();
+  socket.open();
+  socket.say({ case: "welcome", value: { client: 3, session: "s" } });
+  const number = () => socket.sent.findLast(({ body }) => body.case === "beat")?.body.value as { number: bigint };
+  socket.say({ case: "beat", value: { number: number().number } });
+  const last = Date.now();
+  vi.advanceTimersByTime(1_500);
+  expect(model.get("link")).toMatchObject({ state: "open", silentSince: last });
+  socket.say({ case: "beat", value: { number: number().number } });
+  expect(model.get("link").silentSince).toBe(0);
+  const asked = connection.ask({ case: "undo", value: {} });
+  vi.advanceTimersByTime(17_000);
+  expect((await asked).ok).toBe(false);
+  expect(model.get("link").state).toBe("lost");
+  expect(model.get("link").silentSince).toBeGreaterThan(0);
+  expect(sockets.length).toBe(2);
+  sockets[1]!.open();
+  sockets[1]!.say({ case: "welcome", value: { client: 3, session: "s" } });
+  expect(model.get("link")).toMatchObject({ state: "open", silentSince: 0 });
+});
+
+test("a handshake that is swallowed is tried again", () => {
+  connect();
+  vi.advanceTimersByTime(17_000);
+  expect(sockets.length).toBe(2);
+});
+
 test("an emergency stop goes both ways, and counts when one of them arrived", async () => {
   const { connection, socket } = connect();
   socket.open();

@@ -121,6 +121,8 @@ const kSpeech: Speech<Order, ToBrowser, Reply> = {
   answerIn: ({ body }) => (body.case === "reply" ? body.value : undefined),
   refusal: (request, error) => create(ReplySchema, { request, ok: false, error }),
   isWelcome: ({ body }) => body.case === "welcome",
+  beat: (number) => ({ case: "beat", value: { number } }),
+  beatIn: ({ body }) => (body.case === "beat" ? body.value.number : undefined),
 };
 
 const kBrowser: Surroundings = {

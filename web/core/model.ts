@@ -47,6 +47,8 @@ export interface Parts {
   questions: readonly Questions_Question[];
   /** Newest last, at most kLogLength. */
   log: readonly Log_Entry[];
+  /** Alerts up to the log entry of this number are of an earlier run. */
+  alertsAfter: bigint;
   clients: Clients | null;
   edits: EditState | null;
   breakpoints: readonly Breakpoint[];
@@ -105,7 +107,7 @@ export class Model extends Store<Parts> {
 
   constructor() {
     super({
-      link: { state: "connecting", reason: "", retryAt: 0 },
+      link: { state: "connecting", reason: "", retryAt: 0, silentSince: 0 },
       welcome: null,
       project: null,
       documents: null,
@@ -116,6 +118,7 @@ export class Model extends Store<Parts> {
       status: null,
       questions: [],
       log: [],
+      alertsAfter: 0n,
       clients: null,
       edits: null,
       breakpoints: [],
@@ -302,6 +305,7 @@ export class Model extends Store<Parts> {
   }
 
   private takeLog(log: Log): void {
+    this.set("alertsAfter", log.alertsAfter);
     const known = log.isWhole ? [] : this.get("log");
     const last = known.at(-1)?.number ?? 0n;
     const fresh = known.length ? log.entries.filter((entry) => entry.number > last) : log.entries;

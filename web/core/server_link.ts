@@ -1,7 +1,10 @@
-// A WebSocket to the server: keeps coming back, and pairs requests with their answers. What the messages say is its user's.
+// A WebSocket to the server: keeps coming back, pairs requests with their answers, and notices when nothing answers
+// though it is open. What the messages say is its user's.
+import { Pulse } from "./pulse.ts";
 
 const kShortestPause = 250; // ms before the first new attempt, doubled with each
 const kLongestPause = 5000;
+const kDead = 10_000; // ms of silence, and the socket is given up: another one may come through
 const kMostBuffered = 256 * 1024; // bytes; beyond, what wants no answer is left out
 
 export interface LinkState {
@@ -11,6 +14,8 @@ export interface LinkState {
   readonly reason: string;
   /** When the next attempt is made, as Date.now(); 0: none is planned. */
   readonly retryAt: number;
+  /** When the last sign of the server came, as Date.now(), where it is silent or lost; 0: it answers, or never did. */
+  readonly silentSince: number;
 }
 
 /** How the two sides talk: `Body` is what is asked, `Message` what comes, `Answer` what the one who asked gets. */
@@ -22,6 +27,9 @@ export interface Speech<Body, Message, Answer extends { request: number }> {
   refusal(request: number, error: string): Answer;
   /** Whether the server lets us in by this. */
   isWelcome(message: Message): boolean;
+  beat(number: bigint): Body;
+  /** The number of a beat that came. */
+  beatIn(message: Message): bigint | undefined;
 }
 
 export interface LinkOptions<Body, Message, Answer extends { request: number }> {
@@ -53,6 +61,13 @@ export class ServerLink<Body, Message, Answer extends { request: number }> {
   /** The server has been started anew, with another token. */
   private isStranger = false;
 
+  private silentSince = 0;
+  private readonly pulse = new Pulse({
+    send: (number) => this.tell(this.options.speech.beat(number)),
+    changed: (since) => this.fallSilent(since),
+  });
+  private givesUp: ReturnType<typeof setTimeout> | undefined;
+
   constructor(private readonly options: LinkOptions<Body, Message, Answer>) {}
 
   connect(): void {
@@ -67,12 +82,15 @@ export class ServerLink<Body, Message, Answer extends { request: number }> {
     socket.onopen = () => this.options.opened();
     socket.onmessage = (event) => this.receive(event.data);
     socket.onclose = (event) => this.lose(socket, event);
+    // A handshake may be swallowed as well.
+    this.givesUp = setTimeout(() => this.abandon(socket), kDead);
   }
 
   /** For good, as when the page is left. */
   close(): void {
     this.isClosed = true;
     clearTimeout(this.timer);
+    this.endPulse();
     this.socket?.close();
   }
 
@@ -102,6 +120,9 @@ export class ServerLink<Body, Message, Answer extends { request: number }> {
     if (!(data instanceof ArrayBuffer)) return;
     const { speech } = this.options;
     const message = speech.decode(new Uint8Array(data));
+    const beat = speech.beatIn(message);
+    this.pulse.heard(beat);
+    if (beat !== undefined) return;
     const answer = speech.answerIn(message);
     if (answer) {
       this.waiting.get(answer.request)?.(answer);
@@ -112,14 +133,19 @@ export class ServerLink<Body, Message, Answer extends { request: number }> {
       this.attempts = 0;
       this.isWelcome = true;
       this.isStranger = false;
+      clearTimeout(this.givesUp);
+      this.silentSince = 0;
       this.tellState("open", "");
+      this.pulse.start();
     }
     this.options.receive(message);
   }
 
-  private lose(socket: WebSocket, event: CloseEvent): void {
+  private lose(socket: WebSocket, event: { code: number; reason: string }): void {
     if (this.socket !== socket) return;
     this.socket = null;
+    if (this.isWelcome) this.silentSince ||= this.pulse.lastSign;
+    this.endPulse();
     const { refusal } = this.options.speech;
     for (const [request, resolve] of this.waiting) resolve(refusal(request, "the connection to the server was lost"));
     this.waiting.clear();
@@ -138,6 +164,30 @@ export class ServerLink<Body, Message, Answer extends { request: number }> {
     if (!this.isWelcome) void this.lookForStranger();
   }
 
+  /** The socket is open and nothing comes, or nothing arrives there. */
+  private fallSilent(since: number): void {
+    this.silentSince = since;
+    clearTimeout(this.givesUp);
+    const { socket } = this;
+    if (since !== 0 && socket) {
+      this.givesUp = setTimeout(() => this.abandon(socket), Math.max(0, since + kDead - Date.now()));
+    }
+    this.tellState("open", "");
+  }
+
+  /** A line that swallows everything never closes by itself. */
+  private abandon(socket: WebSocket): void {
+    if (this.socket !== socket) return;
+    socket.onopen = socket.onmessage = socket.onclose = null;
+    socket.close();
+    this.lose(socket, { code: 1006, reason: "the server has not answered for a while" });
+  }
+
+  private endPulse(): void {
+    this.pulse.stop();
+    clearTimeout(this.givesUp);
+  }
+
   /** To a WebSocket a refused token looks as if no server was there. */
   private async lookForStranger(): Promise<void> {
     const look = this.options.isStranger ?? refusesToken;
@@ -148,7 +198,7 @@ export class ServerLink<Body, Message, Answer extends { request: number }> {
 
   private tellState(state: LinkState["state"], reason: string, retryAt = 0): void {
     this.reason = reason;
-    this.options.changed({ state, reason, retryAt });
+    this.options.changed({ state, reason, retryAt, silentSince: this.silentSince });
   }
 }
 

@@ -1,6 +1,7 @@
 import { ReactFlowProvider } from "@xyflow/react";
 import { lazy, type ReactNode, Suspense, useEffect } from "react";
 import { IconButton } from "../console/ui/controls.tsx";
+import { isStale, Silence } from "../console/ui/silence.tsx";
 import { Commands, ShortcutSheet } from "./actions/dialogs.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { Canvas } from "./canvas/canvas.tsx";
@@ -33,10 +34,12 @@ import "../console/styles/tokens.css";
 import "../console/styles/base.css";
 import "../console/styles/controls.css";
 import "../console/styles/shell.css";
+import "../console/styles/over.css";
 import "./styles/tokens.css";
 import "./styles/designer.css";
 import "./styles/canvas.css";
 import "./styles/states.css";
+import "./styles/narrow.css";
 
 const TextPane = lazy(() => import("./text/text_pane.tsx"));
 
@@ -56,8 +59,10 @@ function Page() {
   useEffect(watchPanes, []);
   useTitle();
   usePrinting(designer);
+  const link = usePart((state) => state.link);
+  const isKnown = usePart((state) => state.hello) !== null;
   return (
-    <div className="app designer">
+    <div className={`app designer ${isKnown && isStale(link) ? "stale" : ""}`}>
       <TopBar />
       <Banners />
       {document === "" ? (
@@ -68,6 +73,7 @@ function Page() {
       ) : (
         <Work />
       )}
+      <Silence link={link} />
       <Dialogs />
       <Spoken />
     </div>

@@ -3,7 +3,18 @@ import { type Link, linkTo } from "./link/link.ts";
 import { type Crumb, crumbsOf, shortened } from "./pages/crumbs.ts";
 import { fromFragment, pageKey, toFragment } from "./pages/pages.ts";
 import type { Answer, ChangeInit, Document, Drawing, FromDesigner, Page, Request } from "./protocol.ts";
-import { kWide, type Notice, renamed, type Shown, type State, type Store, shownAfter, without } from "./state.ts";
+import {
+  aloneAtTheRight,
+  kNarrow,
+  kWide,
+  type Notice,
+  renamed,
+  type Shown,
+  type State,
+  type Store,
+  shownAfter,
+  without,
+} from "./state.ts";
 
 /** How a page is come to: by a step of its own, which Back takes back, or along the steps that the browser has kept. */
 type Step = "on" | "along";
@@ -56,7 +67,9 @@ export class Designer {
   }
 
   show(change: Partial<Shown>): void {
-    this.store.setState(({ shown }) => ({ shown: shownAfter(shown, change, window.innerWidth < kWide) }));
+    const width = window.innerWidth;
+    const whole = width < kNarrow ? aloneAtTheRight(change) : change;
+    this.store.setState(({ shown }) => ({ shown: shownAfter(shown, whole, width < kWide) }));
   }
 
   select(selection: readonly string[]): void {

@@ -128,7 +128,7 @@ export function firstShown(windowWidth: number): Shown {
 export function createState(storage: Storage, windowWidth: number): Store {
   const stored = read(storage);
   const store = createStore<State>(() => ({
-    link: { state: "connecting", reason: "", retryAt: 0 },
+    link: { state: "connecting", reason: "", retryAt: 0, silentSince: 0 },
     hello: null,
     documents: {},
     drawings: {},
@@ -188,6 +188,15 @@ export function shownAfter(before: Shown, change: Partial<Shown>, isNarrow = fal
 function needsRoom(before: Shown, after: Shown): boolean {
   const isOpened = (after.text && !before.text) || (after.live && !before.live);
   return isOpened && [after.text, after.live, after.details].filter(Boolean).length > 1;
+}
+
+/** Below, sides lie over the drawing, as in styles/narrow.css [px]. */
+export const kNarrow = 900;
+
+/** Where the sides lie over the drawing, those at the right would lie over each other: the one that opens stays. */
+export function aloneAtTheRight(change: Partial<Shown>): Partial<Shown> {
+  const opened = (["text", "live", "details"] as const).find((name) => change[name]);
+  return opened ? { text: false, live: false, details: false, ...change } : change;
 }
 
 /** After a document has gone: it is not listed any more. */

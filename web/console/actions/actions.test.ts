@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { isTakenByFocus, matches, shownShortcut } from "./keys.ts";
+import { isForPageInList, isTakenByFocus, matches, shownShortcut } from "./keys.ts";
 import { ranked, score } from "./search.ts";
 
 const press = (key: string, more = {}) => ({
@@ -41,6 +41,19 @@ describe("a shortcut", () => {
     expect(isTakenByFocus(element("a"), press("k", { ctrlKey: true }))).toBe(false);
     expect(isTakenByFocus(element("a"), press("z", { ctrlKey: true }))).toBe(true);
     expect(isTakenByFocus(element("d"), press("z", { ctrlKey: true }))).toBe(false);
+  });
+});
+
+describe("a letter in a list", () => {
+  it("is the page's, but in menus, dialogs and fields, which are searched by letters", () => {
+    document.body.innerHTML = `<div role="grid"><p id="a"></p><input id="b"></div>
+      <div role="menu"><p id="c"></p></div><div role="dialog"><div role="listbox"><p id="d"></p></div></div><p id="e"></p>`;
+    const is = (id: string, key: string, more = {}) => isForPageInList(document.getElementById(id), press(key, more));
+    expect(is("a", "x")).toBe(true);
+    expect(is("a", "?")).toBe(true);
+    for (const key of [" ", "Enter", "ArrowDown", "Escape"]) expect(is("a", key)).toBe(false);
+    expect(is("a", "a", { ctrlKey: true })).toBe(false);
+    for (const id of ["b", "c", "d", "e"]) expect(is(id, "x")).toBe(false);
   });
 });
 

@@ -43,6 +43,18 @@ export function shownShortcut(shortcut: string, isMac = false): string {
     .join(" ");
 }
 
+/**
+ * Whether a letter or sign is a shortcut though a list has the focus. Lists of the page are walked by arrows; those that
+ * pop up (menus, choices, dialogs) are searched by letters.
+ */
+export function isForPageInList(target: Element | null, press: KeyPress): boolean {
+  if (!target || press.key.length !== 1 || press.key === " " || press.ctrlKey || press.metaKey || press.altKey)
+    return false;
+  if (target.closest("input, textarea, select, [contenteditable=true], [role=textbox]")) return false;
+  if (target.closest("[role=menu], [role=dialog], [role=alertdialog], .popover")) return false;
+  return target.closest("[role=listbox], [role=grid], [role=treegrid], [role=tree]") !== null;
+}
+
 /** Bare keys belong to what has the focus where that takes them: text, lists, sliders; Space and Enter also to buttons. */
 export function isTakenByFocus(target: Element | null, press: KeyPress): boolean {
   if (!target) return false;

@@ -9,10 +9,21 @@ import { mainButton } from "../mission/main_button.ts";
 import { pressMainButton } from "../mission/press.ts";
 import { situationOf } from "../mission/situation.ts";
 import { neighbour } from "../mission/speed.ts";
-import { answer, control, emergencyStop, passOperator, redo, save, setSpeed, takeOperator, undo } from "../orders.ts";
+import {
+  answer,
+  askFirst,
+  control,
+  emergencyStop,
+  passOperator,
+  redo,
+  save,
+  setSpeed,
+  takeOperator,
+  undo,
+} from "../orders.ts";
 import type { Action } from "../registry.ts";
 import type { Session } from "../session.ts";
-import { kDocks, resetLayout, toggleDock, togglePanel } from "../shell/layout.ts";
+import { firstLayout, kDocks, toggleDock, togglePanel } from "../shell/layout.ts";
 import { nameOf, nextRedo, nextUndo } from "../undo/history.ts";
 
 export const kStopShortcut = "ctrl+.";
@@ -108,7 +119,7 @@ function runActions(session: Session): Action[] {
       group: "Run",
       icon: "restart",
       blocked,
-      run: run(Control_Action.RESTART),
+      run: () => askFirst(session, Control_Action.RESTART),
     },
     {
       id: "abort",
@@ -116,7 +127,7 @@ function runActions(session: Session): Action[] {
       group: "Run",
       icon: "abort",
       blocked: blocked ?? stands,
-      run: run(Control_Action.ABORT),
+      run: () => askFirst(session, Control_Action.ABORT),
     },
     {
       id: "faster",
@@ -369,7 +380,7 @@ function selectionActions({ model, ui }: Session): Action[] {
 }
 
 function viewActions({ ui }: Session): Action[] {
-  const layout = ui.get("layout");
+  const layout = ui.shownLayout;
   return [
     {
       id: "palette",
@@ -394,7 +405,7 @@ function viewActions({ ui }: Session): Action[] {
         group: "View",
         icon: panel.icon,
         ...(panel.shortcut ? { shortcut: panel.shortcut } : {}),
-        run: () => ui.edit(togglePanel(ui.get("layout"), panels, panel)),
+        run: () => ui.set("layout", togglePanel(ui.get("layout"), ui.shownLayout, panels, panel)),
       }),
     ),
     ...kDocks.map(
@@ -403,7 +414,7 @@ function viewActions({ ui }: Session): Action[] {
         label: `${layout.docks[dock].open ? "Close" : "Open"} the ${dock} side`.replace("bottom side", "drawer"),
         group: "View",
         shortcut: { left: "ctrl+b", right: "ctrl+shift+b", bottom: "ctrl+j" }[dock],
-        run: () => ui.edit(toggleDock(ui.get("layout"), dock)),
+        run: () => ui.set("layout", toggleDock(ui.get("layout"), ui.shownLayout, dock)),
       }),
     ),
     {
@@ -418,7 +429,7 @@ function viewActions({ ui }: Session): Action[] {
       id: "reset-layout",
       label: "Reset the layout",
       group: "View",
-      run: () => ui.edit(resetLayout(window.innerWidth)),
+      run: () => ui.set("layout", firstLayout(window.innerWidth)),
     },
     ...(["light", "dark", "auto"] as const).map(
       (theme): Action => ({

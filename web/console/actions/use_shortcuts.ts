@@ -1,14 +1,16 @@
 import { useEffect } from "react";
 import type { Session } from "../session.ts";
-import { isTakenByFocus, matches } from "./keys.ts";
+import { isForPageInList, isTakenByFocus, matches } from "./keys.ts";
 import { allActions } from "./shell_actions.ts";
 
 /** Keys of the whole page. Listens early, so that the emergency stop comes before anything else. */
 export function useShortcuts(session: Session): void {
   useEffect(() => {
     const early = (event: KeyboardEvent) => {
+      // Before a list takes the letter to look for what begins with it.
+      const isForPage = isForPageInList(event.target as Element | null, event);
       const action = allActions(session).find(
-        (one) => one.everywhere && one.shortcut !== undefined && matches(one.shortcut, event),
+        (one) => (one.everywhere || isForPage) && one.shortcut !== undefined && matches(one.shortcut, event),
       );
       if (!action || event.repeat) return;
       event.preventDefault();

@@ -3,7 +3,7 @@ import { useEffect, useRef } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../actions/keys.ts";
 import { distance, duration, plain } from "../format.ts";
-import { control } from "../orders.ts";
+import { askFirst, control } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
 import { Bar, Button, Hint } from "../ui/controls.tsx";
 import { Icon, type IconName } from "../ui/icons.tsx";
@@ -13,7 +13,6 @@ import { StartButton } from "./run_button.tsx";
 import { situationOf } from "./situation.ts";
 import {
   type CommandRow,
-  isOver,
   kStateWords,
   kTyped,
   missionProgress,
@@ -85,14 +84,14 @@ function MainControls() {
           label="Restart"
           hint="The run begins anew with the same seed"
           isDisabled={isBlocked}
-          onPress={run(Control_Action.RESTART)}
+          onPress={() => askFirst(session, Control_Action.RESTART)}
         />
         <TransportButton
           icon="abort"
           label="Abort"
           hint="All robots stop, the mission ends"
           isDisabled={stands}
-          onPress={run(Control_Action.ABORT)}
+          onPress={() => askFirst(session, Control_Action.ABORT)}
         />
       </div>
     </div>
@@ -146,7 +145,7 @@ function Steps() {
   const hasErrors = situationOf(model).errors > 0;
   const rows = stepRows(plan ?? undefined, status ?? undefined);
   const planned = rows.filter((row) => row.step !== kTyped);
-  const done = planned.filter((row) => isOver(row.state)).length;
+  const done = planned.filter((row) => row.state === "done").length;
   const list = useRef<HTMLOListElement>(null);
   const current = rows.findIndex((row) => row.state === "running" || row.state === "next");
   // In sight also when the panel becomes lower.

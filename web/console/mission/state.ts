@@ -6,8 +6,9 @@ export interface RunState {
   tone: "" | "go" | "hold" | "danger" | "accent";
 }
 
-export function stateOf(status: Status | undefined, isConnected: boolean, errors = 0): RunState {
-  if (!isConnected) return { word: "No connection", tone: "danger" };
+export function stateOf(status: Status | undefined, link: "open" | "silent" | "closed", errors = 0): RunState {
+  if (link === "closed") return { word: "No connection", tone: "danger" };
+  if (link === "silent") return { word: "No answer", tone: "danger" };
   switch (status?.mode) {
     case Status_Mode.READY:
       return { word: "Ready", tone: "accent" };

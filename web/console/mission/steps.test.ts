@@ -67,6 +67,15 @@ describe("the steps", () => {
     expect(row?.commands[0]?.progress).toBe(-1);
     expect(row?.progress).toBe(0);
   });
+  it("that were aborted or failed are not behind us", () => {
+    for (const outcome of [Status_Outcome.ABORTED, Status_Outcome.FAILED]) {
+      const status = create(StatusSchema, {
+        mode: Status_Mode.ENDED,
+        steps: [run(0, Status_Outcome.DONE), run(1, outcome)],
+      });
+      expect(missionProgress(stepRows(plan, status))).toBeCloseTo(1 / 3);
+    }
+  });
   it("have no next one when the mission is over", () => {
     const rows = stepRows(plan, create(StatusSchema, { mode: Status_Mode.ENDED, currentStep: 0 }));
     expect(rows.every((row) => row.state === "planned")).toBe(true);

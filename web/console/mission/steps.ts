@@ -94,14 +94,15 @@ export function missionProgress(rows: readonly StepRow[]): number {
   const planned = rows.filter((row) => row.step !== kTyped);
   if (planned.length === 0) return 0;
   const weight = planned.reduce(
-    (sum, row) => sum + (isOver(row.state) ? 1 : row.state === "running" ? row.progress : 0),
+    (sum, row) => sum + (isBehind(row.state) ? 1 : row.state === "running" ? row.progress : 0),
     0,
   );
   return weight / planned.length;
 }
 
-export function isOver(state: StepState): boolean {
-  return state !== "planned" && state !== "next" && state !== "running";
+/** Nothing of it is left to do: done, or passed over on purpose. */
+function isBehind(state: StepState): boolean {
+  return state === "done" || state === "replaced" || state === "skipped";
 }
 
 export const kStateWords: Record<StepState, string> = {

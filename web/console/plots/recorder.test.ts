@@ -91,8 +91,8 @@ describe("the recorder", () => {
     const id = recorder.recordingOf("r1/speed")?.id ?? 0;
     known = samples([0, 1], [1, 2], [2, 3]);
     live(id, [3, 4]);
-    model.set("link", { state: "lost", reason: "", retryAt: 0 });
-    model.set("link", { state: "open", reason: "", retryAt: 0 });
+    model.set("link", { state: "lost", reason: "", retryAt: 0, silentSince: 0 });
+    model.set("link", { state: "open", reason: "", retryAt: 0, silentSince: 0 });
     await settle();
     expect([...(recorder.recordingOf("r1/speed")?.buffer.samples().times ?? [])]).toEqual([0, 1, 2, 3]);
   });

@@ -2,6 +2,7 @@
 
 import { useState } from "react";
 import { kLayers, type MapSettings, withLayer } from "../../core/map/settings.ts";
+import { askForCalls } from "../calls/calls.ts";
 import { usePart, useSession, useUi } from "../session.ts";
 import type { ThemeChoice } from "../shell/ui.ts";
 import { RangeSlider, Segments, Switch } from "../ui/controls.tsx";
@@ -66,6 +67,7 @@ export function ViewPanel() {
         />
       </Row>
       <RobotScale />
+      <CallsSwitch />
       <section aria-label="Layers">
         <h3>Layers</h3>
         {kLayers
@@ -102,6 +104,21 @@ export function ViewPanel() {
         />
       </section>
     </div>
+  );
+}
+
+function CallsSwitch() {
+  const { ui } = useSession();
+  const isOn = useUi("calls");
+  const change = (wanted: boolean) => {
+    ui.set("calls", wanted);
+    if (wanted) void askForCalls().then((hint) => hint && ui.tell(hint, "hold"));
+  };
+  return (
+    <section aria-label="Questions and alerts">
+      <h3>Questions and alerts</h3>
+      <Switch label="Sound and desktop notification" value={isOn} onChange={change} />
+    </section>
   );
 }
 

@@ -1,5 +1,5 @@
-// What has to be known before anything else, across the whole width.
-import { Control_Action, Status_Mode } from "../../core/protocol.ts";
+// What has to be known before anything else.
+import { Control_Action } from "../../core/protocol.ts";
 import { plain } from "../format.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, save, sentence, takeOperator } from "../orders.ts";
@@ -7,10 +7,13 @@ import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
 import { useSecondsUntil } from "../ui/use_seconds.ts";
+import type { StopState } from "./stop_state.ts";
+import { useStopState } from "./use_stop.ts";
 
+/** Over the page, not in it: what comes and goes moves nothing that somebody is about to press. */
 export function Banners() {
   return (
-    <>
+    <div className="banners">
       <StopBanner />
       <LinkBanner />
       <RequestBanner />
@@ -18,25 +21,21 @@ export function Banners() {
       <OlderTextBanner />
       <NotKeptBanner />
       <Notice />
-    </>
+    </div>
   );
 }
 
 function StopBanner() {
   const session = useSession();
-  const isStopped = usePart("status")?.mode === Status_Mode.STOPPED;
   const isOperator = useIsOperator();
   const isConnected = usePart("link").state === "open";
-  if (!isStopped) return null;
+  const stop = useStopState();
+  if (stop.kind === "none") return null;
   return (
     <div className="banner danger" role="alert">
       <Icon name="stop" />
-      <span className="grow">
-        {isConnected
-          ? "EMERGENCY STOP: all robots stand and take no orders."
-          : "EMERGENCY STOP when the connection was lost: all robots stood. It may have been released since."}
-      </span>
-      {isOperator ? (
+      <span className="grow">{stopSentence(stop, isConnected)}</span>
+      {stop.kind === "sent" ? null : isOperator ? (
         <Button onPress={() => control(session, Control_Action.RELEASE_STOP)}>Release the stop</Button>
       ) : (
         <span>
@@ -45,6 +44,16 @@ function StopBanner() {
       )}
     </div>
   );
+}
+
+function stopSentence({ kind, standing, robots }: StopState, isConnected: boolean): string {
+  if (kind === "sent")
+    return "EMERGENCY STOP sent, not confirmed. Until it is, take it that robots move, and stop them by other means.";
+  if (!isConnected)
+    return "EMERGENCY STOP when the connection was lost: all robots stood. It may have been released since.";
+  if (kind === "stopping")
+    return `EMERGENCY STOP: ${standing} of ${robots} robots stand, the others are being stopped.`;
+  return "EMERGENCY STOP: all robots stand and take no orders.";
 }
 
 function LinkBanner() {

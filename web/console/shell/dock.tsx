@@ -4,15 +4,15 @@ import { Button as AriaButton } from "react-aria-components";
 import { shownShortcut } from "../actions/keys.ts";
 import { panels } from "../extensions.ts";
 import type { Dock as DockName, Panel } from "../registry.ts";
-import { useSession, useUi } from "../session.ts";
+import { useLayout, useSession } from "../session.ts";
 import { Button, Hint, IconButton } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
 import { MenuButton } from "../ui/menus.tsx";
 import { ErrorFence } from "./error_fence.tsx";
-import { activePanel, type Layout, movePanel, panelsIn, resizeDock, toggleDock, togglePanel } from "./layout.ts";
+import { activePanel, movePanel, panelsIn, resizeDock, toggleDock, togglePanel } from "./layout.ts";
 
 export function Rail({ side }: { side: "left" | "right" }) {
-  const layout = useUi("layout");
+  const layout = useLayout();
   const here = panelsIn(layout, panels, side);
   if (here.length === 0) return null;
   return (
@@ -26,7 +26,7 @@ export function Rail({ side }: { side: "left" | "right" }) {
 
 export function PanelButton({ panel, className }: { panel: Panel; className: string }) {
   const { ui } = useSession();
-  const layout = useUi("layout");
+  const layout = useLayout();
   const dock = layout.moved[panel.id] ?? panel.dock;
   const isShown = layout.docks[dock].open && activePanel(layout, panels, dock)?.id === panel.id;
   return (
@@ -37,7 +37,7 @@ export function PanelButton({ panel, className }: { panel: Panel; className: str
       <AriaButton
         className={className}
         aria-pressed={isShown}
-        onPress={() => ui.edit(togglePanel(ui.get("layout"), panels, panel))}
+        onPress={() => ui.set("layout", togglePanel(ui.get("layout"), ui.shownLayout, panels, panel))}
       >
         <Icon name={panel.icon} />
         <span>{panel.short ?? panel.title}</span>
@@ -54,7 +54,7 @@ function Badge({ use }: { use: () => number }) {
 
 export function Dock({ side }: { side: DockName }) {
   const { ui } = useSession();
-  const layout = useUi("layout");
+  const layout = useLayout();
   const panel = activePanel(layout, panels, side);
   if (!layout.docks[side].open || !panel) return null;
   const size = layout.docks[side].size;
@@ -82,7 +82,7 @@ export function Dock({ side }: { side: DockName }) {
                 id: dock,
                 label: { left: "Left side", right: "Right side", bottom: "Drawer" }[dock],
                 isDisabled: dock === side,
-                run: () => ui.edit(movePanel(ui.get("layout"), panel, dock)),
+                run: () => ui.set("layout", movePanel(ui.get("layout"), panel, dock)),
               })),
             },
           ]}
@@ -90,7 +90,7 @@ export function Dock({ side }: { side: DockName }) {
         <IconButton
           icon="close"
           label={`Close ${panel.title}`}
-          onPress={() => ui.edit(toggleDock(ui.get("layout"), side))}
+          onPress={() => ui.set("layout", toggleDock(ui.get("layout"), ui.shownLayout, side))}
         />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
@@ -105,22 +105,20 @@ export function Dock({ side }: { side: DockName }) {
   );
 }
 
-/** Dragged by pointer, or moved with arrow keys while it has the focus. One drag is one edit. */
+/** Dragged by pointer, or moved with arrow keys while it has the focus. */
 function Splitter({ side }: { side: DockName }) {
   const { ui } = useSession();
-  const size = useUi("layout").docks[side].size;
-  const drag = useRef<{ at: number; size: number; before: Layout } | null>(null);
+  const size = useLayout().docks[side].size;
+  const drag = useRef<{ at: number; size: number } | null>(null);
   const [dragged, setDragged] = useState(false);
-  const room = () => (side === "bottom" ? window.innerHeight - 130 : window.innerWidth - 120);
   const along = (event: PointerEvent) => (side === "bottom" ? event.clientY : event.clientX);
-  const preview = (next: number) => ui.previewLayout(resizeDock(ui.get("layout"), side, next, room()).layout);
-  const name = `resize the ${side} panel`;
+  const resize = (next: number) => ui.set("layout", resizeDock(ui.get("layout"), side, next));
   const keys = (event: KeyboardEvent) => {
     const larger = { left: "ArrowRight", right: "ArrowLeft", bottom: "ArrowUp" }[side];
     const smaller = { left: "ArrowLeft", right: "ArrowRight", bottom: "ArrowDown" }[side];
     if (event.key !== larger && event.key !== smaller) return;
     event.preventDefault();
-    ui.edit(resizeDock(ui.get("layout"), side, size + (event.key === larger ? 16 : -16), room()));
+    resize(size + (event.key === larger ? 16 : -16));
   };
   return (
     // biome-ignore lint/a11y/useSemanticElements: a separator that can be moved is no <hr>
@@ -136,16 +134,15 @@ function Splitter({ side }: { side: DockName }) {
       onKeyDown={keys}
       onPointerDown={(event) => {
         event.currentTarget.setPointerCapture(event.pointerId);
-        drag.current = { at: along(event), size, before: ui.get("layout") };
+        drag.current = { at: along(event), size };
         setDragged(true);
       }}
       onPointerMove={(event) => {
         if (!drag.current) return;
         const moved = along(event) - drag.current.at;
-        preview(drag.current.size + (side === "left" ? moved : -moved));
+        resize(drag.current.size + (side === "left" ? moved : -moved));
       }}
       onLostPointerCapture={() => {
-        if (drag.current) ui.recordLayout(name, drag.current.before);
         drag.current = null;
         setDragged(false);
       }}

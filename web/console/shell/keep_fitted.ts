@@ -27,7 +27,7 @@ export function isFitted(
 /** The tools and questions over the map, which what is fitted keeps clear of [CSS pixels of the map]. */
 export function coveredPlaces(map: HTMLElement): Box[] {
   const { left, top } = map.getBoundingClientRect();
-  const over = map.parentElement?.querySelectorAll(".map-tools, .tool-options, .questions") ?? [];
+  const over = map.parentElement?.querySelectorAll(".map-tools, .tool-options, .questions, .banner") ?? [];
   return [...over].map((element) => {
     const box = element.getBoundingClientRect();
     return { xMin: box.left - left, yMin: box.top - top, xMax: box.right - left, yMax: box.bottom - top };

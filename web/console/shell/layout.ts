@@ -1,5 +1,5 @@
-// Which panel stands in which dock, which docks are open, and how large they are. Pure: every change gives a new layout
-// and says in words what it did, for undo.
+// Which panel stands in which dock, which docks are open, and how large they are. Pure: every change gives a new layout.
+// What a window shows of it is `fitted`: the map keeps at least half of the window.
 import type { Dock } from "../registry.ts";
 
 export const kDocks: readonly Dock[] = ["left", "right", "bottom"];
@@ -14,6 +14,14 @@ export interface Layout {
   docks: Record<Dock, DockLayout>;
   /** Panels that were moved out of the dock they came with. */
   moved: Record<string, Dock>;
+  /** The dock that was opened last: where there is room for one alone, it is this one. */
+  recent: Dock | "";
+}
+
+/** Of the window [CSS px]. */
+export interface Room {
+  width: number;
+  height: number;
 }
 
 export interface PanelPlace {
@@ -22,16 +30,19 @@ export interface PanelPlace {
   dock: Dock;
 }
 
-export interface LayoutEdit {
-  name: string;
-  layout: Layout;
-}
-
 const kLimits: Record<Dock, { min: number; max: number }> = {
-  left: { min: 240, max: 560 },
-  right: { min: 260, max: 640 },
+  left: { min: 244, max: 560 },
+  right: { min: 230, max: 640 },
   bottom: { min: 140, max: 620 },
 };
+
+/** Below, a panel lies over the map instead of beside it (as in styles/narrow.css). */
+export const kNarrow = 760;
+
+/** What the shell takes beside docks and map, as in styles/shell.css. */
+function shellOf({ width }: Room): Room {
+  return width < 1400 ? { width: 2 * 48, height: 44 + 34 } : { width: 2 * 68, height: 48 + 40 };
+}
 
 /** What a newcomer sees: the steps, and on a wide screen the robots; the rest is a click away. */
 export function firstLayout(windowWidth: number): Layout {
@@ -42,6 +53,7 @@ export function firstLayout(windowWidth: number): Layout {
       bottom: { open: false, size: 280, active: "" },
     },
     moved: {},
+    recent: "",
   };
 }
 
@@ -64,43 +76,88 @@ export function isShown(layout: Layout, panels: readonly PanelPlace[], id: strin
   return kDocks.some((dock) => layout.docks[dock].open && activePanel(layout, panels, dock)?.id === id);
 }
 
-export function showPanel(layout: Layout, panel: PanelPlace): LayoutEdit {
+export function showPanel(layout: Layout, panel: PanelPlace): Layout {
   const dock = dockOf(layout, panel);
-  return { name: `show ${panel.title}`, layout: withDock(layout, dock, { open: true, active: panel.id }) };
+  return { ...withDock(layout, dock, { open: true, active: panel.id }), recent: dock };
 }
 
-/** Shows a panel, or closes its dock where it is shown already. */
-export function togglePanel(layout: Layout, panels: readonly PanelPlace[], panel: PanelPlace): LayoutEdit {
-  if (!isShown(layout, panels, panel.id)) return showPanel(layout, panel);
-  const dock = dockOf(layout, panel);
-  return { name: `hide ${panel.title}`, layout: withDock(layout, dock, { open: false }) };
+/** Shows a panel, or closes its dock where it is shown already: in `shown`, which is `layout` as the window fits it. */
+export function togglePanel(layout: Layout, shown: Layout, panels: readonly PanelPlace[], panel: PanelPlace): Layout {
+  if (!isShown(shown, panels, panel.id)) return showPanel(layout, panel);
+  return withDock(layout, dockOf(layout, panel), { open: false });
 }
 
-export function toggleDock(layout: Layout, dock: Dock): LayoutEdit {
-  const open = !layout.docks[dock].open;
-  return { name: `${open ? "open" : "close"} the ${dock} panel`, layout: withDock(layout, dock, { open }) };
+export function toggleDock(layout: Layout, shown: Layout, dock: Dock): Layout {
+  if (shown.docks[dock].open) return withDock(layout, dock, { open: false });
+  return { ...withDock(layout, dock, { open: true }), recent: dock };
 }
 
-/** `room`: what the window has to give [px]; the map keeps at least 260 of it. */
-export function resizeDock(layout: Layout, dock: Dock, size: number, room: number): LayoutEdit {
+export function resizeDock(layout: Layout, dock: Dock, size: number): Layout {
   const { min, max } = kLimits[dock];
-  const most = Math.max(min, Math.min(max, room - 260));
-  const bounded = Math.round(Math.min(most, Math.max(min, size)));
-  return { name: `resize the ${dock} panel`, layout: withDock(layout, dock, { size: bounded }) };
+  return withDock(layout, dock, { size: Math.round(Math.min(max, Math.max(min, size))) });
 }
 
-export function movePanel(layout: Layout, panel: PanelPlace, dock: Dock): LayoutEdit {
+export function movePanel(layout: Layout, panel: PanelPlace, dock: Dock): Layout {
   const moved = { ...layout.moved };
   if (panel.dock === dock) delete moved[panel.id];
   else moved[panel.id] = dock;
-  return {
-    name: `move ${panel.title} to the ${dock}`,
-    layout: withDock({ ...layout, moved }, dock, { open: true, active: panel.id }),
-  };
+  return { ...withDock({ ...layout, moved }, dock, { open: true, active: panel.id }), recent: dock };
 }
 
-export function resetLayout(windowWidth: number): LayoutEdit {
-  return { name: "reset the layout", layout: firstLayout(windowWidth) };
+/** What the map keeps of the window: half of a small one; a large one has room for more panels. */
+function keptShare(room: Room): number {
+  return room.width < 1400 ? 0.5 : 0.3;
+}
+
+/** Share of the window that the map has, 0 to 1. */
+export function mapShare(layout: Layout, room: Room): number {
+  const { left, right, bottom } = layout.docks;
+  const shell = shellOf(room);
+  const width = room.width - shell.width - (left.open ? left.size : 0) - (right.open ? right.size : 0);
+  const height = room.height - shell.height - (bottom.open ? bottom.size : 0);
+  return (Math.max(0, width) * Math.max(0, height)) / (room.width * room.height);
+}
+
+/**
+ * The layout as a window of this size shows it: docks become smaller, then those that were not opened last are away
+ * until there is room again, so that the map keeps its share of the window. A narrow window shows one panel, over the map.
+ */
+export function fitted(layout: Layout, room: Room): Layout {
+  if (room.width < kNarrow) {
+    return kDocks.reduce((out, dock) => (dock === layout.recent ? out : withDock(out, dock, { open: false })), layout);
+  }
+  const last = layout.recent === "" ? "left" : layout.recent;
+  const others = (["bottom", "right", "left"] as const).filter((dock) => dock !== last);
+  let out = layout;
+  for (const dock of [...others, last]) out = narrowed(out, dock, room);
+  for (const dock of others) {
+    if (mapShare(out, room) >= keptShare(room)) break;
+    if (out.docks[dock].open) out = widened(withDock(out, dock, { open: false }), layout, room);
+  }
+  return out;
+}
+
+/** Whether a panel can be shown without another one going away, as when it opens by itself. */
+export function leavesAll(layout: Layout, panel: PanelPlace, room: Room): boolean {
+  const before = fitted(layout, room);
+  const after = fitted(showPanel(layout, panel), room);
+  return room.width >= kNarrow && kDocks.every((dock) => !before.docks[dock].open || after.docks[dock].open);
+}
+
+/** As much smaller as the map needs, or as it can be. */
+function narrowed(layout: Layout, dock: Dock, room: Room): Layout {
+  if (!layout.docks[dock].open || mapShare(layout, room) >= keptShare(room)) return layout;
+  const { min } = kLimits[dock];
+  let size = Math.max(min, layout.docks[dock].size);
+  while (size > min && mapShare(withDock(layout, dock, { size }), room) < keptShare(room)) --size;
+  return withDock(layout, dock, { size });
+}
+
+/** One has gone: what is left may be as large as it was meant, where that fits. */
+function widened(layout: Layout, meant: Layout, room: Room): Layout {
+  let out = layout;
+  for (const dock of kDocks) out = narrowed(withDock(out, dock, { size: meant.docks[dock].size }), dock, room);
+  return out;
 }
 
 /** What was stored may be of another version, or anything at all: what can't be used is as at first. */
@@ -119,6 +176,7 @@ export function readLayout(stored: unknown, windowWidth: number): Layout {
       }
     }
   }
+  if (kDocks.includes(stored.recent as Dock)) layout.recent = stored.recent as Dock;
   if (isRecord(stored.moved)) {
     for (const [id, dock] of Object.entries(stored.moved)) {
       if (kDocks.includes(dock as Dock)) layout.moved[id] = dock as Dock;

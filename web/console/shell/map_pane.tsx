@@ -1,4 +1,4 @@
-// The map with what floats over it: tools, their options, questions, alerts.
+// The map with its tools, and the options of the one that is held.
 import { useEffect, useRef, useSyncExternalStore } from "react";
 import { MapView } from "../../core/map/map_view.ts";
 import { shownShortcut } from "../actions/keys.ts";
@@ -13,7 +13,6 @@ export function MapPane() {
     <>
       <MapHost />
       <MapTools />
-      <ToolOptions />
       <Following />
     </>
   );
@@ -112,7 +111,7 @@ function MapTools() {
   );
 }
 
-function ToolOptions() {
+export function ToolOptions() {
   const { ui } = useSession();
   const held = useUi("tool");
   const tool = tools.find((one) => one.id === held);

@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { panels } from "../extensions.ts";
 import { usePart, useSession, useUi } from "../session.ts";
-import { dockOf, isShown, showPanel } from "./layout.ts";
+import { dockOf, isShown, leavesAll, showPanel } from "./layout.ts";
 
 /** Opens the text editor when something is to be shown in it, and the selection panel with the first selection. */
 export function useRevealing(): void {
@@ -12,14 +12,12 @@ export function useRevealing(): void {
     const panel = panels.find((one) => one.id === "text");
     if (!reveal || !panel) return;
     ui.set("document", reveal.document);
-    const layout = ui.get("layout");
-    if (!isShown(layout, panels, panel.id)) ui.edit(showPanel(layout, panel));
+    if (!isShown(ui.shownLayout, panels, panel.id)) ui.set("layout", showPanel(ui.get("layout"), panel));
   }, [reveal, ui]);
   useEffect(() => {
     const panel = panels.find((one) => one.id === "selection");
     const layout = ui.get("layout");
     if (!hasSelection || !panel || layout.docks[dockOf(layout, panel)].open) return;
-    // The map makes room by itself: this is no edit of the person's layout.
-    ui.previewLayout(showPanel(layout, panel).layout);
+    if (leavesAll(layout, panel, ui.get("room"))) ui.set("layout", showPanel(layout, panel));
   }, [hasSelection, ui]);
 }

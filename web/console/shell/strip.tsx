@@ -1,12 +1,12 @@
 import { CommandLine } from "../command/command_line.tsx";
 import { panels } from "../extensions.ts";
-import { useUi } from "../session.ts";
+import { useLayout } from "../session.ts";
 import { PanelButton } from "./dock.tsx";
 import { panelsIn } from "./layout.ts";
 
 /** The lower edge: buttons of the drawer, and the command line. */
 export function Strip() {
-  const layout = useUi("layout");
+  const layout = useLayout();
   return (
     <footer className="strip">
       <nav className="tabs" aria-label="Panels of the drawer">

@@ -8,7 +8,7 @@ import { usePart, useSession, useUi } from "../session.ts";
 import { Button, IconButton } from "../ui/controls.tsx";
 import { openAlerts } from "./alerts.ts";
 
-const kMostShown = 4;
+const kMostShown = 20;
 
 export function Toasts() {
   const session = useSession();
@@ -16,16 +16,24 @@ export function Toasts() {
   const log = usePart("log");
   const to = useUi("dismissedTo");
   const dismissed = useUi("dismissed");
-  const alerts = openAlerts(log, to, dismissed);
-  const shown = alerts.slice(-kMostShown).reverse();
+  const isUnfolded = useUi("alertsUnfolded");
+  const after = usePart("alertsAfter");
+  const alerts = openAlerts(log, to > after ? to : after, dismissed);
+  const shown = alerts.slice(isUnfolded ? -kMostShown : -1).reverse();
   const hidden = alerts.length - shown.length;
-  const dismissAll = () => ui.set("dismissedTo", log.at(-1)?.number ?? 0n);
+  const dismissAll = () => {
+    ui.set("dismissedTo", log.at(-1)?.number ?? 0n);
+    ui.set("alertsUnfolded", false);
+  };
   return (
     <section className="toasts" aria-label="Alerts" aria-live="polite">
-      {hidden + shown.length > 1 && (
-        <Button className="toast-all" onPress={dismissAll}>
-          {hidden > 0 ? `${hidden} more · dismiss all` : "Dismiss all"}
-        </Button>
+      {alerts.length > 1 && (
+        <div className="toast-all">
+          <Button aria-expanded={isUnfolded} onPress={() => ui.set("alertsUnfolded", !isUnfolded)}>
+            {isUnfolded ? (hidden > 0 ? `Newest alone (${hidden} older)` : "Newest alone") : `${hidden} more`}
+          </Button>
+          <Button onPress={dismissAll}>Dismiss all</Button>
+        </div>
       )}
       {shown.map((entry) => (
         <div key={String(entry.number)} className={`toast ${entry.kind === Log_Kind.STUCK ? "" : "danger"}`}>

@@ -12,30 +12,40 @@ import { FileMenu } from "../start/file_menu.tsx";
 import { Button, Hint, IconButton } from "../ui/controls.tsx";
 import { Icon } from "../ui/icons.tsx";
 import { nameOf, nextRedo, nextUndo } from "../undo/history.ts";
+import { stopWords } from "./stop_state.ts";
 import { missionEdits } from "./ui.ts";
+import { useStopState } from "./use_stop.ts";
 
+/** In a narrow window what is pressed in a hurry has a line of its own, and the rest the next one. */
 export function TopBar() {
   const session = useSession();
   return (
     <header className="topbar">
-      <FileMenu />
-      <Title />
-      <UndoButtons />
-      <span className="divider" />
-      <RunState />
-      <RunButton />
-      <StepButton />
-      <Clocks />
-      <SpeedControl />
-      <span className="gap" />
-      <People />
-      <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
-        <Button tone="quiet" className="find" icon="search" onPress={() => session.ui.set("dialog", "palette")}>
-          <span className="hidden-text">All commands</span>
-          <kbd>{shownShortcut("ctrl+k")}</kbd>
-        </Button>
-      </Hint>
-      <StopButton />
+      <div className="topbar-first">
+        <FileMenu />
+        <RunState />
+        <RunButton />
+        <StopButton />
+      </div>
+      <div className="topbar-rest">
+        <div className="topbar-mission">
+          <Title />
+          <UndoButtons />
+        </div>
+        <div className="topbar-run">
+          <StepButton />
+          <Clocks />
+          <SpeedControl />
+          <span className="gap" />
+          <People />
+          <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
+            <Button tone="quiet" className="find" icon="search" onPress={() => session.ui.set("dialog", "palette")}>
+              <span className="hidden-text">All commands</span>
+              <kbd>{shownShortcut("ctrl+k")}</kbd>
+            </Button>
+          </Hint>
+        </div>
+      </div>
     </header>
   );
 }
@@ -94,7 +104,8 @@ function RunState() {
   const status = usePart("status");
   const link = usePart("link");
   usePart("documents");
-  const { word, tone } = stateOf(status ?? undefined, link.state === "open", situationOf(model).errors);
+  const reach = link.state !== "open" ? "closed" : link.silentSince !== 0 ? "silent" : "open";
+  const { word, tone } = stateOf(status ?? undefined, reach, situationOf(model).errors);
   return (
     <span className={`pill ${tone}`} role="status" data-testid="run-state">
       <span className="dot" />
@@ -128,17 +139,25 @@ function Clocks() {
 
 export function StopButton() {
   const session = useSession();
+  const stop = useStopState();
+  const words = stopWords(stop);
   return (
     <Button
-      className="estop"
+      className={`estop ${stop.kind}`}
       aria-keyshortcuts="Control+."
+      aria-label={words === "" ? "EMERGENCY STOP" : `EMERGENCY STOP: ${words}`}
       onPress={() => void emergencyStop(session)}
       data-testid="emergency-stop"
       // Dialogs leave it reachable.
       data-react-aria-top-layer="true"
     >
       <Icon name="stop" />
-      EMERGENCY STOP
+      <span className="estop-words">
+        <span>
+          <span className="estop-long">EMERGENCY </span>STOP
+        </span>
+        {words !== "" && <span className="estop-state">{words}</span>}
+      </span>
       <kbd>{shownShortcut(kStopShortcut)}</kbd>
     </Button>
   );

@@ -14,18 +14,31 @@ import {
   redoLocal,
   undoLocal,
 } from "../undo/history.ts";
-import { type Layout, type LayoutEdit, readLayout } from "./layout.ts";
+import { fitted, type Layout, type Room, readLayout } from "./layout.ts";
 import { readMapSettings } from "./map_settings.ts";
 
 export type ThemeChoice = "auto" | "light" | "dark";
 
-/** What a local edit changes: the layout, or how the map looks. */
-export type LocalState = { layout: Layout } | { map: MapSettings };
+/** What a local edit changes: how the map looks. Panels come and go without one: Undo is for the mission. */
+export type LocalState = { map: MapSettings };
 
-export type DialogName = "palette" | "shortcuts" | "open" | "new" | "save-as" | "hand-over" | "leave" | "";
+export type DialogName =
+  | "abort"
+  | "restart"
+  | "palette"
+  | "shortcuts"
+  | "open"
+  | "new"
+  | "save-as"
+  | "hand-over"
+  | "leave"
+  | "";
 
 export interface UiParts {
+  /** As the person wants it; `shownLayout` is what there is room for. */
   layout: Layout;
+  /** The window's size. */
+  room: Room;
   history: LocalHistory<LocalState>;
   theme: ThemeChoice;
   /** How the person is shown to others. */
@@ -44,6 +57,12 @@ export interface UiParts {
   document: string;
   /** A line for the command line; a new object each time. */
   draft: { line: string } | null;
+  /** An emergency stop was asked for here, and has not been confirmed by every robot. */
+  stopSent: boolean;
+  /** Whether questions and alerts are heard and seen outside of the page as well. */
+  calls: boolean;
+  /** All alerts are listed, not the newest alone. */
+  alertsUnfolded: boolean;
   /** Something went wrong that a person should read; shown until dismissed. */
   notice: { text: string; tone: "danger" | "hold" } | null;
 }
@@ -54,11 +73,12 @@ export class Ui extends Store<UiParts> {
   constructor(
     private readonly model: Model,
     private readonly storage: Storage,
-    windowWidth: number,
+    room: Room,
   ) {
     const stored = read(storage);
     super({
-      layout: readLayout(stored.layout, windowWidth),
+      layout: readLayout(stored.layout, room.width),
+      room,
       history: emptyHistory(),
       theme: stored.theme === "light" || stored.theme === "dark" ? stored.theme : "auto",
       name: typeof stored.name === "string" ? stored.name.slice(0, 60) : "",
@@ -71,29 +91,18 @@ export class Ui extends Store<UiParts> {
       document: "",
       draft: null,
       notice: null,
+      stopSent: false,
+      calls: stored.calls === true,
+      alertsUnfolded: false,
     });
     model.set("map", readMapSettings(stored.map, model.get("map")));
-    for (const name of ["layout", "theme", "name"] as const) this.subscribe(name, () => this.keep());
+    for (const name of ["layout", "theme", "name", "calls"] as const) this.subscribe(name, () => this.keep());
     model.subscribe("map", () => this.keep());
   }
 
-  /** Carries out an edit of the layout; it can be undone. */
-  edit({ name, layout }: LayoutEdit): void {
-    const before = this.get("layout");
-    if (JSON.stringify(before) === JSON.stringify(layout)) return;
-    this.record(name, { layout: before }, { layout });
-    this.set("layout", layout);
-  }
-
-  /** As while a border is dragged: nothing to undo yet. `edit` with the same layout would not be recorded. */
-  previewLayout(layout: Layout): void {
-    this.set("layout", layout);
-  }
-
-  /** What was previewed since `before` becomes one edit. */
-  recordLayout(name: string, before: Layout): void {
-    const layout = this.get("layout");
-    if (JSON.stringify(before) !== JSON.stringify(layout)) this.record(name, { layout: before }, { layout });
+  /** The layout as the window shows it. */
+  get shownLayout(): Layout {
+    return fitted(this.get("layout"), this.get("room"));
   }
 
   /** Changes how the map looks; it can be undone. */
@@ -135,19 +144,19 @@ export class Ui extends Store<UiParts> {
   }
 
   private apply(state: LocalState): void {
-    if ("layout" in state) this.set("layout", state.layout);
-    else this.model.set("map", { ...state.map, theme: this.model.get("map").theme });
+    this.model.set("map", { ...state.map, theme: this.model.get("map").theme });
   }
 
   private keep(): void {
-    const { layout, theme, name, map } = {
+    const { layout, theme, name, calls, map } = {
       layout: this.get("layout"),
       theme: this.get("theme"),
       name: this.get("name"),
+      calls: this.get("calls"),
       map: this.model.get("map"),
     };
     try {
-      this.storage.setItem(kKey, JSON.stringify({ layout, theme, name, map }));
+      this.storage.setItem(kKey, JSON.stringify({ layout, theme, name, calls, map }));
     } catch {
       // A full or forbidden storage: the console works, it only forgets.
     }

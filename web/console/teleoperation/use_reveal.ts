@@ -14,10 +14,8 @@ export function useRevealTeleoperation(panels: readonly Panel[]): void {
     before.current = units;
     const hasNew = units !== "" && units.split("\n").some((unit) => !known.has(unit));
     const panel = panels.find((one) => one.id === "teleoperation");
-    const layout = ui.get("layout");
-    if (!hasNew || !panel || isShown(layout, panels, panel.id)) return;
-    // By itself: no edit of the person's layout.
-    ui.previewLayout(showPanel(layout, panel).layout);
+    if (!hasNew || !panel || isShown(ui.shownLayout, panels, panel.id)) return;
+    ui.set("layout", showPanel(ui.get("layout"), panel));
   }, [units, panels, ui]);
 }
 

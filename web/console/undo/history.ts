@@ -1,5 +1,5 @@
-// One undo over two histories: edits of the mission live in the server, which numbers them; edits of the layout live
-// here. A layout edit remembers the newest mission edit before it, so that the two interleave as they happened.
+// One undo over two histories: edits of the mission live in the server, which numbers them; edits of how the map looks
+// live here. Such an edit remembers the newest mission edit before it, so that the two interleave as they happened.
 
 export interface LocalEdit<State> {
   name: string;

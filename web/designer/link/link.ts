@@ -11,6 +11,8 @@ const kSpeech: Speech<Request, FromDesigner, Answer> = {
   answerIn: ({ body }) => (body.case === "answer" ? body.value : undefined),
   refusal: (request, error) => create(AnswerSchema, { request, ok: false, error }),
   isWelcome: ({ body }) => body.case === "hello",
+  beat: (number) => ({ case: "beat", value: { number } }),
+  beatIn: ({ body }) => (body.case === "beat" ? body.value.number : undefined),
 };
 
 type Wanted = Omit<LinkOptions<Request, FromDesigner, Answer>, "path" | "speech" | "opened">;

@@ -44,7 +44,7 @@ export class Live {
       name: "Designer",
       clientKey: tabKey(window.sessionStorage),
     });
-    const ui = new Ui(this.model, kForgetful, window.innerWidth);
+    const ui = new Ui(this.model, kForgetful, { width: window.innerWidth, height: window.innerHeight });
     ui.subscribe("notice", () => {
       const notice = ui.get("notice");
       if (notice) designer.tell(notice.text, notice.tone);

@@ -6,12 +6,16 @@ import type { MapView } from "../map_view.ts";
 import { fade } from "../palette.ts";
 import type { MapPick, MapPointer, MapTool, Pen } from "../tool.ts";
 
+const kDoubleClick = 500; // ms between its two clicks, at most
+
 export class SelectTool implements MapTool {
   readonly name = "select";
   private map: MapView | null = null;
   private origin: MapPointer | null = null;
   private corner: Point | null = null;
   private lastClick: Point | null = null;
+  /** The robot that was clicked last, and when [ms]: by a second click it may have moved on. */
+  private lastRobot = { id: 0, at: 0 };
   private depth = 0;
   private finger: Point | null = null;
 
@@ -51,10 +55,11 @@ export class SelectTool implements MapTool {
 
   /** Of a robot: its whole unit. */
   doubleClick(pointer: MapPointer): void {
-    const robot = pointer.picks().find((pick) => pick.kind === "robot");
+    const hit = pointer.picks().find((pick) => pick.kind === "robot");
+    const id = this.isSecondClick() ? this.lastRobot.id : hit?.kind === "robot" ? hit.id : 0;
     const roster = this.map?.model.get("roster");
-    if (robot?.kind !== "robot" || !roster) return;
-    const unit = roster.robot(robot.id)?.unit ?? "";
+    if (id === 0 || !roster) return;
+    const unit = roster.robot(id)?.unit ?? "";
     if (unit) this.map?.model.select(selectUnit(unit, roster.robotsOf(unit)));
   }
 
@@ -112,6 +117,10 @@ export class SelectTool implements MapTool {
     const model = this.map!.model;
     const pick = picks.length ? this.choose(picks) : undefined;
     const selection = model.get("selection");
+    // The second of a double click means what the first one hit.
+    const isSecond = isAgain && this.isSecondClick();
+    if (isSecond && !picks.some((one) => one.kind === "robot" && one.id === this.lastRobot.id)) return;
+    if (!isSecond) this.lastRobot = { id: pick?.kind === "robot" ? pick.id : 0, at: performance.now() };
     if (!pick) {
       if (!pointer.shift) model.select(kNothing);
     } else if (pick.kind === "robot") {
@@ -119,6 +128,10 @@ export class SelectTool implements MapTool {
     } else {
       model.select(pointer.shift || pointer.ctrl ? toggleItem(selection, pick) : selectItem(pick));
     }
+  }
+
+  private isSecondClick(): boolean {
+    return this.lastRobot.id !== 0 && performance.now() - this.lastRobot.at < kDoubleClick;
   }
 
   /** The next below with each click on the same place. */

@@ -1,0 +1,56 @@
+// What must never be looked for is on the screen, however small that is.
+import { expect, test } from "vitest";
+import { begin } from "./begin.ts";
+import { expectWithin } from "./within.ts";
+
+/** CSS pixels: telephones, and a window of 1280 x 800 at 100, 200 and 400 %. */
+const kSizes = [
+  [1280, 800],
+  [1000, 700],
+  [768, 1024],
+  [640, 400],
+  [390, 844],
+  [320, 568],
+  [320, 200],
+] as const;
+
+test("the emergency stop, the state of the run and questions lie within every window", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.reaches("Ready");
+  await console.setSpeed("Max");
+  for (const [width, height] of kSizes) {
+    await page.setViewportSize({ width, height });
+    for (const what of [console.stop, console.state, console.main]) await expectWithin(what);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+  }
+  await console.main.click();
+  const question = console.questions.locator("[data-question]").first();
+  await question.waitFor();
+  await console.reaches("Waits for you");
+  for (const [width, height] of kSizes) {
+    await page.setViewportSize({ width, height });
+    await expectWithin(question.getByRole("button", { name: /^PROCEED/ }));
+    await expectWithin(question.getByRole("button", { name: /^ABORT/ }));
+    for (const what of [console.stop, console.state, console.main]) await expectWithin(what);
+  }
+  await console.stop.click();
+  await console.stop.getByText("confirmed: all 4 stand").waitFor();
+  for (const [width, height] of kSizes) {
+    await page.setViewportSize({ width, height });
+    for (const what of [console.stop, console.state, console.main]) await expectWithin(what);
+  }
+});
+
+test("on a telephone a panel lies over the map, and goes again", async () => {
+  const { console } = await begin({ mission: "demo_c", size: { width: 390, height: 844 } });
+  await console.reaches("Ready");
+  await expectWithin(console.map.locator("xpath=.."));
+  for (const title of ["Robots", "Selection"]) {
+    const panel = await console.panel(title);
+    await expectWithin(panel.getByRole("button", { name: `Close ${title}` }));
+    for (const what of [console.stop, console.state]) await expectWithin(what);
+    await panel.getByRole("button", { name: `Close ${title}` }).click();
+    await panel.waitFor({ state: "detached" });
+  }
+});

@@ -1,0 +1,51 @@
+// Asked once before a run is given up.
+import { Control_Action } from "../../core/protocol.ts";
+import { control } from "../orders.ts";
+import { useIsOperator, useSession, useUi } from "../session.ts";
+import { Button } from "../ui/controls.tsx";
+import { DialogBox } from "../ui/menus.tsx";
+
+const kTexts = {
+  abort: {
+    title: "Abort the mission?",
+    text: "All robots stop, and the mission ends. It can be begun anew then, or at one of its steps.",
+    action: Control_Action.ABORT,
+    word: "Abort",
+  },
+  restart: {
+    title: "Restart the run?",
+    text: "This run is given up: its robots leave the map, its trails and alerts go, and time begins at 0.",
+    action: Control_Action.RESTART,
+    word: "Restart",
+  },
+} as const;
+
+export function ConfirmDialog() {
+  const session = useSession();
+  const name = useUi("dialog");
+  const isOperator = useIsOperator();
+  if (name !== "abort" && name !== "restart") return null;
+  const { title, text, action, word } = kTexts[name];
+  const close = () => session.ui.set("dialog", "");
+  const carryOut = () => {
+    close();
+    control(session, action);
+  };
+  return (
+    <DialogBox
+      title={title}
+      onClose={close}
+      width={420}
+      footer={
+        <>
+          <Button onPress={close}>Go on as it is</Button>
+          <Button tone="danger" isDisabled={!isOperator} onPress={carryOut}>
+            {word}
+          </Button>
+        </>
+      }
+    >
+      <p>{text}</p>
+    </DialogBox>
+  );
+}

@@ -1,0 +1,24 @@
+import { useEffect } from "react";
+import { emergencyStop } from "../orders.ts";
+import { usePart, useSession, useUi } from "../session.ts";
+import { isStale } from "../ui/silence.tsx";
+import { type StopState, stopState } from "./stop_state.ts";
+
+export function useStopState(): StopState {
+  const status = usePart("status");
+  const link = usePart("link");
+  return stopState(status, useUi("stopSent"), isStale(link));
+}
+
+/** Forgets that a stop was sent once it is confirmed, and sends it again where the connection was lost before that. */
+export function useFollowStop(): void {
+  const session = useSession();
+  const { kind } = useStopState();
+  const isOpen = usePart("link").state === "open";
+  useEffect(() => {
+    if (kind === "confirmed") session.ui.set("stopSent", false);
+  }, [kind, session]);
+  useEffect(() => {
+    if (isOpen && session.ui.get("stopSent")) void emergencyStop(session);
+  }, [isOpen, session]);
+}
