@@ -50,7 +50,8 @@ test("letters are shortcuts also while a list has the focus", async () => {
   await console.main.click();
   await console.reaches("Running");
   await console.select("Robot 1");
-  await expect.poll(() => console.page.evaluate(() => document.activeElement?.closest("[role=grid], [role=treegrid]") !== null)).toBe(true);
+  const isInList = () => document.activeElement?.closest("[role=grid], [role=treegrid]") !== null;
+  await expect.poll(() => console.page.evaluate(isInList)).toBe(true);
   await console.page.keyboard.press("x");
   await console.reaches("Paused");
   await console.page.keyboard.press("x");

@@ -14,7 +14,7 @@ afterEach(() => void vi.useRealTimers());
 function begin() {
   const model = new Model();
   const roster = create(RosterSchema, {
-    units: [{ name: "scouts", robots: [1, 2] }],
+    units: [{ name: "scouts", members: [1, 2] }],
     robots: [1, 2, 3].map((id) => ({ id, unit: id < 3 ? "scouts" : "" })),
   });
   model.set("roster", new RosterIndex(roster));
