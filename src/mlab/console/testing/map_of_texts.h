@@ -74,7 +74,8 @@ class MapOfTexts {
     options.seed = 1;
     options.files = {
         [this](const std::string& path) { return sources_.contains(path); },
-        [this](const std::string& path) -> text::Result<text::SourcePtr> { return sources_.at(path); }};
+        [this](const std::string& path) -> text::Result<text::SourcePtr> { return sources_.at(path); },
+        {}};
     text::Diagnostics sink;
     map_ = mdl::check_map(mission_source_, "", sink, options);
     text::Diagnostics all;

@@ -269,7 +269,8 @@ text::Files files_of(const std::map<std::string, std::string>& texts) {
   return {[&texts](const std::string& path) { return texts.contains(path); },
           [&texts](const std::string& path) -> text::Result<text::SourcePtr> {
             return std::make_shared<const text::Source>(path, texts.at(path));
-          }};
+          },
+          {}};
 }
 
 TEST(MdlLoad, ReadsThroughTheFilesThatItIsGiven) {
