@@ -1,6 +1,7 @@
 // A line between page and server that can begin to swallow what goes through it, while every socket stays open.
-import { createServer, type Socket, connect as connectTo } from "node:net";
+
 import type { AddressInfo } from "node:net";
+import { connect as connectTo, createServer, type Socket } from "node:net";
 
 export class SwallowingLine {
   private readonly pairs: { near: Socket; far: Socket; isSwallowed: boolean }[] = [];
