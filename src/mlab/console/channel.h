@@ -34,10 +34,10 @@ class Channel {
   std::uint64_t begin_frame(double wall);
   void acknowledge(std::uint64_t frame);
 
-  std::uint64_t beat = 0;      ///< number of the browser's last one
-  std::uint64_t seen = 0;      ///< version of the world in its last frame
+  std::uint64_t beat = 0;         ///< number of the browser's last one
+  std::uint64_t seen = 0;         ///< version of the world in its last frame
   std::uint64_t alerts_seen = 0;  ///< EventLog::alerts_after that it was told
-  std::uint64_t log_seen = 0;  ///< number of the last log entry that it has
+  std::uint64_t log_seen = 0;     ///< number of the last log entry that it has
   std::map<std::uint32_t, double>
       series_seen;  ///< time of the last sample that it has, by its id of the series
 

@@ -66,7 +66,9 @@ Session::Parts::Answered Session::Parts::control(const std::string& who, const C
   if (control.action() == Control::SKIP_STEP && !state.in_step &&
       state.step + 1 >= state.mission->steps.size())
     return "there is no step after this one";
-  if (live_->run().is_over() && control.action() != Control::ABORT) forget_earlier_run();
+  const bool has_ended = mode_of(live_->run()) == Status::ENDED;
+  if (control.action() == Control::JUMP && has_ended) return "the mission has ended: restart it first";
+  if (has_ended && control.action() != Control::ABORT) forget_earlier_run();
   note(who, control.action() == Control::JUMP
                 ? fmt::format("jump to step {}", clean(state.mission->steps[control.step()].label))
                 : name_of(control.action()));

@@ -8,7 +8,7 @@ import { DialogBox } from "../ui/menus.tsx";
 const kTexts = {
   abort: {
     title: "Abort the mission?",
-    text: "All robots stop, and the mission ends. It can be begun anew then, or at one of its steps.",
+    text: "All robots stop, and the mission ends. It can be begun anew then.",
     action: Control_Action.ABORT,
     word: "Abort",
   },

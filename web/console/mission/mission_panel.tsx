@@ -285,6 +285,8 @@ function StepFoot({ row }: { row: StepRow }) {
 function StepMenu({ row }: { row: StepRow }) {
   const session = useSession();
   const isOperator = useIsOperator();
+  const status = usePart("status");
+  const hasEnded = status?.mode === Status_Mode.ENDED;
   const isPlanned = row.step !== kTyped;
   const entries: MenuEntry[] = [];
   if (isPlanned) {
@@ -292,8 +294,8 @@ function StepMenu({ row }: { row: StepRow }) {
       id: "jump",
       label: row.state === "running" ? "Begin this step anew" : "Jump to this step",
       icon: "right",
-      detail: "Steps between are left out",
-      isDisabled: !isOperator,
+      detail: hasEnded ? "The mission has ended: restart it first" : "Steps between are left out",
+      isDisabled: !isOperator || hasEnded,
       run: () => control(session, Control_Action.JUMP, row.step),
     });
   }
