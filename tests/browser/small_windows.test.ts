@@ -22,7 +22,7 @@ test("the emergency stop, the state of the run and questions lie within every wi
   for (const [width, height] of kSizes) {
     await page.setViewportSize({ width, height });
     for (const what of [console.stop, console.state, console.main]) await expectWithin(what);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+    await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
   }
   await console.main.click();
   const question = console.questions.locator("[data-question]").first();
