@@ -106,6 +106,9 @@ COMMAND LIST:
   await console.reaches("Ready");
   await console.main.click();
   const alert = page.getByRole("region", { name: "Alerts" }).locator(".toast").filter({ hasText: "Robot 2 stands" });
+  const more = page.getByRole("region", { name: "Alerts" }).getByRole("button", { name: / more$/ });
+  await more.or(alert.first()).first().waitFor();
+  if (await more.isVisible()) await more.click();
   await alert.first().waitFor();
   expect(await alert.first().textContent()).toContain("fault at “farther”");
   const log = await console.panel("Log");
