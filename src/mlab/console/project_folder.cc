@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/console/enclosed_file.h"
+#include "mlab/text/files.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::console {
