@@ -93,7 +93,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   settings.mission = settings.project_folder + "/m.mdl";
   settings.version = "fuzz";
   settings.speed = 0.0;
-  settings.may_compile = false;
   Mail mail;
   {
     Session session(settings, [&](ConnectionId to, const std::shared_ptr<const std::string>& bytes) {

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/cell/testing/permission.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/fleet/report.h"
 #include "mlab/lang/mdl/mdl.h"
@@ -39,7 +40,8 @@ std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t s
   settings.seed = seed;
   settings.threads = threads;
   settings.executive.proceed_all = true;
-  auto run = fleet::MissionRun::create(mission, {file.parent_path().string(), "", ""}, settings, sink);
+  auto run = fleet::MissionRun::create(
+      mission, {cell::testing::code_permitted(), file.parent_path().string()}, settings, sink);
   EXPECT_TRUE(run) << text::render(sink);
   return run;
 }

@@ -28,18 +28,18 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"lang/odl", {"text", "overlay"}},
     {"lang/envchange", {"text", "overlay"}},
     {"lang/mdl", {"text", "mission", "lang/odl"}},
-    {"lang/cnl", {"text", "flow"}},
+    {"lang/cnl", {"cell", "text", "flow"}},
     {"lang/cdl", {"text", "flow", "lang/cnl"}},
     {"lang/cdl_historic", {"text", "flow", "lang/cdl"}},
     {"export", {"flow", "lang/cdl"}},
     {"library", {"schema"}},
-    {"robot", {"percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
-    {"robot_build", {"robot", "robot_process"}},
+    {"robot", {"cell", "percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
+    {"robot_build", {"cell", "robot", "robot_process"}},
     {"fleet", {"robot", "mission", "sim"}},
     {"language", {"fleet", "lang/mdl", "lang/odl", "lang/envchange"}},
     {"lsp", {"language"}},
     {"console/server", {"base"}},
-    {"console", {"fleet", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
+    {"console", {"cell", "fleet", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
     {"designer", {"console", "lang/cdl", "lang/cdl_historic"}},
 };
 
@@ -77,6 +77,22 @@ std::string_view included(std::string_view line) {
 }
 
 }  // namespace
+
+Findings foreign_permissions(const Tree& tree) {
+  constexpr std::string_view kMakes = "Permission::decide(";
+  Findings findings;
+  for (const File& file : tree) {
+    const bool is_allowed = file.path == "src/mlab/cli/permission.cc" || file.path.ends_with("_test.cc") ||
+                            file.path.find("/testing/") != std::string::npos;
+    if (!file.is_cpp() || !file.path.starts_with("src/") || is_allowed) continue;
+    const auto lines = file.lines();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].find(kMakes) == std::string_view::npos) continue;
+      findings.push_back({file.path, i + 1, "only src/mlab/cli/permission.cc decides what code may do"});
+    }
+  }
+  return findings;
+}
 
 Findings upward_includes(const Tree& tree) {
   constexpr std::string_view kSources = "src/";

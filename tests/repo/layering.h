@@ -8,4 +8,7 @@ namespace mlab::repo {
 /// Also names a module that the table of arrows does not have, so that a new one is placed on purpose.
 Findings upward_includes(const Tree& tree);
 
+/// Lines in `src/mlab` that make a `cell::Permission`: only the command does, out of its options, and tests.
+Findings foreign_permissions(const Tree& tree);
+
 }  // namespace mlab::repo

@@ -36,6 +36,18 @@ TEST(Layering, TheCommandMayIncludeEverything) {
   EXPECT_EQ(upward_includes({{"src/mlab/cli/main.cc", "#include \"mlab/fleet/fleet.h\"\n"}}), Findings{});
 }
 
+TEST(Gate, OnlyTheCommandDecidesWhatCodeMayDo) {
+  EXPECT_EQ(foreign_permissions(read_tree(MLAB_SOURCE_DIR)), Findings{});
+}
+
+TEST(Gate, ADecisionElsewhereIsFoundAtItsLine) {
+  const std::string line = "auto p = cell::Permission::decide(grounds, means);\n";
+  const Tree tree = {{"src/mlab/console/session.cc", "\n" + line}, {"src/mlab/cli/permission.cc", line}};
+  const Findings findings = foreign_permissions(tree);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].path, "src/mlab/console/session.cc");
+}
+
 TEST(Layering, AModuleWithoutAPlaceIsFound) {
   EXPECT_EQ(upward_includes({{"src/mlab/misc/misc.h", "#pragma once\n"}}).size(), 1U);
 }

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/cell/testing/permission.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/network_file.h"
@@ -60,7 +61,8 @@ class RobotProgramsTest : public testing::Test {
     toolchain.link_file = MLAB_LINK_FILE;
     toolchain.cache_folder = (shared_folder / "cache").string();
     ASSERT_TRUE(robot_build::build_executable(robot_build::emit_cpp(source),
-                                              (shared_folder / "walker").string(), toolchain, sink))
+                                              (shared_folder / "walker").string(), toolchain,
+                                              cell::testing::all_permitted(), sink))
         << text::render(sink);
   }
   static void TearDownTestSuite() {
@@ -87,8 +89,9 @@ class RobotProgramsTest : public testing::Test {
     settings.seed = 5;
     settings.threads = threads;
     settings.executive.proceed_all = true;
-    robot::ProgramSources sources{shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
-    sources.allow_native = allow_native;
+    robot::ProgramSources sources{
+        allow_native ? cell::testing::all_permitted() : cell::testing::code_permitted(),
+        shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
     sources.native_patience = 1.0;
     auto run = fleet::MissionRun::create(mission, sources, settings, sink_);
     if (run) {
@@ -176,8 +179,8 @@ TEST_F(RobotProgramsTest, ForageTogetherAsTheEmbeddedProgramsDo) {
     fleet::RunSettings settings;
     settings.seed = 4;
     settings.executive.proceed_all = true;
-    robot::ProgramSources sources{folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
-    sources.allow_native = true;
+    robot::ProgramSources sources{cell::testing::all_permitted(), folder.string(),
+                                  std::string(MLAB_SOURCE_DIR) + "/src", "test"};
     const auto run = fleet::MissionRun::create(mission, sources, settings, sink);
     ASSERT_TRUE(run) << text::render(sink);
     Trace trace;

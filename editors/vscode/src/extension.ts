@@ -16,6 +16,8 @@ function serverOptions(): ServerOptions {
 
 function clientOptions(): LanguageClientOptions {
   return {
+    // C++ in a folder that is not trusted is not given to the compiler.
+    initializationOptions: { trusted: vscode.workspace.isTrusted },
     documentSelector: languages.map((language) => ({ language })),
     synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{cdl,cnl,mdl,odl,ovl}") },
   };
@@ -42,6 +44,10 @@ async function stop(): Promise<void> {
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   context.subscriptions.push(
     vscode.commands.registerCommand("missionlab.restart", async () => {
+      await stop();
+      await start();
+    }),
+    vscode.workspace.onDidGrantWorkspaceTrust(async () => {
       await stop();
       await start();
     }),

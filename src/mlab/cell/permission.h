@@ -38,6 +38,9 @@ struct Grounds {
 /// question.
 class Permission {
  public:
+  /// Nobody has decided: it refuses everything. For those who read texts and neither compile nor run
+  /// anything.
+  Permission() : wall_(std::unexpected("nobody has allowed it")) {}
   static Permission decide(const Grounds& grounds, const Means& means) { return Permission(grounds, means); }
 
   /// Whether this text may be given to the compiler, and the walls that it works in.
@@ -47,12 +50,14 @@ class Permission {
   std::expected<Wall, std::string> to_run(std::string_view code) const;
   /// The same of an executable that lies on disk: nobody here has seen its code.
   std::expected<Wall, std::string> to_start(std::string_view executable) const;
+  /// Whether code that is written from now on may be compiled: what pages tell those who write it.
+  bool takes_new_code() const { return to_compile("code that nobody has written yet").has_value(); }
 
  private:
   Permission(const Grounds& grounds, const Means& means);
   std::expected<Wall, std::string> judge(std::string_view code, std::string_view what) const;
 
-  Grounds grounds_;
+  Grounds grounds_{Grounds::Purpose::kCheck, Grounds::People::kElsewhere, false, false, false, nullptr};
   std::expected<Wall, std::string> wall_;
 };
 

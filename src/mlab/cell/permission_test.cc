@@ -59,6 +59,14 @@ TEST(Permission, WhatIsOnlyCheckedIsCompiledAndNeverRun) {
   EXPECT_FALSE(it.to_start("./forager"));
 }
 
+TEST(Permission, WhereNobodyHasDecidedEverythingIsRefused) {
+  const Permission it;
+  EXPECT_FALSE(it.to_compile("code"));
+  EXPECT_FALSE(it.to_run("code"));
+  EXPECT_FALSE(it.to_start("./forager"));
+  EXPECT_FALSE(it.takes_new_code());
+}
+
 TEST(Permission, NothingIsDoneInAFolderThatIsNotTrusted) {
   Grounds ours = grounds();
   ours.is_trusted = false;

@@ -154,6 +154,9 @@ std::expected<CallFilter, std::string> CallFilter::make(const Policy& policy, Wa
   for (const int call : kUnknownCalls) filter.refuse(call, ENOSYS);
   if (policy.may_start_processes) {
     for (const int call : kCompilerCalls) filter.allow(call);
+    // mold gives up where it can't make its output executable. It is told that it did, and who started it
+    // does.
+    filter.refuse(SCMP_SYS(fchmod), 0);
   }
   allow_parts(filter, policy, wall);
   auto written = filter.write();

@@ -14,6 +14,7 @@
 #include "mlab/cli/export_command.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/permission.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/lang/cdl/emit_cnl.h"
@@ -42,8 +43,8 @@ std::string architecture_of(const std::string& file) {
 
 std::optional<robot_build::RobotSource> configured(const BuildOptions& options, text::Diagnostics& sink) {
   const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
-  auto robot =
-      robot::load_configuration(name, fs::path(options.file).stem().string(), {}, program_sources(""), sink);
+  auto robot = robot::load_configuration(name, fs::path(options.file).stem().string(), {},
+                                         program_sources("", permission_to_build()), sink);
   if (!robot) return std::nullopt;
   robot_build::RobotSource out;
   out.network = std::move(robot->lowered.network);
@@ -53,7 +54,7 @@ std::optional<robot_build::RobotSource> configured(const BuildOptions& options, 
 }
 
 std::optional<robot_build::RobotSource> networked(const BuildOptions& options, text::Diagnostics& sink) {
-  auto read = robot::read_network(options.file, {}, program_sources(""), sink);
+  auto read = robot::read_network(options.file, {}, program_sources("", permission_to_build()), sink);
   if (!read) return std::nullopt;
   robot_build::RobotSource out;
   if (read->network.nodes.empty()) {
@@ -95,7 +96,7 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
   {
     const ProgressLine line;
     report = robot_build::build_executable(
-        robot_build::emit_cpp(robot), output, toolchain(), sink,
+        robot_build::emit_cpp(robot), output, toolchain(), permission_to_build(), sink,
         [&](std::size_t done, std::size_t total, const std::string& what) { line.show(done, total, what); });
   }
   tell(sink);

@@ -7,6 +7,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/permission.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/language/service.h"
 #include "mlab/text/diagnostic.h"
@@ -33,7 +34,7 @@ void check_source(const text::SourcePtr& source, Checked& out) {
         .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
     return;
   }
-  out.sink = language::problems({source, *out.language}, surroundings());
+  out.sink = language::problems({source, *out.language}, surroundings(permission_to_check()));
 }
 
 Json place_json(const text::Place& place) {

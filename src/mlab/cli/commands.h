@@ -20,6 +20,7 @@ struct RunOptions {
   bool strict = false;
   bool quiet = false;
   bool allow_native = false;
+  bool no_cell = false;
   std::string speed;  ///< `real`, `max` or a number; empty: the default of the surface
   std::uint64_t seed = 1;
   int threads = 1;

@@ -29,6 +29,7 @@
 #include "mlab/cli/input.h"
 #include "mlab/cli/kept_address.h"
 #include "mlab/cli/output.h"
+#include "mlab/cli/permission.h"
 #include "mlab/cli/run_settings.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
@@ -238,8 +239,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.overlay_folders = overlay_folders();
   out.mission = options.mission;
   out.version = kVersion;
-  out.include_root = program_sources("").include_root;
-  out.allow_native = options.allow_native;
+  out.include_root = program_sources("", {}).include_root;
   out.state_folder = state_folder();
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
@@ -255,7 +255,7 @@ designer::DesignerSettings designer_settings(const RunOptions& options,
   out.version = settings.version;
   out.include_root = settings.include_root;
   out.state_folder = settings.state_folder;
-  out.may_compile = settings.may_compile;
+  out.permission = settings.permission;
   return out;
 }
 
@@ -266,7 +266,6 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   const std::string& kept_in = settings.state_folder;
   const std::string project = console::ProjectFolder({settings.project_folder, ""}).folder();
   const bool is_kept = console::StateFolder(kept_in, project).problem().empty();
-  settings.may_compile = server.is_loopback() || options.allow_native;
   const auto send = [&server](console::ConnectionId to, auto bytes) { server.send(to, std::move(bytes)); };
   designer::DesignerSettings drawing = designer_settings(options, settings);
   console::Session session(std::move(settings), send);
@@ -335,6 +334,9 @@ int run_console(const RunOptions& options) {
   if (!listen_for_interrupts()) return usage_error("the operating system has no descriptor left");
   if (const std::string why = kept.keep({where->address, server->port(), server->token()}); !why.empty())
     fmt::print(stderr, "mlab: warning: a page that is left open will not find the next server: {}\n", why);
+  const auto people =
+      server->is_loopback() ? cell::Grounds::People::kHere : cell::Grounds::People::kElsewhere;
+  settings.permission = permission_to_run(options, people, settings.project_folder);
   return serve(options, std::move(settings), look, *server);
 }
 

@@ -11,6 +11,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/permission.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/export/format.h"
 #include "mlab/lang/cdl/formula.h"
@@ -26,7 +27,8 @@ constexpr const char* kFormula = "formula";
 // What the formats of other tools say of a robot.
 std::optional<std::string> exported(const robot::ConfiguredRobot& robot, const std::string& format,
                                     text::Diagnostics& sink) {
-  const auto library = robot::library_with(robot.configuration.procedures, program_sources(""), sink);
+  const auto library =
+      robot::library_with(robot.configuration.procedures, program_sources("", permission_to_build()), sink);
   if (!library) return std::nullopt;
   const exports::Subject subject{robot.configuration, *robot.configuration.robots.at(robot.robot),
                                  robot.lowered.network, *library};
@@ -35,7 +37,8 @@ std::optional<std::string> exported(const robot::ConfiguredRobot& robot, const s
 
 std::string sentences(const text::SourcePtr& source, text::Diagnostics& sink) {
   const cdl::Configuration configuration = cdl::load(source, robot::library_environment(), sink);
-  const auto library = robot::library_with(configuration.procedures, program_sources(""), sink);
+  const auto library =
+      robot::library_with(configuration.procedures, program_sources("", permission_to_build()), sink);
   return library ? cdl::print(cdl::formula(configuration, *library, sink)) : "";
 }
 
@@ -44,7 +47,7 @@ int write_formula(const BuildOptions& options) {
   text::Diagnostics sink;
   std::string out;
   if (const text::Result<text::SourcePtr> source = text::read_source(options.file)) {
-    robot::check_configuration(*source, program_sources(""), sink);
+    robot::check_configuration(*source, program_sources("", permission_to_build()), sink);
     if (!sink.has_errors()) out = sentences(*source, sink);
   } else {
     sink.report(source.error());
@@ -71,7 +74,7 @@ int export_configuration(const BuildOptions& options) {
   text::Diagnostics sink;
   const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
   const auto robot = robot::load_configuration(name, std::filesystem::path(options.file).stem().string(), {},
-                                               program_sources(""), sink);
+                                               program_sources("", permission_to_build()), sink);
   std::optional<std::string> text;
   if (robot) text = exported(*robot, options.emit, sink);
   tell(sink);

@@ -65,8 +65,8 @@ std::string environment_variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-robot::ProgramSources program_sources(const std::string& folder, bool allow_native) {
-  return {folder, include_root(), kVersion, allow_native};
+robot::ProgramSources program_sources(const std::string& folder, const cell::Permission& permission) {
+  return {permission, folder, include_root(), kVersion};
 }
 
 robot_build::Toolchain toolchain() {
@@ -83,10 +83,10 @@ std::vector<std::string> overlay_folders() {
   return {(prefix() / "share" / "mlab" / "overlays").string()};
 }
 
-language::Surroundings surroundings() {
+language::Surroundings surroundings(const cell::Permission& permission) {
   language::Surroundings out;
   out.overlay_folders = overlay_folders();
-  out.programs = program_sources("");
+  out.programs = program_sources("", permission);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/cell/permission.h"
 #include "mlab/language/service.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/robot_build/executable.h"
@@ -20,8 +21,7 @@ bool write_file(const std::string& path, const std::string& text);
 /// Where robot programs come from that a file in `folder` names. The headers for procedures that it brings
 /// are those of the installation, or of the source tree that mlab was built from.
 ///
-/// @param allow_native  executables that a mission names may be run
-robot::ProgramSources program_sources(const std::string& folder, bool allow_native = false);
+robot::ProgramSources program_sources(const std::string& folder, const cell::Permission& permission);
 /// What robot executables are made with, of the installation or of what mlab was built from.
 robot_build::Toolchain toolchain();
 /// Where overlays are looked for after the mission's own folder.
@@ -29,7 +29,7 @@ std::vector<std::string> overlay_folders();
 /// The component library's texts: of the installation, or of what it was built from.
 std::string library_folder();
 /// What stands beside a text that is checked or edited.
-language::Surroundings surroundings();
+language::Surroundings surroundings(const cell::Permission& permission);
 /// The web client of the operator console, and the missions that come with mlab: of the installation, or of
 /// what it was built from.
 std::string web_folder();

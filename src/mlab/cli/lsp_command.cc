@@ -2,6 +2,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/permission.h"
 #include "mlab/cli/version.h"
 #include "mlab/lsp/server.h"
 
@@ -10,7 +11,8 @@ namespace mlab::cli {
 int lsp() {
   lsp::Options options;
   options.version = kVersion;
-  options.around = surroundings();
+  options.around = surroundings({});
+  options.permission = permission_to_check;
   options.library_folder = library_folder();
   return lsp::serve(std::move(options), STDIN_FILENO, STDOUT_FILENO);
 }

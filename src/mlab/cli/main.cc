@@ -46,6 +46,11 @@ int hardware_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+void add_no_cell(CLI::App* c, RunOptions& o) {
+  c->add_flag("--no-cell", o.no_cell,
+              "let code that files bring do all that you may do: for machines that can't make cells");
+}
+
 void add_run(CLI::App& app, RunOptions& o) {
   CLI::App* c = app.add_subcommand("run", "Carry out a mission in simulation, watched from a browser.");
   c->add_option("mission", o.mission,
@@ -92,7 +97,8 @@ void add_run(CLI::App& app, RunOptions& o) {
   c->add_flag(
       "--allow-native", o.allow_native,
       "run executables that the mission names as robot programs (mlab build makes them), and let people on\n"
-      "other machines bring code of their own");
+      "other machines bring code of their own; both in cells (docs/security.md)");
+  add_no_cell(c, o);
 }
 
 void add_console(CLI::App* c, RunOptions& o, const std::string& group) {
@@ -132,6 +138,8 @@ void add_edit(CLI::App& app, RunOptions& o) {
       "Draw configurations of robots and see them live, in the browser. Without a file it starts with the\n"
       "examples and the component library.");
   c->add_option("file", o.configuration, "the configuration")->type_name("FILE.cdl");
+  c->add_flag("--allow-native", o.allow_native, "let people on other machines bring code of their own");
+  add_no_cell(c, o);
   add_console(c, o, "Where and how");
 }
 

@@ -18,6 +18,7 @@
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
 #include "mlab/cli/output.h"
+#include "mlab/cli/permission.h"
 #include "mlab/cli/plot.h"
 #include "mlab/cli/run_screen.h"
 #include "mlab/cli/run_settings.h"
@@ -84,8 +85,10 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   if (mission) {
     fleet::RunSettings& settings = manner->settings;
     settings.goes_on_when_done = options.duration.has_value();
-    const robot::ProgramSources sources =
-        program_sources(std::filesystem::path(options.mission).parent_path().string(), options.allow_native);
+    const std::string folder = std::filesystem::path(options.mission).parent_path().string();
+    robot::ProgramSources sources =
+        program_sources(folder, permission_to_run(options, cell::Grounds::People::kHere, folder));
+    sources.project = !options.project.empty() ? options.project : folder.empty() ? "." : folder;
     if (!options.environment.empty()) {
       const text::Result<text::SourcePtr> source = read_input(options.environment);
       if (!source) sink.report(source.error());

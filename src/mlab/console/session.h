@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/cell/permission.h"
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
 #include "mlab/fleet/mission_run.h"
@@ -16,6 +17,7 @@ class ToServer;
 
 /// What a session is started with.
 struct SessionSettings {
+  cell::Permission permission;               ///< whether code that files bring may be compiled, and run
   std::string project_folder;                ///< nothing outside of it (but the examples) is read or written
   std::string example_folder;                ///< missions that come with mlab, read only; empty: none
   std::vector<std::string> overlay_folders;  ///< as mdl::LoadOptions
@@ -26,9 +28,7 @@ struct SessionSettings {
   /// Called, on the session's thread, whenever this changes: why what is not saved would be lost with this
   /// process. Empty: it would not.
   std::function<void(const std::string& why)> tell_not_kept = {};
-  double speed = 10.0;        ///< simulated seconds per second; 0: as fast as it goes
-  bool may_compile = true;    ///< native code of missions may be compiled and run
-  bool allow_native = false;  ///< as robot::ProgramSources
+  double speed = 10.0;  ///< simulated seconds per second; 0: as fast as it goes
   fleet::RunSettings run;
 };
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -5,10 +8,33 @@
 #include "mlab/console/session_parts.h"
 
 namespace mlab::console {
+namespace {
+
+bool is_in(const std::filesystem::path& path, const std::string& folder) {
+  if (folder.empty()) return false;
+  std::error_code failure;
+  const std::filesystem::path root = std::filesystem::weakly_canonical(folder, failure);
+  return !failure && std::ranges::mismatch(root, path).in1 == root.end();
+}
+
+// The folder that a mission's programs come from: the project, or the examples; of a mission that the command
+// line named elsewhere, its own.
+std::string root_of(const std::string& mission_folder, const SessionSettings& settings) {
+  std::error_code failure;
+  const std::filesystem::path folder = std::filesystem::weakly_canonical(mission_folder, failure);
+  for (const std::string& root : {settings.project_folder, settings.example_folder}) {
+    if (is_in(folder, root)) return root;
+  }
+  return mission_folder;
+}
+
+}  // namespace
 
 robot::ProgramSources Session::Parts::program_sources() const {
-  robot::ProgramSources out = {documents_.mission_folder(), settings_.include_root, settings_.version,
-                               settings_.allow_native, documents_.is_trial() ? trial_files_.get() : nullptr};
+  robot::ProgramSources out = {settings_.permission, documents_.mission_folder(), settings_.include_root,
+                               settings_.version, documents_.is_trial() ? trial_files_.get() : nullptr};
+  // What is tried reads through the project by itself.
+  if (out.files == nullptr) out.project = root_of(documents_.mission_folder(), settings_);
   out.ends = jobs_end_.get_token();
   return out;
 }

@@ -59,7 +59,7 @@ void Session::Parts::take_hello(ConnectionId from, const Hello& hello, std::uint
     other.mutable_welcome()->set_client(roles_.of(joined.displaced)->id);
     other.mutable_welcome()->set_version(settings_.version);
     other.mutable_welcome()->set_session(session_name_);
-    other.mutable_welcome()->set_may_compile(settings_.may_compile);
+    other.mutable_welcome()->set_may_compile(settings_.permission.takes_new_code());
     send(joined.displaced, other);
   }
   changes_.clients = true;
@@ -76,7 +76,7 @@ void Session::Parts::greet(ConnectionId to) {
   welcome.set_client(roles_.of(to)->id);
   welcome.set_version(settings_.version);
   welcome.set_session(session_name_);
-  welcome.set_may_compile(settings_.may_compile);
+  welcome.set_may_compile(settings_.permission.takes_new_code());
   send(to, out);
   *out.mutable_project() = documents_.project_message();
   send(to, out);

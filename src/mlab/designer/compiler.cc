@@ -65,7 +65,7 @@ void Compiler::compile(const Task& task, const LatestJobs::IsStale& is_stale) {
     const auto checked =
         robot::checked_library_with(configuration.procedures, programs_of(task, false), out->problems);
     cdl::check(configuration, checked->library, out->problems);
-    if (programs_.checks_code) out->code = code_of(configuration, *task.files);
+    out->code = code_of(configuration, *task.files);
   }
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
   out->took_ms = took.count();

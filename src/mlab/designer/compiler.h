@@ -45,7 +45,7 @@ class Compiler {
   using Found = std::function<void(const std::string& document, std::shared_ptr<const Compiled>)>;
   using FoundCode = std::function<void(const std::string& document, std::shared_ptr<const CheckedCode>)>;
 
-  /// @param programs  where headers are; `checks_code`: C++ may be given to the compiler
+  /// @param programs  where headers are, and whether C++ may be given to the compiler
   Compiler(robot::ProgramSources programs, Found found, FoundCode found_code);
 
   /// Jobs that are being done end soon: a C++ compiler at work is stopped.

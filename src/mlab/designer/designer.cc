@@ -17,9 +17,9 @@ constexpr double kDiskPause = 1.0;  // between two looks at the files [s]
 
 robot::ProgramSources programs(const DesignerSettings& settings) {
   robot::ProgramSources out;
+  out.permission = settings.permission;
   out.include_root = settings.include_root;
   out.version = settings.version;
-  out.checks_code = settings.may_compile;
   return out;
 }
 

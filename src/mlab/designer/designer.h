@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/cell/permission.h"
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
 
@@ -27,7 +28,8 @@ struct DesignerSettings {
   std::function<void(console::Trial trial, console::TrialDone done)> try_out;
   /// Shows that session's run. Empty: there is none.
   std::function<void(console::RunLook look)> look_at_run;
-  bool may_compile = true;  ///< the C++ of procedures that a configuration uses is given to the compiler
+  /// Whether the C++ of procedures that a configuration uses may be compiled, and run.
+  cell::Permission permission;
 };
 
 /// Open configurations, and the people who draw them. Has a thread of its own, on which everything happens;

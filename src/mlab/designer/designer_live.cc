@@ -275,6 +275,7 @@ text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenCon
 text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what) const {
   text::Diagnostics sink;
   robot::ProgramSources sources;
+  sources.permission = settings_.permission;
   sources.folder = std::filesystem::path(what.completed.source->name()).parent_path().string();
   sources.include_root = settings_.include_root;
   sources.version = settings_.version;
@@ -312,7 +313,7 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
   text::Diagnostics sink;
   const auto mission = mdl::check_mission(
       std::make_shared<const text::Source>(name, trial_mission(single, file, *field)), folder, sink, options);
-  robot::ProgramSources sources = {folder, settings_.include_root, settings_.version, false,
+  robot::ProgramSources sources = {settings_.permission, folder, settings_.include_root, settings_.version,
                                    trial.files.get()};
   sources.ends = jobs_end_.get_token();
   const auto crew = mission == nullptr ? nullptr : fleet::make_crew(mission, sources, sink);

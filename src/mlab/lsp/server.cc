@@ -192,6 +192,10 @@ Server::Json Server::initialize(const Json& params) {
   }
   const Json root = params.value("rootUri", Json());
   if (folders_.empty() && root.is_string()) folders_.push_back(path_of(root.get<std::string>()));
+  // Editors without such a question say nothing: who opens a folder in them trusts it to be read.
+  const Json trusted = params.value(Json::json_pointer("/initializationOptions/trusted"), Json(true));
+  if (options_.permission)
+    options_.around.programs.permission = options_.permission(!trusted.is_boolean() || trusted.get<bool>());
   const Json snippets = params.value(
       Json::json_pointer("/capabilities/textDocument/completion/completionItem/snippetSupport"), Json(false));
   takes_snippets_ = snippets.is_boolean() && snippets.get<bool>();

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "mlab/cell/permission.h"
 #include "mlab/language/service.h"
 
 namespace mlab::lsp {
@@ -20,6 +21,8 @@ struct Options {
   language::Surroundings around;  ///< its `files` are those under the open ones
   /// Where the texts of the component library are as files; empty: nowhere.
   std::string library_folder;
+  /// Whether C++ in texts may be compiled where the editor trusts the folder, and where it doesn't.
+  std::function<cell::Permission(bool is_trusted)> permission = nullptr;
 };
 
 /// A language server, without input and output: one message in, messages out. Never throws on what it is

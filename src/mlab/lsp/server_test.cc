@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -239,6 +240,23 @@ RC_GTEST_PROP(Server, SurvivesAnyMessage, (const std::vector<std::string>& texts
     server.receive(text);
     server.receive(Json{{"id", 1}, {"method", "textDocument/hover"}, {"params", {{"position", text}}}}.dump(
         -1, ' ', false, Json::error_handler_t::replace));
+  }
+}
+
+TEST(Trust, CodeIsCompiledWhereTheEditorTrustsTheFolderOrKnowsNoSuchQuestion) {
+  const std::vector<std::pair<std::string, bool>> answers = {
+      {R"({})", true}, {R"({"trusted":true})", true}, {R"({"trusted":false})", false}};
+  for (const auto& [options, expected] : answers) {
+    std::optional<bool> asked;
+    Options ours;
+    ours.permission = [&](bool is_trusted) {
+      asked = is_trusted;
+      return cell::Permission();
+    };
+    Server server(std::move(ours), [](const std::string&) {});
+    server.receive(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"initializationOptions":)" +
+                   options + "}}");
+    EXPECT_EQ(asked, expected) << options;
   }
 }
 

@@ -16,9 +16,9 @@ std::pair<std::string, std::string> split(std::string_view program) {
   return {std::string(program.substr(0, hash)), std::string(program.substr(hash + 1))};
 }
 
-cdl::Environment environment_of(const ProgramSources& sources) {
+cdl::Environment environment_of(const text::Files& files) {
   cdl::Environment out = library_environment();
-  out.files = sources.files;
+  out.files = &files;
   return out;
 }
 
@@ -67,7 +67,8 @@ std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::str
                                          std::string_view type_name, const text::Place& place,
                                          const ProgramSources& sources, text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
-  cdl::Configuration configuration = cdl::load(source, environment_of(sources), sink);
+  const text::Files files = files_of(sources);
+  cdl::Configuration configuration = cdl::load(source, environment_of(files), sink);
   if (sink.error_count() > errors_before) return std::nullopt;
   const cdl::Robot* robot = cdl::robot_meant(configuration, wanted, type_name, place, sink);
   if (robot == nullptr) return std::nullopt;
@@ -102,7 +103,8 @@ std::optional<ConfiguredRobot> library_robot(std::string_view name, text::Diagno
 void check_configuration(const text::SourcePtr& source, const ProgramSources& sources,
                          text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
-  const cdl::Configuration configuration = cdl::load(source, environment_of(sources), sink);
+  const text::Files files = files_of(sources);
+  const cdl::Configuration configuration = cdl::load(source, environment_of(files), sink);
   if (sink.error_count() > errors_before) return;
   const auto checked = checked_library_with(configuration.procedures, sources, sink);
   cdl::check(configuration, checked->library, sink);

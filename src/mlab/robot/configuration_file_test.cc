@@ -22,7 +22,7 @@ class Folder {
   Folder& operator=(const Folder&) = delete;
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
-  ProgramSources sources() const { return {path_.string(), "", ""}; }
+  ProgramSources sources() const { return {{}, path_.string()}; }
 
  private:
   fs::path path_ = fs::path(testing::TempDir()) /
@@ -149,8 +149,7 @@ TEST(TheExamplesOfTheManual, AreRightAndInTheCanonicalLayout) {
 
 TEST(TheExamplesOfTheManual, BuildWithTheOperatorsOfTheirSociety) {
   text::Diagnostics sink;
-  const ProgramSources sources = {std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/cdl/testdata/examples", "",
-                                  ""};
+  const ProgramSources sources = {{}, std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/cdl/testdata/examples"};
   const auto fetcher = load_configuration("robots.cdl#Fetcher", "", {}, sources, sink);
   const auto watcher = load_configuration("robots.cdl", "watcher", {}, sources, sink);
   ASSERT_TRUE(fetcher && watcher) << text::render(sink);

@@ -89,7 +89,7 @@ TEST(ALargeConfiguration, UsesFilesOnlySoDeep) {
     std::ofstream(folder / fmt::format("f{}.cdl", i)) << fmt::format("use \"f{}.cdl\";\n", i + 1);
   std::ofstream(folder / "f80.cdl") << "robot R { wheels = Drive(v = Noise()); }\n";
   text::Diagnostics sink;
-  EXPECT_FALSE(load_configuration("f0.cdl", "r", {}, {folder.string(), "", ""}, sink));
+  EXPECT_FALSE(load_configuration("f0.cdl", "r", {}, {{}, folder.string()}, sink));
   ASSERT_FALSE(sink.items().empty());
   EXPECT_EQ(sink.items()[0].kind, "use-too-deep");
   fs::remove_all(folder);

@@ -16,7 +16,7 @@ std::optional<NetworkFile> parse(const text::SourcePtr& source, const ProgramSou
                                  text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
   NetworkFile out;
-  const text::Files& files = sources.files != nullptr ? *sources.files : text::files_on_disk();
+  const text::Files files = files_of(sources);
   out.tree = std::make_shared<const cnl::Tree>(cnl::load(source, sink, nullptr, files));
   cnl::check_declarations(*out.tree, sink);
   out.network = cnl::elaborate(*out.tree, sink);

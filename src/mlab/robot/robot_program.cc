@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -13,12 +14,23 @@
 #include "mlab/robot/configuration_file.h"
 #include "mlab/robot/native_program.h"
 #include "mlab/robot/network_file.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::robot {
 namespace {
 
 std::string last_part(const std::string& program) {
   return std::filesystem::path(program).filename().string();
+}
+
+bool lies_in(const std::string& path, const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  const fs::path real = fs::weakly_canonical(fs::absolute(path, failure), failure);
+  if (failure) return false;
+  const fs::path root = fs::weakly_canonical(fs::absolute(folder, failure), failure);
+  if (failure) return false;
+  return std::ranges::mismatch(root, real).in1 == root.end();
 }
 
 // Parameters that may be named in the mission: named by the network, not the constants inside of it.
@@ -73,9 +85,23 @@ const flow::Library& component_library() {
   return kLibrary;
 }
 
+text::Files files_of(const ProgramSources& sources) {
+  text::Files out = sources.files != nullptr ? *sources.files : text::files_on_disk();
+  if (sources.project.empty()) return out;
+  out.read = [read = out.read, project = sources.project](const std::string& path) {
+    if (lies_in(path, project)) return read(path);
+    text::Diagnostic refused;
+    refused.kind = "outside-project";
+    refused.message = fmt::format("`{}` lies outside of the project folder `{}`", text::shown(path), project);
+    refused.hints = {"--project names a folder that holds both"};
+    return text::Result<text::SourcePtr>(std::unexpected(refused));
+  };
+  return out;
+}
+
 text::SourcePtr read_program(const std::string& path, const text::Place& place, const ProgramSources& sources,
                              text::Diagnostics& sink) {
-  const text::Files& files = sources.files != nullptr ? *sources.files : text::files_on_disk();
+  const text::Files files = files_of(sources);
   // An absolute path stays as it is.
   auto source = files.read((std::filesystem::path(sources.folder) / path).string());
   if (source) return *source;
@@ -111,11 +137,16 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
       robot.body = std::move(configured->lowered.body);
     }
   } else if (is_executable(name, sources)) {
-    if (sources.allow_native)
-      return load_native_program(std::move(robot), place, settings, sources, known_keys, sink);
-    text::Diagnostic& d =
-        sink.warning("native-program", place,
-                     fmt::format("the executable `{}` is not run without being allowed to", name));
+    if (!sources.project.empty() &&
+        !lies_in((std::filesystem::path(sources.folder) / name).string(), sources.project)) {
+      sink.error(
+          "outside-project", place,
+          fmt::format("`{}` lies outside of the project folder `{}`", text::shown(name), sources.project));
+      return std::nullopt;
+    }
+    const auto wall = sources.permission.to_start(name);
+    if (wall) return load_native_program(std::move(robot), place, settings, sources, known_keys, sink);
+    text::Diagnostic& d = sink.warning("native-program", place, wall.error());
     d.label = "robots of this type stand parked";
     d.hints.emplace_back("where you trust it, say `--allow-native`");
     return robot;

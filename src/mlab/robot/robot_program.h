@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mlab/cell/permission.h"
 #include "mlab/flow/frame.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
@@ -45,15 +46,16 @@ struct RobotProgram {
 
 /// What finding a program may use.
 struct ProgramSources {
-  std::string folder;  ///< of the mission; relative names start here
-  std::string
-      include_root;     ///< where "mlab/schema/procedure.h" is found, for procedures of the mission's own
-  std::string version;  ///< of this program: code compiled for another one is not used again
-  bool allow_native = false;           ///< executables that a mission names may be run
+  cell::Permission permission;  ///< whether code that files bring may be compiled, and run
+  std::string folder = {};      ///< of the mission; relative names start here
+  std::string include_root =
+      {};  ///< where "mlab/schema/procedure.h" is found, for procedures of the mission's own
+  std::string version = {};            ///< of this program: code compiled for another one is not used again
   const text::Files* files = nullptr;  ///< how configurations and networks are read; null: from disk
   bool checks_code = true;             ///< a check gives C++ of procedures to the compiler
   double native_patience =
       5.0;                    ///< how long one of those may take for an answer, by the clock on the wall [s]
+  std::string project = {};   ///< folder that programs, and what they use, come from; empty: any
   std::stop_token ends = {};  ///< stops a C++ compiler that is at work: nobody waits for it any more
 };
 
@@ -74,6 +76,11 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
                                          std::shared_ptr<const flow::Program> built = nullptr,
                                          std::string_view type = {});
+
+/// How the files of programs are read: as `sources` says, and nothing outside of the project, by whatever
+/// name or link.
+/// @errors  `outside-project`
+text::Files files_of(const ProgramSources& sources);
 
 /// A file that a mission or its author names, relative to the folder of `sources`.
 /// @errors  as `text::read_source`, at `place`

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/cell/testing/permission.h"
+
 namespace mlab::robot {
 namespace {
 
@@ -69,11 +71,71 @@ TEST(LoadProgram, BuildsANetworkFromAFileBesideTheMission) {
       << "parameter double pace = 1;\nnode ahead is MoveForward with amount = pace; nend\n"
          "node wheels is Drive with v = ahead; nend\n";
   text::Diagnostics sink;
-  const auto robot = load("runner.cnl", {{"pace", "2", {}}}, sink, {folder.string(), "", ""});
+  const auto robot = load("runner.cnl", {{"pace", "2", {}}}, sink, {{}, folder.string()});
   ASSERT_TRUE(robot) << text::render(sink);
   EXPECT_DOUBLE_EQ(parameter(*robot, "pace"), 2.0);
-  EXPECT_FALSE(load("missing.cnl", {}, sink, {folder.string(), "", ""}));
+  EXPECT_FALSE(load("missing.cnl", {}, sink, {{}, folder.string()}));
   fs::remove_all(folder);
+}
+
+constexpr const char* kWithCode =
+    "procedure double Gain with\nheader\nbody\n  output = 1;\npend\n"
+    "node ahead is Gain with nend\nnode wheels is Drive with v = ahead; nend\n";
+
+/// A project beside a program that is none of it.
+class ProjectTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "project" / "missions");
+    std::ofstream(folder_ / "evil.cnl") << kRunner;
+    std::ofstream(folder_ / "evil") << "#!/bin/sh\n";
+    fs::permissions(folder_ / "evil", fs::perms::owner_all);
+    std::ofstream(folder_ / "project" / "mine.cnl") << kRunner;
+    fs::create_symlink(folder_ / "evil.cnl", folder_ / "project" / "missions" / "link.cnl");
+    std::ofstream(folder_ / "project" / "missions" / "uses.cdl")
+        << "use \"../../evil.cnl\";\nrobot R { wheels = Drive(v = Noise()); }\n";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  ProgramSources sources() const {
+    ProgramSources out;
+    out.permission = cell::testing::all_permitted();
+    out.folder = (folder_ / "project" / "missions").string();
+    out.project = (folder_ / "project").string();
+    return out;
+  }
+
+  static constexpr const char* kRunner =
+      "node ahead is MoveForward with amount = 1; nend\nnode wheels is Drive with v = ahead; nend\n";
+  const fs::path folder_ = fs::path(testing::TempDir()) / "mlab_robot_project_test";
+};
+
+TEST_F(ProjectTest, ProgramsComeFromTheProjectByWhateverName) {
+  for (const std::string& name :
+       {(folder_ / "evil.cnl").string(), std::string("../../evil.cnl"), std::string("link.cnl"),
+        std::string("../../evil"), std::string("uses.cdl")}) {
+    text::Diagnostics sink;
+    EXPECT_FALSE(load(name, {}, sink, sources())) << name;
+    ASSERT_FALSE(sink.items().empty()) << name;
+    EXPECT_EQ(sink.items()[0].kind, "outside-project") << text::render(sink);
+  }
+  text::Diagnostics sink;
+  EXPECT_TRUE(load("../mine.cnl", {}, sink, sources())) << text::render(sink);
+  ProgramSources anywhere = sources();
+  anywhere.project.clear();
+  EXPECT_TRUE(load("link.cnl", {}, sink, anywhere)) << "without a project it is loaded: the twin";
+}
+
+TEST_F(ProjectTest, CodeThatNobodyAllowedIsNotCompiled) {
+  std::ofstream(folder_ / "project" / "missions" / "code.cnl") << kWithCode;
+  ProgramSources ours = sources();
+  ours.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+  ours.permission = cell::Permission();
+  text::Diagnostics sink;
+  EXPECT_FALSE(load("code.cnl", {}, sink, ours));
+  ASSERT_FALSE(sink.items().empty());
+  EXPECT_EQ(sink.items()[0].kind, "code-not-allowed") << text::render(sink);
 }
 
 }  // namespace

@@ -29,19 +29,21 @@ using cnl::ProcessResult;
 class ExecutableBuild {
  public:
   ExecutableBuild(const std::vector<CppFile>& files, const std::string& output, const Toolchain& toolchain,
-                  text::Diagnostics& sink, const ProgressFunction& progress)
+                  const cell::Permission& permission, text::Diagnostics& sink,
+                  const ProgressFunction& progress)
       : files_(files),
         output_(output),
         toolchain_(toolchain),
+        permission_(permission),
         sink_(sink),
         progress_(progress),
         compiler_(cnl::find_program(toolchain.compiler)) {}
 
   std::optional<BuildReport> run() {
-    if (!has_all()) return std::nullopt;
+    if (!may_compile() || !has_all()) return std::nullopt;
     const std::string folder =
         (toolchain_.cache_folder.empty() ? cnl::default_cache_folder() : toolchain_.cache_folder) + "/robots";
-    const ObjectCache cache(folder, compiler_, toolchain_.version, toolchain_.limits);
+    const ObjectCache cache(folder, compiler_, toolchain_.version, wall_, toolchain_.limits);
     compile_all(cache);
     BuildReport report;
     bool is_sound = true;
@@ -57,6 +59,24 @@ class ExecutableBuild {
   }
 
  private:
+  // All of it: the walls are the same for every file.
+  bool may_compile() {
+    for (const CppFile& file : files_) {
+      std::vector<text::SourcePtr> sources;
+      if (file.procedures) sources = cnl::code_sources(*file.procedures);
+      // What we wrote ourselves out of a network has no code of others in it.
+      for (std::size_t i = 0; i < std::max<std::size_t>(sources.size(), 1); ++i) {
+        const auto wall = permission_.to_compile(sources.empty() ? file.text : sources[i]->text());
+        if (!wall) {
+          sink_.error("code-not-allowed", {}, wall.error());
+          return false;
+        }
+        wall_ = *wall;
+      }
+    }
+    return true;
+  }
+
   bool has_all() {
     if (toolchain_.include_root.empty()) {
       sink_
@@ -111,9 +131,20 @@ class ExecutableBuild {
       return flags;
     }
     flags.emplace_back("-O2");
-    const fs::path beside = fs::path(file.procedures->source->name()).parent_path();
-    flags.push_back("-iquote" + (beside.empty() ? std::string(".") : beside.string()));
+    flags.push_back("-iquote" + folder_beside(file));
     return flags;
+  }
+
+  // The author's own headers; empty: we wrote all of it.
+  static std::string folder_beside(const CppFile& file) {
+    if (!file.procedures) return "";
+    std::error_code failure;
+    return fs::absolute(fs::path(file.procedures->source->name()), failure).parent_path().string();
+  }
+  cnl::CompilerFiles files_for(const CppFile& file) const {
+    cnl::CompilerFiles out{{toolchain_.include_root}, {}};
+    if (file.procedures) out.projects.push_back(folder_beside(file));
+    return out;
   }
 
   void compile_all(const ObjectCache& cache) {
@@ -127,7 +158,7 @@ class ExecutableBuild {
           const std::scoped_lock lock(mutex);
           if (progress_) progress_(done, files_.size() + 1, files_[i].name);
         }
-        objects_[i] = cache.get(files_[i].name, files_[i].text, flags_of(files_[i]));
+        objects_[i] = cache.get(files_[i].name, files_[i].text, flags_of(files_[i]), files_for(files_[i]));
         const std::scoped_lock lock(mutex);
         ++done;
       }
@@ -167,19 +198,19 @@ class ExecutableBuild {
   // Under another name first, so that a program that runs is not written over.
   bool link() {
     if (progress_) progress_(files_.size(), files_.size() + 1, "linking");
-    const std::string fresh = fmt::format("{}.{}.new", output_, getpid());
+    const std::string own = fmt::format("{}.{}.new", fs::absolute(output_).string(), getpid());
+    const std::string fresh = own + "/program";
+    std::error_code failure;
+    fs::create_directory(own, failure);
     std::vector<std::string> words = {compiler_, "-o", fresh};
     if (!cnl::find_program("mold").empty()) words.emplace_back("-fuse-ld=mold");
     for (const ObjectCache::Object& object : objects_) words.push_back(object.path);
     words.insert(words.end(), link_words_.begin(), link_words_.end());
-    const ProcessResult result = cnl::run_process(words, toolchain_.limits);
-    std::error_code failure;
+    const ProcessResult result = cnl::run_process(words, {wall_, {link_files(), {}}, own}, toolchain_.limits);
     const bool is_linked = result.end == ProcessResult::End::kExited && result.status == 0;
-    if (is_linked) fs::rename(fresh, output_, failure);
-    if (!is_linked || failure) {
-      std::error_code ignored;
-      fs::remove(fresh, ignored);
-    }
+    if (is_linked) publish(fresh, failure);
+    std::error_code ignored;
+    fs::remove_all(own, ignored);
     if (failure)
       sink_.error("cannot-write", {}, fmt::format("cannot write `{}`: {}", output_, failure.message()));
     else if (!is_linked)
@@ -187,9 +218,29 @@ class ExecutableBuild {
     return is_linked && !failure;
   }
 
+  // The linker may not change modes; what it wrote gets the one of a new file that is a program, as the
+  // folder did.
+  void publish(const std::string& fresh, std::error_code& failure) const {
+    const fs::perms mode = fs::status(fs::path(fresh).parent_path(), failure).permissions() & fs::perms::all;
+    if (!failure) fs::permissions(fresh, mode, failure);
+    if (!failure) fs::rename(fresh, output_, failure);
+  }
+
+  // Objects, and libraries by their path.
+  std::vector<std::string> link_files() const {
+    std::vector<std::string> out;
+    for (const ObjectCache::Object& object : objects_) out.push_back(object.path);
+    for (const std::string& word : link_words_) {
+      if (word.starts_with('/')) out.push_back(word);
+    }
+    return out;
+  }
+
   const std::vector<CppFile>& files_;
   const std::string& output_;
   const Toolchain& toolchain_;
+  const cell::Permission& permission_;
+  cell::Wall wall_ = cell::Wall::kLandlock;
   text::Diagnostics& sink_;
   const ProgressFunction& progress_;
   std::string compiler_;
@@ -200,9 +251,9 @@ class ExecutableBuild {
 }  // namespace
 
 std::optional<BuildReport> build_executable(const std::vector<CppFile>& files, const std::string& output,
-                                            const Toolchain& toolchain, text::Diagnostics& sink,
-                                            const ProgressFunction& progress) {
-  return ExecutableBuild(files, output, toolchain, sink, progress).run();
+                                            const Toolchain& toolchain, const cell::Permission& permission,
+                                            text::Diagnostics& sink, const ProgressFunction& progress) {
+  return ExecutableBuild(files, output, toolchain, permission, sink, progress).run();
 }
 
 }  // namespace mlab::robot_build

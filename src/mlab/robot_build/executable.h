@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/cell/permission.h"
 #include "mlab/lang/cnl/compiler_process.h"
 #include "mlab/robot_build/emit_cpp.h"
 #include "mlab/text/diagnostic.h"
@@ -34,10 +35,12 @@ using ProgressFunction = std::function<void(std::size_t done, std::size_t total,
 /// are kept by the content of what they were made from, and a file whose object is there is not compiled.
 ///
 /// @param output  path of the executable; written whole or not at all
-/// @return  nothing where there were errors: `no-headers`, `no-libraries`, `no-compiler`, `compiler-limit`,
+/// @param permission  whether the files may be compiled, and in what cell
+/// @return  nothing where there were errors: `code-not-allowed`, `no-headers`, `no-libraries`, `no-compiler`,
+/// `compiler-limit`,
 ///          `compiler-failed`, `cannot-write`, and the compiler's own at the author's places
 std::optional<BuildReport> build_executable(const std::vector<CppFile>& files, const std::string& output,
-                                            const Toolchain& toolchain, text::Diagnostics& sink,
-                                            const ProgressFunction& progress = {});
+                                            const Toolchain& toolchain, const cell::Permission& permission,
+                                            text::Diagnostics& sink, const ProgressFunction& progress = {});
 
 }  // namespace mlab::robot_build

@@ -1,4 +1,5 @@
 #include "mlab/robot_build/executable.h"
+#include "mlab/cell/testing/permission.h"
 
 #include <unistd.h>
 
@@ -49,8 +50,9 @@ class ExecutableTest : public ::testing::Test {
     const fs::path path = folder_ / "robot.cnl";
     std::ofstream(path) << cnl;
     text::Diagnostics sink;
-    const auto read =
-        robot::read_network(path.string(), {}, {"", toolchain_.include_root, toolchain_.version}, sink);
+    const auto read = robot::read_network(
+        path.string(), {}, {cell::testing::code_permitted(), "", toolchain_.include_root, toolchain_.version},
+        sink);
     EXPECT_TRUE(read) << text::render(sink);
     if (!read) return {};
     RobotSource out = source_of(read->network);
@@ -59,7 +61,7 @@ class ExecutableTest : public ::testing::Test {
   }
   std::optional<BuildReport> build(const RobotSource& robot) {
     sink_ = {};
-    return build_executable(emit_cpp(robot), program_, toolchain_, sink_);
+    return build_executable(emit_cpp(robot), program_, toolchain_, cell::testing::all_permitted(), sink_);
   }
 
   fs::path folder_ = fs::path(::testing::TempDir()) / ("mlab_executable_test_" + std::to_string(::getpid()));
@@ -176,8 +178,9 @@ TEST_F(ExecutableTest, BringsProceduresOfItsOwn) {
   const RobotSource robot = source_of_text(kOwnProcedure);
   ASSERT_TRUE(build(robot)) << text::render(sink_);
   text::Diagnostics sink;
-  const auto program = robot::load_network((folder_ / "robot.cnl").string(), {},
-                                           {"", toolchain_.include_root, toolchain_.version}, sink);
+  const auto program = robot::load_network(
+      (folder_ / "robot.cnl").string(), {},
+      {cell::testing::code_permitted(), "", toolchain_.include_root, toolchain_.version}, sink);
   ASSERT_TRUE(program);
   EXPECT_EQ(first_difference(*program, program_, 50), "");
 }

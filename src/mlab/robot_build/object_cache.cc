@@ -47,11 +47,12 @@ std::vector<std::string> headers_of(const std::string& dependencies) {
 
 }  // namespace
 
-ObjectCache::ObjectCache(std::string folder, std::string compiler, std::string version,
+ObjectCache::ObjectCache(std::string folder, std::string compiler, std::string version, cell::Wall wall,
                          cnl::ProcessLimits limits)
     : folder_(std::move(folder)),
       compiler_(std::move(compiler)),
       version_(std::move(version)),
+      wall_(wall),
       limits_(std::move(limits)) {
   std::error_code ignored;  // what can't be written there is said where it is
   fs::create_directories(folder_, ignored);
@@ -66,8 +67,48 @@ std::string ObjectCache::path_of(const std::string& key) const {
   return fmt::format("{}/{}-{:016x}.o", folder_, key, h);
 }
 
+// In a folder for this compilation alone, so that two that build the same do not disturb each other. The text
+// comes on its own, because its name would stand among the dependencies.
+void ObjectCache::compile(const std::string& key, const std::string& text,
+                          const std::vector<std::string>& flags, const cnl::CompilerFiles& readable,
+                          Object& out) const {
+  static std::atomic<unsigned> count{0};
+  const std::string own = fmt::format("{}/{}.{}.{}", folder_, key, getpid(), count++);
+  std::error_code failure;
+  fs::create_directory(own, failure);
+  const std::string text_file = own + "/text.cc";
+  const std::string object = own + "/code.o";
+  const std::string dependencies = own + "/code.d";
+  std::ofstream file(text_file, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) {
+    std::vector<std::string> words = {compiler_};
+    words.insert(words.end(), flags.begin(), flags.end());
+    for (const char* word : {"-MMD", "-MT", "x", "-MF"}) words.emplace_back(word);
+    words.insert(words.end(), {dependencies, "-c", text_file, "-o", object});
+    out.compiler = cnl::run_process(words, {wall_, readable, own}, limits_);
+    if (out.compiler.end == cnl::ProcessResult::End::kExited && out.compiler.status == 0) {
+      std::string headers = read_text(dependencies);
+      if (const std::size_t at = headers.find(text_file); at != std::string::npos)
+        headers.erase(at, text_file.size());
+      std::ofstream(dependencies, std::ios::binary | std::ios::trunc) << headers;
+      fs::rename(dependencies, folder_ + "/" + key + ".d", failure);
+      out.path = path_of(key);
+      if (!out.compiler.output.empty())
+        std::ofstream(out.path + ".txt", std::ios::binary) << out.compiler.output;
+      if (!failure) fs::rename(object, out.path, failure);
+      if (failure) out.failure = fmt::format("cannot write into `{}`: {}", folder_, failure.message());
+    }
+  } else {
+    out.failure = fmt::format("cannot write `{}`", text_file);
+  }
+  fs::remove_all(own, failure);
+}
+
 ObjectCache::Object ObjectCache::get(const std::string& name, const std::string& text,
-                                     const std::vector<std::string>& flags) const {
+                                     const std::vector<std::string>& flags,
+                                     const cnl::CompilerFiles& readable) const {
   std::uint64_t h = base::hash_text(text);
   for (const std::string& flag : flags) h = base::combine_bits(h, base::hash_text(flag));
   h = base::combine_bits(h, base::hash_text(version_));
@@ -80,38 +121,9 @@ ObjectCache::Object ObjectCache::get(const std::string& name, const std::string&
     out.compiler.output = read_text(out.path + ".txt");
     return out;
   }
-  static std::atomic<unsigned> count{0};
-  // For this process alone, so that two that build the same do not disturb each other. The text comes on
-  // its own, because its name would stand among the dependencies.
-  const std::string own = fmt::format("{}/{}.{}.{}", folder_, key, getpid(), count++);
   out.was_compiled = true;
   out.path.clear();
-  std::ofstream file(own + ".cc", std::ios::binary);
-  file << text;
-  file.close();
-  if (file) {
-    std::vector<std::string> words = {compiler_};
-    words.insert(words.end(), flags.begin(), flags.end());
-    for (const char* word : {"-MMD", "-MT", "x", "-MF"}) words.emplace_back(word);
-    words.insert(words.end(), {own + ".d", "-c", own + ".cc", "-o", own + ".o"});
-    out.compiler = cnl::run_process(words, limits_);
-    if (out.compiler.end == cnl::ProcessResult::End::kExited && out.compiler.status == 0) {
-      std::string dependencies = read_text(own + ".d");
-      if (const std::size_t at = dependencies.find(own + ".cc"); at != std::string::npos)
-        dependencies.erase(at, own.size() + 3);
-      std::ofstream(own + ".d", std::ios::binary | std::ios::trunc) << dependencies;
-      fs::rename(own + ".d", folder_ + "/" + key + ".d", failure);
-      out.path = path_of(key);
-      if (!out.compiler.output.empty())
-        std::ofstream(out.path + ".txt", std::ios::binary) << out.compiler.output;
-      if (!failure) fs::rename(own + ".o", out.path, failure);
-      if (failure) out.failure = fmt::format("cannot write into `{}`: {}", folder_, failure.message());
-    }
-  } else {
-    out.failure = fmt::format("cannot write `{}.cc`", own);
-  }
-  std::error_code ignored;
-  for (const char* end : {".cc", ".d", ".o"}) fs::remove(own + end, ignored);
+  compile(key, text, flags, readable, out);
   return out;
 }
 

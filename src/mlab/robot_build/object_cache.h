@@ -13,7 +13,9 @@ class ObjectCache {
  public:
   /// @param folder    is made where it is missing
   /// @param compiler  path of the program
-  ObjectCache(std::string folder, std::string compiler, std::string version, cnl::ProcessLimits limits);
+  /// @param wall      of the cell that the compiler works in
+  ObjectCache(std::string folder, std::string compiler, std::string version, cell::Wall wall,
+              cnl::ProcessLimits limits);
 
   struct Object {
     std::string path;  ///< empty: it could not be made
@@ -22,16 +24,22 @@ class ObjectCache {
     std::string failure;          ///< of the cache itself; empty: none
   };
   /// Gives the object of a text, compiled where it has to be. May be called from several threads.
-  Object get(const std::string& name, const std::string& text, const std::vector<std::string>& flags) const;
+  ///
+  /// @param readable  what the compiler may read besides the headers of the system
+  Object get(const std::string& name, const std::string& text, const std::vector<std::string>& flags,
+             const cnl::CompilerFiles& readable) const;
 
   const std::string& folder() const { return folder_; }
 
  private:
+  void compile(const std::string& key, const std::string& text, const std::vector<std::string>& flags,
+               const cnl::CompilerFiles& readable, Object& out) const;
   std::string path_of(const std::string& key) const;
 
   std::string folder_;
   std::string compiler_;
   std::string version_;
+  cell::Wall wall_;
   cnl::ProcessLimits limits_;
 };
 

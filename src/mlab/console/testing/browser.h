@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/cell/testing/permission.h"
 #include "mlab/console.pb.h"
 #include "mlab/console/session.h"
 
@@ -26,6 +27,7 @@ class TestSession {
     settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
     if (!mission.empty()) settings.mission = "examples:" + mission;
     settings.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+    settings.permission = cell::testing::code_permitted();
     settings.version = "test";
     settings.speed = speed;
     if (change) change(settings);

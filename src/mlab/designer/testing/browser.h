@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/cell/testing/permission.h"
 #include "mlab/console/testing/scratch_project.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
@@ -36,6 +37,7 @@ class Browser {
     settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
     settings.state_folder = folder_.path("state").string();
     settings.open = open;
+    settings.permission = cell::testing::code_permitted();
     settings.include_root = include_root_;
     designer_ = std::make_unique<Designer>(settings, [this](console::ConnectionId to, const auto& bytes) {
       FromDesigner message;

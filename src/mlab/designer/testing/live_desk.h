@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/cell/testing/permission.h"
 #include "mlab/console/testing/browser.h"
 #include "mlab/console/testing/scratch_project.h"
 #include "mlab/designer.pb.h"
@@ -32,6 +33,7 @@ class LiveDesk {
     settings.project_folder = project();
     settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
     settings.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+    settings.permission = cell::testing::code_permitted();
     settings.version = "test";
     settings.try_out = [this](console::Trial trial, console::TrialDone done) {
       session_->try_out(std::move(trial), std::move(done));

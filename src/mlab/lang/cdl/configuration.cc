@@ -59,6 +59,13 @@ class Loader {
       sink_.error("cannot-read", name.place, "this is not the name of a file");
       return;
     }
+    // What a file holds is told by its name alone: nothing else is ever read as code.
+    if (!name.text.ends_with(".cdl") && !name.text.ends_with(".cnl")) {
+      sink_.error(
+          "unknown-language", name.place,
+          fmt::format("`{}` is neither a configuration (.cdl) nor CNL (.cnl)", text::shown(name.text)));
+      return;
+    }
     const std::string path = (fs::path(from).parent_path() / name.text).string();
     const std::string key = normal(path);
     if (std::ranges::find(open_, key) != open_.end()) {
@@ -85,16 +92,12 @@ class Loader {
   }
 
   void read(const text::SourcePtr& source, const Word& name) {
-    const std::string ending = fs::path(name.text).extension().string();
-    if (ending == ".cnl" || (ending != ".cdl" && cnl::looks_like_cnl(source->text()))) {
+    if (name.text.ends_with(".cnl")) {
       const auto tree = std::make_shared<const cnl::Tree>(cnl::load(source, sink_, &out_.files, files_));
       cnl::check_declarations(*tree, sink_);
       out_.procedures.push_back(tree);
-    } else if (ending == ".cdl" || looks_like_cdl(source->text())) {
-      add(std::make_shared<const Tree>(parse(source, sink_)), source->name());
     } else {
-      sink_.error("unknown-language", name.place,
-                  fmt::format("`{}` is neither a configuration nor CNL", text::shown(name.text)));
+      add(std::make_shared<const Tree>(parse(source, sink_)), source->name());
     }
   }
 

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,44 +15,30 @@
 #include <string_view>
 #include <system_error>
 
+#include "mlab/cell/cell.h"
+
 namespace mlab::cnl {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<char*> pointers(std::vector<std::string>& words) {
-  std::vector<char*> out;
-  for (std::string& word : words) out.push_back(word.data());
-  out.push_back(nullptr);
-  return out;
-}
-
-std::vector<std::string> plain_environment() {
-  std::vector<std::string> out = {"LC_ALL=C"};
-  for (char** entry = environ; entry && *entry; ++entry) {
-    const std::string_view text = *entry;
-    if (!text.starts_with("LC_ALL=") && !text.starts_with("GCC_COLORS=")) out.emplace_back(text);
-  }
-  return out;
+// Nothing of what this process knows: no search paths for headers, no caches, no secrets.
+std::vector<std::string> plain_environment(const std::string& own) {
+  const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
+  return {"LC_ALL=C", std::string("PATH=") + (path ? path : "/usr/bin:/bin"), "TMPDIR=" + own,
+          // Where PATH has ccache's names of compilers, it hands on to the compilers themselves.
+          "CCACHE_DISABLE=1"};
 }
 
 // In the child, between fork and exec: nothing here may allocate or lock.
-[[noreturn]] void become(const char* program, char* const* words, char* const* environment, int out,
-                         int report, const ProcessLimits& limits) {
+[[noreturn]] void become(cell::Cell& cell, int out, int report) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  const rlimit memory{limits.memory, limits.memory};
-  const rlimit processor{limits.processor_time, limits.processor_time + 1};
-  const rlimit cores{0, 0};
-  setrlimit(RLIMIT_AS, &memory);
-  setrlimit(RLIMIT_CPU, &processor);
-  setrlimit(RLIMIT_CORE, &cores);
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing >= 0) dup2(nothing, 0);
   dup2(out, 1);
   dup2(out, 2);
-  execve(program, words, environment);
-  const int failure = errno;
+  const int failure = cell.become();
   if (write(report, &failure, sizeof failure) < 0) _exit(126);
   _exit(127);
 }
@@ -132,22 +117,22 @@ std::string find_program(const std::string& name) {
   return "";
 }
 
-ProcessResult run_process(const std::vector<std::string>& words, const ProcessLimits& limits) {
+ProcessResult run_process(const std::vector<std::string>& words, const CompilerRoom& room,
+                          const ProcessLimits& limits) {
   const std::string program = find_program(words.at(0));
   if (program.empty()) return failed(ENOENT);
+  cell::Policy policy = compiler_policy(program, room.files, room.own);
+  policy.memory = limits.memory;
+  policy.processor_time = limits.processor_time;
+  auto cell = cell::Cell::prepare({program, {words.begin() + 1, words.end()}, plain_environment(room.own)},
+                                  policy, room.wall);
+  if (!cell) return {ProcessResult::End::kFailed, 0, cell.error()};
   Pipe output;
   Pipe report;  // tells why exec failed; closed by exec itself
   if (!output.open() || !report.open()) return failed(errno);
-  std::vector<std::string> own_words = words;
-  std::vector<std::string> environment = plain_environment();
-  const std::vector<char*> argument_pointers = pointers(own_words);
-  const std::vector<char*> environment_pointers = pointers(environment);
   const pid_t child = fork();
   if (child < 0) return failed(errno);
-  if (child == 0) {
-    become(program.c_str(), argument_pointers.data(), environment_pointers.data(), output.write_end,
-           report.write_end, limits);
-  }
+  if (child == 0) become(*cell, output.write_end, report.write_end);
   setpgid(child, child);  // in both processes: whoever comes first
   Pipe::close_end(output.write_end);
   Pipe::close_end(report.write_end);
@@ -162,6 +147,7 @@ ProcessResult run_process(const std::vector<std::string>& words, const ProcessLi
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (did_not_start) return failed(exec_error);
+  status = cell::ending_of(status, room.wall);
   result.end = reading == Reading::kTimedOut  ? ProcessResult::End::kTimedOut
                : reading == Reading::kStopped ? ProcessResult::End::kStopped
                : WIFSIGNALED(status)          ? ProcessResult::End::kSignalled

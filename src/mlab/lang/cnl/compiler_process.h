@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "mlab/cell/means.h"
+#include "mlab/lang/cnl/compiler_room.h"
+
 namespace mlab::cnl {
 
 /// What a program may use before it is stopped.
@@ -30,13 +33,22 @@ struct ProcessResult {
   std::string output;  ///< standard output and standard error, as they came
 };
 
-/// Runs a program without a shell and waits for it. It gets no input, an environment with `LC_ALL=C`, and a
-/// process group of its own, which is ended as a whole where it takes too long or is to end: asked first, so
-/// that it can take its own files away, and killed a second later. It is asked to end where this process
-/// ends before it; what it has started itself goes on then until it is done.
+/// Where a compiler works: in a cell.
+struct CompilerRoom {
+  cell::Wall wall;      ///< of the cell; whoever may compile was given it (cell/permission.h)
+  CompilerFiles files;  ///< what it may read
+  std::string own;      ///< the folder that it may write into; it has to be there
+};
+
+/// Runs a compiler or linker in its room, without a shell, and waits for it. It gets no input, an environment
+/// of its own (`LC_ALL=C`, PATH, and TMPDIR, which is its folder), and a process group of its own, which is
+/// ended as a whole where it takes too long or is to end: asked first, so that it can take its own files
+/// away, and killed a second later. It is asked to end where this process ends before it; what it has started
+/// itself goes on then until it is done.
 ///
 /// @param words  the program, looked for in PATH where it has no slash, and its arguments
-ProcessResult run_process(const std::vector<std::string>& words, const ProcessLimits& limits);
+ProcessResult run_process(const std::vector<std::string>& words, const CompilerRoom& room,
+                          const ProcessLimits& limits);
 
 /// Where PATH has the program; empty: nowhere.
 std::string find_program(const std::string& name);

@@ -68,8 +68,9 @@ class NativeBuild {
               "-fdiagnostics-color=never",
               "-fdiagnostics-column-unit=byte",
               "-fmax-errors=50"};
-    const fs::path beside = fs::path(tree.source->name()).parent_path();
-    flags_.push_back("-iquote" + (beside.empty() ? std::string(".") : beside.string()));
+    std::error_code failure;
+    beside_ = fs::absolute(fs::path(tree.source->name()), failure).parent_path().string();
+    flags_.push_back("-iquote" + beside_);
     for (const std::string& folder : options.include_folders) flags_.push_back("-I" + folder);
     std::vector<std::string> parts = flags_;
     parts.push_back(text_);
@@ -81,9 +82,8 @@ class NativeBuild {
 
   bool check() {
     const std::optional<std::string> text_file = write_text();
-    if (!text_file) return false;
-    const bool accepted = run_compiler({"-fsyntax-only", *text_file});
-    remove(*text_file);
+    const bool accepted = text_file && run_compiler({"-fsyntax-only", *text_file});
+    remove_own();
     return accepted;
   }
 
@@ -103,18 +103,19 @@ class NativeBuild {
  private:
   std::string in_folder(const std::string& name) const { return folder_ + "/" + name; }
 
-  static void remove(const std::string& path) {
+  void remove_own() const {
     std::error_code ignored;
-    fs::remove(path, ignored);
+    fs::remove_all(own_, ignored);
   }
 
-  // Text for this process alone, so that two that build the same do not disturb each other.
+  // In a folder for this compilation alone, so that two that build the same do not disturb each other, and
+  // what the compiler may write is not what others read.
   std::optional<std::string> write_text() {
     static std::atomic<unsigned> count{0};
     std::error_code failure;
-    fs::create_directories(folder_, failure);
     own_ = in_folder(fmt::format("{}.{}.{}", key_, getpid(), count++));
-    std::string path = own_ + ".cc";
+    fs::create_directories(own_, failure);
+    std::string path = own_ + "/text.cc";
     std::ofstream file(path, std::ios::binary);
     file << text_;
     file.close();
@@ -130,7 +131,8 @@ class NativeBuild {
     std::vector<std::string> words = {options_.compiler};
     words.insert(words.end(), flags_.begin(), flags_.end());
     words.insert(words.end(), last_words.begin(), last_words.end());
-    const ProcessResult result = run_process(words, options_.limits);
+    CompilerRoom room{options_.wall, {options_.include_folders, {beside_}}, own_};
+    const ProcessResult result = run_process(words, room, options_.limits);
     messages_ = result.output;
     const text::Place place{tree_.source, {0, 0}};
     switch (result.end) {
@@ -199,14 +201,19 @@ class NativeBuild {
 
   bool compile() {
     const std::optional<std::string> text_file = write_text();
-    if (!text_file) return false;
-    const std::string library = own_ + ".so";
-    const std::string dependencies = own_ + ".d";
+    const bool done = text_file && compile(*text_file);
+    remove_own();
+    return done;
+  }
+
+  bool compile(const std::string& text_file) {
+    const std::string library = own_ + "/code.so";
+    const std::string dependencies = own_ + "/code.d";
     const bool accepted =
-        run_compiler({"-shared", *text_file, "-o", library, "-MMD", "-MF", dependencies, "-MT", "x"});
+        run_compiler({"-shared", text_file, "-o", library, "-MMD", "-MF", dependencies, "-MT", "x"});
     bool done = accepted;
     if (accepted) {
-      drop_own_text(dependencies, *text_file);
+      drop_own_text(dependencies, text_file);
       std::error_code failure;
       fs::rename(dependencies, in_folder(key_ + ".d"), failure);
       if (!failure && !messages_.empty())
@@ -217,7 +224,6 @@ class NativeBuild {
         diagnostics_.error("cannot-write", {},
                            fmt::format("cannot write into `{}`: {}", folder_, failure.message()));
     }
-    for (const std::string& path : {*text_file, library, dependencies}) remove(path);
     return done;
   }
 
@@ -255,7 +261,8 @@ class NativeBuild {
   std::vector<std::string> flags_;
   std::string key_;       ///< names what it is made from: text, compiler, version
   std::string messages_;  ///< what the compiler said last
-  std::string own_;       ///< path of the files of this compilation, without their ends
+  std::string own_;       ///< folder of this compilation
+  std::string beside_;    ///< folder of the author's file
 };
 
 }  // namespace
@@ -273,6 +280,16 @@ std::string default_cache_folder() {
 bool has_procedures(const Tree& tree) {
   const std::vector<const Procedure*> all = items_of<Procedure>(tree);
   return std::ranges::any_of(all, [](const Procedure* p) { return !p->is_external; });
+}
+
+std::vector<text::SourcePtr> code_sources(const Tree& tree) {
+  std::vector<text::SourcePtr> out = {tree.source};
+  const auto add = [&](const text::SourcePtr& source) {
+    if (source && std::ranges::find(out, source) == out.end()) out.push_back(source);
+  };
+  for (const Procedure* procedure : items_of<Procedure>(tree)) add(procedure->name.place.source);
+  for (const Init* init : items_of<Init>(tree)) add(init->code.place.source);
+  return out;
 }
 
 bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics) {

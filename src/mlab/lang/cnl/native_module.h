@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/cell/means.h"
 #include "mlab/flow/behavior.h"
 #include "mlab/lang/cnl/compiler_process.h"
 #include "mlab/lang/cnl/tree.h"
@@ -13,6 +14,7 @@ namespace mlab::cnl {
 
 /// How procedures that a mission brings along become code.
 struct NativeOptions {
+  cell::Wall wall = cell::Wall::kLandlock;   ///< of the cell that the compiler works in
   std::vector<std::string> include_folders;  ///< where `mlab/...` headers are
   std::string compiler = "g++";
   std::string cache_folder;  ///< empty: `$XDG_CACHE_HOME/mlab`, or `~/.cache/mlab`
@@ -25,6 +27,9 @@ std::string default_cache_folder();
 
 /// True where the file has procedures of its own, which only a C++ compiler can make run.
 bool has_procedures(const Tree& tree);
+
+/// The files that the C++ of a file's procedures stands in: it, and those that it includes and that hold any.
+std::vector<text::SourcePtr> code_sources(const Tree& tree);
 
 /// Compiles the procedures of a file for their errors only. The tree has passed `check_declarations`.
 ///

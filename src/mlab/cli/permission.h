@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "mlab/cell/permission.h"
+#include "mlab/cli/commands.h"
+
+// The one place where it is decided whether code that files bring may be compiled and run.
+namespace mlab::cli {
+
+/// Of a command that compiles nothing that it is told to run: `check`, `lsp`.
+///
+/// @param is_trusted  false: an editor says that its folder is not
+cell::Permission permission_to_check(bool is_trusted = true);
+
+/// Of `build` and exports: the code is what the command line names.
+cell::Permission permission_to_build();
+
+/// Of `run` and `edit`.
+///
+/// @param people  who takes part
+/// @param folder  of the project: with people elsewhere, only code that lies in it now may be compiled and
+/// run
+cell::Permission permission_to_run(const RunOptions& options, cell::Grounds::People people,
+                                   const std::string& folder);
+
+}  // namespace mlab::cli
