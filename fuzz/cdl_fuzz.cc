@@ -79,7 +79,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                               d.kind = "cannot-read";
                               d.message = path;
                               return std::unexpected(d);
-                            }};
+                            },
+                            {}};
   const cdl::Configuration configuration = cdl::configuration_of(tree, {{}, &nothing}, sink);
   const bool was_right = !sink.has_errors();
   cdl::check(configuration, mlab::robot::component_library(), sink);

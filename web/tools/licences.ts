@@ -46,6 +46,7 @@ export function licences(): { page: Plugin; worker: Plugin } {
   };
   const page: Plugin = {
     name: "licences",
+    apply: "build",
     transform,
     generateBundle() {
       const line = `\n${"-".repeat(80)}\n\n`;
@@ -57,5 +58,5 @@ export function licences(): { page: Plugin; worker: Plugin } {
       });
     },
   };
-  return { page, worker: { name: "licences of workers", transform } };
+  return { page, worker: { name: "licences of workers", apply: "build", transform } };
 }
