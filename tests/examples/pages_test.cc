@@ -1,6 +1,8 @@
 // What the pages show of the command line is true: each command line is carried out as far as that is cheap,
 // every option in it exists, and what a page shows of its output is what comes.
 
+#include <unistd.h>
+
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -99,7 +101,7 @@ void read_sentences(const fs::path& page, std::vector<Shown>& out) {
 class Pages : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "mlab_pages";
+    folder_ = fs::path(testing::TempDir()) / ("mlab_pages_" + std::to_string(getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "my");
     fs::copy(kRoot / "missions", folder_ / "missions", fs::copy_options::recursive);
