@@ -116,7 +116,7 @@ std::shared_ptr<const Program> from_configuration(mlab::text::Diagnostics& sink)
     return nullptr;
   }
   const auto robot = mlab::robot::configure(*source, "", "Schemas", {}, {}, sink);
-  return robot ? robot->program : nullptr;
+  return robot ? robot->built.program : nullptr;
 }
 
 mlab::sim::BenchResult run(const mlab::sim::BenchScenario& scenario, const Program& program) {

@@ -27,7 +27,7 @@ class Trial {
     auto robot = robot::configure(source, "", "", {}, {}, sink);
     EXPECT_TRUE(robot && !sink.has_errors()) << text::render(sink);
     if (!robot) return;
-    program_ = robot->program;
+    program_ = robot->built.program;
     frame_ = program_->make_frame();
     sim::BodySetup setup;
     setup.pose = start;

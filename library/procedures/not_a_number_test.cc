@@ -40,11 +40,11 @@ std::string fault_of(const std::string& movement) {
   text::Diagnostics sink;
   const auto robot = robot::configure(source, "", "", {}, {}, sink);
   if (!robot) return text::render(sink);
-  flow::Frame frame = robot->program->make_frame();
+  flow::Frame frame = robot->built.program->make_frame();
   const percept::Percepts percepts;
   percept::Action action;
-  robot->program->step(frame.data(), percepts, action, 1, 1);
-  const flow::Port* port = robot->program->find_fault(frame.data());
+  robot->built.program->step(frame.data(), percepts, action, 1, 1);
+  const flow::Port* port = robot->built.program->find_fault(frame.data());
   if (std::isfinite(action.velocity.x + action.velocity.y)) return "nothing is told";
   return port == nullptr ? "no port" : port->path;
 }

@@ -111,7 +111,7 @@ const flow::Program& scout() {
     EXPECT_TRUE(robot) << text::render(sink);
     return robot;
   }();
-  return *kRobot->program;
+  return *kRobot->built.program;
 }
 
 TEST(Scout, DoesWhatItDidAsANetworkWrittenByHand) {

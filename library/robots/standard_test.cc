@@ -28,7 +28,7 @@ const flow::Program& standard() {
     text::Diagnostics sink;
     const auto robot = robot::library_robot("Scout", sink);
     EXPECT_TRUE(robot && sink.items().empty()) << text::render(sink);
-    return robot ? robot->program : nullptr;
+    return robot ? robot->built.program : nullptr;
   }();
   return *kProgram;
 }

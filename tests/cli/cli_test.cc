@@ -341,8 +341,21 @@ TEST_F(Command, ExecutesWhatAMissionNamesOnlyWhereThatIsAllowed) {
   EXPECT_FALSE(fs::exists(folder_ / "executed"));
   const Outcome allowed = mlab("run m.mdl --headless --proceed --allow-native");
   EXPECT_EQ(allowed.status, 2);
-  EXPECT_TRUE(has(allowed.err, "`./evil` is no robot program: it ended with exit status 0")) << allowed.err;
-  EXPECT_TRUE(fs::exists(folder_ / "executed"));
+  EXPECT_TRUE(has(allowed.err, "`./evil` is no robot program: it ended with")) << allowed.err;
+  EXPECT_FALSE(fs::exists(folder_ / "executed")) << "in its cell it writes nothing";
+  const Outcome free = mlab("run m.mdl --headless --proceed --allow-native --no-cell");
+  EXPECT_EQ(free.status, 2);
+  EXPECT_TRUE(has(free.err, "`./evil` is no robot program: it ended with exit status 0")) << free.err;
+  EXPECT_TRUE(fs::exists(folder_ / "executed")) << "the twin: it would have";
+}
+
+TEST_F(Command, HasNoWayToLoadCode) {
+  const auto loads = [](const std::string& program) {
+    const std::string command = "nm -D '" + program + "' | grep -qw dlopen";
+    return std::system(command.c_str()) == 0;  // NOLINT(concurrency-mt-unsafe): the test has one thread
+  };
+  EXPECT_FALSE(loads(MLAB_COMMAND));
+  EXPECT_TRUE(loads(fs::path(MLAB_COMMAND).parent_path() / "mlab-robots")) << "which runs in a cell";
 }
 
 TEST_F(Command, BuildMakesAnExecutableThatRunsAsTheNetworkDoes) {

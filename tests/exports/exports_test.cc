@@ -27,8 +27,8 @@
 #include "mlab/base/hash.h"
 #include "mlab/export/format.h"
 #include "mlab/flow/program.h"
+#include "mlab/robot/brought_code.h"
 #include "mlab/robot/configuration_file.h"
-#include "mlab/robot/native_library.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab {
@@ -43,12 +43,12 @@ constexpr int kCycles = 40;
 
 struct Robot {
   robot::ConfiguredRobot configured;
-  std::shared_ptr<flow::Library> library;
+  std::shared_ptr<robot::DescribedLibrary> library;
 
   std::optional<std::string> written(const std::string& format, text::Diagnostics& sink) const {
     const exports::Subject subject{configured.configuration,
                                    *configured.configuration.robots.at(configured.robot),
-                                   configured.lowered.network, *library};
+                                   configured.lowered.network, library->library};
     return exports::find_format(format)->write(subject, sink);
   }
 };
@@ -57,9 +57,8 @@ std::optional<Robot> robot_of(const text::SourcePtr& source, text::Diagnostics& 
                               std::string_view name = "") {
   auto configured = robot::configure(source, name, "", {}, {}, sink);
   if (!configured) return std::nullopt;
-  auto library = robot::library_with(configured->configuration.procedures, {}, sink);
-  if (!library) return std::nullopt;
-  return Robot{std::move(*configured), std::make_shared<flow::Library>(std::move(*library))};
+  auto library = robot::describe_library(configured->configuration.procedures);
+  return Robot{std::move(*configured), std::move(library)};
 }
 
 /// A robot that ran, and what it was told and did in each cycle.
@@ -101,7 +100,7 @@ Trace run_of(std::uint64_t seed, bool is_parallel) {
     std::abort();
   }
   Trace out{std::move(*robot), {}, {}, {}};
-  const flow::Program& program = *out.robot.configured.program;
+  const flow::Program& program = *out.robot.configured.built.program;
   flow::Frame frame = program.make_frame();
   for (int cycle = 0; cycle < kCycles; ++cycle) {
     std::string flags;

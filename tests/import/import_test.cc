@@ -51,11 +51,11 @@ void expect_runs(const text::SourcePtr& source, const std::string& name) {
   text::Diagnostics sink;
   const auto robot = robot::configure(source, name, "", {}, {}, sink);
   ASSERT_TRUE(robot.has_value()) << name << "\n" << text::render(sink) << source->text();
-  flow::Frame frame = robot->program->make_frame();
+  flow::Frame frame = robot->built.program->make_frame();
   percept::Percepts percepts;
   for (std::uint64_t cycle = 1; cycle <= 50; ++cycle) {
     percept::Action action;
-    robot->program->step(frame.data(), percepts, action, cycle, 1);
+    robot->built.program->step(frame.data(), percepts, action, cycle, 1);
   }
 }
 

@@ -77,7 +77,7 @@ class RobotProgramsTest : public testing::Test {
   }
   std::unique_ptr<fleet::MissionRun> prepare(const std::string& program, int threads,
                                              const std::string& parameters = "(pace = 3)",
-                                             bool allow_native = true) {
+                                             bool allow_native = true, bool in_cell = true) {
     std::ofstream(shared_folder / "m.mdl")
         << "MISSION NAME Test\nOVERLAY map.odl\nNEW-ROBOT walker \"" << program << "\" " << parameters
         << "\nUNIT <u> walker walker walker walker walker\nCOMMAND LIST:\n0. UNIT u START Here 0 10\n"
@@ -89,9 +89,10 @@ class RobotProgramsTest : public testing::Test {
     settings.seed = 5;
     settings.threads = threads;
     settings.executive.proceed_all = true;
-    robot::ProgramSources sources{
-        allow_native ? cell::testing::all_permitted() : cell::testing::code_permitted(),
-        shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
+    robot::ProgramSources sources{!in_cell       ? cell::testing::permitted_without_cell()
+                                  : allow_native ? cell::testing::all_permitted()
+                                                 : cell::testing::code_permitted(),
+                                  shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
     sources.native_patience = 1.0;
     auto run = fleet::MissionRun::create(mission, sources, settings, sink_);
     if (run) {
@@ -112,10 +113,10 @@ class RobotProgramsTest : public testing::Test {
     }
     return out;
   }
-  // What a run tells whose robots' program is this.
+  // What a run tells whose robots' program is this: a script that starts others, which no cell lets it.
   std::vector<std::string> told_of(const std::string& program, int cycles = 60) {
     warnings_.clear();
-    const auto run = prepare(program, 1);
+    const auto run = prepare(program, 1, "(pace = 3)", true, false);
     EXPECT_TRUE(run) << text::render(sink_);
     if (!run) return {};
     EXPECT_EQ(ways(*run, cycles).size(), static_cast<std::size_t>(5 * cycles)) << "the run goes on";

@@ -43,6 +43,8 @@ class Permission {
   Permission() : wall_(std::unexpected("nobody has allowed it")) {}
   static Permission decide(const Grounds& grounds, const Means& means) { return Permission(grounds, means); }
 
+  /// Robots are to move; else texts are only checked, and nothing of them is ever run.
+  bool is_to_run() const { return grounds_.purpose == Grounds::Purpose::kRun; }
   /// Whether this text may be given to the compiler, and the walls that it works in.
   /// @errors  a sentence for a person that says why not, and what would help
   std::expected<Wall, std::string> to_compile(std::string_view code) const;

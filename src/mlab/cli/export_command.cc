@@ -15,8 +15,8 @@
 #include "mlab/cli/terminal.h"
 #include "mlab/export/format.h"
 #include "mlab/lang/cdl/formula.h"
+#include "mlab/robot/brought_code.h"
 #include "mlab/robot/configuration_file.h"
-#include "mlab/robot/native_library.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
@@ -27,19 +27,16 @@ constexpr const char* kFormula = "formula";
 // What the formats of other tools say of a robot.
 std::optional<std::string> exported(const robot::ConfiguredRobot& robot, const std::string& format,
                                     text::Diagnostics& sink) {
-  const auto library =
-      robot::library_with(robot.configuration.procedures, program_sources("", permission_to_build()), sink);
-  if (!library) return std::nullopt;
+  const auto library = robot::describe_library(robot.configuration.procedures);
   const exports::Subject subject{robot.configuration, *robot.configuration.robots.at(robot.robot),
-                                 robot.lowered.network, *library};
+                                 robot.lowered.network, library->library};
   return exports::find_format(format)->write(subject, sink);
 }
 
 std::string sentences(const text::SourcePtr& source, text::Diagnostics& sink) {
   const cdl::Configuration configuration = cdl::load(source, robot::library_environment(), sink);
-  const auto library =
-      robot::library_with(configuration.procedures, program_sources("", permission_to_build()), sink);
-  return library ? cdl::print(cdl::formula(configuration, *library, sink)) : "";
+  const auto library = robot::describe_library(configuration.procedures);
+  return cdl::print(cdl::formula(configuration, library->library, sink));
 }
 
 // The sentences of a file: of all its robots and societies, so none has to be chosen.

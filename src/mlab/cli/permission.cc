@@ -44,7 +44,7 @@ cell::Permission permission_to_check(bool is_trusted) {
 }
 
 cell::Permission permission_to_build() {
-  return permission_to_run({}, Grounds::People::kHere, "");
+  return permission_to_check(true);
 }
 
 cell::Permission permission_to_run(const RunOptions& options, Grounds::People people,

@@ -118,7 +118,7 @@ void RunScreen::show_start(const fleet::MissionRun& run) {
                    mission.name.empty() ? "mission" : text::shown(mission.name), mission.robots.size(),
                    mission.robots.size() == 1 ? "" : "s", mission.steps.size(),
                    mission.steps.size() == 1 ? "" : "s", run.seed(), run.cycle_duration()));
-  for (const std::string& note : mission::notes_of(mission)) line(text::shown(note));
+  for (const std::string& note : mission::notes_of(mission)) line(text::shown(note, kMostCharacters));
 }
 
 void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect) {

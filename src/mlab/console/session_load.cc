@@ -106,6 +106,7 @@ void Session::Parts::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_
   breakpoints_.begin(nullptr);
   live_.reset();
   if (run) {
+    run->set_meanwhile([this] { return attend_during_cycle(); });
     live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_);
     live_->run().set_stands_still_for_operator(pace_.speed() == 0.0);
     live_->run().set_emergency_stop(is_stopped_);

@@ -31,6 +31,32 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
+// How long a person waits for a cycle that some robot's own process does not come to an end with [s].
+constexpr double kCyclePatience = 3.0;
+constexpr double kPublishing = 0.05;  // [s]
+
+Inbox::Kind kind_of(const ToServer& message) {
+  switch (message.body_case()) {
+    case ToServer::kAcknowledge:
+    case ToServer::kEmergencyStop:
+    case ToServer::kSaveDocuments:
+    case ToServer::kComplete:
+    case ToServer::kCheck:
+    case ToServer::kListFiles:
+    case ToServer::kTakeOperator:
+    case ToServer::kPassOperator:
+      return Inbox::Kind::kDuringCycle;
+    case ToServer::kOpenMission:
+      return Inbox::Kind::kEndsWait;
+    case ToServer::kControl:
+      return message.control().action() == Control::ABORT || message.control().action() == Control::RESTART
+                 ? Inbox::Kind::kEndsWait
+                 : Inbox::Kind::kAfterCycle;
+    default:
+      return Inbox::Kind::kAfterCycle;
+  }
+}
+
 mdl::LoadOptions load_options(const SessionSettings& settings) {
   mdl::LoadOptions options;
   options.seed = settings.run.seed;
@@ -76,8 +102,9 @@ double Session::Parts::now() const {
 
 void Session::Parts::receive(ConnectionId from, std::unique_ptr<ToServer> message) {
   if (message->has_emergency_stop()) emergency_stop();  // overtakes whatever waits before it
-  inbox_.post(
-      [this, from, kept = std::shared_ptr<const ToServer>(std::move(message))] { take(from, *kept); });
+  const Inbox::Kind kind = kind_of(*message);
+  inbox_.post([this, from, kept = std::shared_ptr<const ToServer>(std::move(message))] { take(from, *kept); },
+              kind);
 }
 
 void Session::Parts::closed(ConnectionId connection) {
@@ -155,6 +182,18 @@ double Session::Parts::next_wake() const {
     if (channel.seen != version_) next = std::min(next, channel.next_frame());
   }
   return next;
+}
+
+// Called within a cycle, while a robot's own process computes: whatever leaves the run alone is done
+// meanwhile.
+bool Session::Parts::attend_during_cycle() {
+  if (stop_wanted_.exchange(false)) engage_emergency_stop();
+  for (const Inbox::Task& task : inbox_.take_for_cycle()) task();
+  if (now() - published_during_cycle_ > kPublishing) {
+    publish();
+    published_during_cycle_ = now();
+  }
+  return ends_ || inbox_.wants_cycle_over(kCyclePatience);
 }
 
 bool Session::Parts::is_active() const {

@@ -65,6 +65,7 @@ class Session::Parts {
   /// Lets as much time pass as is due, but not for longer than a person would notice.
   void advance();
   bool is_active() const;
+  bool attend_during_cycle();
   /// When the loop has to look around again [s].
   double next_wake() const;
 
@@ -193,6 +194,7 @@ class Session::Parts {
   const SessionSettings settings_;
   const Send send_;
   Inbox inbox_;
+  double published_during_cycle_ = 0.0;
   std::atomic<bool> ends_ = false;
   std::atomic<bool> stop_wanted_ = false;
   std::atomic<bool> has_ended_ = false;

@@ -10,8 +10,8 @@
 #include "mlab/lang/cdl/configuration.h"
 #include "mlab/lang/cdl/lower.h"
 #include "mlab/lang/cnl/native_module.h"
+#include "mlab/robot/brought_code.h"
 #include "mlab/robot/configuration_file.h"
-#include "mlab/robot/native_library.h"
 
 namespace mlab::designer {
 namespace {

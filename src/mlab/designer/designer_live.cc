@@ -16,7 +16,7 @@
 #include "mlab/fleet/crew.h"
 #include "mlab/lang/cdl/lower.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/robot/native_library.h"
+#include "mlab/robot/brought_code.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -280,14 +280,24 @@ text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what
   sources.include_root = settings_.include_root;
   sources.version = settings_.version;
   sources.ends = jobs_end_.get_token();
-  const auto library = robot::library_with(what.model->configuration().procedures, sources, sink);
+  const auto& procedures = what.model->configuration().procedures;
+  auto library = robot::describe_library(procedures);
   const auto robot = what.model->configuration().robots.find(what.robot);
-  if (!library || robot == what.model->configuration().robots.end() || what.model->problems().has_errors())
+  if (robot == what.model->configuration().robots.end() || what.model->problems().has_errors())
     return not_known("the text has errors: mend them first");
   cdl::Said said;
-  cdl::LoweredRobot lowered = cdl::lower(what.model->configuration(), *robot->second, *library, sink, said);
+  cdl::LoweredRobot lowered =
+      cdl::lower(what.model->configuration(), *robot->second, library->library, sink, said);
   if (sink.has_errors()) return not_known(sink.items().front().message);
-  return field_program(std::move(lowered.network), *library, what.node);
+  text::Result<FieldProgram> part = field_program(std::move(lowered.network), library->library, what.node);
+  if (!part) return part;
+  auto runnable =
+      robot::make_runnable(part->program, part->network, procedures, std::move(library), {}, sources, sink);
+  if (!runnable || runnable->is_described_only)
+    return not_known(sink.items().empty() ? "its procedures may not run" : sink.items().front().message);
+  part->program = std::move(runnable->program);
+  part->hosted = std::move(runnable->hosted);
+  return part;
 }
 
 // A run of its own, which nobody sees: the robots stand where a trial would start them.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -12,6 +13,8 @@
 
 namespace mlab::designer {
 namespace {
+
+constexpr std::uint32_t kPlacesAtOnce = 8;  // between two looks at the clock
 
 struct FieldArrow {
   float x, y, dx, dy;
@@ -46,6 +49,7 @@ text::Result<FieldProgram> field_program(flow::Network network, const flow::Libr
   });
   text::Diagnostics sink;
   FieldProgram out{flow::build_program(network, library, sink), node};
+  out.network = std::move(network);
   const flow::Port* port = out.program ? out.program->find(node) : nullptr;
   if (port == nullptr)
     return no_field(out.program ? fmt::format("`{}` gives no movement", text::shown(node, 200))
@@ -61,7 +65,9 @@ FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
       as_is_(as_is),
       port_(part_.program->find(part_.port)),
       start_(part_.program->make_frame()),
-      frame_(start_) {}
+      frame_(start_) {
+  if (part_.hosted) hosted_ = std::make_unique<robot_host::HostedCycle>(part_.hosted);
+}
 
 void FieldReading::begin(const fleet::FleetRobot& body) {
   const flow::Program& program = *part_.program;
@@ -77,27 +83,61 @@ bool FieldReading::read(const fleet::MissionRun& run, const fleet::FleetRobot& b
   const std::uint32_t count = grid_.columns * grid_.rows;
   if (next_ == 0) begin(body);
   while (next_ < count) {
-    read_place(run, body);
-    if (++next_ % 8 == 0 && Clock::now() >= end) break;
+    if (hosted_)
+      read_hosted(run, body);
+    else
+      read_place(run, body);
+    if (next_ % kPlacesAtOnce == 0 && Clock::now() >= end) break;
   }
   return next_ == count;
 }
 
-void FieldReading::read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
-  const flow::Program& program = *part_.program;
-  const geom::Pose pose = grid_.pose(next_ % grid_.columns, next_ / grid_.columns);
-  percept::Percepts percepts;
-  percept::Action unwanted;
-  run.fleet().perceive_at(body, pose, needs_, run.cycle_duration(), buffer_, percepts);
-  frame_ = start_;
-  program.step(frame_.data(), percepts, unwanted, run.seed(), body.id.value);
-  geom::Vector v = flow::Program::vector(frame_.data(), *port_).value_or(geom::Vector{});
+geom::Pose FieldReading::perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body,
+                                  std::uint32_t place, percept::Percepts& out) {
+  const geom::Pose pose = grid_.pose(place % grid_.columns, place / grid_.columns);
+  run.fleet().perceive_at(body, pose, needs_, run.cycle_duration(), buffer_, out);
+  return pose;
+}
+
+void FieldReading::add_arrow(const geom::Pose& pose, const std::byte* frame) {
+  geom::Vector v = flow::Program::vector(frame, *port_).value_or(geom::Vector{});
   if (!std::isfinite(v.x + v.y)) v = {};
   const double c = std::cos(grid_.heading);
   const double s = std::sin(grid_.heading);
   console::append(arrows_,
                   FieldArrow{static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),
                              static_cast<float>(v.x * c - v.y * s), static_cast<float>(v.x * s + v.y * c)});
+}
+
+void FieldReading::read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
+  percept::Percepts percepts;
+  percept::Action unwanted;
+  const geom::Pose pose = perceive(run, body, next_, percepts);
+  frame_ = start_;
+  part_.program->step(frame_.data(), percepts, unwanted, run.seed(), body.id.value);
+  add_arrow(pose, frame_.data());
+  ++next_;
+}
+
+// Some places at once, as if a robot stood at each. Where the program ends its process, it moves nobody
+// there.
+void FieldReading::read_hosted(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
+  const std::uint32_t count = std::min(kPlacesAtOnce, grid_.columns * grid_.rows - next_);
+  std::vector<geom::Pose> poses;
+  hosted_->begin();
+  for (std::uint32_t i = 0; i < count; ++i) hosted_->join(body.id.value, run.seed());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    percept::Percepts percepts;
+    poses.push_back(perceive(run, body, next_ + i, percepts));
+    hosted_->set(i, percepts, {start_.data(), start_.size()});
+  }
+  hosted_->ask();
+  hosted_->wait({});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const robot_host::HostedCycle::Result& result = hosted_->result(i);
+    add_arrow(poses[i], result.failure.empty() ? result.frame.data() : start_.data());
+  }
+  next_ += count;
 }
 
 std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body, bool as_is,

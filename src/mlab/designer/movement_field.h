@@ -7,6 +7,7 @@
 #include "mlab/fleet/mission_run.h"
 #include "mlab/flow/network.h"
 #include "mlab/flow/program.h"
+#include "mlab/robot_host/hosted_cycle.h"
 #include "mlab/sim/sensing.h"
 
 namespace mlab::designer {
@@ -14,7 +15,10 @@ namespace mlab::designer {
 /// A part of a robot's program that gives a movement, to be asked without the rest.
 struct FieldProgram {
   std::shared_ptr<const flow::Program> program;
-  std::string port;  ///< of the movement
+  std::string port;            ///< of the movement
+  flow::Network network = {};  ///< what it was built from
+  /// As robot::BuiltProgram.
+  std::shared_ptr<const robot_host::HostedProgram> hosted = nullptr;
 };
 
 /// @param network  of the whole robot
@@ -53,7 +57,11 @@ class FieldReading {
 
  private:
   void begin(const fleet::FleetRobot& body);
+  geom::Pose perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body, std::uint32_t place,
+                      percept::Percepts& out);
+  void add_arrow(const geom::Pose& pose, const std::byte* frame);
   void read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body);
+  void read_hosted(const fleet::MissionRun& run, const fleet::FleetRobot& body);
 
   FieldProgram part_;
   FieldGrid grid_;
@@ -63,7 +71,8 @@ class FieldReading {
   flow::Frame frame_;
   flow::Needs needs_;
   sim::SenseBuffer buffer_;
-  std::uint32_t next_ = 0;  ///< place; 0: not begun
+  std::unique_ptr<robot_host::HostedCycle> hosted_;  ///< where the part has a process of its own
+  std::uint32_t next_ = 0;                           ///< place; 0: not begun
   std::string arrows_;
 };
 

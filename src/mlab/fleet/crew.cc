@@ -23,13 +23,8 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
   for (const mission::RobotParameter& parameter : type.parameters)
     settings.push_back({parameter.key, parameter.value, parameter.place});
   const robot::RobotProgram* known = known_program(type, before);
-  auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink,
-                                 known == nullptr ? nullptr : known->program, type.name);
-  if (out && known != nullptr) {
-    out->body = known->body;
-    out->is_own = known->is_own;
-    out->reports = known->reports;
-  }
+  auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink, known,
+                                 type.name);
   return out;
 }
 
@@ -54,7 +49,7 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
         body_of(plan.types[i], program ? program->body : std::map<std::string, double>{}, sink));
     crew->programs.push_back(
         program ? std::move(*program)
-                : robot::RobotProgram{plan.types[i].program, nullptr, {}, plan.types[i].name, {}});
+                : robot::RobotProgram{.name = plan.types[i].program, .type = plan.types[i].name});
   }
   if (sink.error_count() > errors_before) return nullptr;
   return crew;

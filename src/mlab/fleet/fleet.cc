@@ -85,7 +85,7 @@ FleetRobot Fleet::make_robot(const mission::Mission& mission, const mission::Rob
                       .value_or(percept::ObjectClass::kUnknown);
   if (robot.program->program) {
     robot.frame = robot.program->initial;
-    if (robot.program->program->has_asynchronous() && !async_)
+    if (robot.program->program->has_asynchronous() && !robot.program->hosted && !async_)
       async_ = std::make_unique<flow::AsyncRunner>(1);
   }
   return robot;
@@ -135,6 +135,14 @@ void Fleet::start_program(FleetRobot& robot) {
     new_faults_.push_back(robot.id);
     return;
   }
+  if (robot.program->is_described_only) {
+    robot.failure = "brings procedures that were only checked";
+    robot.life = RobotLife::kFaulted;
+    new_faults_.push_back(robot.id);
+    return;
+  }
+  if (robot.program->hosted)
+    robot.lock_step = lock_step_.host(robot.lock_step, robot.id.value, robot.program->hosted);
   robot.frame = robot.program->initial;
   for (const auto& [port, value] : robot.set_parameters)
     robot.program->program->set(robot.frame.data(), robot.program->program->ports()[port], value);
@@ -257,7 +265,7 @@ void Fleet::step(double dt) {
   for (Group& group : groups_) update_group(group, poses_);
   lock_step_.begin();
   for (const FleetRobot& robot : robots_) {
-    if (robot.life == RobotLife::kRunning && robot.program->native) lock_step_.join(robot.lock_step);
+    if (robot.life == RobotLife::kRunning && robot.program->has_process()) lock_step_.join(robot.lock_step);
   }
   simulator_.workers().run(robots_.size(), kRobotsPerPiece,
                            [&](std::size_t begin, std::size_t end, int worker) {
@@ -353,6 +361,15 @@ void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out)
   out.claims = messages_.claims(robot.team);
 }
 
+// Its frame may hold anything, and what a stranger's program wants is no reason to look farther than there is
+// a world, or nowhere.
+flow::Needs Fleet::needs_of_hosted(const FleetRobot& robot) {
+  flow::Needs out = robot.program->program->needs(robot.frame.data());
+  for (double* range : {&out.obstacles, &out.robots, &out.objects})
+    *range = std::isfinite(*range) ? std::clamp(*range, 0.0, 1e9) : 0.0;
+  return out;
+}
+
 // An action that is no number stops the robot.
 void Fleet::check_action(FleetRobot& robot) {
   const geom::Vector v = robot.action.velocity;
@@ -366,9 +383,11 @@ void Fleet::run_program(FleetRobot& robot, double dt, Worker& worker) {
   const bool is_timed = worker.steps++ % kTimedEvery == 0;
   const double t0 = is_timed ? seconds() : 0.0;
   percept::Percepts percepts;
-  if (robot.program->native) {
-    perceive(robot, lock_step_.needs(robot.lock_step), dt, worker, percepts);
-    lock_step_.percepts(robot.lock_step, percepts);
+  if (robot.program->has_process()) {
+    const flow::Needs needs =
+        robot.program->hosted ? needs_of_hosted(robot) : lock_step_.needs(robot.lock_step);
+    perceive(robot, needs, dt, worker, percepts);
+    lock_step_.percepts(robot.lock_step, percepts, robot.frame);
     if (is_timed) worker.sense += (seconds() - t0) * kTimedEvery;
     return;
   }

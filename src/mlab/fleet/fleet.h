@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mlab/fleet/group.h"
@@ -101,6 +102,10 @@ class Fleet {
   /// True where a robot's program is one of these.
   bool uses(const std::vector<robot::RobotProgram>& programs) const;
 
+  /// Asked again and again while `step` waits for a robot's own process; true: nobody has time for it any
+  /// more, it is ended, and its robot stands.
+  void set_meanwhile(robot_host::HostedCycle::Meanwhile meanwhile) { meanwhile_ = std::move(meanwhile); }
+
   /// One control cycle of all robots [s].
   void step(double dt);
   /// One cycle in which no program runs and every body brakes [s].
@@ -171,6 +176,7 @@ class Fleet {
   void run_program(FleetRobot& robot, double dt, Worker& worker);
   void run_lock_step();
   static void check_action(FleetRobot& robot);
+  static flow::Needs needs_of_hosted(const FleetRobot& robot);
   std::optional<std::string> set_native_parameter(FleetRobot& robot, std::string_view path,
                                                   const std::string& value);
   void take_over_native_parameters(FleetRobot& robot, const robot::NativeProgram& after);
@@ -187,6 +193,7 @@ class Fleet {
   std::unique_ptr<flow::AsyncRunner> async_;
   std::vector<RobotCall> calls_;
   LockStep lock_step_;
+  robot_host::HostedCycle::Meanwhile meanwhile_;
   std::vector<base::RobotId> new_faults_;
   Times times_;
 };

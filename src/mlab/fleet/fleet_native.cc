@@ -1,5 +1,6 @@
 // What a fleet does with robots whose programs run in processes of their own.
 
+#include <cstring>
 #include <utility>
 
 #include <fmt/core.h>
@@ -9,14 +10,19 @@
 namespace mlab::fleet {
 
 void Fleet::run_lock_step() {
-  lock_step_.exchange();
+  lock_step_.exchange(meanwhile_);
   for (FleetRobot& robot : robots_) {
-    if (robot.life != RobotLife::kRunning || !robot.program->native) continue;
+    if (robot.life != RobotLife::kRunning || !robot.program->has_process()) continue;
     const LockStep::Result& result = lock_step_.result(robot.lock_step);
     robot.action = result.action;
     robot.fault = result.fault;
     if (result.failure.empty()) {
+      if (robot.program->hosted) std::memcpy(robot.frame.data(), result.frame.data(), result.frame.size());
       check_action(robot);
+      if (robot.program->hosted && robot.life == RobotLife::kFaulted) {
+        if (const flow::Port* port = robot.program->program->find_fault(robot.frame.data()))
+          robot.fault = port->path;
+      }
       continue;
     }
     robot.failure = result.failure;

@@ -30,19 +30,39 @@ void put(const robot_host::Settings& settings, wire::Start& out) {
 }  // namespace
 
 // The one with the fewest robots, the first of them; a new one as long as there may be more.
-std::size_t LockStep::process_for(const std::string& executable) {
+std::size_t LockStep::process_for(const std::string& executable,
+                                  const std::shared_ptr<const robot_host::HostedProgram>& hosted) {
   std::vector<std::size_t> load(processes_.size(), 0);
   for (const MemberState& member : members_) ++load[member.process];
   int count = 0;
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < processes_.size(); ++i) {
-    if (processes_[i].executable != executable) continue;
+    if (processes_[i].executable != executable || processes_[i].hosted != hosted) continue;
     ++count;
     if (!best || load[i] < load[*best]) best = i;
   }
   if (best && count >= most_) return *best;
-  processes_.emplace_back().executable = executable;
+  Process& made = processes_.emplace_back();
+  made.executable = executable;
+  made.hosted = hosted;
+  if (hosted) made.hosted_cycle = std::make_unique<robot_host::HostedCycle>(hosted);
   return processes_.size() - 1;
+}
+
+LockStep::Member LockStep::host(Member member, std::uint32_t robot,
+                                const std::shared_ptr<const robot_host::HostedProgram>& program) {
+  const bool is_known = member != kNone && processes_[members_[member].process].hosted == program;
+  if (!is_known) {
+    const std::size_t process = process_for("", program);
+    if (member == kNone) {
+      member = static_cast<Member>(members_.size());
+      members_.emplace_back();
+    }
+    members_[member].process = process;
+    members_[member].robot = robot;
+  }
+  members_[member].result = {};
+  return member;
 }
 
 std::expected<LockStep::Member, std::string> LockStep::start(
@@ -50,13 +70,13 @@ std::expected<LockStep::Member, std::string> LockStep::start(
     const robot_host::Settings& own) {
   if (member == kNone) {
     member = static_cast<Member>(members_.size());
-    const std::size_t process = process_for(program->executable);
+    const std::size_t process = process_for(program->executable, nullptr);
     members_.emplace_back().process = process;
     members_.back().robot = robot;
   }
   Process& process = processes_[members_[member].process];
   if (!process.running || process.running->has_failed()) {
-    auto started = robot_host::RobotProgramProcess::start(process.executable, program->limits);
+    auto started = robot_host::RobotProgramProcess::start(program->launch, program->limits);
     if (!started) return std::unexpected(started.error());
     process.running.emplace(std::move(*started));
   }
@@ -94,25 +114,51 @@ void LockStep::begin() {
   for (Process& process : processes_) {
     process.cycle.mutable_cycle()->clear_robots();
     process.joined.clear();
+    if (process.hosted_cycle) process.hosted_cycle->begin();
   }
 }
 
 void LockStep::join(Member member) {
-  Process& process = processes_[members_[member].process];
-  members_[member].place = process.cycle.cycle().robots_size();
-  process.cycle.mutable_cycle()->add_robots()->set_robot(members_[member].robot);
+  MemberState& state = members_[member];
+  Process& process = processes_[state.process];
   process.joined.push_back(member);
+  if (process.hosted_cycle) {
+    state.place = process.hosted_cycle->join(state.robot, seed_);
+    return;
+  }
+  state.place = static_cast<std::size_t>(process.cycle.cycle().robots_size());
+  process.cycle.mutable_cycle()->add_robots()->set_robot(state.robot);
 }
 
-void LockStep::percepts(Member member, const percept::Percepts& percepts) {
+void LockStep::percepts(Member member, const percept::Percepts& percepts, const flow::Frame& frame) {
   const MemberState& state = members_[member];
-  wire::Cycle& cycle = *processes_[state.process].cycle.mutable_cycle();
-  robot_wire::encode(percepts, *cycle.mutable_robots(state.place)->mutable_percepts());
+  Process& process = processes_[state.process];
+  if (process.hosted_cycle) {
+    process.hosted_cycle->set(state.place, percepts, {frame.data(), frame.size()});
+    return;
+  }
+  wire::Cycle& cycle = *process.cycle.mutable_cycle();
+  robot_wire::encode(percepts, *cycle.mutable_robots(static_cast<int>(state.place))->mutable_percepts());
 }
 
-void LockStep::exchange() {
+void LockStep::exchange(const robot_host::HostedCycle::Meanwhile& meanwhile) {
   for (Process& process : processes_) {
-    process.is_asked = !process.joined.empty() && process.running.has_value();
+    if (process.hosted_cycle) process.hosted_cycle->ask();
+  }
+  exchange_messages();
+  for (Process& process : processes_) {
+    if (!process.hosted_cycle) continue;
+    process.hosted_cycle->wait(meanwhile);
+    for (const Member member : process.joined) {
+      const robot_host::HostedCycle::Result& result = process.hosted_cycle->result(members_[member].place);
+      members_[member].result = {result.action, "", result.failure, result.frame};
+    }
+  }
+}
+
+void LockStep::exchange_messages() {
+  for (Process& process : processes_) {
+    process.is_asked = !process.hosted_cycle && !process.joined.empty() && process.running.has_value();
     if (process.is_asked) process.running->send(process.cycle);
   }
   for (Process& process : processes_) {
@@ -120,7 +166,8 @@ void LockStep::exchange() {
     const wire::FromRobot* answer = process.running->receive(wire::FromRobot::kActions);
     if (answer != nullptr) take(process, answer->actions());
     if (!process.running->has_failed()) continue;
-    for (const Member member : process.joined) members_[member].result = {{}, "", process.running->failure()};
+    for (const Member member : process.joined)
+      members_[member].result = {{}, "", process.running->failure(), {}};
   }
 }
 

@@ -4,6 +4,7 @@
 #include <expected>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,18 +13,22 @@
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot/native_program.h"
+#include "mlab/robot_host/hosted_cycle.h"
 
 namespace mlab::fleet {
 
-/// The robots of a run whose programs run in processes of their own. All robots of one executable share a few
+/// The robots of a run whose programs run in processes of their own. All robots of one program share a few
 /// processes, which compute a cycle side by side, and the run waits for all of them: results are the same for
 /// any number.
+///
+/// There are two kinds: hosted programs, whose frames the run has (it hands them in each cycle, and gets them
+/// back), and executables, which keep their robots' values to themselves.
 ///
 /// Per cycle: `begin`; `join` and then `percepts` for each robot that runs (`percepts` on any thread);
 /// `exchange`; `result` for each of them.
 class LockStep {
  public:
-  /// @param most  processes for each executable, >= 1
+  /// @param most  processes for each program, >= 1
   LockStep(int most, std::uint64_t seed) : most_(most), seed_(seed) {}
 
   /// A robot among those of the run.
@@ -37,7 +42,10 @@ class LockStep {
   std::expected<Member, std::string> start(Member member, std::uint32_t robot,
                                            const std::shared_ptr<const robot::NativeProgram>& program,
                                            const robot_host::Settings& own);
-  /// What the robot's next cycle may read.
+  /// Takes in a robot of a hosted program.
+  Member host(Member member, std::uint32_t robot,
+              const std::shared_ptr<const robot_host::HostedProgram>& program);
+  /// What the robot's next cycle may read. Of an executable's robot; a hosted one's frame says it.
   const flow::Needs& needs(Member member) const { return members_[member].needs; }
   /// @errors  a sentence that says what is wrong
   std::optional<std::string> set(Member member, const std::string& port, const std::string& value);
@@ -45,19 +53,26 @@ class LockStep {
   void begin();
   void join(Member member);
   /// Tells what the robot perceives in this cycle.
-  void percepts(Member member, const percept::Percepts& percepts);
-  void exchange();
+  /// @param frame  of a hosted robot: its values, which stay as they are until `exchange` comes back
+  void percepts(Member member, const percept::Percepts& percepts, const flow::Frame& frame);
+  /// @param meanwhile  asked again and again while a hosted program is waited for, may be empty; true: it is
+  /// to
+  ///                   be ended
+  void exchange(const robot_host::HostedCycle::Meanwhile& meanwhile);
 
   struct Result {
     percept::Action action;
-    std::string fault;    ///< path of the port that holds no number; empty: all is well
-    std::string failure;  ///< what the process did instead of acting; empty: it acted
+    std::string fault;                 ///< path of the port that holds no number; empty: all is well
+    std::string failure;               ///< what the process did instead of acting; empty: it acted
+    std::span<const std::byte> frame;  ///< of a hosted robot that acted: its values now, until `begin`
   };
   const Result& result(Member member) const { return members_[member].result; }
 
  private:
   struct Process {
     std::string executable;
+    std::shared_ptr<const robot_host::HostedProgram> hosted;  // in place of an executable
+    std::unique_ptr<robot_host::HostedCycle> hosted_cycle;
     std::optional<robot_host::RobotProgramProcess> running;
     wire::ToRobot cycle;
     std::vector<Member> joined;
@@ -66,11 +81,13 @@ class LockStep {
   struct MemberState {
     std::uint32_t robot = 0;
     std::size_t process = 0;
-    int place = 0;  // in the cycle's message
+    std::size_t place = 0;  // in the cycle
     flow::Needs needs;
     Result result;
   };
-  std::size_t process_for(const std::string& executable);
+  std::size_t process_for(const std::string& executable,
+                          const std::shared_ptr<const robot_host::HostedProgram>& hosted);
+  void exchange_messages();
   void take(Process& process, const wire::Actions& actions);
 
   int most_;

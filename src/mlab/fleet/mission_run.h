@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mlab/fleet/crew.h"
@@ -109,6 +110,11 @@ class MissionRun {
   std::size_t robots_stopped() const {
     const Fleet::Bodies bodies = fleet_->bodies();
     return is_stopped_ && has_braked_ ? bodies.all - bodies.moving : 0;
+  }
+
+  /// As Fleet::set_meanwhile. What it calls must leave the run as it is.
+  void set_meanwhile(robot_host::HostedCycle::Meanwhile meanwhile) {
+    fleet_->set_meanwhile(std::move(meanwhile));
   }
 
   /// The operator's stick for one robot.

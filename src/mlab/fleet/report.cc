@@ -1,5 +1,6 @@
 #include "mlab/fleet/report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -73,6 +74,7 @@ Json robots_json(const MissionRun& run) {
     out["distance_m"] = was_started ? rounded(run.simulator().distance_driven(robot.body)) : 0.0;
     out["collisions"] = was_started ? run.simulator().contacts(robot.body) : 0;
     out["fault"] = optional_text(robot.fault);
+    out["failure"] = optional_text(robot.failure);
     robots.push_back(std::move(out));
   }
   return robots;
@@ -125,7 +127,13 @@ Json performance_json(const MissionRun& run, const Performance& performance) {
 }  // namespace
 
 std::string outcome_name(const MissionRun& run, RunEnd end) {
-  if (run.is_over() || end == RunEnd::kByItself) return std::string(mission::name(run.state().outcome));
+  // The others may have done all that there was to do; the mission was theirs and that robot's.
+  const bool is_broken = std::ranges::any_of(run.fleet().robots(),
+                                             [](const FleetRobot& robot) { return !robot.failure.empty(); });
+  const bool is_over = run.is_over() || end == RunEnd::kByItself;
+  if (is_broken && (is_over ? run.state().outcome == mission::Outcome::kDone : end == RunEnd::kTimeIsUp))
+    return std::string(mission::name(mission::Outcome::kFailed));
+  if (is_over) return std::string(mission::name(run.state().outcome));
   return end == RunEnd::kTimeIsUp ? "done" : "interrupted";
 }
 

@@ -236,7 +236,7 @@ constexpr TypeInfo plain_type(std::string_view name, TypeKind kind, bool (*parse
 
 const TypeInfo& PortTraits<bool>::info() {
   static constexpr TypeInfo kInfo = plain_type<bool>("bool", TypeKind::kBool, parse_bool, [](const void* v) {
-    return std::string(as<bool>(v) ? "true" : "false");
+    return std::string(as<std::uint8_t>(v) != 0 ? "true" : "false");
   });
   return kInfo;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -31,6 +33,11 @@ std::uint64_t& cycle_of(std::byte* frame) {
   return at<std::uint64_t>(frame, 0);
 }
 
+// Who looks on may be shown a frame of another process, in which any bytes may stand.
+bool flag_at(const std::byte* frame, std::uint32_t offset) {
+  return frame[offset] != std::byte{0};
+}
+
 std::int64_t integer_at(const std::byte* frame, std::uint32_t offset, std::uint32_t size) {
   switch (size) {
     case 1:
@@ -56,6 +63,25 @@ void Needs::add(const Needs& other) {
 const Port* Program::find(std::string_view path) const {
   const auto it = port_index_.find(path);
   return it == port_index_.end() ? nullptr : &ports_[it->second];
+}
+
+std::uint32_t Program::SequenceCode::active_in(const std::byte* frame) const {
+  const std::uint32_t index = at<std::uint32_t>(frame, active);
+  return index < states.size() ? index : start;
+}
+
+std::uint64_t Program::layout_hash() const {
+  std::uint64_t key = initial_.size();
+  const auto add = [&key](std::initializer_list<std::uint64_t> parts) {
+    for (const std::uint64_t part : parts) key = base::combine_bits(key, part);
+  };
+  for (const Port& port : ports_) add({base::hash_text(port.path), port.offset, port.type->size});
+  for (const Instruction& i : instructions_) {
+    add({static_cast<std::uint64_t>(i.kind), i.stamp, i.inputs, i.output, i.state, i.data, i.path_hash});
+  }
+  for (const std::uint32_t word : words_) add({word});
+  for (const SequenceCode& sequence : sequences_) add({sequence.active, sequence.states.size()});
+  return key;
 }
 
 std::uint64_t Program::cycle(const std::byte* frame) {
@@ -257,8 +283,7 @@ void Program::add_needs(const Block& block, const std::byte* frame, bool starts_
     } else if (i.kind == Instruction::Kind::kSequence) {
       const SequenceCode& sequence = sequences_[i.data];
       const bool starts = starts_anew || last == 0 || at<std::uint32_t>(frame, i.stamp) != last;
-      const StateCode& state =
-          sequence.states[starts ? sequence.start : at<std::uint32_t>(frame, sequence.active)];
+      const StateCode& state = sequence.states[starts ? sequence.start : sequence.active_in(frame)];
       add_needs(state.triggers, frame, starts, needs);
       add_needs(state.member, frame, starts, needs);
       for (const TransitionCode& transition : state.transitions) {
@@ -350,7 +375,7 @@ std::vector<Contribution> Program::contributions(const std::byte* frame) const {
 std::vector<std::string> Program::active_states(const std::byte* frame) const {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < sequences_.size(); ++i) {
-    out.push_back(sequence_names_[i] + "." + state_names_[i][at<std::uint32_t>(frame, sequences_[i].active)]);
+    out.push_back(sequence_names_[i] + "." + state_names_[i][sequences_[i].active_in(frame)]);
   }
   return out;
 }
@@ -372,20 +397,26 @@ std::vector<Program::WayOut> Program::ways_out(const std::byte* frame) const {
     if (!ran) continue;
     const SequenceCode& sequence = sequences_[instruction.data];
     const std::vector<std::string>& names = state_names_[instruction.data];
-    const std::uint32_t active = at<std::uint32_t>(frame, sequence.active);
+    const std::uint32_t active = sequence.active_in(frame);
     for (const TransitionCode& transition : sequence.states[active].transitions) {
       WayOut& way = out.emplace_back();
       way.sequence = sequence_names_[instruction.data];
       way.state = names[active];
       way.target = names[transition.target];
       way.is_negated = transition.is_negated;
-      way.trigger_value = at<bool>(frame, transition.trigger);
+      way.trigger_value = flag_at(frame, transition.trigger);
       const auto port = std::ranges::find_if(ports_, [&](const Port& p) {
         return p.role == Port::Role::kOutput && p.offset == transition.trigger;
       });
       if (port != ports_.end()) way.trigger = port->path;
     }
   }
+  return out;
+}
+
+std::shared_ptr<const Program> with_initial_frame(const Program& program, Frame initial) {
+  auto out = std::make_shared<Program>(program);
+  out->initial_ = std::move(initial);
   return out;
 }
 

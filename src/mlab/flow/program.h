@@ -55,6 +55,8 @@ struct Contribution {
 
 /// A network made ready to run: operations in order and a port table. Immutable, shared by all robots of a
 /// kind; the values are in a Frame for each robot. `step` uses no heap, no strings, no locks.
+///
+/// All that only reads a frame takes any bytes in it, as a process that is not trusted may have left them.
 class Program {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffU;
@@ -97,6 +99,9 @@ class Program {
     std::uint32_t start = 0;
     std::uint32_t value_size = 0;
     std::vector<StateCode> states;
+
+    /// Index of the active state; the start where the frame names none that there is.
+    std::uint32_t active_in(const std::byte* frame) const;
   };
   struct CaseCode {
     std::vector<std::int64_t> values;
@@ -155,6 +160,9 @@ class Program {
   /// Null where there is none. Parameters are found by all of their names.
   const Port* find(std::string_view path) const;
   std::size_t frame_size() const { return initial_.size(); }
+  /// Equal for two programs whose frames can't be told apart: where the same network was built with the same
+  /// library in two processes, either may read the other's frames.
+  std::uint64_t layout_hash() const;
   /// How many nodes there are to evaluate, and how many operations remain after sharing.
   std::size_t node_count() const { return node_count_; }
   std::size_t instruction_count() const { return instructions_.size(); }
@@ -251,6 +259,7 @@ class Program {
 
  private:
   friend class ProgramBuilder;
+  friend std::shared_ptr<const Program> with_initial_frame(const Program& program, Frame initial);
 
   /// The first transition of a state whose trigger is true, as triggers stand.
   std::optional<std::uint32_t> way_taken(const std::byte* frame, std::uint32_t sequence,
@@ -289,6 +298,10 @@ class Program {
   Frame initial_;
   std::vector<KeptCode> kept_;  ///< for `take_over` only
 };
+
+/// The same program with other values before the first cycle.
+/// @param initial  of frame_size()
+std::shared_ptr<const Program> with_initial_frame(const Program& program, Frame initial);
 
 /// Builds the program of a network. Null where there were errors; every problem is reported at the author's
 /// place: unknown behaviors, inputs, sources; missing, double links; types and units that do not agree;

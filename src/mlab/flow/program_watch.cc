@@ -38,7 +38,7 @@ std::optional<geom::Vector> Program::vector(const std::byte* frame, const Port& 
 void Program::sequence_states(const std::byte* frame, std::vector<SequenceState>& out) const {
   out.clear();
   for (const SequenceCode& sequence : sequences_) {
-    out.push_back({value_at<std::uint32_t>(frame, sequence.active),
+    out.push_back({sequence.active_in(frame),
                    sequence.stamp == kNone ? 0 : value_at<std::uint32_t>(frame, sequence.stamp)});
   }
 }
@@ -47,7 +47,7 @@ std::optional<std::uint32_t> Program::way_taken(const std::byte* frame, std::uin
                                                 std::uint32_t from) const {
   const std::vector<TransitionCode>& ways = sequences_[sequence].states[from].transitions;
   for (std::uint32_t i = 0; i < ways.size(); ++i) {
-    if (value_at<bool>(frame, ways[i].trigger) != ways[i].is_negated) return i;
+    if ((frame[ways[i].trigger] != std::byte{0}) != ways[i].is_negated) return i;
   }
   return std::nullopt;
 }
@@ -64,7 +64,7 @@ std::uint32_t Program::state_before(const std::byte* frame, std::uint32_t sequen
   if (from >= code.states.size()) return code.start;
   const auto way = way_taken(frame, sequence, from);
   const std::uint32_t to = way ? code.states[from].transitions[*way].target : from;
-  return to == value_at<std::uint32_t>(frame, code.active) ? from : code.start;
+  return to == code.active_in(frame) ? from : code.start;
 }
 
 std::vector<Program::Transit> Program::transits(const std::byte* frame,
@@ -93,7 +93,7 @@ void Program::add_ran(const Block& block, const std::byte* frame, std::span<cons
     if (i.kind == Instruction::Kind::kSequence) {
       const SequenceCode& code = sequences_[i.data];
       add_ran(code.states[state_before(frame, i.data, before)].triggers, frame, before, out);
-      add_ran(code.states[value_at<std::uint32_t>(frame, code.active)].member, frame, before, out);
+      add_ran(code.states[code.active_in(frame)].member, frame, before, out);
     } else if (i.kind == Instruction::Kind::kSelect) {
       const SelectCode& code = selects_[i.data];
       const std::int64_t value = whole_number_at(frame, code.selector, code.selector_size);
@@ -122,7 +122,8 @@ void Program::take_over(std::byte* frame, const Program& other, const std::byte*
   copy(0, 0, sizeof(std::uint64_t));  // the cycle
   for (const Port& port : ports_) {
     const Port* theirs = other.find(port.path);
-    if (theirs != nullptr && theirs->type == port.type) copy(port.offset, theirs->offset, port.type->size);
+    if (theirs != nullptr && same_type(*theirs->type, *port.type))
+      copy(port.offset, theirs->offset, port.type->size);
   }
   for (const KeptCode& kept : kept_) {
     const auto theirs = std::ranges::find(other.kept_, kept.path_hash, &KeptCode::path_hash);

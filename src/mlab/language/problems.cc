@@ -1,8 +1,6 @@
 // What is wrong with a text.
 
-#include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include "mlab/fleet/mission_run.h"
 #include "mlab/lang/cdl/format.h"
@@ -23,46 +21,13 @@ std::string folder_of(const std::string& path) {
   return std::filesystem::path(path).parent_path().string();
 }
 
-// Whether the robots of a mission bring C++ of their own.
-bool brings_code(const mission::Mission& mission, const robot::ProgramSources& sources) {
-  return std::ranges::any_of(mission.types, [&](const mission::RobotType& type) {
-    const std::string program = type.program.substr(0, type.program.rfind('#'));
-    if (program.ends_with(".cnl")) return true;
-    if (!program.ends_with(".cdl")) return false;
-    const auto source = sources.files->read((std::filesystem::path(sources.folder) / program).string());
-    return source && (*source)->text().find(".cnl\"") != std::string_view::npos;
-  });
-}
-
-// Code that files bring is read by the compiler, and never run where it is only checked.
-void check_programs(const mission::Mission& mission, const robot::ProgramSources& sources,
-                    text::Diagnostics& sink) {
-  std::set<std::string> seen;
-  for (const mission::RobotType& type : mission.types) {
-    const std::string program = type.program.substr(0, type.program.rfind('#'));
-    const bool is_network = program.ends_with(".cnl");
-    if ((!is_network && !program.ends_with(".cdl")) || !seen.insert(program).second) continue;
-    const text::SourcePtr source = robot::read_program(program, type.place, sources, sink);
-    if (!source) continue;
-    if (is_network)
-      robot::check_network(source, sources, sink);
-    else
-      robot::check_configuration(source, sources, sink);
-  }
-}
-
 // A mission is right when everything that a run needs can be made ready: overlays, programs, parameters,
 // bodies.
 void check_mission(const Text& text, const robot::ProgramSources& sources, const Surroundings& around,
                    text::Diagnostics& sink) {
   const auto mission =
       mdl::check_mission(text.source, sources.folder, sink, {1, around.overlay_folders, around.files});
-  if (!mission) return;
-  if (brings_code(*mission, sources)) {
-    check_programs(*mission, sources, sink);
-    return;
-  }
-  fleet::MissionRun::create(mission, sources, {}, sink);
+  if (mission) fleet::MissionRun::create(mission, sources, {}, sink);
 }
 
 }  // namespace

@@ -122,7 +122,8 @@ geom::Vector station(Formation formation, int rank, int count, double spacing) {
 }
 
 std::string_view name(Formation formation) {
-  return kNames[static_cast<std::size_t>(formation)];
+  const auto index = static_cast<std::size_t>(formation);
+  return index < std::size(kNames) ? kNames[index] : "?";
 }
 
 std::optional<Formation> formation_named(std::string_view wanted) {

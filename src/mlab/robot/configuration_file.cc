@@ -4,7 +4,7 @@
 
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/library/library.h"
-#include "mlab/robot/native_library.h"
+#include "mlab/robot/brought_code.h"
 
 namespace mlab::robot {
 namespace {
@@ -29,8 +29,8 @@ std::optional<ConfiguredRobot> built(cdl::Configuration configuration, const cdl
   out.robot = robot.name.text;
   out.lowered = cdl::lower(configuration, robot, library, sink, said);
   if (sink.error_count() > errors_before) return std::nullopt;
-  out.program = cdl::build(out.lowered, library, sink, said);
-  if (!out.program) return std::nullopt;
+  out.built.program = cdl::build(out.lowered, library, sink, said);
+  if (!out.built.program) return std::nullopt;
   out.configuration = std::move(configuration);
   return out;
 }
@@ -72,14 +72,18 @@ std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::str
   if (sink.error_count() > errors_before) return std::nullopt;
   const cdl::Robot* robot = cdl::robot_meant(configuration, wanted, type_name, place, sink);
   if (robot == nullptr) return std::nullopt;
-  const std::optional<flow::Library> library = library_with(configuration.procedures, sources, sink);
-  if (!library) return std::nullopt;
+  auto library = describe_library(configuration.procedures);
   cdl::Said said;
-  cdl::check_declarations(configuration, *library, sink, said);
+  cdl::check_declarations(configuration, library->library, sink, said);
   if (sink.error_count() > errors_before) return std::nullopt;
-  auto out = built(std::move(configuration), *robot, *library, sink, said);
-  if (out && sink.error_count() == errors_before)
-    cdl::warn_of_declarations(out->configuration, *library, sink);
+  auto out = built(std::move(configuration), *robot, library->library, sink, said);
+  if (!out) return std::nullopt;
+  if (sink.error_count() == errors_before)
+    cdl::warn_of_declarations(out->configuration, library->library, sink);
+  auto runnable = make_runnable(std::move(out->built.program), out->lowered.network,
+                                out->configuration.procedures, std::move(library), place, sources, sink);
+  if (!runnable) return std::nullopt;
+  out->built = std::move(*runnable);
   return out;
 }
 

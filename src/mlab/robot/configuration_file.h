@@ -28,11 +28,11 @@ struct ConfiguredRobot {
   cdl::Configuration configuration;
   std::string robot;  ///< its name there
   cdl::LoweredRobot lowered;
-  std::shared_ptr<const flow::Program> program;
+  BuiltProgram built;
 };
 
-/// Reads a configuration and builds the program of one of its robots. Procedures that it brings are compiled
-/// and loaded.
+/// Reads a configuration and builds the program of one of its robots. Procedures that it brings are compiled,
+/// and run in a process of their own.
 ///
 /// @param name       as the mission writes it at `place`: a file relative to the mission's folder, perhaps
 /// with

@@ -128,7 +128,8 @@ TEST(LoadConfiguration, KeepsTheFirstValueWherePureCallsAreShared) {
       "  final C: cooperate { first: Stand(); first: MoveForward(); }; }; }\n");
   const auto robot = configure(source, "", "", {}, {}, sink);
   ASSERT_TRUE(robot) << text::render(sink);
-  EXPECT_EQ(flow::Program::print(robot->program->initial_frame().data(), *robot->program->find("first")),
+  EXPECT_EQ(flow::Program::print(robot->built.program->initial_frame().data(),
+                                 *robot->built.program->find("first")),
             "2.5");
 }
 
@@ -154,11 +155,12 @@ TEST(TheExamplesOfTheManual, BuildWithTheOperatorsOfTheirSociety) {
   const auto watcher = load_configuration("robots.cdl", "watcher", {}, sources, sink);
   ASSERT_TRUE(fetcher && watcher) << text::render(sink);
   const flow::Port* range =
-      fetcher->program->find("movement.wanted.MoveToGoal.ObjectLocation.NextThing.seen.range");
+      fetcher->built.program->find("movement.wanted.MoveToGoal.ObjectLocation.NextThing.seen.range");
   ASSERT_NE(range, nullptr);
-  EXPECT_EQ(flow::Program::print(fetcher->program->initial_frame().data(), *range), "60")
+  EXPECT_EQ(flow::Program::print(fetcher->built.program->initial_frame().data(), *range), "60")
       << "of the operator";
-  EXPECT_TRUE(fetcher->program->find("inertia") != nullptr && fetcher->program->find("top") != nullptr);
+  EXPECT_TRUE(fetcher->built.program->find("inertia") != nullptr &&
+              fetcher->built.program->find("top") != nullptr);
   EXPECT_DOUBLE_EQ(watcher->lowered.body.at("radius"), 0.35);
 }
 

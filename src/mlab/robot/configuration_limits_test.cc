@@ -39,8 +39,8 @@ TEST(ALargeConfiguration, MayBeAHundredAssemblagesDeep) {
   EXPECT_EQ(robot->lowered.network.nodes.size(), 2U + 1U + 2U * 99U + 1U);
   percept::Percepts percepts;
   percept::Action action;
-  flow::Frame frame = robot->program->make_frame();
-  robot->program->step(frame.data(), percepts, action, 1, 1);
+  flow::Frame frame = robot->built.program->make_frame();
+  robot->built.program->step(frame.data(), percepts, action, 1, 1);
   EXPECT_TRUE(action.drives);
   EXPECT_GT(std::hypot(action.velocity.x, action.velocity.y), 0.0);
 }
@@ -59,8 +59,8 @@ TEST(ALargeConfiguration, MayHaveTenThousandNodes) {
   EXPECT_EQ(robot->lowered.network.nodes.size(), 100U * (10U * 10U + 1U) + 2U);
   percept::Percepts percepts;
   percept::Action action;
-  flow::Frame frame = robot->program->make_frame();
-  robot->program->step(frame.data(), percepts, action, 1, 1);
+  flow::Frame frame = robot->built.program->make_frame();
+  robot->built.program->step(frame.data(), percepts, action, 1, 1);
   EXPECT_TRUE(action.drives);
 }
 

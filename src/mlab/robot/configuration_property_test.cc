@@ -228,7 +228,7 @@ RC_GTEST_PROP(GeneratedConfigurations, MeanTheSameWhenTheirAssemblagesAreWritten
   const auto inlined = configured(written.inlined);
   RC_ASSERT(with_calls && inlined);
   RC_ASSERT(cdl::cnl_text(with_calls->lowered.network) == cdl::cnl_text(inlined->lowered.network));
-  RC_ASSERT(run(*with_calls->program, seed) == run(*inlined->program, seed));
+  RC_ASSERT(run(*with_calls->built.program, seed) == run(*inlined->built.program, seed));
 }
 
 RC_GTEST_PROP(GeneratedConfigurations, GiveTheSameValuesInMemoryAndByWayOfCnl, (std::uint64_t seed)) {
@@ -242,7 +242,7 @@ RC_GTEST_PROP(GeneratedConfigurations, GiveTheSameValuesInMemoryAndByWayOfCnl, (
   RC_ASSERT(!sink.has_errors());
   RC_ASSERT(network.name == robot->lowered.network.name);
   RC_ASSERT(cdl::cnl_text(network) == cnl);
-  RC_ASSERT(run(*program, seed) == run(*robot->program, seed));
+  RC_ASSERT(run(*program, seed) == run(*robot->built.program, seed));
 }
 
 RC_GTEST_PROP(GeneratedConfigurations, SurviveTheCanonicalLayoutAndThePrinter, (std::uint64_t seed)) {

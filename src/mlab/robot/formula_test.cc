@@ -18,8 +18,8 @@
 #include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cdl/print.h"
 #include "mlab/lang/cdl/testing/any_sentence.h"
+#include "mlab/robot/brought_code.h"
 #include "mlab/robot/configuration_file.h"
-#include "mlab/robot/native_library.h"
 
 namespace mlab::robot {
 namespace {
@@ -36,10 +36,10 @@ std::string sentences_of(const text::SourcePtr& source, cdl::Configuration* read
   check_configuration(source, {}, sink);
   if (sink.has_errors()) return text::render(sink);
   cdl::Configuration configuration = cdl::load(source, library_environment(), sink);
-  const auto library = library_with(configuration.procedures, {}, sink);
-  if (!library) return text::render(sink);
+  const auto library = describe_library(configuration.procedures);
   std::string out;
-  for (const std::string& one : cdl::formula(configuration, *library, sink).sentences) out += one + "\n";
+  for (const std::string& one : cdl::formula(configuration, library->library, sink).sentences)
+    out += one + "\n";
   if (sink.has_errors()) return text::render(sink);
   if (read != nullptr) *read = std::move(configuration);
   return out;
@@ -52,10 +52,10 @@ void expect_to_run(const text::SourcePtr& source, const cdl::Configuration& conf
     text::Diagnostics sink;
     const auto made = configure(source, name, "", {}, {}, sink);
     ASSERT_TRUE(made) << text::render(sink) << source->text();
-    flow::Frame frame = made->program->make_frame();
+    flow::Frame frame = made->built.program->make_frame();
     percept::Action action;
-    made->program->step(frame.data(), {}, action, 1, 1);
-    EXPECT_EQ(made->program->find_fault(frame.data()), nullptr) << source->text();
+    made->built.program->step(frame.data(), {}, action, 1, 1);
+    EXPECT_EQ(made->built.program->find_fault(frame.data()), nullptr) << source->text();
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -18,6 +19,21 @@ namespace fs = std::filesystem;
 fs::path path_of(const std::string& name, const ProgramSources& sources) {
   std::error_code failure;
   return fs::weakly_canonical(fs::absolute(fs::path(sources.folder) / name, failure), failure);
+}
+
+// An executable may be anybody's, in any language: it gets the libraries of the system beside itself, and a
+// script the programs that read scripts.
+cell::Policy policy_of(const std::string& executable) {
+  cell::Policy out = robot_host::program_policy(executable);
+  for (const char* folder : {"/usr/lib", "/usr/local/lib", "/lib", "/lib64"})
+    out.readable.emplace_back(folder);
+  std::string begin(2, '\0');
+  std::ifstream(executable, std::ios::binary).read(begin.data(), 2);
+  if (begin == "#!") {
+    for (const char* folder : {"/usr/bin", "/bin", "/usr/local/bin"}) out.executable.emplace_back(folder);
+    for (const char* folder : {"/usr/share", "/etc/alternatives"}) out.readable.emplace_back(folder);
+  }
+  return out;
 }
 
 void say_results(const NativeProgram& native, std::span<const Setting> asked, const std::string& program,
@@ -63,7 +79,7 @@ bool is_executable(const std::string& name, const ProgramSources& sources) {
 }
 
 std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::Place& place,
-                                                std::span<const Setting> settings,
+                                                std::span<const Setting> settings, cell::Wall wall,
                                                 const ProgramSources& sources,
                                                 const std::vector<std::string>& known_keys,
                                                 text::Diagnostics& sink) {
@@ -71,13 +87,14 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
   auto native = std::make_shared<NativeProgram>();
   native->limits.answer = sources.native_patience;
   native->executable = path_of(robot.name, sources).string();
+  native->launch = {native->executable, policy_of(native->executable), wall};
   std::vector<Setting> asked;
   for (const Setting& setting : settings) {
     if (std::ranges::find(known_keys, setting.key) != known_keys.end()) continue;
     asked.push_back(setting);
     native->settings.emplace_back(setting.key, setting.value);
   }
-  auto description = robot_host::describe(native->executable, native->settings, native->limits);
+  auto description = robot_host::describe(native->launch, native->settings, native->limits);
   if (!description) {
     text::Diagnostic& d =
         sink.error("bad-robot-program", place,

@@ -15,6 +15,7 @@ struct NativeProgram {
   std::string executable;         ///< absolute path
   robot_host::Settings settings;  ///< of the robot type; every robot starts with them
   wire::Description description;  ///< with these settings
+  robot_host::Launch launch;
   robot_host::Limits limits;
 
   /// Null where there is none of that path.
@@ -25,10 +26,11 @@ struct NativeProgram {
 bool is_executable(const std::string& name, const ProgramSources& sources);
 
 /// Starts the executable that `robot.name` means to ask what it is, and checks the type's settings.
+/// @param wall  of its cell
 /// @return  nothing where there were errors: `bad-robot-program` where it is no robot program, and those of
 ///          parameters
 std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::Place& place,
-                                                std::span<const Setting> settings,
+                                                std::span<const Setting> settings, cell::Wall wall,
                                                 const ProgramSources& sources,
                                                 const std::vector<std::string>& known_keys,
                                                 text::Diagnostics& sink);

@@ -1,13 +1,15 @@
 #include "mlab/robot/network_file.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/load.h"
-#include "mlab/robot/native_library.h"
+#include "mlab/robot/brought_code.h"
 
 namespace mlab::robot {
 namespace {
@@ -33,17 +35,15 @@ std::optional<NetworkFile> read_network(const std::string& path, const text::Pla
   if (!source) return std::nullopt;
   std::optional<NetworkFile> out = parse(source, sources, sink);
   if (!out) return std::nullopt;
-  const std::optional<flow::Library> library = library_with({&out->tree, 1}, sources, sink);
-  if (!library) return std::nullopt;
-  out->program = flow::build_program(out->network, *library, sink);
-  if (!out->program) return std::nullopt;
+  const std::span<const std::shared_ptr<const cnl::Tree>> files(&out->tree, 1);
+  auto library = describe_library(files);
+  auto program = flow::build_program(out->network, library->library, sink);
+  if (!program) return std::nullopt;
+  auto built =
+      make_runnable(std::move(program), out->network, files, std::move(library), place, sources, sink);
+  if (!built) return std::nullopt;
+  out->built = std::move(*built);
   return out;
-}
-
-std::shared_ptr<const flow::Program> load_network(const std::string& path, const text::Place& place,
-                                                  const ProgramSources& sources, text::Diagnostics& sink) {
-  const std::optional<NetworkFile> read = read_network(path, place, sources, sink);
-  return read ? read->program : nullptr;
 }
 
 void check_network(const text::SourcePtr& source, const ProgramSources& sources, text::Diagnostics& sink) {

@@ -16,20 +16,16 @@ namespace mlab::robot {
 struct NetworkFile {
   std::shared_ptr<const cnl::Tree> tree;
   flow::Network network;
-  std::shared_ptr<const flow::Program> program;
+  BuiltProgram built;
 };
 
-/// As `load_network`, with what the program was built from.
-std::optional<NetworkFile> read_network(const std::string& path, const text::Place& place,
-                                        const ProgramSources& sources, text::Diagnostics& sink);
-
-/// Builds the program of a robot that is written in CNL. Procedures that the file brings itself are compiled
-/// and loaded.
+/// Builds the program of a robot that is written in CNL. Procedures that the file brings itself are compiled,
+/// and run in a process of their own.
 ///
 /// @param path   as the mission writes it at `place`; relative to the mission's folder
-/// @return  null where there were errors
-std::shared_ptr<const flow::Program> load_network(const std::string& path, const text::Place& place,
-                                                  const ProgramSources& sources, text::Diagnostics& sink);
+/// @return  nothing where there were errors
+std::optional<NetworkFile> read_network(const std::string& path, const text::Place& place,
+                                        const ProgramSources& sources, text::Diagnostics& sink);
 
 /// Checks a CNL file as `mlab check` does: declarations, the C++ of its procedures, and its network where it
 /// has one.

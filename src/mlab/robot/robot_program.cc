@@ -114,26 +114,36 @@ text::SourcePtr read_program(const std::string& path, const text::Place& place, 
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
-                                         std::shared_ptr<const flow::Program> built, std::string_view type) {
+                                         const RobotProgram* built, std::string_view type) {
   const std::size_t errors_before = sink.error_count();
   RobotProgram robot;
   robot.name = name;
   robot.type = type;
-  if (built) {
-    robot.program = std::move(built);
+  const auto take = [&robot](BuiltProgram program) {
+    robot.program = std::move(program.program);
+    robot.hosted = std::move(program.hosted);
+    robot.is_described_only = program.is_described_only;
+  };
+  if (built != nullptr) {
+    robot.program = built->program;
+    robot.hosted = built->hosted;
+    robot.is_described_only = built->is_described_only;
+    robot.body = built->body;
+    robot.is_own = built->is_own;
+    robot.reports = built->reports;
   } else if (const std::string_view known = library::find_robot(last_part(name)); !known.empty()) {
     if (auto configured = library_robot(known, sink)) {
-      robot.program = std::move(configured->program);
+      take(std::move(configured->built));
       robot.body = std::move(configured->lowered.body);
     }
   } else if (last_part(name).ends_with(".cnl")) {
-    robot.program = load_network(name, place, sources, sink);
     robot.is_own = true;
+    if (auto network = read_network(name, place, sources, sink)) take(std::move(network->built));
   } else if (names_configuration(last_part(name))) {
     robot.is_own = true;
     if (auto configured = load_configuration(name, type, place, sources, sink)) {
       robot.reports = may_report(configured->lowered.network);
-      robot.program = std::move(configured->program);
+      take(std::move(configured->built));
       robot.body = std::move(configured->lowered.body);
     }
   } else if (is_executable(name, sources)) {
@@ -145,7 +155,7 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
       return std::nullopt;
     }
     const auto wall = sources.permission.to_start(name);
-    if (wall) return load_native_program(std::move(robot), place, settings, sources, known_keys, sink);
+    if (wall) return load_native_program(std::move(robot), place, settings, *wall, sources, known_keys, sink);
     text::Diagnostic& d = sink.warning("native-program", place, wall.error());
     d.label = "robots of this type stand parked";
     d.hints.emplace_back("where you trust it, say `--allow-native`");

@@ -16,6 +16,10 @@
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/files.h"
 
+namespace mlab::robot_host {
+struct HostedProgram;
+}
+
 namespace mlab::robot {
 
 /// A parameter of a robot type, as the mission sets it.
@@ -27,14 +31,28 @@ struct Setting {
 
 struct NativeProgram;
 
+/// A network made ready to run.
+struct BuiltProgram {
+  std::shared_ptr<const flow::Program> program;
+  /// Not null: some of its behaviors are brought along, so a process of its own steps it; `program` is what
+  /// reads and sets its frames here.
+  std::shared_ptr<const robot_host::HostedProgram> hosted;
+  /// Some of its behaviors are brought along, and nothing may run them: it was only to be checked.
+  bool is_described_only = false;
+};
+
 /// The program of one robot type, with the type's parameters set. Shared by all robots of the type.
 struct RobotProgram {
   std::string name;  ///< as the mission writes it
-  std::shared_ptr<const flow::Program>
-      program;                         ///< null: nothing here answers to the name; such a robot stands parked
-  flow::Frame initial;                 ///< values before the first cycle
-  std::string type;                    ///< the robot type that it was built for
-  std::map<std::string, double> body;  ///< what a configuration says of the body: `radius`, ... in SI units
+  std::shared_ptr<const flow::Program> program =
+      nullptr;  ///< null: nothing here answers to the name; such a robot stands parked
+  /// As BuiltProgram::hosted.
+  std::shared_ptr<const robot_host::HostedProgram> hosted = nullptr;
+  bool is_described_only = false;  ///< as BuiltProgram
+  flow::Frame initial = {};        ///< values before the first cycle
+  std::string type = {};           ///< the robot type that it was built for
+  std::map<std::string, double> body =
+      {};  ///< what a configuration says of the body: `radius`, ... in SI units
   std::shared_ptr<const NativeProgram> native = nullptr;  ///< runs in processes of its own; then no `program`
 
   bool is_own = false;  ///< of a network or configuration that the mission names
@@ -42,6 +60,8 @@ struct RobotProgram {
 
   /// Somebody answers to the name.
   bool can_run() const { return program != nullptr || native != nullptr; }
+  /// Its robots are not stepped in this process.
+  bool has_process() const { return hosted != nullptr || native != nullptr; }
 };
 
 /// What finding a program may use.
@@ -63,19 +83,18 @@ struct ProgramSources {
 ///
 /// A program is told by the last part of its name: `robot`, `mlab-2.0-robot` and `tmr_robot-1998` mean the
 /// standard robot; `x.cnl` and `x.cdl` are compiled, and of a configuration `x.cdl#Robot` means one robot.
-/// An executable is run only where `sources` allow it. Everything else is a warning and gives a parked robot.
-/// A parameter that the program does not have is a warning with the nearest name; one with a value that it
-/// can't take is an error.
+/// An executable is run only where the permission allows it. Everything else is a warning and gives a parked
+/// robot. A parameter that the program does not have is a warning with the nearest name; one with a value
+/// that it can't take is an error.
 /// @param name   as the mission writes it, at `place`
 /// @param known_keys  parameter names that somebody else takes (the vehicle)
-/// @param built  the program of that name, where it has been built before; it is not built again then
+/// @param built  the one of that name, where it has been built before; it is not built again then
 /// @param type   name of the robot type: of a configuration with several robots it means the one of that name
 /// @return  nothing where there were errors
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
-                                         std::shared_ptr<const flow::Program> built = nullptr,
-                                         std::string_view type = {});
+                                         const RobotProgram* built = nullptr, std::string_view type = {});
 
 /// How the files of programs are read: as `sources` says, and nothing outside of the project, by whatever
 /// name or link.

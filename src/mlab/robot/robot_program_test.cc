@@ -79,7 +79,7 @@ TEST(LoadProgram, BuildsANetworkFromAFileBesideTheMission) {
 }
 
 constexpr const char* kWithCode =
-    "procedure double Gain with\nheader\nbody\n  output = 1;\npend\n"
+    "procedure Vector Gain with\nheader\nbody\n  output = {1, 0, 0};\npend\n"
     "node ahead is Gain with nend\nnode wheels is Drive with v = ahead; nend\n";
 
 /// A project beside a program that is none of it.
@@ -133,8 +133,24 @@ TEST_F(ProjectTest, CodeThatNobodyAllowedIsNotCompiled) {
   ours.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
   ours.permission = cell::Permission();
   text::Diagnostics sink;
-  EXPECT_FALSE(load("code.cnl", {}, sink, ours));
+  const auto robot = load("code.cnl", {}, sink, ours);
+  ASSERT_TRUE(robot);
+  EXPECT_TRUE(robot->is_described_only) << "nothing runs it";
+  EXPECT_FALSE(robot->hosted);
   ASSERT_FALSE(sink.items().empty());
+  EXPECT_EQ(sink.items()[0].kind, "code-not-allowed") << text::render(sink);
+
+  // Who runs robots for people elsewhere.
+  ours.permission = cell::Permission::decide({.purpose = cell::Grounds::Purpose::kRun,
+                                              .people = cell::Grounds::People::kElsewhere,
+                                              .allows_native = false,
+                                              .without_cell = false,
+                                              .is_trusted = true,
+                                              .known = nullptr},
+                                             cell::means());
+  sink = {};
+  EXPECT_FALSE(load("code.cnl", {}, sink, ours));
+  ASSERT_TRUE(sink.has_errors());
   EXPECT_EQ(sink.items()[0].kind, "code-not-allowed") << text::render(sink);
 }
 

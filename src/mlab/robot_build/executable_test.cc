@@ -11,10 +11,13 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "mlab/cell/testing/permission.h"
+#include "mlab/flow/module_file.h"
+#include "mlab/lang/cnl/native_module.h"
 #include "mlab/robot/network_file.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/robot_build/testing/any_network.h"
-#include "mlab/robot_host/robot_program_process.h"
+#include "mlab/robot_host/testing/without_cell.h"
 #include "mlab/robot_wire/action_wire.h"
 #include "mlab/robot_wire/percepts_wire.h"
 #include "mlab/robot_wire/testing/same_bits.h"
@@ -51,8 +54,8 @@ class ExecutableTest : public ::testing::Test {
     std::ofstream(path) << cnl;
     text::Diagnostics sink;
     const auto read = robot::read_network(
-        path.string(), {}, {cell::testing::code_permitted(), "", toolchain_.include_root, toolchain_.version},
-        sink);
+        path.string(), {},
+        {cell::testing::check_permitted(), "", toolchain_.include_root, toolchain_.version}, sink);
     EXPECT_TRUE(read) << text::render(sink);
     if (!read) return {};
     RobotSource out = source_of(read->network);
@@ -94,7 +97,8 @@ struct Walk {
 
 // Runs both for a while; empty where all actions and all ports agree, bit for bit.
 std::string first_difference(const flow::Program& program, const std::string& executable, int cycles) {
-  auto process = robot_host::RobotProgramProcess::start(executable, {60.0, 60.0});
+  auto process =
+      robot_host::RobotProgramProcess::start(robot_host::testing::without_cell(executable), {60.0, 60.0});
   if (!process) return process.error();
   wire::ToRobot message;
   message.mutable_start()->set_robot(3);
@@ -177,11 +181,18 @@ node wheels is Drive with v = spiral; nend
 TEST_F(ExecutableTest, BringsProceduresOfItsOwn) {
   const RobotSource robot = source_of_text(kOwnProcedure);
   ASSERT_TRUE(build(robot)) << text::render(sink_);
+  // The same code, loaded into this test.
   text::Diagnostics sink;
-  const auto program = robot::load_network(
-      (folder_ / "robot.cnl").string(), {},
-      {cell::testing::code_permitted(), "", toolchain_.include_root, toolchain_.version}, sink);
-  ASSERT_TRUE(program);
+  cnl::NativeOptions options;
+  options.include_folders = {toolchain_.include_root};
+  const auto module = cnl::compile_native(*robot.procedures.front(), options, sink);
+  ASSERT_TRUE(module) << text::render(sink);
+  const auto behaviors = flow::open_module(module->file);
+  ASSERT_TRUE(behaviors) << behaviors.error();
+  flow::Library library = robot::component_library();
+  library.add(*behaviors);
+  const auto program = flow::build_program(robot.network, library, sink);
+  ASSERT_TRUE(program) << text::render(sink);
   EXPECT_EQ(first_difference(*program, program_, 50), "");
 }
 

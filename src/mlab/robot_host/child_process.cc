@@ -2,19 +2,23 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
+
+#include "mlab/cell/cell.h"
 
 namespace mlab::robot_host {
 namespace {
@@ -26,23 +30,50 @@ void close_end(int& end) {
   end = -1;
 }
 
+constexpr std::size_t kMostFiles = 2;
+constexpr int kFree = 64;  // descriptors from here on are moved to first, so that none takes another's number
+
+// What a child gets, by the numbers that it has here.
+struct Ends {
+  int in;
+  int out;
+  int err;
+  int report;
+  std::array<int, kMostFiles> files;
+  std::size_t file_count;
+};
+
 // In the child, between fork and exec: nothing here may allocate or lock.
-[[noreturn]] void become(const char* program, char* const* words, int in, int out, int err, int report) {
+[[noreturn]] void become(cell::Cell& room, const Ends& ends) {
   setpgid(0, 0);
-  const rlimit cores{0, 0};
-  setrlimit(RLIMIT_CORE, &cores);
-  // The run may ignore or block signals; a robot program starts with what every program starts with.
-  sigset_t none;
-  sigemptyset(&none);
-  pthread_sigmask(SIG_SETMASK, &none, nullptr);
-  std::signal(SIGPIPE, SIG_DFL);
-  dup2(in, 0);
-  dup2(out, 1);
-  dup2(err, 2);
-  execve(program, words, environ);
-  const int failure = errno;
+  const int report = fcntl(ends.report, F_DUPFD_CLOEXEC, kFree);
+  std::array<int, 3 + kMostFiles> from = {ends.in, ends.out, ends.err, ends.files[0], ends.files[1]};
+  for (std::size_t i = 0; i < 3 + ends.file_count; ++i) from[i] = fcntl(from[i], F_DUPFD_CLOEXEC, kFree);
+  for (std::size_t i = 0; i < 3 + ends.file_count; ++i) dup2(from[i], static_cast<int>(i));
+  const int failure = room.become();
   if (::write(report, &failure, sizeof failure) < 0) _exit(126);
   _exit(127);
+}
+
+// Nothing of this process's own environment: it may hold what strangers' code has no business to know.
+std::vector<std::string> environment_of_program() {
+  std::vector<std::string> out = {"LC_ALL=C"};
+#if defined(__SANITIZE_ADDRESS__)
+  constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+  constexpr bool kIsSanitized = true;
+#else
+  constexpr bool kIsSanitized = false;
+#endif
+#else
+  constexpr bool kIsSanitized = false;
+#endif
+  // Looking for leaks takes a process that traces, which there is none in a cell; and how a program ends is
+  // what is to be told.
+  if (kIsSanitized)
+    out.emplace_back("ASAN_OPTIONS=detect_leaks=0:handle_segv=0:handle_sigfpe=0:handle_abort=0");
+  return out;
 }
 
 int milliseconds_until(Clock::time_point deadline) {
@@ -62,8 +93,14 @@ std::string ending(int status) {
 
 }  // namespace
 
-std::expected<ChildProcess, std::string> ChildProcess::start(const std::string& executable) {
+std::expected<ChildProcess, std::string> ChildProcess::start(const std::string& executable,
+                                                             const cell::Policy& policy, cell::Wall wall,
+                                                             std::span<const int> files) {
   ChildProcess out;
+  out.wall_ = wall;
+  const int descriptors = 3 + static_cast<int>(files.size());
+  auto room = cell::Cell::prepare({executable, {}, environment_of_program(), descriptors}, policy, wall);
+  if (!room) return std::unexpected(room.error());
   // A socket for its input, because writing to one whose reader is gone is an error and not a signal.
   int in[2];
   int from[2];
@@ -81,10 +118,10 @@ std::expected<ChildProcess, std::string> ChildProcess::start(const std::string& 
   if (pipe2(err, O_CLOEXEC) != 0) return fail(errno, {child_in, from[1]});
   out.err_ = err[0];
   if (pipe2(report, O_CLOEXEC) != 0) return fail(errno, {child_in, from[1], err[1]});
-  std::string name = executable;
-  char* const words[] = {name.data(), nullptr};
+  Ends ends{child_in, from[1], err[1], report[1], {}, files.size()};
+  std::ranges::copy(files, ends.files.begin());
   const pid_t child = fork();
-  if (child == 0) become(executable.c_str(), words, child_in, from[1], err[1], report[1]);
+  if (child == 0) become(*room, ends);
   const int fork_error = errno;
   for (int end : {child_in, from[1], err[1], report[1]}) close_end(end);
   if (child < 0) return fail(fork_error, {report[0]});
@@ -102,13 +139,15 @@ std::expected<ChildProcess, std::string> ChildProcess::start(const std::string& 
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
-    : pid_(std::exchange(other.pid_, -1)),
+    : wall_(other.wall_),
+      pid_(std::exchange(other.pid_, -1)),
       in_(std::exchange(other.in_, -1)),
       out_(std::exchange(other.out_, -1)),
       err_(std::exchange(other.err_, -1)),
       errors_(std::move(other.errors_)) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
+  std::swap(wall_, other.wall_);
   std::swap(pid_, other.pid_);
   std::swap(in_, other.in_);
   std::swap(out_, other.out_);
@@ -193,7 +232,21 @@ std::string ChildProcess::end(double patience) {
   }
   pid_ = -1;
   take_errors();
-  return ending(status);
+  return ending(cell::ending_of(status, wall_));
+}
+
+double ChildProcess::processor_time() const {
+  clockid_t clock{};
+  timespec time{};
+  if (pid_ < 0 || clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0.0;
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+bool ChildProcess::has_ended() {
+  take_errors();
+  siginfo_t seen{};
+  return pid_ < 0 || (waitid(P_PID, static_cast<id_t>(pid_), &seen, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+                      seen.si_pid != 0);
 }
 
 std::string ChildProcess::last_words() {

@@ -12,9 +12,24 @@ constexpr double kEndPatience = 0.5;
 
 }  // namespace
 
-std::expected<RobotProgramProcess, std::string> RobotProgramProcess::start(const std::string& executable,
-                                                                           Limits limits) {
-  auto child = ChildProcess::start(executable);
+cell::Policy program_policy(const std::string& executable) {
+  cell::Policy out = cell::policy_for(executable);
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  out.memory = 0;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+  out.memory = 0;
+#endif
+#endif
+  return out;
+}
+
+std::expected<RobotProgramProcess, std::string> RobotProgramProcess::start(const Launch& launch,
+                                                                           Limits limits,
+                                                                           const SharedMemory* shared) {
+  std::vector<int> files;
+  if (shared != nullptr) files = {shared->frames_file(), shared->percepts_file()};
+  auto child = ChildProcess::start(launch.executable, launch.policy, launch.wall, files);
   if (!child) return std::unexpected(fmt::format("can't be started: {}", child.error()));
   RobotProgramProcess out(std::move(*child), limits);
   out.patience_ = limits.start;
@@ -85,9 +100,14 @@ void RobotProgramProcess::fail(std::string why) {
   child_.end(0.0);
 }
 
-std::expected<wire::Description, std::string> describe(const std::string& executable,
-                                                       const Settings& settings, Limits limits) {
-  auto process = RobotProgramProcess::start(executable, limits);
+bool RobotProgramProcess::note_end() {
+  if (child_.has_ended()) fail(ChildProcess::Io::kEnded);
+  return has_failed();
+}
+
+std::expected<wire::Description, std::string> describe(const Launch& launch, const Settings& settings,
+                                                       Limits limits) {
+  auto process = RobotProgramProcess::start(launch, limits);
   if (!process) return std::unexpected(process.error());
   wire::ToRobot message;
   wire::Describe& describe = *message.mutable_describe();

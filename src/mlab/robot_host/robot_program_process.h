@@ -7,16 +7,32 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/cell/means.h"
+#include "mlab/cell/policy.h"
 #include "mlab/robot.pb.h"
 #include "mlab/robot_host/child_process.h"
+#include "mlab/robot_host/shared_memory.h"
 #include "mlab/robot_wire/framing.h"
 
 namespace mlab::robot_host {
 
-/// How long a robot program may take, by the clock on the wall [s].
+/// How long a robot program may take [s], by the clock on the wall where nothing else is said.
 struct Limits {
-  double start = 10.0;  ///< from its start to its Welcome
-  double answer = 5.0;  ///< to anything else
+  double start = 10.0;       ///< from its start to its Welcome
+  double answer = 5.0;       ///< to anything else
+  double cycle = 2.0;        ///< for one robot's cycle, of processor time
+  double cycle_wall = 10.0;  ///< the same for a program that sleeps
+};
+
+/// What a robot program may do: be loaded, compute, and use up 512 MB. Sanitizers reserve more than there is,
+/// so with them its memory has no limit.
+cell::Policy program_policy(const std::string& executable);
+
+/// An executable and the cell that it runs in.
+struct Launch {
+  std::string executable;
+  cell::Policy policy;
+  cell::Wall wall = cell::Wall::kLandlock;
 };
 
 /// Something that a person wants of a program: path of the port, value as written.
@@ -27,7 +43,9 @@ class RobotProgramProcess {
  public:
   /// Starts the executable and has it say Welcome.
   /// @errors  a sentence that says what it did instead
-  static std::expected<RobotProgramProcess, std::string> start(const std::string& executable, Limits limits);
+  /// @param shared  what it shares with the run; null: nothing
+  static std::expected<RobotProgramProcess, std::string> start(const Launch& launch, Limits limits,
+                                                               const SharedMemory* shared = nullptr);
 
   /// Sends without waiting for the answer, which has to be received before anything else is sent.
   void send(const wire::ToRobot& message);
@@ -39,6 +57,12 @@ class RobotProgramProcess {
     send(message);
     return receive(wanted);
   }
+
+  /// Processor time of all its threads so far [s].
+  double processor_time() const { return child_.processor_time(); }
+  /// Looks whether it has ended by itself, and reads what it has to say. True: it has, and has failed with
+  /// that.
+  bool note_end();
 
   /// Ends it because of something that its owner saw.
   void fail(std::string why);
@@ -63,7 +87,7 @@ class RobotProgramProcess {
 
 /// What an executable says of itself, with these settings.
 /// @errors  a sentence that says what it did instead
-std::expected<wire::Description, std::string> describe(const std::string& executable,
-                                                       const Settings& settings, Limits limits);
+std::expected<wire::Description, std::string> describe(const Launch& launch, const Settings& settings,
+                                                       Limits limits);
 
 }  // namespace mlab::robot_host

@@ -9,13 +9,15 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/robot_host/testing/without_cell.h"
+
 namespace mlab::robot_host {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Executables that are no robot programs, each in its own way.
-class RobotProgramProcessTest : public testing::Test {
+class RobotProgramProcessTest : public ::testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
@@ -27,12 +29,12 @@ class RobotProgramProcessTest : public testing::Test {
     return path.string();
   }
   static std::string failure_of(const std::string& executable, double patience = 5.0) {
-    const auto process = RobotProgramProcess::start(executable, {patience, patience});
+    const auto process = RobotProgramProcess::start(testing::without_cell(executable), {patience, patience});
     return process ? "none" : process.error();
   }
 
   fs::path folder_ =
-      fs::path(testing::TempDir()) / ("mlab_robot_program_process_test" + std::to_string(::getpid()));
+      fs::path(::testing::TempDir()) / ("mlab_robot_program_process_test" + std::to_string(::getpid()));
 };
 
 TEST_F(RobotProgramProcessTest, TellsWhyAProgramCannotBeStarted) {

@@ -71,6 +71,12 @@ const wire::FromRobot& Conversation::answer(std::string_view bytes) {
     case wire::ToRobot::kReadPorts:
       answer(message_.read_ports());
       break;
+    case wire::ToRobot::kShare:
+      answer(message_.share());
+      break;
+    case wire::ToRobot::kLoad:
+      refuse("this program has its procedures already");
+      break;
     case wire::ToRobot::BODY_NOT_SET:
       refuse("a message of a kind that this program does not know");
       break;
@@ -208,6 +214,16 @@ void Conversation::answer(const wire::ReadPorts& read) {
     for (const Port& port : ports) put(frame, port, *out.add_values());
   }
   for (std::string& state : program_->active_states(frame)) out.add_active_states(std::move(state));
+}
+
+void Conversation::answer(const wire::Share& share) {
+  auto files = accept_share(share);
+  if (!files) {
+    refuse(files.error());
+    return;
+  }
+  shared_.emplace(std::move(*files));
+  answer_.mutable_shared()->set_frame_layout(program_->layout_hash());
 }
 
 }  // namespace mlab::robot_process

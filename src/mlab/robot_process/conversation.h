@@ -11,12 +11,13 @@
 #include "mlab/flow/frame.h"
 #include "mlab/flow/program.h"
 #include "mlab/robot.pb.h"
+#include "mlab/robot_process/speaker.h"
 #include "mlab/robot_wire/percepts_wire.h"
 
 namespace mlab::robot_process {
 
 /// One side of the conversation between a run and a robot program: answers, and keeps the robots' values.
-class Conversation {
+class Conversation : public Speaker {
  public:
   /// @param version  of the missionlab that the executable was made with
   /// @param body     what the configuration says of the body, in SI units
@@ -25,7 +26,9 @@ class Conversation {
 
   /// The answer to one message, valid until the next call. Bytes that are no message, and messages that make
   /// no sense, are answered by a Problem and change nothing.
-  const wire::FromRobot& answer(std::string_view bytes);
+  const wire::FromRobot& answer(std::string_view bytes) override;
+  SharedFiles* shared() override { return shared_ ? &*shared_ : nullptr; }
+  const flow::Program& program() const override { return *program_; }
 
  private:
   struct Robot {
@@ -39,6 +42,7 @@ class Conversation {
   void answer(const wire::Cycle& cycle);
   void answer(const wire::Set& set);
   void answer(const wire::ReadPorts& read);
+  void answer(const wire::Share& share);
   void refuse(std::string why);
   Robot* find(std::uint32_t id);
   std::optional<std::string> check(const wire::Cycle& cycle);
@@ -48,6 +52,7 @@ class Conversation {
   std::string version_;
   std::map<std::string, double> body_;
   std::map<std::uint32_t, Robot> robots_;
+  std::optional<SharedFiles> shared_;
   wire::ToRobot message_;
   wire::FromRobot answer_;
   std::vector<std::unique_ptr<robot_wire::DecodedPercepts>> decoded_;  // of the cycle, by place in it

@@ -12,6 +12,7 @@
 #include <google/protobuf/stubs/logging.h>
 
 #include "mlab/flow/network.h"
+#include "mlab/robot_process/conversation.h"
 #include "mlab/robot_process/serve.h"
 
 namespace mlab::robot_process {

@@ -24,7 +24,7 @@ bool write_all(int out, std::string_view bytes) {
 
 }  // namespace
 
-int serve(Conversation& conversation, int in, int out) {
+int serve(Speaker& speaker, int in, int out) {
   robot_wire::FrameReader reader;
   std::string bytes;
   for (;;) {
@@ -35,8 +35,9 @@ int serve(Conversation& conversation, int in, int out) {
     reader.advance(static_cast<std::size_t>(count));
     while (const auto message = reader.next()) {
       bytes.clear();
-      robot_wire::append_framed(conversation.answer(*message), bytes);
+      robot_wire::append_framed(speaker.answer(*message), bytes);
       if (!write_all(out, bytes)) return 1;
+      if (SharedFiles* files = speaker.shared()) return serve_shared(*files, speaker.program(), in);
     }
     if (reader.is_nonsense()) return 1;
   }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/robot_process/conversation.h"
 #include "mlab/robot_process/testing/programs.h"
 #include "mlab/robot_wire/framing.h"
 

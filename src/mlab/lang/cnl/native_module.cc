@@ -1,6 +1,5 @@
 #include "mlab/lang/cnl/native_module.h"
 
-#include <dlfcn.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -87,7 +86,7 @@ class NativeBuild {
     return accepted;
   }
 
-  std::optional<NativeModule> load() {
+  std::optional<NativeModule> compiled() {
     NativeModule module;
     module.file = library_path();
     if (module.file.empty() || !fs::exists(module.file)) {
@@ -97,7 +96,7 @@ class NativeBuild {
     } else {
       report_compiler_messages(read_text(messages_of(module.file)), tree_, diagnostics_);
     }
-    return open(std::move(module));
+    return module;
   }
 
  private:
@@ -235,24 +234,6 @@ class NativeBuild {
     std::ofstream(dependencies, std::ios::binary) << text;
   }
 
-  std::optional<NativeModule> open(NativeModule module) {
-    const text::Place place{tree_.source, {0, 0}};
-    const auto refused = [&](const std::string& why) {
-      diagnostics_.error("cannot-load", place, fmt::format("cannot load the compiled procedures: {}", why));
-      return std::nullopt;
-    };
-    void* library = dlopen(module.file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (!library) return refused(dlerror());  // NOLINT(concurrency-mt-unsafe): it is thread-safe in glibc
-    const auto entry = reinterpret_cast<flow::ModuleEntry>(dlsym(library, flow::kModuleEntry));
-    if (!entry) return refused(fmt::format("`{}` has no `{}`", module.file, flow::kModuleEntry));
-    const flow::Module& content = *entry();
-    if (content.abi != flow::kModuleAbi || content.layout != flow::module_layout()) {
-      return refused("they were made with headers of another version");
-    }
-    module.behaviors.assign(content.behaviors, content.behaviors + content.behavior_count);
-    return module;
-  }
-
   const Tree& tree_;
   const NativeOptions& options_;
   text::Diagnostics& diagnostics_;
@@ -296,10 +277,10 @@ bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnost
   return !has_procedures(tree) || NativeBuild(tree, options, diagnostics).check();
 }
 
-std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options,
-                                        text::Diagnostics& diagnostics) {
+std::optional<NativeModule> compile_native(const Tree& tree, const NativeOptions& options,
+                                           text::Diagnostics& diagnostics) {
   if (!has_procedures(tree)) return NativeModule{};
-  return NativeBuild(tree, options, diagnostics).load();
+  return NativeBuild(tree, options, diagnostics).compiled();
 }
 
 }  // namespace mlab::cnl

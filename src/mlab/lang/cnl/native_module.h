@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "mlab/cell/means.h"
-#include "mlab/flow/behavior.h"
 #include "mlab/lang/cnl/compiler_process.h"
 #include "mlab/lang/cnl/tree.h"
 #include "mlab/text/diagnostic.h"
@@ -40,16 +39,15 @@ std::vector<text::SourcePtr> code_sources(const Tree& tree);
 bool check_native(const Tree& tree, const NativeOptions& options, text::Diagnostics& diagnostics);
 
 struct NativeModule {
-  std::vector<const flow::Behavior*> behaviors;  ///< live as long as the process
-  std::string file;                              ///< the shared library
-  bool was_compiled = false;                     ///< false: the cache had it
+  std::string file;           ///< the shared library; empty: the file has no procedures
+  bool was_compiled = false;  ///< false: the cache had it
 };
 
-/// Compiles the procedures of a file into a shared library, or takes it from the cache, and loads it. The
-/// host exports the symbols of `flow`, `percept` and `schema` (ENABLE_EXPORTS, whole archives).
+/// Compiles the procedures of a file into a shared library, or takes it from the cache. It is not loaded:
+/// only processes in a cell do that (flow/module_file.h).
 ///
-/// @errors  those of `check_native`; `cannot-write` for the cache; `cannot-load`
-std::optional<NativeModule> load_native(const Tree& tree, const NativeOptions& options,
-                                        text::Diagnostics& diagnostics);
+/// @errors  those of `check_native`; `cannot-write` for the cache
+std::optional<NativeModule> compile_native(const Tree& tree, const NativeOptions& options,
+                                           text::Diagnostics& diagnostics);
 
 }  // namespace mlab::cnl

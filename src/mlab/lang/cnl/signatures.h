@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <span>
@@ -24,6 +25,12 @@ class Signatures {
   Signatures& operator=(const Signatures&) = delete;
 
   std::span<const flow::Behavior* const> behaviors() const { return pointers_; }
+
+  /// What only the compiled code of a procedure knows: how large its state is [bytes], and whether its header
+  /// does anything. False: there is none of that name.
+  bool set_state(std::string_view procedure, std::uint32_t size, std::uint32_t alignment, bool has_header);
+  /// The same of a type that the file declares.
+  bool set_type(std::string_view type, std::uint32_t size, std::uint32_t alignment);
 
  private:
   /// Everything that one descriptor points at.

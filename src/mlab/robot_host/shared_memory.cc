@@ -1,0 +1,141 @@
+#include "mlab/robot_host/shared_memory.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace mlab::robot_host {
+namespace {
+
+using robot_wire::Control;
+using robot_wire::PlaceHeader;
+
+constexpr std::size_t kFirstPercepts = std::size_t{1} << 18;
+
+std::string system_reason() {
+  return std::generic_category().message(errno);
+}
+
+void close_file(int& file) {
+  if (file >= 0) ::close(file);
+  file = -1;
+}
+
+std::byte* map_file(int file, std::size_t size) {
+  void* at = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  return at == MAP_FAILED ? nullptr : static_cast<std::byte*>(at);
+}
+
+// A file in memory that nobody can make smaller under our hands.
+int memory_file(const char* name, std::size_t size) {
+  int file = memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  if (file < 0) return file;
+  if (ftruncate(file, static_cast<off_t>(size)) != 0 ||
+      fcntl(file, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
+    close_file(file);
+  return file;
+}
+
+}  // namespace
+
+std::expected<SharedMemory, std::string> SharedMemory::make(std::size_t frame_size) {
+  SharedMemory out;
+  out.frame_size_ = frame_size;
+  out.frames_size_ = robot_wire::kFirstPlace + robot_wire::place_size(frame_size);
+  out.percepts_size_ = kFirstPercepts;
+  const auto fail = [] { return std::unexpected(fmt::format("no memory to share: {}", system_reason())); };
+  out.frames_file_ = memory_file("mlab-frames", out.frames_size_);
+  out.percepts_file_ = memory_file("mlab-percepts", out.percepts_size_);
+  if (out.frames_file_ < 0 || out.percepts_file_ < 0) return fail();
+  out.percepts_for_reading_ =
+      open(fmt::format("/proc/self/fd/{}", out.percepts_file_).c_str(), O_RDONLY | O_CLOEXEC);
+  if (out.percepts_for_reading_ < 0) return fail();
+  out.frames_ = map_file(out.frames_file_, out.frames_size_);
+  out.percepts_ = map_file(out.percepts_file_, out.percepts_size_);
+  if (out.frames_ == nullptr || out.percepts_ == nullptr) return fail();
+  Control& control = *::new (out.frames_) Control;
+  control.frames_size = out.frames_size_;
+  control.percepts_size = out.percepts_size_;
+  return out;
+}
+
+SharedMemory::SharedMemory(SharedMemory&& other) noexcept
+    : frame_size_(other.frame_size_),
+      frames_file_(std::exchange(other.frames_file_, -1)),
+      percepts_file_(std::exchange(other.percepts_file_, -1)),
+      percepts_for_reading_(std::exchange(other.percepts_for_reading_, -1)),
+      frames_(std::exchange(other.frames_, nullptr)),
+      frames_size_(other.frames_size_),
+      percepts_(std::exchange(other.percepts_, nullptr)),
+      percepts_size_(other.percepts_size_),
+      next_(other.next_.load()),
+      overflow_(std::move(other.overflow_)) {}
+
+SharedMemory::~SharedMemory() {
+  if (frames_ != nullptr) munmap(frames_, frames_size_);
+  if (percepts_ != nullptr) munmap(percepts_, percepts_size_);
+  for (int* file : {&frames_file_, &percepts_file_, &percepts_for_reading_}) close_file(*file);
+}
+
+bool SharedMemory::grow(std::byte*& at, std::size_t& size, int file, std::size_t wanted) {
+  if (wanted <= size) return true;
+  wanted = std::bit_ceil(wanted);
+  if (ftruncate(file, static_cast<off_t>(wanted)) != 0) return false;
+  void* moved = mremap(at, size, wanted, MREMAP_MAYMOVE);
+  if (moved == MAP_FAILED) return false;
+  at = static_cast<std::byte*>(moved);
+  size = wanted;
+  return true;
+}
+
+bool SharedMemory::make_room(std::size_t places) {
+  const std::size_t wanted = robot_wire::kFirstPlace + places * robot_wire::place_size(frame_size_);
+  if (!grow(frames_, frames_size_, frames_file_, wanted)) return false;
+  control().frames_size = frames_size_;
+  return true;
+}
+
+PlaceHeader& SharedMemory::header(std::size_t place) {
+  return *reinterpret_cast<PlaceHeader*>(frames_ + robot_wire::kFirstPlace +
+                                         place * robot_wire::place_size(frame_size_));
+}
+
+void SharedMemory::clear_percepts() {
+  next_ = 0;
+  overflow_.clear();
+}
+
+std::uint64_t SharedMemory::add_percepts(const percept::Percepts& percepts) {
+  const std::size_t size = (robot_wire::percepts_size(percepts) + 63) / 64 * 64;
+  const std::uint64_t at = next_.fetch_add(size);
+  if (at + size <= percepts_size_) {
+    robot_wire::write_percepts(percepts, percepts_ + at);
+  } else {
+    std::vector<std::byte> bytes(size);
+    robot_wire::write_percepts(percepts, bytes.data());
+    const std::scoped_lock lock(overflow_mutex_);
+    overflow_.emplace(at, std::move(bytes));
+  }
+  return at;
+}
+
+bool SharedMemory::finish_percepts() {
+  if (overflow_.empty()) return true;
+  if (!grow(percepts_, percepts_size_, percepts_file_, next_)) return false;
+  control().percepts_size = percepts_size_;
+  for (const auto& [at, bytes] : overflow_) std::ranges::copy(bytes, percepts_ + at);
+  overflow_.clear();
+  return true;
+}
+
+}  // namespace mlab::robot_host
