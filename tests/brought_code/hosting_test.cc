@@ -190,17 +190,18 @@ TEST_P(RefusalTest, IsToldWhereTheMissionNamesTheProgram) {
 
 INSTANTIATE_TEST_SUITE_P(
     Hosting, RefusalTest,
-    ::testing::Values(Refusal{"MissingPart", "int nobody_defines_this();",
-                              "output.x = nobody_defines_this();", "nobody_defines_this"},
-                      Refusal{"ConstructorThatCrashes",
-                              "static const int kOdd = [] { volatile int* volatile p = nullptr; *p = 1; return 1; }();", "",
-                              "signal 11 (Segmentation fault)"},
-                      Refusal{"ConstructorThatEnds",
-                              "#include <cstdlib>\nstatic const int kOdd = [] { std::exit(0); return 1; }();",
-                              "", "ended with exit status 0"},
-                      Refusal{"ConstructorThatNeverEnds",
-                              "static const int kOdd = [] { for (;;) asm volatile(\"\"); return 1; }();", "",
-                              "gave no answer for 5 s"}),
+    ::testing::Values(
+        Refusal{"MissingPart", "int nobody_defines_this();", "output.x = nobody_defines_this();",
+                "nobody_defines_this"},
+        Refusal{"ConstructorThatCrashes",
+                "static const int kOdd = [] { volatile int* volatile p = nullptr; *p = 1; return 1; }();", "",
+                "signal 11 (Segmentation fault)"},
+        Refusal{"ConstructorThatEnds",
+                "#include <cstdlib>\nstatic const int kOdd = [] { std::exit(0); return 1; }();", "",
+                "ended with exit status 0"},
+        Refusal{"ConstructorThatNeverEnds",
+                "static const int kOdd = [] { for (;;) asm volatile(\"\"); return 1; }();", "",
+                "gave no answer for 5 s"}),
     [](const auto& one) { return one.param.name; });
 
 /// What goes wrong in robot 2 of three, after a while.

@@ -66,6 +66,10 @@ test("single step, single cycle, pause, resume, jump, rewind and restart do what
   await console.button("Rewind").click();
   await console.steps.locator("[aria-current=step]").filter({ hasText: "START" }).waitFor();
   await console.button("Restart").click();
+  await page
+    .getByRole("dialog", { name: "Restart the run?" })
+    .getByRole("button", { name: "Restart", exact: true })
+    .click();
   await console.reaches("Ready");
   await expect.poll(() => console.time()).toBe(0);
 });

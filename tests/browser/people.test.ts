@@ -5,7 +5,8 @@ import { begin, look } from "./begin.ts";
 const kSlowly = ["--speed", "0.1"];
 
 test("a reload in mid-mission comes back to the same view, and the run goes on", async () => {
-  const { console } = await begin({ mission: "demo_c", options: kSlowly });
+  // With room for panels at both sides and the drawer below.
+  const { console } = await begin({ mission: "demo_c", options: kSlowly, size: { width: 1600, height: 1000 } });
   const { page } = console;
   await console.main.click();
   await console.reaches("Running");

@@ -71,7 +71,8 @@ test("abort and restart ask once; after an abort no jump is offered", async () =
   await jump.waitFor();
   expect(await jump.getAttribute("aria-disabled")).toBe("true");
   await page.keyboard.press("Escape");
-  await console.button("Restart").click(); // it has ended: nothing is given up
+  // It has ended: nothing is given up.
+  await page.getByRole("toolbar", { name: "Run" }).getByRole("button", { name: "Restart", exact: true }).click();
   await console.reaches("Ready");
   expect(await console.time()).toBe(0);
   await console.main.filter({ hasText: "Execute" }).click();

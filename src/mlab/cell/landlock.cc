@@ -83,7 +83,7 @@ class Rules {
   int take() { return std::exchange(set_, -1); }
 
   // True, too, where there is no such file and none is needed.
-  bool allow(const std::string& path, std::uint64_t what, bool is_needed) {
+  bool allow(const std::string& path, std::uint64_t what, bool is_needed) const {
     const int file = open(path.c_str(), O_PATH | O_CLOEXEC);
     if (file < 0) return !is_needed && (errno == ENOENT || errno == ENOTDIR);
     struct stat state{};

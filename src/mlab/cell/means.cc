@@ -56,8 +56,8 @@ Means find_means() {
 }
 
 const Means& means() {
-  static const Means found = find_means();
-  return found;
+  static const Means kFound = find_means();
+  return kFound;
 }
 
 std::expected<Wall, std::string> choose_wall(const Means& means, bool without_cell) {

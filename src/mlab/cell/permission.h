@@ -41,7 +41,7 @@ class Permission {
   /// Nobody has decided: it refuses everything. For those who read texts and neither compile nor run
   /// anything.
   Permission() : wall_(std::unexpected("nobody has allowed it")) {}
-  static Permission decide(const Grounds& grounds, const Means& means) { return Permission(grounds, means); }
+  static Permission decide(const Grounds& grounds, const Means& means) { return {grounds, means}; }
 
   /// Robots are to move; else texts are only checked, and nothing of them is ever run.
   bool is_to_run() const { return grounds_.purpose == Grounds::Purpose::kRun; }

@@ -17,8 +17,9 @@ int add_library(dl_phdr_info* info, std::size_t, void* into) {
 int find_loader(dl_phdr_info* info, std::size_t, void* into) {
   for (int i = 0; i < info->dlpi_phnum; ++i) {
     if (info->dlpi_phdr[i].p_type != PT_INTERP) continue;
-    *static_cast<std::string*>(into) =
-        reinterpret_cast<const char*>(info->dlpi_addr + info->dlpi_phdr[i].p_vaddr);
+    // The system tells it as a number.
+    *static_cast<std::string*>(into) = reinterpret_cast<const char*>(  // NOLINT(performance-no-int-to-ptr)
+        info->dlpi_addr + info->dlpi_phdr[i].p_vaddr);
     return 1;
   }
   return 0;

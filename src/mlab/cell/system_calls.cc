@@ -83,7 +83,7 @@ class FilterWriter {
     const int file = failure_ == 0 ? memfd_create("filter", MFD_CLOEXEC) : -1;
     if (failure_ == 0 && file < 0) failure_ = errno;
     if (failure_ == 0) note(seccomp_export_bpf(filter_.get(), file));
-    const off_t size = failure_ == 0 ? lseek(file, 0, SEEK_END) : 0;
+    const off_t size = failure_ == 0 && file >= 0 ? lseek(file, 0, SEEK_END) : 0;
     std::vector<sock_filter> out(static_cast<std::size_t>(size) / sizeof(sock_filter));
     if (failure_ == 0 && pread(file, out.data(), static_cast<std::size_t>(size), 0) != size) failure_ = EIO;
     if (file >= 0) close(file);

@@ -75,8 +75,8 @@ void guard_output() {
   std::setvbuf(guarded, nullptr, ::isatty(STDOUT_FILENO) != 0 ? _IOLBF : _IOFBF, BUFSIZ);
   stdout = guarded;
   // Never destroyed: what is left in it is written when everything else has gone.
-  static auto* const buffer = new __gnu_cxx::stdio_sync_filebuf<char>(guarded);
-  std::cout.rdbuf(buffer);
+  static auto* const kBuffer = new __gnu_cxx::stdio_sync_filebuf<char>(guarded);
+  std::cout.rdbuf(kBuffer);
 }
 
 int output_status(int status) {

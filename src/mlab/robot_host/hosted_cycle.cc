@@ -131,10 +131,18 @@ void HostedCycle::begin_cycle() {
 void HostedCycle::ask() {
   asked_.clear();
   if (joined_.empty()) return;
-  if (!memory_) return fail_all(unasked_);
-  if (!memory_->make_room(joined_.size()) || !memory_->finish_percepts())
-    return fail_all("has no memory to share with its run");
-  if (const auto problem = ensure_process()) return fail_all(*problem);
+  std::optional<std::string> problem;
+  if (!memory_) {
+    problem = unasked_;
+  } else if (!memory_->make_room(joined_.size()) || !memory_->finish_percepts()) {
+    problem = "has no memory to share with its run";
+  } else {
+    problem = ensure_process();
+  }
+  if (problem) {
+    fail_all(*problem);
+    return;
+  }
   fill();
   begin_cycle();
 }
@@ -143,16 +151,23 @@ void HostedCycle::wait(const Meanwhile& meanwhile) {
   int without_place = 0;
   while (!asked_.empty()) {
     const std::optional<Failure> failure = await(meanwhile);
-    if (!failure) return take_results();
-    if (failure->place != Control::kNobody) {
-      blame(*failure);
-    } else if (++without_place == kMostPatienceWithoutPlace) {
-      return fail_all(failure->what);
+    if (!failure) {
+      take_results();
+      return;
     }
+    std::optional<std::string> problem;
+    if (failure->place != Control::kNobody)
+      blame(*failure);
+    else if (++without_place == kMostPatienceWithoutPlace)
+      problem = failure->what;
     // The others' cycle, from the frames that they had before it.
-    const bool is_anybody_left = std::ranges::any_of(joined_, &Joined::takes_part);
-    if (!is_anybody_left) return asked_.clear();
-    if (const auto problem = ensure_process()) return fail_all(*problem);
+    asked_.clear();
+    if (!std::ranges::any_of(joined_, &Joined::takes_part)) return;
+    if (!problem) problem = ensure_process();
+    if (problem) {
+      fail_all(*problem);
+      return;
+    }
     fill();
     begin_cycle();
   }

@@ -1,6 +1,7 @@
 #include "mlab/robot_process/traced_library.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -18,16 +19,18 @@ struct Traced {
 // Sorted by hash. A fire function carries no data of its own, so what it finds stands here.
 struct Trace {
   std::vector<Traced> nodes;
-  robot_wire::Control* control = nullptr;
+  robot_wire::Control* control = nullptr;  // never null
 };
 Trace& trace_of_process() {
-  static Trace trace;
+  static robot_wire::Control unshared;
+  static Trace trace{{}, &unshared};
   return trace;
 }
 
 void fire_traced(flow::Call& call) {
   const Trace& trace = trace_of_process();
   const auto found = std::ranges::lower_bound(trace.nodes, call.path_hash, {}, &Traced::path_hash);
+  assert(found != trace.nodes.end() && "fires only once `trace` was called");
   trace.control->node.store(found->node, std::memory_order_relaxed);
   found->fire(call);
   trace.control->node.store(robot_wire::Control::kNobody, std::memory_order_relaxed);

@@ -1,5 +1,6 @@
 #include "mlab/robot_runner/host.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -74,15 +75,14 @@ void Host::answer(const wire::Hello& hello) {
 }
 
 bool Host::open_libraries(const wire::Load& load) {
-  for (const std::string& file : load.libraries()) {
+  return std::ranges::all_of(load.libraries(), [this](const std::string& file) {
     const auto behaviors = flow::open_module(file);
-    if (!behaviors) {
+    if (behaviors)
+      brought_.add(*behaviors, library_);
+    else
       refuse(fmt::format("cannot load the compiled procedures: {}", behaviors.error()));
-      return false;
-    }
-    brought_.add(*behaviors, library_);
-  }
-  return true;
+    return behaviors.has_value();
+  });
 }
 
 void Host::answer(const wire::Load& load) {

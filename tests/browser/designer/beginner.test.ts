@@ -100,13 +100,13 @@ layout A {
   await expect.poll(() => designer.text.innerText()).toMatch(/layout Drift \{\s+MoveAhead 200 200;\s+Noise 200 40;/);
 });
 
-test("the window of a server that was started anew says what to do", async () => {
+test("the window of a server that was started anew with another token says what to do", async () => {
   const { designer, mlab, project } = await begin();
   await designer.newAssemblage("Wander");
   const port = new URL(mlab.url).port;
   const state = await mlab.kill();
   await designer.page.getByText(/Connection lost/).waitFor();
-  const again = await Mlab.edit(["--project", project.folder, "--port", port], state);
+  const again = await Mlab.edit(["--project", project.folder, "--port", port, "--new-token"], state);
   try {
     await designer.page.getByText(/Open the address that mlab has printed/).waitFor();
     const fresh = await look(again.url);

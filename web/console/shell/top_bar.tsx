@@ -145,7 +145,6 @@ export function StopButton() {
     <Button
       className={`estop ${stop.kind}`}
       aria-keyshortcuts="Control+."
-      aria-label={words === "" ? "EMERGENCY STOP" : `EMERGENCY STOP: ${words}`}
       onPress={() => void emergencyStop(session)}
       data-testid="emergency-stop"
       // Dialogs leave it reachable.
