@@ -53,9 +53,9 @@ test("a unit is sent to a place by mouse, with its formation, as the MDL that it
   await page.keyboard.press("o");
   await page.getByText(/For scouts: click the goal/).waitFor();
   // The heading of the formation by dragging from the goal.
-  await console.dragMap([300, 400], [380, 400]);
+  await console.dragMap([360, 330], [440, 330]);
   const order = page.getByRole("dialog", { name: "Command" });
-  await order.getByText(/^UNIT scouts MOVETO 300 400/).waitFor();
+  await order.getByText(/^UNIT scouts MOVETO 360 330/).waitFor();
   await order
     .getByText(/4 robots|robots 1/)
     .first()
