@@ -113,6 +113,7 @@ double looked_at(const std::vector<Item>& items, double reach) {
   return static_cast<double>(seen) / static_cast<double>(wanted);
 }
 
+// NOLINTBEGIN(bugprone-integer-division): places are counted
 TEST(PointGrid, RobotsInLineColumnOrBlockLookAtFewThatAreOutOfRange) {
   using Place = std::pair<double, double>;
   const auto in_units = [](std::uint32_t i, double apart, double between) {  // fours in column
@@ -143,6 +144,7 @@ TEST(PointGrid, RobotsInLineColumnOrBlockLookAtFewThatAreOutOfRange) {
     }
   }
 }
+// NOLINTEND(bugprone-integer-division)
 
 TEST(PointGrid, AllAtOnePlaceIsNoTrouble) {
   std::vector<Item> items;
