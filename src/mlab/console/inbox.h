@@ -20,7 +20,8 @@ class Inbox {
   /// What a task has to do with a cycle that is waited for, because some robot's own process computes it.
   enum class Kind {
     kAfterCycle,   ///< changes the run: when the cycle is over
-    kDuringCycle,  ///< leaves the run alone: at once
+    kDuringCycle,  ///< leaves the run alone: at once, unless something that was posted before it waits
+    kAtOnce,       ///< the same, and nothing that was posted before it makes a difference: an answer to a beat
     kEndsWait,     ///< a person has had enough: when the cycle is over, which is not waited for any longer
   };
 
@@ -52,8 +53,11 @@ class Inbox {
   std::vector<Task> take_for_cycle() {
     const std::scoped_lock lock(mutex_);
     std::vector<Task> out;
+    bool has_waiting = false;
     std::erase_if(tasks_, [&](Posted& one) {
-      if (one.kind != Kind::kDuringCycle) return false;
+      const bool goes = one.kind == Kind::kAtOnce || (one.kind == Kind::kDuringCycle && !has_waiting);
+      has_waiting = has_waiting || !goes;
+      if (!goes) return false;
       out.push_back(std::move(one.task));
       return true;
     });

@@ -38,8 +38,11 @@ constexpr double kPublishing = 0.05;  // [s]
 Inbox::Kind kind_of(const ToServer& message) {
   switch (message.body_case()) {
     case ToServer::kAcknowledge:
+    case ToServer::kBeat:
     case ToServer::kEmergencyStop:
+      return Inbox::Kind::kAtOnce;
     case ToServer::kSaveDocuments:
+    case ToServer::kReadSeries:
     case ToServer::kComplete:
     case ToServer::kCheck:
     case ToServer::kListFiles:
