@@ -52,25 +52,21 @@ const flow::TypeInfo* Signatures::type(const Word& name) {
   return find_type_(known ? known->name : std::string_view(name.text));
 }
 
-bool Signatures::set_state(std::string_view procedure, std::uint32_t size, std::uint32_t alignment,
+void Signatures::set_state(std::string_view procedure, std::uint32_t size, std::uint32_t alignment,
                            bool has_header) {
-  bool is_known = false;
   for (Parts& parts : parts_) {
     if (parts.behavior.name != procedure) continue;
     parts.behavior.state_size = size;
     parts.behavior.state_alignment = alignment;
     parts.behavior.has_header = has_header;
-    is_known = true;
   }
-  return is_known;
 }
 
-bool Signatures::set_type(std::string_view type, std::uint32_t size, std::uint32_t alignment) {
+void Signatures::set_type(std::string_view type, std::uint32_t size, std::uint32_t alignment) {
   const auto own = std::ranges::find(own_types_, type, &flow::TypeInfo::name);
-  if (own == own_types_.end()) return false;
+  if (own == own_types_.end()) return;
   own->size = size;
   own->alignment = alignment;
-  return true;
 }
 
 void Signatures::add(const Procedure& procedure) {

@@ -27,10 +27,10 @@ class Signatures {
   std::span<const flow::Behavior* const> behaviors() const { return pointers_; }
 
   /// What only the compiled code of a procedure knows: how large its state is [bytes], and whether its header
-  /// does anything. False: there is none of that name.
-  bool set_state(std::string_view procedure, std::uint32_t size, std::uint32_t alignment, bool has_header);
+  /// does anything. A name that there is not changes nothing.
+  void set_state(std::string_view procedure, std::uint32_t size, std::uint32_t alignment, bool has_header);
   /// The same of a type that the file declares.
-  bool set_type(std::string_view type, std::uint32_t size, std::uint32_t alignment);
+  void set_type(std::string_view type, std::uint32_t size, std::uint32_t alignment);
 
  private:
   /// Everything that one descriptor points at.
