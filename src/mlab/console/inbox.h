@@ -21,8 +21,8 @@ class Inbox {
   enum class Kind {
     kAfterCycle,   ///< changes the run: when the cycle is over
     kDuringCycle,  ///< leaves the run alone: at once, unless something that was posted before it waits
-    kAtOnce,       ///< the same, and nothing that was posted before it makes a difference: an answer to a beat
-    kEndsWait,     ///< a person has had enough: when the cycle is over, which is not waited for any longer
+    kAtOnce,    ///< the same, and nothing that was posted before it makes a difference: an answer to a beat
+    kEndsWait,  ///< a person has had enough: when the cycle is over, which is not waited for any longer
   };
 
   void post(Task task, Kind kind = Kind::kAfterCycle) {

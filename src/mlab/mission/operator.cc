@@ -24,12 +24,11 @@ void start_at(Turn& turn, std::size_t step) {
   State& s = turn.state;
   s.outcome = Outcome::kRunning;
   s.step = static_cast<std::uint32_t>(std::min(step, s.mission->steps.size()));
-  if (s.step == s.mission->steps.size()) {
+  if (s.step == s.mission->steps.size())
     end_plan(turn);
-    return;
-  }
-  begin_step(turn, s.step);
-  go_on(turn);
+  else
+    begin_step(turn, s.step);
+  go_on(turn);  // robots may have got done in a pause that this ends
 }
 
 bool moves_units(const std::vector<Command>& commands) {

@@ -67,6 +67,27 @@ TEST_F(Orders, AnOrderEndsOnlyTheCommandOfItsUnit) {
   EXPECT_TRUE(fleet_->has_told("step 1: unit a MOVETO A replaced: by `unit a MOVETO X`"));
 }
 
+TEST_F(Orders, WhatGotDoneInAPauseEndsWithExecuteAlsoWhereNoStepIsLeft) {
+  fleet_->send(event::Execute{});
+  ASSERT_TRUE(fleet_->run());
+  maker_.mission().steps.clear();
+  fleet_->send(event::Edited{maker_.make()});
+  order({move_to(a_, "X", {50, 100})});
+  fleet_->send(event::Pause{});
+  event::Cycle cycle{.time = fleet_->time() + 1.0, .robots = {}};
+  for (const std::uint32_t id : {1U, 2U}) {
+    RobotReport report = fleet_->robot(id).report;
+    report.sequence = fleet_->robot(id).order.order.sequence;
+    report.done = true;
+    cycle.robots.push_back(report);
+  }
+  fleet_->send(cycle);
+  EXPECT_EQ(outcome("unit a MOVETO X"), Outcome::kRunning) << "nothing ends in a pause";
+  fleet_->send(event::Execute{});
+  EXPECT_EQ(outcome("unit a MOVETO X"), Outcome::kDone);
+  EXPECT_EQ(state().mode, State::Mode::kIdle);
+}
+
 TEST_F(Orders, TheStepWaitsForWhatIsLeftOfItAndThePlanNeverTakesRobotsOutOfAnOrder) {
   start_and_reach(1);
   order({move_to(a_, "X", {50, 500})});

@@ -123,8 +123,8 @@ bool is_alignment(std::uint32_t value) {
   return value != 0 && value <= flow::Frame::kAlignment && (value & (value - 1)) == 0;
 }
 
-// What the process said of its code's sizes; it is not trusted to say anything sensible. What it leaves out shows
-// when the layouts are compared. False: nothing can have such sizes.
+// What the process said of its code's sizes; it is not trusted to say anything sensible. What it leaves out
+// shows when the layouts are compared. False: nothing can have such sizes.
 bool adopt(const wire::Loaded& loaded, DescribedLibrary& library) {
   for (const wire::CompiledType& type : loaded.types()) {
     if (type.size() == 0 || type.size() > kMostState || !is_alignment(type.alignment())) return false;
@@ -133,7 +133,8 @@ bool adopt(const wire::Loaded& loaded, DescribedLibrary& library) {
   for (const wire::CompiledBehavior& behavior : loaded.behaviors()) {
     if (behavior.state_size() > kMostState || !is_alignment(behavior.state_alignment())) return false;
     for (cnl::Signatures& one : library.signatures)
-      one.set_state(behavior.name(), behavior.state_size(), behavior.state_alignment(), behavior.has_header());
+      one.set_state(behavior.name(), behavior.state_size(), behavior.state_alignment(),
+                    behavior.has_header());
   }
   return true;
 }
