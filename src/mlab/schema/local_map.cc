@@ -14,8 +14,14 @@ constexpr int kCells = kSize * kSize;
 /// No world is larger, counted in cells: keeps the arithmetic of integers whole.
 constexpr double kFarthest = 1e15;
 
+/// As a whole number within the bounds; the lower one for what is not a number.
+template <class Integer>
+Integer whole(double value, double low, double high) {
+  return static_cast<Integer>(std::isnan(value) ? low : std::clamp(value, low, high));
+}
+
 std::int64_t index_of(double at, double cell) {
-  return static_cast<std::int64_t>(std::clamp(std::floor(at / cell), -kFarthest, kFarthest));
+  return whole<std::int64_t>(std::floor(at / cell), -kFarthest, kFarthest);
 }
 
 std::size_t index_in(int x, int y) {
@@ -64,7 +70,7 @@ void LocalMap::center(Point robot, double cell) {
 }
 
 void LocalMap::block(Point center, double radius, double cell) {
-  const auto clamped = [](double v) { return static_cast<int>(std::clamp(v, -1.0, kSize + 0.0)); };
+  const auto clamped = [](double v) { return whole<int>(v, -1.0, kSize); };
   const double left = center.x / cell - static_cast<double>(x0_);
   const double low = center.y / cell - static_cast<double>(y0_);
   const double reach = radius / cell;

@@ -1,5 +1,7 @@
 #include "mlab/schema/local_map.h"
 
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include <gtest/gtest.h>
@@ -64,6 +66,19 @@ TEST(LocalMap, TakesNumbersOfAnySize) {
   map.center({1e12, -1e12}, 0.01);
   map.block({1e12, -1e12}, 1e13, 0.01);
   EXPECT_EQ(map.first_stop({1e12, -1e12}, {-1e12, 0}, 0.01), (Point{1e12, -1e12}));
+}
+
+TEST(LocalMap, WhatIsNotANumberIsNowhere) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  LocalMap map;
+  map.center({0, 0}, kCell);
+  map.block({kNaN, 0}, 1.0, kCell);
+  map.block({1, 1}, kNaN, kCell);
+  map.block({kInfinity, 0}, 1.0, kCell);
+  for (double at = -7.0; at < 7.0; at += 0.5) EXPECT_FALSE(map.is_blocked({at, at}, kCell));
+  EXPECT_FALSE(map.is_blocked({kNaN, 0}, kCell));
+  EXPECT_TRUE(std::isnan(map.first_stop({0, 0}, {kNaN, 3}, kCell).x)) << "it comes out again";
 }
 
 }  // namespace
