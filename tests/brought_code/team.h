@@ -43,6 +43,18 @@ class Folder {
   fs::path path_;
 };
 
+/// A mission, `m.mdl`, in which so many robots drive by one network, in `mine.cnl`.
+inline void write_mission(const Folder& folder, const std::string& network, int robots) {
+  folder.write(
+      "map.odl",
+      "MISSION-AREA 1000 1000\nCONTROL MEASURES:\nAA Here 0 0 100 0 100 100 0 100\nPP There 900 50\n");
+  folder.write("mine.cnl", network);
+  std::string mission = "MISSION NAME Test\nOVERLAY map.odl\nNEW-ROBOT mine \"mine.cnl\"\nUNIT <u>";
+  for (int i = 0; i < robots; ++i) mission += " mine";
+  mission += "\nCOMMAND LIST:\n0. UNIT u START Here 0 10\n1. UNIT u MOVETO There\n";
+  folder.write("m.mdl", mission);
+}
+
 /// A run of robots that drive by one network.
 struct Team {
   text::Diagnostics sink;
@@ -52,14 +64,7 @@ struct Team {
   /// @param network  in CNL; has to bring what it uses and is not in the component library
   Team(const Folder& folder, const std::string& network, int robots, const cell::Permission& permission,
        int threads = 1) {
-    folder.write(
-        "map.odl",
-        "MISSION-AREA 1000 1000\nCONTROL MEASURES:\nAA Here 0 0 100 0 100 100 0 100\nPP There 900 50\n");
-    folder.write("mine.cnl", network);
-    std::string mission = "MISSION NAME Test\nOVERLAY map.odl\nNEW-ROBOT mine \"mine.cnl\"\nUNIT <u>";
-    for (int i = 0; i < robots; ++i) mission += " mine";
-    mission += "\nCOMMAND LIST:\n0. UNIT u START Here 0 10\n1. UNIT u MOVETO There\n";
-    folder.write("m.mdl", mission);
+    write_mission(folder, network, robots);
     const auto plan = mdl::load_mission(folder.path("m.mdl"), sink, {1, {}});
     if (!plan) return;
     fleet::RunSettings settings;

@@ -21,7 +21,7 @@ void bind(std::vector<std::string>& words, const char* how, const std::string& p
 }  // namespace
 
 std::vector<std::string> bubblewrap_words(const std::string& bwrap, const Policy& policy, int filter) {
-  std::vector<std::string> out = {bwrap, "--unshare-all", "--cap-drop", "ALL"};
+  std::vector<std::string> out = {bwrap, "--unshare-all", "--die-with-parent", "--cap-drop", "ALL"};
   for (const std::string& path : policy.readable) bind(out, "--ro-bind", path);
   for (const std::string& path : policy.executable) bind(out, "--ro-bind", path);
   for (const std::string& path : policy.writable) bind(out, "--bind", path);

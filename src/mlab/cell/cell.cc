@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -106,6 +107,13 @@ std::expected<Cell, std::string> Cell::prepare(const Program& program, const Pol
       return std::unexpected("no cell can be made: there is no bubblewrap that works");
     out.words_ = bubblewrap_words(bwrap, policy, out.filter_file_);
   }
+  if (policy.may_start_processes) {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+      return std::unexpected("no cell can be made: too many files are open");
+    out.lifeline_ = keep_above(ends[0]);
+    out.held_end_ = keep_above(ends[1]);
+  }
   out.words_.push_back(program.path);
   out.words_.insert(out.words_.end(), program.arguments.begin(), program.arguments.end());
   out.environment_ = program.environment;
@@ -125,6 +133,8 @@ Cell& Cell::operator=(Cell&& other) noexcept {
   std::swap(descriptors_, other.descriptors_);
   std::swap(rules_, other.rules_);
   std::swap(filter_file_, other.filter_file_);
+  std::swap(lifeline_, other.lifeline_);
+  std::swap(held_end_, other.held_end_);
   std::swap(filter_, other.filter_);
   words_.swap(other.words_);
   environment_.swap(other.environment_);
@@ -134,8 +144,9 @@ Cell& Cell::operator=(Cell&& other) noexcept {
 }
 
 Cell::~Cell() {
-  if (rules_ >= 0) close(rules_);
-  if (filter_file_ >= 0) close(filter_file_);
+  for (const int file : {rules_, filter_file_, lifeline_, held_end_}) {
+    if (file >= 0) close(file);
+  }
 }
 
 void Cell::set_limits() const noexcept {
@@ -159,6 +170,15 @@ int Cell::enter() noexcept {
   return filter_.enter();
 }
 
+// The other end is ours alone: when it closes, the kernel kills the group of whoever holds this one.
+int Cell::hold_lifeline() const noexcept {
+  if (held_end_ < 0 || getpgrp() != getpid()) return 0;
+  return fcntl(held_end_, F_SETOWN, -getpgrp()) == 0 && fcntl(held_end_, F_SETSIG, SIGKILL) == 0 &&
+                 fcntl(held_end_, F_SETFL, O_ASYNC) == 0 && fcntl(held_end_, F_SETFD, 0) == 0
+             ? 0
+             : errno;
+}
+
 int Cell::become() noexcept {
   // The parent may ignore or block signals; a program starts with what every program starts with.
   for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
@@ -167,6 +187,7 @@ int Cell::become() noexcept {
   pthread_sigmask(SIG_SETMASK, &none, nullptr);
   close_at_exec(descriptors_);
   if (wall_ == Wall::kBubblewrap && fcntl(filter_file_, F_SETFD, 0) != 0) return errno;
+  if (const int failure = hold_lifeline(); failure != 0) return failure;
   set_limits();
   if (wall_ == Wall::kLandlock) {
     if (const int failure = enter(); failure != 0) return failure;

@@ -23,15 +23,17 @@ struct Program {
 /// allocates nor locks.
 ///
 ///     auto room = Cell::prepare(program, policy_for(program.path), wall);
-///     const pid_t child = fork();
-///     if (child == 0) {
+///     const pid_t child = tied_fork([&] {
+///       setpgid(0, 0);
 ///       ... dup2 of its descriptors ...
 ///       report(room->become());  // only comes back where it failed
-///       _exit(127);
-///     }
+///     });
 ///
 /// Under kBubblewrap the child is `bwrap`, which waits for the program in a process of its own: end the
 /// group, not the child alone, and read its end with `ending_of`.
+///
+/// A program that may start processes is killed with its whole group once the cell is no more, or this
+/// process: what it started is tied to nobody otherwise. It keeps a descriptor for that.
 class Cell {
  public:
   /// @errors  a sentence for a person
@@ -53,6 +55,7 @@ class Cell {
  private:
   Cell() = default;
   int enter() noexcept;
+  int hold_lifeline() const noexcept;
   void set_limits() const noexcept;
 
   Wall wall_ = Wall::kNone;
@@ -60,6 +63,8 @@ class Cell {
   int descriptors_ = 3;
   int rules_ = -1;        // kLandlock
   int filter_file_ = -1;  // kBubblewrap: the filter as it reads it
+  int lifeline_ = -1;     // of a program that may start processes: our end, and
+  int held_end_ = -1;     // the one that it holds with all that it starts
   CallFilter filter_;
   std::vector<std::string> words_;
   std::vector<std::string> environment_;

@@ -1,9 +1,6 @@
 #include "mlab/cell/cell.h"
 
 #include <fcntl.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <seccomp.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -25,11 +22,14 @@
 #include <gtest/gtest.h>
 
 #include "mlab/cell/landlock.h"
+#include "mlab/cell/testing/poorer_kernel.h"
 
 namespace mlab::cell {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::have_no_landlock;
+using testing::have_no_namespaces;
 
 constexpr uid_t kNobody = 65534;
 constexpr int kRefused = 10;  // what cell_attack says
@@ -192,24 +192,6 @@ class CellTest : public ::testing::Test {
   int listening_ = -1;
   int shared_ = -1;
 };
-
-// A kernel without these calls, or one that refuses them, for this process and its children.
-void refuse(std::initializer_list<int> calls, int why) {
-  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
-  for (const int call : calls)
-    seccomp_rule_add(filter, SCMP_ACT_ERRNO(static_cast<std::uint32_t>(why)), call, 0);
-  seccomp_load(filter);
-  seccomp_release(filter);
-}
-
-void have_no_landlock() {
-  refuse({444, 445, 446}, ENOSYS);
-}
-
-void have_no_namespaces() {
-  refuse({SCMP_SYS(unshare), SCMP_SYS(setns), SCMP_SYS(mount), SCMP_SYS(pivot_root)}, EPERM);
-}
 
 bool is_root() {
   return getuid() == 0;

@@ -41,8 +41,8 @@ std::string find_bubblewrap() {
   for (const char* path : {"/usr/bin/bwrap", "/bin/bwrap", "/usr/local/bin/bwrap"}) {
     if (access(path, X_OK) != 0) continue;
     // In containers it is often there and may not do its work.
-    if (succeeds({path, "--unshare-all", "--cap-drop", "ALL", "--ro-bind", "/", "/", "--remount-ro", "/",
-                  "--", path, "--version"}))
+    if (succeeds({path, "--unshare-all", "--die-with-parent", "--cap-drop", "ALL", "--ro-bind", "/", "/",
+                  "--remount-ro", "/", "--", path, "--version"}))
       return path;
   }
   return "";

@@ -19,6 +19,7 @@
 #include <fmt/core.h>
 
 #include "mlab/cell/cell.h"
+#include "mlab/cell/tied_fork.h"
 
 namespace mlab::robot_host {
 namespace {
@@ -44,7 +45,7 @@ struct Ends {
 };
 
 // In the child, between fork and exec: nothing here may allocate or lock.
-[[noreturn]] void become(cell::Cell& room, const Ends& ends) {
+void become(cell::Cell& room, const Ends& ends) {
   setpgid(0, 0);
   const int report = fcntl(ends.report, F_DUPFD_CLOEXEC, kFree);
   std::array<int, 3 + kMostFiles> from = {ends.in, ends.out, ends.err, ends.files[0], ends.files[1]};
@@ -52,7 +53,6 @@ struct Ends {
   for (std::size_t i = 0; i < 3 + ends.file_count; ++i) dup2(from[i], static_cast<int>(i));
   const int failure = room.become();
   if (::write(report, &failure, sizeof failure) < 0) _exit(126);
-  _exit(127);
 }
 
 // Nothing of this process's own environment: it may hold what strangers' code has no business to know.
@@ -120,8 +120,7 @@ std::expected<ChildProcess, std::string> ChildProcess::start(const std::string& 
   if (pipe2(report, O_CLOEXEC) != 0) return fail(errno, {child_in, from[1], err[1]});
   Ends ends{child_in, from[1], err[1], report[1], {}, files.size()};
   std::ranges::copy(files, ends.files.begin());
-  const pid_t child = fork();
-  if (child == 0) become(*room, ends);
+  const pid_t child = cell::tied_fork([&] { become(*room, ends); });
   const int fork_error = errno;
   for (int end : {child_in, from[1], err[1], report[1]}) close_end(end);
   if (child < 0) return fail(fork_error, {report[0]});

@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 /// An executable that runs in a cell, without a shell, in a process group of its own. It ends with this
 /// object: its standard input is closed, and where that does not move it, it is killed with all that it
-/// started.
+/// started. Where this process ends before it, it is killed as well, whatever it is doing.
 class ChildProcess {
  public:
   /// @param files  descriptors that it gets as 3, 4, ...; at most two

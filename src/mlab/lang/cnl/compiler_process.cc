@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +15,7 @@
 #include <system_error>
 
 #include "mlab/cell/cell.h"
+#include "mlab/cell/tied_fork.h"
 
 namespace mlab::cnl {
 namespace {
@@ -31,16 +31,14 @@ std::vector<std::string> plain_environment(const std::string& own) {
 }
 
 // In the child, between fork and exec: nothing here may allocate or lock.
-[[noreturn]] void become(cell::Cell& cell, int out, int report) {
+void become(cell::Cell& cell, int out, int report) {
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing >= 0) dup2(nothing, 0);
   dup2(out, 1);
   dup2(out, 2);
   const int failure = cell.become();
   if (write(report, &failure, sizeof failure) < 0) _exit(126);
-  _exit(127);
 }
 
 struct Pipe {
@@ -130,9 +128,8 @@ ProcessResult run_process(const std::vector<std::string>& words, const CompilerR
   Pipe output;
   Pipe report;  // tells why exec failed; closed by exec itself
   if (!output.open() || !report.open()) return failed(errno);
-  const pid_t child = fork();
+  const pid_t child = cell::tied_fork([&] { become(*cell, output.write_end, report.write_end); });
   if (child < 0) return failed(errno);
-  if (child == 0) become(*cell, output.write_end, report.write_end);
   setpgid(child, child);  // in both processes: whoever comes first
   Pipe::close_end(output.write_end);
   Pipe::close_end(report.write_end);

@@ -43,8 +43,8 @@ struct CompilerRoom {
 /// Runs a compiler or linker in its room, without a shell, and waits for it. It gets no input, an environment
 /// of its own (`LC_ALL=C`, PATH, and TMPDIR, which is its folder), and a process group of its own, which is
 /// ended as a whole where it takes too long or is to end: asked first, so that it can take its own files
-/// away, and killed a second later. It is asked to end where this process ends before it; what it has started
-/// itself goes on then until it is done.
+/// away, and killed a second later. Where this process ends before it, it is killed with all that it has
+/// started.
 ///
 /// @param words  the program, looked for in PATH where it has no slash, and its arguments
 ProcessResult run_process(const std::vector<std::string>& words, const CompilerRoom& room,
