@@ -349,6 +349,58 @@ TEST_F(Command, ExecutesWhatAMissionNamesOnlyWhereThatIsAllowed) {
   EXPECT_TRUE(fs::exists(folder_ / "executed")) << "the twin: it would have";
 }
 
+TEST_F(Command, WhatCodeOfAMissionMayUseUpIsSaidByOptions) {
+  write("map.odl", kMap);
+  write("greedy.cnl", R"(init
+#include <chrono>
+#include <ctime>
+#include <thread>
+#include <vector>
+iend
+procedure Vector Greedy with
+  double what;
+header
+  bool is_first = true;
+body
+  if (is_first && what == 1.0) { std::vector<char> room(std::size_t{200} << 20, 'x'); output.x = room.back(); }
+  if (is_first && what == 2.0) while (std::clock() < CLOCKS_PER_SEC) output.x += 1.0;
+  if (is_first && what == 3.0) std::this_thread::sleep_for(std::chrono::seconds(1));
+  is_first = false;
+  output = {1.0, 0.0, 0.0};
+pend
+parameter double what = 0;
+node greedy is Greedy with what = what; nend
+node wheels is Drive with v = greedy; nend
+)");
+  struct Case {
+    int what;
+    std::string too_little;
+    std::string enough;
+    std::string told;
+  };
+  for (const Case& one :
+       {Case{1, "--cell-memory 150", "--cell-memory 300", "needed more than 150 MB of memory"},
+        Case{2, "--cell-time 0.3", "--cell-time 1.5",
+             "did not come to an end within 0.3 s of processor time"},
+        Case{3, "--cell-wait 0.3", "--cell-wait 5", "gave no answer for 0.3 s"}}) {
+    write("m.mdl", "OVERLAY map.odl\nNEW-ROBOT g \"greedy.cnl\" (what = " + std::to_string(one.what) +
+                       ")\nUNIT <u> g\nCOMMAND LIST:\n0. UNIT u START Here\n");
+    const Outcome refused = mlab("run m.mdl --headless --proceed --for 2 " + one.too_little);
+    EXPECT_EQ(refused.status, 1) << refused.out << refused.err;
+    EXPECT_TRUE(has(refused.out + refused.err, one.told)) << refused.out << refused.err;
+    const Outcome let = mlab("run m.mdl --headless --proceed --for 2 " + one.enough);
+    EXPECT_EQ(let.status, 0) << let.out << let.err;
+  }
+  for (const char* option : {"--cell-memory 0", "--cell-memory x", "--cell-time 0", "--cell-time nan",
+                             "--cell-wait -1", "--cell-wait 1e99"}) {
+    for (const char* command : {"run m.mdl --headless ", "edit "}) {
+      const Outcome o = mlab(std::string(command) + option);
+      EXPECT_EQ(o.status, 2) << command << option;
+      EXPECT_TRUE(has(o.err, std::string(option).substr(0, std::string(option).find(' ')))) << o.err;
+    }
+  }
+}
+
 TEST_F(Command, HasNoWayToLoadCode) {
   const auto loads = [](const std::string& program) {
     const std::string command = "nm -D '" + program + "' | grep -qw dlopen";

@@ -93,7 +93,7 @@ class RobotProgramsTest : public testing::Test {
                                   : allow_native ? cell::testing::all_permitted()
                                                  : cell::testing::code_permitted(),
                                   shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
-    sources.native_patience = 1.0;
+    sources.limits.cycle_wall = 1.0;
     auto run = fleet::MissionRun::create(mission, sources, settings, sink_);
     if (run) {
       run->set_observer([this](const mission::Effect& effect) {

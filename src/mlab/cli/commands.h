@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "mlab/robot_host/limits.h"
+
 namespace mlab::cli {
 
 /// Exit status of the command: done as asked; it ran, but the mission failed or a check found a problem in
@@ -21,7 +23,8 @@ struct RunOptions {
   bool quiet = false;
   bool allow_native = false;
   bool no_cell = false;
-  std::string speed;  ///< `real`, `max` or a number; empty: the default of the surface
+  robot_host::Limits limits;  ///< of robots with code of their own
+  std::string speed;          ///< `real`, `max` or a number; empty: the default of the surface
   std::uint64_t seed = 1;
   int threads = 1;
   std::string report;              ///< file; empty: none

@@ -241,6 +241,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.version = kVersion;
   out.include_root = program_sources("", {}).include_root;
   out.state_folder = state_folder();
+  out.limits = options.limits;
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
   return out;
@@ -256,6 +257,7 @@ designer::DesignerSettings designer_settings(const RunOptions& options,
   out.include_root = settings.include_root;
   out.state_folder = settings.state_folder;
   out.permission = settings.permission;
+  out.limits = settings.limits;
   return out;
 }
 

@@ -46,9 +46,28 @@ int hardware_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void add_no_cell(CLI::App* c, RunOptions& o) {
+// What is said of code that files bring.
+void add_cell(CLI::App* c, RunOptions& o) {
   c->add_flag("--no-cell", o.no_cell,
               "let code that files bring do all that you may do: for machines that can't make cells");
+  c->add_option_function<std::uint32_t>(
+       "--cell-memory",
+       [&o](const std::uint32_t& megabytes) { o.limits.memory = std::uint64_t{megabytes} << 20; },
+       "megabytes that a process with robots of such code may use")
+      ->default_str(std::to_string(o.limits.memory >> 20))
+      ->check(CLI::Range(64U, 1U << 24))
+      ->type_name("MB");
+  c->add_option("--cell-time", o.limits.cycle, "processor time that such a robot may take for a cycle")
+      ->capture_default_str()
+      ->check(refuse_unless_positive)
+      ->check(CLI::Range(0.01, 86'400.0))
+      ->type_name("SECONDS");
+  c->add_option("--cell-wait", o.limits.cycle_wall,
+                "time on the clock after which one that sleeps, or an executable, is not waited for any more")
+      ->capture_default_str()
+      ->check(refuse_unless_positive)
+      ->check(CLI::Range(0.01, 86'400.0))
+      ->type_name("SECONDS");
 }
 
 void add_run(CLI::App& app, RunOptions& o) {
@@ -98,7 +117,7 @@ void add_run(CLI::App& app, RunOptions& o) {
       "--allow-native", o.allow_native,
       "run executables that the mission names as robot programs (mlab build makes them), and let people on\n"
       "other machines bring code of their own; both in cells (docs/security.md)");
-  add_no_cell(c, o);
+  add_cell(c, o);
 }
 
 void add_console(CLI::App* c, RunOptions& o, const std::string& group) {
@@ -139,7 +158,7 @@ void add_edit(CLI::App& app, RunOptions& o) {
       "examples and the component library.");
   c->add_option("file", o.configuration, "the configuration")->type_name("FILE.cdl");
   c->add_flag("--allow-native", o.allow_native, "let people on other machines bring code of their own");
-  add_no_cell(c, o);
+  add_cell(c, o);
   add_console(c, o, "Where and how");
 }
 

@@ -88,6 +88,7 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
     const std::string folder = std::filesystem::path(options.mission).parent_path().string();
     robot::ProgramSources sources =
         program_sources(folder, permission_to_run(options, cell::Grounds::People::kHere, folder));
+    sources.limits = options.limits;
     sources.project = !options.project.empty() ? options.project : folder.empty() ? "." : folder;
     if (!options.environment.empty()) {
       const text::Result<text::SourcePtr> source = read_input(options.environment);

@@ -10,6 +10,7 @@
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
 #include "mlab/fleet/mission_run.h"
+#include "mlab/robot_host/limits.h"
 
 namespace mlab::console {
 
@@ -18,6 +19,7 @@ class ToServer;
 /// What a session is started with.
 struct SessionSettings {
   cell::Permission permission;               ///< whether code that files bring may be compiled, and run
+  robot_host::Limits limits;                 ///< of its programs
   std::string project_folder;                ///< nothing outside of it (but the examples) is read or written
   std::string example_folder;                ///< missions that come with mlab, read only; empty: none
   std::vector<std::string> overlay_folders;  ///< as mdl::LoadOptions

@@ -35,6 +35,7 @@ robot::ProgramSources Session::Parts::program_sources() const {
                                settings_.version, documents_.is_trial() ? trial_files_.get() : nullptr};
   // What is tried reads through the project by itself.
   if (out.files == nullptr) out.project = root_of(documents_.mission_folder(), settings_);
+  out.limits = settings_.limits;
   out.ends = jobs_end_.get_token();
   return out;
 }

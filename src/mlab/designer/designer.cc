@@ -20,6 +20,7 @@ robot::ProgramSources programs(const DesignerSettings& settings) {
   out.permission = settings.permission;
   out.include_root = settings.include_root;
   out.version = settings.version;
+  out.limits = settings.limits;
   return out;
 }
 

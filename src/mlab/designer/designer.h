@@ -8,6 +8,7 @@
 #include "mlab/cell/permission.h"
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
+#include "mlab/robot_host/limits.h"
 
 namespace mlab::designer {
 
@@ -30,6 +31,7 @@ struct DesignerSettings {
   std::function<void(console::RunLook look)> look_at_run;
   /// Whether the C++ of procedures that a configuration uses may be compiled, and run.
   cell::Permission permission;
+  robot_host::Limits limits;  ///< of its programs
 };
 
 /// Open configurations, and the people who draw them. Has a thread of its own, on which everything happens;

@@ -279,6 +279,7 @@ text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what
   sources.folder = std::filesystem::path(what.completed.source->name()).parent_path().string();
   sources.include_root = settings_.include_root;
   sources.version = settings_.version;
+  sources.limits = settings_.limits;
   sources.ends = jobs_end_.get_token();
   const auto& procedures = what.model->configuration().procedures;
   auto library = robot::describe_library(procedures);
@@ -325,6 +326,7 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
       std::make_shared<const text::Source>(name, trial_mission(single, file, *field)), folder, sink, options);
   robot::ProgramSources sources = {settings_.permission, folder, settings_.include_root, settings_.version,
                                    trial.files.get()};
+  sources.limits = settings_.limits;
   sources.ends = jobs_end_.get_token();
   const auto crew = mission == nullptr ? nullptr : fleet::make_crew(mission, sources, sink);
   if (!crew) return not_known(sink.items().empty() ? "it can't run" : sink.items().front().message);

@@ -195,9 +195,9 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
   if (!hosted.load) return std::nullopt;
   hosted.launch.executable = runner_path();
   if (hosted.launch.executable.empty()) return refuse("`mlab-robots` is not beside this program");
-  hosted.launch.policy = robot_host::program_policy(hosted.launch.executable);
+  hosted.limits = sources.limits;
+  hosted.launch.policy = robot_host::program_policy(hosted.launch.executable, hosted.limits);
   for (const std::string& file : hosted.load->libraries()) hosted.launch.policy.readable.push_back(file);
-  hosted.limits.answer = sources.native_patience;
   const auto started = robot_host::start_hosted(hosted, nullptr);
   if (!started) return refuse(fmt::format("the process that loads them {}", started.error()));
   if (!adopt(started->loaded, *library))

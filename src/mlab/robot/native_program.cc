@@ -23,8 +23,8 @@ fs::path path_of(const std::string& name, const ProgramSources& sources) {
 
 // An executable may be anybody's, in any language: it gets the libraries of the system beside itself, and a
 // script the programs that read scripts.
-cell::Policy policy_of(const std::string& executable) {
-  cell::Policy out = robot_host::program_policy(executable);
+cell::Policy policy_of(const std::string& executable, const robot_host::Limits& limits) {
+  cell::Policy out = robot_host::program_policy(executable, limits);
   for (const char* folder : {"/usr/lib", "/usr/local/lib", "/lib", "/lib64"})
     out.readable.emplace_back(folder);
   std::string begin(2, '\0');
@@ -85,9 +85,10 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
                                                 text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
   auto native = std::make_shared<NativeProgram>();
-  native->limits.answer = sources.native_patience;
+  native->limits = sources.limits;
+  native->limits.answer = sources.limits.cycle_wall;
   native->executable = path_of(robot.name, sources).string();
-  native->launch = {native->executable, policy_of(native->executable), wall};
+  native->launch = {native->executable, policy_of(native->executable, native->limits), wall};
   std::vector<Setting> asked;
   for (const Setting& setting : settings) {
     if (std::ranges::find(known_keys, setting.key) != known_keys.end()) continue;

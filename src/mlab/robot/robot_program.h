@@ -13,6 +13,7 @@
 #include "mlab/flow/frame.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
+#include "mlab/robot_host/limits.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/files.h"
 
@@ -73,10 +74,9 @@ struct ProgramSources {
   std::string version = {};            ///< of this program: code compiled for another one is not used again
   const text::Files* files = nullptr;  ///< how configurations and networks are read; null: from disk
   bool checks_code = true;             ///< a check gives C++ of procedures to the compiler
-  double native_patience =
-      5.0;                    ///< how long one of those may take for an answer, by the clock on the wall [s]
-  std::string project = {};   ///< folder that programs, and what they use, come from; empty: any
-  std::stop_token ends = {};  ///< stops a C++ compiler that is at work: nobody waits for it any more
+  robot_host::Limits limits = {};      ///< of programs that run in processes of their own
+  std::string project = {};            ///< folder that programs, and what they use, come from; empty: any
+  std::stop_token ends = {};           ///< stops a C++ compiler that is at work: nobody waits for it any more
 };
 
 /// Finds and builds the program of a robot type and sets its parameters.

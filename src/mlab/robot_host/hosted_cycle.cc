@@ -25,7 +25,7 @@ constexpr int kLooks = 4000;
 constexpr int kYieldEvery = 400;              // the program may need this processor
 constexpr timespec kNap{0, 2'000'000};        // between two looks at how the program is
 constexpr double kAsleep = 0.02;              // a program that takes less of the time sleeps
-constexpr double kLongest = 300.0;            // [s] on the wall, for one that a busy machine lets hardly run
+constexpr double kSlowest = 150.0;            // times its processor time, on a busy machine
 constexpr int kMostPatienceWithoutPlace = 3;  // processes that may end while nobody's program runs
 
 void pause_processor() {
@@ -208,7 +208,8 @@ std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhil
     if (computed > program_->limits.cycle)
       process_->fail(
           fmt::format("did not come to an end within {} s of processor time", program_->limits.cycle));
-    else if (waited > program_->limits.cycle_wall && (computed < kAsleep * waited || waited > kLongest))
+    else if (waited > program_->limits.cycle_wall &&
+             (computed < kAsleep * waited || waited > kSlowest * program_->limits.cycle))
       process_->fail(fmt::format("gave no answer for {} s", program_->limits.cycle_wall));
     if (process_->has_failed()) return failure_of(process_->failure());
   }

@@ -12,8 +12,9 @@ constexpr double kEndPatience = 0.5;
 
 }  // namespace
 
-cell::Policy program_policy(const std::string& executable) {
+cell::Policy program_policy(const std::string& executable, const Limits& limits) {
   cell::Policy out = cell::policy_for(executable);
+  out.memory = limits.memory;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   out.memory = 0;
 #elif defined(__has_feature)

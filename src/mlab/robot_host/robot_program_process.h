@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <expected>
 #include <optional>
 #include <string>
@@ -11,22 +10,15 @@
 #include "mlab/cell/policy.h"
 #include "mlab/robot.pb.h"
 #include "mlab/robot_host/child_process.h"
+#include "mlab/robot_host/limits.h"
 #include "mlab/robot_host/shared_memory.h"
 #include "mlab/robot_wire/framing.h"
 
 namespace mlab::robot_host {
 
-/// How long a robot program may take [s], by the clock on the wall where nothing else is said.
-struct Limits {
-  double start = 10.0;       ///< from its start to its Welcome
-  double answer = 5.0;       ///< to anything else
-  double cycle = 2.0;        ///< for one robot's cycle, of processor time
-  double cycle_wall = 10.0;  ///< the same for a program that sleeps
-};
-
-/// What a robot program may do: be loaded, compute, and use up 512 MB. Sanitizers reserve more than there is,
+/// What a robot program may do: be loaded, and compute in its memory. Sanitizers reserve more than there is,
 /// so with them its memory has no limit.
-cell::Policy program_policy(const std::string& executable);
+cell::Policy program_policy(const std::string& executable, const Limits& limits);
 
 /// An executable and the cell that it runs in.
 struct Launch {
