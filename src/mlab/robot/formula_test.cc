@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/base/hash.h"
+#include "mlab/base/processor_time.h"
 #include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cdl/print.h"
 #include "mlab/lang/cdl/testing/any_sentence.h"
@@ -60,6 +61,7 @@ void expect_to_run(const text::SourcePtr& source, const cdl::Configuration& conf
 }
 
 TEST(FormulaWithTheLibrary, ReadsAndWritesAThousandSentences) {
+  constexpr int kSentences = base::kIsSlowBuild ? 100 : 1000;
   const char* given = std::getenv("MLAB_SEED");
   const std::uint64_t seed = given == nullptr ? std::random_device{}() : std::strtoull(given, nullptr, 10);
   std::printf("seed %llu (MLAB_SEED=%llu repeats it)\n", static_cast<unsigned long long>(seed),
@@ -69,7 +71,7 @@ TEST(FormulaWithTheLibrary, ReadsAndWritesAThousandSentences) {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
     return low + static_cast<int>((state >> 33U) % static_cast<std::uint64_t>(end - low));
   };
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < kSentences; ++i) {
     const std::string sentence = print(cdl::testing::AnySentence(pick).society(2)) + "\n";
     const text::SourcePtr source = text_of("any.formula", sentence);
     cdl::Configuration read;
