@@ -43,7 +43,8 @@ class CellTest : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::canonical(fs::path(::testing::TempDir())) / ("mlab_cell_" + std::string(test->name()));
+    folder_ = fs::canonical(fs::path(::testing::TempDir())) /
+              ("mlab_cell_" + std::to_string(getpid()) + "_" + test->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     for (const char* name : {"secret", "gone", "moved", "cut"}) std::ofstream(folder_ / name) << "secret\n";
