@@ -1,5 +1,6 @@
 import { ReactFlowProvider } from "@xyflow/react";
 import { lazy, type ReactNode, Suspense, useEffect } from "react";
+import { count } from "../console/format.ts";
 import { IconButton } from "../console/ui/controls.tsx";
 import { isStale, Silence } from "../console/ui/silence.tsx";
 import { Commands, ShortcutSheet } from "./actions/dialogs.tsx";
@@ -236,12 +237,8 @@ function Strip() {
 
 /** How much stands on the page. */
 function countOf({ kind, nodes, states, transitions }: Drawing): string {
-  if (kind !== Drawing_Kind.STATES) return counted(nodes.length, "node");
-  return `${counted(states.length, "state")}, ${counted(transitions.length, "transition")}`;
-}
-
-function counted(number: number, what: string): string {
-  return `${number} ${what}${number === 1 ? "" : "s"}`;
+  if (kind !== Drawing_Kind.STATES) return count(nodes.length, "node");
+  return `${count(states.length, "state")}, ${count(transitions.length, "transition")}`;
 }
 
 /** Comments and frames are not called anything, and transitions by what they join. */

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/base/counted.h"
 #include "mlab/cli/bench_networks.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
@@ -72,9 +73,9 @@ nlohmann::ordered_json json_of(const BenchOptions& options, std::size_t robots, 
 
 void print_result(const BenchOptions& options, std::size_t robots, const sim::BenchResult& r) {
   const auto share = [&](double part) { return r.seconds > 0.0 ? 100.0 * part / r.seconds : 0.0; };
-  fmt::print("{} robots, {} control, {} thread{}, {} cycles of 0.1 s, rays of {} m, seed {}\n\n", robots,
-             options.control, options.threads, options.threads == 1 ? "" : "s", r.cycles, options.range,
-             options.seed);
+  fmt::print("{}, {} control, {}, {} of 0.1 s, rays of {} m, seed {}\n\n", base::counted(robots, "robot"),
+             options.control, base::counted(options.threads, "thread"), base::counted(r.cycles, "cycle"),
+             options.range, options.seed);
   fmt::print("  {:>12.0f}  robot-cycles per second\n", r.robot_cycles_per_second);
   fmt::print("  {:>12.0f}  bytes per robot\n", r.bytes_per_robot);
   fmt::print("  {:>12.3f}  s in all: sense {:.0f} %, behave {:.0f} %, move {:.0f} %, contact {:.0f} %\n\n",

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/base/counted.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
@@ -73,10 +74,6 @@ Json checked_json(const Checked& checked) {
   return out;
 }
 
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 int check(const CheckOptions& options) {
@@ -102,8 +99,8 @@ int check(const CheckOptions& options) {
     if (checked.sink.items().empty()) {
       fmt::print(", ok\n");
     } else {
-      fmt::print(", {}, {}\n", counted(checked.sink.error_count(), "error"),
-                 counted(checked.sink.warning_count(), "warning"));
+      fmt::print(", {}, {}\n", base::counted(checked.sink.error_count(), "error"),
+                 base::counted(checked.sink.warning_count(), "warning"));
     }
   }
   if (options.format == "json") {

@@ -23,6 +23,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/base/counted.h"
 #include "mlab/cli/browser.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
@@ -205,8 +206,9 @@ void show_start(const console::Server& server, const RunOptions& options, const 
   else if (!look.mission)
     fmt::print("The operator console; {} has errors, and can be mended there.\n", options.mission);
   else
-    fmt::print("The operator console for {}: {} robots, {} steps. Nothing moves before Execute.\n",
-               options.mission, look.mission->robots.size(), look.mission->steps.size());
+    fmt::print("The operator console for {}: {}, {}. Nothing moves before Execute.\n", options.mission,
+               base::counted(look.mission->robots.size(), "robot"),
+               base::counted(look.mission->steps.size(), "step"));
   fmt::print("{} in a browser:\n\n", was_opened ? "It opens" : "Open this address");
   for (const std::string& url : urls) fmt::print("    {}\n", url);
   fmt::print("\nCtrl-C here ends {}; what is not saved is {}.\n",

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/base/counted.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/describe_configuration.h"
 #include "mlab/cli/describe_historic.h"
@@ -62,7 +63,8 @@ void print_text(const Behavior& b) {
   for (const flow::Need& need : b.needs) fmt::print("\nsenses {}\n", need_text(b, need));
   if (b.is_pure) fmt::print("\npure: equal inputs give equal outputs, so calls are shared\n");
   if (b.latency_cycles > 0)
-    fmt::print("\nasynchronous: its value comes {} cycles after its inputs\n", b.latency_cycles);
+    fmt::print("\nasynchronous: its value comes {} after its inputs\n",
+               base::counted(static_cast<std::size_t>(b.latency_cycles), "cycle"));
   if (!b.aliases.empty()) fmt::print("\nhistoric names:");
   for (const flow::Alias& alias : b.aliases) fmt::print(" {}", alias.name);
   if (!b.aliases.empty()) fmt::print("\n");

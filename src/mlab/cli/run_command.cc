@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/counted.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
@@ -102,8 +103,8 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   tell(sink);
   if (!out.run) return std::nullopt;
   if (options.strict && sink.warning_count() > 0) {
-    fmt::print(stderr, "mlab run: not run, because of {} warning{} and --strict\n", sink.warning_count(),
-               sink.warning_count() == 1 ? "" : "s");
+    fmt::print(stderr, "mlab run: not run, because of {} and --strict\n",
+               base::counted(sink.warning_count(), "warning"));
     status = kFailed;
     return std::nullopt;
   }

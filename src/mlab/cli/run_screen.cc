@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/base/counted.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/mission/notes.h"
@@ -114,10 +115,10 @@ void RunScreen::clear_progress() {
 void RunScreen::show_start(const fleet::MissionRun& run) {
   if (quiet_) return;
   const mission::Mission& mission = run.mission();
-  line(fmt::format("{}: {} robot{}, {} step{}, seed {}, cycle {} s",
-                   mission.name.empty() ? "mission" : text::shown(mission.name), mission.robots.size(),
-                   mission.robots.size() == 1 ? "" : "s", mission.steps.size(),
-                   mission.steps.size() == 1 ? "" : "s", run.seed(), run.cycle_duration()));
+  line(fmt::format("{}: {}, {}, seed {}, cycle {} s",
+                   mission.name.empty() ? "mission" : text::shown(mission.name),
+                   base::counted(mission.robots.size(), "robot"), base::counted(mission.steps.size(), "step"),
+                   run.seed(), run.cycle_duration()));
   for (const std::string& note : mission::notes_of(mission)) line(text::shown(note, kMostCharacters));
 }
 
@@ -191,12 +192,13 @@ void RunScreen::show_summary(const fleet::MissionRun& run, const std::string& ou
       continue;
     }
     const geom::Point at = run.fleet().pose(robot).position;
-    fmt::print("  robot {}: {:>8} at ({:.1f}, {:.1f}), drove {:.1f} m, {} collisions\n", robot.id.value,
+    fmt::print("  robot {}: {:>8} at ({:.1f}, {:.1f}), drove {:.1f} m, {}\n", robot.id.value,
                name(robot.life), at.x, at.y, run.simulator().distance_driven(robot.body),
-               run.simulator().contacts(robot.body));
+               base::counted(run.simulator().contacts(robot.body), "collision"));
   }
   if (shown_robots > kMostRobots)
-    fmt::print("  ... and {} more; {} collisions in all\n", shown_robots - kMostRobots, contacts);
+    fmt::print("  ... and {} more; {} in all\n", shown_robots - kMostRobots,
+               base::counted(contacts, "collision"));
   for (std::size_t i = 0; i < run.mission().units.size() && i < run.unit_metrics().size(); ++i) {
     const fleet::UnitMetrics& metrics = run.unit_metrics()[i];
     if (metrics.samples == 0) continue;
@@ -221,7 +223,7 @@ void RunScreen::show_warnings(const text::Diagnostics& at_load) const {
   }
   const std::size_t count = at_load.warning_count();
   if (count > lines.size()) lines.push_back(fmt::format("... and {} more", count - lines.size()));
-  if (count > 0) fmt::print("{} warning{}:\n", count, count == 1 ? "" : "s");
+  if (count > 0) fmt::print("{}:\n", base::counted(count, "warning"));
   for (const std::string& one : lines) fmt::print("  {}\n", one);
   const std::vector<std::string> left_out = warnings_.left_out();
   if (!left_out.empty()) fmt::print("warnings that were not shown:\n");

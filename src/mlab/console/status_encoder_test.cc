@@ -75,7 +75,7 @@ TEST(Status, TellsWhoFollowsACommandThatRobotsWereOrderedAwayFrom) {
   EXPECT_EQ(own.unit(), "robot 2");
   ASSERT_EQ(own.followers_size(), 1);
   EXPECT_EQ(own.followers(0), 2U);
-  EXPECT_EQ(own.waits_for(), "1 of 1 robots");
+  EXPECT_EQ(own.waits_for(), "1 of 1 robot");
   EXPECT_EQ(mode_of(*run), Status::RUNNING);
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/counted.h"
 #include "mlab/flow/library.h"
 
 namespace mlab::flow {
@@ -222,7 +223,7 @@ template <class List>
 constexpr TypeInfo list_type(std::string_view name) {
   return {name,         TypeKind::kList,
           sizeof(List), alignof(List),
-          nullptr,      [](const void* value) { return fmt::format("{} readings", as<List>(value).count); },
+          nullptr,      [](const void* value) { return base::counted(as<List>(value).count, "reading"); },
           nullptr};
 }
 

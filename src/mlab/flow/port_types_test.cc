@@ -49,6 +49,13 @@ TEST(PortTypes, ReadChoicesAndMasksByTheirWords) {
   EXPECT_EQ(r, percept::FormationReference::kLeader);
 }
 
+TEST(PortTypes, ListsAreShownByHowMuchIsInThem) {
+  Obstacles list;
+  EXPECT_EQ(type_info<Obstacles>().print(&list), "0 readings");
+  list.count = 1;
+  EXPECT_EQ(type_info<Obstacles>().print(&list), "1 reading");
+}
+
 TEST(PortTypes, ATextThatIsTooLongIsRefusedNotCut) {
   Text t;
   EXPECT_TRUE(t.assign("short"));

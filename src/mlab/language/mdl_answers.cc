@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/counted.h"
 #include "mlab/fleet/vehicle.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/names.h"
@@ -202,8 +203,7 @@ std::string hover_of(const MdlWorld& world, const Name& name) {
     case NameKind::kTeam: {
       const auto team = world.teams().find(name.text);
       if (team == world.teams().end()) return "";
-      return fmt::format("unit `{}` of {} robot{}", name.text, team->second.robots,
-                         team->second.robots == 1 ? "" : "s");
+      return fmt::format("unit `{}` of {}", name.text, base::counted(team->second.robots, "robot"));
     }
     case NameKind::kRobotType: {
       if (mdl::equal_without_case(name.text, "ROBOT")) return "`ROBOT`: the standard robot";
@@ -388,7 +388,7 @@ std::vector<Symbol> symbols_mdl(const Text& text, const Surroundings& around) {
   for (const Name& name : MdlNames(world).run()) {
     if (!name.is_declaration) continue;
     std::string detail;
-    if (name.kind == NameKind::kTeam) detail = fmt::format("{} robots", world.teams().at(name.text).robots);
+    if (name.kind == NameKind::kTeam) detail = base::counted(world.teams().at(name.text).robots, "robot");
     if (const auto* type = name.kind == NameKind::kRobotType ? world.type(name.text) : nullptr)
       detail = type->program.text;
     out.push_back({name.text, std::string(name_of(name.kind)), detail, name.span, name.span, {}});

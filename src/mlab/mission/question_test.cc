@@ -52,7 +52,7 @@ TEST(Question, IsNotAskedBeforeTheUnitIsInPlace) {
   fleet.run_cycles(80);
   EXPECT_TRUE(fleet.questions().empty());
   EXPECT_FALSE(awaits_only_operator(fleet.state()));
-  EXPECT_EQ(waits_for(fleet.state()).at(0), "unit a OCCUPY AA-A: 1 of 1 robots");
+  EXPECT_EQ(waits_for(fleet.state()).at(0), "unit a OCCUPY AA-A: 1 of 1 robot");
 }
 
 TEST(Question, AnsweredWithAbortStopsEverything) {

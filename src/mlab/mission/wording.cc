@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "mlab/base/counted.h"
 #include "mlab/mission/clock.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/turn.h"
@@ -247,7 +248,7 @@ std::string waiting_text(const State& state, const Run& run) {
     if (unacknowledged) what += early ? " and the acknowledgement" : "the acknowledgement";
     return fmt::format("{} at phase line {}", what, said.name);
   }
-  return fmt::format("{} of {} robots", run.missing, run.needed.size());
+  return fmt::format("{} of {}", run.missing, base::counted(run.needed.size(), "robot"));
 }
 
 }  // namespace mlab::mission

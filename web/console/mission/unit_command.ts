@@ -1,4 +1,5 @@
 import { type Status, type Status_Command, Status_Outcome } from "../../core/protocol.ts";
+import { count } from "../format.ts";
 import { splitCommand } from "./steps.ts";
 
 /** What the unit is doing now, without its name; empty: nothing. */
@@ -15,7 +16,7 @@ function shown(command: Status_Command): string {
   const { order } = splitCommand(command.text);
   if (command.isHeld) return `${order} waits for ${command.waitsFor}`;
   const left = command.followers.length;
-  return left > 0 ? `${order}, ${left} robot${left === 1 ? "" : "s"} left` : order;
+  return left > 0 ? `${order}, ${count(left, "robot")} left` : order;
 }
 
 export interface Followed {

@@ -1,6 +1,6 @@
 // What has to be known before anything else.
 import { Control_Action } from "../../core/protocol.ts";
-import { plain } from "../format.ts";
+import { count, plain } from "../format.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, save, sentence, takeOperator } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
@@ -52,7 +52,7 @@ function stopSentence({ kind, standing, robots }: StopState, isConnected: boolea
   if (!isConnected)
     return "EMERGENCY STOP when the connection was lost: all robots stood. It may have been released since.";
   if (kind === "stopping")
-    return `EMERGENCY STOP: ${standing} of ${robots} robots stand, the others are being stopped.`;
+    return `EMERGENCY STOP: ${standing} of ${count(robots, "robot")} stand, the rest is being stopped.`;
   return "EMERGENCY STOP: all robots stand and take no orders.";
 }
 

@@ -1,5 +1,6 @@
 // Obstacles at random: how many, how large, from which seed, and what that comes to.
 import { useState } from "react";
+import { count } from "../format.ts";
 import { usePart, useSession } from "../session.ts";
 import { Button, Field, RangeSlider, Switch } from "../ui/controls.tsx";
 import { DialogBox } from "../ui/menus.tsx";
@@ -83,7 +84,7 @@ export function RandomObstaclesDialog({ onClose }: { onClose: () => void }) {
         onChange={(replace) => change({ replace })}
       />
       <p role="status" className={errors.length > 0 ? "notice danger" : warnings.length > 0 ? "notice hold" : "notice"}>
-        {errors.length > 0 ? errors.join(" ") : [`About ${number} obstacles.`, ...warnings].join(" ")}
+        {errors.length > 0 ? errors.join(" ") : [`About ${count(number, "obstacle")}.`, ...warnings].join(" ")}
       </p>
     </DialogBox>
   );
