@@ -94,7 +94,8 @@ struct UnitCommand {
   std::vector<PhaseLine> phase_lines;
   std::string on_completion;         ///< message; empty: none
   std::optional<MissionTime> until;  ///< OCCUPY: proceeds by itself then; others: are done then
-  text::Place place;                 ///< of the unit's name, or of the first robot's number
+  text::Place place;                 ///< in the text, of the unit's name or the robots' numbers
+  text::Place goal_place;            ///< in the text, of `place_name`
 };
 
 /// What SET switches on and off.

@@ -23,24 +23,25 @@ double distance_to_piece(geom::Point p, geom::Point a, geom::Point b) {
 }  // namespace
 
 void GoalCheck::check(const mission::UnitCommand& c, double radius) {
-  const std::string where = fmt::format("{} is at {:g} {:g}", in_backticks(c.place_name), c.goal.x, c.goal.y);
+  const std::string at = fmt::format("{:g} {:g}", c.goal.x, c.goal.y);
+  const std::string where =
+      in_backticks(c.place_name) + (c.place_name == at ? " is" : fmt::format(" is at {},", at));
   if (is_outside(c.goal)) {
     const overlay::Area area = mission_.overlay.mission_area();
     diagnostics_.warning(
-        "goal-outside-area", c.place,
-        fmt::format("{}, outside the mission area of {:g} by {:g} m", where, area.width, area.height));
+        "goal-outside-area", c.goal_place,
+        fmt::format("{} outside the mission area of {:g} by {:g} m", where, area.width, area.height));
   }
   if (const overlay::ObstacleDisc* obstacle = obstacle_at(c.goal, radius)) {
-    auto& warning =
-        diagnostics_.warning("goal-in-obstacle", c.place,
-                             fmt::format("{}, in an obstacle of radius {:g} m: no robot can stand there",
-                                         where, obstacle->radius));
+    auto& warning = diagnostics_.warning(
+        "goal-in-obstacle", c.goal_place,
+        fmt::format("{} in an obstacle of radius {:g} m: no robot can stand there", where, obstacle->radius));
     if (obstacle->place.source) warning.notes.push_back({"the obstacle is here", obstacle->place});
   }
   if (const overlay::ControlMeasure* wall = wall_at(c.goal, radius)) {
     auto& warning = diagnostics_.warning(
-        "goal-in-wall", c.place,
-        fmt::format("{}, less than {:g} m from a wall: no robot can stand there", where, radius));
+        "goal-in-wall", c.goal_place,
+        fmt::format("{} less than {:g} m from a wall: no robot can stand there", where, radius));
     if (wall->place.source) warning.notes.push_back({"the wall is here", wall->place});
   }
 }

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/counted.h"
 #include "mlab/lang/mdl/formation_check.h"
 #include "mlab/lang/mdl/goal_check.h"
 #include "mlab/lang/mdl/options.h"
@@ -226,17 +227,21 @@ class PlanCheck {
     }
     if (outside.count > 0) {
       diagnostics_.warning(
-          "start-outside-area", c.place,
-          fmt::format("{} of {} robots start outside the mission area of {:g} by {:g} m, first robot {}",
-                      outside.count, members.size(), area.width, area.height, outside.first.value));
+          "start-outside-area", c.goal_place,
+          fmt::format("{} of {} outside the mission area of {:g} by {:g} m, first robot {}", outside.count,
+                      starting(members.size()), area.width, area.height, outside.first.value));
     }
     if (inside.count > 0) {
-      auto& warning = diagnostics_.warning(
-          "start-in-obstacle", c.place,
-          fmt::format("{} of {} robots start in an obstacle and will be moved, first robot {}", inside.count,
-                      members.size(), inside.first.value));
+      auto& warning =
+          diagnostics_.warning("start-in-obstacle", c.goal_place,
+                               fmt::format("{} of {} in an obstacle and will be moved, first robot {}",
+                                           inside.count, starting(members.size()), inside.first.value));
       if (obstacle->place.source) warning.notes.push_back({"the obstacle is here", obstacle->place});
     }
+  }
+
+  static std::string starting(std::size_t robots) {
+    return base::counted(robots, "robot") + (robots == 1 ? " starts" : " start");
   }
 
   double body_radius(base::RobotId id) const {
