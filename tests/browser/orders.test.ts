@@ -1,6 +1,7 @@
 // Orders to one unit, or to robots, while the others go on.
 import { expect, test } from "vitest";
 import { begin } from "./begin.ts";
+import { expectWithin } from "./within.ts";
 
 const kMission = `MISSION NAME "two units"
 MISSION-AREA 2000 2000
@@ -70,4 +71,48 @@ test("an order names every unit and what becomes of it, and ends only what its r
   const rows = console.steps.getByRole("listitem");
   expect(await rows.filter({ hasText: "typed" }).filter({ hasText: "MOVETO" }).count()).toBe(2);
   await rows.filter({ hasText: "1900 400" }).first().waitFor();
+});
+
+test("the card of an order says which part of it is odd, and its buttons lie within the smallest window", async () => {
+  const units = ["b", "c", "d", "e", "f", "g"];
+  const { console } = await begin({
+    mission: "demo_c",
+    prepare: (project) =>
+      project.write(
+        "demo_c.mdl",
+        `MISSION NAME "many units"\nMISSION-AREA 1000 1000\nSET SEED 1\nOBSTACLE 600 600 40\n${["a", ...units]
+          .map((name) => `UNIT <${name}> ROBOT ROBOT\n`)
+          .join("")}COMMAND LIST:\n  0. ${["a", ...units]
+          .map((name, i) => `UNIT ${name} START 100 ${100 + 100 * i} 20 0`)
+          .join(" AND ")}\n  1. ${["a", ...units]
+          .map((name, i) => `UNIT ${name} MOVETO 900 ${100 + 100 * i}`)
+          .join(" AND ")}\n`,
+      ),
+    options: ["--speed", "1"],
+  });
+  const { page } = console;
+  await console.button("Execute").click();
+  await console.reaches("Running");
+  await console.passes(1);
+  await console.select("a");
+  await console.panel("Mission");
+  await page.keyboard.press("o");
+  await page.getByText(/For a: click the goal/).waitFor();
+  await console.dragMap([600, 600], [600, 600]);
+  const order = page.getByRole("dialog", { name: "Command" });
+  await order.getByText(/in an obstacle of radius 40 m: no robot can stand there/).waitFor();
+  expect(await order.locator("mark").textContent()).toMatch(/^600(\.0)? 600(\.0)?$/);
+  await order.getByText("goes on with MOVETO 900 700").waitFor();
+  for (const [width, height] of [
+    [1280, 800],
+    [1280, 600],
+    [640, 400],
+    [390, 844],
+    [320, 568],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    for (const name of ["Send", "Cancel", "Edit as text"]) {
+      await expectWithin(order.getByRole("button", { name, exact: true }));
+    }
+  }
 });

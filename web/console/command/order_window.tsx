@@ -1,5 +1,14 @@
 // Beside the goal on the map: what to do there, the MDL that it means, and who is meant, before it is sent.
-import { type CSSProperties, type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
+import {
+  type CSSProperties,
+  type KeyboardEvent,
+  type RefObject,
+  useEffect,
+  useLayoutEffect,
+  useMemo,
+  useRef,
+  useState,
+} from "react";
 import { createPortal } from "react-dom";
 import { useStore } from "zustand";
 import { idRanges } from "../../core/format.ts";
@@ -67,8 +76,8 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
   const scene = usePart("scene");
   const order = useStore(orderStore);
   const addressed = useAddressed();
-  const style = usePlace(map, goal, order.heading);
   const window = useRef<HTMLDivElement>(null);
+  const style = usePlace(window, map, goal, order.heading);
   const [place, setPlace] = useState<MdlPlace>(() => placeOf(session, goal, scene?.origin));
   useEffect(() => setPlace(placeOf(session, goal, scene?.origin)), [goal]);
   useEffect(() => window.current?.querySelector<HTMLElement>("[aria-checked=true], button, input")?.focus(), []);
@@ -108,56 +117,60 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
 
   return (
     <div ref={window} className="order-window" style={style} role="dialog" aria-label="Command" onKeyDown={keys}>
-      <Segments<TaskName>
-        label="Task"
-        value={order.task}
-        choices={tasks.map((t) => [t.task, t.label] as const)}
-        onChange={(task) => orderStore.setState({ task })}
-      />
-      <p className="help">{info.help}.</p>
-      <div className="world-fields">
-        {order.task === "FOLLOW" ? (
-          <div className="field wide">
-            <span className="label">Line</span>
-            <b>{line}</b>
-          </div>
-        ) : (
-          <PlaceEntry place={place} onPlace={setPlace} />
-        )}
-        <SelectEntry<FormationName | "">
-          label="Formation"
-          value={order.formation}
-          choices={[["", "as it is"], ...kFormations.map((f) => [f, f] as const)]}
-          onChange={(formation) => orderStore.setState({ formation })}
+      <div className="order-fields">
+        <Segments<TaskName>
+          label="Task"
+          value={order.task}
+          choices={tasks.map((t) => [t.task, t.label] as const)}
+          onChange={(task) => orderStore.setState({ task })}
         />
-        {info.takesTechnique && (
-          <SelectEntry<TechniqueName | "">
-            label="Technique"
-            value={order.technique}
-            choices={[["", "Traveling (usual)"], ...kTechniques.slice(1).map((t) => [t, t] as const)]}
-            onChange={(technique) => orderStore.setState({ technique })}
+        <p className="help">{info.help}.</p>
+        <div className="world-fields">
+          {order.task === "FOLLOW" ? (
+            <div className="field wide">
+              <span className="label">Line</span>
+              <b>{line}</b>
+            </div>
+          ) : (
+            <PlaceEntry place={place} onPlace={setPlace} />
+          )}
+          <SelectEntry<FormationName | "">
+            label="Formation"
+            value={order.formation}
+            choices={[["", "as it is"], ...kFormations.map((f) => [f, f] as const)]}
+            onChange={(formation) => orderStore.setState({ formation })}
           />
-        )}
-        {info.takesSpeed && (
-          <NumberEntry
-            label="Speed [m/s]"
-            value={order.speed}
-            min={0}
-            whenZero="the robots’ own"
-            onCommit={(speed) => orderStore.setState({ speed })}
-          />
-        )}
-        {info.takesHeading && (
-          <HeadingEntry heading={order.heading} onHeading={(heading) => orderStore.setState({ heading })} />
-        )}
-      </div>
-      <code className="order-text">{text || ("error" in built ? built.error : "")}</code>
-      <div className="order-targets" role="status">
-        {addressed.note !== "" && <p className="small target-replaces">{addressed.note}</p>}
-        {preview?.result.case === "targets" && <TargetsView targets={preview.result.value} />}
-        {preview && preview.diagnostics.length > 0 && <DiagnosticsView line={text} diagnostics={preview.diagnostics} />}
-        {isWrong && preview.diagnostics.length === 0 && <p className="problem">{preview.error}</p>}
-        {refusal !== "" && <p className="problem">{refusal}</p>}
+          {info.takesTechnique && (
+            <SelectEntry<TechniqueName | "">
+              label="Technique"
+              value={order.technique}
+              choices={[["", "Traveling (usual)"], ...kTechniques.slice(1).map((t) => [t, t] as const)]}
+              onChange={(technique) => orderStore.setState({ technique })}
+            />
+          )}
+          {info.takesSpeed && (
+            <NumberEntry
+              label="Speed [m/s]"
+              value={order.speed}
+              min={0}
+              whenZero="the robots’ own"
+              onCommit={(speed) => orderStore.setState({ speed })}
+            />
+          )}
+          {info.takesHeading && (
+            <HeadingEntry heading={order.heading} onHeading={(heading) => orderStore.setState({ heading })} />
+          )}
+        </div>
+        <code className="order-text">{text || ("error" in built ? built.error : "")}</code>
+        <div className="order-targets" role="status">
+          {addressed.note !== "" && <p className="small target-replaces">{addressed.note}</p>}
+          {preview && preview.diagnostics.length > 0 && (
+            <DiagnosticsView line={text} diagnostics={preview.diagnostics} />
+          )}
+          {preview?.result.case === "targets" && <TargetsView targets={preview.result.value} />}
+          {isWrong && preview.diagnostics.length === 0 && <p className="problem">{preview.error}</p>}
+          {refusal !== "" && <p className="problem">{refusal}</p>}
+        </div>
       </div>
       <footer>
         <Button tone="quiet" isDisabled={text === ""} onPress={() => edit(session, text)}>
@@ -246,12 +259,25 @@ function usePreview(text: string): Reply | null {
 }
 
 const kWidth = 370;
-const kRoom = 430; // its height, about
+const kMargin = 8;
 
-/** Beside the goal, not where the formation looks if there is room; follows the map. */
-function usePlace(map: MapView, goal: Goal, heading: number | null): CSSProperties {
+/** Beside the goal, not where the formation looks if there is room; all of it on the map, which it follows. */
+function usePlace(
+  window: RefObject<HTMLElement | null>,
+  map: MapView,
+  goal: Goal,
+  heading: number | null,
+): CSSProperties {
   const [, setVersion] = useState(0);
+  const [tall, setTall] = useState(0);
   useEffect(() => map.subscribe(() => setVersion((v) => v + 1)), [map]);
+  useLayoutEffect(() => {
+    const element = window.current;
+    if (!element) return;
+    const observer = new ResizeObserver(() => setTall(element.offsetHeight));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [window]);
   const at = map.camera.toScreen(goal.at);
   const { width, height } = map.camera;
   const looksRight = heading !== null && Math.cos((heading * Math.PI) / 180) > 0;
@@ -259,12 +285,11 @@ function usePlace(map: MapView, goal: Goal, heading: number | null): CSSProperti
   const fitsLeft = at.x - 48 - kWidth > 64;
   const isRight = fitsRight && fitsLeft ? !looksRight : fitsRight || at.x < width / 2;
   const left = isRight ? at.x + 48 : at.x - 48 - kWidth;
-  const top = Math.min(at.y - 120, height - kRoom);
   return {
-    left: Math.max(8, Math.min(left, width - kWidth - 8)),
-    top: Math.max(8, top),
-    width: kWidth,
-    maxHeight: Math.max(200, height - Math.max(8, top) - 8),
+    left: Math.max(kMargin, Math.min(left, width - kWidth - kMargin)),
+    top: Math.max(kMargin, Math.min(at.y - 120, height - tall - kMargin)),
+    width: Math.min(kWidth, width - 2 * kMargin),
+    maxHeight: height - 2 * kMargin,
   };
 }
 
