@@ -92,6 +92,14 @@ void Designer::Parts::find_live(const FindLive& request, Answer& out) {
   const OpenConfiguration* one = opened(request.document(), out);
   if (one == nullptr) return;
   LivePaths& live = *out.mutable_live();
+  if (request.is_planned()) {
+    const text::Result<Planned> planned = plan(*one, request.page());
+    if (!planned)
+      fail(out, planned.error());
+    else
+      live.add_places()->set_path(planned->place);
+    return;
+  }
   if (!last_trial_.model) return;
   const bool was_tried = last_trial_.document == one->path;
   const std::string& source = (was_tried ? last_trial_.model : one->model)->source()->name();
@@ -226,15 +234,33 @@ void Designer::Parts::write_back(const WriteBack& request, Answer& out) {
   desk_.changed(*one);
 }
 
-/// The node of a page in the network of one of the robots.
-struct Designer::Parts::FieldOf {
-  TrialConfiguration completed;
-  std::shared_ptr<const Model> model;  ///< of its text
-  std::string robot;
-  std::string node;
-};
+// As it is tried; where no robot uses the page then, by itself.
+text::Result<Designer::Parts::Planned> Designer::Parts::plan(const OpenConfiguration& one,
+                                                             const std::string& page, std::uint32_t robot) {
+  const std::shared_ptr<const Model> author = model_to_try(one);
+  std::string why;
+  for (const TrialWish& wish : {last_trial_.document == one.path ? last_trial_.wish : TrialWish{},
+                                TrialWish{std::string(owner_of(page)), 1}}) {
+    text::Result<TrialConfiguration> completed = complete_for_trial(author, desk_.environment(), wish);
+    if (!completed) {
+      why = completed.error().message;
+      continue;
+    }
+    const auto model = std::make_shared<const Model>(completed->source, desk_.environment());
+    std::uint32_t id = 1;
+    for (const auto& [name, count] : completed->robots) {
+      const bool is_wanted = robot == 0 || (robot >= id && robot < id + static_cast<std::uint32_t>(count));
+      id += static_cast<std::uint32_t>(count);
+      if (!is_wanted) continue;
+      const std::vector<std::string> places = live_paths(*model, name, author->source()->name(), page);
+      if (!places.empty()) return Planned{*completed, model, name, places.front()};
+    }
+  }
+  return not_known(why.empty() ? "no robot that runs uses this page" : why);
+}
 
-text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenConfiguration& one,
+// Of the node of the page, or of its result.
+text::Result<Designer::Parts::Planned> Designer::Parts::field_node(const OpenConfiguration& one,
                                                                    const ReadField& request) {
   const std::shared_ptr<const Model> author = model_to_try(one);
   const Model::Found found = author->page(request.page());
@@ -247,32 +273,12 @@ text::Result<Designer::Parts::FieldOf> Designer::Parts::field_node(const OpenCon
                          ? "the page gives no movement yet"
                          : fmt::format("there is no node `{}`", text::shown(request.node())));
   const std::string below = at < 0 ? page.base : page.nodes[static_cast<std::size_t>(at)].path;
-  // As it is tried; where no robot uses it then, by itself.
-  std::string why;
-  for (const TrialWish& wish : {last_trial_.document == one.path ? last_trial_.wish : TrialWish{},
-                                TrialWish{std::string(owner_of(request.page())), 1}}) {
-    text::Result<TrialConfiguration> completed = complete_for_trial(author, desk_.environment(), wish);
-    if (!completed) {
-      why = completed.error().message;
-      continue;
-    }
-    const auto model = std::make_shared<const Model>(completed->source, desk_.environment());
-    std::uint32_t id = 1;
-    for (const auto& [robot, count] : completed->robots) {
-      const bool is_wanted =
-          request.robot() == 0 ||
-          (request.robot() >= id && request.robot() < id + static_cast<std::uint32_t>(count));
-      id += static_cast<std::uint32_t>(count);
-      if (!is_wanted) continue;
-      const std::vector<std::string> paths =
-          live_paths(*model, robot, author->source()->name(), owner_of(request.page()));
-      if (!paths.empty()) return FieldOf{*completed, model, robot, joined_path(paths.front(), below)};
-    }
-  }
-  return not_known(why.empty() ? "no robot that runs uses this page" : why);
+  text::Result<Planned> planned = plan(one, std::string(owner_of(request.page())), request.robot());
+  if (planned) planned->place = joined_path(planned->place, below);
+  return planned;
 }
 
-text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what) const {
+text::Result<FieldProgram> Designer::Parts::program_of_field(const Planned& what) const {
   text::Diagnostics sink;
   robot::ProgramSources sources;
   sources.permission = settings_.permission;
@@ -290,7 +296,7 @@ text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what
   cdl::LoweredRobot lowered =
       cdl::lower(what.model->configuration(), *robot->second, library->library, sink, said);
   if (sink.has_errors()) return not_known(sink.items().front().message);
-  text::Result<FieldProgram> part = field_program(std::move(lowered.network), library->library, what.node);
+  text::Result<FieldProgram> part = field_program(std::move(lowered.network), library->library, what.place);
   if (!part) return part;
   auto runnable =
       robot::make_runnable(part->program, part->network, procedures, std::move(library), {}, sources, sink);
@@ -302,7 +308,7 @@ text::Result<FieldProgram> Designer::Parts::program_of_field(const FieldOf& what
 }
 
 // A run of its own, which nobody sees: the robots stand where a trial would start them.
-text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& one, const FieldOf& what,
+text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& one, const Planned& what,
                                                        const FieldProgram& part, const FieldGrid& grid) {
   std::string file;
   TrialConfiguration single = what.completed;
@@ -350,7 +356,7 @@ void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t numbe
     fail(out, grid.error());
     return;
   }
-  const text::Result<FieldOf> what = field_node(*one, request);
+  const text::Result<Planned> what = field_node(*one, request);
   if (!what) {
     fail(out, what.error());
     return;
@@ -389,7 +395,7 @@ void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t numbe
 }
 
 void Designer::Parts::answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
-                                   const FieldOf& what, const FieldProgram& part, const FieldGrid& grid,
+                                   const Planned& what, const FieldProgram& part, const FieldGrid& grid,
                                    const std::optional<std::string>& arrows) {
   FromDesigner message;
   Answer& out = *message.mutable_answer();

@@ -103,7 +103,6 @@ class Designer::Parts {
 
   // ---- designer_live.cc
 
-  struct FieldOf;
   void find_live(const FindLive& request, Answer& out);
   void set_mark(const SetMark& request, Answer& out);
   void remove_mark(const RemoveMark& request, Answer& out);
@@ -118,13 +117,23 @@ class Designer::Parts {
   void write_back(const WriteBack& request, Answer& out);
   text::Result<TrialConfiguration> tried_now(const OpenConfiguration& one);
   void read_field(console::ConnectionId from, std::uint32_t number, const ReadField& request, Answer& out);
-  text::Result<FieldOf> field_node(const OpenConfiguration& one, const ReadField& request);
-  text::Result<FieldProgram> program_of_field(const FieldOf& what) const;
-  text::Result<std::string> field_alone(const OpenConfiguration& one, const FieldOf& what,
+  /// Of one of the robots that would run, were the document tried as it stands.
+  struct Planned {
+    TrialConfiguration completed;
+    std::shared_ptr<const Model> model;  ///< of its text
+    std::string robot;                   ///< declaration
+    std::string place;                   ///< path in its program
+  };
+  /// The first place where the page would run.
+  /// @param robot  that has to run it; 0: any
+  text::Result<Planned> plan(const OpenConfiguration& one, const std::string& page, std::uint32_t robot = 0);
+  text::Result<Planned> field_node(const OpenConfiguration& one, const ReadField& request);
+  text::Result<FieldProgram> program_of_field(const Planned& what) const;
+  text::Result<std::string> field_alone(const OpenConfiguration& one, const Planned& what,
                                         const FieldProgram& part, const FieldGrid& grid);
   /// @param arrows  nothing: there is no run that could give them
   void answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
-                    const FieldOf& what, const FieldProgram& part, const FieldGrid& grid,
+                    const Planned& what, const FieldProgram& part, const FieldGrid& grid,
                     const std::optional<std::string>& arrows);
 
   // ---- designer_publish.cc

@@ -77,6 +77,24 @@ TEST(Live, FindsAPageInAllPlacesWhereItRuns) {
   EXPECT_TRUE(desk.live(path, "Nothing").empty());
 }
 
+TEST(Live, KnowsBeforeItRunsWhereAPageWould) {
+  LiveDesk desk;
+  const std::string path = desk.open(kForager);
+  const auto planned = [&](const std::string& page) {
+    const Answer answer = desk.ask([&](ToDesigner& m) {
+      m.mutable_find_live()->set_document(path);
+      m.mutable_find_live()->set_page(page);
+      m.mutable_find_live()->set_is_planned(true);
+    });
+    return answer.ok() && answer.live().places_size() == 1 ? answer.live().places(0).path() : answer.error();
+  };
+  EXPECT_TRUE(desk.live(path, "Wander").empty());
+  EXPECT_EQ(planned("Forage"), "movement");
+  EXPECT_EQ(planned("Wander"), "movement.Searching");
+  EXPECT_EQ(planned("Forage.Delivering"), "movement.Delivering");
+  EXPECT_EQ(planned("Nothing"), "there is no assemblage, robot or society `Nothing`");
+}
+
 TEST(Live, StatesThatAreDrawnAreThoseThatRobotsTell) {
   LiveDesk desk;
   const std::string path = desk.open(kForager);

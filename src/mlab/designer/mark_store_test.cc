@@ -26,6 +26,7 @@ std::uint32_t set_breakpoint(Browser& browser, const std::string& document) {
     mark.set_place("movement");
     mark.set_from("Waiting");
     mark.set_to("Moving");
+    mark.mutable_breakpoint()->set_id(7);
     mark.mutable_breakpoint()->mutable_transition()->set_from("Waiting");
   });
   EXPECT_TRUE(answer.ok()) << answer.error();
@@ -43,6 +44,7 @@ TEST(MarkStore, KeepsMarksForTheNextServer) {
   ASSERT_EQ(marks.marks_size(), 1);
   EXPECT_EQ(marks.marks(0).from(), "Waiting");
   EXPECT_EQ(marks.marks(0).breakpoint().transition().from(), "Waiting");
+  EXPECT_EQ(marks.marks(0).breakpoint().id(), 0U) << "the next server's simulator knows of none";
   EXPECT_FALSE(marks.marks(0).is_lost());
 }
 

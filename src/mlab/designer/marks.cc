@@ -214,7 +214,7 @@ bool Marks::move_to(
     const GraphPage* page = page_of(model, one.told.page());
     if (one.told.is_lost() || page == nullptr) continue;
     std::optional<Run> run = find(one.told.page(), one.told.place());
-    if (!run || run->place == one.told.place()) continue;
+    if (!run || (run->place == one.told.place() && one.way)) continue;
     one.told.set_place(run->place);
     one.way = std::move(run->way);
     set_port(one.told, *page);
@@ -255,6 +255,7 @@ Marks Marks::restored(const KeptMarks& kept, std::shared_ptr<const Model> model)
     }
     Mark mark = one.mark();
     mark.set_id(++out.last_);
+    if (mark.has_breakpoint()) mark.mutable_breakpoint()->clear_id();
     out.all_.emplace(out.last_, One{std::move(mark), std::move(way)});
   }
   return out;

@@ -58,7 +58,7 @@ class Marks {
 
   /// @param out  `document` stays as it is
   void encode(KeptMarks& out) const;
-  /// What `encode` kept.
+  /// What `encode` kept. The ids of its breakpoints were those of a simulator that has ended.
   /// @param model  of the text that was kept with them
   static Marks restored(const KeptMarks& kept, std::shared_ptr<const Model> model);
 

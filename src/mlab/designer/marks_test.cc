@@ -230,6 +230,15 @@ TEST_F(MarkTest, SurvivesTheEndOfEveryWindow) {
   EXPECT_EQ(desk_.marks(path_).marks_size(), 0);
 }
 
+TEST_F(MarkTest, SetBeforeAnythingRanFollowsNamesOnceItDoes) {
+  desk_.folder().write("project/two.cdl", kTurns);
+  path_ = desk_.open("two.cdl");
+  const std::uint32_t id = set_transition("Waiting", "Moving");
+  ASSERT_TRUE(desk_.try_out(path_, "Outer").ok());
+  rename("Outer", "Acting", "Doing");
+  EXPECT_EQ(shown(mark(id)), "movement.Doing Waiting Moving Inner Waiting/0");
+}
+
 TEST_F(MarkTest, ThatCannotBeIsRefused) {
   Mark mark;
   mark.set_page("Nobody");

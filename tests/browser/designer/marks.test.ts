@@ -1,5 +1,6 @@
 // Probes and breakpoints stay with what they were set on: over reloads, in every window, and when it is renamed.
-import { expect, test } from "vitest";
+import { expect, onTestFinished, test } from "vitest";
+import { Mlab } from "../mlab.ts";
 import { begin, type DesignerPage, look } from "./designer.ts";
 
 const kTurns = `assemblage Turns() {
@@ -87,21 +88,55 @@ test("probes are there after a reload and in every window", async () => {
   await designer.probes.waitFor({ state: "detached" });
 });
 
-test("that there are breakpoints shows before a run, and on the drawing", async () => {
+test("breakpoints and probes are set before anything runs, and hold when it does", async () => {
   const { designer } = await opened(kTurns);
   const { page } = designer;
   await designer.on("Turns");
-  await transition(designer, "Waiting").click({ button: "right" });
-  const entry = page.getByRole("menuitem", { name: /^Break Waiting → Moving/ });
-  await entry.getByText("Run it first").waitFor();
-  expect(await entry.getAttribute("aria-disabled")).toBe("true");
-  await page.keyboard.press("Escape");
-  await designer.run();
   await breakAt(designer, "Waiting", /^Break Waiting → Moving/);
   await page.getByRole("button", { name: /^Transition 1 of Waiting.*with a breakpoint$/ }).waitFor();
   expect(await page.locator(".break-dot").count()).toBe(1);
+  await transition(designer, "Waiting").click({ button: "right" });
+  await page.getByRole("menuitem", { name: /^Remove the breakpoint Waiting → Moving/ }).waitFor();
+  await page.keyboard.press("Escape");
+  await designer.node("Moving").dblclick();
+  await designer.on("Turns.Moving");
+  await designer.select(designer.named("Noise"));
+  await designer.details.getByRole("button", { name: "Pin a probe" }).click();
+  await designer.details.getByRole("button", { name: "Take the probe away" }).waitFor();
+  await designer.probes.getByText("–").waitFor();
+  await page.locator("[data-tour=run]").click();
+  await designer.simulator
+    .getByRole("alert")
+    .getByText(/goes from Waiting to Moving/)
+    .waitFor();
+  await designer.button("Go on").first().click();
+  await designer.probes.locator(".live-arrow").waitFor();
   await designer.breakpoints.getByRole("button", { name: /^Remove the breakpoint/ }).click();
-  await page.locator(".break-dot").waitFor({ state: "detached" });
+  await page.keyboard.press("Escape");
+  await designer.toDeclaration("Turns");
+  await transition(designer, "Waiting").waitFor();
+  expect(await page.locator(".break-dot").count()).toBe(0);
+});
+
+test("a breakpoint outlives its server, and holds in the next", async () => {
+  const { designer, mlab, project } = await opened(kTurns);
+  await designer.on("Turns");
+  await breakAt(designer, "Waiting", /^Break Waiting → Moving/);
+  await designer.page.locator(".break-dot").waitFor();
+  await designer.page.goto("about:blank");
+  const state = await mlab.kill();
+  const next = await Mlab.edit([project.path("one.cdl"), "--project", project.folder], state);
+  onTestFinished(async () => {
+    await next.stop();
+  });
+  const after = await look(next.url, { width: 1600, height: 900 });
+  await after.on("Turns");
+  await after.page.locator(".break-dot").waitFor();
+  await after.page.locator("[data-tour=run]").click();
+  await after.simulator
+    .getByRole("alert")
+    .getByText(/goes from Waiting to Moving/)
+    .waitFor();
 });
 
 test("how many robots run is taken over by a run of its own, which is offered", async () => {

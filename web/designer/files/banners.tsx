@@ -6,7 +6,7 @@ import { Button, IconButton } from "../../console/ui/controls.tsx";
 import { Icon } from "../../console/ui/icons.tsx";
 import { useSecondsUntil } from "../../console/ui/use_seconds.ts";
 import { crumbsIn, type Designer, nameOf } from "../designer.ts";
-import { isEmptyDrawing } from "../pages/pages.ts";
+import { isEmptyDrawing, isOfLibrary } from "../pages/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../protocol.ts";
 import type { State } from "../state.ts";
 import { useDesigner, useDocument, useDrawing, usePart } from "../use.ts";
@@ -149,7 +149,7 @@ function ReadOnlyBanner() {
     <Banner tone="accent">
       <Icon name="lock" />
       <span className="grow">
-        {document.path.startsWith("library:")
+        {isOfLibrary(document.path)
           ? "A component of the library: look, but not change."
           : "An example: look, or save it as your own."}
       </span>
@@ -171,7 +171,7 @@ function useCaller(): Document | undefined {
 }
 
 function callerOf(state: State): Document | undefined {
-  if (!state.document.startsWith("library:") || state.page === "" || state.page.includes(".")) return undefined;
+  if (!isOfLibrary(state.document) || state.page === "" || state.page.includes(".")) return undefined;
   const before = crumbsIn(state).at(-2);
   const document = before && state.documents[before.document];
   return document && document.path !== state.document && !document.isReadOnly ? document : undefined;

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { BreakpointSchema, Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
-import { atCondition, atTransition, breakpointText, hitText, onPort, onTransition } from "./break_points.ts";
+import { atCondition, atTransition, breakpointText, hitText } from "./break_points.ts";
 
 const made = (init: Parameters<typeof create<typeof BreakpointSchema>>[1]) => create(BreakpointSchema, init);
 const way = made(atTransition("movement", "Searching", "Acquiring"));
@@ -23,12 +23,4 @@ test("what has stopped the run is told as people call it", () => {
   expect(hitText({ ...hit, sequence: "movement", from: "Searching", to: "Acquiring" })).toBe(
     "robot 1: movement goes from Searching to Acquiring",
   );
-});
-
-test("the one on a transition or a port is found", () => {
-  const all = [way, near, far];
-  expect(onTransition(all, "movement", "Searching", "Acquiring")).toBe(way);
-  expect(onTransition(all, "other", "Searching", "Acquiring")).toBeUndefined();
-  expect(onTransition(all, "", "Searching", "Acquiring")).toBe(way);
-  expect(onPort(all, "movement.near")).toEqual([near]);
 });

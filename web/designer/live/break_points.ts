@@ -58,27 +58,6 @@ export function hitText({
   return `robot ${robot}: ${spokenPath(sequence)} goes from ${from} to ${to}`;
 }
 
-/** The one on a transition, if there is one. */
-export function onTransition(
-  all: readonly Breakpoint[],
-  sequence: string,
-  from: string,
-  to: string,
-): Breakpoint | undefined {
-  return all.find(
-    ({ what }) =>
-      what.case === "transition" &&
-      what.value.from === from &&
-      what.value.to === to &&
-      (what.value.sequence === sequence || what.value.sequence === "" || sequence === ""),
-  );
-}
-
-/** Those on the value of a port. */
-export function onPort(all: readonly Breakpoint[], port: string): Breakpoint[] {
-  return all.filter(({ what }) => what.case === "condition" && what.value.port === port);
-}
-
 /** Where a hit is drawn: the sequence or the port's node, to be found among the places of pages. */
 export function pathOfHit(hit: Pick<Halted_Hit, "sequence" | "port">): string {
   return hit.sequence || hit.port;

@@ -50,7 +50,7 @@ function Entry({ breakpoint }: { breakpoint: Breakpoint }) {
       <Switch
         label={<span className="hidden-text">{text}: stops the run</span>}
         value={!breakpoint.isOff}
-        onChange={(on) => void live.setBreakpoint({ ...breakpoint, isOff: !on })}
+        onChange={(on) => void live.switchBreakpoint(breakpoint, on)}
       />
       {drawnAt && !drawnAt.isLost ? (
         <Button tone="link" className="ellipsis" onPress={() => live.goTo(drawnAt)}>

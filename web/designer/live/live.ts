@@ -12,13 +12,14 @@ import { withToken } from "../../core/server_link.ts";
 import { fit } from "../canvas/view.ts";
 import type { Designer } from "../designer.ts";
 import { lastPart } from "../pages/pages.ts";
-import type { Drawing } from "../protocol.ts";
+import type { Drawing, Mark } from "../protocol.ts";
 import { besideSimulator, kWide } from "../state.ts";
 import { type BreakpointInit, hitText } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
-import { createLiveState, type DrawnAt, type LiveState, type Pin, setupKey, type Tried } from "./live_state.ts";
-import { drawnAtOf, endedMarks, type MarkInit, markAt, pinsOf, renamedBreakpoints } from "./marks.ts";
+import { createLiveState, type DrawnAt, type LiveState, setupKey, type Tried } from "./live_state.ts";
+import { drawnAtOf, endedMarks, type MarkInit, markAt, pinsOf, renamedBreakpoints, untoldMarks } from "./marks.ts";
+import { joined } from "./places.ts";
 import { remember, remembered } from "./remembered.ts";
 import { isMoving, runButton, type Situation } from "./run_button.ts";
 import { subjectOf } from "./subject.ts";
@@ -37,6 +38,7 @@ export class Live {
   private handsOverUntil = 0;
   private known = new Set<number>();
   private fieldRequest = 0;
+  private isTelling = false;
 
   constructor(readonly designer: Designer) {
     this.connection = new Connection(this.model, {
@@ -62,6 +64,7 @@ export class Live {
     });
     this.takeMarks();
     this.model.subscribe("clients", () => {
+      void this.tellKept();
       this.handOver();
       this.giveWay();
     });
@@ -204,16 +207,26 @@ export class Live {
   }
 
   /** `id`: what of the page that is shown it is set on; `trigger`: which condition of that transition. */
-  async setBreakpoint(breakpoint: BreakpointInit, id = "", trigger = ""): Promise<void> {
+  async setBreakpoint(made: (place: string) => BreakpointInit, id: string, trigger = ""): Promise<void> {
     const { drawing } = this.designer;
-    const reply = await this.order({ case: "setBreakpoint", value: { breakpoint } });
-    if (!reply.ok) return;
+    const mark = drawing && markAt(drawing, id);
+    const place = await this.placeToMark();
+    if (!drawing || !mark || place === undefined) return;
+    const { what } = made(place);
+    const reply = await this.order({ case: "setBreakpoint", value: { breakpoint: { what } } });
+    if (!reply.ok || reply.result.case !== "breakpoint") return;
     this.designer.say("Set a breakpoint");
-    const mark = drawing && id !== "" ? markAt(drawing, id) : undefined;
-    if (!drawing || !mark || reply.result.case !== "breakpoint") return;
-    const { what } = breakpoint;
     const port = what?.case === "condition" ? (what.value.port ?? "") : "";
-    await this.setMark(drawing, { ...mark, trigger, port, breakpoint: { id: reply.result.value, what } });
+    await this.setMark(drawing, { ...mark, place, trigger, port, breakpoint: { id: reply.result.value, what } });
+  }
+
+  async switchBreakpoint(breakpoint: Breakpoint, isOn: boolean): Promise<void> {
+    await this.order({ case: "setBreakpoint", value: { breakpoint: { ...breakpoint, isOff: !isOn } } });
+  }
+
+  async removeBreakMark({ id, breakpoint }: Mark): Promise<void> {
+    if (breakpoint && breakpoint.id !== 0) await this.removeBreakpoint(breakpoint.id);
+    else await this.removeMark(this.designer.state.document, id);
   }
 
   async removeBreakpoint(id: number): Promise<void> {
@@ -225,9 +238,37 @@ export class Live {
   }
 
   private async setMark(drawing: Drawing, mark: MarkInit): Promise<void> {
-    const { place } = this.store.getState();
     const document = drawing.page?.document ?? "";
-    await this.designer.ask({ case: "setMark", value: { document, mark: { ...mark, place } } });
+    await this.designer.ask({ case: "setMark", value: { document, mark } });
+  }
+
+  /** Where the page that is shown runs; where it would, while it does not. */
+  private async placeToMark(): Promise<string | undefined> {
+    const { place, places } = this.store.getState();
+    if (places.includes(place)) return place;
+    const { document, page } = this.designer.state;
+    const answer = await this.designer.ask({ case: "findLive", value: { document, page, isPlanned: true } });
+    return answer.ok && answer.result.case === "live" ? answer.result.value.places[0]?.path : undefined;
+  }
+
+  /** Tells the simulator of breakpoints that an earlier one had. */
+  private async tellKept(): Promise<void> {
+    if (this.isTelling || !this.model.isOperator()) return;
+    this.isTelling = true;
+    for (const { document, mark } of untoldMarks(this.designer.state.marks)) {
+      const breakpoint = { what: mark.breakpoint!.what };
+      const reply = await this.connection.ask({ case: "setBreakpoint", value: { breakpoint } });
+      if (!reply.ok || reply.result.case !== "breakpoint") continue;
+      await this.removeMark(document, mark.id);
+      const { page, node, from, to, trigger, place, port, drawn } = mark;
+      const told = { page, node, from, to, trigger, place, port, drawn };
+      const id = reply.result.value;
+      await this.designer.link.ask({
+        case: "setMark",
+        value: { document, mark: { ...told, breakpoint: { ...breakpoint, id } } },
+      });
+    }
+    this.isTelling = false;
   }
 
   private async removeMark(document: string, id: number): Promise<void> {
@@ -323,16 +364,17 @@ export class Live {
     this.designer.select([id]);
   }
 
-  /** Keeps the value of what is drawn in sight. */
-  async pin(id: string, port: string): Promise<void> {
+  /** Keeps the value of what is drawn in sight; `value`: below the page's place. */
+  async pin(id: string, value: string): Promise<void> {
     const { drawing } = this.designer;
     const mark = drawing && markAt(drawing, id);
-    if (!drawing || !mark) return;
+    const place = await this.placeToMark();
+    if (!drawing || !mark || place === undefined) return;
     this.showPane();
-    await this.setMark(drawing, { ...mark, port });
+    await this.setMark(drawing, { ...mark, place, port: joined(place, value) });
   }
 
-  async unpin({ document, mark }: Pin): Promise<void> {
+  async unpin(document: string, mark: number): Promise<void> {
     await this.removeMark(document, mark);
   }
 
@@ -358,6 +400,7 @@ export class Live {
   private takeMarks(): void {
     const { marks } = this.designer.state;
     this.store.setState({ pins: pinsOf(marks), drawnAt: drawnAtOf(marks) });
+    void this.tellKept();
   }
 
   private get server(): string {

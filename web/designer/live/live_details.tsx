@@ -6,11 +6,12 @@ import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protoc
 import { Choice } from "../details/choice.tsx";
 import { Section } from "../details/parts.tsx";
 import type { Drawing } from "../protocol.ts";
-import { useDesigner } from "../use.ts";
+import { useDesigner, usePart } from "../use.ts";
 import { LiveArrow } from "./badge.tsx";
-import { atCondition, kComparisons, onPort } from "./break_points.ts";
+import { atCondition, kComparisons } from "./break_points.ts";
 import { InSession } from "./in_session.tsx";
-import { liveMenu } from "./menu.ts";
+import { breaksOnValue, liveMenu } from "./menu.ts";
+import { joined } from "./places.ts";
 import { type Target, targetOf } from "./targets.ts";
 import { useLive } from "./use_live.ts";
 import { useLivePage, usePath } from "./use_live_part.ts";
@@ -28,7 +29,7 @@ export function LiveDetails({ drawing, id }: { drawing: Drawing; id: string }) {
 function Running({ drawing, id, target }: { drawing: Drawing; id: string; target: Target }) {
   const designer = useDesigner();
   const path = usePath(target.kind === "value" ? target.live : ".");
-  useSessionPart("breakpoints");
+  usePart((state) => state.marks);
   useSessionPart("roster");
   const actions = liveMenu(designer, id).filter((one) => one.blocked === undefined);
   const isRunning = path !== "";
@@ -44,7 +45,7 @@ function Running({ drawing, id, target }: { drawing: Drawing; id: string; target
             </Button>
           ))}
         </div>
-        {target.kind === "value" && isRunning && <BreakWhen path={path} id={id} type={target.type} />}
+        {target.kind === "value" && <BreakWhen drawing={drawing} target={target} id={id} />}
       </div>
     </Section>
   );
@@ -62,14 +63,15 @@ function Value({ drawing, live }: { drawing: Drawing; live: string }) {
 }
 
 /** A breakpoint on a value: `is true`, `> 2`. */
-function BreakWhen({ path, id, type }: { path: string; id: string; type: string }) {
+function BreakWhen({ drawing, target, id }: { drawing: Drawing; target: Target & { kind: "value" }; id: string }) {
   const live = useLivePage();
-  const all = onPort(useSessionPart("breakpoints"), path);
+  const { live: below, type } = target;
+  const count = breaksOnValue(live, drawing, id);
   const [comparison, setComparison] = useState<Comparison>(type === "bool" ? Comparison.EQUAL : Comparison.GREATER);
   const [typed, setTyped] = useState("");
   const set = () => {
     if (typed.trim() === "") return;
-    void live.setBreakpoint(atCondition(path, comparison, typed.trim()), id);
+    void live.setBreakpoint((place) => atCondition(joined(place, below), comparison, typed.trim()), id);
     setTyped("");
   };
   if (type === "bool") return null;
@@ -89,7 +91,7 @@ function BreakWhen({ path, id, type }: { path: string; id: string; type: string 
         placeholder={type === "Vector" ? "its length" : ""}
       />
       <IconButton icon="plus" label="Set the breakpoint" isDisabled={typed.trim() === ""} onPress={set} />
-      {all.length > 0 && <span className="small muted">{all.length} set</span>}
+      {count > 0 && <span className="small muted">{count} set</span>}
     </div>
   );
 }

@@ -27,6 +27,34 @@ export function pinsOf(marks: ByDocument): Pin[] {
     .map(([document, mark]) => ({ ...drawnAt(document, mark), port: mark.port, mark: mark.id }));
 }
 
+/** Those of a page; `place` undefined: wherever it runs. */
+export function marksOfPage(marks: readonly Mark[], page: string, place: string | undefined): Mark[] {
+  return marks.filter((mark) => mark.page === page && !mark.isLost && (place === undefined || mark.place === place));
+}
+
+/** The one that breaks at a transition between these states; empty: any. */
+export function breakAtTransition(marks: readonly Mark[], from: string, to: string): Mark | undefined {
+  return marks.find(({ breakpoint }) => {
+    const what = breakpoint?.what;
+    return what?.case === "transition" && what.value.from === from && what.value.to === to;
+  });
+}
+
+/** On the same thing of a page: on the value of a node, or a condition of a transition. */
+export function isOnSame(mark: Mark, { node = "", from = "", to = "", trigger = "" }: MarkInit): boolean {
+  return mark.node === node && mark.from === from && mark.to === to && mark.trigger === trigger;
+}
+
+/** When the value becomes this. */
+export function breaksWhen({ breakpoint }: Mark, value: "true" | "false"): boolean {
+  return breakpoint?.what.case === "condition" && breakpoint.what.value.value === value;
+}
+
+/** Breakpoints of an earlier server, which the simulator that runs now was not told of. */
+export function untoldMarks(marks: ByDocument): { document: string; mark: Mark }[] {
+  return all(marks).flatMap(([document, mark]) => (mark.breakpoint?.id === 0 ? [{ document, mark }] : []));
+}
+
 /** Where breakpoints are drawn, by their ids. */
 export function drawnAtOf(marks: ByDocument): Map<number, DrawnAt> {
   return new Map(
@@ -47,7 +75,9 @@ export function renamedBreakpoints(marks: readonly Mark[], known: readonly Break
 
 /** Marks of breakpoints that the simulator does not have any more: somebody took them away elsewhere. */
 export function endedMarks(marks: readonly Mark[], known: readonly Breakpoint[]): Mark[] {
-  return marks.filter(({ breakpoint }) => breakpoint && !known.some(({ id }) => id === breakpoint.id));
+  return marks.filter(
+    ({ breakpoint }) => breakpoint && breakpoint.id !== 0 && !known.some(({ id }) => id === breakpoint.id),
+  );
 }
 
 function all(marks: ByDocument): (readonly [string, Mark])[] {

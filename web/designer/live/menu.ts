@@ -2,10 +2,12 @@
 import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import type { Action } from "../actions/action.ts";
 import type { Designer } from "../designer.ts";
-import type { Drawing } from "../protocol.ts";
+import { isOfLibrary } from "../pages/pages.ts";
+import type { Drawing, Mark } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
-import { atCondition, atTransition, onPort, onTransition } from "./break_points.ts";
+import { atCondition, atTransition } from "./break_points.ts";
 import { knownLive, type Live } from "./live.ts";
+import { breakAtTransition, breaksWhen, isOnSame, markAt, marksOfPage } from "./marks.ts";
 import { joined } from "./places.ts";
 import { type Target, targetOf } from "./targets.ts";
 
@@ -20,7 +22,7 @@ export function liveMenu(designer: Designer, id: string): Action[] {
     case "state":
       return [transitionBreak(live, "", target.name, id), transitionBreak(live, target.name, "", id)];
     case "value":
-      return valueActions(live, target, id);
+      return valueActions(live, drawing, target, id);
   }
 }
 
@@ -30,18 +32,51 @@ function placeOf(live: Live): string | undefined {
   return places.includes(place) ? place : undefined;
 }
 
+/** Why nothing can be marked on the page. */
+function blockedBy(live: Live): string | undefined {
+  if (placeOf(live) !== undefined) return undefined;
+  const { errors, hasSubject } = live.situation;
+  if (!hasSubject || isOfLibrary(live.designer.state.document)) return "Run it first";
+  return errors > 0 ? "It does not compile" : undefined;
+}
+
+/** What is marked of the page, where it runs. */
+function marksHere(live: Live): Mark[] {
+  const { marks, document, page } = live.designer.state;
+  return marksOfPage(marks[document] ?? [], page, placeOf(live));
+}
+
+/** How many breakpoints there are on a value of the page. */
+export function breaksOnValue(live: Live, drawing: Drawing, id: string): number {
+  const at = markAt(drawing, id);
+  return marksHere(live).filter((mark) => at && mark.breakpoint && isOnSame(mark, at)).length;
+}
+
 function transitionBreak(live: Live, from: string, to: string, id: string): Action {
-  const place = placeOf(live);
-  const known = onTransition(live.model.get("breakpoints"), place ?? "", from, to);
+  const known = breakAtTransition(marksHere(live), from, to);
   const when = from === "" ? `when ${to} begins` : to === "" ? `when ${from} ends` : `${from} → ${to}`;
+  return breakAction(live, `break ${from} ${to}`, known, {
+    set: `Break ${when}`,
+    remove: `Remove the breakpoint ${when}`,
+    run: () => live.setBreakpoint((place) => atTransition(place, from, to), id),
+  });
+}
+
+interface Breaking {
+  readonly set: string;
+  readonly remove: string;
+  readonly run: () => Promise<void>;
+}
+
+/** Sets a breakpoint, or takes away the one that is there. */
+function breakAction(live: Live, id: string, known: Mark | undefined, { set, remove, run }: Breaking): Action {
   return {
-    id: `break ${from} ${to}`,
-    label: known ? `Remove the breakpoint ${when}` : `Break ${when}`,
+    id,
+    label: known ? remove : set,
     group: "Run",
     icon: known ? "close" : "pause",
-    blocked: place === undefined ? "Run it first" : undefined,
-    run: () =>
-      void (known ? live.removeBreakpoint(known.id) : live.setBreakpoint(atTransition(place ?? "", from, to), id)),
+    blocked: known ? undefined : blockedBy(live),
+    run: () => void (known ? live.removeBreakMark(known) : run()),
   };
 }
 
@@ -56,59 +91,48 @@ function conditionBreaks(live: Live, drawing: Drawing, id: string): Action[] {
       .portsOf(live.follower.robot)
       .map(({ path }) => path),
   );
+  const transition = { ...markAt(drawing, id) };
   return (transitionOf(drawing, id)?.conditions ?? []).map(({ text, live: below, isNegated }) => {
-    const path = place === undefined ? "" : joined(place, below);
     const value = isNegated ? "false" : "true";
-    const known = onPort(live.model.get("breakpoints"), path).find(
-      ({ what }) => what.case === "condition" && what.value.value === value,
+    const known = marksHere(live).find(
+      (mark) => isOnSame(mark, { ...transition, trigger: below }) && breaksWhen(mark, value),
     );
     const called = text.length > kLongestLabel ? `${text.slice(0, kLongestLabel - 1)}…` : text;
-    const noPort = ports.has(path) ? undefined : "It has no value of its own";
-    return {
-      id: `break-when ${text}`,
-      label: known ? `Remove the breakpoint on ${called}` : `Break when ${called}`,
-      group: "Run",
-      icon: known ? ("close" as const) : ("pause" as const),
-      blocked: place === undefined ? "Run it first" : noPort,
-      run: () =>
-        void (known
-          ? live.removeBreakpoint(known.id)
-          : live.setBreakpoint(atCondition(path, Comparison.EQUAL, value), id, below)),
-    };
+    const action = breakAction(live, `break-when ${text}`, known, {
+      set: `Break when ${called}`,
+      remove: `Remove the breakpoint on ${called}`,
+      run: () => live.setBreakpoint((one) => atCondition(joined(one, below), Comparison.EQUAL, value), id, below),
+    });
+    const isThere = place === undefined || ports.has(joined(place, below));
+    return isThere ? action : { ...action, blocked: "It has no value of its own" };
   });
 }
 
-function valueActions(live: Live, target: Target & { kind: "value" }, id: string): Action[] {
-  const place = placeOf(live);
-  const path = place === undefined ? "" : joined(place, target.live);
-  const blocked = path === "" ? "Run it first" : undefined;
+function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "value" }, id: string): Action[] {
+  const blocked = blockedBy(live);
   const { designer } = live;
-  const pinned = live.store.getState().pins.find((pin) => pin.port === path);
+  const at = markAt(drawing, id);
+  const marks = marksHere(live).filter((mark) => at && isOnSame(mark, at));
+  const pinned = marks.find(({ breakpoint }) => !breakpoint);
   const actions: Action[] = [
     {
       id: "pin",
       label: pinned ? "Take the probe away" : "Pin a probe",
       group: "Run",
       icon: pinned ? "close" : "plot",
-      blocked,
-      run: () => void (pinned ? live.unpin(pinned) : live.pin(id, path)),
+      blocked: pinned ? undefined : blocked,
+      run: () => void (pinned ? live.unpin(designer.state.document, pinned.id) : live.pin(id, target.live)),
     },
   ];
   if (target.type === "bool") {
-    const known = onPort(live.model.get("breakpoints"), path).find(
-      ({ what }) => what.case === "condition" && what.value.value === "true",
+    const known = marks.find((mark) => breaksWhen(mark, "true"));
+    actions.push(
+      breakAction(live, "break-true", known, {
+        set: "Break when it becomes true",
+        remove: "Remove the breakpoint",
+        run: () => live.setBreakpoint((place) => atCondition(joined(place, target.live), Comparison.EQUAL, "true"), id),
+      }),
     );
-    actions.push({
-      id: "break-true",
-      label: known ? "Remove the breakpoint" : "Break when it becomes true",
-      group: "Run",
-      icon: known ? "close" : "pause",
-      blocked,
-      run: () =>
-        void (known
-          ? live.removeBreakpoint(known.id)
-          : live.setBreakpoint(atCondition(path, Comparison.EQUAL, "true"), id)),
-    });
   } else {
     actions.push({
       id: "break-value",

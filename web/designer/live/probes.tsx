@@ -58,7 +58,11 @@ function Probe({ pin }: { pin: Pin }) {
           </>
         )}
       </span>
-      <IconButton icon="close" label={`Take away the probe of ${name}`} onPress={() => void live.unpin(pin)} />
+      <IconButton
+        icon="close"
+        label={`Take away the probe of ${name}`}
+        onPress={() => void live.unpin(pin.document, pin.mark)}
+      />
     </li>
   );
 }

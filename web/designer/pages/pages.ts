@@ -7,6 +7,11 @@ export function isEmptyDrawing({ nodes, states }: Drawing): boolean {
   return nodes.length + states.length === 0;
 }
 
+/** Everybody's, so nobody can change it. */
+export function isOfLibrary(document: string): boolean {
+  return document.startsWith("library:");
+}
+
 /** The page that encloses this one; none for the file's. */
 export function outer(path: string): string | undefined {
   if (path === "") return undefined;
