@@ -43,24 +43,21 @@ bool has_ended(pid_t process) {
 StateFolder::StateFolder(const std::string& folder, std::string_view project) {
   if (folder.empty()) return;
   folder_ = (fs::path(folder) / fmt::format("{:016x}", base::hash_text(project))).string();
-  std::error_code cannot;
-  fs::create_directories(folder_, cannot);
-  fs::permissions(folder_, fs::perms::owner_all, cannot);
+  make();
   remove_leftovers();
 }
 
-// Made where it is missing: a disk that was full may have room by now.
-EnclosedFolder StateFolder::open() const {
-  EnclosedFolder there(folder_, {});
-  if (there) return there;
+std::string StateFolder::make() const {
   std::error_code cannot;
+  if (fs::is_directory(folder_, cannot)) return "";
   fs::create_directories(folder_, cannot);
+  if (cannot) return fmt::format("the folder `{}` can't be made: {}", folder_, cannot.message());
   fs::permissions(folder_, fs::perms::owner_all, cannot);
-  return {folder_, {}};
+  return "";
 }
 
 void StateFolder::remove_leftovers() const {
-  for (const EnclosedFolder::Item& item : open().items(1000)) {
+  for (const EnclosedFolder::Item& item : EnclosedFolder(folder_, {}).items(1000)) {
     const std::optional<pid_t> writer = writer_of(item.name);
     if (writer && has_ended(*writer)) remove(item.name);
   }
@@ -76,7 +73,9 @@ bool StateFolder::read(const std::string& name, std::size_t most_bytes, std::str
 
 std::string StateFolder::write(const std::string& name, std::string_view bytes) const {
   if (folder_.empty()) return kNowhere;
-  return open().write(name, bytes, EnclosedFolder::Reach::kInFileSystem, 0600);
+  std::string why = make();  // a disk that was full may have room by now
+  if (!why.empty()) return why;
+  return EnclosedFolder(folder_, {}).write(name, bytes, EnclosedFolder::Reach::kInFileSystem, 0600);
 }
 
 std::string StateFolder::remove(const std::string& name) const {
@@ -87,7 +86,7 @@ std::string StateFolder::remove(const std::string& name) const {
 }
 
 std::string StateFolder::sync(const std::string& name) const {
-  return folder_.empty() ? kNowhere : open().sync(name);
+  return folder_.empty() ? kNowhere : EnclosedFolder(folder_, {}).sync(name);
 }
 
 std::string StateFolder::problem() const {

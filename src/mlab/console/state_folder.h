@@ -36,7 +36,8 @@ class StateFolder {
   std::vector<std::string> names(std::string_view extension) const;
 
  private:
-  EnclosedFolder open() const;
+  /// Where it is missing. @return  why it could not be made; empty: it is there
+  std::string make() const;
   /// What processes that were killed while they wrote have left behind.
   void remove_leftovers() const;
 
