@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { begin, look } from "./begin.ts";
+import { expectWithin } from "./within.ts";
 
 // So slow that the mission has no question while the test looks at it.
 const kSlowly = ["--speed", "0.1"];
@@ -53,6 +54,8 @@ test("of two browsers one is the operator, until the place is handed over", asyn
   // It sees what the other does, and can do nothing.
   await first.main.click();
   await second.reaches("Running");
+  await expectWithin(second.button(/^Operator: /));
+  await expectWithin(second.page.getByRole("button", { name: /^All commands/ }));
   expect(await second.button("Step").isDisabled()).toBe(true);
   await second.panel("World");
   expect(await second.button("Random obstacles…").isDisabled()).toBe(true);

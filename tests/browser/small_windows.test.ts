@@ -54,3 +54,21 @@ test("on a telephone a panel lies over the map, and goes again", async () => {
     await panel.waitFor({ state: "detached" });
   }
 });
+
+test("tabs, orders of robots and the command line have room in the smallest windows", async () => {
+  const { console } = await begin({ mission: "demo_c", options: ["--speed", "1"] });
+  const { page } = console;
+  await console.reaches("Ready");
+  await console.main.click();
+  await console.reaches("Running");
+  await console.select("Robot 2");
+  const robots = await console.panel("Robots");
+  const order = console.rowOf(robots, "Robot 2").locator(".robot-follows");
+  await expect.poll(() => order.evaluate((one) => one.clientWidth)).toBeGreaterThan(50);
+  for (const [width, height] of kSizes.slice(0, -1)) {
+    await page.setViewportSize({ width, height });
+    const selection = await console.panel("Selection");
+    for (const tab of await selection.getByRole("tab").all()) await expectWithin(tab);
+    expect((await console.commandLine.boundingBox())?.width).toBeGreaterThan(140);
+  }
+});

@@ -20,7 +20,7 @@ export function People() {
     <PopoverButton
       label="People"
       trigger={
-        <Button tone="quiet" className={`pill ${isOperator ? "go" : "accent"}`}>
+        <Button tone="quiet" className={`people pill ${isOperator ? "go" : "accent"}`}>
           <Icon name={isOperator ? "person" : "lock"} />
           <span className="ellipsis" style={{ maxWidth: 140 }}>
             {role}

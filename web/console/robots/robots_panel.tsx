@@ -153,7 +153,9 @@ function Facts({ id }: { id: number }) {
       <span className="small muted number grow robot-place">
         {place ? `${Math.round(place.x)}, ${Math.round(place.y)}` : ""}
       </span>
-      <span className={`pill ${state.tone}`}>{state.word}</span>
+      <span className={`pill ${state.tone}`} title={state.word}>
+        {state.word}
+      </span>
     </>
   );
 }
