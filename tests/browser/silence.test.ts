@@ -26,6 +26,8 @@ test("a server that was stopped is told as silent, and the emergency stop as sen
   await console.reaches("No answer");
   expect(await isGrey(console, ".dock.left")).toBe(true);
   expect(await isGrey(console, ".map")).toBe(true);
+  // On a telephone it lies over the map, which is not to be seen through it.
+  expect(await console.page.locator(".dock.left").evaluate((one) => getComputedStyle(one).opacity)).toBe("1");
   const first = await seconds(console);
   expect(first).toBeGreaterThanOrEqual(1);
   await expect.poll(() => seconds(console)).toBeGreaterThan(first + 1);

@@ -1,6 +1,6 @@
 // What must never be looked for is on the screen, however small that is.
 import { expect, test } from "vitest";
-import { begin } from "./begin.ts";
+import { begin, look } from "./begin.ts";
 import { expectWithin } from "./within.ts";
 
 /** CSS pixels: telephones, and a window of 1280 x 800 at 100, 200 and 400 %. */
@@ -15,7 +15,7 @@ const kSizes = [
 ] as const;
 
 test("the emergency stop, the state of the run and questions lie within every window", async () => {
-  const { console } = await begin({ mission: "demo_c" });
+  const { console, mlab } = await begin({ mission: "demo_c" });
   const { page } = console;
   await console.reaches("Ready");
   await console.setSpeed("Max");
@@ -34,6 +34,10 @@ test("the emergency stop, the state of the run and questions lie within every wi
     await expectWithin(question.getByRole("button", { name: /^ABORT/ }));
     for (const what of [console.stop, console.state, console.main]) await expectWithin(what);
   }
+  // Who only watches reads the whole of his button, too.
+  const watching = await look(mlab, { width: 320, height: 568 });
+  await watching.main.filter({ hasText: "Ask for control" }).waitFor();
+  expect(await watching.main.evaluate((button) => button.scrollWidth - button.clientWidth)).toBe(0);
   await console.stop.click();
   await console.stop.getByText("confirmed: all 4 stand").waitFor();
   for (const [width, height] of kSizes) {
