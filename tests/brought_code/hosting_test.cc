@@ -81,15 +81,11 @@ std::shared_ptr<const flow::Program> embedded(const Folder& folder, text::Diagno
   return flow::build_program(cnl::elaborate(tree, sink), library, sink);
 }
 
-robot::ProgramSources sources_of(const Folder& folder, const cell::Permission& permission) {
-  return {permission, folder.path(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
-}
-
 TEST(Hosting, DoesBitForBitWhatTheSameCodeDoesEmbedded) {
   const Folder folder;
   folder.write("mine.cnl", kManyThings);
   text::Diagnostics sink;
-  const auto read = robot::read_network("mine.cnl", {}, sources_of(folder, code_permitted()), sink);
+  const auto read = robot::read_network("mine.cnl", {}, sources_in(folder.path(), code_permitted()), sink);
   ASSERT_TRUE(read) << text::render(sink);
   ASSERT_TRUE(read->built.hosted);
   const auto program = embedded(folder, sink);
@@ -161,7 +157,7 @@ TEST(Hosting, NeverRunsWhatIsOnlyChecked) {
                                             "\", \"w\"); if (f) std::fclose(f); "
                                             "return true; }();"));
   text::Diagnostics sink;
-  const auto read = robot::read_network("mine.cnl", {}, sources_of(folder, check_permitted()), sink);
+  const auto read = robot::read_network("mine.cnl", {}, sources_in(folder.path(), check_permitted()), sink);
   ASSERT_TRUE(read) << text::render(sink);
   EXPECT_TRUE(read->built.is_described_only);
   EXPECT_FALSE(read->built.hosted);
@@ -216,7 +212,7 @@ class FaultTest : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(FaultTest, StopsThatRobotAloneAndIsTold) {
   const Fault& fault = GetParam();
-  if (cell::testing::kIsSanitized && std::string(fault.name) == "Memory")
+  if (cell::kIsSanitized && std::string(fault.name) == "Memory")
     GTEST_SKIP() << "sanitizers have their own word on memory";
   const std::string body = std::string("if (percepts.id.value == 2 && way > 12.0) { ") + fault.body + " }";
   const Folder folder;
@@ -262,7 +258,7 @@ TEST(Hosting, TakesAnyBytesThatAProgramLeavesInItsFrames) {
   const Folder folder;
   folder.write("mine.cnl", kManyThings);
   text::Diagnostics sink;
-  const auto read = robot::read_network("mine.cnl", {}, sources_of(folder, code_permitted()), sink);
+  const auto read = robot::read_network("mine.cnl", {}, sources_in(folder.path(), code_permitted()), sink);
   ASSERT_TRUE(read) << text::render(sink);
   std::vector<std::shared_ptr<const flow::Program>> programs = {read->built.program};
   const auto standard = robot::load_program("robot", {}, {}, {}, {}, sink);

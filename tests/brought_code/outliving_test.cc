@@ -93,7 +93,7 @@ enum class Walls { kLandlock, kBubblewrap, kNone };
 class Outliving : public ::testing::TestWithParam<Walls> {
  protected:
   void SetUp() override {
-    if (GetParam() != Walls::kNone && cell::testing::kIsSanitized)
+    if (GetParam() != Walls::kNone && cell::kIsSanitized)
       GTEST_SKIP() << "sanitizers want more than a cell gives";
     if (GetParam() == Walls::kLandlock && cell::means().landlock == 0)
       GTEST_SKIP() << "this kernel has no Landlock";

@@ -55,23 +55,32 @@ inline void write_mission(const Folder& folder, const std::string& network, int 
   folder.write("m.mdl", mission);
 }
 
-/// A run of robots that drive by one network.
+/// What a mission in this folder may use.
+inline robot::ProgramSources sources_in(const std::string& folder, const cell::Permission& permission) {
+  return {permission, folder, std::string(MLAB_SOURCE_DIR) + "/src", "test"};
+}
+
+/// A run, and what it says.
 struct Team {
   text::Diagnostics sink;
   std::vector<std::string> told;
   std::unique_ptr<fleet::MissionRun> run;
 
+  /// Robots that drive by one network.
   /// @param network  in CNL; has to bring what it uses and is not in the component library
   Team(const Folder& folder, const std::string& network, int robots, const cell::Permission& permission,
-       int threads = 1) {
-    write_mission(folder, network, robots);
-    const auto plan = mdl::load_mission(folder.path("m.mdl"), sink, {1, {}});
+       int threads = 1)
+      : Team((write_mission(folder, network, robots), "m.mdl"), sources_in(folder.path(), permission),
+             threads) {}
+
+  /// Those of a mission file.
+  Team(const std::string& mission, const robot::ProgramSources& sources, int threads = 1) {
+    const auto plan = mdl::load_mission((fs::path(sources.folder) / mission).string(), sink, {1, {}});
     if (!plan) return;
     fleet::RunSettings settings;
     settings.seed = 5;
     settings.threads = threads;
     settings.executive.proceed_all = true;
-    robot::ProgramSources sources{permission, folder.path(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
     run = fleet::MissionRun::create(plan, sources, settings, sink);
     if (!run) return;
     run->set_observer([this](const mission::Effect& effect) {

@@ -190,13 +190,12 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
     sink.error("code-not-allowed", place, wall.error());
     return std::nullopt;
   }
-  hosted.launch.wall = *wall;
   hosted.load = compiled(network, files, sources, sink);
   if (!hosted.load) return std::nullopt;
-  hosted.launch.executable = runner_path();
-  if (hosted.launch.executable.empty()) return refuse("`mlab-robots` is not beside this program");
+  const std::string runner = runner_path();
+  if (runner.empty()) return refuse("`mlab-robots` is not beside this program");
   hosted.limits = sources.limits;
-  hosted.launch.policy = robot_host::program_policy(hosted.launch.executable, hosted.limits);
+  hosted.launch = robot_host::launch_of(runner, *wall, hosted.limits);
   for (const std::string& file : hosted.load->libraries()) hosted.launch.policy.readable.push_back(file);
   const auto started = robot_host::start_hosted(hosted, nullptr);
   if (!started) return refuse(fmt::format("the process that loads them {}", started.error()));

@@ -23,15 +23,17 @@ fs::path path_of(const std::string& name, const ProgramSources& sources) {
 
 // An executable may be anybody's, in any language: it gets the libraries of the system beside itself, and a
 // script the programs that read scripts.
-cell::Policy policy_of(const std::string& executable, const robot_host::Limits& limits) {
-  cell::Policy out = robot_host::program_policy(executable, limits);
+robot_host::Launch launch_of_any(const std::string& executable, cell::Wall wall,
+                                 const robot_host::Limits& limits) {
+  robot_host::Launch out = robot_host::launch_of(executable, wall, limits);
   for (const char* folder : {"/usr/lib", "/usr/local/lib", "/lib", "/lib64"})
-    out.readable.emplace_back(folder);
+    out.policy.readable.emplace_back(folder);
   std::string begin(2, '\0');
   std::ifstream(executable, std::ios::binary).read(begin.data(), 2);
   if (begin == "#!") {
-    for (const char* folder : {"/usr/bin", "/bin", "/usr/local/bin"}) out.executable.emplace_back(folder);
-    for (const char* folder : {"/usr/share", "/etc/alternatives"}) out.readable.emplace_back(folder);
+    for (const char* folder : {"/usr/bin", "/bin", "/usr/local/bin"})
+      out.policy.executable.emplace_back(folder);
+    for (const char* folder : {"/usr/share", "/etc/alternatives"}) out.policy.readable.emplace_back(folder);
   }
   return out;
 }
@@ -88,7 +90,7 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
   native->limits = sources.limits;
   native->limits.answer = sources.limits.cycle_wall;
   native->executable = path_of(robot.name, sources).string();
-  native->launch = {native->executable, policy_of(native->executable, native->limits), wall};
+  native->launch = launch_of_any(native->executable, wall, native->limits);
   std::vector<Setting> asked;
   for (const Setting& setting : settings) {
     if (std::ranges::find(known_keys, setting.key) != known_keys.end()) continue;

@@ -19,6 +19,7 @@
 #include <fmt/core.h>
 
 #include "mlab/cell/cell.h"
+#include "mlab/cell/sanitized.h"
 #include "mlab/cell/tied_fork.h"
 
 namespace mlab::robot_host {
@@ -58,20 +59,9 @@ void become(cell::Cell& room, const Ends& ends) {
 // Nothing of this process's own environment: it may hold what strangers' code has no business to know.
 std::vector<std::string> environment_of_program() {
   std::vector<std::string> out = {"LC_ALL=C"};
-#if defined(__SANITIZE_ADDRESS__)
-  constexpr bool kIsSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-  constexpr bool kIsSanitized = true;
-#else
-  constexpr bool kIsSanitized = false;
-#endif
-#else
-  constexpr bool kIsSanitized = false;
-#endif
   // Looking for leaks takes a process that traces, which there is none in a cell; and how a program ends is
   // what is to be told.
-  if (kIsSanitized)
+  if (cell::kIsSanitized)
     out.emplace_back("ASAN_OPTIONS=detect_leaks=0:handle_segv=0:handle_sigfpe=0:handle_abort=0");
   return out;
 }
@@ -203,7 +193,8 @@ ChildProcess::Io ChildProcess::read(std::span<char> room, std::size_t& count, Cl
 
 void ChildProcess::take_errors() {
   char block[1024];
-  while (err_ >= 0) {
+  // As much as a pipe holds: whoever writes without end would keep us here.
+  for (int i = 0; i < 64 && err_ >= 0; ++i) {
     const ssize_t count = ::read(err_, block, sizeof block);
     if (count < 0 && errno == EINTR) continue;
     if (count == 0) close_end(err_);

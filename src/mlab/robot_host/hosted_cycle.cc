@@ -87,11 +87,7 @@ void HostedCycle::set(std::size_t place, const percept::Percepts& percepts,
 std::optional<std::string> HostedCycle::ensure_process() {
   if (process_ && !process_->has_failed()) return std::nullopt;
   process_.reset();
-  // What a process that was ended had begun.
-  memory_->control().answered.store(cycle_);
-  memory_->control().place.store(Control::kNobody);
-  memory_->control().node.store(Control::kNobody);
-  memory_->control().out_of_memory.store(0);
+  memory_->begin_anew(cycle_);
   auto started = start_hosted(*program_, &*memory_);
   if (!started) return started.error();
   process_.emplace(std::move(started->process));

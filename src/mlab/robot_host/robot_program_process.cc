@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/cell/sanitized.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::robot_host {
@@ -12,16 +13,10 @@ constexpr double kEndPatience = 0.5;
 
 }  // namespace
 
-cell::Policy program_policy(const std::string& executable, const Limits& limits) {
-  cell::Policy out = cell::policy_for(executable);
-  out.memory = limits.memory;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  out.memory = 0;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-  out.memory = 0;
-#endif
-#endif
+Launch launch_of(const std::string& executable, cell::Wall wall, const Limits& limits) {
+  Launch out{executable, cell::policy_for(executable), wall};
+  out.policy.memory = cell::kIsSanitized ? 0 : limits.memory;
+  if (wall != cell::Wall::kNone) out.policy.file_size = 0;
   return out;
 }
 

@@ -16,16 +16,17 @@
 
 namespace mlab::robot_host {
 
-/// What a robot program may do: be loaded, and compute in its memory. Sanitizers reserve more than there is,
-/// so with them its memory has no limit.
-cell::Policy program_policy(const std::string& executable, const Limits& limits);
-
 /// An executable and the cell that it runs in.
 struct Launch {
   std::string executable;
   cell::Policy policy;
   cell::Wall wall = cell::Wall::kLandlock;
 };
+
+/// What a robot program may do: be loaded, and compute in its memory. In a cell it writes no files, nor more
+/// memory than the run shares with it. Sanitizers reserve more than there is, so with them memory has no
+/// limit.
+Launch launch_of(const std::string& executable, cell::Wall wall, const Limits& limits);
 
 /// Something that a person wants of a program: path of the port, value as written.
 using Settings = std::vector<std::pair<std::string, std::string>>;

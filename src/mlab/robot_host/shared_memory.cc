@@ -63,10 +63,16 @@ std::expected<SharedMemory, std::string> SharedMemory::make(std::size_t frame_si
   out.frames_ = map_file(out.frames_file_, out.frames_size_);
   out.percepts_ = map_file(out.percepts_file_, out.percepts_size_);
   if (out.frames_ == nullptr || out.percepts_ == nullptr) return fail();
-  Control& control = *::new (out.frames_) Control;
-  control.frames_size = out.frames_size_;
-  control.percepts_size = out.percepts_size_;
+  out.begin_anew(0);
   return out;
+}
+
+void SharedMemory::begin_anew(std::uint32_t cycle) {
+  Control& control = *::new (frames_) Control;
+  control.asked = cycle;
+  control.answered = cycle;
+  control.frames_size = frames_size_;
+  control.percepts_size = percepts_size_;
 }
 
 SharedMemory::SharedMemory(SharedMemory&& other) noexcept

@@ -32,6 +32,9 @@ class SharedMemory {
   int frames_file() const { return frames_file_; }
   int percepts_file() const { return percepts_for_reading_; }
 
+  /// For a process that is to begin with the cycle after this one: whatever another one left there is
+  /// forgotten.
+  void begin_anew(std::uint32_t cycle);
   robot_wire::Control& control() { return *reinterpret_cast<robot_wire::Control*>(frames_); }
 
   /// Makes room for so many robots. False: the machine has none; what was there stays.

@@ -1,64 +1,40 @@
 #pragma once
 
 #include "mlab/cell/permission.h"
+#include "mlab/cell/sanitized.h"
 
+/// Permissions of somebody at this machine who trusts all that lies here. What sanitizers watch runs without
+/// a cell.
 namespace mlab::cell::testing {
 
-/// Sanitizers want more of a process than a cell gives: what they watch runs without one.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kIsSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-inline constexpr bool kIsSanitized = true;
-#else
-inline constexpr bool kIsSanitized = false;
-#endif
-#else
-inline constexpr bool kIsSanitized = false;
-#endif
+inline Permission permitted(Grounds::Purpose purpose, bool allows_native, bool without_cell = kIsSanitized) {
+  return Permission::decide({.purpose = purpose,
+                             .people = Grounds::People::kHere,
+                             .allows_native = allows_native,
+                             .without_cell = without_cell,
+                             .is_trusted = true,
+                             .known = nullptr},
+                            means());
+}
 
-/// What somebody at this machine has who trusts all that lies here.
+/// `mlab run --allow-native`.
 inline Permission all_permitted() {
-  return Permission::decide({.purpose = Grounds::Purpose::kRun,
-                             .people = Grounds::People::kHere,
-                             .allows_native = true,
-                             .without_cell = kIsSanitized,
-                             .is_trusted = true,
-                             .known = nullptr},
-                            means());
+  return permitted(Grounds::Purpose::kRun, true);
 }
 
-/// What the same has who said no `--allow-native`.
+/// `mlab run`.
 inline Permission code_permitted() {
-  return Permission::decide({.purpose = Grounds::Purpose::kRun,
-                             .people = Grounds::People::kHere,
-                             .allows_native = false,
-                             .without_cell = kIsSanitized,
-                             .is_trusted = true,
-                             .known = nullptr},
-                            means());
+  return permitted(Grounds::Purpose::kRun, false);
 }
 
-/// What the same has who said `--allow-native --no-cell`.
+/// `mlab run --allow-native --no-cell`.
 inline Permission permitted_without_cell() {
-  return Permission::decide({.purpose = Grounds::Purpose::kRun,
-                             .people = Grounds::People::kHere,
-                             .allows_native = true,
-                             .without_cell = true,
-                             .is_trusted = true,
-                             .known = nullptr},
-                            means());
+  return permitted(Grounds::Purpose::kRun, true, true);
 }
 
-/// What `mlab check` has.
+/// `mlab check`.
 inline Permission check_permitted() {
-  return Permission::decide({.purpose = Grounds::Purpose::kCheck,
-                             .people = Grounds::People::kHere,
-                             .allows_native = false,
-                             .without_cell = kIsSanitized,
-                             .is_trusted = true,
-                             .known = nullptr},
-                            means());
+  return permitted(Grounds::Purpose::kCheck, false);
 }
 
 }  // namespace mlab::cell::testing

@@ -179,7 +179,10 @@ class NativeBuild {
       return;
     }
     auto& diagnostic = diagnostics_.error("compiler-failed", place, "the C++ compiler failed");
-    diagnostic.label = result.output.substr(0, result.output.find('\n'));
+    // The assembler and the linker say where first, and then what.
+    const std::size_t what = result.output.find("Error: ");
+    const std::size_t line = what == std::string::npos ? 0 : what;
+    diagnostic.label = result.output.substr(line, result.output.find('\n', line) - line);
   }
 
   // The library's name ends with the state of everything it was made from; what that is, the first
