@@ -1,10 +1,5 @@
 #include "mlab/robot_host/hosted_cycle.h"
 
-#include <linux/futex.h>
-#include <sched.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstring>
 #include <ctime>
@@ -20,42 +15,10 @@ namespace {
 using robot_wire::Control;
 using robot_wire::PlaceHeader;
 
-// So often it looks whether the answer is there before it sleeps: some ten microseconds.
-constexpr int kLooks = 4000;
-constexpr int kYieldEvery = 400;              // the program may need this processor
 constexpr timespec kNap{0, 2'000'000};        // between two looks at how the program is
 constexpr double kAsleep = 0.02;              // a program that takes less of the time sleeps
 constexpr double kSlowest = 150.0;            // times its processor time, on a busy machine
 constexpr int kMostPatienceWithoutPlace = 3;  // processes that may end while nobody's program runs
-
-void pause_processor() {
-#if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
-#endif
-}
-
-void wake_program(Control& control) {
-  if (control.program_sleeps.load() != 0)
-    syscall(SYS_futex, &control.asked, FUTEX_WAKE, 1, nullptr, nullptr, 0);
-}
-
-// True as soon as the cycle is answered; false after a nap without.
-bool is_answered_soon(Control& control, std::uint32_t cycle) {
-  control.run_sleeps.store(1);
-  const std::uint32_t before = control.answered.load();
-  if (before != cycle) syscall(SYS_futex, &control.answered, FUTEX_WAIT, before, &kNap, nullptr, 0);
-  control.run_sleeps.store(0);
-  return control.answered.load(std::memory_order_acquire) == cycle;
-}
-
-bool is_answered_at_once(Control& control, std::uint32_t cycle) {
-  for (int look = 1; look <= kLooks; ++look) {
-    if (control.answered.load(std::memory_order_acquire) == cycle) return true;
-    if (look % kYieldEvery == 0) sched_yield();
-    pause_processor();
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -120,8 +83,7 @@ void HostedCycle::fill() {
 void HostedCycle::begin_cycle() {
   Control& control = memory_->control();
   control.count = static_cast<std::uint32_t>(asked_.size());
-  control.asked.store(++cycle_);
-  wake_program(control);
+  control.asked.set(++cycle_);
 }
 
 void HostedCycle::ask() {
@@ -180,11 +142,12 @@ HostedCycle::Failure HostedCycle::failure_of(std::string what) {
 
 std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhile) {
   Control& control = memory_->control();
-  if (is_answered_at_once(control, cycle_)) return std::nullopt;
+  const auto is_this_cycle = [this](std::uint32_t answered) { return answered == cycle_; };
+  if (control.answered.is_soon(is_this_cycle)) return std::nullopt;
   std::uint32_t place = Control::kNobody;
   auto began = Clock::now();
   double used = process_->processor_time();
-  while (!is_answered_soon(control, cycle_)) {
+  while (!control.answered.is_after_sleep(is_this_cycle, kNap)) {
     if (process_->note_end()) return failure_of(process_->failure());
     if (meanwhile && meanwhile()) {
       process_->fail("was ended, because nobody waits for it any more");

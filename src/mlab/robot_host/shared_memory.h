@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mlab/percept/percepts.h"
+#include "mlab/robot_wire/mapping.h"
 #include "mlab/robot_wire/shared_cycle.h"
 
 namespace mlab::robot_host {
@@ -35,7 +36,7 @@ class SharedMemory {
   /// For a process that is to begin with the cycle after this one: whatever another one left there is
   /// forgotten.
   void begin_anew(std::uint32_t cycle);
-  robot_wire::Control& control() { return *reinterpret_cast<robot_wire::Control*>(frames_); }
+  robot_wire::Control& control() { return *reinterpret_cast<robot_wire::Control*>(frames_.begin()); }
 
   /// Makes room for so many robots. False: the machine has none; what was there stays.
   bool make_room(std::size_t places);
@@ -53,16 +54,13 @@ class SharedMemory {
 
  private:
   SharedMemory() = default;
-  bool grow(std::byte*& at, std::size_t& size, int file, std::size_t wanted);
 
   std::size_t frame_size_ = 0;
   int frames_file_ = -1;
   int percepts_file_ = -1;
   int percepts_for_reading_ = -1;
-  std::byte* frames_ = nullptr;
-  std::size_t frames_size_ = 0;
-  std::byte* percepts_ = nullptr;
-  std::size_t percepts_size_ = 0;
+  robot_wire::Mapping frames_;
+  robot_wire::Mapping percepts_;
   std::atomic<std::uint64_t> next_ = 0;  // free byte of the percepts
   std::mutex overflow_mutex_;
   std::map<std::uint64_t, std::vector<std::byte>> overflow_;  // what lies behind the end until it is moved

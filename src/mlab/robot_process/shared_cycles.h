@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mlab/flow/program.h"
+#include "mlab/robot_wire/mapping.h"
 #include "mlab/robot_wire/shared_cycle.h"
 
 namespace mlab::robot_process {
@@ -15,18 +16,12 @@ class SharedFiles {
   /// @errors  a sentence: the descriptors are not there, or too small
   static std::expected<SharedFiles, std::string> open(int frames, int percepts);
 
-  SharedFiles(SharedFiles&& other) noexcept;
-  SharedFiles& operator=(SharedFiles&&) = delete;
-  SharedFiles(const SharedFiles&) = delete;
-  SharedFiles& operator=(const SharedFiles&) = delete;
-  ~SharedFiles();
-
   /// Stays where it is, however the files grow.
-  robot_wire::Control& control() { return *control_; }
+  robot_wire::Control& control() { return *reinterpret_cast<robot_wire::Control*>(control_.begin()); }
   std::byte* place(std::size_t index, std::size_t size) {
-    return frames_ + robot_wire::kFirstPlace + index * size;
+    return frames_.begin() + robot_wire::kFirstPlace + index * size;
   }
-  const std::byte* percepts(std::size_t offset) const { return percepts_ + offset; }
+  const std::byte* percepts(std::size_t offset) const { return percepts_.begin() + offset; }
 
   /// Sees the files as long as the run has made them. False: they can't be seen.
   bool grow();
@@ -34,11 +29,9 @@ class SharedFiles {
  private:
   SharedFiles() = default;
 
-  robot_wire::Control* control_ = nullptr;
-  std::byte* frames_ = nullptr;
-  std::size_t frames_size_ = 0;
-  std::byte* percepts_ = nullptr;
-  std::size_t percepts_size_ = 0;
+  robot_wire::Mapping control_;
+  robot_wire::Mapping frames_;
+  robot_wire::Mapping percepts_;
 };
 
 /// Computes every cycle that the run asks for, until its standard input ends.

@@ -15,7 +15,6 @@ using percept::Action;
 using percept::Percepts;
 
 static_assert(std::is_trivially_copyable_v<Percepts> && std::is_trivially_copyable_v<Action>);
-static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
 // Every list of the percepts, but for the rooms of the map, whose outlines are lists themselves. A field that
 // is added to Percepts does not compile until somebody has decided here whether it is a list.

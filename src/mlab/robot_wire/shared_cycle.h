@@ -10,6 +10,7 @@
 
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/robot_wire/shared_number.h"
 
 /// How a run and a robot program of the same build share a cycle in memory, without copying it through a
 /// pipe.
@@ -30,13 +31,11 @@ inline constexpr std::size_t kFirstPlace = 4096;
 struct alignas(64) Control {
   static constexpr std::uint32_t kNobody = 0xffffffffU;
 
-  alignas(64) std::atomic<std::uint32_t> asked{0};  ///< number of the cycle that is to be computed
-  std::atomic<std::uint32_t> program_sleeps{0};     ///< wake it by a futex on `asked`
-  std::uint32_t count = 0;                          ///< places of the cycle
-  std::uint64_t frames_size = 0;                    ///< of the files; they only grow [bytes]
+  alignas(64) SharedNumber asked;  ///< the cycle that is to be computed
+  std::uint32_t count = 0;         ///< places of the cycle
+  std::uint64_t frames_size = 0;   ///< of the files; they only grow [bytes]
   std::uint64_t percepts_size = 0;
-  alignas(64) std::atomic<std::uint32_t> answered{0};
-  std::atomic<std::uint32_t> run_sleeps{0};               ///< wake it by a futex on `answered`
+  alignas(64) SharedNumber answered;
   alignas(64) std::atomic<std::uint32_t> place{kNobody};  ///< whose program runs now
   std::atomic<std::uint32_t> node{kNobody};  ///< which node of the network whose code was brought
   std::atomic<std::uint32_t> out_of_memory{0};
