@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include "mlab/robot_wire/action_wire.h"
-#include "mlab/robot_wire/framing.h"
 
 namespace mlab::robot_process {
 namespace {
@@ -41,51 +40,34 @@ std::optional<std::string> take(const Program& program, const wire::Setting& set
 
 }  // namespace
 
-Conversation::Conversation(std::shared_ptr<const Program> program, std::string version,
+Conversation::Conversation(const std::shared_ptr<const Program>& program, std::string version,
                            std::map<std::string, double> body)
-    : program_(std::move(program)), version_(std::move(version)), body_(std::move(body)) {}
+    : Speaker(program->name(), std::move(version)), program_(program), body_(std::move(body)) {}
 
-const wire::FromRobot& Conversation::answer(std::string_view bytes) {
-  answer_.clear_body();
-  if (bytes.size() > robot_wire::kMaxMessage ||
-      !message_.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
-    refuse("this is no message of the protocol");
-    return answer_;
-  }
-  switch (message_.body_case()) {
-    case wire::ToRobot::kHello:
-      answer(message_.hello());
-      break;
+void Conversation::answer_other(const wire::ToRobot& message) {
+  switch (message.body_case()) {
     case wire::ToRobot::kDescribe:
-      answer(message_.describe());
+      describe(message.describe());
       break;
     case wire::ToRobot::kStart:
-      answer(message_.start());
+      start(message.start());
       break;
     case wire::ToRobot::kCycle:
-      answer(message_.cycle());
+      act(message.cycle());
       break;
     case wire::ToRobot::kSet:
-      answer(message_.set());
+      set(message.set());
       break;
     case wire::ToRobot::kReadPorts:
-      answer(message_.read_ports());
-      break;
-    case wire::ToRobot::kShare:
-      answer(message_.share());
+      read_ports(message.read_ports());
       break;
     case wire::ToRobot::kLoad:
       refuse("this program has its procedures already");
       break;
-    case wire::ToRobot::BODY_NOT_SET:
+    default:
       refuse("a message of a kind that this program does not know");
       break;
   }
-  return answer_;
-}
-
-void Conversation::refuse(std::string why) {
-  answer_.mutable_problem()->set_text(std::move(why));
 }
 
 Conversation::Robot* Conversation::find(std::uint32_t id) {
@@ -93,22 +75,10 @@ Conversation::Robot* Conversation::find(std::uint32_t id) {
   return at == robots_.end() ? nullptr : &at->second;
 }
 
-void Conversation::answer(const wire::Hello& hello) {
-  if (hello.protocol() != robot_wire::kProtocol) {
-    refuse(fmt::format("this program speaks version {} of the protocol, not {}", robot_wire::kProtocol,
-                       hello.protocol()));
-    return;
-  }
-  wire::Welcome& welcome = *answer_.mutable_welcome();
-  welcome.set_protocol(robot_wire::kProtocol);
-  welcome.set_name(program_->name());
-  welcome.set_version(version_);
-}
-
-void Conversation::answer(const wire::Describe& describe) {
-  wire::Description& out = *answer_.mutable_description();
+void Conversation::describe(const wire::Describe& message) {
+  wire::Description& out = *reply().mutable_description();
   flow::Frame frame = program_->make_frame();
-  for (const wire::Setting& setting : describe.settings()) {
+  for (const wire::Setting& setting : message.settings()) {
     wire::SettingResult& result = *out.add_results();
     result.set_is_unknown(settable(*program_, setting.port()) == nullptr);
     if (!result.is_unknown()) {
@@ -129,17 +99,17 @@ void Conversation::answer(const wire::Describe& describe) {
   }
 }
 
-void Conversation::answer(const wire::Start& start) {
-  Robot robot{program_->make_frame(), start.seed()};
-  wire::Ready& ready = *answer_.mutable_ready();
-  for (const wire::Setting& setting : start.settings()) {
+void Conversation::start(const wire::Start& message) {
+  Robot robot{program_->make_frame(), message.seed()};
+  wire::Ready& ready = *reply().mutable_ready();
+  for (const wire::Setting& setting : message.settings()) {
     if (auto problem = take(*program_, setting, robot.frame)) {
       ready.set_problem(std::move(*problem));
       return;
     }
   }
   put(program_->needs(robot.frame.data()), *ready.mutable_needs());
-  robots_.insert_or_assign(start.robot(), std::move(robot));
+  robots_.insert_or_assign(message.robot(), std::move(robot));
 }
 
 // All of it, before any robot acts.
@@ -159,12 +129,12 @@ std::optional<std::string> Conversation::check(const wire::Cycle& cycle) {
   return std::nullopt;
 }
 
-void Conversation::answer(const wire::Cycle& cycle) {
+void Conversation::act(const wire::Cycle& cycle) {
   if (auto problem = check(cycle)) {
     refuse(std::move(*problem));
     return;
   }
-  wire::Actions& out = *answer_.mutable_actions();
+  wire::Actions& out = *reply().mutable_actions();
   for (int i = 0; i < cycle.robots_size(); ++i)
     act(cycle.robots(i).robot(), decoded_[static_cast<std::size_t>(i)]->percepts(), *out.add_robots());
 }
@@ -183,18 +153,18 @@ void Conversation::act(std::uint32_t id, const percept::Percepts& percepts, wire
   }
 }
 
-void Conversation::answer(const wire::Set& set) {
-  Robot* robot = find(set.robot());
+void Conversation::set(const wire::Set& message) {
+  Robot* robot = find(message.robot());
   if (robot == nullptr) {
-    refuse(fmt::format("robot {} was never started here", set.robot()));
+    refuse(fmt::format("robot {} was never started here", message.robot()));
     return;
   }
-  wire::Ready& ready = *answer_.mutable_ready();
-  if (auto problem = take(*program_, set.setting(), robot->frame)) ready.set_problem(std::move(*problem));
+  wire::Ready& ready = *reply().mutable_ready();
+  if (auto problem = take(*program_, message.setting(), robot->frame)) ready.set_problem(std::move(*problem));
   put(program_->needs(robot->frame.data()), *ready.mutable_needs());
 }
 
-void Conversation::answer(const wire::ReadPorts& read) {
+void Conversation::read_ports(const wire::ReadPorts& read) {
   const Robot* robot = find(read.robot());
   if (robot == nullptr) {
     refuse(fmt::format("robot {} was never started here", read.robot()));
@@ -207,23 +177,13 @@ void Conversation::answer(const wire::ReadPorts& read) {
       return;
     }
   }
-  wire::PortValues& out = *answer_.mutable_port_values();
+  wire::PortValues& out = *reply().mutable_port_values();
   const std::byte* const frame = robot->frame.data();
   for (const std::uint32_t index : read.ports()) put(frame, ports[index], *out.add_values());
   if (read.ports().empty()) {
     for (const Port& port : ports) put(frame, port, *out.add_values());
   }
   for (std::string& state : program_->active_states(frame)) out.add_active_states(std::move(state));
-}
-
-void Conversation::answer(const wire::Share& share) {
-  auto files = accept_share(share);
-  if (!files) {
-    refuse(files.error());
-    return;
-  }
-  shared_.emplace(std::move(*files));
-  answer_.mutable_shared()->set_frame_layout(program_->layout_hash());
 }
 
 }  // namespace mlab::robot_process

@@ -37,7 +37,7 @@ int serve(Speaker& speaker, int in, int out) {
       bytes.clear();
       robot_wire::append_framed(speaker.answer(*message), bytes);
       if (!write_all(out, bytes)) return 1;
-      if (SharedFiles* files = speaker.shared()) return serve_shared(*files, speaker.program(), in);
+      if (SharedFiles* files = speaker.shared()) return serve_shared(*files, *speaker.program(), in);
     }
     if (reader.is_nonsense()) return 1;
   }

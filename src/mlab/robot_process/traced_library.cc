@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
 #include <vector>
 
 #include "mlab/base/hash.h"
@@ -36,6 +39,14 @@ void fire_traced(flow::Call& call) {
   trace.control->node.store(robot_wire::Control::kNobody, std::memory_order_relaxed);
 }
 
+// Told before the process ends, because what ends it is a signal like any other.
+void tell_out_of_memory() {
+  std::set_new_handler(nullptr);
+  trace_of_process().control->out_of_memory.store(1);
+  std::fputs("out of memory\n", stderr);
+  std::abort();
+}
+
 }  // namespace
 
 void TracedLibrary::add(std::span<const flow::Behavior* const> behaviors, flow::Library& library) {
@@ -53,6 +64,7 @@ void TracedLibrary::trace(const flow::Network& network, const flow::Library& lib
                           robot_wire::Control& control) {
   Trace& trace = trace_of_process();
   trace = {{}, &control};
+  std::set_new_handler(tell_out_of_memory);
   for (std::uint32_t i = 0; i < network.nodes.size(); ++i) {
     const flow::Node& node = network.nodes[i];
     if (node.kind != flow::Node::Kind::kBehavior) continue;

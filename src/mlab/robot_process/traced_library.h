@@ -10,8 +10,9 @@
 
 namespace mlab::robot_process {
 
-/// Says in the shared Control whose code runs while a procedure that was brought fires, so that the run can
-/// tell a person which one it was that never came back. There is one in a process.
+/// Says in the shared Control whose code runs while a procedure that was brought fires, and that memory ran
+/// out, so that the run can tell a person which one it was that never came back, and why. There is one in a
+/// process.
 class TracedLibrary {
  public:
   /// Adds the behaviors to the library, traced. They replace others of the same names.

@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/module_file.h"
-#include "mlab/robot_wire/framing.h"
 #include "mlab/robot_wire/network_wire.h"
 #include "mlab/text/diagnostic.h"
 
@@ -39,39 +38,17 @@ void describe(const robot_process::TracedLibrary& brought, const flow::Library& 
 }  // namespace
 
 Host::Host(flow::Library components, std::string version)
-    : library_(std::move(components)), version_(std::move(version)) {}
+    : Speaker("mlab-robots", std::move(version)), library_(std::move(components)) {}
 
-const wire::FromRobot& Host::answer(std::string_view bytes) {
-  answer_.clear_body();
-  if (bytes.size() > robot_wire::kMaxMessage ||
-      !message_.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
-    refuse("this is no message of the protocol");
-  } else if (message_.has_hello()) {
-    answer(message_.hello());
-  } else if (message_.has_load()) {
-    answer(message_.load());
-  } else if (message_.has_share()) {
-    answer(message_.share());
-  } else {
+void Host::answer_other(const wire::ToRobot& message) {
+  if (message.has_load())
+    load(message.load());
+  else
     refuse("this program loads procedures and computes cycles, and does nothing else");
-  }
-  return answer_;
 }
 
-void Host::refuse(std::string why) {
-  answer_.mutable_problem()->set_text(std::move(why));
-}
-
-void Host::answer(const wire::Hello& hello) {
-  if (hello.protocol() != robot_wire::kProtocol) {
-    refuse(fmt::format("this program speaks version {} of the protocol, not {}", robot_wire::kProtocol,
-                       hello.protocol()));
-    return;
-  }
-  wire::Welcome& welcome = *answer_.mutable_welcome();
-  welcome.set_protocol(robot_wire::kProtocol);
-  welcome.set_name("mlab-robots");
-  welcome.set_version(version_);
+void Host::begin_sharing(robot_wire::Control& control) {
+  brought_.trace(network_, library_, control);
 }
 
 bool Host::open_libraries(const wire::Load& load) {
@@ -85,7 +62,7 @@ bool Host::open_libraries(const wire::Load& load) {
   });
 }
 
-void Host::answer(const wire::Load& load) {
+void Host::load(const wire::Load& load) {
   if (program_ != nullptr) {
     refuse("this program was loaded already");
     return;
@@ -103,26 +80,11 @@ void Host::answer(const wire::Load& load) {
     refuse(fmt::format("the network can't be built: {}", text::render(sink)));
     return;
   }
-  wire::Loaded& loaded = *answer_.mutable_loaded();
+  wire::Loaded& loaded = *reply().mutable_loaded();
   describe(brought_, components, loaded);
   loaded.set_frame_layout(program_->layout_hash());
   const flow::Frame& frame = program_->initial_frame();
   loaded.set_frame(frame.data(), frame.size());
-}
-
-void Host::answer(const wire::Share& share) {
-  if (program_ == nullptr) {
-    refuse("no network was loaded");
-    return;
-  }
-  auto files = robot_process::accept_share(share);
-  if (!files) {
-    refuse(files.error());
-    return;
-  }
-  shared_.emplace(std::move(*files));
-  brought_.trace(network_, library_, shared_->control());
-  answer_.mutable_shared()->set_frame_layout(program_->layout_hash());
 }
 
 }  // namespace mlab::robot_runner

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
@@ -21,25 +19,18 @@ class Host : public robot_process::Speaker {
   /// @param version     of this missionlab
   Host(flow::Library components, std::string version);
 
-  const wire::FromRobot& answer(std::string_view bytes) override;
-  robot_process::SharedFiles* shared() override { return shared_ ? &*shared_ : nullptr; }
-  const flow::Program& program() const override { return *program_; }
+  const flow::Program* program() const override { return program_.get(); }
 
  private:
-  void answer(const wire::Hello& hello);
-  void answer(const wire::Load& load);
-  void answer(const wire::Share& share);
-  void refuse(std::string why);
+  void answer_other(const wire::ToRobot& message) override;
+  void begin_sharing(robot_wire::Control& control) override;
+  void load(const wire::Load& load);
   bool open_libraries(const wire::Load& load);
 
   flow::Library library_;
-  std::string version_;
   robot_process::TracedLibrary brought_;
   flow::Network network_;
   std::shared_ptr<const flow::Program> program_;
-  std::optional<robot_process::SharedFiles> shared_;
-  wire::ToRobot message_;
-  wire::FromRobot answer_;
 };
 
 }  // namespace mlab::robot_runner

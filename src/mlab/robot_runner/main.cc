@@ -5,8 +5,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -19,27 +17,6 @@
 namespace {
 
 constexpr int kMisused = 2;
-
-mlab::robot_wire::Control* control_of_process = nullptr;
-
-// Told before the process ends, because what ends it is a signal like any other.
-void tell_out_of_memory() {
-  std::set_new_handler(nullptr);
-  if (control_of_process != nullptr) control_of_process->out_of_memory.store(1);
-  std::fputs("out of memory\n", stderr);
-  std::abort();
-}
-
-/// Lets the handler above find what is shared.
-class RunnerHost : public mlab::robot_runner::Host {
- public:
-  using Host::Host;
-  mlab::robot_process::SharedFiles* shared() override {
-    mlab::robot_process::SharedFiles* files = Host::shared();
-    if (files != nullptr) control_of_process = &files->control();
-    return files;
-  }
-};
 
 }  // namespace
 
@@ -60,10 +37,9 @@ int main(int argc, char** argv) {
   const int out = dup(STDOUT_FILENO);
   if (out < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;
   std::signal(SIGPIPE, SIG_IGN);
-  std::set_new_handler(tell_out_of_memory);
   google::protobuf::SetLogHandler(nullptr);  // what arrives may be anything, and is answered
   mlab::flow::Library components;
   components.add(mlab_library_behaviors());
-  RunnerHost host(std::move(components), MLAB_VERSION);
+  mlab::robot_runner::Host host(std::move(components), MLAB_VERSION);
   return mlab::robot_process::serve(host, STDIN_FILENO, out);
 }
