@@ -72,7 +72,15 @@ test("tabs, orders of robots and the command line have room in the smallest wind
   for (const [width, height] of kSizes.slice(0, -1)) {
     await page.setViewportSize({ width, height });
     const selection = await console.panel("Selection");
+    const title = selection.getByRole("heading", { name: "Robot 2" });
+    expect(await title.evaluate((one) => one.scrollWidth - one.clientWidth)).toBe(0);
     for (const tab of await selection.getByRole("tab").all()) await expectWithin(tab);
     expect((await console.commandLine.boundingBox())?.width).toBeGreaterThan(140);
   }
+  // The tools leave the scale to be seen, however low the map is.
+  await page.setViewportSize({ width: 640, height: 400 });
+  await page.getByRole("button", { name: "Close Selection" }).click();
+  const tools = await page.locator(".map-tools").boundingBox();
+  const map = await page.locator(".centre").boundingBox();
+  expect((map?.y ?? 0) + (map?.height ?? 0) - (tools?.y ?? 0) - (tools?.height ?? 0)).toBeGreaterThan(54);
 });

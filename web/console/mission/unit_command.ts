@@ -2,14 +2,14 @@ import { type Status, type Status_Command, Status_Outcome } from "../../core/pro
 import { count } from "../format.ts";
 import { splitCommand } from "./steps.ts";
 
-/** What the unit is doing now, without its name; empty: nothing. */
+/** What the unit is doing now, without its name, or what it will when it need not wait any more; empty: nothing. */
 export function commandOfUnit(status: Status | null, unit: string): string {
-  for (const step of [...(status?.steps ?? [])].reverse()) {
-    for (const command of step.commands) {
-      if (command.unit === unit && command.outcome === Status_Outcome.UNDER_WAY) return shown(command);
-    }
-  }
-  return "";
+  const underWay = [...(status?.steps ?? [])]
+    .reverse()
+    .flatMap(({ commands }) => commands)
+    .filter((command) => command.unit === unit && command.outcome === Status_Outcome.UNDER_WAY);
+  const command = underWay.find(({ isHeld }) => !isHeld) ?? underWay[0];
+  return command ? shown(command) : "";
 }
 
 function shown(command: Status_Command): string {

@@ -43,6 +43,10 @@ describe("what a unit is doing", () => {
     expect(commandOfUnit(create(StatusSchema, { steps: [{ commands: [held] }] }), "a")).toBe(
       "MOVETO X waits for the order `robot 1 MOVETO Y`",
     );
+    const order = { unit: "a", text: "unit a MOVETO Y", outcome: Status_Outcome.UNDER_WAY };
+    expect(commandOfUnit(create(StatusSchema, { steps: [{ commands: [order] }, { commands: [held] }] }), "a")).toBe(
+      "MOVETO Y",
+    );
     const left = { ...command, followers: [2] };
     expect(commandOfUnit(create(StatusSchema, { steps: [{ commands: [left] }] }), "a")).toBe("MOVETO X, 1 robot left");
   });

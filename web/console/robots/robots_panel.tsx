@@ -108,14 +108,17 @@ function UnitRow({
 
 function RobotRow({ row, followed }: { row: Extract<RosterRow, { kind: "robot" }>; followed: Followed | undefined }) {
   const { model, ui } = useSession();
-  const color = model.get("roster").robot(row.id)?.color || "gray";
+  const roster = model.get("roster");
+  const color = roster.robot(row.id)?.color || "gray";
   return (
     <span className="robot-cells" style={{ paddingLeft: row.depth * 16 + 8 }}>
       <span className="swatch" style={{ background: color }} />
       <span className="ellipsis">{row.name}</span>
       {followed && (
         <span className="small muted ellipsis grow robot-follows" title={`Follows ${followed.unit} ${followed.order}`}>
-          {followed.unit === row.unit || followed.unit === `robot ${row.id}` ? "" : `${followed.unit}: `}
+          {followed.unit === `robot ${row.id}` || roster.robotsOf(followed.unit).includes(row.id)
+            ? ""
+            : `${followed.unit}: `}
           {followed.order}
         </span>
       )}
