@@ -74,6 +74,7 @@ test("tabs, orders of robots and the command line have room in the smallest wind
     const selection = await console.panel("Selection");
     const title = selection.getByRole("heading", { name: "Robot 2" });
     expect(await title.evaluate((one) => one.scrollWidth - one.clientWidth)).toBe(0);
+    await expectWithin(selection.getByRole("button", { name: "scouts-1" }));
     for (const tab of await selection.getByRole("tab").all()) await expectWithin(tab);
     expect((await console.commandLine.boundingBox())?.width).toBeGreaterThan(140);
   }
@@ -83,4 +84,10 @@ test("tabs, orders of robots and the command line have room in the smallest wind
   const tools = await page.locator(".map-tools").boundingBox();
   const map = await page.locator(".centre").boundingBox();
   expect((map?.y ?? 0) + (map?.height ?? 0) - (tools?.y ?? 0) - (tools?.height ?? 0)).toBeGreaterThan(54);
+  // Kinds are read whole.
+  await page.setViewportSize({ width: 1280, height: 800 });
+  const kinds = (await console.panel("Draw")).locator(".overlay-kind span");
+  const cut = await kinds.evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth + 1).length);
+  expect(await kinds.count()).toBeGreaterThan(10);
+  expect(cut).toBe(0);
 });

@@ -72,7 +72,7 @@ function Palette() {
                     onPress={() => take(k.kind)}
                   >
                     <KindIcon kind={k.kind} />
-                    <span className="ellipsis">{k.label}</span>
+                    <span>{k.label}</span>
                   </Button>
                 </Hint>
               ))}

@@ -90,12 +90,14 @@ function Heading() {
   return (
     <header className="selection-head">
       {isOne && <span className="swatch large" style={{ background: robot?.color || "gray" }} />}
-      <h3 className="grow ellipsis">{title}</h3>
-      {isOne && robot?.unit && (
-        <Button tone="link" onPress={() => model.select(selectUnit(robot.unit, roster.robotsOf(robot.unit)))}>
-          {robot.unit}
-        </Button>
-      )}
+      <div className="selection-title">
+        <h3 className="ellipsis">{title}</h3>
+        {isOne && robot?.unit && (
+          <Button tone="link" onPress={() => model.select(selectUnit(robot.unit, roster.robotsOf(robot.unit)))}>
+            {robot.unit}
+          </Button>
+        )}
+      </div>
       <IconButton icon="centre" label="Show on the map" shortcut="." onPress={() => ui.get("map")?.fitSelection()} />
       <IconButton
         icon="follow"
