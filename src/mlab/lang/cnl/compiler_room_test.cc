@@ -26,7 +26,8 @@ class CompilerRoomTest : public ::testing::Test {
  protected:
   void SetUp() override {
     const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::canonical(fs::path(::testing::TempDir())) / ("mlab_room_" + std::to_string(getpid()) + "_" + name);
+    folder_ = fs::canonical(fs::path(::testing::TempDir())) /
+              ("mlab_room_" + std::to_string(getpid()) + "_" + name);
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "project" / ".hidden");
     fs::create_directories(folder_ / "project" / "parts");
