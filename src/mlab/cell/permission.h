@@ -45,6 +45,11 @@ class Permission {
 
   /// Robots are to move; else texts are only checked, and nothing of them is ever run.
   bool is_to_run() const { return grounds_.purpose == Grounds::Purpose::kRun; }
+  /// People whose code may not be compiled write files into the project; code that may be must not include
+  /// them.
+  bool others_write_files() const {
+    return grounds_.people == Grounds::People::kElsewhere && !grounds_.allows_native;
+  }
   /// Whether this text may be given to the compiler, and the walls that it works in.
   /// @errors  a sentence for a person that says why not, and what would help
   std::expected<Wall, std::string> to_compile(std::string_view code) const;

@@ -33,6 +33,10 @@ TEST(Permission, WhatComesFromAnotherMachineIsNeitherCompiledNorRun) {
   ASSERT_FALSE(it.to_run("typed"));
   EXPECT_NE(it.to_run("typed").error().find("--allow-native"), std::string::npos);
   EXPECT_FALSE(it.to_start("./evil"));
+  EXPECT_TRUE(it.others_write_files());
+  EXPECT_FALSE(Permission::decide(grounds(), kMeans).others_write_files());
+  ours.allows_native = true;
+  EXPECT_FALSE(Permission::decide(ours, kMeans).others_write_files());
 }
 
 TEST(Permission, AllowingNativeCodeTakesNoCellAway) {

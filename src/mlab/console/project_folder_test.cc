@@ -13,6 +13,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "mlab/console/testing/scratch_project.h"
+#include "mlab/lang/cnl/compiler_room.h"
 
 namespace mlab::console {
 namespace {
@@ -33,6 +34,17 @@ class ProjectFolderTest : public ::testing::Test {
   testing::ScratchProject scratch;
   ProjectFolder folder;
 };
+
+TEST_F(ProjectFolderTest, WritesNothingThatCodeOfTheProjectMayInclude) {
+  for (const char* file : {"a.mdl", "sub/b.odl", "c.ovl", "d.MDL"}) {
+    EXPECT_TRUE(folder.is_writable(file)) << file;
+    EXPECT_FALSE(cnl::is_source(file)) << file;
+  }
+  for (const char* file : {"a.cnl", "a.h", "sub/a.hpp", "a.inc", "a.cc", "a"}) {
+    EXPECT_FALSE(folder.is_writable(file)) << file;
+    EXPECT_FALSE(folder.write(file, "x")) << file;
+  }
+}
 
 TEST_F(ProjectFolderTest, ListsReadsAndWritesWhatIsInside) {
   const auto entries = folder.list("");

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -27,10 +28,11 @@ constexpr const char* kMap =
 
 class SessionEdit : public ::testing::Test {
  protected:
-  SessionEdit()
+  explicit SessionEdit(const std::function<void(SessionSettings&)>& change = {})
       : project_(),
         session_((write(), ""), 10.0,
                  [&](SessionSettings& s) {
+                   if (change) change(s);
                    s.project_folder = project_.path("project").string();
                    s.state_folder = project_.path("state").string();
                    s.mission = project_.path("project/far.mdl").string();
@@ -78,6 +80,45 @@ class SessionEdit : public ::testing::Test {
   TestSession session_;
   Browser anna_;
 };
+
+std::string standing_network(const std::string& procedure) {
+  return "procedure Vector " + procedure +
+         " with\n  double a = 1;\nheader\nbody\n  output = Vector{};\npend\nnode still is " + procedure +
+         " with nend\nnode wheels is Drive with v = still; nend\n";
+}
+
+/// A session of `--listen` without `--allow-native`.
+class SessionElsewhere : public SessionEdit {
+ protected:
+  SessionElsewhere()
+      : SessionEdit([this](SessionSettings& s) {
+          project_.write("project/known.cnl", standing_network("Known"));
+          s.permission = cell::testing::permitted_elsewhere({standing_network("Known")});
+        }) {}
+  std::string use(const std::string& program) {
+    return replace("UNIT <pair> ROBOT ROBOT", "NEW-ROBOT r \"" + program + "\"\nUNIT <pair> r r");
+  }
+};
+
+TEST_F(SessionElsewhere, RunsCodeThatLayOnDiskWhenItBegan) {
+  EXPECT_EQ(use("known.cnl"), "");
+  EXPECT_TRUE(anna_.wait([&] {
+    return anna_.roster().programs_size() == 1 && anna_.roster().programs(0).name() == "known.cnl";
+  }));
+  EXPECT_FALSE(anna_.has_log("--allow-native"));
+}
+
+TEST_F(SessionElsewhere, NeitherCompilesNorRunsWhatCameLaterAndSaysWhatWouldAllowIt) {
+  project_.write("project/new.cnl", standing_network("New"));
+  EXPECT_EQ(use("new.cnl"), "");
+  EXPECT_TRUE(anna_.wait([&] {
+    return anna_.has_log("code that was not on disk when mlab started is run only with --allow-native");
+  }));
+  project_.write("project/known.cnl", standing_network("Changed"));
+  EXPECT_EQ(replace("new.cnl", "known.cnl"), "");
+  anna_.watch_for(0.5);
+  EXPECT_NE(anna_.status().mode(), Status::READY) << "it was changed since";
+}
 
 TEST_F(SessionEdit, AnEditBeforeTheFirstExecuteMakesTheRunAnew) {
   ASSERT_EQ(replace("ROBOT ROBOT", "ROBOT ROBOT ROBOT"), "");

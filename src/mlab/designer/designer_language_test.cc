@@ -179,6 +179,36 @@ TEST(DesignerLanguage, TellsWhatTheCompilerSaysOfProcedures) {
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").problems_size() == 0; }));
 }
 
+TEST(DesignerLanguage, DoesNotCompileForPeopleElsewhereWhatCameLaterAndSaysWhatWouldAllowIt) {
+  const std::string wrong =
+      "procedure Vector Twirl with\n  double rate = 1;\nheader\nbody\n  output = nonsense;\npend\n";
+  Browser browser;
+  browser.set_include_root(std::string(MLAB_SOURCE_DIR) + "/src");
+  browser.set_permission(cell::testing::permitted_elsewhere({wrong}));
+  browser.start();
+  browser.write("known.cnl", wrong);
+  browser.write("new.cnl", "// new\n" + wrong);
+  for (const std::string name : {"known", "new"}) {
+    const std::string document = name + "_user.cdl";
+    browser.write(document, "assemblage A() {\n  Noise()\n}\n");
+    browser.open(document);
+    browser.type(document, "use \"" + name + ".cnl\";\n\nassemblage A() {\n  Twirl(rate = 2)\n}\n");
+    ASSERT_TRUE(browser.waits_for([&] { return browser.seen(document).problems_size() > 0; })) << name;
+  }
+  EXPECT_EQ(browser.document("known_user.cdl").problems(0).diagnostic().kind(), "cpp-error");
+  const console::Diagnostic refused = browser.document("new_user.cdl").problems(0).diagnostic();
+  EXPECT_EQ(refused.kind(), "code-not-allowed");
+  EXPECT_NE(refused.message().find("compiled only with --allow-native"), std::string::npos)
+      << refused.message();
+  // Nor does it write any.
+  const Answer saved = browser.ask([](ToDesigner& m) {
+    m.mutable_save()->set_document("new_user.cdl");
+    m.mutable_save()->set_as("typed.cnl");
+  });
+  EXPECT_FALSE(saved.ok());
+  EXPECT_NE(saved.error().find("ends in `.cdl`"), std::string::npos) << saved.error();
+}
+
 TEST(DesignerLanguage, OffersWhatFilesBesideDeclareAndUsesThem) {
   Browser browser;
   browser.write("skills.cdl", kSkills);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "mlab/cell/permission.h"
 #include "mlab/cell/sanitized.h"
 
-/// Permissions of somebody at this machine who trusts all that lies here. What sanitizers watch runs without
-/// a cell.
+/// Permissions of somebody at this machine who trusts all that lies here, where nothing else is said. What
+/// sanitizers watch runs without a cell.
 namespace mlab::cell::testing {
 
 inline Permission permitted(Grounds::Purpose purpose, bool allows_native, bool without_cell = kIsSanitized) {
@@ -30,6 +33,17 @@ inline Permission code_permitted() {
 /// `mlab run --allow-native --no-cell`.
 inline Permission permitted_without_cell() {
   return permitted(Grounds::Purpose::kRun, true, true);
+}
+
+/// `mlab run --listen`, begun while these texts lay on disk: of people on other machines.
+inline Permission permitted_elsewhere(Texts known) {
+  return Permission::decide({.purpose = Grounds::Purpose::kRun,
+                             .people = Grounds::People::kElsewhere,
+                             .allows_native = false,
+                             .without_cell = kIsSanitized,
+                             .is_trusted = true,
+                             .known = std::make_shared<const Texts>(std::move(known))},
+                            means());
 }
 
 /// `mlab check`.

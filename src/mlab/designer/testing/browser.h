@@ -37,7 +37,7 @@ class Browser {
     settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
     settings.state_folder = folder_.path("state").string();
     settings.open = open;
-    settings.permission = cell::testing::code_permitted();
+    settings.permission = permission_;
     settings.include_root = include_root_;
     designer_ = std::make_unique<Designer>(settings, [this](console::ConnectionId to, const auto& bytes) {
       FromDesigner message;
@@ -50,6 +50,8 @@ class Browser {
   }
   /// The C++ of procedures is compiled from now on; for the next `start`.
   void set_include_root(const std::string& folder) { include_root_ = folder; }
+  /// Likewise.
+  void set_permission(const cell::Permission& permission) { permission_ = permission; }
   void greet(std::uint32_t who) {
     ask([](ToDesigner& m) { m.mutable_greeting()->set_protocol(1); }, who);
   }
@@ -125,6 +127,7 @@ class Browser {
 
   console::testing::ScratchProject folder_;
   std::string include_root_;
+  cell::Permission permission_ = cell::testing::code_permitted();
   std::mutex mutex_;
   std::condition_variable arrived_;
   std::map<std::uint32_t, Answer> answers_;

@@ -47,26 +47,31 @@ bool holds_home(const fs::path& folder) {
   return home != nullptr && *home == '/' && is_below(fs::weakly_canonical(home, failure), folder);
 }
 
-bool is_source(const fs::path& path) {
-  const std::string ending = path.extension().string();
+}  // namespace
+
+bool is_source(std::string_view path) {
+  const std::string ending = fs::path(path).extension().string();
   return std::ranges::find(kSourceEndings, ending) != kSourceEndings.end();
 }
 
-}  // namespace
-
-std::vector<std::string> project_files(const std::string& folder) {
+std::vector<std::string> project_files(const std::string& folder, ProjectPart part) {
   std::vector<std::string> out;
   std::error_code failure;
   const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : fs::path(folder), failure);
   if (failure) return out;
-  const bool only_sources = holds_home(root);
-  fs::directory_iterator each(root, failure);
-  for (; !failure && each != fs::directory_iterator() && out.size() < kMostEntries; each.increment(failure)) {
+  const bool is_home = holds_home(root);
+  const bool only_sources = is_home || part == ProjectPart::kSources;
+  fs::recursive_directory_iterator each(root, fs::directory_options::skip_permission_denied, failure);
+  for (std::size_t seen = 0; !failure && each != fs::recursive_directory_iterator() && seen < kMostEntries;
+       ++seen, each.increment(failure)) {
     std::error_code gone;
     const fs::path real = fs::canonical(each->path(), gone);
-    if (gone || each->path().filename().string().starts_with('.') || !is_below(real, root)) continue;
+    const bool is_open = !gone && !each->path().filename().string().starts_with('.') && is_below(real, root);
+    // Of a folder that is open as a whole nothing has to be named.
+    if (!is_open || is_home || !only_sources) each.disable_recursion_pending();
+    if (!is_open) continue;
     const bool is_file = fs::is_regular_file(real, gone);
-    if (only_sources ? is_file && is_source(real) : is_file || fs::is_directory(real, gone))
+    if (only_sources ? is_file && is_source(real.string()) : is_file || fs::is_directory(real, gone))
       out.push_back(real.string());
   }
   return out;
@@ -78,7 +83,7 @@ cell::Policy compiler_policy(const std::string& program, const CompilerFiles& fi
   out.readable.insert(out.readable.end(), kSystemFiles.begin(), kSystemFiles.end());
   out.readable.insert(out.readable.end(), files.folders.begin(), files.folders.end());
   for (const std::string& project : files.projects) {
-    for (std::string& path : project_files(project)) out.readable.push_back(std::move(path));
+    for (std::string& path : project_files(project, files.part)) out.readable.push_back(std::move(path));
   }
   out.executable.assign(kSystemFolders.begin(), kSystemFolders.end());
   out.executable.insert(out.executable.end(), kSystemPrograms.begin(), kSystemPrograms.end());

@@ -51,12 +51,12 @@ class CompilerRoomTest : public ::testing::Test {
     bool is_made = false;
     std::string all;  ///< what the compiler said and wrote
   };
-  Made compile(const std::string& text, cell::Wall wall) const {
+  Made compile(const std::string& text, cell::Wall wall, ProjectPart part = ProjectPart::kAll) const {
     const fs::path own = folder_ / "own";
     fs::remove_all(own);
     fs::create_directory(own);
     put("own/text.cc", text);
-    const CompilerRoom room{wall, {{}, {path("project")}}, own.string()};
+    const CompilerRoom room{wall, {{}, {path("project")}, part}, own.string()};
     const std::string object = (own / "code.o").string();
     const ProcessResult result =
         run_process({"g++", "-iquote" + path("project"), "-c", path("own/text.cc"), "-o", object}, room, {});
@@ -87,6 +87,30 @@ TEST_F(CompilerRoomTest, OpensOfAHomeFolderOnlyTheSourcesThatLieInIt) {
   std::ranges::sort(files);
   EXPECT_EQ(files, (std::vector<std::string>{path("project/gain.h"), path("project/gain.h")}));
   EXPECT_EQ(above, std::vector<std::string>{path("secret.h")});
+}
+
+TEST_F(CompilerRoomTest, OpensOfAProjectThatOthersWriteIntoNothingButSources) {
+  put("project/town.odl", "#error written by somebody else\n");
+  put("project/parts/plan.cdl", "#error written by somebody else\n");
+  fs::create_symlink("town.odl", folder_ / "project" / "town.h");
+  std::vector<std::string> files = project_files(path("project"), ProjectPart::kSources);
+  std::ranges::sort(files);
+  EXPECT_EQ(files, (std::vector<std::string>{path("project/gain.h"), path("project/gain.h"),
+                                             path("project/parts/more.h")}));
+  for (const char* file : {"m.mdl", "m.odl", "m.ovl", "m.cdl"}) EXPECT_FALSE(is_source(file)) << file;
+  const auto wall = cell::choose_wall(cell::means());
+  if (!wall) GTEST_SKIP() << wall.error();
+  for (const std::string file : {"town.odl", "parts/plan.cdl", "town.h"}) {
+    const std::string text = "#include \"" + file + "\"\n";
+    const Made made = compile(text, *wall, ProjectPart::kSources);
+    EXPECT_EQ(made.all.find("written by somebody else"), std::string::npos) << made.all;
+    EXPECT_FALSE(made.is_made);
+    const Made twin = compile(text, *wall);
+    EXPECT_NE(twin.all.find("written by somebody else"), std::string::npos) << "does not bite: " << twin.all;
+  }
+  const Made good = compile("#include \"gain.h\"\n#include \"parts/more.h\"\ndouble x = kGain + kMore;\n",
+                            *wall, ProjectPart::kSources);
+  EXPECT_TRUE(good.is_made) << good.all;
 }
 
 TEST_F(CompilerRoomTest, CompilesWithTheHeadersOfTheSystemAndOfTheProject) {

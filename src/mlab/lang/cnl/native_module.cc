@@ -130,7 +130,7 @@ class NativeBuild {
     std::vector<std::string> words = {options_.compiler};
     words.insert(words.end(), flags_.begin(), flags_.end());
     words.insert(words.end(), last_words.begin(), last_words.end());
-    CompilerRoom room{options_.wall, {options_.include_folders, {beside_}}, own_};
+    CompilerRoom room{options_.wall, {options_.include_folders, {beside_}, options_.project}, own_};
     const ProcessResult result = run_process(words, room, options_.limits);
     messages_ = result.output;
     const text::Place place{tree_.source, {0, 0}};

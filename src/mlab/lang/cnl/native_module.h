@@ -15,6 +15,7 @@ namespace mlab::cnl {
 struct NativeOptions {
   cell::Wall wall = cell::Wall::kLandlock;   ///< of the cell that the compiler works in
   std::vector<std::string> include_folders;  ///< where `mlab/...` headers are
+  ProjectPart project = ProjectPart::kAll;   ///< that the code may include
   std::string compiler = "g++";
   std::string cache_folder;  ///< empty: `$XDG_CACHE_HOME/mlab`, or `~/.cache/mlab`
   std::string version;       ///< of this program; libraries of another one are not used again
