@@ -32,6 +32,11 @@ constexpr const char* kLongMission =
     "MISSION NAME Long\nOVERLAY map.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u "
     "MOVETO There\n";
 
+constexpr const char* kScout = "robot Scout is Rover {\n  movement = Noise();\n}\n";
+constexpr const char* kHistoric =
+    "bindArch AuRA;\ninstBP <1,1>|R| $R1 from vehicle( bound_to = one:SPIDER( $W ) );\n"
+    "instBP $W from movement( v = RAMBLE() );\n";
+
 class Ending : public testing::Test {
  protected:
   void SetUp() override {
@@ -42,6 +47,13 @@ class Ending : public testing::Test {
     std::ofstream(folder_ / "map.odl") << kWideMap;
     std::ofstream(folder_ / "short.mdl") << kShortMission;
     std::ofstream(folder_ / "long.mdl") << kLongMission;
+    std::ofstream(folder_ / "scout.cdl") << kScout;
+    std::ofstream(folder_ / "old.cdl") << kHistoric;
+    std::ofstream lsp(folder_ / "lsp.txt");
+    for (const std::string message :
+         {R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{}})",
+          R"({"jsonrpc":"2.0","id":2,"method":"shutdown"})", R"({"jsonrpc":"2.0","method":"exit"})"})
+      lsp << "Content-Length: " << message.size() << "\r\n\r\n" << message;
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -70,7 +82,9 @@ TEST_F(Ending, AWriteErrorOnStandardOutputIsStatusOneForEveryCommand) {
   for (const char* arguments :
        {"--help", "--version", "run --help", "check short.mdl", "check --format json short.mdl", "describe",
         "describe --format json", "describe Noise", "describe robot", "run --headless short.mdl",
-        "run --headless --quiet short.mdl", "bench --robots 2 --cycles 1"}) {
+        "run --headless --quiet short.mdl", "bench --robots 2 --cycles 1", "fmt - < short.mdl",
+        "import old.cdl", "build --emit cnl scout.cdl", "build --emit cpp scout.cdl",
+        "build --emit formula scout.cdl", "build --emit graph scout.cdl", "lsp < lsp.txt"}) {
     EXPECT_EQ(shell(mlab + arguments + " > /dev/full"), 1) << arguments;
     EXPECT_NE(text_of("err.txt").find("standard output could not be written: No space left on device"),
               std::string::npos)

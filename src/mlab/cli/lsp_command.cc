@@ -2,6 +2,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/output.h"
 #include "mlab/cli/permission.h"
 #include "mlab/cli/version.h"
 #include "mlab/lsp/server.h"
@@ -14,7 +15,7 @@ int lsp() {
   options.around = surroundings({});
   options.permission = permission_to_check;
   options.library_folder = library_folder();
-  return lsp::serve(std::move(options), STDIN_FILENO, STDOUT_FILENO);
+  return lsp::serve(std::move(options), STDIN_FILENO, write_output_now);
 }
 
 }  // namespace mlab::cli

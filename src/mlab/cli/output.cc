@@ -79,6 +79,12 @@ void guard_output() {
   std::cout.rdbuf(kBuffer);
 }
 
+bool write_output_now(std::string_view bytes) {
+  std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+  std::fflush(stdout);
+  return output_error == 0;
+}
+
 int output_status(int status) {
   std::cout.flush();
   std::fflush(nullptr);

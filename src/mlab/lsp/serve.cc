@@ -5,6 +5,10 @@
 #include <cerrno>
 
 #include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "mlab/lsp/framing.h"
 #include "mlab/lsp/server.h"
@@ -15,23 +19,12 @@ namespace {
 /// How long nothing has to come before what takes long is begun [ms].
 constexpr int kQuiet = 150;
 
-bool write_all(int output, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(output, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 }  // namespace
 
-int serve(Options options, int input, int output) {
+int serve(Options options, int input, const std::function<bool(std::string_view)>& write) {
   bool can_write = true;
-  Server server(std::move(options), [&](const std::string& message) {
-    can_write = can_write && write_all(output, framed(message));
-  });
+  Server server(std::move(options),
+                [&](const std::string& message) { can_write = can_write && write(framed(message)); });
   MessageReader reader;
   std::array<char, 1 << 16> bytes{};
   while (!server.is_over() && can_write) {

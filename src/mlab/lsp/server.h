@@ -99,8 +99,9 @@ class Server {
   bool takes_snippets_ = false;
 };
 
-/// Reads messages from one file and writes them to the other until it is over.
+/// Reads messages from a file and writes answers until it is over.
+/// @param write  at once; false: nobody takes them any more, and it is over
 /// @return  the exit status
-int serve(Options options, int input, int output);
+int serve(Options options, int input, const std::function<bool(std::string_view)>& write);
 
 }  // namespace mlab::lsp
