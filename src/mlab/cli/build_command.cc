@@ -44,7 +44,7 @@ std::string architecture_of(const std::string& file) {
 std::optional<robot_build::RobotSource> configured(const BuildOptions& options, text::Diagnostics& sink) {
   const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
   auto robot = robot::load_configuration(name, fs::path(options.file).stem().string(), {},
-                                         program_sources("", permission_to_build()), sink);
+                                         program_sources("", permission_to_build(options)), sink);
   if (!robot) return std::nullopt;
   robot_build::RobotSource out;
   out.network = std::move(robot->lowered.network);
@@ -54,7 +54,7 @@ std::optional<robot_build::RobotSource> configured(const BuildOptions& options, 
 }
 
 std::optional<robot_build::RobotSource> networked(const BuildOptions& options, text::Diagnostics& sink) {
-  auto read = robot::read_network(options.file, {}, program_sources("", permission_to_build()), sink);
+  auto read = robot::read_network(options.file, {}, program_sources("", permission_to_build(options)), sink);
   if (!read) return std::nullopt;
   robot_build::RobotSource out;
   if (read->network.nodes.empty()) {
@@ -96,7 +96,7 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
   {
     const ProgressLine line;
     report = robot_build::build_executable(
-        robot_build::emit_cpp(robot), output, toolchain(), permission_to_build(), sink,
+        robot_build::emit_cpp(robot), output, toolchain(), permission_to_build(options), sink,
         [&](std::size_t done, std::size_t total, const std::string& what) { line.show(done, total, what); });
   }
   tell(sink);

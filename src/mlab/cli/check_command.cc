@@ -27,7 +27,7 @@ struct Checked {
   text::Diagnostics sink;
 };
 
-void check_source(const text::SourcePtr& source, Checked& out) {
+void check_source(const text::SourcePtr& source, const CheckOptions& options, Checked& out) {
   out.language = language_of(*source);
   if (!out.language) {
     out.sink
@@ -35,7 +35,8 @@ void check_source(const text::SourcePtr& source, Checked& out) {
         .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
     return;
   }
-  out.sink = language::problems({source, *out.language}, surroundings(permission_to_check()));
+  out.sink =
+      language::problems({source, *out.language}, surroundings(permission_to_check(true, options.no_cell)));
 }
 
 Json place_json(const text::Place& place) {
@@ -84,7 +85,7 @@ int check(const CheckOptions& options) {
     Checked checked;
     checked.file = file;
     if (text::Result<text::SourcePtr> source = read_input(file)) {
-      check_source(*source, checked);
+      check_source(*source, options, checked);
     } else {
       checked.sink.report(source.error());
     }

@@ -58,6 +58,7 @@ struct CheckOptions {
   std::vector<std::string> files;
   std::string format = "text";  ///< or `json`
   bool strict = false;
+  bool no_cell = false;
 };
 int check(const CheckOptions& options);
 
@@ -78,6 +79,7 @@ struct BuildOptions {
   std::string emit;    ///< what to write instead of an executable; empty: nothing
   std::string robot;   ///< of the file; empty: the one of the file's name, or the only one
   std::string output;  ///< file; empty: the executable beside the file, anything else to standard output
+  bool no_cell = false;
 };
 int build(const BuildOptions& options);
 

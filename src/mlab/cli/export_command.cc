@@ -44,7 +44,7 @@ int write_formula(const BuildOptions& options) {
   text::Diagnostics sink;
   std::string out;
   if (const text::Result<text::SourcePtr> source = text::read_source(options.file)) {
-    robot::check_configuration(*source, program_sources("", permission_to_build()), sink);
+    robot::check_configuration(*source, program_sources("", permission_to_build(options)), sink);
     if (!sink.has_errors()) out = sentences(*source, sink);
   } else {
     sink.report(source.error());
@@ -71,7 +71,7 @@ int export_configuration(const BuildOptions& options) {
   text::Diagnostics sink;
   const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
   const auto robot = robot::load_configuration(name, std::filesystem::path(options.file).stem().string(), {},
-                                               program_sources("", permission_to_build()), sink);
+                                               program_sources("", permission_to_build(options)), sink);
   std::optional<std::string> text;
   if (robot) text = exported(*robot, options.emit, sink);
   tell(sink);

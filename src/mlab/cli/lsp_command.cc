@@ -13,7 +13,7 @@ int lsp() {
   lsp::Options options;
   options.version = kVersion;
   options.around = surroundings({});
-  options.permission = permission_to_check;
+  options.permission = [](bool is_trusted) { return permission_to_check(is_trusted, false); };
   options.library_folder = library_folder();
   return lsp::serve(std::move(options), STDIN_FILENO, write_output_now);
 }

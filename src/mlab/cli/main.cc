@@ -46,10 +46,14 @@ int hardware_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+void add_no_cell(CLI::App* c, bool& no_cell) {
+  c->add_flag("--no-cell", no_cell,
+              "let code that files bring do all that you may do: for machines that can't make cells");
+}
+
 // What is said of code that files bring.
 void add_cell(CLI::App* c, RunOptions& o) {
-  c->add_flag("--no-cell", o.no_cell,
-              "let code that files bring do all that you may do: for machines that can't make cells");
+  add_no_cell(c, o.no_cell);
   c->add_option_function<std::uint32_t>(
        "--cell-memory",
        [&o](const std::uint32_t& megabytes) { o.limits.memory = std::uint64_t{megabytes} << 20; },
@@ -172,6 +176,7 @@ void add_check(CLI::App& app, CheckOptions& o) {
       ->capture_default_str()
       ->check(CLI::IsMember({"text", "json"}));
   c->add_flag("--strict", o.strict, "warnings count as problems (exit status 1)");
+  add_no_cell(c, o.no_cell);
 }
 
 void add_fmt(CLI::App& app, FormatOptions& o) {
@@ -219,6 +224,7 @@ void add_build(CLI::App& app, BuildOptions& o) {
        "where to write it (default: the executable beside the file, without its ending; anything else to\n"
        "standard output)")
       ->type_name("FILE");
+  add_no_cell(c, o.no_cell);
 }
 
 void add_import(CLI::App& app, ImportOptions& o) {

@@ -33,18 +33,18 @@ std::shared_ptr<const cell::Texts> code_in(const std::string& folder) {
 
 }  // namespace
 
-cell::Permission permission_to_check(bool is_trusted) {
+cell::Permission permission_to_check(bool is_trusted, bool without_cell) {
   return cell::Permission::decide({.purpose = Grounds::Purpose::kCheck,
                                    .people = Grounds::People::kHere,
                                    .allows_native = false,
-                                   .without_cell = false,
+                                   .without_cell = without_cell,
                                    .is_trusted = is_trusted,
                                    .known = nullptr},
                                   cell::means());
 }
 
-cell::Permission permission_to_build() {
-  return permission_to_check(true);
+cell::Permission permission_to_build(const BuildOptions& options) {
+  return permission_to_check(true, options.no_cell);
 }
 
 cell::Permission permission_to_run(const RunOptions& options, Grounds::People people,

@@ -8,13 +8,13 @@
 // The one place where it is decided whether code that files bring may be compiled and run.
 namespace mlab::cli {
 
-/// Of a command that compiles nothing that it is told to run: `check`, `lsp`.
+/// Of a command that compiles for mistakes only: `check`, `lsp`.
 ///
 /// @param is_trusted  false: an editor says that its folder is not
-cell::Permission permission_to_check(bool is_trusted = true);
+cell::Permission permission_to_check(bool is_trusted, bool without_cell);
 
 /// Of `build` and exports: the code is what the command line names.
-cell::Permission permission_to_build();
+cell::Permission permission_to_build(const BuildOptions& options);
 
 /// Of `run` and `edit`.
 ///
