@@ -23,5 +23,17 @@ TEST_F(Command, CheckAndBuildGoWithoutCellsWhereTheyAreToldTo) {
   EXPECT_TRUE(fs::exists(folder_ / "still"));
 }
 
+TEST_F(Command, TheLastLineOfAnImportTellsTheRobotsThatStand) {
+  write("old.cdl",
+        "bindArch AuRA;\ninstBP <1,1>|R| $R1 from vehicle( bound_to = one:SPIDER( $W ) );\n"
+        "instBP $W from movement( v = RAMBLE() );\n");
+  const Outcome o = mlab("import old.cdl -o new.cdl");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(
+      o.err.ends_with("mlab import: a robot stands still, for nothing here moves it: one (no RAMBLE)\n"))
+      << o.err;
+  EXPECT_EQ(mlab("import --strict old.cdl -o new.cdl").status, 1);
+}
+
 }  // namespace
 }  // namespace mlab
