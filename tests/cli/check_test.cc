@@ -9,6 +9,19 @@
 namespace mlab {
 namespace {
 
+TEST_F(Command, CheckSaysThatANetworkNeverReports) {
+  write("map.odl", kMap);
+  write("mute.cnl",
+        "node drift is Noise with persistence = 10; nend\nnode wheels is Drive with v = drift; nend\n");
+  write("mission.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT m \"mute.cnl\"\nUNIT <u> m\nCOMMAND LIST:\n0. UNIT u START Here\n"
+        "1. UNIT u MOVETO There\n");
+  const Outcome o = mlab("check mission.mdl");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.err, "mission.mdl:6:9: warning: robots of the type `m` never say how far")) << o.err;
+  EXPECT_TRUE(has(o.err, "[never-reports]")) << o.err;
+}
+
 TEST_F(Command, CheckAndBuildGoWithoutCellsWhereTheyAreToldTo) {
   fs::create_directory(folder_ / "project");
   write("body.h", "output = Vector{};\n");

@@ -138,7 +138,10 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     }
   } else if (last_part(name).ends_with(".cnl")) {
     robot.is_own = true;
-    if (auto network = read_network(name, place, sources, sink)) take(std::move(network->built));
+    if (auto network = read_network(name, place, sources, sink)) {
+      robot.reports = may_report(network->network);
+      take(std::move(network->built));
+    }
   } else if (names_configuration(last_part(name))) {
     robot.is_own = true;
     if (auto configured = load_configuration(name, type, place, sources, sink)) {
