@@ -1,13 +1,67 @@
 // What `mlab check` says of missions and what they name, and what `mlab import` says last.
 
+#include <cstddef>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "command.h"
 
 namespace mlab {
 namespace {
+
+using Json = nlohmann::json;
+
+std::size_t counted(const std::string& text, const std::string& part) {
+  std::size_t out = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++out;
+  return out;
+}
+
+constexpr const char* kSocieties =
+    "class Cart(top: speed = 1 m/s in 0 .. 5) {\n  sensor ring: DetectObstacles() binds sense_obstacles;\n"
+    "  actuator wheels: Drive(max_velocity = top) binds movement;\n}\n"
+    "robot Scout(top: speed = 2 m/s in 0 .. 5) is Cart { movement = Noise(); }\n"
+    "robot Carrier(load: gain = 1 in 0 .. 2) is Cart { movement = cooperate { load: Noise(); }; }\n"
+    "society Scouts: team of 2 Scout;\nsociety Party: caste { Scouts; Carrier; };\n";
+
+TEST_F(Command, CheckSaysOnceWhatConcernsAllRobotsOfASociety) {
+  write("map.odl", kMap);
+  write("party.cdl", kSocieties);
+  const std::string steps = "COMMAND LIST:\n0. UNIT p START Here 5 0\n1. UNIT p STOP\n";
+  write("mission.mdl", "OVERLAY map.odl\nNEW-ROBOT p \"party.cdl#Party\" (load = 0.5)\n" + steps);
+  EXPECT_FALSE(has(mlab("check mission.mdl").err, "unknown-parameter")) << "one of them has it";
+  write("mission.mdl", "OVERLAY map.odl\nNEW-ROBOT p \"party.cdl#Party\" (laod = 0.5)\n" + steps);
+  const std::string unknown = mlab("check mission.mdl").err;
+  EXPECT_EQ(counted(unknown, "[unknown-parameter]"), 1U) << unknown;
+  write("mission.mdl", "OVERLAY map.odl\nNEW-ROBOT p \"party.cdl#Party\" (robot_radius = 5000)\n" + steps);
+  const std::string range = mlab("check mission.mdl").err;
+  EXPECT_EQ(counted(range, ": error:"), 1U) << range;
+  write("mission.mdl", "OVERLAY map.odl\nNEW-ROBOT p \"party.cdl#Parti\"\n" + steps);
+  const Outcome missing = mlab("check mission.mdl");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_EQ(counted(missing.err, ": error:"), 1U) << missing.err;
+  EXPECT_TRUE(has(missing.err, "did you mean `Party`?")) << missing.err;
+  write("mission.mdl", "OVERLAY map.odl\nNEW-ROBOT p \"party.cdl#Party\"\n" + steps);
+  EXPECT_EQ(mlab("fmt --check mission.mdl").status, 1);
+  EXPECT_EQ(mlab("fmt mission.mdl").status, 0);
+  EXPECT_TRUE(has(text_of(folder_ / "mission.mdl"), "NEW-ROBOT p \"party.cdl#Party\"\n"));
+}
+
+TEST_F(Command, RobotsOfASocietyRunTheirOwnPrograms) {
+  write("map.odl", kMap);
+  write("party.cdl", kSocieties);
+  write("mission.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT p \"party.cdl#Party\"\nUNIT <team> (<wing> p) (<spare> ROBOT)\n"
+        "COMMAND LIST:\n0. UNIT team START Here 5 0\n");
+  const Outcome o = mlab("run mission.mdl --headless --for 20 --report r.json");
+  ASSERT_EQ(o.status, 0) << o.out << o.err;
+  const Json robots = Json::parse(text_of(folder_ / "r.json")).at("robots");
+  std::string types;
+  for (const Json& robot : robots) types += robot.at("type").get<std::string>() + " ";
+  EXPECT_EQ(types, "p#Scout p#Scout p#Carrier ROBOT ");
+}
 
 TEST_F(Command, CheckSaysThatANetworkNeverReports) {
   write("map.odl", kMap);

@@ -17,6 +17,7 @@
 #include "mlab/fleet/mission_run.h"
 #include "mlab/fleet/report.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/robot/configuration_file.h"
 
 namespace mlab {
 namespace {
@@ -31,7 +32,11 @@ const fs::path kCorpus = fs::path(MLAB_SOURCE_DIR) / ".." / "shared" / "corpus" 
 // With the standard clock, all questions answered with yes.
 std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads) {
   text::Diagnostics sink;
-  const auto mission = mdl::load_mission(file.string(), sink, {seed, {}});
+  const robot::ProgramSources sources = {cell::testing::code_permitted(), file.parent_path().string()};
+  mdl::LoadOptions options;
+  options.seed = seed;
+  options.societies = robot::society_reader(sources);
+  const auto mission = mdl::load_mission(file.string(), sink, options);
   if (!mission) {
     ADD_FAILURE() << text::render(sink);
     return nullptr;
@@ -40,8 +45,7 @@ std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t s
   settings.seed = seed;
   settings.threads = threads;
   settings.executive.proceed_all = true;
-  auto run = fleet::MissionRun::create(
-      mission, {cell::testing::code_permitted(), file.parent_path().string()}, settings, sink);
+  auto run = fleet::MissionRun::create(mission, sources, settings, sink);
   EXPECT_TRUE(run) << text::render(sink);
   return run;
 }

@@ -157,7 +157,7 @@ Look look_at(const RunOptions& options, fleet::RunSettings& settings) {
   text::Diagnostics sink;
   std::error_code error;
   out.is_readable = fs::is_regular_file(options.mission, error);
-  out.mission = mdl::load_mission(options.mission, sink, {options.seed, overlay_folders()});
+  out.mission = mdl::load_mission(options.mission, sink, load_options(options, mission_sources(options, {})));
   if (out.mission && !options.environment.empty()) {
     const auto changes = envchange::load(options.environment, out.mission->overlay.origin, sink);
     out.is_usable = changes.has_value() && !sink.has_errors();

@@ -64,8 +64,9 @@ struct Prepared {
   text::Diagnostics warnings;  // of loading
 };
 
-std::shared_ptr<const mission::Mission> load(const RunOptions& options, text::Diagnostics& sink) {
-  const mdl::LoadOptions around{options.seed, overlay_folders()};
+std::shared_ptr<const mission::Mission> load(const RunOptions& options, const robot::ProgramSources& sources,
+                                             text::Diagnostics& sink) {
+  const mdl::LoadOptions around = load_options(options, sources);
   if (!is_standard_input(options.mission)) return mdl::load_mission(options.mission, sink, around);
   const text::Result<text::SourcePtr> source = read_input(options.mission);
   if (source) return mdl::check_mission(*source, "", sink, around);
@@ -82,15 +83,13 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
   out.clock = manner->clock;
   out.speed = manner->speed;
   text::Diagnostics& sink = out.warnings;
-  const std::shared_ptr<const mission::Mission> mission = load(options, sink);
+  const std::string folder = std::filesystem::path(options.mission).parent_path().string();
+  const robot::ProgramSources sources =
+      mission_sources(options, permission_to_run(options, cell::Grounds::People::kHere, folder));
+  const std::shared_ptr<const mission::Mission> mission = load(options, sources, sink);
   if (mission) {
     fleet::RunSettings& settings = manner->settings;
     settings.goes_on_when_done = options.duration.has_value();
-    const std::string folder = std::filesystem::path(options.mission).parent_path().string();
-    robot::ProgramSources sources =
-        program_sources(folder, permission_to_run(options, cell::Grounds::People::kHere, folder));
-    sources.limits = options.limits;
-    sources.project = !options.project.empty() ? options.project : folder.empty() ? "." : folder;
     if (!options.environment.empty()) {
       const text::Result<text::SourcePtr> source = read_input(options.environment);
       if (!source) sink.report(source.error());

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/cli/files.h"
+#include "mlab/robot/configuration_file.h"
 
 namespace mlab::cli {
 namespace {
@@ -74,6 +75,22 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
   out.settings.executive.patience = options.patience;
   out.settings.executive.epoch_seconds = clock->epoch_seconds;
   out.settings.executive.zone_offset = clock->zone_offset;
+  return out;
+}
+
+robot::ProgramSources mission_sources(const RunOptions& options, const cell::Permission& permission) {
+  const std::string folder = std::filesystem::path(options.mission).parent_path().string();
+  robot::ProgramSources out = program_sources(folder, permission);
+  out.limits = options.limits;
+  out.project = !options.project.empty() ? options.project : folder.empty() ? "." : folder;
+  return out;
+}
+
+mdl::LoadOptions load_options(const RunOptions& options, robot::ProgramSources sources) {
+  mdl::LoadOptions out;
+  out.seed = options.seed;
+  out.overlay_folders = overlay_folders();
+  out.societies = robot::society_reader(std::move(sources));
   return out;
 }
 

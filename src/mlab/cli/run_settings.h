@@ -3,9 +3,12 @@
 #include <optional>
 #include <string>
 
+#include "mlab/cell/permission.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
 #include "mlab/fleet/mission_run.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/robot/robot_program.h"
 
 namespace mlab::cli {
 
@@ -19,6 +22,11 @@ struct RunManner {
 /// @param default_speed  where the options name none
 /// @return nothing where an option can't be understood; it is then told on standard error
 std::optional<RunManner> run_manner(const RunOptions& options, double default_speed);
+
+/// What the programs of the command line's mission are found with.
+robot::ProgramSources mission_sources(const RunOptions& options, const cell::Permission& permission);
+/// What its text is read with.
+mdl::LoadOptions load_options(const RunOptions& options, robot::ProgramSources sources);
 
 /// Tells on standard error what is wrong with the command line.
 /// @return kBadInput

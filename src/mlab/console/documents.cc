@@ -141,6 +141,7 @@ text::Result<bool> OpenDocuments::open_on_disk(const std::string& disk_path, dou
     if (is_there) allow(file);
     return is_there;
   };
+  options.societies = nullptr;
   text::Diagnostics unsaid;
   mdl::load_mission(path, unsaid, options);
   return open(*project_.name_of(path), now);

@@ -10,6 +10,7 @@
 #include "mlab/console/session_parts.h"
 #include "mlab/console/status_encoder.h"
 #include "mlab/fleet/report.h"
+#include "mlab/robot/configuration_file.h"
 
 namespace mlab::console {
 namespace {
@@ -60,20 +61,23 @@ Inbox::Kind kind_of(const ToServer& message) {
   }
 }
 
-mdl::LoadOptions load_options(const SessionSettings& settings) {
+}  // namespace
+
+mdl::LoadOptions Session::Parts::load_options() const {
   mdl::LoadOptions options;
-  options.seed = settings.run.seed;
-  options.overlay_folders = settings.overlay_folders;
+  options.seed = settings_.run.seed;
+  options.overlay_folders = settings_.overlay_folders;
+  options.societies = [this](const std::string& program, const text::Place& place, text::Diagnostics& sink) {
+    return robot::society_reader(program_sources())(program, place, sink);
+  };
   return options;
 }
-
-}  // namespace
 
 Session::Parts::Parts(SessionSettings settings, Send send)
     : settings_(std::move(settings)),
       send_(std::move(send)),
       project_({settings_.project_folder, settings_.example_folder}),
-      documents_(project_, load_options(settings_), settings_.state_folder),
+      documents_(project_, load_options(), settings_.state_folder),
       session_name_(fmt::format("{:08x}", std::random_device{}())),
       seed_(settings_.run.seed),
       pace_(settings_.speed),

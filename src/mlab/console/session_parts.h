@@ -148,6 +148,7 @@ class Session::Parts {
   void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
   void report_problems(const text::Diagnostics& problems);
   robot::ProgramSources program_sources() const;
+  mdl::LoadOptions load_options() const;
 
   // ---- session_publish.cc
 

@@ -1,7 +1,12 @@
 #include "mlab/fleet/crew.h"
 
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "mlab/fleet/vehicle.h"
 
@@ -15,6 +20,38 @@ const robot::RobotProgram* known_program(const mission::RobotType& type, const C
   }
   return nullptr;
 }
+
+// What is said of the types that societies consist of. Those of one society come from one statement and one
+// file: what is said of several is said once, and a parameter is unknown where none of them knows it.
+class SaidOfSocieties {
+ public:
+  void add(const mission::RobotType& type, const text::Diagnostics& said) {
+    for (const mission::RobotParameter& parameter : type.parameters) ++takers_[key_of(parameter.place)];
+    all_.insert(all_.end(), said.items().begin(), said.items().end());
+  }
+
+  void report(text::Diagnostics& sink) const {
+    std::map<Key, int> refused;
+    std::set<std::tuple<std::string, Key, std::string>> told;
+    for (const text::Diagnostic& one : all_) {
+      const Key key = key_of(one.place);
+      if (one.kind == "unknown-parameter") {
+        if (++refused[key] == takers_.at(key)) sink.report(one);
+      } else if (told.emplace(one.kind, key, one.message).second) {
+        sink.report(one);
+      }
+    }
+  }
+
+ private:
+  using Key = std::tuple<std::string, std::uint32_t, std::uint32_t>;  // each type reads the file by itself
+  static Key key_of(const text::Place& place) {
+    return {place.source ? place.source->name() : "", place.span.begin, place.span.end};
+  }
+
+  std::vector<text::Diagnostic> all_;
+  std::map<Key, int> takers_;  // types that are given the parameter that stands there
+};
 
 std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& type,
                                                    const robot::ProgramSources& sources, const Crew* before,
@@ -38,19 +75,28 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
   const mission::Mission& plan = *crew->mission;
   std::vector<bool> is_used(plan.types.size(), false);
   for (const mission::Robot& robot : plan.robots) is_used[robot.type] = true;
+  std::vector<bool> is_of_society(plan.types.size(), false);
+  for (const mission::Society& society : plan.societies) {
+    for (const mission::Society::Part& part : society.parts) is_of_society[part.type] = true;
+  }
+  SaidOfSocieties of_societies;
   const std::size_t errors_before = sink.error_count();
   for (std::size_t i = 0; i < plan.types.size(); ++i) {
     // A type that nobody uses costs nothing, but what is wrong in it is said all the same; ROBOT alone has no
     // author.
+    text::Diagnostics own;
+    text::Diagnostics& said = is_of_society[i] ? own : sink;
     std::optional<robot::RobotProgram> program;
     if (is_used[i] || plan.types[i].place.source)
-      program = load_program_of(plan.types[i], sources, before, sink);
+      program = load_program_of(plan.types[i], sources, before, said);
     crew->bodies.push_back(
-        body_of(plan.types[i], program ? program->body : std::map<std::string, double>{}, sink));
+        body_of(plan.types[i], program ? program->body : std::map<std::string, double>{}, said));
     crew->programs.push_back(
         program ? std::move(*program)
                 : robot::RobotProgram{.name = plan.types[i].program, .type = plan.types[i].name});
+    if (is_of_society[i]) of_societies.add(plan.types[i], own);
   }
+  of_societies.report(sink);
   if (sink.error_count() > errors_before) return nullptr;
   return crew;
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "mlab/base/counted.h"
 #include "mlab/fleet/vehicle.h"
@@ -17,6 +18,7 @@
 #include "mlab/language/statement_candidates.h"
 #include "mlab/language/statement_names.h"
 #include "mlab/language/words.h"
+#include "mlab/robot/configuration_file.h"
 
 namespace mlab::language {
 namespace {
@@ -33,7 +35,15 @@ class MdlWorld {
     tree_ = mdl::parse(text.source, unsaid);
     map_ = mdl::check_map(text.source, folder_of(text), unsaid, options_of(around));
     // Of equal names in the overlays and in the mission, those of the mission come later and hold.
-    for (const mdl::Statement& one : tree_.preamble) define(one);
+    for (const mdl::Statement& one : tree_.preamble) {
+      if (const auto* type = std::get_if<mdl::statement::NewRobot>(&one.what))
+        types_.try_emplace(mdl::lower_case(type->name.text), type);
+    }
+    draw_sketch();
+    for (const mission::Unit& unit : sketch_.units) {
+      if (!unit.name.empty())
+        teams_.try_emplace(unit.name, Team{bare_name(text.source, unit.place.span), unit.members.size()});
+    }
   }
 
   const mdl::Tree& tree() const { return tree_; }
@@ -53,46 +63,41 @@ class MdlWorld {
     return found == types_.end() ? nullptr : found->second;
   }
 
+  /// The society that a type of this name stands for; null: none.
+  const mission::Society* society(const std::string& name) const {
+    const auto found = std::ranges::find_if(sketch_.societies, [&](const mission::Society& one) {
+      return mdl::equal_without_case(one.name, name);
+    });
+    return found == sketch_.societies.end() ? nullptr : &*found;
+  }
+
   /// Types, robots and units, as far as the mission can be understood.
-  mission::Mission sketch() const {
-    mission::Mission out;
-    mission::RobotType& standard = out.types.emplace_back();
+  const mission::Mission& sketch() const { return sketch_; }
+
+ private:
+  void draw_sketch() {
+    mission::RobotType& standard = sketch_.types.emplace_back();
     standard.name = "ROBOT";
     standard.program = "robot";
+    robot::ProgramSources sources = around_.programs;
+    sources.folder = folder_of(text_);
+    sources.files = &around_.files;
     text::Diagnostics unsaid;
-    mdl::Roster roster(out, text_.source, tree_.damage, unsaid);
+    mdl::Roster roster(sketch_, text_.source, tree_.damage, unsaid, robot::society_reader(sources));
     for (const mdl::Statement& one : tree_.preamble) {
       if (const auto* type = std::get_if<mdl::statement::NewRobot>(&one.what)) roster.define_type(*type);
       if (const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&one.what))
         roster.define_unit(*unit);
     }
-    std::ranges::sort(out.robots, {}, &mission::Robot::id);
-    return out;
-  }
-
- private:
-  static std::size_t robots_of(const mdl::statement::UnitDefinition& unit, std::size_t group) {
-    std::size_t out = unit.groups[group].robots.size();
-    for (const std::uint32_t part : unit.groups[group].parts) out += robots_of(unit, part);
-    return out;
-  }
-
-  void define(const mdl::Statement& statement) {
-    if (const auto* type = std::get_if<mdl::statement::NewRobot>(&statement.what))
-      types_.try_emplace(mdl::lower_case(type->name.text), type);
-    const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&statement.what);
-    if (unit == nullptr) return;
-    for (std::size_t i = 0; i < unit->groups.size(); ++i) {
-      if (unit->groups[i].name)
-        teams_.try_emplace(unit->groups[i].name->text,
-                           Team{bare_name(text_.source, unit->groups[i].name->span), robots_of(*unit, i)});
-    }
+    roster.define_units_of_societies();
+    std::ranges::sort(sketch_.robots, {}, &mission::Robot::id);
   }
 
   Text text_;
   const Surroundings& around_;
   mdl::Tree tree_;
   overlay::Overlay map_;
+  mission::Mission sketch_;
   std::map<std::string, Team> teams_;
   std::map<std::string, const mdl::statement::NewRobot*> types_;
 };
@@ -146,8 +151,7 @@ class MdlNames {
     Name& program = add(NameKind::kFile, robot.program.span);
     const auto meant =
         robot_meant(robot.program.text, robot.name.text, folder_of(world_.text()), world_.around());
-    if (meant)
-      program.target = {meant->scan.source, meant->robot == nullptr ? text::Span{} : meant->robot->span};
+    if (meant) program.target = {meant->scan.source, meant->declaration_span()};
     for (const mdl::Parameter& parameter : robot.parameters) {
       Name& key = add(NameKind::kArgument, parameter.key.span);
       if (!meant) continue;
@@ -198,6 +202,14 @@ class MdlNames {
   std::vector<Name> out_;
 };
 
+// `3 f#Scout, 1 f#Carrier`
+std::string robots_of(const MdlWorld& world, const mission::Society& society) {
+  std::vector<std::string> out;
+  for (const mission::Society::Part& part : society.parts)
+    out.push_back(fmt::format("{} `{}`", part.count, world.sketch().types[part.type].name));
+  return fmt::format("{}", fmt::join(out, ", "));
+}
+
 std::string hover_of(const MdlWorld& world, const Name& name) {
   switch (name.kind) {
     case NameKind::kTeam: {
@@ -208,8 +220,11 @@ std::string hover_of(const MdlWorld& world, const Name& name) {
     case NameKind::kRobotType: {
       if (mdl::equal_without_case(name.text, "ROBOT")) return "`ROBOT`: the standard robot";
       const auto* type = world.type(name.text);
-      return type == nullptr ? ""
-                             : fmt::format("robot type `{}`: program `{}`", name.text, type->program.text);
+      if (type == nullptr) return "";
+      const std::string of = fmt::format("`{}`: program `{}`", name.text, type->program.text);
+      const mission::Society* society = world.society(name.text);
+      return society == nullptr ? "robot type " + of
+                                : fmt::format("society {}, {}", of, robots_of(world, *society));
     }
     case NameKind::kPlace: {
       const overlay::ControlMeasure* const measure = overlay::find_measure(world.map(), name.text);
@@ -351,8 +366,7 @@ Completions complete_mdl(const Text& text, std::uint32_t cursor, const Surroundi
     if (const auto robot = open_robot(source)) return complete_parameters(*robot, text, cursor, around);
   }
   const MdlWorld world(text, around);
-  const mission::Mission sketch = world.sketch();
-  KnownNames names{&sketch, &world.map(), {}};
+  KnownNames names{&world.sketch(), &world.map(), {}};
   if (around.list) {
     for (const std::string& file : around.list(folder_of(text))) {
       if (file.ends_with(".odl") || file.ends_with(".ovl")) names.overlay_files.push_back(file);

@@ -213,6 +213,8 @@ class MissionCompleter {
     for (const mission::RobotType& type : names_.mission->types)
       mdl::equal_without_case(type.name, "ROBOT") ? out_.add("ROBOT", "robot", "the standard robot")
                                                   : out_.add_name(type.name, "robot", type.program);
+    for (const mission::Society& society : names_.mission->societies)
+      out_.add_name(society.name, "society", "all of its robots");
   }
 
   void unit_command() {

@@ -26,7 +26,8 @@ std::string folder_of(const std::string& path) {
 void check_mission(const Text& text, const robot::ProgramSources& sources, const Surroundings& around,
                    text::Diagnostics& sink) {
   const auto mission =
-      mdl::check_mission(text.source, sources.folder, sink, {1, around.overlay_folders, around.files});
+      mdl::check_mission(text.source, sources.folder, sink,
+                         {1, around.overlay_folders, around.files, robot::society_reader(sources)});
   if (mission) fleet::MissionRun::create(mission, sources, {}, sink);
 }
 

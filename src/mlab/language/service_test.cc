@@ -148,6 +148,27 @@ TEST_F(ServiceTest, TellsWhatThingsAre) {
   EXPECT_NE(hovered("map.odl", "PP").find("passage point"), std::string::npos);
 }
 
+TEST_F(ServiceTest, KnowsWhoASocietyIs) {
+  folder_.put("team.cdl",
+              "use \"robots.cdl\";\nsociety Pair: team of 2 Scout;\nsociety All: caste { Pair; Scout; };\n");
+  folder_.put("s.mdl",
+              "SP Home 5 5\nNEW-ROBOT band \"team.cdl#All\" \nCOMMAND LIST:\n"
+              " 1. UNIT band START Home\n 2. ROBOT 3 STOP\n");
+  EXPECT_EQ(hovered("s.mdl", "band \""),
+            "society `band`: program `team.cdl#All`, 2 `band#Scout`, 1 `band#Scout`");
+  EXPECT_EQ(hovered("s.mdl", "UNIT band S"), "unit `band` of 3 robots");
+  EXPECT_EQ(hovered("s.mdl", " 3 "), "robot 3, a `band#Scout` of unit `band`");
+  const auto program = declared("s.mdl", "team.cdl#All");
+  EXPECT_EQ(program->source->text(program->span), "All");
+  const auto unit = declared("s.mdl", "UNIT band S");
+  EXPECT_EQ(unit->source->line_column(unit->span.begin).line, 2U);
+  EXPECT_EQ(offered("n.mdl", "NEW-ROBOT band \"team.cdl#All\"\nCOMMAND LIST:\n 1. UNIT |"),
+            (Strings{"band"}));
+  EXPECT_TRUE(contains(offered("n.mdl", "NEW-ROBOT band \"team.cdl#All\"\nUNIT <u> |"), "band"));
+  const text::Diagnostics said = problems(folder_.text("s.mdl"), folder_.around());
+  EXPECT_FALSE(said.has_errors()) << text::render(said);
+}
+
 TEST_F(ServiceTest, CompletesMissionsWithWhatOverlaysAndConfigurationsDeclare) {
   const std::string head =
       "OVERLAY map.odl\nNEW-ROBOT scout \"robots.cdl\" (urge = 1)\nUNIT <pair> scout ROBOT\nCOMMAND LIST:\n";

@@ -43,6 +43,7 @@ std::optional<MeantRobot> robot_meant(const std::string& program, const std::str
   const CdlDeclaration* only = nullptr;
   int robots = 0;
   for (const CdlDeclaration& one : out.scan.declarations) {
+    if (one.kind == NameKind::kSociety && one.name == wanted) out.society = &one;
     if (one.kind != NameKind::kRobot) continue;
     ++robots;
     only = &one;

@@ -17,12 +17,16 @@ text::Span bare_name(const text::SourcePtr& source, text::Span span);
 /// The part of a reference that is the measure's own name: `Red` of `PL-Red`.
 text::Span own_part(const text::SourcePtr& source, text::Span span, const overlay::ControlMeasure& measure);
 
-/// The robot of a configuration that a mission's robot type means.
+/// The robot, or society, of a configuration that a mission's robot type means.
 struct MeantRobot {
   CdlScan scan;                           ///< of the configuration
   std::string file;                       ///< as written
   const CdlDeclaration* robot = nullptr;  ///< null: there is none of that name
   const CdlDeclaration* robot_class = nullptr;
+  const CdlDeclaration* society = nullptr;  ///< that the name means instead
+
+  /// Of what the name means; the beginning of the file where it has none of that name.
+  text::Span declaration_span() const { return robot ? robot->span : society ? society->span : text::Span{}; }
 };
 /// @param program  as the mission writes it: `forager.cdl#Forager`
 /// @return  nothing where it is no configuration that can be read

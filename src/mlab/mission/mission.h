@@ -33,6 +33,18 @@ struct RobotType {
   text::Place place;                       ///< of the program's name; nowhere for ROBOT
 };
 
+/// A robot type that stands for several robots: NEW-ROBOT with a society of a configuration as its program.
+struct Society {
+  /// Robots of one type.
+  struct Part {
+    std::uint32_t type = 0;  ///< index into Mission::types: `f#Scout`
+    int count = 1;
+  };
+  std::string name;         ///< compared without regard to letter case: `f`
+  std::vector<Part> parts;  ///< in rank order
+  text::Place place;        ///< of its name
+};
+
 struct Robot {
   base::RobotId id;
   std::uint32_t type = 0;  ///< index into Mission::types
@@ -170,7 +182,8 @@ struct Mission {
   std::string scenario;
   overlay::Overlay overlay;  ///< all overlays that it names, its own area, obstacles and start points added
   std::vector<RobotType> types;  ///< [0] is ROBOT
-  std::vector<Robot> robots;     ///< by id, ascending
+  std::vector<Society> societies;
+  std::vector<Robot> robots;  ///< by id, ascending
   std::vector<Unit> units;
   Options options;
   std::vector<Print> prints;  ///< of the preamble: to be printed once when the mission is loaded

@@ -63,6 +63,27 @@ bool names_configuration(std::string_view program) {
   return split(program).first.ends_with(".cdl");
 }
 
+SocietyReader society_reader(ProgramSources sources) {
+  using Members = std::vector<std::pair<std::string, int>>;
+  return [sources = std::move(sources)](const std::string& program, const text::Place& place,
+                                        text::Diagnostics& sink) -> std::optional<Members> {
+    const auto [path, wanted] = split(program);
+    if (wanted.empty() || !names_configuration(program)) return std::nullopt;
+    const std::size_t errors_before = sink.error_count();
+    const text::SourcePtr source = read_program(path, place, sources, sink);
+    if (!source) return std::nullopt;
+    const text::Files files = files_of(sources);
+    const cdl::Configuration configuration = cdl::load(source, environment_of(files), sink);
+    if (sink.error_count() > errors_before) return std::nullopt;
+    const cdl::Society* society = cdl::society_meant(configuration, wanted, place, sink);
+    if (society == nullptr) return std::nullopt;
+    Members out;
+    for (const auto& [robot, count] : cdl::members_of(configuration, *society))
+      out.emplace_back(path + "#" + robot->name.text, count);
+    return out;
+  };
+}
+
 std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::string_view wanted,
                                          std::string_view type_name, const text::Place& place,
                                          const ProgramSources& sources, text::Diagnostics& sink) {

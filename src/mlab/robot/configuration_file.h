@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
@@ -22,6 +25,15 @@ const cdl::Configuration& library_configuration();
 
 /// Whether a robot program's name means a configuration: `forager.cdl`, `forager.cdl#Forager`.
 bool names_configuration(std::string_view program);
+
+/// Says who belongs to the society that a mission names at `place` as a robot's program: the programs of its
+/// robots, with how many there are of each. `forager.cdl#Foragers` is `forager.cdl#Scout` and
+/// `forager.cdl#Carrier`, three times each.
+/// @return  nothing where it names no society: a robot, or something that is no configuration
+/// @errors  what keeps the configuration from being read; `unknown-robot`
+using SocietyReader = std::function<std::optional<std::vector<std::pair<std::string, int>>>(
+    const std::string& program, const text::Place& place, text::Diagnostics& sink)>;
+SocietyReader society_reader(ProgramSources sources);
 
 /// A robot of a configuration, made flat and built.
 struct ConfiguredRobot {

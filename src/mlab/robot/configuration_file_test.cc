@@ -73,6 +73,67 @@ TEST(LoadConfiguration, BuildsTheRobotOfAFile) {
   EXPECT_NEAR(std::hypot(action.velocity.x, action.velocity.y), 0.3, 1e-12) << "base velocity times pace";
 }
 
+constexpr const char* kSocieties = R"(
+robot Other is Cart { movement = Wander(); }
+robot Both is Cart { movement = Wander(); }
+society Pair: caste { Other; Wanderer; };
+society Troop: caste { team of 3 Wanderer; team of 2 Pair; Other; };
+society Nobody: caste { };
+society Circle: caste { Wanderer; Circle; };
+society Both: team of 2 Other;
+)";
+
+// `Wanderer 3, Other 2`; `-` where it names no society.
+std::string members(const Folder& folder, const std::string& program, text::Diagnostics& sink) {
+  const auto read = society_reader(folder.sources())(program, {}, sink);
+  if (!read) return "-";
+  std::string out;
+  for (const auto& [robot, count] : *read) {
+    EXPECT_TRUE(robot.starts_with("many.cdl#"));
+    out += (out.empty() ? "" : ", ") + robot.substr(9) + " " + std::to_string(count);
+  }
+  return out;
+}
+
+TEST(SocietyReader, CountsTheRobotsOfSocietiesInSocieties) {
+  const Folder folder;
+  folder.write("many.cdl", std::string(kWanderer) + kSocieties);
+  text::Diagnostics sink;
+  EXPECT_EQ(members(folder, "many.cdl#Pair", sink), "Other 1, Wanderer 1");
+  EXPECT_EQ(members(folder, "many.cdl#Troop", sink), "Wanderer 3, Other 2, Wanderer 2, Other 1");
+  EXPECT_EQ(members(folder, "many.cdl#Nobody", sink), "");
+  EXPECT_EQ(members(folder, "many.cdl#Circle", sink), "Wanderer 1");
+  EXPECT_EQ(members(folder, "many.cdl#Other", sink), "-") << "a robot";
+  EXPECT_EQ(members(folder, "many.cdl", sink), "-");
+  EXPECT_EQ(members(folder, "robot", sink), "-");
+  EXPECT_TRUE(sink.items().empty()) << text::render(sink);
+}
+
+TEST(SocietyReader, SaysWhatItCannotFindOrTell) {
+  const Folder folder;
+  folder.write("many.cdl", std::string(kWanderer) + kSocieties);
+  text::Diagnostics sink;
+  EXPECT_EQ(members(folder, "many.cdl#Both", sink), "-");
+  ASSERT_EQ(sink.warning_count(), 1U);
+  EXPECT_TRUE(sink.items()[0].message.ends_with("a robot and a society `Both`: the robot is meant"));
+  EXPECT_EQ(members(folder, "many.cdl#Trop", sink), "-");
+  ASSERT_EQ(sink.error_count(), 1U);
+  EXPECT_TRUE(sink.items()[1].message.ends_with("has no robot or society `Trop`"));
+  EXPECT_EQ(sink.items()[1].hints, (std::vector<std::string>{"did you mean `Troop`?"}));
+  EXPECT_EQ(members(folder, "nosuch.cdl#Pair", sink), "-");
+  EXPECT_EQ(sink.error_count(), 2U);
+}
+
+TEST(LoadConfiguration, SaysThatASocietyIsNoRobot) {
+  const Folder folder;
+  folder.write("many.cdl", std::string(kWanderer) + kSocieties);
+  text::Diagnostics sink;
+  EXPECT_FALSE(load(folder, "many.cdl#Troop", "x", sink));
+  ASSERT_EQ(sink.error_count(), 1U);
+  EXPECT_EQ(sink.items()[0].hints,
+            (std::vector<std::string>{"`Troop` is a society: name one of its robots"}));
+}
+
 TEST(LoadConfiguration, TakesTheRobotThatIsNamed) {
   const Folder folder;
   folder.write("two.cdl", std::string(kWanderer) + "robot Other is Cart { movement = Wander(); }\n");

@@ -178,10 +178,10 @@ class SocietyWalk {
  public:
   explicit SocietyWalk(const Configuration& configuration) : configuration_(configuration) {}
 
-  void enter(const Society& society) {
+  void enter(const Society& society, int count = 1) {
     if (std::ranges::find(open_, &society) != open_.end()) return;
     open_.push_back(&society);
-    enter(society.what, 1);
+    enter(society.what, count);
     open_.pop_back();
   }
 
@@ -192,7 +192,8 @@ class SocietyWalk {
 
  private:
   void enter(const SocietyMember& member, int count) {
-    constexpr int kMostSteps = 100'000;  // societies of societies of societies grow fast
+    constexpr int kMostSteps = 100'000;    // societies of societies of societies grow fast
+    constexpr int kMostAlike = 1'000'000;  // teams of teams of teams, too
     if (++steps_ > kMostSteps) return;
     const auto op = configuration_.operators.find(member.by.text);
     const bool has_operator = op != configuration_.operators.end();
@@ -200,7 +201,7 @@ class SocietyWalk {
     if (member.kind == SocietyMember::Kind::kCaste) {
       for (const SocietyMember& one : member.members) enter(one, count);
     } else {
-      enter_named(member.name.text, count * member.count);
+      enter_named(member.name.text, std::min(count, kMostAlike / member.count) * member.count);
     }
     if (has_operator) operators_.pop_back();
   }
@@ -213,7 +214,7 @@ class SocietyWalk {
       found_operators = operators_;
     } else if (const auto society = configuration_.societies.find(name);
                society != configuration_.societies.end()) {
-      enter(*society->second);
+      enter(*society->second, count);
     }
   }
 
@@ -256,7 +257,10 @@ const Robot* robot_meant(const Configuration& configuration, std::string_view wa
     text::Diagnostic& d =
         sink.error("unknown-robot", place, fmt::format("`{}` has no robot `{}`", file, text::shown(wanted)));
     const std::string nearest = text::nearest_name(wanted, names);
-    if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+    if (configuration.societies.contains(wanted))
+      d.hints.push_back(fmt::format("`{}` is a society: name one of its robots", wanted));
+    else if (!nearest.empty())
+      d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
     return nullptr;
   }
   for (const Robot* robot : robots) {
@@ -271,6 +275,31 @@ const Robot* robot_meant(const Configuration& configuration, std::string_view wa
                fmt::format("`{}` has several robots: {}", file, fmt::join(names, ", ")))
         .hints = {fmt::format("name one: `{}#{}`", fs::path(file).filename().string(), names.front())};
   }
+  return nullptr;
+}
+
+const Society* society_meant(const Configuration& configuration, std::string_view wanted,
+                             const text::Place& place, text::Diagnostics& sink) {
+  const auto is_wanted = [&](const auto* one) { return one->name.text == wanted; };
+  const auto& societies = configuration.own_societies;
+  const auto society = std::ranges::find_if(societies, is_wanted);
+  const bool is_society = society != societies.end();
+  const std::string file = configuration.source ? configuration.source->name() : "";
+  if (std::ranges::any_of(configuration.own_robots, is_wanted)) {
+    if (is_society)
+      sink.warning("ambiguous-program", place,
+                   fmt::format("`{}` has a robot and a society `{}`: the robot is meant", file, wanted))
+          .notes.push_back({"the society is here", (*society)->name.place});
+    return nullptr;
+  }
+  if (is_society) return *society;
+  std::vector<std::string> names;
+  for (const Robot* robot : configuration.own_robots) names.push_back(robot->name.text);
+  for (const Society* one : societies) names.push_back(one->name.text);
+  text::Diagnostic& d = sink.error(
+      "unknown-robot", place, fmt::format("`{}` has no robot or society `{}`", file, text::shown(wanted)));
+  const std::string nearest = text::nearest_name(wanted, names);
+  if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
   return nullptr;
 }
 

@@ -76,6 +76,12 @@ Configuration configuration_of(std::shared_ptr<const Tree> tree, const Environme
 const Robot* robot_meant(const Configuration& configuration, std::string_view wanted,
                          std::string_view type_name, const text::Place& place, text::Diagnostics& sink);
 
+/// The society that a mission's NEW-ROBOT means by the name behind `#`.
+/// @return  null where it means a robot, or nothing
+/// @errors  `unknown-robot` at `place` where there is neither; a warning where there are both
+const Society* society_meant(const Configuration& configuration, std::string_view wanted,
+                             const text::Place& place, text::Diagnostics& sink);
+
 /// Operators of the society that the robot is in, from the outside in; empty where it is in none.
 std::vector<const SocietyOperator*> operators_of(const Configuration& configuration, const Robot& robot);
 

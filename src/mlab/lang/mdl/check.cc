@@ -66,7 +66,7 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   auto mission = std::make_shared<mission::Mission>();
   mission->source = source;
   mission->types.push_back(predefined_type());
-  Roster roster(*mission, source, tree.damage, diagnostics);
+  Roster roster(*mission, source, tree.damage, diagnostics, options.societies);
   Preamble preamble(*mission, roster, tree.damage, folder, options, diagnostics);
   preamble.run(tree);
   if (!diagnostics.has_errors()) preamble.create_requested_obstacles();

@@ -17,7 +17,8 @@ namespace {
 
 const std::string kDocumented = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
 
-// `what` is behind the language's name: nothing, `preamble`, `steps` or `typed`.
+// `what` is behind the language's name: nothing, `preamble`, `steps` or `typed`. An `excerpt` is one of a
+// file that other tests check.
 std::vector<std::string> examples(const std::string& what) {
   std::vector<std::string> out;
   const std::string text = text::testing::read_all(std::string(MLAB_SOURCE_DIR) + "/docs/languages/mdl.md");

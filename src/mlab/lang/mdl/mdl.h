@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mlab/mission/mission.h"
@@ -31,6 +33,13 @@ Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics);
 /// @param tree  parsed without errors
 std::string print(const Tree& tree);
 
+/// Says who belongs to the society that NEW-ROBOT names at `place` as its program: the programs of its
+/// robots, each with how many there are of it, in rank order.
+/// @return  nothing where it names no society; then it is the program of one robot
+/// @errors  whatever keeps it from knowing
+using SocietyReader = std::function<std::optional<std::vector<std::pair<std::string, int>>>(
+    const std::string& program, const text::Place& place, text::Diagnostics& diagnostics)>;
+
 /// What a mission needs from outside its file.
 struct LoadOptions {
   /// For CREATE-OBSTACLES where the mission does not SET SEED.
@@ -39,6 +48,8 @@ struct LoadOptions {
   std::vector<std::string> overlay_folders;
   /// How the mission and all that it names is read.
   text::Files files = text::files_on_disk();
+  /// Null: there are no societies.
+  SocietyReader societies = nullptr;
 };
 
 /// Everything a run needs: overlays loaded, names resolved, robots numbered, random obstacles created.

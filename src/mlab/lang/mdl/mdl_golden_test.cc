@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/lang/mdl/testing/societies.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab::mdl {
@@ -26,7 +27,9 @@ TEST_F(MdlGolden, MissionsGetTheDiagnosticsThatStandAtTheirEnd) {
   for (const auto& path : golden::golden_files(".", ".mdl")) {
     golden::check_golden(path, "--", [](const text::SourcePtr& source) {
       text::Diagnostics sink;
-      const auto mission = check_mission(source, "", sink);
+      LoadOptions options;
+      options.societies = mdl::testing::known_society;
+      const auto mission = check_mission(source, "", sink, options);
       EXPECT_EQ(mission == nullptr, sink.has_errors());
       return text::render(sink);
     });

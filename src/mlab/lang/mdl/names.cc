@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t kMaxWishedId = 65535;
 constexpr double kMaxRobotId = 4e9;  // what an id can hold
+constexpr int kMostRobotsOfSocieties = 10'000;
 
 template <class Range, class Projection>
 std::string nearest(std::string_view name, const Range& things, Projection name_of) {
@@ -44,12 +45,19 @@ const overlay::ControlMeasure* PlaceIndex::find(std::string_view reference) cons
 }
 
 Roster::Roster(mission::Mission& mission, text::SourcePtr source, const Damage& damage,
-               text::Diagnostics& diagnostics)
-    : mission_(mission), source_(std::move(source)), damage_(damage), diagnostics_(diagnostics) {
+               text::Diagnostics& diagnostics, SocietyReader societies)
+    : mission_(mission),
+      source_(std::move(source)),
+      damage_(damage),
+      diagnostics_(diagnostics),
+      read_society_(std::move(societies)) {
   for (std::uint32_t i = 0; i < mission.types.size(); ++i) {
     types_[lower_case(mission.types[i].name)] = i;
     wished_ids_.push_back(wished_id(mission.types[i]));
   }
+  for (std::uint32_t i = 0; i < mission.societies.size(); ++i)
+    societies_[lower_case(mission.societies[i].name)] = i;
+  is_in_unit_.resize(mission.societies.size(), true);
   for (std::uint32_t i = 0; i < mission.units.size(); ++i) {
     if (!mission.units[i].name.empty()) units_[mission.units[i].name] = i;
   }
@@ -59,18 +67,8 @@ Roster::Roster(mission::Mission& mission, text::SourcePtr source, const Damage& 
   }
 }
 
-void Roster::define_type(const statement::NewRobot& statement) {
-  const auto [entry, is_new] =
-      types_.try_emplace(lower_case(statement.name.text), static_cast<std::uint32_t>(mission_.types.size()));
-  if (!is_new) {
-    auto& error = diagnostics_.error(
-        "duplicate-robot-type", place(statement.name.span),
-        fmt::format("robot type {} is defined already", in_backticks(statement.name.text)));
-    const text::Place& first = mission_.types[entry->second].place;
-    if (first.source) error.notes.push_back({"it is defined here", first});
-    if (!first.source) error.hints.emplace_back("`ROBOT` is the predefined type");
-    return;
-  }
+bool Roster::define_type(const statement::NewRobot& statement) {
+  if (refuse_second_type(statement.name)) return true;
   mission::RobotType type;
   type.name = statement.name.text;
   type.program = statement.program.text;
@@ -83,8 +81,66 @@ void Roster::define_type(const statement::NewRobot& statement) {
   for (const Parameter& p : statement.parameters) {
     type.parameters.push_back({p.key.text, p.value, place(p.key.span)});
   }
+  if (read_society_) {
+    const std::size_t errors = diagnostics_.error_count();
+    const auto members = read_society_(type.program, type.place, diagnostics_);
+    if (members) return define_society(statement.name, type, *members);
+    if (diagnostics_.error_count() > errors) {
+      add_type(std::move(type));
+      return false;
+    }
+  }
+  add_type(std::move(type));
+  return true;
+}
+
+bool Roster::refuse_second_type(const Name& name) {
+  const std::string key = lower_case(name.text);
+  const auto type = types_.find(key);
+  const auto society = societies_.find(key);
+  if (type == types_.end() && society == societies_.end()) return false;
+  auto& error = diagnostics_.error("duplicate-robot-type", place(name.span),
+                                   fmt::format("robot type {} is defined already", in_backticks(name.text)));
+  const text::Place& first = society != societies_.end() ? mission_.societies[society->second].place
+                                                         : mission_.types[type->second].place;
+  if (first.source) error.notes.push_back({"it is defined here", first});
+  if (!first.source) error.hints.emplace_back("`ROBOT` is the predefined type");
+  return true;
+}
+
+void Roster::add_type(mission::RobotType type) {
+  types_.try_emplace(lower_case(type.name), static_cast<std::uint32_t>(mission_.types.size()));
   wished_ids_.push_back(wished_id(type));
   mission_.types.push_back(std::move(type));
+}
+
+// Its robots get types of their own: that of the robot `Scout` is `f#Scout`.
+bool Roster::define_society(const Name& name, const mission::RobotType& type,
+                            const std::vector<std::pair<std::string, int>>& members) {
+  if (members.empty()) {
+    diagnostics_.error("empty-society", type.place,
+                       fmt::format("the society {} has no robots", in_backticks(type.program)));
+    return false;
+  }
+  mission::Society society{name.text, {}, place(name.span)};
+  const std::optional<std::uint32_t> wish = wished_id(type);
+  std::unordered_map<std::string_view, std::uint32_t> known;
+  for (const auto& [program, count] : members) {
+    const auto [entry, is_new] =
+        known.try_emplace(program, static_cast<std::uint32_t>(mission_.types.size()));
+    society.parts.push_back({entry->second, count});
+    if (!is_new) continue;
+    mission::RobotType member = type;
+    member.name += program.substr(std::min(program.rfind('#'), program.size()));
+    member.program = program;
+    types_.try_emplace(lower_case(member.name), entry->second);
+    wished_ids_.push_back(wish);
+    mission_.types.push_back(std::move(member));
+  }
+  societies_.emplace(lower_case(society.name), static_cast<std::uint32_t>(mission_.societies.size()));
+  is_in_unit_.push_back(false);
+  mission_.societies.push_back(std::move(society));
+  return true;
 }
 
 void Roster::check_color(const Name& color) {
@@ -103,26 +159,40 @@ void Roster::announce_type(const Name& name) {
 std::optional<std::uint32_t> Roster::find_type(const Name& name) {
   const std::string key = lower_case(name.text);
   if (const auto found = types_.find(key); found != types_.end()) return found->second;
-  if (damage_.types) return std::nullopt;
+  if (!damage_.types) report_unknown_type(name);
+  return std::nullopt;
+}
+
+void Roster::report_unknown_type(const Name& name) {
   auto& error = diagnostics_.error("unknown-robot-type", place(name.span),
                                    fmt::format("unknown robot type {}", in_backticks(name.text)));
-  if (diagnostics_.error_count() > text::Diagnostics::kMaxErrors) return std::nullopt;
-  if (const auto later = announced_.find(key); later != announced_.end()) {
+  if (diagnostics_.error_count() > text::Diagnostics::kMaxErrors) return;
+  if (const auto later = announced_.find(lower_case(name.text)); later != announced_.end()) {
     error.notes.push_back({fmt::format("{} is defined only here, below its use", in_backticks(name.text)),
                            place(later->second)});
-    return std::nullopt;
+    return;
   }
-  const std::string near =
-      nearest(name.text, mission_.types, [](const mission::RobotType& t) { return t.name; });
+  struct Named {
+    std::string name;
+    text::Place place;
+  };
+  std::vector<Named> known;
+  const auto know = [&known](const auto& things) {
+    for (const auto& thing : things) {
+      if (known.size() < kNamesForHints) known.push_back({thing.name, thing.place});
+    }
+  };
+  know(mission_.societies);
+  know(mission_.types);
+  const std::string near = nearest(name.text, known, [](const Named& one) { return one.name; });
   if (near.empty()) {
     error.hints.emplace_back("`ROBOT` is predefined, others are defined with NEW-ROBOT");
-    return std::nullopt;
+    return;
   }
   error.hints.push_back(fmt::format("did you mean {}?", in_backticks(near)));
-  const mission::RobotType& meant = mission_.types[types_.at(lower_case(near))];
-  if (meant.place.source)
-    error.notes.push_back({fmt::format("{} is defined here", in_backticks(near)), meant.place});
-  return std::nullopt;
+  const auto meant = std::ranges::find(known, near, &Named::name);
+  if (meant->place.source)
+    error.notes.push_back({fmt::format("{} is defined here", in_backticks(near)), meant->place});
 }
 
 // The number that a type wants for its robots; of several the last. 0 is the historic way to have no wish.
@@ -144,8 +214,31 @@ std::optional<std::uint32_t> Roster::wished_id(const mission::RobotType& type) {
   return out.value_or(0) > 0 ? out : std::nullopt;
 }
 
-base::RobotId Roster::create_robot(std::uint32_t type, text::Place where) {
-  const std::optional<std::uint32_t> wish = wished_ids_[type];
+std::vector<base::RobotId> Roster::create_robots(const Name& name) {
+  if (const auto society = societies_.find(lower_case(name.text)); society != societies_.end())
+    return create_society(society->second, place(name.span));
+  return {create_robot(find_type(name).value_or(0), place(name.span))};
+}
+
+std::vector<base::RobotId> Roster::create_society(std::uint32_t society, const text::Place& where) {
+  is_in_unit_[society] = true;
+  std::vector<base::RobotId> out;
+  for (const mission::Society::Part& part : mission_.societies[society].parts) {
+    robots_of_societies_ += std::min(part.count, kMostRobotsOfSocieties);
+    if (robots_of_societies_ > kMostRobotsOfSocieties) {
+      robots_of_societies_ = kMostRobotsOfSocieties;
+      diagnostics_.error("too-many-robots", where,
+                         fmt::format("the societies of a mission have {} robots at most, all together",
+                                     kMostRobotsOfSocieties));
+      break;
+    }
+    for (int i = 0; i < part.count; ++i) out.push_back(create_robot(part.type, where, out.empty()));
+  }
+  return out;
+}
+
+base::RobotId Roster::create_robot(std::uint32_t type, text::Place where, bool has_wish) {
+  const std::optional<std::uint32_t> wish = has_wish ? wished_ids_[type] : std::nullopt;
   base::RobotId id{last_id_ + 1};
   if (wish && !taken_ids_.contains(*wish)) {
     id.value = *wish;
@@ -186,13 +279,23 @@ void Roster::define_unit(const statement::UnitDefinition& statement) {
   }
   // Parents stand before their parts and only the innermost groups hold robots, so this goes depth first.
   for (std::uint32_t g = 0; g < statement.groups.size(); ++g) {
-    for (const Name& robot : statement.groups[g].robots) {
-      const base::RobotId id = create_robot(find_type(robot).value_or(0), place(robot.span));
+    for (const Name& name : statement.groups[g].robots) {
+      const std::vector<base::RobotId> robots = create_robots(name);
       for (std::uint32_t up = g;; up = parent[up]) {
-        mission_.units[first + up].members.push_back(id);
+        std::vector<base::RobotId>& members = mission_.units[first + up].members;
+        members.insert(members.end(), robots.begin(), robots.end());
         if (up == 0) break;
       }
     }
+  }
+}
+
+void Roster::define_units_of_societies() {
+  for (std::uint32_t i = 0; i < mission_.societies.size(); ++i) {
+    const mission::Society& society = mission_.societies[i];
+    if (is_in_unit_[i] || units_.contains(society.name)) continue;
+    units_[society.name] = static_cast<std::uint32_t>(mission_.units.size());
+    mission_.units.push_back({society.name, create_society(i, society.place), {}, society.place});
   }
 }
 
@@ -203,6 +306,11 @@ std::optional<std::uint32_t> Roster::find_unit(const Name& name) {
                                    fmt::format("unknown unit {}", in_backticks(name.text)));
   if (diagnostics_.error_count() > text::Diagnostics::kMaxErrors) return std::nullopt;
   const std::string near = nearest(name.text, mission_.units, [](const mission::Unit& u) { return u.name; });
+  if (societies_.contains(lower_case(name.text))) {
+    error.hints.push_back(fmt::format("{} is a society, whose robots stand in the units that name it",
+                                      in_backticks(name.text)));
+    return std::nullopt;
+  }
   if (near.empty()) {
     error.hints.emplace_back("units are defined with `UNIT <name> ...` before `COMMAND LIST:`");
     return std::nullopt;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
 #include "mlab/mission/mission.h"
 #include "mlab/text/diagnostic.h"
@@ -30,11 +31,15 @@ class PlaceIndex {
 class Roster {
  public:
   /// @param mission  what is defined in it already counts; outlives this
+  /// @param societies  null: a program is that of one robot
   Roster(mission::Mission& mission, text::SourcePtr source, const Damage& damage,
-         text::Diagnostics& diagnostics);
+         text::Diagnostics& diagnostics, SocietyReader societies = nullptr);
 
-  void define_type(const statement::NewRobot& statement);
+  /// @return  false where nobody knows what robots it stands for
+  bool define_type(const statement::NewRobot& statement);
   void define_unit(const statement::UnitDefinition& statement);
+  /// A society that stands in no unit becomes one of its own name. To be called behind all definitions.
+  void define_units_of_societies();
   /// Reports an unknown unit, with the name that may have been meant.
   std::optional<std::uint32_t> find_unit(const Name& name);
   /// Reports a number that no robot has.
@@ -45,15 +50,27 @@ class Roster {
  private:
   void check_color(const Name& color);
   text::Place place(text::Span span) const { return {source_, span}; }
+  bool refuse_second_type(const Name& name);
+  bool define_society(const Name& name, const mission::RobotType& type,
+                      const std::vector<std::pair<std::string, int>>& members);
+  void add_type(mission::RobotType type);
   std::optional<std::uint32_t> find_type(const Name& name);
-  base::RobotId create_robot(std::uint32_t type, text::Place where);
+  void report_unknown_type(const Name& name);
+  /// The robots that a name in a unit stands for; a new one each time.
+  std::vector<base::RobotId> create_robots(const Name& name);
+  std::vector<base::RobotId> create_society(std::uint32_t society, const text::Place& where);
+  base::RobotId create_robot(std::uint32_t type, text::Place where, bool has_wish = true);
   std::optional<std::uint32_t> wished_id(const mission::RobotType& type);
 
   mission::Mission& mission_;
   text::SourcePtr source_;
   const Damage& damage_;
   text::Diagnostics& diagnostics_;
-  std::unordered_map<std::string, std::uint32_t> types_;  // by name in small letters
+  SocietyReader read_society_;
+  std::unordered_map<std::string, std::uint32_t> types_;      // by name in small letters,
+  std::unordered_map<std::string, std::uint32_t> societies_;  // likewise
+  std::vector<bool> is_in_unit_;                              // by society
+  int robots_of_societies_ = 0;
   std::vector<std::optional<std::uint32_t>> wished_ids_;  // one for each type
   std::unordered_map<std::string, std::uint32_t> units_;
   std::unordered_map<std::string, text::Span> announced_;

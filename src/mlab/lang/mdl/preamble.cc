@@ -50,6 +50,7 @@ void Preamble::run(const Tree& tree) {
       roster_.announce_type(robot->name);
   }
   for (const Statement& statement : tree.preamble) execute(statement);
+  roster_.define_units_of_societies();
 }
 
 void Preamble::execute(const Statement& statement) {
@@ -70,7 +71,7 @@ void Preamble::execute(const Statement& statement) {
   } else if (std::holds_alternative<statement::CreateObstacles>(statement.what)) {
     request_obstacles(statement.span);
   } else if (const auto* robot = std::get_if<statement::NewRobot>(&statement.what)) {
-    roster_.define_type(*robot);
+    if (!roster_.define_type(*robot)) damage_.types = damage_.units = true;
   } else if (const auto* unit = std::get_if<statement::UnitDefinition>(&statement.what)) {
     roster_.define_unit(*unit);
   } else if (const auto* set = std::get_if<statement::Set>(&statement.what)) {
