@@ -19,6 +19,20 @@ std::size_t counted(const std::string& text, const std::string& part) {
   return out;
 }
 
+TEST_F(Command, CheckTellsANoteAndChangesNoExitStatusForIt) {
+  write("map.odl", kMap);
+  write("mission.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT far \"robot\" blue shaft\nUNIT <u> far\nCOMMAND LIST:\n0. UNIT u START "
+        "Here\n"
+        "1. UNIT u MOVETO There\n");
+  const Outcome told = mlab("check --strict mission.mdl");
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(told.out, "mission.mdl: mission, 0 errors, 0 warnings, 1 note\n");
+  EXPECT_TRUE(has(told.err, "mission.mdl:2:28: note: hosts have no meaning yet")) << told.err;
+  const Json json = Json::parse(mlab("check --format json mission.mdl").out);
+  EXPECT_EQ(json.at("files").at(0).at("diagnostics").at(0).at("level"), "note");
+}
+
 constexpr const char* kSocieties =
     "class Cart(top: speed = 1 m/s in 0 .. 5) {\n  sensor ring: DetectObstacles() binds sense_obstacles;\n"
     "  actuator wheels: Drive(max_velocity = top) binds movement;\n}\n"

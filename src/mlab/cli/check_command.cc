@@ -52,7 +52,7 @@ Json place_json(const text::Place& place) {
 
 Json diagnostic_json(const text::Diagnostic& d) {
   Json out;
-  out["level"] = d.severity == text::Severity::kError ? "error" : "warning";
+  out["level"] = name(d.severity);
   out["kind"] = d.kind;
   out["message"] = d.message;
   out["place"] = place_json(d.place);
@@ -100,8 +100,10 @@ int check(const CheckOptions& options) {
     if (checked.sink.items().empty()) {
       fmt::print(", ok\n");
     } else {
-      fmt::print(", {}, {}\n", base::counted(checked.sink.error_count(), "error"),
-                 base::counted(checked.sink.warning_count(), "warning"));
+      fmt::print(
+          ", {}, {}{}\n", base::counted(checked.sink.error_count(), "error"),
+          base::counted(checked.sink.warning_count(), "warning"),
+          checked.sink.note_count() == 0 ? "" : ", " + base::counted(checked.sink.note_count(), "note"));
     }
   }
   if (options.format == "json") {

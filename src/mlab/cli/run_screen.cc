@@ -15,7 +15,6 @@
 #include "mlab/base/counted.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/terminal.h"
-#include "mlab/mission/notes.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cli {
@@ -119,7 +118,6 @@ void RunScreen::show_start(const fleet::MissionRun& run) {
                    mission.name.empty() ? "mission" : text::shown(mission.name),
                    base::counted(mission.robots.size(), "robot"), base::counted(mission.steps.size(), "step"),
                    run.seed(), run.cycle_duration()));
-  for (const std::string& note : mission::notes_of(mission)) line(text::shown(note, kMostCharacters));
 }
 
 void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect) {

@@ -9,7 +9,6 @@
 #include "mlab/base/angle.h"
 #include "mlab/lang/mdl/options.h"
 #include "mlab/mission/command.h"
-#include "mlab/mission/notes.h"
 
 namespace mlab::console {
 
@@ -19,8 +18,6 @@ LiveRun::LiveRun(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet:
                  EventLog& log)
     : crew_(std::move(crew)), run_(std::move(run)), log_(log), options_(run_->mission().options) {
   run_->set_observer([this](const mission::Effect& effect) { see(effect); });
-  for (std::string& note : mission::notes_of(run_->mission()))
-    log_.add(run_->time(), {Log::MESSAGE, std::move(note), 0, "", {}, false});
   for (const mission::Print& wanted : run_->mission().prints) print(wanted.robot_info);
 }
 

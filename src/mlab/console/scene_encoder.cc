@@ -119,7 +119,7 @@ Scene encode_scene(const overlay::Overlay& map, const PlaceOf& place_of) {
 
 Diagnostic encode_diagnostic(const text::Diagnostic& diagnostic, const PlaceOf& place_of) {
   Diagnostic out;
-  out.set_is_warning(diagnostic.severity == text::Severity::kWarning);
+  out.set_is_warning(diagnostic.severity != text::Severity::kError);
   out.set_kind(diagnostic.kind);
   std::string message = diagnostic.message;
   const DocumentPlace place = place_of(diagnostic.place);

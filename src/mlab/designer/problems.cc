@@ -89,7 +89,7 @@ DrawnAt drawn_at(const Model& model, std::uint32_t byte) {
 Problem problem_of(const text::Diagnostic& diagnostic, const Model& model, const DrawingContext& context) {
   Problem out;
   console::Diagnostic& d = *out.mutable_diagnostic();
-  d.set_is_warning(diagnostic.severity == text::Severity::kWarning);
+  d.set_is_warning(diagnostic.severity != text::Severity::kError);
   d.set_kind(diagnostic.kind);
   d.set_message(diagnostic.message);
   d.set_label(diagnostic.label);

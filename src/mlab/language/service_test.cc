@@ -152,7 +152,7 @@ TEST_F(ServiceTest, KnowsWhoASocietyIs) {
   folder_.put("team.cdl",
               "use \"robots.cdl\";\nsociety Pair: team of 2 Scout;\nsociety All: caste { Pair; Scout; };\n");
   folder_.put("s.mdl",
-              "SP Home 5 5\nNEW-ROBOT band \"team.cdl#All\" \nCOMMAND LIST:\n"
+              "SP Home 5 5\nNEW-ROBOT band \"team.cdl#All\" blue shaft\nCOMMAND LIST:\n"
               " 1. UNIT band START Home\n 2. ROBOT 3 STOP\n");
   EXPECT_EQ(hovered("s.mdl", "band \""),
             "society `band`: program `team.cdl#All`, 2 `band#Scout`, 1 `band#Scout`");
@@ -166,6 +166,7 @@ TEST_F(ServiceTest, KnowsWhoASocietyIs) {
             (Strings{"band"}));
   EXPECT_TRUE(contains(offered("n.mdl", "NEW-ROBOT band \"team.cdl#All\"\nUNIT <u> |"), "band"));
   const text::Diagnostics said = problems(folder_.text("s.mdl"), folder_.around());
+  ASSERT_EQ(said.note_count(), 1U) << text::render(said);
   EXPECT_FALSE(said.has_errors()) << text::render(said);
 }
 

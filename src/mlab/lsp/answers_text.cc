@@ -214,7 +214,7 @@ Json Server::diagnostic_json(const Document& in, const text::Diagnostic& problem
     span.end = std::min(span.begin + 1, size);
   }
   return {{"range", range_json(*in.lines, span)},
-          {"severity", problem.severity == text::Severity::kError ? 1 : 2},
+          {"severity", static_cast<int>(problem.severity) + 1},
           {"code", problem.kind},
           {"source", "mlab"},
           {"message", message},

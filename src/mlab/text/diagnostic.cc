@@ -111,30 +111,43 @@ std::size_t changes_between(std::string_view from, std::string_view to, std::siz
 }  // namespace
 
 void Diagnostics::report(Diagnostic diagnostic) {
-  std::size_t& count = diagnostic.severity == Severity::kError ? error_count_ : warning_count_;
+  std::size_t& count = diagnostic.severity == Severity::kError     ? error_count_
+                       : diagnostic.severity == Severity::kWarning ? warning_count_
+                                                                   : note_count_;
   if (count++ < kMaxErrors) items_.push_back(std::move(diagnostic));
 }
 
-Diagnostic& Diagnostics::error(std::string kind, Place place, std::string message) {
+Diagnostic& Diagnostics::add(Severity severity, std::string kind, Place place, std::string message) {
   const std::size_t before = items_.size();
-  report({Severity::kError, std::move(kind), std::move(message), std::move(place), {}, {}, {}});
+  report({severity, std::move(kind), std::move(message), std::move(place), {}, {}, {}});
   return items_.size() > before ? items_.back() : dropped_ = {};
 }
 
+Diagnostic& Diagnostics::error(std::string kind, Place place, std::string message) {
+  return add(Severity::kError, std::move(kind), std::move(place), std::move(message));
+}
+
 Diagnostic& Diagnostics::warning(std::string kind, Place place, std::string message) {
-  const std::size_t before = items_.size();
-  report({Severity::kWarning, std::move(kind), std::move(message), std::move(place), {}, {}, {}});
-  return items_.size() > before ? items_.back() : dropped_ = {};
+  return add(Severity::kWarning, std::move(kind), std::move(place), std::move(message));
+}
+
+Diagnostic& Diagnostics::note(std::string kind, Place place, std::string message) {
+  return add(Severity::kNote, std::move(kind), std::move(place), std::move(message));
+}
+
+std::string_view name(Severity severity) {
+  constexpr std::string_view kNames[] = {"error", "warning", "note"};
+  return kNames[static_cast<std::size_t>(severity)];
 }
 
 namespace {
 
 std::string rendered(const Diagnostic& diagnostic, bool in_colors) {
-  const bool is_error = diagnostic.severity == Severity::kError;
-  const Paint paint{in_colors, is_error ? "1;31" : "1;33"};
+  constexpr const char* kPaints[] = {"1;31", "1;33", "1;36"};
+  const Paint paint{in_colors, kPaints[static_cast<std::size_t>(diagnostic.severity)]};
   std::string out = fmt::format("{}{}: {} [{}]\n", paint.bold(location(diagnostic.place)),
-                                paint.level(is_error ? "error" : "warning"), paint.bold(diagnostic.message),
-                                diagnostic.kind);
+                                paint.level(std::string(name(diagnostic.severity))),
+                                paint.bold(diagnostic.message), diagnostic.kind);
   if (const Source* source = diagnostic.place.source.get()) {
     const LineColumn at = source->line_column(diagnostic.place.span.begin);
     const Excerpt shown = excerpt(*source, diagnostic.place.span);
@@ -156,7 +169,7 @@ std::string rendered(const Diagnostics& diagnostics, bool in_colors) {
   std::string out;
   for (const Diagnostic& item : diagnostics.items()) out += rendered(item, in_colors);
   const std::size_t said = diagnostics.items().size();
-  const std::size_t all = diagnostics.error_count() + diagnostics.warning_count();
+  const std::size_t all = diagnostics.error_count() + diagnostics.warning_count() + diagnostics.note_count();
   if (all > said) out += fmt::format("... and {} more\n", all - said);
   return out;
 }

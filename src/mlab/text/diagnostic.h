@@ -11,7 +11,13 @@
 
 namespace mlab::text {
 
-enum class Severity { kError, kWarning };
+enum class Severity {
+  kError,
+  kWarning,
+  kNote,  ///< nothing is wrong, and people should know it all the same
+};
+
+std::string_view name(Severity severity);
 
 /// A second place that a diagnostic speaks of ("declared here").
 struct Note {
@@ -32,7 +38,7 @@ struct Diagnostic {
 };
 
 /// Collects what a parser or checker has to say. Parsers go on after an error; the sink keeps the first
-/// `kMaxErrors` errors and as many warnings, and counts the rest.
+/// `kMaxErrors` errors and as many warnings and notes, and counts the rest.
 class Diagnostics {
  public:
   static constexpr std::size_t kMaxErrors = 100;
@@ -42,17 +48,22 @@ class Diagnostics {
   /// the next report.
   Diagnostic& error(std::string kind, Place place, std::string message);
   Diagnostic& warning(std::string kind, Place place, std::string message);
+  Diagnostic& note(std::string kind, Place place, std::string message);
 
   const std::vector<Diagnostic>& items() const { return items_; }
   std::size_t error_count() const { return error_count_; }
   std::size_t warning_count() const { return warning_count_; }
+  std::size_t note_count() const { return note_count_; }
   bool has_errors() const { return error_count_ > 0; }
 
  private:
+  Diagnostic& add(Severity severity, std::string kind, Place place, std::string message);
+
   std::vector<Diagnostic> items_;
   Diagnostic dropped_;  // takes what is said of a diagnostic past the limit
   std::size_t error_count_ = 0;
   std::size_t warning_count_ = 0;
+  std::size_t note_count_ = 0;
 };
 
 /// The diagnostic as a person reads it in a terminal:

@@ -76,7 +76,11 @@ bool Roster::define_type(const statement::NewRobot& statement) {
     type.color = statement.color->text;
     check_color(*statement.color);
   }
-  if (statement.host) type.host = statement.host->text;
+  if (statement.host && !statement.host->text.empty()) {
+    type.host = statement.host->text;
+    diagnostics_.note("host-without-meaning", place(statement.host->span),
+                      "hosts have no meaning yet: robots of this type run on this machine");
+  }
   type.place = place(statement.program.span);
   for (const Parameter& p : statement.parameters) {
     type.parameters.push_back({p.key.text, p.value, place(p.key.span)});

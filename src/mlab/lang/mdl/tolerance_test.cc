@@ -11,7 +11,7 @@ namespace {
 std::shared_ptr<const mission::Mission> check(const std::string& text, const std::string& folder = "") {
   text::Diagnostics sink;
   auto mission = check_mission(std::make_shared<const text::Source>("test.mdl", text), folder, sink);
-  EXPECT_EQ(text::render(sink), "");
+  EXPECT_EQ(sink.error_count() + sink.warning_count(), 0U) << text::render(sink);
   return mission;
 }
 
