@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -60,10 +61,13 @@ class RobotProgramsTest : public testing::Test {
     toolchain.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
     toolchain.link_file = MLAB_LINK_FILE;
     toolchain.cache_folder = (shared_folder / "cache").string();
-    ASSERT_TRUE(robot_build::build_executable(robot_build::emit_cpp(source),
-                                              (shared_folder / "walker").string(), toolchain,
-                                              cell::testing::all_permitted(), sink))
-        << text::render(sink);
+    for (const char* name : {"walker", "closed"}) {
+      source.is_closed = name == std::string("closed");
+      ASSERT_TRUE(robot_build::build_executable(robot_build::emit_cpp(source),
+                                                (shared_folder / name).string(), toolchain,
+                                                cell::testing::all_permitted(), sink))
+          << text::render(sink);
+    }
   }
   static void TearDownTestSuite() {
     std::error_code ignored;
@@ -143,12 +147,45 @@ TEST_F(RobotProgramsTest, RunAsTheEmbeddedProgramBitForBit) {
   const std::vector<geom::Pose> expected = ways(*embedded, 400);
   ASSERT_EQ(expected.size(), 2000U);
   ASSERT_GT(geom::distance(expected.front().position, expected[1995].position), 50.0);
-  for (const int threads : {1, 3}) {
-    const auto native = prepare("./walker", threads);
-    ASSERT_TRUE(native) << text::render(sink_);
-    EXPECT_EQ(ways(*native, 400), expected) << threads << " threads";
-    EXPECT_TRUE(warnings_.empty());
+  for (const char* program : {"./walker", "./closed"}) {
+    for (const int threads : {1, 3}) {
+      const auto native = prepare(program, threads);
+      ASSERT_TRUE(native) << text::render(sink_);
+      EXPECT_EQ(ways(*native, 400), expected) << program << ", " << threads << " threads";
+      EXPECT_TRUE(warnings_.empty());
+    }
   }
+}
+
+// Every value of every cycle.
+TEST_F(RobotProgramsTest, ShowTheirNodesAsTheEmbeddedProgramDoes) {
+  const auto embedded = prepare("walker.cnl", 1);
+  const auto native = prepare("./walker", 1);
+  ASSERT_TRUE(embedded && native) << text::render(sink_);
+  embedded->post(mission::event::Execute{});
+  native->post(mission::event::Execute{});
+  for (int cycle = 0; cycle < 100; ++cycle) {
+    embedded->step();
+    native->step();
+    const fleet::FleetRobot& inside = embedded->fleet().robots()[2];
+    const fleet::FleetRobot& beside = native->fleet().robots()[2];
+    ASSERT_TRUE(beside.program->program);
+    const std::vector<flow::Port>& ports = inside.program->program->ports();
+    ASSERT_EQ(beside.program->program->ports().size(), ports.size());
+    for (const flow::Port& port : ports) {
+      const flow::Port* same = beside.program->program->find(port.path);
+      ASSERT_NE(same, nullptr) << port.path;
+      ASSERT_EQ(flow::Program::print(beside.frame.data(), *same),
+                flow::Program::print(inside.frame.data(), port))
+          << port.path << " in cycle " << cycle;
+    }
+  }
+}
+
+TEST_F(RobotProgramsTest, ThatAreClosedShowNothing) {
+  const auto native = prepare("./closed", 1);
+  ASSERT_TRUE(native) << text::render(sink_);
+  EXPECT_FALSE(native->fleet().robots()[0].program->program);
 }
 
 // Three foragers tell each other what they claim, look around with cameras that turn, pick up and deliver.
@@ -198,9 +235,10 @@ TEST_F(RobotProgramsTest, ForageTogetherAsTheEmbeddedProgramsDo) {
 TEST_F(RobotProgramsTest, TakeParametersWhileTheyRun) {
   const auto embedded = prepare("walker.cnl", 1);
   const auto native = prepare("./walker", 2);
-  ASSERT_TRUE(embedded && native);
+  const auto closed = prepare("./closed", 2);
+  ASSERT_TRUE(embedded && native && closed);
   std::vector<std::vector<geom::Pose>> all;
-  for (fleet::MissionRun* run : {embedded.get(), native.get()}) {
+  for (fleet::MissionRun* run : {embedded.get(), native.get(), closed.get()}) {
     ways(*run, 50);
     EXPECT_EQ(run->set_parameter({2}, "pace", "0.5"), std::nullopt);
     EXPECT_EQ(run->set_parameter({2}, "obstacles.range", "3"), std::nullopt);
@@ -213,6 +251,7 @@ TEST_F(RobotProgramsTest, TakeParametersWhileTheyRun) {
     }
   }
   EXPECT_EQ(all[0], all[1]);
+  EXPECT_EQ(all[0], all[2]);
 }
 
 TEST_F(RobotProgramsTest, AreNotRunUnlessThatIsAllowed) {
@@ -230,16 +269,40 @@ TEST_F(RobotProgramsTest, AreCheckedBeforeTheRun) {
   ASSERT_EQ(sink_.error_count(), 1U);
   EXPECT_EQ(sink_.items()[0].kind, "bad-robot-program");
   EXPECT_TRUE(sink_.items()[0].place.source) << "at the place in the mission";
-  EXPECT_FALSE(prepare("./walker", 1, "(pace = 11)"));
-  EXPECT_EQ(sink_.items()[0].message, "11 is out of range: `pace` takes 0 .. 10 m/s");
-  EXPECT_TRUE(prepare("./walker", 1, "(peace = 1)"));
-  ASSERT_EQ(sink_.warning_count(), 1U);
-  EXPECT_EQ(sink_.items()[0].hints, (std::vector<std::string>{"did you mean `pace`?"}));
+  for (const char* program : {"./walker", "./closed"}) {
+    EXPECT_FALSE(prepare(program, 1, "(pace = 11)"));
+    EXPECT_EQ(sink_.items()[0].message, "11 is out of range: `pace` takes 0 .. 10 m/s");
+    EXPECT_TRUE(prepare(program, 1, "(peace = 1)"));
+    EXPECT_TRUE(std::ranges::any_of(sink_.items(), [](const text::Diagnostic& one) {
+      return one.hints == std::vector<std::string>{"did you mean `pace`?"};
+    })) << text::render(sink_);
+  }
+}
+
+// What hosted procedures get, executables with procedures of their own get, too.
+TEST_F(RobotProgramsTest, ThatCrashLeaveOneRobotStandingAndNameTheProcedure) {
+  std::ofstream(shared_folder / "frail.cnl")
+      << "procedure Vector Walk\nwith\nheader\n  int count = 0;\nbody\n  output = {1.0, 0.0, 0.0};\n"
+         "  if (++count == 20 && percepts.id.value == 2) *static_cast<volatile int*>(nullptr) = 1;\npend\n"
+         "node walk is Walk with nend\nnode wheels is Drive with v = walk; nend\n";
+  const std::string build = "cd '" + shared_folder.string() + "' && XDG_CACHE_HOME='" +
+                            shared_folder.string() + "' '" + MLAB_COMMAND +
+                            "' build frail.cnl >/dev/null 2>&1";
+  ASSERT_EQ(std::system(build.c_str()), 0);  // NOLINT(concurrency-mt-unsafe): the test has one thread
+  const auto run = prepare("./frail", 1, "");
+  ASSERT_TRUE(run) << text::render(sink_);
+  EXPECT_EQ(ways(*run, 60).size(), 300U);
+  ASSERT_FALSE(warnings_.empty());
+  EXPECT_EQ(warnings_[0],
+            "robot 2 stands: its program `./frail` ended with signal 11 (Segmentation fault), in procedure "
+            "`Walk` (frail.cnl:1) at node `walk`");
+  for (const fleet::FleetRobot& robot : run->fleet().robots())
+    EXPECT_EQ(robot.life == fleet::RobotLife::kFaulted, robot.id.value == 2) << robot.id.value;
 }
 
 TEST_F(RobotProgramsTest, ThatEndInTheMiddleLeaveTheirRobotsStanding) {
   const auto told = told_of(
-      script("dies", "dd bs=1 count=20000 status=none | \"${0%/*}/walker\"; echo battery empty >&2; exit 7"));
+      script("dies", "dd bs=1 count=20000 status=none | \"${0%/*}/closed\"; echo battery empty >&2; exit 7"));
   ASSERT_EQ(told.size(), 5U);
   EXPECT_EQ(told[0], "robot 1 stands: its program `./dies` ended with exit status 7, saying: battery empty");
 }
@@ -247,7 +310,7 @@ TEST_F(RobotProgramsTest, ThatEndInTheMiddleLeaveTheirRobotsStanding) {
 TEST_F(RobotProgramsTest, ThatHangLeaveTheirRobotsStandingAfterTheirTime) {
   const auto began = std::chrono::steady_clock::now();
   const auto told =
-      told_of(script("hangs", "dd bs=1 count=20000 status=none | \"${0%/*}/walker\"; sleep 100"));
+      told_of(script("hangs", "dd bs=1 count=20000 status=none | \"${0%/*}/closed\"; sleep 100"));
   ASSERT_EQ(told.size(), 5U);
   EXPECT_EQ(told[0], "robot 1 stands: its program `./hangs` gave no answer for 1 s");
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
@@ -255,7 +318,7 @@ TEST_F(RobotProgramsTest, ThatHangLeaveTheirRobotsStandingAfterTheirTime) {
 
 TEST_F(RobotProgramsTest, ThatTalkNonsenseLeaveTheirRobotsStanding) {
   const auto told =
-      told_of(script("raves", "dd bs=1 count=20000 status=none | \"${0%/*}/walker\"; yes nonsense"));
+      told_of(script("raves", "dd bs=1 count=20000 status=none | \"${0%/*}/closed\"; yes nonsense"));
   ASSERT_EQ(told.size(), 5U);
   EXPECT_EQ(
       told[0],

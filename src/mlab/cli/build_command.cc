@@ -133,6 +133,7 @@ int build(const BuildOptions& asked) {
     robot->name = path.stem().string();
     robot->origin = path.filename().string();
     robot->version = kVersion;
+    robot->is_closed = options.closed;
   }
   if (robot && options.emit.empty()) return build_program(options, *robot, sink);
   tell(sink);

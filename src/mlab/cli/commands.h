@@ -80,6 +80,7 @@ struct BuildOptions {
   std::string robot;   ///< of the file; empty: the one of the file's name, or the only one
   std::string output;  ///< file; empty: the executable beside the file, anything else to standard output
   bool no_cell = false;
+  bool closed = false;  ///< the executable does not show its nodes
 };
 int build(const BuildOptions& options);
 

@@ -219,6 +219,8 @@ void add_build(CLI::App& app, BuildOptions& o) {
   c->add_option("--robot", o.robot,
                 "which robot of the file (default: the one of the file's name, or the only one)")
       ->type_name("NAME");
+  c->add_flag("--closed", o.closed,
+              "an executable that does not show its nodes and values to those who run it");
   c->add_option(
        "-o,--output", o.output,
        "where to write it (default: the executable beside the file, without its ending; anything else to\n"

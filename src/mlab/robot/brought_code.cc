@@ -13,8 +13,9 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/native_module.h"
-#include "mlab/robot_host/hosted_program.h"
+#include "mlab/lang/cnl/parser.h"
 #include "mlab/robot_wire/network_wire.h"
 #include "mlab/robot_wire/shared_cycle.h"
 #include "mlab/text/shown.h"
@@ -140,6 +141,40 @@ bool adopt(const wire::Loaded& loaded, DescribedLibrary& library) {
   return true;
 }
 
+// Of all nodes together [bytes], with what a process said of its code.
+std::uint64_t state_size(const flow::Network& network, const DescribedLibrary& library) {
+  std::uint64_t out = 0;
+  for (const flow::Node& node : network.nodes) {
+    if (const flow::Behavior* behavior = library.library.find(node.behavior).behavior; behavior != nullptr)
+      out += behavior->state_size;
+  }
+  return out;
+}
+
+// The program once more, in this process, of what `hosted` computes.
+std::expected<BuiltProgram, std::string> mirrored(const flow::Network& network,
+                                                  std::unique_ptr<DescribedLibrary> library,
+                                                  const wire::Loaded& loaded,
+                                                  robot_host::HostedProgram hosted) {
+  if (!adopt(loaded, *library) || state_size(network, *library) > kMostFrame)
+    return std::unexpected("describes other procedures than the text");
+  text::Diagnostics said;  // what there was to say of the network was said when it was built first
+  auto program = flow::build_program(network, library->library, said);
+  if (!program || program->layout_hash() != loaded.frame_layout() ||
+      program->frame_size() != loaded.frame().size() || program->frame_size() > kMostFrame)
+    return std::unexpected("has built another program");
+  hosted.frame_layout = program->layout_hash();
+  hosted.frame_size = program->frame_size();
+  hosted.codes = codes_of(network, *library);
+  // What outputs of brought procedures are before they fire, their types' own constructors say.
+  flow::Frame initial = program->make_frame();
+  std::memcpy(initial.data(), loaded.frame().data(), initial.size());
+  BuiltProgram out;
+  out.program = kept(std::move(library), flow::with_initial_frame(*program, std::move(initial)));
+  out.hosted = std::make_shared<const robot_host::HostedProgram>(std::move(hosted));
+  return out;
+}
+
 }  // namespace
 
 std::unique_ptr<DescribedLibrary> describe_library(ProcedureFiles files) {
@@ -200,23 +235,24 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
   for (const std::string& file : hosted.load->libraries()) hosted.launch.policy.readable.push_back(file);
   const auto started = robot_host::start_hosted(hosted, nullptr);
   if (!started) return refuse(fmt::format("the process that loads them {}", started.error()));
-  if (!adopt(started->loaded, *library))
-    return refuse("their process describes other procedures than the text");
-  text::Diagnostics said;  // what there was to say of the network was said when it was built first
-  auto program = flow::build_program(network, library->library, said);
-  if (!program || program->layout_hash() != started->loaded.frame_layout() ||
-      program->frame_size() != started->loaded.frame().size() || program->frame_size() > kMostFrame)
-    return refuse("their process has built another program");
-  hosted.frame_layout = program->layout_hash();
-  hosted.frame_size = program->frame_size();
-  hosted.codes = codes_of(network, *library);
-  // What outputs of brought procedures are before they fire, their types' own constructors say.
-  flow::Frame initial = program->make_frame();
-  std::memcpy(initial.data(), started->loaded.frame().data(), initial.size());
-  BuiltProgram out;
-  out.program = kept(std::move(library), flow::with_initial_frame(*program, std::move(initial)));
-  out.hosted = std::make_shared<const robot_host::HostedProgram>(std::move(hosted));
-  return out;
+  auto out = mirrored(network, std::move(library), started->loaded, std::move(hosted));
+  if (!out) return refuse(fmt::format("their process {}", out.error()));
+  return std::move(*out);
+}
+
+std::expected<BuiltProgram, std::string> host_revealed(const wire::Revealed& revealed,
+                                                       robot_host::HostedProgram hosted) {
+  std::vector<std::shared_ptr<const cnl::Tree>> files;
+  text::Diagnostics said;
+  for (const wire::Declarations& one : revealed.procedures()) {
+    const auto source = std::make_shared<const text::Source>(one.file(), one.text());
+    files.push_back(std::make_shared<const cnl::Tree>(cnl::parse(source, said)));
+    cnl::check_declarations(*files.back(), said);
+  }
+  if (said.has_errors())
+    return std::unexpected(fmt::format("reveals procedures that are none: {}", said.items()[0].message));
+  return mirrored(robot_wire::decode(revealed.network()), describe_library(files), revealed.loaded(),
+                  std::move(hosted));
 }
 
 std::optional<BuiltProgram> make_runnable(std::shared_ptr<const flow::Program> program,

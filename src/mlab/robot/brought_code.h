@@ -1,14 +1,18 @@
 #pragma once
 
 #include <deque>
+#include <expected>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "mlab/flow/library.h"
 #include "mlab/lang/cnl/signatures.h"
 #include "mlab/lang/cnl/tree.h"
+#include "mlab/robot.pb.h"
 #include "mlab/robot/robot_program.h"
+#include "mlab/robot_host/hosted_program.h"
 #include "mlab/text/diagnostic.h"
 
 /// Procedures that missions and configurations bring along. What they are is read from their text; their code
@@ -44,6 +48,13 @@ std::unique_ptr<DescribedLibrary> checked_library_with(ProcedureFiles files, con
 std::optional<BuiltProgram> host_network(const flow::Network& network, ProcedureFiles files,
                                          std::unique_ptr<DescribedLibrary> library, const text::Place& place,
                                          const ProgramSources& sources, text::Diagnostics& sink);
+
+/// The program of an executable that reveals how it is made. Nothing that it says is trusted.
+///
+/// @param hosted  how it is started
+/// @errors  what it did, as a sentence about it
+std::expected<BuiltProgram, std::string> host_revealed(const wire::Revealed& revealed,
+                                                       robot_host::HostedProgram hosted);
 
 /// A network as a program of this process where all of its behaviors are the component library's, else
 /// hosted.

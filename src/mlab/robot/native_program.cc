@@ -11,6 +11,9 @@
 
 #include <fmt/core.h>
 
+#include "mlab/robot/brought_code.h"
+#include "mlab/robot_wire/network_wire.h"
+
 namespace mlab::robot {
 namespace {
 
@@ -80,6 +83,27 @@ bool is_executable(const std::string& name, const ProgramSources& sources) {
   return fs::is_regular_file(path, failure) && access(path.c_str(), X_OK) == 0;
 }
 
+void refuse_executable(const std::string& name, const text::Place& place, const std::string& what,
+                       text::Diagnostics& sink) {
+  sink.error("bad-robot-program", place, fmt::format("`{}` is no robot program: it {}", name, what))
+      .hints.emplace_back("`mlab build` makes robot programs out of configurations");
+}
+
+std::expected<std::optional<RevealedProgram>, std::string> load_revealed_program(
+    const std::string& name, cell::Wall wall, const ProgramSources& sources) {
+  robot_host::HostedProgram hosted;
+  hosted.limits = sources.limits;
+  hosted.launch = launch_of_any(path_of(name, sources).string(), wall, hosted.limits);
+  const auto revealed = robot_host::reveal(hosted.launch, hosted.limits);
+  if (!revealed) return std::unexpected(revealed.error());
+  if (!*revealed) return std::nullopt;
+  auto built = host_revealed(**revealed, std::move(hosted));
+  if (!built) return std::unexpected(built.error());
+  return RevealedProgram{std::move(*built),
+                         robot_wire::decode((*revealed)->network()),
+                         {(*revealed)->body().begin(), (*revealed)->body().end()}};
+}
+
 std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::Place& place,
                                                 std::span<const Setting> settings, cell::Wall wall,
                                                 const ProgramSources& sources,
@@ -99,10 +123,7 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
   }
   auto description = robot_host::describe(native->launch, native->settings, native->limits);
   if (!description) {
-    text::Diagnostic& d =
-        sink.error("bad-robot-program", place,
-                   fmt::format("`{}` is no robot program: it {}", robot.name, description.error()));
-    d.hints.emplace_back("`mlab build` makes robot programs out of configurations");
+    refuse_executable(robot.name, place, description.error(), sink);
     return std::nullopt;
   }
   native->description = std::move(*description);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <expected>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "mlab/flow/network.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/robot_host/robot_program_process.h"
 
@@ -24,6 +27,23 @@ struct NativeProgram {
 
 /// Whether the name means an executable file, relative to the mission's folder.
 bool is_executable(const std::string& name, const ProgramSources& sources);
+
+/// An executable that was made with the headers of this program: its program is built once more here.
+struct RevealedProgram {
+  BuiltProgram built;
+  flow::Network network;
+  std::map<std::string, double> body;  ///< as RobotProgram has it
+};
+/// Starts the executable of that name to ask how it is made.
+/// @param wall  of its cell
+/// @return  nothing where it was made otherwise; then there is `load_native_program`
+/// @errors  a sentence that says what it did instead
+std::expected<std::optional<RevealedProgram>, std::string> load_revealed_program(
+    const std::string& name, cell::Wall wall, const ProgramSources& sources);
+
+/// Says that an executable is no robot program, and what it did.
+void refuse_executable(const std::string& name, const text::Place& place, const std::string& what,
+                       text::Diagnostics& sink);
 
 /// Starts the executable that `robot.name` means to ask what it is, and checks the type's settings.
 /// @param wall  of its cell

@@ -158,11 +158,22 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
       return std::nullopt;
     }
     const auto wall = sources.permission.to_start(name);
-    if (wall) return load_native_program(std::move(robot), place, settings, *wall, sources, known_keys, sink);
-    text::Diagnostic& d = sink.warning("native-program", place, wall.error());
-    d.label = "robots of this type stand parked";
-    d.hints.emplace_back("where you trust it, say `--allow-native`");
-    return robot;
+    if (!wall) {
+      text::Diagnostic& d = sink.warning("native-program", place, wall.error());
+      d.label = "robots of this type stand parked";
+      d.hints.emplace_back("where you trust it, say `--allow-native`");
+      return robot;
+    }
+    auto revealed = load_revealed_program(name, *wall, sources);
+    if (!revealed) {
+      refuse_executable(name, place, revealed.error(), sink);
+      return std::nullopt;
+    }
+    if (!*revealed)
+      return load_native_program(std::move(robot), place, settings, *wall, sources, known_keys, sink);
+    robot.reports = may_report((*revealed)->network);
+    take(std::move((*revealed)->built));
+    robot.body = std::move((*revealed)->body);
   } else {
     text::Diagnostic& d = sink.warning("unknown-program", place,
                                        fmt::format("nothing here answers to the robot program `{}`", name));

@@ -10,6 +10,7 @@
 
 #include "mlab/base/hash.h"
 #include "mlab/lang/cnl/cpp_writer.h"
+#include "mlab/lang/cnl/declarations.h"
 #include "mlab/lang/cnl/generate.h"
 #include "mlab/lang/cnl/native_module.h"
 
@@ -174,6 +175,28 @@ void write_parameter(const flow::Parameter& parameter, std::string& out) {
                      other_names);
 }
 
+// What main says of the procedures that are brought.
+struct Brought {
+  std::string functions;  // declared
+  std::string names;      // of these
+  std::string declarations;
+};
+
+Brought brought_by(const RobotSource& robot) {
+  Brought out;
+  for (const auto& tree : robot.procedures) {
+    if (!cnl::has_procedures(*tree)) continue;
+    const std::string function = "mlab_cnl_" + cnl::stem_of(tree->source->name());
+    out.functions += fmt::format("std::span<const mlab::flow::Behavior* const> {}();\n", function);
+    out.names += fmt::format("{}{}", out.names.empty() ? "" : ", ", function);
+    if (robot.is_closed) continue;
+    for (const cnl::Declarations& one : cnl::declarations_of(*tree))
+      out.declarations += fmt::format("{}{{{}, {}}}", out.declarations.empty() ? "" : ", ",
+                                      cpp_string(one.file), cpp_string(one.text));
+  }
+  return out;
+}
+
 CppFile main_file(const RobotSource& robot, const Grouping& grouping) {
   CppFile out;
   out.name = "main";
@@ -183,13 +206,8 @@ CppFile main_file(const RobotSource& robot, const Grouping& grouping) {
       "#include \"mlab/robot_process/robot_main.h\"\n\n"
       "std::span<const mlab::flow::Behavior* const> mlab_library_behaviors();\n",
       robot.name, robot.origin);
-  std::string behaviors = "mlab_library_behaviors";
-  for (const auto& tree : robot.procedures) {
-    if (!cnl::has_procedures(*tree)) continue;
-    const std::string function = "mlab_cnl_" + cnl::stem_of(tree->source->name());
-    text += fmt::format("std::span<const mlab::flow::Behavior* const> {}();\n", function);
-    behaviors += ", " + function;
-  }
+  const Brought brought = brought_by(robot);
+  text += brought.functions;
   text += "\nnamespace robot_program {\n\nusing namespace mlab::robot_process;\n\n";
   std::string functions;
   for (const Group& group : grouping.groups) {
@@ -211,9 +229,12 @@ CppFile main_file(const RobotSource& robot, const Grouping& grouping) {
       "  return robot_main(\n      argc, argv,\n"
       "      {{\n"
       "          .name = {},\n          .version = {},\n          .parameters = add_parameters,\n"
-      "          .groups = {{{}}},\n          .order = {{{}}},\n          .behaviors = {{{}}},\n"
+      "          .groups = {{{}}},\n          .order = {{{}}},\n"
+      "          .components = mlab_library_behaviors,\n          .brought = {{{}}},\n"
+      "          .declarations = {{{}}},\n          .is_closed = {},\n"
       "          .body = {{{}}},\n      }});\n}}\n",
-      cpp_string(robot.name), cpp_string(robot.version), functions, order, behaviors, body);
+      cpp_string(robot.name), cpp_string(robot.version), functions, order, brought.names,
+      brought.declarations, robot.is_closed, body);
   return out;
 }
 

@@ -18,6 +18,7 @@ struct RobotSource {
   std::map<std::string, double> body;                        ///< as robot::RobotProgram has it
   std::vector<std::shared_ptr<const cnl::Tree>> procedures;  ///< files that bring procedures, in their order
   std::string version;                                       ///< of this missionlab
+  bool is_closed = false;                                    ///< who runs it does not see its nodes
 };
 
 /// One file of generated C++, compiled by itself.

@@ -86,7 +86,10 @@ int main(int argc, char** argv) {
                 add_Stand,
                 add_top},
           .order = {{0, 2}, {1, 1}, {2, 2}},
-          .behaviors = {mlab_library_behaviors},
+          .components = mlab_library_behaviors,
+          .brought = {},
+          .declarations = {},
+          .is_closed = false,
           .body = {{"radius", 0.35}},
       });
 }

@@ -37,6 +37,7 @@ std::expected<RobotProgramProcess, std::string> RobotProgramProcess::start(const
                          answer->welcome().protocol(), robot_wire::kProtocol));
   }
   if (out.has_failed()) return std::unexpected(out.failure());
+  out.layout_ = answer->welcome().layout();
   out.patience_ = limits.answer;
   return out;
 }
@@ -99,6 +100,17 @@ void RobotProgramProcess::fail(std::string why) {
 bool RobotProgramProcess::note_end() {
   if (child_.has_ended()) fail(ChildProcess::Io::kEnded);
   return has_failed();
+}
+
+std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, Limits limits) {
+  auto process = RobotProgramProcess::start(launch, limits);
+  if (!process) return std::unexpected(process.error());
+  if (process->layout() != robot_wire::shared_layout()) return std::nullopt;
+  wire::ToRobot message;
+  message.mutable_reveal();
+  const wire::FromRobot* answer = process->ask(message, wire::FromRobot::kRevealed);
+  if (answer == nullptr) return std::unexpected(process->failure());
+  return answer->revealed();
 }
 
 std::expected<wire::Description, std::string> describe(const Launch& launch, const Settings& settings,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <expected>
 #include <optional>
 #include <string>
@@ -51,6 +52,9 @@ class RobotProgramProcess {
     return receive(wanted);
   }
 
+  /// Of the headers that it was made with, where it answers Reveal and Share; else 0.
+  std::uint64_t layout() const { return layout_; }
+
   /// Processor time of all its threads so far [s].
   double processor_time() const { return child_.processor_time(); }
   /// Looks whether it has ended by itself, and reads what it has to say. True: it has, and has failed with
@@ -73,10 +77,16 @@ class RobotProgramProcess {
   double patience_ = 0.0;  // for the answer that is awaited [s]
   Clock::time_point sent_;
   robot_wire::FrameReader reader_;
+  std::uint64_t layout_ = 0;
   std::string bytes_;
   wire::FromRobot answer_;
   std::string failure_;
 };
+
+/// How an executable is made that was made with the headers of this program.
+/// @return  nothing where it was made otherwise
+/// @errors  a sentence that says what it did instead
+std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, Limits limits);
 
 /// What an executable says of itself, with these settings.
 /// @errors  a sentence that says what it did instead

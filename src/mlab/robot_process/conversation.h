@@ -25,13 +25,17 @@ class Conversation : public Speaker {
 
   const flow::Program* program() const override { return program_.get(); }
 
+ protected:
+  void answer_other(const wire::ToRobot& message) override;
+  /// What the configuration says of the body, in SI units.
+  const std::map<std::string, double>& body() const { return body_; }
+
  private:
   struct Robot {
     flow::Frame frame;
     std::uint64_t seed = 0;
   };
 
-  void answer_other(const wire::ToRobot& message) override;
   void describe(const wire::Describe& message);
   void start(const wire::Start& message);
   void act(const wire::Cycle& cycle);

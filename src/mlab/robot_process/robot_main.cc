@@ -4,6 +4,8 @@
 
 #include <csignal>
 #include <cstdio>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,6 +16,8 @@
 #include "mlab/flow/network.h"
 #include "mlab/robot_process/conversation.h"
 #include "mlab/robot_process/serve.h"
+#include "mlab/robot_process/workings.h"
+#include "mlab/robot_wire/network_wire.h"
 
 namespace mlab::robot_process {
 namespace {
@@ -38,16 +42,41 @@ flow::Network network_of(const RobotProgramText& text) {
   return network;
 }
 
-std::shared_ptr<const flow::Program> program_of(const RobotProgramText& text) {
+flow::Library components_of(const RobotProgramText& text) {
   flow::Library library;
-  for (const BehaviorList list : text.behaviors) library.add(list());
-  text::Diagnostics sink;
-  const flow::Network network = network_of(text);
-  auto program = flow::build_program(network, library, sink);
-  // What could be warned of, the compiler said.
-  if (!program) fmt::print(stderr, "{}", text::render(sink));
-  return program;
+  library.add(text.components());
+  return library;
 }
+
+/// An executable of `mlab build`: it reveals how it is made, too, unless its author wanted it closed.
+class Executable : public Conversation {
+ public:
+  Executable(Workings& workings, const RobotProgramText& text, std::map<std::string, double> body)
+      : Conversation(workings.program(), text.version, std::move(body)), workings_(workings), text_(text) {}
+
+ private:
+  bool reveals() const override { return !text_.is_closed; }
+  void begin_sharing(robot_wire::Control& control) override { workings_.trace(control); }
+  void answer_other(const wire::ToRobot& message) override {
+    if (message.has_reveal() && reveals())
+      reveal(*reply().mutable_revealed());
+    else
+      Conversation::answer_other(message);
+  }
+  void reveal(wire::Revealed& out) const {
+    robot_wire::encode(workings_.network(), *out.mutable_network());
+    for (const auto& [file, declarations] : text_.declarations) {
+      wire::Declarations& procedures = *out.add_procedures();
+      procedures.set_file(file);
+      procedures.set_text(declarations);
+    }
+    workings_.describe(*out.mutable_loaded());
+    for (const auto& [name, value] : body()) (*out.mutable_body())[name] = value;
+  }
+
+  Workings& workings_;
+  const RobotProgramText& text_;
+};
 
 void print_help(const RobotProgramText& text, const flow::Program& program) {
   fmt::print(
@@ -77,10 +106,16 @@ int robot_main(int argc, char** argv, const RobotProgramText& text) {
     fmt::print("{} made by mlab {}\n", text.name, text.version);
     return 0;
   }
-  const std::shared_ptr<const flow::Program> program = program_of(text);
-  if (!program) return kMisused;
+  Workings workings(components_of(text));
+  for (const BehaviorList list : text.brought) workings.add(list());
+  if (const auto problem = workings.build(network_of(text))) {
+    fmt::print(stderr, "{}", *problem);
+    return kMisused;
+  }
+  robot_wire::Control unshared;  // until a run shares one
+  workings.trace(unshared);
   if (word == "--help") {
-    print_help(text, *program);
+    print_help(text, *workings.program());
     return 0;
   }
   if (isatty(STDIN_FILENO) != 0) {
@@ -94,8 +129,8 @@ int robot_main(int argc, char** argv, const RobotProgramText& text) {
   google::protobuf::SetLogHandler(nullptr);  // what arrives may be anything, and is answered
   std::map<std::string, double> body;
   for (const auto& [name, value] : text.body) body[name] = value;
-  Conversation conversation(program, text.version, std::move(body));
-  return serve(conversation, STDIN_FILENO, out);
+  Executable executable(workings, text, std::move(body));
+  return serve(executable, STDIN_FILENO, out);
 }
 
 }  // namespace mlab::robot_process

@@ -12,6 +12,12 @@ struct Behavior;
 
 namespace mlab::robot_process {
 
+/// A file of procedures in CNL, with blanks where its C++ stood (cnl::declarations_of).
+struct DeclarationsText {
+  const char* file;
+  const char* text;
+};
+
 using BehaviorList = std::span<const flow::Behavior* const> (*)();
 
 /// A robot program as generated C++ describes it.
@@ -24,8 +30,11 @@ struct RobotProgramText {
     std::uint32_t group;
     std::uint32_t count;  ///< so many of its next nodes
   };
-  std::initializer_list<Run> order;  ///< of all nodes
-  std::initializer_list<BehaviorList> behaviors;
+  std::initializer_list<Run> order;             ///< of all nodes
+  BehaviorList components;                      ///< the component library
+  std::initializer_list<BehaviorList> brought;  ///< procedures besides, later ones in place of earlier ones
+  std::initializer_list<DeclarationsText> declarations;  ///< of these
+  bool is_closed;                                        ///< does not reveal how it is made
   struct BodySetting {
     const char* name;
     double value;  ///< [SI units]

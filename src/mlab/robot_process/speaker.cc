@@ -31,6 +31,7 @@ void Speaker::answer_hello(const wire::Hello& hello) {
   welcome.set_protocol(robot_wire::kProtocol);
   welcome.set_name(name_);
   welcome.set_version(version_);
+  if (reveals()) welcome.set_layout(robot_wire::shared_layout());
 }
 
 void Speaker::answer_share(const wire::Share& share) {

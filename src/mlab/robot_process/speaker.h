@@ -33,6 +33,8 @@ class Speaker {
  protected:
   /// Fills `reply`, or refuses.
   virtual void answer_other(const wire::ToRobot& message) = 0;
+  /// Whether it answers Reveal.
+  virtual bool reveals() const { return false; }
   /// Cycles are shared from now on.
   virtual void begin_sharing(robot_wire::Control& /*control*/) {}
 

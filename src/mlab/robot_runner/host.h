@@ -1,13 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
 #include "mlab/robot.pb.h"
 #include "mlab/robot_process/speaker.h"
-#include "mlab/robot_process/traced_library.h"
+#include "mlab/robot_process/workings.h"
 
 namespace mlab::robot_runner {
 
@@ -19,7 +18,7 @@ class Host : public robot_process::Speaker {
   /// @param version     of this missionlab
   Host(flow::Library components, std::string version);
 
-  const flow::Program* program() const override { return program_.get(); }
+  const flow::Program* program() const override { return workings_.program().get(); }
 
  private:
   void answer_other(const wire::ToRobot& message) override;
@@ -27,10 +26,7 @@ class Host : public robot_process::Speaker {
   void load(const wire::Load& load);
   bool open_libraries(const wire::Load& load);
 
-  flow::Library library_;
-  robot_process::TracedLibrary brought_;
-  flow::Network network_;
-  std::shared_ptr<const flow::Program> program_;
+  robot_process::Workings workings_;
 };
 
 }  // namespace mlab::robot_runner
