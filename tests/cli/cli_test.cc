@@ -436,6 +436,20 @@ TEST_F(Command, BuildMakesAnExecutableThatRunsAsTheNetworkDoes) {
   EXPECT_EQ(robots("native.mdl", " --allow-native --threads 2"), embedded);
 }
 
+TEST_F(Command, BuildTellsAMistakeInTheCodeOnce) {
+  write("mine.cnl",
+        "procedure Vector Mine with\nheader\nbody\n  output = nonsense;\npend\n"
+        "node mine is Mine with nend\nnode wheels is Drive with v = mine; nend\n");
+  for (const char* what : {"build mine.cnl", "build mine.cnl --emit cpp", "build mine.cnl --emit cnl"}) {
+    const Outcome built = mlab(what);
+    EXPECT_EQ(built.status, 2) << what;
+    const std::size_t first = built.err.find("mine.cnl:4:12: error: ");
+    ASSERT_NE(first, std::string::npos) << what << ": " << built.err;
+    EXPECT_EQ(built.err.find("mine.cnl:4:12", first + 1), std::string::npos) << what << ": " << built.err;
+    EXPECT_EQ(built.out, "") << what;
+  }
+}
+
 TEST_F(Command, FmtRewritesOnlyWhatIsNotInTheCanonicalLayout) {
   write("map.odl", "SITE   Test CONTROL MEASURES: PP Here 1 2 -- note\n");
   EXPECT_EQ(mlab("fmt --check map.odl").status, 1);

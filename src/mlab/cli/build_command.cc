@@ -41,10 +41,16 @@ std::string architecture_of(const std::string& file) {
   return source ? cdl::load(*source, robot::library_environment(), sink).architecture : "";
 }
 
+robot::ProgramSources sources_of(const BuildOptions& options) {
+  robot::ProgramSources out = program_sources("", permission_to_build(options));
+  out.checks_code = !options.emit.empty();  // what becomes an executable is compiled anyway
+  return out;
+}
+
 std::optional<robot_build::RobotSource> configured(const BuildOptions& options, text::Diagnostics& sink) {
   const std::string name = options.robot.empty() ? options.file : options.file + "#" + options.robot;
-  auto robot = robot::load_configuration(name, fs::path(options.file).stem().string(), {},
-                                         program_sources("", permission_to_build(options)), sink);
+  auto robot =
+      robot::load_configuration(name, fs::path(options.file).stem().string(), {}, sources_of(options), sink);
   if (!robot) return std::nullopt;
   robot_build::RobotSource out;
   out.network = std::move(robot->lowered.network);
@@ -54,7 +60,7 @@ std::optional<robot_build::RobotSource> configured(const BuildOptions& options, 
 }
 
 std::optional<robot_build::RobotSource> networked(const BuildOptions& options, text::Diagnostics& sink) {
-  auto read = robot::read_network(options.file, {}, program_sources("", permission_to_build(options)), sink);
+  auto read = robot::read_network(options.file, {}, sources_of(options), sink);
   if (!read) return std::nullopt;
   robot_build::RobotSource out;
   if (read->network.nodes.empty()) {
@@ -135,9 +141,10 @@ int build(const BuildOptions& asked) {
     robot->version = kVersion;
     robot->is_closed = options.closed;
   }
-  if (robot && options.emit.empty()) return build_program(options, *robot, sink);
+  const bool is_sound = robot && !sink.has_errors();
+  if (is_sound && options.emit.empty()) return build_program(options, *robot, sink);
   tell(sink);
-  if (!robot) return kBadInput;
+  if (!is_sound) return kBadInput;
   return put(options.emit == "cpp" ? robot_build::joined(robot_build::emit_cpp(*robot))
                                    : cdl::cnl_text(robot->network),
              options.output);
