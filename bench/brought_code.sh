@@ -70,7 +70,10 @@ network AvoidStaticObstacles >library.cnl
 
 # speed NAME SECONDS: robot-cycles per second; where the robots are in the end stays in NAME.places.
 speed() {
-  "$mlab" run "$1.mdl" --headless --proceed --quiet --for "$2" --threads 1 --patience 100000 >out.txt
+  "$mlab" run "$1.mdl" --headless --proceed --quiet --for "$2" --threads 1 --patience 100000 >out.txt 2>err.txt || {
+    cat err.txt >&2
+    exit 1
+  }
   grep '^ *robot ' out.txt >"$1.places"
   sed -n 's/^done after.*(\([0-9]*\) robot-cycles per second)$/\1/p' out.txt
 }

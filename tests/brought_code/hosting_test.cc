@@ -92,7 +92,7 @@ TEST(Hosting, DoesBitForBitWhatTheSameCodeDoesEmbedded) {
   ASSERT_TRUE(program) << text::render(sink);
   ASSERT_EQ(program->layout_hash(), read->built.program->layout_hash());
 
-  robot_host::HostedCycle hosted(read->built.hosted);
+  robot_host::HostedCycle hosted(read->built.hosted, true);
   std::vector<flow::Frame> mine(3, read->built.program->make_frame());
   std::vector<flow::Frame> theirs(3, program->make_frame());
   EXPECT_EQ(mine[0], theirs[0]) << "values before the first cycle";
@@ -103,17 +103,19 @@ TEST(Hosting, DoesBitForBitWhatTheSameCodeDoesEmbedded) {
     if (cycle % 3 == 0) percepts.robots = {&other, 1};
     hosted.begin();
     for (std::uint32_t id = 0; id < 3; ++id) hosted.join(id + 1, 5);
+    hosted.open();
     for (std::size_t i = 0; i < 3; ++i) hosted.set(i, percepts, {mine[i].data(), mine[i].size()});
     hosted.ask();
     hosted.wait({});
     for (std::size_t i = 0; i < 3; ++i) {
       percept::Action action;
       program->step(theirs[i].data(), percepts, action, 5, static_cast<std::uint32_t>(i + 1));
-      const auto& result = hosted.result(i);
-      ASSERT_EQ(result.failure, "");
-      std::memcpy(mine[i].data(), result.frame.data(), result.frame.size());
+      percept::Action wanted;
+      const robot_host::HostedCycle::Outcome outcome = hosted.take(i, wanted);
+      ASSERT_EQ(outcome.failure, "");
+      std::memcpy(mine[i].data(), outcome.frame.data(), outcome.frame.size());
       ASSERT_EQ(mine[i], theirs[i]) << "cycle " << cycle << ", robot " << i + 1;
-      EXPECT_EQ(result.action.velocity, action.velocity);
+      EXPECT_EQ(wanted.velocity, action.velocity);
     }
   }
   EXPECT_EQ(read->built.program->active_states(mine[1].data()), program->active_states(theirs[1].data()));

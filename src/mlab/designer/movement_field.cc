@@ -66,7 +66,7 @@ FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
       port_(part_.program->find(part_.port)),
       start_(part_.program->make_frame()),
       frame_(start_) {
-  if (part_.hosted) hosted_ = std::make_unique<robot_host::HostedCycle>(part_.hosted);
+  if (part_.hosted) hosted_ = std::make_unique<robot_host::HostedCycle>(part_.hosted, true);
 }
 
 void FieldReading::begin(const fleet::FleetRobot& body) {
@@ -126,6 +126,7 @@ void FieldReading::read_hosted(const fleet::MissionRun& run, const fleet::FleetR
   std::vector<geom::Pose> poses;
   hosted_->begin();
   for (std::uint32_t i = 0; i < count; ++i) hosted_->join(body.id.value, run.seed());
+  hosted_->open();
   for (std::uint32_t i = 0; i < count; ++i) {
     percept::Percepts percepts;
     poses.push_back(perceive(run, body, next_ + i, percepts));
@@ -134,8 +135,9 @@ void FieldReading::read_hosted(const fleet::MissionRun& run, const fleet::FleetR
   hosted_->ask();
   hosted_->wait({});
   for (std::uint32_t i = 0; i < count; ++i) {
-    const robot_host::HostedCycle::Result& result = hosted_->result(i);
-    add_arrow(poses[i], result.failure.empty() ? result.frame.data() : start_.data());
+    percept::Action unwanted;
+    const robot_host::HostedCycle::Outcome outcome = hosted_->take(i, unwanted);
+    add_arrow(poses[i], outcome.failure.empty() ? outcome.frame.data() : start_.data());
   }
   next_ += count;
 }

@@ -267,6 +267,7 @@ void Fleet::step(double dt) {
   for (const FleetRobot& robot : robots_) {
     if (robot.life == RobotLife::kRunning && robot.program->has_process()) lock_step_.join(robot.lock_step);
   }
+  lock_step_.open();
   simulator_.workers().run(robots_.size(), kRobotsPerPiece,
                            [&](std::size_t begin, std::size_t end, int worker) {
                              for (std::size_t i = begin; i < end; ++i) {

@@ -13,11 +13,10 @@ void Fleet::run_lock_step() {
   lock_step_.exchange(meanwhile_);
   for (FleetRobot& robot : robots_) {
     if (robot.life != RobotLife::kRunning || !robot.program->has_process()) continue;
-    const LockStep::Result& result = lock_step_.result(robot.lock_step);
-    robot.action = result.action;
-    robot.fault = result.fault;
-    if (result.failure.empty()) {
-      if (robot.program->hosted) std::memcpy(robot.frame.data(), result.frame.data(), result.frame.size());
+    LockStep::Outcome outcome = lock_step_.take(robot.lock_step, robot.action);
+    robot.fault = std::move(outcome.fault);
+    if (outcome.failure.empty()) {
+      if (robot.program->hosted) std::memcpy(robot.frame.data(), outcome.frame.data(), outcome.frame.size());
       check_action(robot);
       if (robot.program->hosted && robot.life == RobotLife::kFaulted) {
         if (const flow::Port* port = robot.program->program->find_fault(robot.frame.data()))
@@ -25,7 +24,8 @@ void Fleet::run_lock_step() {
       }
       continue;
     }
-    robot.failure = result.failure;
+    robot.action = {};
+    robot.failure = std::move(outcome.failure);
     robot.life = RobotLife::kFaulted;
     robot.action.drives = true;  // tells step() that this fault is new
   }

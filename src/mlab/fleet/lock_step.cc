@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include <fmt/core.h>
@@ -45,7 +46,8 @@ std::size_t LockStep::process_for(const std::string& executable,
   Process& made = processes_.emplace_back();
   made.executable = executable;
   made.hosted = hosted;
-  if (hosted) made.hosted_cycle = std::make_unique<robot_host::HostedCycle>(hosted);
+  const bool has_own_processor = std::thread::hardware_concurrency() >= 2U * static_cast<unsigned>(most_);
+  if (hosted) made.hosted_cycle = std::make_unique<robot_host::HostedCycle>(hosted, has_own_processor);
   return processes_.size() - 1;
 }
 
@@ -61,7 +63,6 @@ LockStep::Member LockStep::host(Member member, std::uint32_t robot,
     members_[member].process = process;
     members_[member].robot = robot;
   }
-  members_[member].result = {};
   return member;
 }
 
@@ -91,7 +92,8 @@ std::expected<LockStep::Member, std::string> LockStep::start(
   if (!answer->ready().problem().empty())
     return std::unexpected(fmt::format("refuses a setting: {}", text::shown(answer->ready().problem(), 200)));
   members_[member].needs = needs_of(answer->ready().needs());
-  members_[member].result = {};
+  members_[member].action = {};
+  members_[member].outcome = {};
   return member;
 }
 
@@ -130,6 +132,12 @@ void LockStep::join(Member member) {
   process.cycle.mutable_cycle()->add_robots()->set_robot(state.robot);
 }
 
+void LockStep::open() {
+  for (Process& process : processes_) {
+    if (process.hosted_cycle) process.hosted_cycle->open();
+  }
+}
+
 void LockStep::percepts(Member member, const percept::Percepts& percepts, const flow::Frame& frame) {
   const MemberState& state = members_[member];
   Process& process = processes_[state.process];
@@ -147,13 +155,18 @@ void LockStep::exchange(const robot_host::HostedCycle::Meanwhile& meanwhile) {
   }
   exchange_messages();
   for (Process& process : processes_) {
-    if (!process.hosted_cycle) continue;
-    process.hosted_cycle->wait(meanwhile);
-    for (const Member member : process.joined) {
-      const robot_host::HostedCycle::Result& result = process.hosted_cycle->result(members_[member].place);
-      members_[member].result = {result.action, "", result.failure, result.frame};
-    }
+    if (process.hosted_cycle) process.hosted_cycle->wait(meanwhile);
   }
+}
+
+LockStep::Outcome LockStep::take(Member member, percept::Action& action) {
+  const MemberState& state = members_[member];
+  if (robot_host::HostedCycle* hosted = processes_[state.process].hosted_cycle.get()) {
+    auto [frame, failure] = hosted->take(state.place, action);
+    return {"", std::move(failure), frame};
+  }
+  action = state.action;
+  return state.outcome;
 }
 
 void LockStep::exchange_messages() {
@@ -164,14 +177,14 @@ void LockStep::exchange_messages() {
   for (Process& process : processes_) {
     if (!process.is_asked) continue;
     const wire::FromRobot* answer = process.running->receive(wire::FromRobot::kActions);
-    if (answer != nullptr) take(process, answer->actions());
+    if (answer != nullptr) take_answer(process, answer->actions());
     if (!process.running->has_failed()) continue;
     for (const Member member : process.joined)
-      members_[member].result = {{}, "", process.running->failure(), {}};
+      members_[member].outcome = {"", process.running->failure(), {}};
   }
 }
 
-void LockStep::take(Process& process, const wire::Actions& actions) {
+void LockStep::take_answer(Process& process, const wire::Actions& actions) {
   if (actions.robots_size() != static_cast<int>(process.joined.size())) {
     process.running->fail(fmt::format("answers for {} robots, and was asked for {}", actions.robots_size(),
                                       process.joined.size()));
@@ -185,11 +198,11 @@ void LockStep::take(Process& process, const wire::Actions& actions) {
           fmt::format("answers for robot {} where robot {} stands", acted.robot(), member.robot));
       return;
     }
-    if (const auto problem = robot_wire::decode(acted.action(), member.result.action)) {
+    if (const auto problem = robot_wire::decode(acted.action(), member.action)) {
       process.running->fail(fmt::format("answers nonsense: {}", *problem));
       return;
     }
-    member.result.fault = text::shown(acted.fault(), 200);
+    member.outcome.fault = text::shown(acted.fault(), 200);
     member.needs = needs_of(acted.needs());
   }
 }

@@ -24,8 +24,8 @@ namespace mlab::fleet {
 /// There are two kinds: hosted programs, whose frames the run has (it hands them in each cycle, and gets them
 /// back), and executables, which keep their robots' values to themselves.
 ///
-/// Per cycle: `begin`; `join` and then `percepts` for each robot that runs (`percepts` on any thread);
-/// `exchange`; `result` for each of them.
+/// Per cycle: `begin`; `join` for each robot that runs; `open`; `percepts` for each of them, on any thread;
+/// `exchange`; `take` for each of them.
 class LockStep {
  public:
   /// @param most  processes for each program, >= 1
@@ -52,6 +52,8 @@ class LockStep {
 
   void begin();
   void join(Member member);
+  /// All have joined.
+  void open();
   /// Tells what the robot perceives in this cycle.
   /// @param frame  of a hosted robot: its values, which stay as they are until `exchange` comes back
   void percepts(Member member, const percept::Percepts& percepts, const flow::Frame& frame);
@@ -60,13 +62,13 @@ class LockStep {
   ///                   be ended
   void exchange(const robot_host::HostedCycle::Meanwhile& meanwhile);
 
-  struct Result {
-    percept::Action action;
+  struct Outcome {
     std::string fault;                 ///< path of the port that holds no number; empty: all is well
     std::string failure;               ///< what the process did instead of acting; empty: it acted
     std::span<const std::byte> frame;  ///< of a hosted robot that acted: its values now, until `begin`
   };
-  const Result& result(Member member) const { return members_[member].result; }
+  /// @param action  what the robot's program wants; undefined where it did not act
+  Outcome take(Member member, percept::Action& action);
 
  private:
   struct Process {
@@ -83,12 +85,13 @@ class LockStep {
     std::size_t process = 0;
     std::size_t place = 0;  // in the cycle
     flow::Needs needs;
-    Result result;
+    percept::Action action;  // of an executable's robot, as the outcome
+    Outcome outcome;
   };
   std::size_t process_for(const std::string& executable,
                           const std::shared_ptr<const robot_host::HostedProgram>& hosted);
   void exchange_messages();
-  void take(Process& process, const wire::Actions& actions);
+  void take_answer(Process& process, const wire::Actions& actions);
 
   int most_;
   std::uint64_t seed_;

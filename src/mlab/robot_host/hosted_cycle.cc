@@ -18,39 +18,50 @@ using robot_wire::PlaceHeader;
 constexpr timespec kNap{0, 2'000'000};        // between two looks at how the program is
 constexpr double kAsleep = 0.02;              // a program that takes less of the time sleeps
 constexpr double kSlowest = 150.0;            // times its processor time, on a busy machine
+constexpr std::uint32_t kAskedAtOnce = 4;     // robots; to ask for each costs more
 constexpr int kMostPatienceWithoutPlace = 3;  // processes that may end while nobody's program runs
 
 }  // namespace
 
 void HostedCycle::begin() {
-  joined_.clear();
+  count_ = 0;
+  asked_.clear();
   if (memory_) memory_->clear_percepts();
 }
 
 std::size_t HostedCycle::join(std::uint32_t robot, std::uint64_t seed) {
-  if (!memory_) {
-    auto made = SharedMemory::make(program_->frame_size);
-    if (made) memory_.emplace(std::move(*made));
-    if (!made) unasked_ = made.error();
-  }
-  Joined& one = joined_.emplace_back();
+  if (count_ == joined_.size()) joined_.emplace_back();
+  Joined& one = joined_[count_];
   one.robot = robot;
   one.seed = seed;
-  return joined_.size() - 1;
+  one.is_set.store(false, std::memory_order_relaxed);
+  one.failure.clear();
+  return count_++;
 }
 
-void HostedCycle::set(std::size_t place, const percept::Percepts& percepts,
-                      std::span<const std::byte> frame) {
-  if (!memory_) return;
-  joined_[place].percepts = memory_->add_percepts(percepts);
-  joined_[place].frame = frame;
+void HostedCycle::open() {
+  if (count_ == 0) return;
+  if (const auto problem = prepare())
+    fail_all(*problem);
+  else
+    begin_asking();
+}
+
+std::optional<std::string> HostedCycle::prepare() {
+  if (!memory_) {
+    auto made = SharedMemory::make(program_->frame_size);
+    if (!made) return made.error();
+    memory_.emplace(std::move(*made));
+  }
+  if (!memory_->make_room(count_)) return "has no memory to share with its run";
+  return ensure_process();
 }
 
 // The process that computes; started where there is none.
 std::optional<std::string> HostedCycle::ensure_process() {
   if (process_ && !process_->has_failed()) return std::nullopt;
   process_.reset();
-  memory_->begin_anew(cycle_);
+  memory_->begin_anew(asked_ever_);
   auto started = start_hosted(*program_, &*memory_);
   if (!started) return started.error();
   process_.emplace(std::move(started->process));
@@ -58,77 +69,92 @@ std::optional<std::string> HostedCycle::ensure_process() {
 }
 
 void HostedCycle::fail_all(const std::string& why) {
-  for (Joined& one : joined_) {
-    if (one.takes_part) one.result.failure = why;
-    one.takes_part = false;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (joined_[i].failure.empty()) joined_[i].failure = why;
   }
   asked_.clear();
 }
 
-// Puts frames of all that take part side by side.
-void HostedCycle::fill() {
+void HostedCycle::begin_asking() {
   asked_.clear();
-  for (std::size_t i = 0; i < joined_.size(); ++i) {
-    const Joined& one = joined_[i];
-    if (!one.takes_part) continue;
-    PlaceHeader& header = memory_->header(asked_.size());
-    header.robot = one.robot;
-    header.seed = one.seed;
-    header.percepts = one.percepts;
-    std::memcpy(memory_->frame(asked_.size()), one.frame.data(), one.frame.size());
-    asked_.push_back(i);
-  }
+  next_ = 0;
+  memory_->control().before = asked_ever_;
 }
 
-void HostedCycle::begin_cycle() {
-  Control& control = memory_->control();
-  control.count = static_cast<std::uint32_t>(asked_.size());
-  control.asked.set(++cycle_);
+void HostedCycle::hand_over(Joined& one) {
+  one.slot = asked_.size();
+  PlaceHeader& header = memory_->header(one.slot);
+  header.robot = one.robot;
+  header.seed = one.seed;
+  header.percepts = one.percepts;
+  std::memcpy(memory_->frame(one.slot), one.frame.data(), one.frame.size());
+  asked_.push_back(&one);
+  ++asked_ever_;
+}
+
+void HostedCycle::set(std::size_t place, const percept::Percepts& percepts,
+                      std::span<const std::byte> frame) {
+  Joined& one = joined_[place];
+  if (!one.failure.empty()) return;
+  one.percepts = memory_->add_percepts(percepts);
+  one.frame = frame;
+  one.is_set.store(true, std::memory_order_release);
+  // Whoever comes while another thread hands over leaves it to that one, or to those who come later.
+  if (!is_early_) return;
+  if (const std::unique_lock lock(handing_over_, std::try_to_lock); lock) hand_over_what_is_set();
+}
+
+// In the order in which they joined, whatever thread it is.
+void HostedCycle::hand_over_what_is_set() {
+  while (next_ < count_ && joined_[next_].is_set.load(std::memory_order_acquire) &&
+         memory_->has_all_percepts())
+    hand_over(joined_[next_++]);
+  if (asked_ever_ - asked_for_ >= kAskedAtOnce) ask_for_all();
+}
+
+void HostedCycle::ask_for_all() {
+  asked_for_ = asked_ever_;
+  memory_->control().asked.set(asked_for_);
 }
 
 void HostedCycle::ask() {
-  asked_.clear();
-  if (joined_.empty()) return;
-  std::optional<std::string> problem;
-  if (!memory_) {
-    problem = unasked_;
-  } else if (!memory_->make_room(joined_.size()) || !memory_->finish_percepts()) {
-    problem = "has no memory to share with its run";
-  } else {
-    problem = ensure_process();
-  }
-  if (problem) {
-    fail_all(*problem);
+  if (count_ == 0 || !joined_[0].failure.empty()) return;
+  if (!memory_->finish_percepts()) {
+    process_->fail("has no memory to share with its run");  // it may be computing
+    fail_all(process_->failure());
     return;
   }
-  fill();
-  begin_cycle();
+  const std::scoped_lock lock(handing_over_);
+  hand_over_what_is_set();
+  ask_for_all();
 }
 
 void HostedCycle::wait(const Meanwhile& meanwhile) {
   int without_place = 0;
   while (!asked_.empty()) {
     const std::optional<Failure> failure = await(meanwhile);
-    if (!failure) {
-      take_results();
-      return;
-    }
+    if (!failure) return;
     std::optional<std::string> problem;
     if (failure->place != Control::kNobody)
       blame(*failure);
     else if (++without_place == kMostPatienceWithoutPlace)
       problem = failure->what;
-    // The others' cycle, from the frames that they had before it.
-    asked_.clear();
-    if (!std::ranges::any_of(joined_, &Joined::takes_part)) return;
     if (!problem) problem = ensure_process();
     if (problem) {
       fail_all(*problem);
       return;
     }
-    fill();
-    begin_cycle();
+    ask_again();
   }
+}
+
+// The others' cycle, from the frames that they had before it.
+void HostedCycle::ask_again() {
+  begin_asking();
+  for (; next_ < count_; ++next_) {
+    if (joined_[next_].failure.empty()) hand_over(joined_[next_]);
+  }
+  ask_for_all();
 }
 
 HostedCycle::Failure HostedCycle::failure_of(std::string what) {
@@ -142,12 +168,12 @@ HostedCycle::Failure HostedCycle::failure_of(std::string what) {
 
 std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhile) {
   Control& control = memory_->control();
-  const auto is_this_cycle = [this](std::uint32_t answered) { return answered == cycle_; };
-  if (control.answered.is_soon(is_this_cycle)) return std::nullopt;
+  const auto are_all = [this](std::uint32_t answered) { return answered == asked_ever_; };
+  if (control.answered.is_soon(are_all)) return std::nullopt;
   std::uint32_t place = Control::kNobody;
   auto began = Clock::now();
   double used = process_->processor_time();
-  while (!control.answered.is_after_sleep(is_this_cycle, kNap)) {
+  while (!control.answered.is_after_sleep(are_all, kNap)) {
     if (process_->note_end()) return failure_of(process_->failure());
     if (meanwhile && meanwhile()) {
       process_->fail("was ended, because nobody waits for it any more");
@@ -176,24 +202,18 @@ std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhil
 }
 
 void HostedCycle::blame(const Failure& failure) {
-  Joined& one = joined_[asked_[failure.place]];
-  one.takes_part = false;
-  one.result.failure = failure.what;
+  Joined& one = *asked_[failure.place];
+  one.failure = failure.what;
   if (failure.node < program_->codes.size() && !program_->codes[failure.node].empty())
-    one.result.failure += fmt::format(", in {}", program_->codes[failure.node]);
+    one.failure += fmt::format(", in {}", program_->codes[failure.node]);
 }
 
-void HostedCycle::take_results() {
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
-    Joined& one = joined_[asked_[i]];
-    const auto action = robot_wire::sound_action(memory_->header(i).action);
-    if (!action) {
-      one.result.failure = "answers nonsense: its action has fields that there are not";
-      continue;
-    }
-    one.result.action = *action;
-    one.result.frame = {memory_->frame(i), memory_->frame_size()};
-  }
+HostedCycle::Outcome HostedCycle::take(std::size_t place, percept::Action& action) {
+  const Joined& one = joined_[place];
+  if (!one.failure.empty()) return {{}, one.failure};
+  if (!robot_wire::read_action(memory_->header(one.slot).action, action))
+    return {{}, "answers nonsense: its action has fields that there are not"};
+  return {{memory_->frame(one.slot), memory_->frame_size()}, ""};
 }
 
 }  // namespace mlab::robot_host

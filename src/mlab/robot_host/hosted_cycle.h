@@ -1,9 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,14 +25,19 @@ namespace mlab::robot_host {
 /// back, that robot alone has failed: another process takes the place, and the others' cycle is computed as
 /// if that robot had not been there.
 ///
-/// Per cycle: `begin`; `join` for each robot; `set` for each, on any thread; `ask`; `wait`; `result`.
+/// Per cycle: `begin`; `join` for each robot; `open`; `set` for each, on any thread; `ask`; `wait`; `take`.
 class HostedCycle {
  public:
-  explicit HostedCycle(std::shared_ptr<const HostedProgram> program) : program_(std::move(program)) {}
+  /// @param is_early  the process computes while robots are still being set; good where it has a processor of
+  ///                  its own
+  HostedCycle(std::shared_ptr<const HostedProgram> program, bool is_early)
+      : program_(std::move(program)), is_early_(is_early) {}
 
   void begin();
   /// @return  the robot's place in this cycle
   std::size_t join(std::uint32_t robot, std::uint64_t seed);
+  /// All have joined.
+  void open();
   /// @param frame  lives, unchanged, until `wait` comes back
   void set(std::size_t place, const percept::Percepts& percepts, std::span<const std::byte> frame);
 
@@ -39,13 +47,13 @@ class HostedCycle {
   void ask();
   void wait(const Meanwhile& meanwhile);
 
-  struct Result {
-    percept::Action action;
-    std::span<const std::byte>
-        frame;            ///< after the cycle, until `begin`; any bytes, as a program may leave them
+  struct Outcome {
+    /// After the cycle, until `begin`; any bytes, as a program may leave them.
+    std::span<const std::byte> frame;
     std::string failure;  ///< a sentence about what its program did instead; empty: all is well
   };
-  const Result& result(std::size_t place) const { return joined_[place].result; }
+  /// @param action  what the robot's program wants
+  Outcome take(std::size_t place, percept::Action& action);
 
  private:
   struct Joined {
@@ -53,8 +61,9 @@ class HostedCycle {
     std::uint64_t seed = 0;
     std::uint64_t percepts = 0;
     std::span<const std::byte> frame;
-    Result result;
-    bool takes_part = true;
+    std::atomic<bool> is_set = false;
+    std::size_t slot = 0;  // its place among those that the program computes
+    std::string failure;   // its program is not asked any more; empty: all is well
   };
   /// How waiting ended.
   struct Failure {
@@ -63,21 +72,28 @@ class HostedCycle {
     std::uint32_t node = robot_wire::Control::kNobody;
   };
   std::optional<std::string> ensure_process();
-  void fill();
+  std::optional<std::string> prepare();
+  void begin_asking();
+  void hand_over(Joined& one);
+  void hand_over_what_is_set();
+  void ask_for_all();
+  void ask_again();
   void fail_all(const std::string& why);
-  void begin_cycle();
   std::optional<Failure> await(const Meanwhile& meanwhile);
   Failure failure_of(std::string what);
   void blame(const Failure& failure);
-  void take_results();
 
   std::shared_ptr<const HostedProgram> program_;
+  bool is_early_;
   std::optional<SharedMemory> memory_;
   std::optional<RobotProgramProcess> process_;
-  std::vector<Joined> joined_;
-  std::vector<std::size_t> asked_;  // places that take part, in the order in which the program has them
-  std::string unasked_;             // why nobody could be asked; empty: they were
-  std::uint32_t cycle_ = 0;
+  std::deque<Joined> joined_;  // the first `count_` are of this cycle
+  std::size_t count_ = 0;
+  std::vector<Joined*> asked_;    // in the order in which the program has them
+  std::uint32_t asked_ever_ = 0;  // handed over in all cycles, as the program counts them
+  std::uint32_t asked_for_ = 0;   // of these, so many as the program knows of
+  std::mutex handing_over_;
+  std::size_t next_ = 0;  // of joined_ that is handed over
 };
 
 }  // namespace mlab::robot_host

@@ -85,6 +85,7 @@ SharedMemory::SharedMemory(SharedMemory&& other) noexcept
       frames_(std::move(other.frames_)),
       percepts_(std::move(other.percepts_)),
       next_(other.next_.load()),
+      has_overflow_(other.has_overflow_.load()),
       overflow_(std::move(other.overflow_)) {}
 
 SharedMemory::~SharedMemory() {
@@ -106,6 +107,7 @@ PlaceHeader& SharedMemory::header(std::size_t place) {
 void SharedMemory::clear_percepts() {
   next_ = 0;
   overflow_.clear();
+  has_overflow_ = false;
 }
 
 std::uint64_t SharedMemory::add_percepts(const percept::Percepts& percepts) {
@@ -118,6 +120,7 @@ std::uint64_t SharedMemory::add_percepts(const percept::Percepts& percepts) {
     robot_wire::write_percepts(percepts, bytes.data());
     const std::scoped_lock lock(overflow_mutex_);
     overflow_.emplace(at, std::move(bytes));
+    has_overflow_.store(true, std::memory_order_release);
   }
   return at;
 }
@@ -128,6 +131,7 @@ bool SharedMemory::finish_percepts() {
   control().percepts_size = percepts_.size();
   for (const auto& [at, bytes] : overflow_) std::ranges::copy(bytes, percepts_.begin() + at);
   overflow_.clear();
+  has_overflow_ = false;
   return true;
 }
 

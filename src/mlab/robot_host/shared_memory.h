@@ -49,7 +49,9 @@ class SharedMemory {
   /// Copies percepts to where the program reads them. May be called from several threads.
   /// @return  for PlaceHeader::percepts
   std::uint64_t add_percepts(const percept::Percepts& percepts);
-  /// Before the program is asked. False: the machine has no room for all percepts.
+  /// Whether the program can read all that were added; `finish_percepts` sees to it.
+  bool has_all_percepts() const { return !has_overflow_.load(std::memory_order_acquire); }
+  /// Before the program is asked for the last. False: the machine has no room for all percepts.
   bool finish_percepts();
 
  private:
@@ -63,6 +65,7 @@ class SharedMemory {
   robot_wire::Mapping percepts_;
   std::atomic<std::uint64_t> next_ = 0;  // free byte of the percepts
   std::mutex overflow_mutex_;
+  std::atomic<bool> has_overflow_ = false;
   std::map<std::uint64_t, std::vector<std::byte>> overflow_;  // what lies behind the end until it is moved
 };
 

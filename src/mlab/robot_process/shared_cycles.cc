@@ -19,8 +19,8 @@ bool has_ended(int in) {
 }
 
 // False: nobody will ask any more.
-bool wait_for_cycle(Control& control, std::uint32_t last, int in) {
-  const auto is_next = [last](std::uint32_t asked) { return asked != last; };
+bool wait_for_places(Control& control, std::uint32_t done, int in) {
+  const auto is_next = [done](std::uint32_t asked) { return asked != done; };
   if (control.asked.is_soon(is_next)) return true;
   constexpr timespec kPatience{1, 0};
   while (!control.asked.is_after_sleep(is_next, kPatience)) {
@@ -57,17 +57,18 @@ int serve_shared(SharedFiles& files, const flow::Program& program, int in) {
   robot_wire::ReadPercepts read;
   const std::size_t size = robot_wire::place_size(program.frame_size());
   std::uint32_t done = files.control().answered.get();
-  while (wait_for_cycle(files.control(), done, in)) {
-    done = files.control().asked.get();
+  while (wait_for_places(files.control(), done, in)) {
+    const std::uint32_t asked = files.control().asked.get();
     if (!files.grow()) return 1;
-    for (std::uint32_t i = 0; i < files.control().count; ++i) {
+    for (; done != asked; ++done) {
+      const std::uint32_t i = done - files.control().before;
       std::byte* const place = files.place(i, size);
       auto& header = *reinterpret_cast<PlaceHeader*>(place);
       files.control().place.store(i, std::memory_order_relaxed);
       percept::Action action;
       program.step(place + sizeof(PlaceHeader), read.read(files.percepts(header.percepts)), action,
                    header.seed, header.robot);
-      std::memcpy(header.action.data(), &action, sizeof action);
+      robot_wire::write_action(action, header.action);
     }
     files.control().place.store(Control::kNobody, std::memory_order_relaxed);
     files.control().answered.set(done);

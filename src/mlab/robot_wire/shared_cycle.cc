@@ -64,26 +64,27 @@ void view_list(std::span<const T>& list, const std::byte* from, std::size_t coun
   list = std::span<const T>(reinterpret_cast<const T*>(from), count);
 }
 
-// Puts a byte of a bool field right, which may hold anything; false where an enumeration's is out of range.
-struct ActionBytes {
-  std::array<std::byte, sizeof(Action)> bytes;
+// Where the parts of an action stand that are not always of use. Requests, their number and the alert are the
+// last, so that what is always of use is in front.
+constexpr std::size_t kRequests = offsetof(Action, requests);
+constexpr std::size_t kRequestCount = offsetof(Action, request_count);
+constexpr std::size_t kAlert = offsetof(Action, alert);
+static_assert(kRequests < kRequestCount && kRequestCount < kAlert);
 
-  void make_flag(std::size_t offset) { bytes[offset] = std::byte{bytes[offset] != std::byte{0}}; }
-  bool is_at_most(std::size_t offset, auto last) const {
-    return std::to_integer<unsigned>(bytes[offset]) <= static_cast<unsigned>(last);
-  }
-};
+// A byte of a bool field may hold anything.
+void make_flag(std::byte& flag) {
+  flag = std::byte{flag != std::byte{0}};
+}
 
-bool are_requests_sound(const ActionBytes& raw) {
+bool is_at_most(std::byte byte, auto last) {
+  return std::to_integer<unsigned>(byte) <= static_cast<unsigned>(last);
+}
+
+bool is_request_sound(const std::byte* request) {
   using percept::Request;
-  for (std::size_t i = 0; i < Action::kMaxRequests; ++i) {
-    const std::size_t at = offsetof(Action, requests) + i * sizeof(Request);
-    if (!raw.is_at_most(at + offsetof(Request, kind), Request::Kind::kEndMission) ||
-        !raw.is_at_most(at + offsetof(Request, audience), percept::Audience::kSelf) ||
-        !raw.is_at_most(at + offsetof(Request, object_class), percept::kLastObjectClass))
-      return false;
-  }
-  return raw.is_at_most(offsetof(Action, request_count), Action::kMaxRequests);
+  return is_at_most(request[offsetof(Request, kind)], Request::Kind::kEndMission) &&
+         is_at_most(request[offsetof(Request, audience)], percept::Audience::kSelf) &&
+         is_at_most(request[offsetof(Request, object_class)], percept::kLastObjectClass);
 }
 
 }  // namespace
@@ -146,16 +147,41 @@ const Percepts& ReadPercepts::read(const std::byte* from) {
   return percepts_;
 }
 
-std::optional<Action> sound_action(std::span<const std::byte, sizeof(Action)> bytes) {
-  ActionBytes raw{};
-  std::ranges::copy(bytes, raw.bytes.begin());
+void write_action(const Action& action, ActionBytes out) {
+  const auto* const from = reinterpret_cast<const std::byte*>(&action);
+  const auto copy = [&](std::size_t begin, std::size_t size) {
+    std::memcpy(out.data() + begin, from + begin, size);
+  };
+  copy(0, kRequests + action.request_count * sizeof(percept::Request));
+  copy(kRequestCount, 1);
+  copy(kAlert, ::strnlen(action.alert.data(), action.alert.size() - 1) + 1);
+}
+
+// Each byte is looked at after it was copied: whoever wrote it may be writing again.
+bool read_action(ConstActionBytes bytes, Action& out) {
+  out = {};
+  std::array<std::byte, kRequests> head;
+  std::memcpy(head.data(), bytes.data(), head.size());
   for (const std::size_t flag : {offsetof(Action, drives), offsetof(Action, spins), offsetof(Action, looks),
                                  offsetof(Action, status) + offsetof(percept::OrderStatus, done)})
-    raw.make_flag(flag);
-  if (!are_requests_sound(raw)) return std::nullopt;
-  auto action = std::bit_cast<Action>(raw.bytes);
-  action.alert.back() = '\0';
-  return action;
+    make_flag(head[flag]);
+  const std::byte count = bytes[kRequestCount];
+  if (!is_at_most(count, Action::kMaxRequests)) return false;
+  std::array<std::byte, sizeof(Action::requests)> requests;
+  const std::size_t size = std::to_integer<std::size_t>(count) * sizeof(percept::Request);
+  std::memcpy(requests.data(), bytes.data() + kRequests, size);
+  for (std::size_t at = 0; at < size; at += sizeof(percept::Request)) {
+    if (!is_request_sound(requests.data() + at)) return false;
+  }
+  auto* const to = reinterpret_cast<std::byte*>(&out);
+  std::memcpy(to, head.data(), head.size());
+  std::memcpy(to + kRequests, requests.data(), size);
+  out.request_count = std::to_integer<std::uint8_t>(count);
+  if (bytes[kAlert] != std::byte{0}) {
+    std::memcpy(out.alert.data(), bytes.data() + kAlert, out.alert.size() - 1);
+    std::fill(std::ranges::find(out.alert, '\0'), out.alert.end(), '\0');
+  }
+  return true;
 }
 
 }  // namespace mlab::robot_wire

@@ -17,8 +17,10 @@
 ///
 /// Two files: in `frames` both sides write, the program reads `percepts` only. `frames` begins with a
 /// Control, and from kFirstPlace on has one place for each robot of the cycle: a PlaceHeader, and behind it
-/// the robot's frame. The run fills places and percepts, counts `asked` up, and waits until `answered` has
-/// the same number. What the run reads there may be anything: the program is not trusted.
+/// the robot's frame. The run fills places and percepts, one after the other, and counts in `asked` how many;
+/// the program computes them in that order, at once, and counts in `answered`. Both go on from cycle to
+/// cycle, and over the largest number to 0. What the run reads there may be anything: the program is not
+/// trusted.
 
 namespace mlab::robot_wire {
 
@@ -31,9 +33,9 @@ inline constexpr std::size_t kFirstPlace = 4096;
 struct alignas(64) Control {
   static constexpr std::uint32_t kNobody = 0xffffffffU;
 
-  alignas(64) SharedNumber asked;  ///< the cycle that is to be computed
-  std::uint32_t count = 0;         ///< places of the cycle
-  std::uint64_t frames_size = 0;   ///< of the files; they only grow [bytes]
+  alignas(64) SharedNumber asked;
+  std::uint32_t before = 0;       ///< what `asked` was before the first place of the cycle
+  std::uint64_t frames_size = 0;  ///< of the files; they only grow [bytes]
   std::uint64_t percepts_size = 0;
   alignas(64) SharedNumber answered;
   alignas(64) std::atomic<std::uint32_t> place{kNobody};  ///< whose program runs now
@@ -45,8 +47,8 @@ struct alignas(64) Control {
 struct alignas(64) PlaceHeader {
   std::uint32_t robot = 0;
   std::uint64_t seed = 0;
-  std::uint64_t percepts = 0;  ///< where they begin in the other file
-  std::array<std::byte, sizeof(percept::Action)> action{};
+  std::uint64_t percepts = 0;                               ///< where they begin in the other file
+  std::array<std::byte, sizeof(percept::Action)> action{};  ///< as `write_action` leaves it
 };
 
 /// Bytes from one place to the next.
@@ -72,7 +74,11 @@ class ReadPercepts {
   std::vector<percept::Room> rooms_;
 };
 
-/// The action that a program left, where every field of it is one that there is; nothing otherwise.
-std::optional<percept::Action> sound_action(std::span<const std::byte, sizeof(percept::Action)> bytes);
+using ActionBytes = std::span<std::byte, sizeof(percept::Action)>;
+using ConstActionBytes = std::span<const std::byte, sizeof(percept::Action)>;
+/// Copies what counts of an action: mostly it asks for nothing and tells nothing.
+void write_action(const percept::Action& action, ActionBytes out);
+/// The action that a program left. False, and nothing in `out`: it has a field that there is not.
+bool read_action(ConstActionBytes bytes, percept::Action& out);
 
 }  // namespace mlab::robot_wire
