@@ -49,12 +49,13 @@ void Session::Parts::look_at_run(RunLook look) {
 }
 
 void Session::Parts::start_trial(const Trial& trial, TrialDone done) {
+  const auto files_before = std::exchange(trial_files_, trial.files);  // the text names programs among them
   if (const text::Result<bool> opened = documents_.open_trial(trial, now()); !opened) {
+    trial_files_ = files_before;
     done({opened.error().message, {}});
     return;
   }
   note(trial.who, fmt::format("try {}", trial.path));
-  trial_files_ = trial.files;
   parameters_.clear();
   from_documents_.reset();
   changes_.project = true;

@@ -245,7 +245,8 @@ TEST(ReadField, DoesNotDisturbTheRun) {
 TEST(ReadField, TakesTheStateOfTheRobotThatRuns) {
   LiveDesk desk;
   const std::string path = desk.write(kGoHome);
-  ASSERT_TRUE(desk.try_out(path).ok());
+  const Answer tried = desk.try_out(path);
+  ASSERT_TRUE(tried.ok()) << tried.DebugString();
   ASSERT_TRUE(desk.runs_until(1.0));
   std::vector<LiveDesk::Arrow> before;
   ASSERT_TRUE(desk.field(path, "Home", "", 1, &before).ok());
