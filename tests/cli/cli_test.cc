@@ -1,5 +1,7 @@
 // The built command as its users meet it: what it prints where, its exit status, the files that it writes.
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <string>
 
@@ -448,6 +450,16 @@ TEST_F(Command, BuildTellsAMistakeInTheCodeOnce) {
     EXPECT_EQ(built.err.find("mine.cnl:4:12", first + 1), std::string::npos) << what << ": " << built.err;
     EXPECT_EQ(built.out, "") << what;
   }
+}
+
+TEST_F(Command, BuildPutsAnExecutableInPlaceOfFilesOnly) {
+  write("still.cnl", "node noise is Noise with nend\nnode wheels is Drive with v = noise; nend\n");
+  ASSERT_EQ(mlab("build still.cnl").status, 0);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  const Outcome built = mlab("build still.cnl -o pipe");
+  EXPECT_EQ(built.status, 2);
+  EXPECT_EQ(built.err, "mlab build: pipe can't be written; -o names another file\n");
+  EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
 }
 
 TEST_F(Command, FmtRewritesOnlyWhatIsNotInTheCanonicalLayout) {

@@ -93,7 +93,8 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
   const std::string output =
       options.output.empty() ? fs::path(options.file).replace_extension().string() : options.output;
   std::error_code error;
-  if (!is_writable(output) || fs::equivalent(output, options.file, error)) {
+  const bool is_no_file = fs::exists(output, error) && !fs::is_regular_file(output, error);
+  if (is_no_file || !is_writable(output) || fs::equivalent(output, options.file, error)) {
     fmt::print(stderr, "mlab build: {} can't be written; -o names another file\n", output);
     return kBadInput;
   }
