@@ -103,7 +103,7 @@ function(mlab_test name)
   if(arg_LABEL)
     set(properties PROPERTIES LABELS ${arg_LABEL})
   endif()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 ${properties})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES ${properties})
 endfunction()
 
 # mlab_fuzzer(NAME SOURCES file... [LINK target...] [SEEDS folder] [DICTIONARY file])

@@ -117,7 +117,7 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
                          testing::Values("demo_c", "forage", "robot_lab", "formations", "mrv2", "patrol",
-                                         "rover", "squeeze", "split_rejoin", "ugv"),
+                                         "rover", "squeeze", "split_rejoin", "survey", "ugv"),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {
@@ -126,8 +126,9 @@ TEST(Missions, EveryFolderIsTried) {
     if (entry.is_directory()) folders.push_back(entry.path().filename().string());
   }
   std::sort(folders.begin(), folders.end());
-  EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "forage", "formations", "mrv2", "patrol",
-                                               "robot_lab", "rover", "split_rejoin", "squeeze", "ugv"}));
+  EXPECT_EQ(folders,
+            (std::vector<std::string>{"demo_c", "forage", "formations", "mrv2", "patrol", "robot_lab",
+                                      "rover", "split_rejoin", "squeeze", "survey", "ugv"}));
 }
 
 // What the foragers that are after an attractor go for, by object.
