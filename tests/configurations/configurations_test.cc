@@ -1,0 +1,181 @@
+// What configurations are to the checker, the compiler, the formatter and the designer, as it stands in
+// digests.txt: a change of structure changes none of it, and a change of meaning shows where it is one.
+//
+// With MLAB_CONFIGURATIONS_OUT=FOLDER each aspect is written there as a file: run it before and after a
+// change, and compare the folders. With MLAB_UPDATE_GOLDEN=1 what is seen is written into digests.txt.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "mlab/base/hash.h"
+#include "mlab/designer/drawing.h"
+#include "mlab/designer/spread.h"
+#include "mlab/lang/cdl/emit_cnl.h"
+#include "mlab/lang/cdl/format.h"
+#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl_historic/import.h"
+#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/robot_program.h"
+#include "mlab/text/testing/golden.h"
+
+namespace mlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSource = MLAB_SOURCE_DIR;
+const fs::path kDigests = kSource / "tests/configurations/digests.txt";
+
+// By the name of a configuration and of what of it is meant: `missions/rover/ranger.cdl: drawing Rover`.
+using Aspects = std::map<std::string, std::string>;
+
+fs::path corpus() {
+  const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
+  return (named != nullptr ? fs::path(named) : kSource / "../shared/corpus") / "configurations";
+}
+
+std::string document_of(std::string_view source, std::string_view own) {
+  return source == own ? "own" : "";
+}
+
+void add_drawings(const text::SourcePtr& source, const std::string& name, Aspects& out) {
+  const designer::Model model(source, robot::library_environment());
+  designer::Document declarations;
+  designer::add_declarations(model, declarations);
+  out[name + ": declarations"] = declarations.DebugString();
+  std::set<std::string> seen{""};
+  std::vector<std::string> open{""};
+  const designer::DrawingContext context{
+      "own", 1, false, [&](std::string_view file) { return document_of(file, source->name()); }};
+  while (!open.empty()) {
+    const std::string path = open.back();
+    open.pop_back();
+    const designer::Drawing drawing = designer::draw(model, path, context);
+    out[name + ": drawing " + path] = drawing.DebugString();
+    const auto enter = [&](const designer::Page& page) {
+      if (page.document() == "own" && seen.insert(page.path()).second) open.push_back(page.path());
+    };
+    for (const designer::Node& node : drawing.nodes()) enter(node.inner());
+    for (const designer::State& state : drawing.states()) enter(state.inner());
+  }
+}
+
+void add_networks(const text::SourcePtr& source, const std::string& name, Aspects& out) {
+  text::Diagnostics sink;
+  for (const cdl::Item& item : cdl::parse(source, sink).items) {
+    const auto* one = std::get_if<cdl::Robot>(&item);
+    if (one == nullptr) continue;
+    text::Diagnostics said;
+    const auto robot = robot::configure(source, one->name.text, "", {}, {}, said);
+    out[name + ": network " + one->name.text] =
+        robot ? cdl::cnl_text(robot->lowered.network) : text::render(said);
+  }
+}
+
+void add_aspects(const text::SourcePtr& source, const std::string& name, Aspects& out) {
+  text::Diagnostics sink;
+  robot::check_configuration(source, {}, sink);
+  out[name + ": problems"] = text::render(sink);
+  text::Diagnostics ignored;
+  out[name + ": text"] = cdl::format(source, ignored).value_or("can't be laid out\n");
+  add_networks(source, name, out);
+  add_drawings(source, name, out);
+}
+
+void add_own(const fs::path& folder, Aspects& out) {
+  for (const fs::path& path : text::testing::golden_files(folder, ".cdl")) {
+    const std::string text = text::testing::read_all(path);
+    add_aspects(std::make_shared<const text::Source>(path.filename().string(), text),
+                fs::relative(path, kSource).string(), out);
+  }
+}
+
+void add_imported(const fs::path& folder, const std::string& name, Aspects& out) {
+  static const cdl_historic::Vocabulary kVocabulary(robot::component_library(),
+                                                    robot::library_environment().built_in);
+  for (const fs::path& path : text::testing::golden_files(folder, ".cdl")) {
+    text::Diagnostics sink;
+    const std::string file = path.filename().string();
+    const auto historic = std::make_shared<const text::Source>(file, text::testing::read_all(path));
+    const std::string text = designer::spread_out(cdl_historic::import_as_text(historic, kVocabulary, sink),
+                                                  robot::library_environment());
+    const std::string imported = fmt::format("{}/{}", name, file);
+    out[imported + ": imported"] = text::render(sink) + text;
+    add_aspects(std::make_shared<const text::Source>(file, text), imported, out);
+  }
+}
+
+std::map<std::string, std::string> known_digests() {
+  std::map<std::string, std::string> out;
+  std::ifstream file(kDigests);
+  for (std::string digest, rest; file >> digest && std::getline(file >> std::ws, rest);) out[rest] = digest;
+  return out;
+}
+
+void write_out(const Aspects& aspects) {
+  const char* folder = std::getenv("MLAB_CONFIGURATIONS_OUT");  // NOLINT(concurrency-mt-unsafe): as above
+  if (folder == nullptr) return;
+  for (const auto& [name, text] : aspects) {
+    const fs::path path = fs::path(folder) / name;
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+  }
+}
+
+// Of the digests those whose names `is_meant`.
+void compare(const Aspects& aspects, const std::function<bool(std::string_view)>& is_meant) {
+  write_out(aspects);
+  std::map<std::string, std::string> known = known_digests();
+  std::map<std::string, std::string> here;
+  std::erase_if(known, [&](const auto& one) {
+    const bool is_here = is_meant(one.first);
+    if (is_here) here.insert(one);
+    return is_here;
+  });
+  std::map<std::string, std::string> seen;
+  for (const auto& [name, text] : aspects) seen[name] = fmt::format("{:016x}", base::hash_text(text));
+  if (std::getenv("MLAB_UPDATE_GOLDEN") != nullptr) {  // NOLINT(concurrency-mt-unsafe): as above
+    known.insert(seen.begin(), seen.end());
+    std::ofstream file(kDigests);
+    for (const auto& [name, digest] : known) file << digest << " " << name << "\n";
+    return;
+  }
+  EXPECT_FALSE(seen.empty());
+  std::set<std::string> names;
+  for (const auto* some : {&here, &seen}) {
+    for (const auto& [name, digest] : *some) names.insert(name);
+  }
+  for (const std::string& name : names)
+    EXPECT_EQ(seen[name], here[name]) << name << " (MLAB_CONFIGURATIONS_OUT=FOLDER shows it)";
+}
+
+TEST(Configurations, OfTheProjectAreWhatTheyWere) {
+  Aspects aspects;
+  for (const char* folder : {"src/mlab/lang/cdl/testdata", "library/assemblages", "library/robots"})
+    add_own(kSource / folder, aspects);
+  for (const auto& entry : fs::directory_iterator(kSource / "missions")) {
+    if (entry.is_directory()) add_own(entry.path(), aspects);
+  }
+  add_imported(kSource / "src/mlab/lang/cdl_historic/testdata", "imported", aspects);
+  compare(aspects, [](std::string_view name) { return !name.starts_with("corpus/"); });
+}
+
+TEST(Configurations, OfTheCorpusAreWhatTheyWere) {
+  if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
+  Aspects aspects;
+  add_imported(corpus(), "corpus", aspects);
+  compare(aspects, [](std::string_view name) { return name.starts_with("corpus/"); });
+}
+
+}  // namespace
+}  // namespace mlab
