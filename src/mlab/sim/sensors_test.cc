@@ -173,6 +173,17 @@ TEST(Ring, MeasuresFromTheSurfaceOfTheBody) {
   EXPECT_FLOAT_EQ(ranges[3].distance, 5.0F);
 }
 
+TEST(Ring, IsEmptyWhereTheBodyHasNone) {
+  World world;
+  world.discs.push_back({{1, 0}, 0.2});
+  world.walls.push_back({{{-10, 0.5}, {10, 0.5}}, 0});
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0});
+  add(simulator, {{-2, 0}, 0.0});
+  const Sensed sensed(simulator, body, {.ranges = true});
+  EXPECT_TRUE(sensed.percepts.ranges.empty());
+}
+
 TEST(Ring, AConeSeesWhatARayMisses) {
   World world;
   world.discs.push_back({{3, 1.5}, 1.0});

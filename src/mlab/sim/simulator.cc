@@ -368,7 +368,7 @@ void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buff
   if (needs.obstacle_range > 0.0) sensors.sense_obstacles(usable_range(needs.obstacle_range), out);
   if (needs.robot_range > 0.0) sensors.sense_robots(usable_range(needs.robot_range), needs.max_robots, out);
   if (needs.object_range > 0.0) sensors.sense_objects(usable_range(needs.object_range), out);
-  if (needs.ranges) sensors.sense_ranges(out);
+  if (needs.ranges && spec(body).ring.count > 0) sensors.sense_ranges(out);
 }
 
 void Simulator::sense_at(BodyIndex body, const geom::Pose& pose, const SenseNeeds& needs, SenseBuffer& buffer,
