@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "mlab/text/colors.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::text {
 namespace {
@@ -63,10 +64,22 @@ Excerpt excerpt(const Source& source, Span span) {
   return out;
 }
 
+// As a terminal may have it: whoever wrote a file chooses what stands in names of files and words of
+// messages.
+std::string harmless(std::string_view text) {
+  std::string out;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    out += (at == 0 ? "" : "\n") + shown(text.substr(at, end - at), std::string_view::npos);
+    at = end + 1;
+  }
+  return out;
+}
+
 std::string location(const Place& place) {
   if (!place.source) return "";
   const LineColumn at = place.source->line_column(place.span.begin);
-  return fmt::format("{}:{}:{}: ", place.source->name(), at.line, at.column);
+  return fmt::format("{}:{}:{}: ", harmless(place.source->name()), at.line, at.column);
 }
 
 // Escape sequences around a piece of text, where colours are wanted.
@@ -147,21 +160,21 @@ std::string rendered(const Diagnostic& diagnostic, bool in_colors) {
   const Paint paint{in_colors, kPaints[static_cast<std::size_t>(diagnostic.severity)]};
   std::string out = fmt::format("{}{}: {} [{}]\n", paint.bold(location(diagnostic.place)),
                                 paint.level(std::string(name(diagnostic.severity))),
-                                paint.bold(diagnostic.message), diagnostic.kind);
+                                paint.bold(harmless(diagnostic.message)), diagnostic.kind);
   if (const Source* source = diagnostic.place.source.get()) {
     const LineColumn at = source->line_column(diagnostic.place.span.begin);
     const Excerpt shown = excerpt(*source, diagnostic.place.span);
     out += fmt::format("{:>5} | {}\n", at.line, shown.text);
     const std::string marked = std::string(shown.carets, '^') + (diagnostic.label.empty() ? "" : " ");
-    out +=
-        fmt::format("      | {}{}\n", std::string(shown.caret, ' '), paint.level(marked + diagnostic.label));
+    out += fmt::format("      | {}{}\n", std::string(shown.caret, ' '),
+                       paint.level(marked + harmless(diagnostic.label)));
   } else if (!diagnostic.label.empty()) {
-    out += fmt::format("      = {}\n", diagnostic.label);
+    out += fmt::format("      = {}\n", harmless(diagnostic.label));
   }
   for (const std::string& hint : diagnostic.hints)
-    out += fmt::format("      = {}: {}\n", paint.hint("hint"), hint);
+    out += fmt::format("      = {}: {}\n", paint.hint("hint"), harmless(hint));
   for (const Note& note : diagnostic.notes)
-    out += fmt::format("{}{}: {}\n", location(note.place), paint.hint("note"), note.message);
+    out += fmt::format("{}{}: {}\n", location(note.place), paint.hint("note"), harmless(note.message));
   return out;
 }
 

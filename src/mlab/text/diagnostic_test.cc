@@ -14,6 +14,19 @@ Place place_of(const SourcePtr& source, std::string_view word) {
   return {source, {at, at + static_cast<std::uint32_t>(word.size())}};
 }
 
+TEST(Render, LetsNoFileSpeakToTheTerminal) {
+  const auto source = std::make_shared<const Source>("a\x1b[2J.mdl", "use \x1b]0;me\x07;\n");
+  Diagnostics sink;
+  Diagnostic& d = sink.error("cannot-read", {source, {4, 8}}, "cannot read `\x1b[31m\n`");
+  d.label = "\x9b";
+  d.hints = {"\x07"};
+  d.notes = {{"\x1b[0m", {source, {0, 1}}}};
+  for (const std::string& text : {render(sink), render(sink.items()[0])}) {
+    for (const char one : text)
+      EXPECT_TRUE(one == '\n' || (one >= ' ' && one < 0x7f)) << static_cast<int>(one) << " in " << text;
+  }
+}
+
 TEST(Render, ShowsTheLineWithCaretsHintsAndNotes) {
   const auto mission = std::make_shared<const Source>("demo.mdl", "x\n  2. MOVETO ATK-AP9\n");
   const auto map = std::make_shared<const Source>("democ.odl", "ATK AP1 1 2\n");
