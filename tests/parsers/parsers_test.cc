@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "mlab/lang/cdl/formula.h"
@@ -18,6 +19,7 @@
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/robot/network_file.h"
 
 namespace mlab {
 namespace {
@@ -136,6 +138,43 @@ TEST(Parsers, OfProceduresAreLinear) {
                              "in 1 .. 2",    "/// help",
                              "pure",         "sequence",
                              "state",        "public"}));
+}
+
+// Of networks the program that comes out, too.
+TEST(Parsers, OfNetworksWithManyStatesAndCasesAreLinear) {
+  const Parse build = [](const text::SourcePtr& source, text::Diagnostics& sink) {
+    robot::check_network(source, {}, sink);
+    EXPECT_FALSE(sink.has_errors()) << text::render(sink);
+  };
+  constexpr const char* kOthers =
+      "nend\nnode t is IsHalted with nend\nnode task is GetActiveTask with nend\nnode rest is Stand with "
+      "nend\n"
+      "node w is Drive with v = m; base_velocity = 1; max_velocity = 1; nend\n";
+  const auto states = [&](int count) {
+    std::string text = "sequence m of Vector with\nstart state s0 is rest; when t goto s1;\n";
+    for (int i = 1; i < count; ++i) text += fmt::format("state s{} is rest; when t goto s{};\n", i, i + 1);
+    return fmt::format("{}final state s{} is rest;\n{}", text, count, kOthers);
+  };
+  const auto cases = [&](int count) {
+    std::string text = "select m of Vector by task with\n";
+    for (int i = 0; i < count; ++i) text += fmt::format("case {}: rest;\n", i);
+    return text + "otherwise: rest;\n" + kOthers;
+  };
+  const auto values = [&](int count) {
+    std::string text = "select m of Vector by task with\ncase 0";
+    for (int i = 1; i < count; ++i) text += fmt::format(", {}", i);
+    return text + ": rest;\notherwise: rest;\n" + kOthers;
+  };
+  const std::vector<std::function<std::string(int)>> texts{states, cases, values};
+  for (const auto& text : texts) {
+    double small = 1e9;
+    double large = 1e9;
+    for (int i = 0; i < 3; ++i) {
+      small = std::min(small, cpu_seconds_of(build, text(10'000)));
+      large = std::min(large, cpu_seconds_of(build, text(40'000)));
+    }
+    EXPECT_LT(large, kLinear * small) << text(3);
+  }
 }
 
 TEST(Parsers, OfMissionsAreLinear) {

@@ -1,6 +1,8 @@
 // The part of the program builder that resolves the operators: sequences, selects, delays.
 
-#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -16,10 +18,10 @@ void ProgramBuilder::link_sequence(std::uint32_t index) {
   const TypeInfo* type = ops_[index].type;
   std::vector<StateRefs> states;
   std::vector<std::string> names;
+  std::unordered_map<std::string_view, std::uint32_t> places;
   for (const State& state : node.states) {
-    if (std::ranges::find(names, state.name) != names.end()) {
+    if (!places.try_emplace(state.name, static_cast<std::uint32_t>(names.size())).second)
       sink_.error("duplicate-state", state.place, fmt::format("state `{}` is declared twice", state.name));
-    }
     names.push_back(state.name);
   }
   int start = -1;
@@ -38,14 +40,15 @@ void ProgramBuilder::link_sequence(std::uint32_t index) {
     for (const Transition& transition : state.transitions) {
       refs.triggers.push_back(resolve(transition.trigger, type_info<bool>(), "", "",
                                       node.name + "." + state.name + "." + transition.target, nullptr));
-      const auto target = std::ranges::find(names, transition.target);
-      if (target == names.end()) {
+      const auto target = places.find(transition.target);
+      if (target == places.end()) {
         text::Diagnostic& d =
             sink_.error("unknown-state", transition.place,
                         fmt::format("`{}` has no state `{}`", node.name, transition.target));
-        hint(d, did_you_mean(transition.target, names));
+        if (sink_.error_count() <= text::Diagnostics::kMaxErrors)
+          hint(d, did_you_mean(transition.target, names));
       }
-      refs.targets.push_back(target == names.end() ? 0 : static_cast<std::uint32_t>(target - names.begin()));
+      refs.targets.push_back(target == places.end() ? 0 : target->second);
     }
     if (state.transitions.empty() && !state.is_final) {
       text::Diagnostic& d = sink_.warning("no-way-out", state.place,
@@ -96,17 +99,15 @@ void ProgramBuilder::link_select(std::uint32_t index) {
     }
     ops_[index].selector = named->second.ref;
   }
-  std::vector<std::int64_t> seen;
+  std::unordered_set<std::int64_t> seen;
   bool has_otherwise = false;
   for (const Case& member : node.cases) {
     if (member.values.empty() && std::exchange(has_otherwise, true)) {
       sink_.error("duplicate-case", member.place, "a second `otherwise`");
     }
     for (const std::int64_t value : member.values) {
-      if (std::ranges::find(seen, value) != seen.end()) {
+      if (!seen.insert(value).second)
         sink_.error("duplicate-case", member.place, fmt::format("a second case for {}", value));
-      }
-      seen.push_back(value);
     }
     const std::string path = fmt::format(
         "{}.{}", node.name, member.values.empty() ? "otherwise" : std::to_string(member.values.front()));
