@@ -52,7 +52,7 @@ void add_drawings(const text::SourcePtr& source, const std::string& name, Aspect
   const designer::Model model(source, robot::library_environment());
   designer::Document declarations;
   designer::add_declarations(model, declarations);
-  out[name + ": declarations"] = declarations.DebugString();
+  out[name + ": drawing of its declarations"] = declarations.DebugString();
   std::set<std::string> seen{""};
   std::vector<std::string> open{""};
   const designer::DrawingContext context{
@@ -110,7 +110,7 @@ void add_imported(const fs::path& folder, const std::string& name, Aspects& out)
     const std::string text = designer::spread_out(cdl_historic::import_as_text(historic, kVocabulary, sink),
                                                   robot::library_environment());
     const std::string imported = fmt::format("{}/{}", name, file);
-    out[imported + ": imported"] = text::render(sink) + text;
+    out[imported + ": text as imported"] = text::render(sink) + text;
     add_aspects(std::make_shared<const text::Source>(file, text), imported, out);
   }
 }
@@ -132,6 +132,16 @@ void write_out(const Aspects& aspects) {
   }
 }
 
+// One for all drawings of a configuration, and one for all its networks.
+std::map<std::string, std::uint64_t> digests_of(const Aspects& aspects) {
+  std::map<std::string, std::uint64_t> out;
+  for (const auto& [name, text] : aspects) {
+    std::uint64_t& digest = out[name.substr(0, name.find(' ', name.find(": ") + 2))];
+    digest = base::combine_bits(digest, base::hash_text(name + "\n" + text));
+  }
+  return out;
+}
+
 // Of the digests those whose names `is_meant`.
 void compare(const Aspects& aspects, const std::function<bool(std::string_view)>& is_meant) {
   write_out(aspects);
@@ -143,7 +153,7 @@ void compare(const Aspects& aspects, const std::function<bool(std::string_view)>
     return is_here;
   });
   std::map<std::string, std::string> seen;
-  for (const auto& [name, text] : aspects) seen[name] = fmt::format("{:016x}", base::hash_text(text));
+  for (const auto& [name, digest] : digests_of(aspects)) seen[name] = fmt::format("{:016x}", digest);
   if (std::getenv("MLAB_UPDATE_GOLDEN") != nullptr) {  // NOLINT(concurrency-mt-unsafe): as above
     known.insert(seen.begin(), seen.end());
     std::ofstream file(kDigests);

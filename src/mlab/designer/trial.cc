@@ -290,13 +290,17 @@ text::Result<TrialConfiguration> complete_for_trial(const std::shared_ptr<const 
   const text::Result<Meant> what = meant(*model, wish.declaration);
   if (!what) return std::unexpected(what.error());
   if (what->society != nullptr) {
+    constexpr int kMost = 1000;
+    const auto all = cdl::members_of(model->configuration(), *what->society);
+    if (!all)
+      return not_tried(fmt::format("the society `{}` has more than {} robots: from 1 to {} can be tried",
+                                   what->society->name.text, cdl::kMostRobotsOfASociety, kMost));
     std::vector<std::pair<std::string, int>> robots;
     int count = 0;
-    for (const auto& [robot, members] : cdl::members_of(model->configuration(), *what->society)) {
+    for (const auto& [robot, members] : *all) {
       robots.emplace_back(robot->name.text, members);
       count += members;
     }
-    constexpr int kMost = 1000;
     if (count == 0 || count > kMost)
       return not_tried(fmt::format("the society `{}` has {} robots: from 1 to {} can be tried",
                                    what->society->name.text, count, kMost));

@@ -77,9 +77,16 @@ SocietyReader society_reader(ProgramSources sources) {
     if (sink.error_count() > errors_before) return std::nullopt;
     const cdl::Society* society = cdl::society_meant(configuration, wanted, place, sink);
     if (society == nullptr) return std::nullopt;
+    const auto members = cdl::members_of(configuration, *society);
+    if (!members) {
+      sink.error(
+          "too-many-robots", place,
+          fmt::format("the society `{}` has more than {} robots, or more than {} societies in each other",
+                      text::shown(wanted), cdl::kMostRobotsOfASociety, cdl::kMaxSocietyDepth));
+      return std::nullopt;
+    }
     Members out;
-    for (const auto& [robot, count] : cdl::members_of(configuration, *society))
-      out.emplace_back(path + "#" + robot->name.text, count);
+    for (const auto& [robot, count] : *members) out.emplace_back(path + "#" + robot->name.text, count);
     return out;
   };
 }

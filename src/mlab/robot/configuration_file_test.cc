@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "mlab/lang/cdl/format.h"
@@ -122,6 +123,32 @@ TEST(SocietyReader, SaysWhatItCannotFindOrTell) {
   EXPECT_EQ(sink.items()[1].hints, (std::vector<std::string>{"did you mean `Troop`?"}));
   EXPECT_EQ(members(folder, "nosuch.cdl#Pair", sink), "-");
   EXPECT_EQ(sink.error_count(), 2U);
+}
+
+TEST(SocietyReader, RefusesSocietiesOfMoreRobotsThanThereMayBe) {
+  std::string text =
+      "class C { actuator wheels: Drive() binds movement; }\nrobot R is C { movement = Noise(); }\n"
+      "society Teams: team of 101 Hundred;\nsociety Hundred: team of 100 R;\n"
+      "society Vast: team of 10000 Large;\nsociety Large: team of 10000 R;\n"
+      "society Most: team of 100 Hundred;\n";
+  for (int i = 0; i < 60; ++i) text += fmt::format("society D{}: caste {{ D{}; D{}; }};\n", i, i + 1, i + 1);
+  text += "society D60: team of 1 R;\n";
+  for (int i = 0; i < 2000; ++i) text += fmt::format("society L{}: team of 1 L{};\n", i, i + 1);
+  text += "society L2000: team of 1 R;\n";
+  std::ofstream(fs::path(testing::TempDir()) / "many.cdl") << text;
+  ProgramSources sources;
+  sources.folder = testing::TempDir();
+  const SocietyReader read = society_reader(sources);
+  for (const char* name : {"Teams", "Vast", "D0", "L0"}) {
+    text::Diagnostics sink;
+    EXPECT_FALSE(read(std::string("many.cdl#") + name, {}, sink)) << name;
+    ASSERT_EQ(sink.error_count(), 1U) << name;
+    EXPECT_EQ(sink.items()[0].kind, "too-many-robots");
+  }
+  text::Diagnostics sink;
+  const auto most = read("many.cdl#Most", {}, sink);
+  ASSERT_TRUE(most) << text::render(sink);
+  EXPECT_EQ(most->at(0).second, 10'000);
 }
 
 TEST(LoadConfiguration, SaysThatASocietyIsNoRobot) {

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/hash.h"
+#include "mlab/lang/cnl/compile_folder.h"
 
 namespace mlab::robot_build {
 namespace {
@@ -67,15 +67,12 @@ std::string ObjectCache::path_of(const std::string& key) const {
   return fmt::format("{}/{}-{:016x}.o", folder_, key, h);
 }
 
-// In a folder for this compilation alone, so that two that build the same do not disturb each other. The text
-// comes on its own, because its name would stand among the dependencies.
+// The text comes on its own, because its name would stand among the dependencies.
 void ObjectCache::compile(const std::string& key, const std::string& text,
                           const std::vector<std::string>& flags, const cnl::CompilerFiles& readable,
                           Object& out) const {
-  static std::atomic<unsigned> count{0};
-  const std::string own = fmt::format("{}/{}.{}.{}", folder_, key, getpid(), count++);
+  const std::string own = cnl::make_compile_folder(folder_, key);
   std::error_code failure;
-  fs::create_directory(own, failure);
   const std::string text_file = own + "/text.cc";
   const std::string object = own + "/code.o";
   const std::string dependencies = own + "/code.d";

@@ -180,6 +180,10 @@ class SocietyWalk {
 
   void enter(const Society& society, int count = 1) {
     if (std::ranges::find(open_, &society) != open_.end()) return;
+    if (open_.size() == kMaxSocietyDepth) {
+      is_too_large = true;
+      return;
+    }
     open_.push_back(&society);
     enter(society.what, count);
     open_.pop_back();
@@ -189,26 +193,34 @@ class SocietyWalk {
   std::vector<const SocietyOperator*> found_operators;  // of the first place where `wanted` stands
   bool is_found = false;
   std::vector<std::pair<const Robot*, int>> robots;
+  bool is_too_large = false;  // not all of it was entered
 
  private:
   void enter(const SocietyMember& member, int count) {
-    constexpr int kMostSteps = 100'000;    // societies of societies of societies grow fast
-    constexpr int kMostAlike = 1'000'000;  // teams of teams of teams, too
-    if (++steps_ > kMostSteps) return;
+    constexpr int kMostSteps = 100'000;  // societies of societies of societies grow fast
+    if (++steps_ > kMostSteps) {
+      is_too_large = true;
+      return;
+    }
     const auto op = configuration_.operators.find(member.by.text);
     const bool has_operator = op != configuration_.operators.end();
     if (has_operator) operators_.push_back(op->second);
     if (member.kind == SocietyMember::Kind::kCaste) {
       for (const SocietyMember& one : member.members) enter(one, count);
     } else {
-      enter_named(member.name.text, std::min(count, kMostAlike / member.count) * member.count);
+      is_too_large = is_too_large || count > kMostRobotsOfASociety / member.count;
+      enter_named(member.name.text, std::min(count, kMostRobotsOfASociety / member.count) * member.count);
     }
     if (has_operator) operators_.pop_back();
   }
 
   void enter_named(const std::string& name, int count) {
     if (const auto robot = configuration_.robots.find(name); robot != configuration_.robots.end()) {
-      if (robots.size() < 10'000) robots.emplace_back(robot->second, count);
+      is_too_large = is_too_large || count > kMostRobotsOfASociety - total_;
+      if (!is_too_large) {
+        robots.emplace_back(robot->second, count);
+        total_ += count;
+      }
       if (robot->second != wanted || is_found) return;
       is_found = true;
       found_operators = operators_;
@@ -222,6 +234,7 @@ class SocietyWalk {
   std::vector<const Society*> open_;
   std::vector<const SocietyOperator*> operators_;
   int steps_ = 0;
+  int total_ = 0;
 };
 
 }  // namespace
@@ -312,10 +325,11 @@ std::vector<const SocietyOperator*> operators_of(const Configuration& configurat
   return walk.found_operators;
 }
 
-std::vector<std::pair<const Robot*, int>> members_of(const Configuration& configuration,
-                                                     const Society& society) {
+std::optional<std::vector<std::pair<const Robot*, int>>> members_of(const Configuration& configuration,
+                                                                    const Society& society) {
   SocietyWalk walk(configuration);
   walk.enter(society);
+  if (walk.is_too_large) return std::nullopt;
   return walk.robots;
 }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -85,9 +86,13 @@ const Society* society_meant(const Configuration& configuration, std::string_vie
 /// Operators of the society that the robot is in, from the outside in; empty where it is in none.
 std::vector<const SocietyOperator*> operators_of(const Configuration& configuration, const Robot& robot);
 
+inline constexpr int kMostRobotsOfASociety = 10'000;
+/// Societies of societies: so many in each other.
+inline constexpr std::size_t kMaxSocietyDepth = 500;
 /// The robots of a society with how many there are of each, in the order of the text.
-std::vector<std::pair<const Robot*, int>> members_of(const Configuration& configuration,
-                                                     const Society& society);
+/// @return  nothing where there are more than kMostRobotsOfASociety, or it takes too long to count them
+std::optional<std::vector<std::pair<const Robot*, int>>> members_of(const Configuration& configuration,
+                                                                    const Society& society);
 
 template <class Kind>
 std::vector<std::string> names_in(const std::map<std::string, const Kind*, std::less<>>& table) {

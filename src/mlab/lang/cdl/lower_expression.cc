@@ -114,7 +114,9 @@ Value Lowering::lower_let(Scope::Named& named, Scope& scope) {
   const std::string path = named.path;
   Value value = lower(*let.value, scope, {path, "", true});
   named.state = Progress::kReady;
-  if (named.was_promised && value.kind != Value::Kind::kNone && value.text != path) {
+  // What comes round to its own name has made no node of it, unless it is one.
+  const bool is_other = value.text != path || std::holds_alternative<Name>(let.value->what);
+  if (named.was_promised && value.kind != Value::Kind::kNone && is_other) {
     error("dataflow-loop", let.name.place, fmt::format("`{}` is defined by itself", let.name.text));
     value = {};
   }

@@ -9,9 +9,12 @@
 #include <fmt/ranges.h>
 
 #include "mlab/lang/cdl/walk.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cdl {
 namespace {
+
+constexpr std::size_t kShownOfPath = 200;
 
 std::set<std::string> names_used(const Expression& expression) {
   std::set<std::string> out;
@@ -44,6 +47,12 @@ std::set<std::string> reached_states(const Sequence& sequence) {
     for (const Transition& transition : state->second->transitions) waiting.push_back(transition.target.text);
   }
   return reached;
+}
+
+// Of all robots and societies that it consists of.
+void add_names(const SocietyMember& member, std::vector<const Word*>& out) {
+  if (member.kind != SocietyMember::Kind::kCaste) out.push_back(&member.name);
+  for (const SocietyMember& one : member.members) add_names(one, out);
 }
 
 bool leaves(const State& state) {
@@ -224,8 +233,52 @@ void StaticCheck::check_member(const SocietyMember& member) {
   refuse("unknown-robot", "robot", member.name, names);
 }
 
+// Goes down by itself: whoever wrote the file says how deep.
+void StaticCheck::check_circle(const Society& society) {
+  struct Entered {
+    const Society* society;
+    std::vector<const Word*> members;
+    std::size_t next = 0;
+  };
+  std::vector<Entered> open;
+  const auto enter = [&](const Society& one) {
+    open.push_back({&one, {}});
+    add_names(one.what, open.back().members);
+  };
+  if (!without_circle_.contains(&society)) enter(society);
+  while (!open.empty()) {
+    Entered& here = open.back();
+    if (here.next == here.members.size()) {
+      without_circle_.insert(here.society);
+      open.pop_back();
+      continue;
+    }
+    const Word& name = *here.members[here.next++];
+    const auto found = configuration_.societies.find(name.text);
+    const bool is_robot = configuration_.robots.contains(name.text);
+    if (is_robot || found == configuration_.societies.end() || without_circle_.contains(found->second))
+      continue;
+    const auto first = std::ranges::find(open, found->second, &Entered::society);
+    if (first != open.end()) {
+      std::string path;
+      for (auto it = first; it != open.end(); ++it) path += it->society->name.text + " -> ";
+      sink_.error(
+          "recursive-society", name.place,
+          fmt::format("societies contain each other: {}{}", text::shown(path, kShownOfPath), name.text));
+    } else if (open.size() == kMaxSocietyDepth) {
+      sink_.error("nested-too-deep", name.place,
+                  fmt::format("societies stand more than {} deep in each other", kMaxSocietyDepth));
+      for (const Entered& one : open) without_circle_.insert(one.society);
+      return;
+    } else {
+      enter(*found->second);
+    }
+  }
+}
+
 void StaticCheck::errors_of(const Society& society) {
   check_member(society.what);
+  check_circle(society);
 }
 
 void StaticCheck::warnings_of(const Assemblage& assemblage) {

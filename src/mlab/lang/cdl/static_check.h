@@ -19,6 +19,7 @@ class StaticCheck {
   void errors_of(const Assemblage& assemblage);
   void errors_of(const Robot& robot);
   void errors_of(const RobotClass& robot_class);
+  /// @errors  also `recursive-society`, `nested-too-deep`
   void errors_of(const Society& society);
   /// Warnings: `unused-parameter`, `unused-let`, `unreachable-state`, `no-way-out`, `same-trigger`,
   /// `hidden-transition`, `constant-trigger`.
@@ -33,12 +34,14 @@ class StaticCheck {
   void sequence_warnings(const Sequence& sequence);
   void transition_warnings(const State& state);
   void check_member(const SocietyMember& member);
+  void check_circle(const Society& society);
 
   const Configuration& configuration_;
   TriggerLogic logic_;
   text::Diagnostics& sink_;
   const std::vector<Parameter>* parameters_ = nullptr;  // whose names may be meant
   const std::vector<Let>* lets_ = nullptr;
+  std::set<const Society*> without_circle_;  // or told of
 };
 
 }  // namespace mlab::cdl

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +14,7 @@
 
 #include "mlab/base/hash.h"
 #include "mlab/flow/module.h"
+#include "mlab/lang/cnl/compile_folder.h"
 #include "mlab/lang/cnl/compiler_messages.h"
 #include "mlab/lang/cnl/generate.h"
 
@@ -107,13 +107,8 @@ class NativeBuild {
     fs::remove_all(own_, ignored);
   }
 
-  // In a folder for this compilation alone, so that two that build the same do not disturb each other, and
-  // what the compiler may write is not what others read.
   std::optional<std::string> write_text() {
-    static std::atomic<unsigned> count{0};
-    std::error_code failure;
-    own_ = in_folder(fmt::format("{}.{}.{}", key_, getpid(), count++));
-    fs::create_directories(own_, failure);
+    own_ = make_compile_folder(folder_, key_);
     std::string path = own_ + "/text.cc";
     std::ofstream file(path, std::ios::binary);
     file << text_;

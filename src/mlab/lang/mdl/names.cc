@@ -228,14 +228,13 @@ std::vector<base::RobotId> Roster::create_society(std::uint32_t society, const t
   is_in_unit_[society] = true;
   std::vector<base::RobotId> out;
   for (const mission::Society::Part& part : mission_.societies[society].parts) {
-    robots_of_societies_ += std::min(part.count, kMostRobotsOfSocieties);
-    if (robots_of_societies_ > kMostRobotsOfSocieties) {
-      robots_of_societies_ = kMostRobotsOfSocieties;
+    if (part.count > kMostRobotsOfSocieties - robots_of_societies_) {
       diagnostics_.error("too-many-robots", where,
                          fmt::format("the societies of a mission have {} robots at most, all together",
                                      kMostRobotsOfSocieties));
       break;
     }
+    robots_of_societies_ += part.count;
     for (int i = 0; i < part.count; ++i) out.push_back(create_robot(part.type, where, out.empty()));
   }
   return out;
@@ -297,7 +296,15 @@ void Roster::define_unit(const statement::UnitDefinition& statement) {
 void Roster::define_units_of_societies() {
   for (std::uint32_t i = 0; i < mission_.societies.size(); ++i) {
     const mission::Society& society = mission_.societies[i];
-    if (is_in_unit_[i] || units_.contains(society.name)) continue;
+    if (is_in_unit_[i]) continue;
+    if (const auto other = units_.find(society.name); other != units_.end()) {
+      diagnostics_
+          .warning("unused-society", society.place,
+                   fmt::format("the robots of the society {} are in no unit: they take no part",
+                               in_backticks(society.name)))
+          .notes.push_back({"a unit of this name has others", mission_.units[other->second].place});
+      continue;
+    }
     units_[society.name] = static_cast<std::uint32_t>(mission_.units.size());
     mission_.units.push_back({society.name, create_society(i, society.place), {}, society.place});
   }
@@ -313,6 +320,13 @@ std::optional<std::uint32_t> Roster::find_unit(const Name& name) {
   if (societies_.contains(lower_case(name.text))) {
     error.hints.push_back(fmt::format("{} is a society, whose robots stand in the units that name it",
                                       in_backticks(name.text)));
+    return std::nullopt;
+  }
+  if (const auto type = types_.find(lower_case(name.text)); type != types_.end()) {
+    error.hints.push_back(fmt::format("`{0}` is a type of one robot; `UNIT <{0}> {0}` makes a unit of it",
+                                      text::shown(name.text)));
+    const text::Place& defined = mission_.types[type->second].place;
+    if (defined.source) error.notes.push_back({"the type is defined here", defined});
     return std::nullopt;
   }
   if (near.empty()) {

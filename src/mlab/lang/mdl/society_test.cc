@@ -66,10 +66,28 @@ TEST(MdlSocieties, StandInAUnitForAllTheirRobotsAnewEachTime) {
   EXPECT_EQ(robots_in(*mission, mission->units[2]), "5 p#Scout, 6 p#Scout, 7 p#Carrier");
 }
 
+TEST(MdlSocieties, HaveNoMoreRobotsThanThereMayBe) {
+  const std::string commands = std::string("UNIT <u> a b\n") + kQuitAtOnce;
+  for (const char* two : {"NEW-ROBOT a \"x.cdl#Half\"\nNEW-ROBOT b \"x.cdl#Half\"\n",
+                          "NEW-ROBOT a \"x.cdl#Half\"\nNEW-ROBOT b \"x.cdl#Swarm\"\n",
+                          "NEW-ROBOT a \"x.cdl#Swarm\"\nNEW-ROBOT b \"x.cdl#Party\"\n"}) {
+    const std::string said = errors_with_societies(two + commands);
+    EXPECT_NE(said.find("too-many-robots"), std::string::npos) << said;
+  }
+}
+
 TEST(MdlSocieties, LeaveTheirNameToAUnitThatHasItAlready) {
-  const auto mission = checked_with_societies(std::string(kParty) + "UNIT <p> ROBOT\n" + kQuitAtOnce);
+  LoadOptions options;
+  options.societies = testing::known_society;
+  text::Diagnostics sink;
+  const std::string text = std::string(kParty) + "UNIT <p> ROBOT\n" + kQuitAtOnce;
+  const auto mission =
+      check_mission(std::make_shared<const text::Source>("test.mdl", text), "", sink, options);
+  ASSERT_TRUE(mission);
   ASSERT_EQ(mission->units.size(), 1U);
   EXPECT_EQ(robots_in(*mission, mission->units[0]), "1 ROBOT");
+  ASSERT_EQ(sink.items().size(), 1U);
+  EXPECT_EQ(sink.items()[0].kind, "unused-society");
 }
 
 TEST(MdlSocieties, GiveTheirFirstRobotTheNumberThatTheyWish) {
