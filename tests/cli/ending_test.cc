@@ -209,6 +209,24 @@ TEST_P(Interrupted, ARunEndsWithItsReportWhereTheReaderTakesNothing) {
   expect_end(run, asked);
 }
 
+// Nor does it wait for code that sleeps, in a cell or as an executable.
+TEST_P(Interrupted, ARunEndsWhileRobotsWithCodeOfTheirOwnAreAwaited) {
+  std::ofstream(folder_ / "sleeper.cnl") << "init\n#include <unistd.h>\niend\n"
+                                            "procedure Vector Sleep with\nheader\nbody\n  if (time > 1.0) "
+                                            "for (;;) sleep(1000);\n  output = {1, 0, 0};\npend\n"
+                                            "node go is Sleep with nend\nnode wheels is Drive with v = go; "
+                                            "base_velocity = 1; max_velocity = 1; nend\n";
+  std::ofstream(folder_ / "long.mdl")
+      << "OVERLAY map.odl\nNEW-ROBOT s \"sleeper.cnl\"\nUNIT <u> s s s\nCOMMAND LIST:\n"
+         "0. UNIT u START Here\n1. UNIT u MOVETO There\n";
+  const LongRun run(folder_, pipe_[1]);
+  wait_for_start();
+  std::this_thread::sleep_for(std::chrono::seconds(3));  // it sleeps by then
+  const auto asked = Clock::now();
+  run.signal(GetParam());
+  expect_end(run, asked);
+}
+
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM));
 
 }  // namespace

@@ -176,6 +176,7 @@ int run(const RunOptions& options) {
     screen.show(run, effect);
     person.see(effect);
   });
+  run.set_meanwhile([] { return run_interrupts != 0; });
   std::signal(SIGINT, on_run_interrupt);
   std::signal(SIGTERM, on_run_interrupt);
 

@@ -104,7 +104,7 @@ class Fleet {
 
   /// Asked again and again while `step` waits for a robot's own process; true: nobody has time for it any
   /// more, it is ended, and its robot stands.
-  void set_meanwhile(robot_host::HostedCycle::Meanwhile meanwhile) { meanwhile_ = std::move(meanwhile); }
+  void set_meanwhile(robot_host::Meanwhile meanwhile) { meanwhile_ = std::move(meanwhile); }
 
   /// One control cycle of all robots [s].
   void step(double dt);
@@ -193,7 +193,7 @@ class Fleet {
   std::unique_ptr<flow::AsyncRunner> async_;
   std::vector<RobotCall> calls_;
   LockStep lock_step_;
-  robot_host::HostedCycle::Meanwhile meanwhile_;
+  robot_host::Meanwhile meanwhile_;
   std::vector<base::RobotId> new_faults_;
   Times times_;
 };

@@ -149,11 +149,11 @@ void LockStep::percepts(Member member, const percept::Percepts& percepts, const 
   robot_wire::encode(percepts, *cycle.mutable_robots(static_cast<int>(state.place))->mutable_percepts());
 }
 
-void LockStep::exchange(const robot_host::HostedCycle::Meanwhile& meanwhile) {
+void LockStep::exchange(const robot_host::Meanwhile& meanwhile) {
   for (Process& process : processes_) {
     if (process.hosted_cycle) process.hosted_cycle->ask();
   }
-  exchange_messages();
+  exchange_messages(meanwhile);
   for (Process& process : processes_) {
     if (process.hosted_cycle) process.hosted_cycle->wait(meanwhile);
   }
@@ -169,14 +169,14 @@ LockStep::Outcome LockStep::take(Member member, percept::Action& action) {
   return state.outcome;
 }
 
-void LockStep::exchange_messages() {
+void LockStep::exchange_messages(const robot_host::Meanwhile& meanwhile) {
   for (Process& process : processes_) {
     process.is_asked = !process.hosted_cycle && !process.joined.empty() && process.running.has_value();
     if (process.is_asked) process.running->send(process.cycle);
   }
   for (Process& process : processes_) {
     if (!process.is_asked) continue;
-    const wire::FromRobot* answer = process.running->receive(wire::FromRobot::kActions);
+    const wire::FromRobot* answer = process.running->receive(wire::FromRobot::kActions, meanwhile);
     if (answer != nullptr) take_answer(process, answer->actions());
     if (!process.running->has_failed()) continue;
     for (const Member member : process.joined)

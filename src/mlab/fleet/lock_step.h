@@ -57,10 +57,10 @@ class LockStep {
   /// Tells what the robot perceives in this cycle.
   /// @param frame  of a hosted robot: its values, which stay as they are until `exchange` comes back
   void percepts(Member member, const percept::Percepts& percepts, const flow::Frame& frame);
-  /// @param meanwhile  asked again and again while a hosted program is waited for, may be empty; true: it is
+  /// @param meanwhile  asked again and again while a program is waited for, may be empty; true: it is
   /// to
   ///                   be ended
-  void exchange(const robot_host::HostedCycle::Meanwhile& meanwhile);
+  void exchange(const robot_host::Meanwhile& meanwhile);
 
   struct Outcome {
     std::string fault;                 ///< path of the port that holds no number; empty: all is well
@@ -90,7 +90,7 @@ class LockStep {
   };
   std::size_t process_for(const std::string& executable,
                           const std::shared_ptr<const robot_host::HostedProgram>& hosted);
-  void exchange_messages();
+  void exchange_messages(const robot_host::Meanwhile& meanwhile);
   void take_answer(Process& process, const wire::Actions& actions);
 
   int most_;

@@ -16,6 +16,7 @@
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/native_module.h"
 #include "mlab/lang/cnl/parser.h"
+#include "mlab/robot_wire/framing.h"
 #include "mlab/robot_wire/network_wire.h"
 #include "mlab/robot_wire/shared_cycle.h"
 #include "mlab/text/shown.h"
@@ -24,7 +25,6 @@ namespace mlab::robot {
 namespace {
 
 constexpr std::uint32_t kMostState = 1U << 24;  // [bytes] of one node; more is nonsense
-constexpr std::size_t kMostFrame = std::size_t{1} << 28;
 
 cnl::NativeOptions native_options(const ProgramSources& sources, cell::Wall wall) {
   cnl::NativeOptions options;
@@ -156,12 +156,12 @@ std::expected<BuiltProgram, std::string> mirrored(const flow::Network& network,
                                                   std::unique_ptr<DescribedLibrary> library,
                                                   const wire::Loaded& loaded,
                                                   robot_host::HostedProgram hosted) {
-  if (!adopt(loaded, *library) || state_size(network, *library) > kMostFrame)
+  if (!adopt(loaded, *library) || state_size(network, *library) > robot_wire::kMaxFrame)
     return std::unexpected("describes other procedures than the text");
   text::Diagnostics said;  // what there was to say of the network was said when it was built first
   auto program = flow::build_program(network, library->library, said);
   if (!program || program->layout_hash() != loaded.frame_layout() ||
-      program->frame_size() != loaded.frame().size() || program->frame_size() > kMostFrame)
+      program->frame_size() != loaded.frame().size() || program->frame_size() > robot_wire::kMaxFrame)
     return std::unexpected("has built another program");
   hosted.frame_layout = program->layout_hash();
   hosted.frame_size = program->frame_size();
@@ -231,6 +231,7 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
   const std::string runner = runner_path();
   if (runner.empty()) return refuse("`mlab-robots` is not beside this program");
   hosted.limits = sources.limits;
+  hosted.limits.ends = sources.ends;
   hosted.launch = robot_host::launch_of(runner, *wall, hosted.limits);
   for (const std::string& file : hosted.load->libraries()) hosted.launch.policy.readable.push_back(file);
   const auto started = robot_host::start_hosted(hosted, nullptr);

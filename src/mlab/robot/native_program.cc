@@ -13,6 +13,7 @@
 
 #include "mlab/robot/brought_code.h"
 #include "mlab/robot_wire/network_wire.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::robot {
 namespace {
@@ -41,11 +42,20 @@ robot_host::Launch launch_of_any(const std::string& executable, cell::Wall wall,
   return out;
 }
 
+// Whatever an executable is asked has the time that people set.
+robot_host::Limits limits_of(const ProgramSources& sources) {
+  robot_host::Limits out = sources.limits;
+  out.start = out.answer = out.cycle_wall;
+  out.ends = sources.ends;
+  return out;
+}
+
 void say_results(const NativeProgram& native, std::span<const Setting> asked, const std::string& program,
                  const std::vector<std::string>& known_keys, text::Diagnostics& sink) {
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const wire::SettingResult& result = native.description.results(static_cast<int>(i));
-    if (!result.problem().empty()) sink.error("bad-parameter", asked[i].place, result.problem());
+    if (!result.problem().empty())
+      sink.error("bad-parameter", asked[i].place, text::shown(result.problem(), 200));
     if (!result.is_unknown()) continue;
     std::vector<std::string> names = known_keys;
     for (const wire::Port& port : native.description.ports()) {
@@ -55,7 +65,8 @@ void say_results(const NativeProgram& native, std::span<const Setting> asked, co
         sink.warning("unknown-parameter", asked[i].place,
                      fmt::format("program `{}` has no parameter `{}`", program, asked[i].key));
     const std::string nearest = text::nearest_name(asked[i].key, names);
-    if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+    if (!nearest.empty() && nearest != asked[i].key)
+      d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
   }
 }
 
@@ -92,7 +103,7 @@ void refuse_executable(const std::string& name, const text::Place& place, const 
 std::expected<std::optional<RevealedProgram>, std::string> load_revealed_program(
     const std::string& name, cell::Wall wall, const ProgramSources& sources) {
   robot_host::HostedProgram hosted;
-  hosted.limits = sources.limits;
+  hosted.limits = limits_of(sources);
   hosted.launch = launch_of_any(path_of(name, sources).string(), wall, hosted.limits);
   const auto revealed = robot_host::reveal(hosted.launch, hosted.limits);
   if (!revealed) return std::unexpected(revealed.error());
@@ -111,8 +122,7 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
                                                 text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
   auto native = std::make_shared<NativeProgram>();
-  native->limits = sources.limits;
-  native->limits.answer = sources.limits.cycle_wall;
+  native->limits = limits_of(sources);
   native->executable = path_of(robot.name, sources).string();
   native->launch = launch_of_any(native->executable, wall, native->limits);
   std::vector<Setting> asked;

@@ -176,7 +176,7 @@ std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhil
   while (!control.answered.is_after_sleep(are_all, kNap)) {
     if (process_->note_end()) return failure_of(process_->failure());
     if (meanwhile && meanwhile()) {
-      process_->fail("was ended, because nobody waits for it any more");
+      process_->fail(kNotAwaited);
       return failure_of(process_->failure());
     }
     // Each robot's program has the whole time. They run in their order, so a program that plays with the

@@ -41,9 +41,6 @@ class HostedCycle {
   /// @param frame  lives, unchanged, until `wait` comes back
   void set(std::size_t place, const percept::Percepts& percepts, std::span<const std::byte> frame);
 
-  /// Asked again and again while a program is waited for; true: whoever waits has no time any more, and it is
-  /// to be ended.
-  using Meanwhile = std::function<bool()>;
   void ask();
   void wait(const Meanwhile& meanwhile);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 
 namespace mlab::robot_host {
 
@@ -12,6 +13,7 @@ struct Limits {
   double cycle = 2.0;        ///< for one robot's cycle, of processor time
   double cycle_wall = 10.0;  ///< the same for a program that sleeps; for an executable's answer
   std::uint64_t memory = std::uint64_t{512} << 20;  ///< of address space [bytes]; 0: any
+  std::stop_token ends = {};                        ///< of whoever waits: asked for, nobody does any more
 };
 
 }  // namespace mlab::robot_host

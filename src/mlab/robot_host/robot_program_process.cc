@@ -10,6 +10,7 @@ namespace {
 
 // How long a program that closed its output may take to be gone [s].
 constexpr double kEndPatience = 0.5;
+constexpr std::chrono::milliseconds kGlance(20);  // between two looks whether anybody still waits
 
 }  // namespace
 
@@ -54,7 +55,8 @@ void RobotProgramProcess::send(const wire::ToRobot& message) {
   if (const ChildProcess::Io io = child_.write(bytes_, deadline()); io != ChildProcess::Io::kDone) fail(io);
 }
 
-const wire::FromRobot* RobotProgramProcess::receive(wire::FromRobot::BodyCase wanted) {
+const wire::FromRobot* RobotProgramProcess::receive(wire::FromRobot::BodyCase wanted,
+                                                    const Meanwhile& meanwhile) {
   while (!has_failed()) {
     if (const auto message = reader_.next()) {
       if (!answer_.ParseFromArray(message->data(), static_cast<int>(message->size())))
@@ -70,7 +72,13 @@ const wire::FromRobot* RobotProgramProcess::receive(wire::FromRobot::BodyCase wa
       break;
     }
     std::size_t count = 0;
-    const ChildProcess::Io io = child_.read(reader_.room(), count, deadline());
+    const Clock::time_point last = deadline();
+    const ChildProcess::Io io = child_.read(reader_.room(), count, std::min(last, Clock::now() + kGlance));
+    if (io == ChildProcess::Io::kTimedOut && Clock::now() < last) {
+      if (!limits_.ends.stop_requested() && !(meanwhile && meanwhile())) continue;
+      fail(kNotAwaited);
+      break;
+    }
     if (io != ChildProcess::Io::kDone) {
       fail(io);
       break;

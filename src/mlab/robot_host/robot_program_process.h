@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,6 +33,11 @@ Launch launch_of(const std::string& executable, cell::Wall wall, const Limits& l
 /// Something that a person wants of a program: path of the port, value as written.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
+/// Asked again and again while a program is waited for; true: whoever waits has no time any more, and it is
+/// to be ended.
+using Meanwhile = std::function<bool()>;
+inline constexpr const char* kNotAwaited = "was ended, because nobody waits for it any more";
+
 /// A robot program that runs. One that failed stays failed: nothing is sent to it any more.
 class RobotProgramProcess {
  public:
@@ -45,7 +51,10 @@ class RobotProgramProcess {
   void send(const wire::ToRobot& message);
   /// The answer to what was sent last; null where the program failed. A Problem is a failure. Valid until the
   /// next call.
-  const wire::FromRobot* receive(wire::FromRobot::BodyCase wanted);
+  /// @param meanwhile  asked again and again until it is there, may be empty; true: nobody waits any more,
+  /// and
+  ///                   the program is ended
+  const wire::FromRobot* receive(wire::FromRobot::BodyCase wanted, const Meanwhile& meanwhile = {});
   /// Both.
   const wire::FromRobot* ask(const wire::ToRobot& message, wire::FromRobot::BodyCase wanted) {
     send(message);

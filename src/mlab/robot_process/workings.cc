@@ -4,6 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
+#include "mlab/robot_wire/framing.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::robot_process {
@@ -13,7 +16,9 @@ std::optional<std::string> Workings::build(flow::Network network) {
   text::Diagnostics sink;
   program_ = flow::build_program(network_, library_, sink);
   if (program_ == nullptr) return text::render(sink);
-  return std::nullopt;
+  if (program_->frame_size() <= robot_wire::kMaxFrame) return std::nullopt;
+  return fmt::format("the values of a robot take up {} MB, and at most {} are possible",
+                     program_->frame_size() >> 20, robot_wire::kMaxFrame >> 20);
 }
 
 void Workings::describe(wire::Loaded& out) const {

@@ -16,6 +16,9 @@ namespace mlab::robot_wire {
 inline constexpr std::uint32_t kProtocol = 1;
 /// A longer message is nonsense [bytes].
 inline constexpr std::size_t kMaxMessage = std::size_t{64} << 20;
+/// A robot's values may take up so much, so that they fit into a message with all that goes with them
+/// [bytes].
+inline constexpr std::size_t kMaxFrame = kMaxMessage / 2;
 
 /// Appends the message with its length in front, as it travels.
 void append_framed(const google::protobuf::MessageLite& message, std::string& out);
