@@ -452,6 +452,20 @@ TEST_F(Command, BuildTellsAMistakeInTheCodeOnce) {
   }
 }
 
+TEST_F(Command, RobotsThatStandBecauseOfWhatIsNoNumberFailTheirMission) {
+  write("map.odl", kMap);
+  write("nan.cnl",
+        "procedure Vector Break with\nheader\nbody\n  output = {time > 1.0 ? NAN : 1.0, 0, 0};\npend\n"
+        "node go is Break with nend\nnode wheels is Drive with v = go; base_velocity = 1; max_velocity = 1; "
+        "nend\n");
+  write("nan.mdl",
+        "OVERLAY map.odl\nNEW-ROBOT r \"nan.cnl\"\nUNIT <u> r\nCOMMAND LIST:\n0. UNIT u START Here\n"
+        "1. UNIT u MOVETO There UNTIL TIMEOUT 3\n2. UNIT u STOP\n");
+  const Outcome run = mlab("run nan.mdl --headless --proceed --report r.json");
+  EXPECT_EQ(run.status, 1) << run.out;
+  EXPECT_EQ(Json::parse(text_of(folder_ / "r.json")).at("outcome"), "failed");
+}
+
 TEST_F(Command, BuildPutsAnExecutableInPlaceOfFilesOnly) {
   write("still.cnl", "node noise is Noise with nend\nnode wheels is Drive with v = noise; nend\n");
   ASSERT_EQ(mlab("build still.cnl").status, 0);
@@ -460,6 +474,10 @@ TEST_F(Command, BuildPutsAnExecutableInPlaceOfFilesOnly) {
   EXPECT_EQ(built.status, 2);
   EXPECT_EQ(built.err, "mlab build: pipe can't be written; -o names another file\n");
   EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+  fs::create_symlink("elsewhere", folder_ / "link");
+  EXPECT_EQ(mlab("build still.cnl -o link").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_GT(fs::file_size(folder_ / "elsewhere"), 100'000U);
 }
 
 TEST_F(Command, FmtRewritesOnlyWhatIsNotInTheCanonicalLayout) {

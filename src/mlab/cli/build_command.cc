@@ -90,9 +90,12 @@ class ProgressLine {
 
 int build_program(const BuildOptions& options, const robot_build::RobotSource& robot,
                   text::Diagnostics& sink) {
-  const std::string output =
+  std::string output =
       options.output.empty() ? fs::path(options.file).replace_extension().string() : options.output;
   std::error_code error;
+  constexpr int kMostLinks = 40;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(output, error); ++i)
+    output = (fs::path(output).parent_path() / fs::read_symlink(output, error)).string();
   const bool is_no_file = fs::exists(output, error) && !fs::is_regular_file(output, error);
   if (is_no_file || !is_writable(output) || fs::equivalent(output, options.file, error)) {
     fmt::print(stderr, "mlab build: {} can't be written; -o names another file\n", output);

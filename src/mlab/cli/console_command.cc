@@ -347,8 +347,10 @@ int run_console(const RunOptions& options) {
 int edit(RunOptions options) {
   options.edits = true;
   std::error_code error;
-  if (!options.configuration.empty() && !fs::is_regular_file(options.configuration, error))
-    return usage_error(fmt::format("{}: there is no such file", options.configuration));
+  if (!options.configuration.empty() && !fs::is_regular_file(options.configuration, error)) {
+    fmt::print(stderr, "mlab edit: {}: there is no such file\n", options.configuration);
+    return kBadInput;
+  }
   return run_console(options);
 }
 

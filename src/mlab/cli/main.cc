@@ -13,6 +13,8 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <google/protobuf/stubs/logging.h>
+
 #include <CLI/CLI.hpp>
 
 #include "mlab/cli/commands.h"
@@ -435,6 +437,7 @@ int parse_and_run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     mlab::cli::guard_output();
+    google::protobuf::SetLogHandler(nullptr);  // what arrives may be anything, and is told of in our words
     return mlab::cli::output_status(mlab::cli::parse_and_run(argc, argv));
   } catch (const std::exception& e) {
     fmt::print(stderr, "mlab: {}\n", e.what());

@@ -30,7 +30,7 @@ class OrderCheck {
       for (const mission::Command& command : step.commands) {
         const auto* one = std::get_if<UnitCommand>(&command);
         if (one == nullptr) continue;
-        if (awaits_report(one->task)) check_reports(*one);
+        if (awaits_report(one->task) && !one->until) check_reports(*one);
         is_only_started &= one->task == Task::kStart || one->task == Task::kStop;
         if (one->task == Task::kStart && has_own_program(*one)) last_start = one;
       }

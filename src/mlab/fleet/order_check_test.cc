@@ -34,7 +34,8 @@ text::Files in_memory() {
 }
 
 // One robot that is started, and then perhaps sent somewhere.
-std::shared_ptr<mission::Mission> mission_of(const std::string& program, bool has_order) {
+std::shared_ptr<mission::Mission> mission_of(const std::string& program, bool has_order,
+                                             bool has_until = false) {
   auto out = std::make_shared<mission::Mission>();
   const auto source =
       std::make_shared<const text::Source>("test.mdl", "NEW-ROBOT r x\nUNIT u START\nUNIT u MOVETO\n");
@@ -50,6 +51,7 @@ std::shared_ptr<mission::Mission> mission_of(const std::string& program, bool ha
   UnitCommand go;
   go.goal = {300.0, 100.0};
   go.place = {source, {27, 33}};
+  if (has_until) go.until = mission::MissionTime{};
   if (has_order) out->steps.push_back({"1", {go}, {}});
   return out;
 }
@@ -74,6 +76,12 @@ TEST(OrderCheck, WarnsOfOrdersThatAProgramNeverReportsOn) {
   EXPECT_EQ(kinds_of("wander.cdl", true), "never-reports ");
   EXPECT_EQ(kinds_of("told.cdl", true), "");
   EXPECT_EQ(kinds_of("robot", true), "");
+}
+
+TEST(OrderCheck, WarnsNotOfOrdersThatEndAtATime) {
+  text::Diagnostics sink;
+  EXPECT_NE(made(mission_of("wander.cdl", true, true), sink), nullptr);
+  EXPECT_EQ(sink.items().size(), 0U) << text::render(sink);
 }
 
 TEST(OrderCheck, WarnsOfRobotsThatAreOnlyStartedAndActByThemselves) {

@@ -128,8 +128,9 @@ Json performance_json(const MissionRun& run, const Performance& performance) {
 
 std::string outcome_name(const MissionRun& run, RunEnd end) {
   // The others may have done all that there was to do; the mission was theirs and that robot's.
-  const bool is_broken = std::ranges::any_of(run.fleet().robots(),
-                                             [](const FleetRobot& robot) { return !robot.failure.empty(); });
+  const bool is_broken = std::ranges::any_of(run.fleet().robots(), [](const FleetRobot& robot) {
+    return !robot.failure.empty() || !robot.fault.empty();
+  });
   const bool is_over = run.is_over() || end == RunEnd::kByItself;
   if (is_broken && (is_over ? run.state().outcome == mission::Outcome::kDone : end == RunEnd::kTimeIsUp))
     return std::string(mission::name(mission::Outcome::kFailed));
