@@ -30,7 +30,12 @@ test("a finger scrolls the palette, and drags components out of it", async () =>
   await expect.poll(() => panel.evaluate((one) => one.scrollTop)).toBeGreaterThan(100);
   expect(await page.locator(".react-flow__node-node").count()).toBe(0);
   expect(await page.evaluate(() => window.scrollX + window.scrollY)).toBe(0);
-  await panel.evaluate((one) => one.scrollTo(0, 0));
+  // It may still be gliding.
+  const back = (one: Element): Promise<number> => {
+    one.scrollTo(0, 0);
+    return new Promise((resolve) => setTimeout(() => resolve(one.scrollTop), 200));
+  };
+  await expect.poll(() => panel.evaluate(back)).toBe(0);
   await swipe(designer, middle, [middle[0] + 400, middle[1] + 120]);
   await expect.poll(() => page.locator(".react-flow__node-node").count()).toBe(1);
   await page.locator(".react-flow__node-node", { hasText: title.split(" ")[0]! }).waitFor();
