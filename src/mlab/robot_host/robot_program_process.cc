@@ -22,7 +22,7 @@ Launch launch_of(const std::string& executable, cell::Wall wall, const Limits& l
 }
 
 std::expected<RobotProgramProcess, std::string> RobotProgramProcess::start(const Launch& launch,
-                                                                           Limits limits,
+                                                                           const Limits& limits,
                                                                            const SharedMemory* shared) {
   std::vector<int> files;
   if (shared != nullptr) files = {shared->frames_file(), shared->percepts_file()};
@@ -110,7 +110,7 @@ bool RobotProgramProcess::note_end() {
   return has_failed();
 }
 
-std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, Limits limits) {
+std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, const Limits& limits) {
   auto process = RobotProgramProcess::start(launch, limits);
   if (!process) return std::unexpected(process.error());
   if (process->layout() != robot_wire::shared_layout()) return std::nullopt;
@@ -122,7 +122,7 @@ std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& l
 }
 
 std::expected<wire::Description, std::string> describe(const Launch& launch, const Settings& settings,
-                                                       Limits limits) {
+                                                       const Limits& limits) {
   auto process = RobotProgramProcess::start(launch, limits);
   if (!process) return std::unexpected(process.error());
   wire::ToRobot message;

@@ -44,7 +44,7 @@ class RobotProgramProcess {
   /// Starts the executable and has it say Welcome.
   /// @errors  a sentence that says what it did instead
   /// @param shared  what it shares with the run; null: nothing
-  static std::expected<RobotProgramProcess, std::string> start(const Launch& launch, Limits limits,
+  static std::expected<RobotProgramProcess, std::string> start(const Launch& launch, const Limits& limits,
                                                                const SharedMemory* shared = nullptr);
 
   /// Sends without waiting for the answer, which has to be received before anything else is sent.
@@ -77,7 +77,8 @@ class RobotProgramProcess {
   const std::string& failure() const { return failure_; }
 
  private:
-  RobotProgramProcess(ChildProcess child, Limits limits) : child_(std::move(child)), limits_(limits) {}
+  RobotProgramProcess(ChildProcess child, Limits limits)
+      : child_(std::move(child)), limits_(std::move(limits)) {}
   Clock::time_point deadline() const;
   void fail(ChildProcess::Io io);
 
@@ -95,11 +96,11 @@ class RobotProgramProcess {
 /// How an executable is made that was made with the headers of this program.
 /// @return  nothing where it was made otherwise
 /// @errors  a sentence that says what it did instead
-std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, Limits limits);
+std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, const Limits& limits);
 
 /// What an executable says of itself, with these settings.
 /// @errors  a sentence that says what it did instead
 std::expected<wire::Description, std::string> describe(const Launch& launch, const Settings& settings,
-                                                       Limits limits);
+                                                       const Limits& limits);
 
 }  // namespace mlab::robot_host
