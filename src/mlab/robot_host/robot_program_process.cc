@@ -33,11 +33,12 @@ std::expected<RobotProgramProcess, std::string> RobotProgramProcess::start(const
   wire::ToRobot hello;
   hello.mutable_hello()->set_protocol(robot_wire::kProtocol);
   const wire::FromRobot* answer = out.ask(hello, wire::FromRobot::kWelcome);
-  if (answer != nullptr && answer->welcome().protocol() != robot_wire::kProtocol) {
+  if (answer == nullptr) return std::unexpected(out.failure());
+  if (answer->welcome().protocol() != robot_wire::kProtocol) {
     out.fail(fmt::format("speaks version {} of the robot protocol, and this is version {}",
                          answer->welcome().protocol(), robot_wire::kProtocol));
+    return std::unexpected(out.failure());
   }
-  if (out.has_failed()) return std::unexpected(out.failure());
   out.layout_ = answer->welcome().layout();
   out.patience_ = limits.answer;
   return out;

@@ -1,6 +1,7 @@
 #include "mlab/lang/cnl/declarations.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "mlab/lang/cnl/cpp_writer.h"
@@ -9,8 +10,8 @@ namespace mlab::cnl {
 namespace {
 
 void blank(const Code& code, std::string& text) {
-  const auto begin = text.begin() + code.place.span.begin;
-  std::replace_if(begin, begin + code.text().size(), [](char c) { return c != '\n' && c != '\r'; }, ' ');
+  const std::span piece = std::span(text).subspan(code.place.span.begin, code.text().size());
+  std::ranges::replace_if(piece, [](char c) { return c != '\n' && c != '\r'; }, ' ');
 }
 
 void add(const Tree& tree, std::vector<Declarations>& out) {
