@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <ctime>
+#include <ranges>
 #include <utility>
 
 #include <fmt/core.h>
@@ -139,6 +140,10 @@ void HostedCycle::wait(const Meanwhile& meanwhile) {
       blame(*failure);
     else if (++without_place == kMostPatienceWithoutPlace)
       problem = failure->what;
+    asked_.clear();
+    const bool are_all_failed = std::ranges::none_of(joined_ | std::views::take(count_),
+                                                     [](const Joined& one) { return one.failure.empty(); });
+    if (are_all_failed) return;
     if (!problem) problem = ensure_process();
     if (problem) {
       fail_all(*problem);
