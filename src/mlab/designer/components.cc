@@ -58,24 +58,20 @@ double in_unit(const cdl::Number& number, const std::string& unit) {
   return from && to ? cdl::converted(number.value, *from, *to).value_or(number.value) : number.value;
 }
 
-std::string with_unit(const ValueType& type) {
+std::string with_unit(const cdl::PortType& type) {
   return type.unit.empty() ? type.name() : fmt::format("{} [{}]", type.name(), type.unit);
-}
-
-bool is_angle(const std::string& unit) {
-  return unit == "rad" || unit == "deg";
 }
 
 }  // namespace
 
-ValueType Components::named(std::string_view type) const {
+cdl::PortType Components::named(std::string_view type) const {
   if (const cdl::Quantity* quantity = cdl::quantity_named(type))
     return {library_.find_type(quantity->type), std::string(quantity->unit)};
   return {library_.find_type(type), ""};
 }
 
-ValueType Components::of(const cdl::Parameter& parameter) const {
-  ValueType out = named(parameter.type.text);
+cdl::PortType Components::of(const cdl::Parameter& parameter) const {
+  cdl::PortType out = named(parameter.type.text);
   if (!parameter.unit.text.empty()) out.unit = parameter.unit.text;
   return out;
 }
@@ -154,13 +150,13 @@ Callable Components::of(const flow::Library::Entry& entry) const {
   return out;
 }
 
-ValueType Components::result_of(const cdl::Assemblage& assemblage, int depth) const {
+cdl::PortType Components::result_of(const cdl::Assemblage& assemblage, int depth) const {
   if (!assemblage.result_type.text.empty()) return named(assemblage.result_type.text);
   if (!assemblage.body) return named("Vector");
-  return depth > kMaxDepth ? ValueType{} : of(*assemblage.body, scope_of(assemblage), depth + 1);
+  return depth > kMaxDepth ? cdl::PortType{} : of(*assemblage.body, scope_of(assemblage), depth + 1);
 }
 
-ValueType Components::of_call(const std::string& callee, int depth) const {
+cdl::PortType Components::of_call(const std::string& callee, int depth) const {
   if (const auto binding = configuration_.bindings.find(callee); binding != configuration_.bindings.end())
     return named(binding->second->result_type.text);
   if (const auto found = configuration_.assemblages.find(callee); found != configuration_.assemblages.end())
@@ -172,7 +168,7 @@ ValueType Components::of_call(const std::string& callee, int depth) const {
           std::string(has_unit ? entry.alias->output_unit : entry.behavior->output_unit)};
 }
 
-ValueType Components::of_name(const std::string& name, const Scope& scope, int depth) const {
+cdl::PortType Components::of_name(const std::string& name, const Scope& scope, int depth) const {
   if (scope.lets != nullptr) {
     for (const cdl::Let& let : *scope.lets) {
       if (let.name.text == name && let.value) return of(*let.value, scope, depth + 1);
@@ -186,10 +182,10 @@ ValueType Components::of_name(const std::string& name, const Scope& scope, int d
   return {};
 }
 
-ValueType Components::of(const cdl::Expression& expression, const Scope& scope, int depth) const {
+cdl::PortType Components::of(const cdl::Expression& expression, const Scope& scope, int depth) const {
   if (depth > kMaxDepth) return {};
   const auto part = [&](const cdl::ExpressionPtr& one) {
-    return one ? of(*one, scope, depth + 1) : ValueType{};
+    return one ? of(*one, scope, depth + 1) : cdl::PortType{};
   };
   const auto& what = expression.what;
   if (const auto* name = std::get_if<cdl::Name>(&what)) return of_name(name->name.text, scope, depth);
@@ -199,7 +195,7 @@ ValueType Components::of(const cdl::Expression& expression, const Scope& scope, 
     return named("Vector");
   if (const auto* by = std::get_if<cdl::Coordinate>(&what)) return of_call(by->by.callee.text, depth + 1);
   if (const auto* by = std::get_if<cdl::Fuse>(&what)) return of_call(by->by.callee.text, depth + 1);
-  ValueType out;
+  cdl::PortType out;
   if (const auto* sequence = std::get_if<cdl::Sequence>(&what)) {
     for (const cdl::State& state : sequence->states) {
       if (out.type == nullptr) out = part(state.member);
@@ -216,18 +212,19 @@ ValueType Components::of(const cdl::Expression& expression, const Scope& scope, 
   return out;
 }
 
-std::string misfit(const ValueType& have, const ValueType& want) {
-  if (have.type == nullptr || want.type == nullptr) return "";
-  const bool widens = have.type->kind == TypeKind::kInteger && want.type->kind == TypeKind::kReal;
-  if (!widens && !flow::same_type(*have.type, *want.type))
-    return fmt::format("it takes {}, and this is {}", with_unit(want), with_unit(have));
-  if (want.type->kind != TypeKind::kReal || have.unit.empty() || want.unit.empty() || have.unit == want.unit)
-    return "";
-  if (is_angle(have.unit) && is_angle(want.unit)) return "";
-  return fmt::format("it takes a value in {}, and this is in {}", want.unit, have.unit);
+std::string why_not(const cdl::PortType& have, const cdl::PortType& want) {
+  switch (cdl::misfit(have, want)) {
+    case cdl::Misfit::kNone:
+      return "";
+    case cdl::Misfit::kType:
+      return fmt::format("it takes {}, and this is {}", with_unit(want), with_unit(have));
+    case cdl::Misfit::kUnit:
+      return fmt::format("it takes a value in {}, and this is in {}", want.unit, have.unit);
+  }
+  return "";
 }
 
-std::vector<std::string> choices_of(const ValueType& type) {
+std::vector<std::string> choices_of(const cdl::PortType& type) {
   std::vector<std::string> out;
   if (type.type == nullptr || type.type->print == nullptr) return out;
   if (type.type->kind == TypeKind::kBool) return {"true", "false"};
@@ -251,7 +248,7 @@ std::vector<std::string> choices_of(const ValueType& type) {
   return out;
 }
 
-bool is_wired(const ValueType& type) {
+bool is_wired(const cdl::PortType& type) {
   if (type.type == nullptr) return false;
   switch (type.type->kind) {
     case TypeKind::kVector:

@@ -8,21 +8,14 @@
 
 #include "mlab/flow/library.h"
 #include "mlab/lang/cdl/configuration.h"
+#include "mlab/lang/cdl/port_type.h"
 
 namespace mlab::designer {
-
-/// What flows: a type, and the unit of its numbers.
-struct ValueType {
-  const flow::TypeInfo* type = nullptr;  ///< null: it can't be told
-  std::string unit;
-
-  std::string name() const { return type == nullptr ? std::string() : std::string(type->name); }
-};
 
 /// One input of a component, as its author declared it.
 struct Socket {
   std::string name;
-  ValueType type;
+  cdl::PortType type;
   std::string help;
   std::string initial;  ///< default as a person writes it; empty: none
   std::optional<double> min;
@@ -38,7 +31,7 @@ struct Callable {
   std::string name;
   std::string help;
   std::string historic_names;  ///< for searching
-  ValueType output;            ///< no type: a sink
+  cdl::PortType output;        ///< no type: a sink
   bool gives_nothing = false;  ///< it is a sink
   std::vector<Socket> inputs;
   const cdl::Assemblage* assemblage = nullptr;
@@ -62,8 +55,8 @@ class Components {
   Callable of(const cdl::Binding& binding) const;
   Callable of(const flow::Library::Entry& entry) const;
 
-  ValueType named(std::string_view type) const;
-  ValueType of(const cdl::Parameter& parameter) const;
+  cdl::PortType named(std::string_view type) const;
+  cdl::PortType of(const cdl::Parameter& parameter) const;
   Socket socket(const cdl::Parameter& parameter) const;
 
   /// Names that an expression may use besides components: where it stands.
@@ -76,26 +69,27 @@ class Components {
   }
   static Scope scope_of(const cdl::Robot& robot) { return {&robot.parameters, &robot.lets}; }
   /// The type of what an expression gives; without a type where it is a constant or wrong.
-  ValueType of(const cdl::Expression& expression, const Scope& scope, int depth = 0) const;
+  cdl::PortType of(const cdl::Expression& expression, const Scope& scope, int depth = 0) const;
 
  private:
   std::optional<Callable> made(std::string_view name) const;
-  ValueType of_name(const std::string& name, const Scope& scope, int depth) const;
-  ValueType of_call(const std::string& callee, int depth) const;
-  ValueType result_of(const cdl::Assemblage& assemblage, int depth) const;
+  cdl::PortType of_name(const std::string& name, const Scope& scope, int depth) const;
+  cdl::PortType of_call(const std::string& callee, int depth) const;
+  cdl::PortType result_of(const cdl::Assemblage& assemblage, int depth) const;
 
   const cdl::Configuration& configuration_;
   const flow::Library& library_;
   mutable std::map<std::string, std::optional<Callable>, std::less<>> found_;  // asked for already
 };
 
-/// Why a value of the one type can't be given to an input of the other; empty: it can.
-std::string misfit(const ValueType& have, const ValueType& want);
+/// Why a value of the one type can't be given to an input of the other (cdl::misfit), as a sentence; empty:
+/// it can.
+std::string why_not(const cdl::PortType& have, const cdl::PortType& want);
 
 /// The words that a type's constants are chosen from; empty where there are too many.
-std::vector<std::string> choices_of(const ValueType& type);
+std::vector<std::string> choices_of(const cdl::PortType& type);
 
 /// Whether values of this type come on wires only: no person writes them.
-bool is_wired(const ValueType& type);
+bool is_wired(const cdl::PortType& type);
 
 }  // namespace mlab::designer

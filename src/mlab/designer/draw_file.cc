@@ -21,7 +21,7 @@ struct Shown {
   text::Span span;
   std::set<std::string> uses;  ///< names of declarations
   bool has_page = false;
-  ValueType type;
+  cdl::PortType type;
 };
 
 void add_calls(const cdl::ExpressionPtr& expression, std::set<std::string>& out) {
@@ -216,7 +216,7 @@ std::string device_verdict(const cdl::Device& device, const cdl::Binding& bindin
   if (binding.result_type.text.empty() || by->gives_nothing)
     return binding.result_type.text.empty() == by->gives_nothing ? ""
                                                                  : "one gives a value and the other none";
-  return misfit(by->output, components.named(binding.result_type.text));
+  return why_not(by->output, components.named(binding.result_type.text));
 }
 
 bool is_served(const cdl::RobotClass& robot_class, std::string_view binding) {

@@ -73,7 +73,7 @@ class Drawer {
     return page_.base.empty() ? node.path : node.path.substr(page_.base.size() + 1);
   }
 
-  ValueType type_of(const GraphNode& node) const {
+  cdl::PortType type_of(const GraphNode& node) const {
     const Components& components = model_.components();
     if (node.parameter != nullptr) return components.of(*node.parameter);
     if (node.kind == Kind::kOuter) return components.of(*node.let->value, graph_.scope);
@@ -84,7 +84,7 @@ class Drawer {
   void add_node(const GraphNode& node) {
     Node& out = *out_.add_nodes();
     out.set_name(node.name);
-    const ValueType type = type_of(node);
+    const cdl::PortType type = type_of(node);
     out.set_type(type.name());
     out.set_unit(type.unit);
     out.set_live(live_of(node));
@@ -279,7 +279,7 @@ class Drawer {
     wire.set_to(node.name);
     wire.set_port(input.port);
     if (input.index) wire.set_index(*input.index);
-    const ValueType type = type_of(from);
+    const cdl::PortType type = type_of(from);
     wire.set_type(type.name());
     wire.set_unit(type.unit);
     wire.set_live(live_of(from));

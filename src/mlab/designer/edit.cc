@@ -116,10 +116,10 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
   if (found.graph == nullptr) return out;
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
   const Components& components = model.components();
-  const auto type_of = [&](const GraphNode& node) -> ValueType {
+  const auto type_of = [&](const GraphNode& node) -> cdl::PortType {
     if (node.parameter != nullptr) return components.of(*node.parameter);
     if (node.kind == GraphNode::Kind::kOuter) return components.of(*node.let->value, found.graph->scope);
-    return node.expression == nullptr ? ValueType{} : components.of(*node.expression, found.graph->scope);
+    return node.expression == nullptr ? cdl::PortType{} : components.of(*node.expression, found.graph->scope);
   };
   const auto reads = [&](int start, int wanted) {  // directly or not, without a delay
     std::vector<int> open{start};
@@ -136,7 +136,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     }
     return false;
   };
-  const auto wants = [&](const GraphNode& node, const GraphInput& input) -> ValueType {
+  const auto wants = [&](const GraphNode& node, const GraphInput& input) -> cdl::PortType {
     const bool is_any = input.role == Role::kDelayed || input.role == Role::kInitial ||
                         input.role == Role::kSelector || input.role == Role::kCase ||
                         input.role == Role::kValue;
@@ -146,9 +146,9 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     }
     return {};
   };
-  const auto result_type = [&]() -> ValueType {
+  const auto result_type = [&]() -> cdl::PortType {
     const bool is_owner = page.parent < 0 && found.graph->assemblage != nullptr;
-    return is_owner ? components.named(found.graph->assemblage->result_type.text) : ValueType{};
+    return is_owner ? components.named(found.graph->assemblage->result_type.text) : cdl::PortType{};
   };
   const auto add = [&](const std::string& node, const std::string& port, std::optional<std::uint32_t> index,
                        const std::string& reason) {
@@ -160,7 +160,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
   };
 
   if (!request.to_node().empty()) {
-    ValueType type;
+    cdl::PortType type;
     int target = -1;
     if (request.to_node() == "$result") {
       type = result_type();
@@ -175,14 +175,14 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     for (std::size_t i = 0; i < page.nodes.size(); ++i) {
       const GraphNode& node = page.nodes[i];
       if (node.kind == GraphNode::Kind::kActuator) continue;
-      std::string reason = misfit(type_of(node), type);
+      std::string reason = why_not(type_of(node), type);
       if (reason.empty() && target >= 0 && reads(static_cast<int>(i), target))
         reason = "that would be a loop without a delay";
       add(node.name, "", {}, reason);
     }
     const auto add_component = [&](const Callable& component) {
       if (component.gives_nothing) return;
-      add(component.name, "component", {}, misfit(component.output, type));
+      add(component.name, "component", {}, why_not(component.output, type));
     };
     for (const auto& [name, assemblage] : model.configuration().assemblages)
       add_component(components.of(*assemblage));
@@ -195,7 +195,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     return out;
   }
 
-  ValueType type;
+  cdl::PortType type;
   int from = -1;
   if (!request.component().empty()) {
     std::optional<Callable> component = components.find(request.component());
@@ -216,7 +216,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     const GraphNode& node = page.nodes[i];
     for (const GraphInput& input : node.inputs) {
       if (input.role == Role::kValue || input.role == Role::kActive) continue;
-      std::string reason = misfit(type, wants(node, input));
+      std::string reason = why_not(type, wants(node, input));
       const bool is_loop =
           reason.empty() && from >= 0 && input.role != Role::kDelayed && reads(from, static_cast<int>(i));
       if (is_loop) reason = "that would be a loop without a delay";
@@ -224,7 +224,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     }
   }
   if (page.sequence == nullptr && !(found.graph->robot != nullptr && page.parent < 0))
-    add("$result", "", {}, misfit(type, result_type()));
+    add("$result", "", {}, why_not(type, result_type()));
   return out;
 }
 

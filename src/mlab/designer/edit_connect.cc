@@ -62,7 +62,7 @@ Done Editor::connect(const Connect& change) {
   if (source.kind == Kind::kActuator) return refusal("an actuator gives no value");
   const GraphInput* input = to->at();
   if (input != nullptr && input->from == *from && !input->is_open) return true;
-  if (const std::string reason = misfit(given(*view, *from), wanted(*to)); !reason.empty())
+  if (const std::string reason = why_not(given(*view, *from), wanted(*to)); !reason.empty())
     return refusal(reason);
   const bool is_delayed = input != nullptr && input->role == Role::kDelayed;
   if (to->node >= 0 && !is_delayed && reaches(*view, *from, to->node))
@@ -311,7 +311,7 @@ Done Editor::set_active(const SetActive& change) {
   if (change.component().empty()) return true;
   const std::optional<Callable> callable = work_.model().components().find(change.component());
   if (!callable) return refusal(fmt::format("nothing answers to `{}`", text::shown(change.component())));
-  const ValueType& type = callable->output;
+  const cdl::PortType& type = callable->output;
   const bool moves = type.type != nullptr &&
                      (type.type->kind == flow::TypeKind::kVector || type.type->kind == flow::TypeKind::kBool);
   if (!moves) return refusal("an active part gives a bool or a Vector");
@@ -381,9 +381,9 @@ Done Editor::replace(const Replace& change) {
       const auto socket = std::ranges::find(other->inputs, input.port, &Socket::name);
       const bool is_taken =
           socket != other->inputs.end() &&
-          (input.from < 0 || misfit(given(view, input.from), socket->type).empty()) &&
+          (input.from < 0 || why_not(given(view, input.from), socket->type).empty()) &&
           (input.from >= 0 ||
-           misfit(wanted(Spot{view, found->second, static_cast<int>(i), ""}), socket->type).empty());
+           why_not(wanted(Spot{view, found->second, static_cast<int>(i), ""}), socket->type).empty());
       if (!is_taken) misfits = static_cast<int>(i);
     }
     if (misfits >= 0) {
@@ -423,7 +423,7 @@ Done Editor::expose(const Expose& change) {
   const auto known =
       std::ranges::find_if(parameters, [&](const cdl::Parameter& p) { return p.name.text == name; });
   if (known != parameters.end() && !change.parameter().empty()) {
-    const std::string reason = misfit(work_.model().components().of(*known), socket->type);
+    const std::string reason = why_not(work_.model().components().of(*known), socket->type);
     if (!reason.empty()) return refusal(fmt::format("`{}` does not fit: {}", name, reason));
     const Done done = write(*to, name);
     return done ? work_.commit() : done;

@@ -23,7 +23,7 @@ std::string one_line(std::string help) {
 
 }  // namespace
 
-std::string type_words(const ValueType& type) {
+std::string type_words(const cdl::PortType& type) {
   const std::string name = type.name();
   if (name == "double" && type.unit == "deg") return "angle [deg]";
   constexpr std::array<std::string_view, 9> kShown = {"number",  "length", "speed", "angle",       "duration",

@@ -101,7 +101,7 @@ int Editor::inline_node(const Spot& spot) const {
   return input != nullptr && input->is_inline ? input->from : -1;
 }
 
-ValueType Editor::wanted(const Spot& spot) const {
+cdl::PortType Editor::wanted(const Spot& spot) const {
   const Components& components = work_.model().components();
   if (spot.is_result()) {
     const OwnerGraph& graph = *spot.view.graph;
@@ -114,7 +114,7 @@ ValueType Editor::wanted(const Spot& spot) const {
     const auto binding = components.configuration().bindings.find(spot.drive);
     const bool is_known =
         binding != components.configuration().bindings.end() && !binding->second->parameters.empty();
-    return is_known ? components.of(binding->second->parameters.front()) : ValueType{};
+    return is_known ? components.of(binding->second->parameters.front()) : cdl::PortType{};
   }
   const GraphNode& node = spot.view.node(spot.node);
   const GraphInput& input = *spot.at();
@@ -129,12 +129,12 @@ ValueType Editor::wanted(const Spot& spot) const {
   return {};
 }
 
-ValueType Editor::given(const PageView& view, int at) const {
+cdl::PortType Editor::given(const PageView& view, int at) const {
   const GraphNode& node = view.node(at);
   const Components& components = work_.model().components();
   if (node.parameter != nullptr) return components.of(*node.parameter);
   if (node.kind == GraphNode::Kind::kOuter) return components.of(*node.let->value, view.graph->scope);
-  return node.expression == nullptr ? ValueType{} : components.of(*node.expression, view.graph->scope);
+  return node.expression == nullptr ? cdl::PortType{} : components.of(*node.expression, view.graph->scope);
 }
 
 bool Editor::is_taken(const PageView& view, std::string_view name) const {

@@ -102,7 +102,7 @@ Done Editor::group(const Group& change) {
     for (const GraphInput& input : view.node(at).inputs) {
       if (!input.written || (input.is_inline && is_inside(input.from))) continue;
       if (input.is_inline) {  // written here, and stays outside
-        const ValueType type = this->given(view, input.from);
+        const cdl::PortType type = this->given(view, input.from);
         if (type.type == nullptr)
           return refusal(fmt::format("what type `{}` has can't be told", view.node(input.from).name));
         const std::string param = add(input.port == "members" ? default_name(*input.written) : input.port,
@@ -130,7 +130,7 @@ Done Editor::group(const Group& change) {
       }
       for (const cdl::Let& let : view.graph->lets()) {
         if (let.name.text != word) continue;
-        const ValueType type = work_.model().components().of(*let.value, view.graph->scope);
+        const cdl::PortType type = work_.model().components().of(*let.value, view.graph->scope);
         if (type.type == nullptr) trouble = word;
         const std::string param = add(word, type.type == nullptr ? "" : type_words(type), word);
         if (param != word) swaps.push_back({one.name.place.span, param});

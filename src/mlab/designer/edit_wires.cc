@@ -114,7 +114,7 @@ bool Editor::takes(const Spot& spot, const cdl::Expression& expression) const {
   return role != Role::kWeight || std::holds_alternative<cdl::Call>(expression.what);
 }
 
-std::string Editor::neutral(const ValueType& type) const {
+std::string Editor::neutral(const cdl::PortType& type) const {
   if (type.type == nullptr) return "0";
   switch (type.type->kind) {
     case flow::TypeKind::kBool:

@@ -51,8 +51,8 @@ class Editor {
   const cdl::Expression* written(const Spot& spot) const;
   /// The node that drives it and is written there; -1: none.
   int inline_node(const Spot& spot) const;
-  ValueType wanted(const Spot& spot) const;
-  ValueType given(const PageView& view, int node) const;
+  cdl::PortType wanted(const Spot& spot) const;
+  cdl::PortType given(const PageView& view, int node) const;
   std::string free_name(const PageView& view, const std::string& wanted) const;
   bool is_taken(const PageView& view, std::string_view name) const;
   /// Whether a value of `to` goes, directly or not, into `from` without a delay: a wire from `from` to `to`
@@ -82,7 +82,7 @@ class Editor {
   void erase_let(const cdl::Let& let);
   /// Whether a block or a big call may stand there.
   bool takes(const Spot& spot, const cdl::Expression& expression) const;
-  std::string neutral(const ValueType& type) const;
+  std::string neutral(const cdl::PortType& type) const;
 
   Done connect(const Connect& change);
   Done disconnect(const Disconnect& change);
@@ -157,6 +157,6 @@ class Editor {
 bool is_expression(std::string_view text);
 bool is_cdl_name(std::string_view text);
 /// A type as a parameter's is written: `length`, `double [kg]`.
-std::string type_words(const ValueType& type);
+std::string type_words(const cdl::PortType& type);
 
 }  // namespace mlab::designer

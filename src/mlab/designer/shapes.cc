@@ -9,7 +9,7 @@ namespace {
 
 using flow::TypeKind;
 
-bool is_movement(const ValueType& type) {
+bool is_movement(const cdl::PortType& type) {
   return type.type != nullptr && type.type->kind == TypeKind::kVector && type.unit.empty();
 }
 
@@ -22,7 +22,7 @@ bool is_logic(const Callable& component) {
          component.name == "Constant";
 }
 
-Socket socket(std::string name, ValueType type, std::string help, bool is_required) {
+Socket socket(std::string name, cdl::PortType type, std::string help, bool is_required) {
   Socket out;
   out.name = std::move(name);
   out.type = std::move(type);
@@ -156,13 +156,13 @@ std::vector<Socket> sockets(const GraphNode& node, const Components& components,
     return generic(coordinate->by, components);
   if (const auto* fuse = std::get_if<cdl::Fuse>(&what)) return generic(fuse->by, components);
   if (std::holds_alternative<cdl::Logic>(what)) return {socket("in", components.named("bool"), "", true)};
-  const ValueType own = components.of(*node.expression, scope);
+  const cdl::PortType own = components.of(*node.expression, scope);
   if (std::holds_alternative<cdl::Delay>(what))
     return {socket("value", own, "what is delayed", true),
             socket("initial", own, "what it gives first", false)};
   if (std::holds_alternative<cdl::Select>(what)) {
     const auto& select = std::get<cdl::Select>(what);
-    const ValueType by = select.by ? components.of(*select.by, scope) : ValueType{};
+    const cdl::PortType by = select.by ? components.of(*select.by, scope) : cdl::PortType{};
     return {socket("by", by, "which case", true), socket("case", own, "", true)};
   }
   return {};

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/frame.h"
+#include "mlab/lang/cdl/port_type.h"
 #include "mlab/lang/cdl/quantities.h"
 #include "mlab/lang/cdl/units.h"
 #include "mlab/percept/formation.h"
@@ -186,11 +187,14 @@ ValueType value_type(std::string_view type, std::string_view unit) {
 
 bool fits(const ValueType& have, const ValueType& want) {
   if (have.type.empty() || want.type.empty()) return true;
-  if (have.type != want.type && !(have.type == "int" && want.type == "double")) return false;
-  if (have.unit.empty() || want.unit.empty()) return true;
-  const auto from = cdl::unit_named(have.unit);
-  const auto to = cdl::unit_named(want.unit);
-  return !from || !to || from->same_dimension(*to);
+  const auto known = [](const ValueType& one) {
+    return cdl::PortType{robot::component_library().find_type(one.type), one.unit};
+  };
+  const cdl::PortType of = known(have);
+  const cdl::PortType to = known(want);
+  // Types of procedures that are brought along are known here by their names only.
+  if (of.type == nullptr || to.type == nullptr) return have.type == want.type;
+  return cdl::misfit(of, to) == cdl::Misfit::kNone;
 }
 
 std::vector<std::string> words_of(std::string_view type) {

@@ -94,9 +94,8 @@ PortType Lowering::type_of(const Parameter& parameter) {
 
 bool Lowering::fits(const PortType& have, const PortType& want, const std::string& name,
                     const text::Place& place, const Value* about) {
-  if (have.type == nullptr || want.type == nullptr) return true;
-  const bool widens = have.type->kind == TypeKind::kInteger && want.type->kind == TypeKind::kReal;
-  if (!widens && !flow::same_type(*have.type, *want.type)) {
+  const Misfit misfit = cdl::misfit(have, want);
+  if (misfit == Misfit::kType) {
     text::Diagnostic& d = report(text::Severity::kError, "wrong-type", place,
                                  fmt::format("{} stands where {} is expected", with_article(have.type->name),
                                              with_article(want.type->name)),
@@ -106,11 +105,7 @@ bool Lowering::fits(const PortType& have, const PortType& want, const std::strin
     if (is_elsewhere) d.notes.push_back({fmt::format("`{}` comes from here", about->named), about->declared});
     return false;
   }
-  if (want.type->kind != TypeKind::kReal || have.unit.empty() || want.unit.empty() || have.unit == want.unit)
-    return true;
-  const bool is_angle =
-      (have.unit == "rad" && want.unit == "deg") || (have.unit == "deg" && want.unit == "rad");
-  if (is_angle) return true;
+  if (misfit == Misfit::kNone) return true;
   error("wrong-unit", place, fmt::format("a value in {} stands where {} is expected", have.unit, want.unit))
       .label = fmt::format("`{}` takes {}", name, described(want));
   return false;

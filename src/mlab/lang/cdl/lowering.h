@@ -13,15 +13,10 @@
 #include "mlab/flow/network.h"
 #include "mlab/lang/cdl/configuration.h"
 #include "mlab/lang/cdl/lower.h"
+#include "mlab/lang/cdl/port_type.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cdl {
-
-/// A type that a parameter or an input has, with the unit of its numbers.
-struct PortType {
-  const flow::TypeInfo* type = nullptr;  ///< null: unknown, and said so
-  std::string unit;
-};
 
 /// ` [m/s]`; nothing for no unit.
 std::string bracketed(const std::string& unit);
