@@ -20,7 +20,6 @@ namespace {
 
 using flow::TypeKind;
 
-constexpr int kMaxDepth = 64;
 constexpr double kUnbounded = 1e299;
 
 // A constant of CNL as CDL writes it: `{1, 2}` is `[1, 2]`, `Flag|Basket` stands in quotes.
@@ -64,22 +63,10 @@ std::string with_unit(const cdl::PortType& type) {
 
 }  // namespace
 
-cdl::PortType Components::named(std::string_view type) const {
-  if (const cdl::Quantity* quantity = cdl::quantity_named(type))
-    return {library_.find_type(quantity->type), std::string(quantity->unit)};
-  return {library_.find_type(type), ""};
-}
-
-cdl::PortType Components::of(const cdl::Parameter& parameter) const {
-  cdl::PortType out = named(parameter.type.text);
-  if (!parameter.unit.text.empty()) out.unit = parameter.unit.text;
-  return out;
-}
-
 Socket Components::socket(const cdl::Parameter& parameter) const {
   Socket out;
   out.name = parameter.name.text;
-  out.type = of(parameter);
+  out.type = types_.of(parameter);
   out.help = parameter.help;
   if (parameter.initial) out.initial = cdl::print(*parameter.initial);
   if (parameter.low) out.min = in_unit(*parameter.low, out.type.unit);
@@ -111,7 +98,7 @@ Callable Components::of(const cdl::Assemblage& assemblage) const {
   out.help = assemblage.help;
   out.assemblage = &assemblage;
   for (const cdl::Word& word : assemblage.historic_names) out.historic_names += word.text + " ";
-  out.output = result_of(assemblage, 0);
+  out.output = types_.result_of(assemblage);
   for (const cdl::Parameter& parameter : assemblage.parameters) out.inputs.push_back(socket(parameter));
   return out;
 }
@@ -122,7 +109,7 @@ Callable Components::of(const cdl::Binding& binding) const {
   out.name = binding.name.text;
   out.help = binding.help;
   out.binding = &binding;
-  out.output = named(binding.result_type.text);
+  out.output = types_.named(binding.result_type.text);
   out.gives_nothing = binding.result_type.text.empty();
   for (const cdl::Parameter& parameter : binding.parameters) out.inputs.push_back(socket(parameter));
   return out;
@@ -136,8 +123,7 @@ Callable Components::of(const flow::Library::Entry& entry) const {
   out.help = std::string(behavior.help);
   out.behavior = &behavior;
   out.gives_nothing = behavior.output == nullptr;
-  const bool has_unit = entry.alias != nullptr && !entry.alias->output_unit.empty();
-  out.output = {behavior.output, std::string(has_unit ? entry.alias->output_unit : behavior.output_unit)};
+  out.output = types_.of_call(entry);
   for (const flow::Alias& alias : behavior.aliases) out.historic_names += std::string(alias.name) + " ";
   for (std::size_t i = 0; i < behavior.inputs.size(); ++i) {
     const flow::Input& input = behavior.inputs[i];
@@ -150,66 +136,13 @@ Callable Components::of(const flow::Library::Entry& entry) const {
   return out;
 }
 
-cdl::PortType Components::result_of(const cdl::Assemblage& assemblage, int depth) const {
-  if (!assemblage.result_type.text.empty()) return named(assemblage.result_type.text);
-  if (!assemblage.body) return named("Vector");
-  return depth > kMaxDepth ? cdl::PortType{} : of(*assemblage.body, scope_of(assemblage), depth + 1);
-}
-
-cdl::PortType Components::of_call(const std::string& callee, int depth) const {
-  if (const auto binding = configuration_.bindings.find(callee); binding != configuration_.bindings.end())
-    return named(binding->second->result_type.text);
-  if (const auto found = configuration_.assemblages.find(callee); found != configuration_.assemblages.end())
-    return result_of(*found->second, depth);
-  const flow::Library::Entry entry = library_.find(callee);
-  if (entry.behavior == nullptr) return {};
-  const bool has_unit = entry.alias != nullptr && !entry.alias->output_unit.empty();
-  return {entry.behavior->output,
-          std::string(has_unit ? entry.alias->output_unit : entry.behavior->output_unit)};
-}
-
-cdl::PortType Components::of_name(const std::string& name, const Scope& scope, int depth) const {
-  if (scope.lets != nullptr) {
-    for (const cdl::Let& let : *scope.lets) {
-      if (let.name.text == name && let.value) return of(*let.value, scope, depth + 1);
-    }
-  }
-  if (scope.parameters != nullptr) {
-    for (const cdl::Parameter& parameter : *scope.parameters) {
-      if (parameter.name.text == name) return of(parameter);
-    }
-  }
-  return {};
-}
-
-cdl::PortType Components::of(const cdl::Expression& expression, const Scope& scope, int depth) const {
-  if (depth > kMaxDepth) return {};
-  const auto part = [&](const cdl::ExpressionPtr& one) {
-    return one ? of(*one, scope, depth + 1) : cdl::PortType{};
-  };
-  const auto& what = expression.what;
-  if (const auto* name = std::get_if<cdl::Name>(&what)) return of_name(name->name.text, scope, depth);
-  if (const auto* call = std::get_if<cdl::Call>(&what)) return of_call(call->callee.text, depth + 1);
-  if (std::holds_alternative<cdl::Logic>(what)) return named("bool");
-  if (std::holds_alternative<cdl::Cooperate>(what) || std::holds_alternative<cdl::Compete>(what))
-    return named("Vector");
-  if (const auto* by = std::get_if<cdl::Coordinate>(&what)) return of_call(by->by.callee.text, depth + 1);
-  if (const auto* by = std::get_if<cdl::Fuse>(&what)) return of_call(by->by.callee.text, depth + 1);
-  cdl::PortType out;
-  if (const auto* sequence = std::get_if<cdl::Sequence>(&what)) {
-    for (const cdl::State& state : sequence->states) {
-      if (out.type == nullptr) out = part(state.member);
-    }
-  } else if (const auto* select = std::get_if<cdl::Select>(&what)) {
-    for (const cdl::Case& one : select->cases) {
-      if (out.type == nullptr) out = part(one.member);
-    }
-  } else if (const auto* delay = std::get_if<cdl::Delay>(&what)) {
-    out = part(delay->value);
-    if (out.type == nullptr) out = part(delay->initial);
-  }
-  out.unit.clear();
-  return out;
+cdl::PortType Components::of(const cdl::Expression& expression, const Scope& scope) const {
+  static const std::vector<cdl::Parameter> kNoParameters;
+  static const std::vector<cdl::Let> kNoLets;
+  if (std::holds_alternative<cdl::Number>(expression.what)) return {};
+  return types_.of(expression,
+                   types_.names_of(scope.parameters != nullptr ? *scope.parameters : kNoParameters,
+                                   scope.lets != nullptr ? *scope.lets : kNoLets));
 }
 
 std::string why_not(const cdl::PortType& have, const cdl::PortType& want) {

@@ -9,6 +9,7 @@
 #include "mlab/flow/library.h"
 #include "mlab/lang/cdl/configuration.h"
 #include "mlab/lang/cdl/port_type.h"
+#include "mlab/lang/cdl/types.h"
 
 namespace mlab::designer {
 
@@ -44,7 +45,7 @@ struct Callable {
 class Components {
  public:
   Components(const cdl::Configuration& configuration, const flow::Library& library)
-      : configuration_(configuration), library_(library) {}
+      : configuration_(configuration), library_(library), types_(configuration, library) {}
 
   const cdl::Configuration& configuration() const { return configuration_; }
   const flow::Library& library() const { return library_; }
@@ -55,8 +56,7 @@ class Components {
   Callable of(const cdl::Binding& binding) const;
   Callable of(const flow::Library::Entry& entry) const;
 
-  cdl::PortType named(std::string_view type) const;
-  cdl::PortType of(const cdl::Parameter& parameter) const;
+  const cdl::Types& types() const { return types_; }
   Socket socket(const cdl::Parameter& parameter) const;
 
   /// Names that an expression may use besides components: where it stands.
@@ -68,17 +68,15 @@ class Components {
     return {&assemblage.parameters, &assemblage.lets};
   }
   static Scope scope_of(const cdl::Robot& robot) { return {&robot.parameters, &robot.lets}; }
-  /// The type of what an expression gives; without a type where it is a constant or wrong.
-  cdl::PortType of(const cdl::Expression& expression, const Scope& scope, int depth = 0) const;
+  /// What an expression gives; without a type where it is a constant or wrong.
+  cdl::PortType of(const cdl::Expression& expression, const Scope& scope) const;
 
  private:
   std::optional<Callable> made(std::string_view name) const;
-  cdl::PortType of_name(const std::string& name, const Scope& scope, int depth) const;
-  cdl::PortType of_call(const std::string& callee, int depth) const;
-  cdl::PortType result_of(const cdl::Assemblage& assemblage, int depth) const;
 
   const cdl::Configuration& configuration_;
   const flow::Library& library_;
+  cdl::Types types_;
   mutable std::map<std::string, std::optional<Callable>, std::less<>> found_;  // asked for already
 };
 

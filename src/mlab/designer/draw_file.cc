@@ -72,7 +72,7 @@ Shown shown(const cdl::Item& item, const Model& model) {
            binding->name.place.span,
            {},
            false,
-           model.components().named(binding->result_type.text)};
+           model.components().types().named(binding->result_type.text)};
   }
   return out;
 }
@@ -216,7 +216,7 @@ std::string device_verdict(const cdl::Device& device, const cdl::Binding& bindin
   if (binding.result_type.text.empty() || by->gives_nothing)
     return binding.result_type.text.empty() == by->gives_nothing ? ""
                                                                  : "one gives a value and the other none";
-  return why_not(by->output, components.named(binding.result_type.text));
+  return why_not(by->output, components.types().named(binding.result_type.text));
 }
 
 bool is_served(const cdl::RobotClass& robot_class, std::string_view binding) {

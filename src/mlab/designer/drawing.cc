@@ -75,7 +75,7 @@ class Drawer {
 
   cdl::PortType type_of(const GraphNode& node) const {
     const Components& components = model_.components();
-    if (node.parameter != nullptr) return components.of(*node.parameter);
+    if (node.parameter != nullptr) return components.types().of(*node.parameter);
     if (node.kind == Kind::kOuter) return components.of(*node.let->value, graph_.scope);
     if (node.expression != nullptr) return components.of(*node.expression, graph_.scope);
     return {};

@@ -117,7 +117,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
   const Components& components = model.components();
   const auto type_of = [&](const GraphNode& node) -> cdl::PortType {
-    if (node.parameter != nullptr) return components.of(*node.parameter);
+    if (node.parameter != nullptr) return components.types().of(*node.parameter);
     if (node.kind == GraphNode::Kind::kOuter) return components.of(*node.let->value, found.graph->scope);
     return node.expression == nullptr ? cdl::PortType{} : components.of(*node.expression, found.graph->scope);
   };
@@ -148,7 +148,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
   };
   const auto result_type = [&]() -> cdl::PortType {
     const bool is_owner = page.parent < 0 && found.graph->assemblage != nullptr;
-    return is_owner ? components.named(found.graph->assemblage->result_type.text) : cdl::PortType{};
+    return is_owner ? components.types().named(found.graph->assemblage->result_type.text) : cdl::PortType{};
   };
   const auto add = [&](const std::string& node, const std::string& port, std::optional<std::uint32_t> index,
                        const std::string& reason) {
@@ -205,7 +205,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     if (!component && request.component() != "delay" && request.component() != "select") {
       const bool is_logic =
           request.component() == "not" || request.component() == "and" || request.component() == "or";
-      type = components.named(is_logic ? "bool" : "Vector");
+      type = components.types().named(is_logic ? "bool" : "Vector");
     }
   } else {
     from = page.find(request.from_node());

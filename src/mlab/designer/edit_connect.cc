@@ -423,7 +423,7 @@ Done Editor::expose(const Expose& change) {
   const auto known =
       std::ranges::find_if(parameters, [&](const cdl::Parameter& p) { return p.name.text == name; });
   if (known != parameters.end() && !change.parameter().empty()) {
-    const std::string reason = why_not(work_.model().components().of(*known), socket->type);
+    const std::string reason = why_not(work_.model().components().types().of(*known), socket->type);
     if (!reason.empty()) return refusal(fmt::format("`{}` does not fit: {}", name, reason));
     const Done done = write(*to, name);
     return done ? work_.commit() : done;

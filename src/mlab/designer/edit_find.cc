@@ -107,14 +107,14 @@ cdl::PortType Editor::wanted(const Spot& spot) const {
     const OwnerGraph& graph = *spot.view.graph;
     if (spot.view.page->parent < 0 && graph.assemblage != nullptr &&
         !graph.assemblage->result_type.text.empty())
-      return components.named(graph.assemblage->result_type.text);
+      return components.types().named(graph.assemblage->result_type.text);
     return {};
   }
   if (!spot.drive.empty()) {
     const auto binding = components.configuration().bindings.find(spot.drive);
     const bool is_known =
         binding != components.configuration().bindings.end() && !binding->second->parameters.empty();
-    return is_known ? components.of(binding->second->parameters.front()) : cdl::PortType{};
+    return is_known ? components.types().of(binding->second->parameters.front()) : cdl::PortType{};
   }
   const GraphNode& node = spot.view.node(spot.node);
   const GraphInput& input = *spot.at();
@@ -132,7 +132,7 @@ cdl::PortType Editor::wanted(const Spot& spot) const {
 cdl::PortType Editor::given(const PageView& view, int at) const {
   const GraphNode& node = view.node(at);
   const Components& components = work_.model().components();
-  if (node.parameter != nullptr) return components.of(*node.parameter);
+  if (node.parameter != nullptr) return components.types().of(*node.parameter);
   if (node.kind == GraphNode::Kind::kOuter) return components.of(*node.let->value, view.graph->scope);
   return node.expression == nullptr ? cdl::PortType{} : components.of(*node.expression, view.graph->scope);
 }

@@ -39,7 +39,7 @@ class Builder {
   void run() {
     new_page("", -1);
     for (const cdl::Parameter& parameter : graph_.parameters()) {
-      if (is_wired(components_.of(parameter))) parameter_node(parameter, 0);
+      if (is_wired(components_.types().of(parameter))) parameter_node(parameter, 0);
     }
     if (graph_.robot != nullptr) {
       for (const cdl::Parameter& parameter : graph_.parameters()) claim_path(parameter.name.text);
@@ -355,7 +355,7 @@ class Builder {
       return {found == let_nodes_.end() ? -1 : found->second, false};
     }
     for (const cdl::Parameter& parameter : graph_.parameters()) {
-      if (parameter.name.text == name.name.text && is_wired(components_.of(parameter)))
+      if (parameter.name.text == name.name.text && is_wired(components_.types().of(parameter)))
         return {parameter_node(parameter, on), false};
     }
     return {};

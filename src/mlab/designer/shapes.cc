@@ -48,9 +48,9 @@ std::vector<Socket> generic(const cdl::Call& by, const Components& components) {
 }
 
 std::vector<Socket> movements(const Components& components, const char* weight_help) {
-  std::vector<Socket> out{socket("members", components.named("Vector"), "a movement", false)};
+  std::vector<Socket> out{socket("members", components.types().named("Vector"), "a movement", false)};
   if (weight_help != nullptr) {
-    out.push_back(socket("weight", components.named("gain"), weight_help, false));
+    out.push_back(socket("weight", components.types().named("gain"), weight_help, false));
     out.back().initial = "1";
   }
   return out;
@@ -155,7 +155,8 @@ std::vector<Socket> sockets(const GraphNode& node, const Components& components,
   if (const auto* coordinate = std::get_if<cdl::Coordinate>(&what))
     return generic(coordinate->by, components);
   if (const auto* fuse = std::get_if<cdl::Fuse>(&what)) return generic(fuse->by, components);
-  if (std::holds_alternative<cdl::Logic>(what)) return {socket("in", components.named("bool"), "", true)};
+  if (std::holds_alternative<cdl::Logic>(what))
+    return {socket("in", components.types().named("bool"), "", true)};
   const cdl::PortType own = components.of(*node.expression, scope);
   if (std::holds_alternative<cdl::Delay>(what))
     return {socket("value", own, "what is delayed", true),

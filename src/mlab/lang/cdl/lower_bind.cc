@@ -23,7 +23,7 @@ std::string with_article(std::string_view name) {
 }
 
 std::string described(const PortType& type) {
-  return fmt::format("{}{}", type.type->name, bracketed(type.unit));
+  return fmt::format("{}{}", type.name(), bracketed(type.unit));
 }
 
 std::string quoted_number(const Value& value) {
@@ -50,14 +50,8 @@ std::string bracketed(const std::string& unit) {
   return unit.empty() ? "" : fmt::format(" [{}]", unit);
 }
 
-PortType Lowering::known_type(std::string_view name) const {
-  if (const Quantity* quantity = quantity_named(name))
-    return {library_.find_type(quantity->type), std::string(quantity->unit)};
-  return {library_.find_type(name), ""};
-}
-
 PortType Lowering::type_named(const Word& name) {
-  PortType known = known_type(name.text);
+  PortType known = types_.named(name.text);
   if (known.type != nullptr) return known;
   text::Diagnostic& d = error("unknown-type", name.place, fmt::format("unknown type `{}`", name.text));
   hint_nearest(d, name.text, type_names());
@@ -96,10 +90,10 @@ bool Lowering::fits(const PortType& have, const PortType& want, const std::strin
                     const text::Place& place, const Value* about) {
   const Misfit misfit = cdl::misfit(have, want);
   if (misfit == Misfit::kType) {
-    text::Diagnostic& d = report(text::Severity::kError, "wrong-type", place,
-                                 fmt::format("{} stands where {} is expected", with_article(have.type->name),
-                                             with_article(want.type->name)),
-                                 about == nullptr ? "" : about->named);
+    text::Diagnostic& d = report(
+        text::Severity::kError, "wrong-type", place,
+        fmt::format("{} stands where {} is expected", with_article(have.name()), with_article(want.name())),
+        about == nullptr ? "" : about->named);
     d.label = fmt::format("`{}` takes {}", name, described(want));
     const bool is_elsewhere = about != nullptr && !about->named.empty() && about->declared.source;
     if (is_elsewhere) d.notes.push_back({fmt::format("`{}` comes from here", about->named), about->declared});

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "mlab/base/overloaded.h"
 #include "mlab/flow/port_types.h"
 #include "mlab/lang/cdl/lowering.h"
 #include "mlab/lang/cdl/units.h"
@@ -15,12 +16,6 @@ namespace {
 
 // Assemblages in assemblages, calls in calls: so deep in all.
 constexpr int kMaxDepth = 500;
-constexpr int kMaxTypeDepth = 64;
-
-template <class... Functions>
-struct Overloaded : Functions... {
-  using Functions::operator()...;
-};
 
 }  // namespace
 
@@ -44,7 +39,7 @@ Value Lowering::lower(const Expression& expression, Scope& scope, const Slot& sl
 Value Lowering::lower_what(const Expression& expression, Scope& scope, const Slot& slot) {
   const text::Place& place = expression.place;
   return std::visit(
-      Overloaded{
+      base::Overloaded{
           [&](const Number& number) {
             Value out;
             if (!number.unit.text.empty() && !unit_named(number.unit.text)) {
@@ -107,7 +102,7 @@ Value Lowering::lower_let(Scope::Named& named, Scope& scope) {
   if (named.state == Progress::kReady) return named.value;
   if (named.state == Progress::kOpen) {
     named.was_promised = true;
-    return wire(named.path, static_type(*let.value, &scope, nullptr, 0), let.name.place);
+    return wire(named.path, types_.of(*let.value, types_in(scope)), let.name.place);
   }
   named.state = Progress::kOpen;
   named.path = claim({scope.path, let.name.text, false}, "");
@@ -238,70 +233,16 @@ Value Lowering::lower_active(const Expression& expression, Scope& scope, const S
   return wire(path, value.type, expression.place);
 }
 
-PortType Lowering::static_type_of_name(const std::string& name, const Scope* scope, const Assemblage* inside,
-                                       int depth) const {
-  if (scope != nullptr) {
-    const auto known = scope->names.find(name);
-    if (known == scope->names.end()) return {};
+// What the names of a scope stand for, without making anything of them: for what is not there yet.
+Types::Names Lowering::types_in(const Scope& scope) const {
+  return [&, this](const std::string& name, int depth) -> PortType {
+    const auto known = scope.names.find(name);
+    if (known == scope.names.end()) return {};
     const Scope::Named& named = known->second;
     if (named.let != nullptr && named.state != Scope::Named::State::kReady)
-      return static_type(*named.let->value, scope, nullptr, depth + 1);
+      return types_.of(*named.let->value, types_in(scope), depth + 1);
     return named.value.type;
-  }
-  if (inside == nullptr) return {};
-  for (const Let& let : inside->lets) {
-    if (let.name.text == name) return static_type(*let.value, nullptr, inside, depth + 1);
-  }
-  for (const Parameter& parameter : inside->parameters) {
-    if (parameter.name.text == name) return known_type(parameter.type.text);
-  }
-  return {};
-}
-
-PortType Lowering::static_type_of_call(const Word& callee, int depth) const {
-  if (const auto binding = configuration_.bindings.find(callee.text);
-      binding != configuration_.bindings.end())
-    return known_type(binding->second->result_type.text);
-  if (const Assemblage* found = configuration_.assemblage_named(callee)) {
-    const Assemblage& assemblage = *found;
-    if (!assemblage.result_type.text.empty()) return known_type(assemblage.result_type.text);
-    return assemblage.body ? static_type(*assemblage.body, nullptr, &assemblage, depth + 1)
-                           : known_type("Vector");
-  }
-  const flow::Library::Entry entry = library_.find(callee.text);
-  if (entry.behavior == nullptr) return {};
-  return {entry.behavior->output, std::string(entry.behavior->output_unit)};
-}
-
-// What type an expression has, without making anything of it: for what is not there yet.
-PortType Lowering::static_type(const Expression& expression, const Scope* scope, const Assemblage* inside,
-                               int depth) const {
-  if (depth > kMaxTypeDepth) return {};
-  const auto of = [&](const ExpressionPtr& part) {
-    return part ? static_type(*part, scope, inside, depth + 1) : PortType{};
   };
-  return std::visit(
-      Overloaded{
-          [&](const Number&) { return known_type("double"); },
-          [&](const Text&) { return PortType{}; },
-          [&](const Name& name) { return static_type_of_name(name.name.text, scope, inside, depth); },
-          [&](const List&) { return PortType{}; },
-          [&](const Call& call) { return static_type_of_call(call.callee, depth); },
-          [&](const Logic&) { return known_type("bool"); },
-          [&](const Cooperate&) { return known_type("Vector"); },
-          [&](const Compete&) { return known_type("Vector"); },
-          [&](const Coordinate& what) { return static_type_of_call(what.by.callee, depth); },
-          [&](const Fuse& what) { return static_type_of_call(what.by.callee, depth); },
-          [&](const Sequence& what) {
-            return what.states.empty() ? PortType{} : of(what.states.front().member);
-          },
-          [&](const Select& what) { return what.cases.empty() ? PortType{} : of(what.cases.front().member); },
-          [&](const Delay& what) {
-            const PortType type = of(what.value);
-            return type.type != nullptr ? type : of(what.initial);
-          },
-      },
-      expression.what);
 }
 
 }  // namespace mlab::cdl

@@ -35,8 +35,8 @@ bool Lowering::check_members(const std::vector<Member>& members, const char* wha
 
 Value Lowering::lower_cooperate(const Cooperate& what, Scope& scope, const Slot& slot,
                                 const text::Place& place) {
-  const PortType vector = known_type("Vector");
-  const PortType gain = known_type("double");
+  const PortType vector = types_.named("Vector");
+  const PortType gain = types_.named("double");
   const std::string path = claim(slot, "cooperate");
   if (!check_members(what.members, "cooperate", place)) return wire(path, vector, place);
   flow::Node node = node_of(path, "WeightedSum", place);
@@ -57,7 +57,7 @@ Value Lowering::lower_cooperate(const Cooperate& what, Scope& scope, const Slot&
 }
 
 Value Lowering::lower_compete(const Compete& what, Scope& scope, const Slot& slot, const text::Place& place) {
-  const PortType vector = known_type("Vector");
+  const PortType vector = types_.named("Vector");
   const bool by_strength = what.rule == CompetitionRule::kStrength;
   const std::string path = claim(slot, "compete");
   if (!check_members(what.members, "compete", place)) return wire(path, vector, place);
@@ -72,7 +72,7 @@ Value Lowering::lower_compete(const Compete& what, Scope& scope, const Slot& slo
           .hints = {"their order tells which comes first; `compete by strength` takes an activation here"};
     } else if (member.weight) {
       const Value given = lower(*member.weight, scope, {path, "activation", false});
-      auto bound = bind(given, known_type("double"), nullptr, "activation", member.weight->place);
+      auto bound = bind(given, types_.named("double"), nullptr, "activation", member.weight->place);
       if (bound) node.links.push_back({"activations", std::move(*bound), member.weight->place});
     } else if (has_weights && by_strength && source) {
       flow::Node length = node_of(claim_path(path + ".Length"), "Length", member.value->place);
@@ -154,7 +154,7 @@ PortType Lowering::common_type(const std::vector<Value>& members, const text::Pl
   const bool all_numbers = !members.empty() && std::ranges::all_of(members, [](const Value& member) {
     return member.kind == Value::Kind::kNumber;
   });
-  if (all_numbers) return known_type("double");
+  if (all_numbers) return types_.named("double");
   const bool is_said =
       std::ranges::any_of(members, [](const Value& m) { return m.kind == Value::Kind::kNone; });
   if (!is_said) error("unknown-type", place, fmt::format("what type this {} has can't be told", what));
@@ -173,7 +173,7 @@ flow::State Lowering::lower_state(const State& state, Scope& scope, const std::s
     error("sink-as-value", state.member->place, fmt::format("`{}` gives no value", member.text));
     member = {};
   }
-  const PortType boolean = known_type("bool");
+  const PortType boolean = types_.named("bool");
   for (const Transition& transition : state.transitions) {
     flow::Transition code;
     code.target = transition.target.text;
@@ -247,7 +247,7 @@ Value Lowering::lower_select(const Select& what, Scope& scope, const Slot& slot,
   const bool can_select = kind == TypeKind::kInteger || kind == TypeKind::kChoice ||
                           kind == TypeKind::kBool || kind == TypeKind::kMask;
   if (by.kind == Value::Kind::kWord) {
-    bind(by, known_type("int"), nullptr, "select", what.by->place);
+    bind(by, types_.named("int"), nullptr, "select", what.by->place);
   } else if (by.kind != Value::Kind::kNone && !can_select) {
     error("wrong-type", what.by->place, "a selector is the value of a call: an int, a bool or a choice")
         .label = is_known ? fmt::format("this is {}", by.type.type->name) : "this is a constant";

@@ -321,7 +321,7 @@ void Lowering::check_assemblage(const Assemblage& assemblage) {
   for (const Let& let : assemblage.lets) lower_let(scope.names[let.name.text], scope);
   open_.pop_back();
   const bool is_constant = out.kind == Value::Kind::kWord || out.kind == Value::Kind::kText;
-  if (is_constant) bind(out, known_type("Vector"), nullptr, assemblage.name.text, assemblage.body->place);
+  if (is_constant) bind(out, types_.named("Vector"), nullptr, assemblage.name.text, assemblage.body->place);
 }
 
 void Lowering::check_device(const Device& device, Scope& scope) {
@@ -342,7 +342,7 @@ void Lowering::check_device(const Device& device, Scope& scope) {
       drive_device({&device, &scope, false, false}, driven, device.by.callee.place);
     return;
   }
-  if (!fits(static_type_of_call(device.by.callee, 0), type_named(binding.result_type), device.binds.text,
+  if (!fits(types_.of_call(device.by.callee), type_named(binding.result_type), device.binds.text,
             device.by.callee.place))
     return;
   std::vector<Given> asked;

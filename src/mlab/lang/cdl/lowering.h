@@ -14,6 +14,7 @@
 #include "mlab/lang/cdl/configuration.h"
 #include "mlab/lang/cdl/lower.h"
 #include "mlab/lang/cdl/port_type.h"
+#include "mlab/lang/cdl/types.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cdl {
@@ -78,7 +79,11 @@ class Lowering {
  public:
   Lowering(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink,
            Said& said)
-      : configuration_(configuration), library_(library), sink_(sink), said_(said) {}
+      : configuration_(configuration),
+        library_(library),
+        types_(configuration, library),
+        sink_(sink),
+        said_(said) {}
 
   LoweredRobot robot(const Robot& robot);
   /// Checks an assemblage by itself: its parameters have values of their type, or their defaults.
@@ -99,11 +104,7 @@ class Lowering {
   Value lower_logic(const Logic& logic, Scope& scope, const Slot& slot, const text::Place& place);
   Value lower_delay(const Delay& delay, Scope& scope, const Slot& slot, const text::Place& place);
   Value lower_active(const Expression& expression, Scope& scope, const Slot& slot);
-  PortType static_type(const Expression& expression, const Scope* scope, const Assemblage* inside,
-                       int depth) const;
-  PortType static_type_of_name(const std::string& name, const Scope* scope, const Assemblage* inside,
-                               int depth) const;
-  PortType static_type_of_call(const Word& callee, int depth) const;
+  Types::Names types_in(const Scope& scope) const;
 
   // lower_call.cc
   Value lower_call(const Call& call, Scope& scope, const Slot& slot, const text::Place& place);
@@ -179,7 +180,6 @@ class Lowering {
   bool check_range(const Value& value, const Parameter& parameter, const PortType& type);
   PortType type_of(const Parameter& parameter);
   PortType type_named(const Word& name);
-  PortType known_type(std::string_view name) const;
 
   // lower_robot.cc
   Scope& declare_class(const RobotClass& robot_class, Scope& own);
@@ -213,6 +213,7 @@ class Lowering {
 
   const Configuration& configuration_;
   const flow::Library& library_;
+  const Types types_;
   text::Diagnostics& sink_;
   flow::Network network_;
   std::deque<Scope> scopes_;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/flow/library.h"
+#include "mlab/lang/cdl/configuration.h"
+#include "mlab/lang/cdl/port_type.h"
+
+namespace mlab::cdl {
+
+/// What types things of one configuration have, from its declarations and from descriptors: nothing is
+/// lowered, and nothing reported. Both must outlive it.
+class Types {
+ public:
+  Types(const Configuration& configuration, const flow::Library& library)
+      : configuration_(configuration), library_(library) {}
+
+  /// Of a type's or a quantity's name: `length` is a real number in m.
+  PortType named(std::string_view type) const;
+  PortType of(const Parameter& parameter) const;
+  /// What a call gives: nothing where nobody answers to the name, or who does is a sink.
+  PortType of_call(const Word& callee) const { return of_call(callee, 0); }
+  PortType of_call(const flow::Library::Entry& entry) const;
+  PortType result_of(const Assemblage& assemblage) const { return result_of(assemblage, 0); }
+
+  /// What a name stands for where an expression stands. Hands `depth` on to `of`.
+  using Names = std::function<PortType(const std::string& name, int depth)>;
+  /// Of parameters and `let`s. Both must outlive it.
+  Names names_of(const std::vector<Parameter>& parameters, const std::vector<Let>& lets) const;
+  /// What an expression gives; a number by itself is a real one.
+  PortType of(const Expression& expression, const Names& names, int depth = 0) const;
+
+ private:
+  PortType of_call(const Word& callee, int depth) const;
+  PortType result_of(const Assemblage& assemblage, int depth) const;
+
+  const Configuration& configuration_;
+  const flow::Library& library_;
+};
+
+}  // namespace mlab::cdl
