@@ -31,13 +31,13 @@ struct Inside {
 
 Inside inside(const CdlScan& scan, std::uint32_t cursor) {
   Inside out;
-  for (const cdl::Comment& comment : scan.lexed.comments) {
+  for (const cdl::Comment& comment : scan.written.tokens.comments) {
     const bool is_line = scan.source->text(comment.span).starts_with("//");
     const bool is_in =
         comment.span.begin < cursor && (cursor < comment.span.end || is_line || !comment.is_closed);
     if (is_in && cursor <= comment.span.end) out.is_comment = true;
   }
-  for (const cdl::Token& token : scan.lexed.tokens) {
+  for (const cdl::Token& token : scan.written.tokens.tokens) {
     const bool is_closed = token.kind == cdl::Token::Kind::kText;
     if (!is_closed && token.kind != cdl::Token::Kind::kUnclosed) continue;
     if (token.span.begin < cursor && (is_closed ? cursor < token.span.end : cursor <= token.span.end))
@@ -235,7 +235,7 @@ class CdlCompleter {
     for (const std::string& name : cdl::type_names()) out_.add(name, "type", "", kLikely);
   }
 
-  void states(int sequence) {
+  void states(std::uint32_t sequence) {
     const CdlDeclaration* const in = open();
     if (in == nullptr) return;
     // Sequences are counted through the file; the same one has the same number in the whole text.
@@ -348,9 +348,15 @@ class CdlCompleter {
   CandidateList& out_;
 };
 
-CdlScan scan_before(const Text& text, std::uint32_t end) {
-  return scan_cdl(std::make_shared<const text::Source>(text.source->name(),
-                                                       std::string(text.source->text().substr(0, end))));
+// The declaration that a place is in, as far as it stands before that place; everything keeps its offset.
+CdlScan scan_before(const CdlScan& whole, std::uint32_t end) {
+  std::uint32_t begin = 0;
+  for (const CdlDeclaration& one : whole.declarations) {
+    if (one.whole.begin < end) begin = one.whole.begin;
+  }
+  std::string before(begin, ' ');
+  before += whole.source->text({begin, end});
+  return scan_cdl(std::make_shared<const text::Source>(whole.source->name(), std::move(before)));
 }
 
 }  // namespace
@@ -361,7 +367,7 @@ Completions complete_cdl(const Text& text, std::uint32_t cursor, const Surroundi
   const Inside in = inside(world.own(), cursor);
   if (in.is_comment) return {{cursor, cursor}, {}, false};
   if (in.text) {
-    const CdlScan before = scan_before(text, in.text->begin - 1);
+    const CdlScan before = scan_before(world.own(), in.text->begin - 1);
     const std::size_t bar = all.substr(in.text->begin, cursor - in.text->begin).rfind('|');
     const auto begin =
         static_cast<std::uint32_t>(in.text->begin + (bar == std::string_view::npos ? 0 : bar + 1));
@@ -379,14 +385,14 @@ Completions complete_cdl(const Text& text, std::uint32_t cursor, const Surroundi
       begin == cursor && begin > 0 && std::string_view("0123456789").contains(all[begin - 1]);
   if (is_number) return {{cursor, cursor}, {}, false};
   CandidateList out(std::string(all.substr(begin, cursor - begin)));
-  const CdlScan before = scan_before(text, begin);
+  const CdlScan before = scan_before(world.own(), begin);
   CdlCompleter(world, before, text, around, out).run();
   return out.take({begin, cursor});
 }
 
 std::optional<Signature> signature_cdl(const Text& text, std::uint32_t cursor, const Surroundings& around) {
   const CdlWorld world(text.source, around);
-  const CdlScan before = scan_before(text, cursor);
+  const CdlScan before = scan_before(world.own(), cursor);
   if (before.open_calls.empty()) return std::nullopt;
   const CdlScan::OpenCall& call = before.open_calls.back();
   const Component* const called = world.component(before.names[static_cast<std::size_t>(call.callee)].text);

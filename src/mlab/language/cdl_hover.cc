@@ -166,7 +166,7 @@ std::optional<Hover> hover_cdl(const Text& text, std::uint32_t cursor, const Sur
     std::string markdown = CdlHover(world).of(name);
     if (!markdown.empty()) return Hover{std::move(markdown), name.span};
   }
-  for (const text::Span word : world.own().words) {
+  for (const text::Span word : world.own().written.words) {
     if (word.begin > cursor || cursor > word.end) continue;
     const std::string_view help = cdl_word_help(text.source->text(word));
     if (!help.empty()) return Hover{std::string(help), word};
@@ -210,10 +210,10 @@ std::vector<Symbol> symbols_cdl(const Text& text, const Surroundings& around) {
 std::vector<Shade> tokens_cdl(const Text& text) {
   const CdlScan scan = scan_cdl(text.source);
   std::vector<Shade> out;
-  for (const cdl::Comment& comment : scan.lexed.comments)
+  for (const cdl::Comment& comment : scan.written.tokens.comments)
     out.push_back({comment.span, Shade::Kind::kComment});
-  for (const text::Span word : scan.words) out.push_back({word, Shade::Kind::kKeyword});
-  for (const cdl::Token& token : scan.lexed.tokens) {
+  for (const text::Span word : scan.written.words) out.push_back({word, Shade::Kind::kKeyword});
+  for (const cdl::Token& token : scan.written.tokens.tokens) {
     if (token.kind == cdl::Token::Kind::kNumber) out.push_back({token.span, Shade::Kind::kNumber});
     if (token.kind == cdl::Token::Kind::kText || token.kind == cdl::Token::Kind::kUnclosed)
       out.push_back({token.span, Shade::Kind::kText});

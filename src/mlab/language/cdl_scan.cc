@@ -1,570 +1,421 @@
-// What a configuration consists of: uses, assemblages, robots, societies. Layouts are in cdl_layout.cc.
+// What a configuration consists of, as an editor asks for it: read out of the tree.
 
 #include "mlab/language/cdl_scan.h"
 
 #include <algorithm>
-#include <iterator>
-#include <ranges>
+#include <utility>
 
-#include "mlab/lang/cdl/cursor.h"
-#include "mlab/language/cdl_reader.h"
+#include <fmt/core.h>
+
+#include "mlab/base/overloaded.h"
 
 namespace mlab::language {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+using Kind = CdlWant::Kind;
+
+CdlGuess of_type(std::string type, std::string unit = "") {
+  return {CdlGuess::Kind::kType, std::move(type), std::move(unit)};
 }
+
+CdlGuess of_call(const cdl::Call& call) {
+  return {CdlGuess::Kind::kCall, call.callee.text, ""};
+}
+
+CdlGuess known_one(CdlGuess first, CdlGuess other) {
+  return first.kind == CdlGuess::Kind::kUnknown ? std::move(other) : std::move(first);
+}
+
+std::string text_of(const std::optional<cdl::Number>& number) {
+  if (!number) return "";
+  return fmt::format("{}{}{}", number->value, number->unit.text.empty() ? "" : " ", number->unit.text);
+}
+
+class Collector {
+ public:
+  explicit Collector(const text::SourcePtr& source) {
+    out_.source = source;
+    out_.written = cdl::read_as_written(source);
+    const std::vector<cdl::Token>& tokens = out_.written.tokens.tokens;
+    end_ = tokens.back().span.begin;
+    last_end_ = tokens.size() < 2 ? 0 : tokens[tokens.size() - 2].span.end;
+  }
+
+  CdlScan run() {
+    for (const cdl::Item& item : out_.written.tree.items)
+      std::visit([this](const auto& one) { add(one); }, item);
+    for (const std::string& word : out_.written.next_words)
+      want({.kind = Kind::kKeyword, .words = {as_offered(word)}});
+    if (out_.written.ends_inside) out_.open_declaration = static_cast<int>(out_.declarations.size()) - 1;
+    return std::move(out_);
+  }
+
+ private:
+  // ---- where the text ends
+
+  /// With what always follows.
+  static std::string as_offered(const std::string& word) {
+    return word == "team" ? "team of" : word == "otherwise" ? "otherwise: " : word;
+  }
+  void want(CdlWant one) { out_.wants.push_back(std::move(one)); }
+  bool is_at_end(const text::Place& place) const { return place.source && place.span.begin >= end_; }
+  /// Whether this is what should stand where the text ends.
+  bool is_next(const cdl::Word& word) const { return word.text.empty() && is_at_end(word.place); }
+
+  // ---- names
+
+  CdlDeclaration& current() { return out_.declarations.back(); }
+
+  /// @return  its index; -1 where it is missing
+  int add_name(const cdl::Word& word, NameKind kind, bool is_declaration = false) {
+    if (word.text.empty()) return -1;
+    CdlName name;
+    name.span = word.place.span;
+    name.kind = kind;
+    name.is_declaration = is_declaration;
+    name.text = word.text;
+    name.declaration = static_cast<int>(out_.declarations.size()) - 1;
+    out_.names.push_back(std::move(name));
+    return static_cast<int>(out_.names.size()) - 1;
+  }
+  CdlName& name_at(int i) { return out_.names[static_cast<std::size_t>(i)]; }
+
+  /// A name that something else declares; where it is missing at the end, this is what could stand there.
+  int use(const cdl::Word& word, NameKind kind, CdlWant wanted) {
+    if (is_next(word)) want(std::move(wanted));
+    return add_name(word, kind);
+  }
+
+  template <class Declaration>
+  void declare(const Declaration& what, NameKind kind) {
+    CdlDeclaration& one = out_.declarations.emplace_back();
+    one.kind = kind;
+    one.name = what.name.text;
+    one.span = what.name.place.span;
+    one.whole = what.whole;
+    one.help = what.help;
+    add_name(what.name, kind, true);
+  }
+
+  // ---- declarations
+
+  void add(const cdl::Use& use) {
+    if (is_next(use.path)) return want({.kind = Kind::kFile});
+    const text::Span quoted = use.path.place.span;
+    out_.uses.push_back(
+        {.span = {quoted.begin + 1, quoted.end - 1}, .kind = NameKind::kFile, .text = use.path.text});
+  }
+
+  void add(const cdl::Architecture& architecture) {
+    use(architecture.name, NameKind::kArchitecture, {.kind = Kind::kKeyword, .words = {"AuRA", "UGV"}});
+  }
+
+  void add(const cdl::Assemblage& assemblage) {
+    declare(assemblage, NameKind::kAssemblage);
+    parameters(assemblage.parameters);
+    use(assemblage.result_type, NameKind::kType, {.kind = Kind::kType});
+    current().result_type = assemblage.result_type.text;
+    lets(assemblage.lets);
+    CdlGuess result = expression(assemblage.body, {.type = value_type(assemblage.result_type.text, "")});
+    current().result = std::move(result);
+  }
+
+  void add(const cdl::Binding& binding) {
+    declare(binding, NameKind::kBinding);
+    parameters(binding.parameters);
+    use(binding.result_type, NameKind::kType, {.kind = Kind::kType});
+    current().result_type = binding.result_type.text;
+  }
+
+  void add(const cdl::RobotClass& robot_class) {
+    declare(robot_class, NameKind::kClass);
+    parameters(robot_class.parameters);
+    for (const cdl::BodySetting& setting : robot_class.body) {
+      use(setting.name, NameKind::kBodySetting, {.kind = Kind::kBodySetting});
+      expression(setting.value, {});
+    }
+    for (const cdl::Device& one : robot_class.devices) device(one);
+  }
+
+  void device(const cdl::Device& one) {
+    add_name(one.name, NameKind::kDevice, true);
+    service(one);
+    use(one.binds, NameKind::kBinding, {.kind = Kind::kBinding});
+    current().devices.push_back({one.name.text, one.name.place.span, one.whole, one.binds.text,
+                                 one.by.callee.text, one.help, one.is_actuator});
+  }
+
+  void service(const cdl::Device& device) {
+    if (is_next(device.by.callee)) want({.kind = Kind::kValue});
+    call(device.by, {}, device.whole.end);
+  }
+
+  void add(const cdl::Robot& robot) {
+    declare(robot, NameKind::kRobot);
+    parameters(robot.parameters);
+    use(robot.class_name, NameKind::kClass, {.kind = Kind::kClass});
+    current().class_name = robot.class_name.text;
+    lets(robot.lets);
+    for (const cdl::Choice& choice : robot.choices) {
+      use(choice.device, NameKind::kDevice, {.kind = Kind::kDevice});
+      use(choice.binding, NameKind::kBinding, {.kind = Kind::kBinding, .device = choice.device.text});
+    }
+    for (const cdl::Drive& drive : robot.drives) {
+      use(drive.binding, NameKind::kBinding, {.kind = Kind::kActuator});
+      expression(drive.value,
+                 {.type = drive.binding.text == "movement" ? ValueType{"Vector", ""} : ValueType{}});
+    }
+  }
+
+  void add(const cdl::SocietyOperator& op) {
+    declare(op, NameKind::kOperator);
+    for (const cdl::Device& one : op.devices) {
+      use(one.binds, NameKind::kBinding, {.kind = Kind::kBinding});
+      service(one);
+    }
+  }
+
+  void add(const cdl::Society& society) {
+    declare(society, NameKind::kSociety);
+    member_of_society(society.what);
+  }
+
+  void member_of_society(const cdl::SocietyMember& member) {
+    use(member.name, NameKind::kRobot, {.kind = Kind::kMember});
+    for (const cdl::SocietyMember& one : member.members) member_of_society(one);
+    use(member.by, NameKind::kOperator, {.kind = Kind::kSocietyOperator});
+  }
+
+  void add(const cdl::Layout& layout) {
+    if (is_next(layout.owner)) want({.kind = Kind::kOwner});
+    const int owner = path(layout.owner, -1);
+    for (const cdl::LayoutEntry& entry : layout.entries) {
+      if (is_next(entry.node) && owner >= 0) want({.kind = Kind::kNode, .wanted = {.call = owner}});
+      path(entry.node, owner);
+    }
+  }
+
+  /// The names of `Searching.Noise`, one by one. @return  index of the first
+  int path(const cdl::Word& path, int owner) {
+    int first = -1;
+    const std::string_view all = path.place.source ? out_.source->text(path.place.span) : std::string_view();
+    const auto is_part = [](char c) {
+      return cdl::is_name(std::string_view(&c, 1)) || (c >= '0' && c <= '9');
+    };
+    for (std::size_t i = 0; i < all.size();) {
+      std::size_t end = i;
+      while (end < all.size() && is_part(all[end])) ++end;
+      if (end > i) {
+        const auto begin = path.place.span.begin + static_cast<std::uint32_t>(i);
+        const text::Span span{begin, begin + static_cast<std::uint32_t>(end - i)};
+        const int at =
+            add_name({std::string(all.substr(i, end - i)), {path.place.source, span}}, NameKind::kNode);
+        name_at(at).owner = owner >= 0 ? owner : first;
+        name_at(at).declaration = -1;
+        first = first < 0 ? at : first;
+      }
+      i = std::max(end, i + 1);
+    }
+    if (path.text.ends_with('.') && path.place.span.end == last_end_)
+      want({.kind = Kind::kNode, .wanted = {.call = owner >= 0 ? owner : first}});
+    return first;
+  }
+
+  void parameters(const std::vector<cdl::Parameter>& parameters) {
+    for (const cdl::Parameter& one : parameters) parameter(one);
+  }
+
+  void parameter(const cdl::Parameter& parameter) {
+    CdlParameter one;
+    one.span = parameter.name.place.span;
+    one.whole = parameter.whole;
+    one.input.name = parameter.name.text;
+    one.input.type = parameter.type.text;
+    one.input.unit = parameter.unit.text;
+    one.input.help = parameter.help;
+    one.input.value = value_type(one.input.type, one.input.unit);
+    one.input.low = text_of(parameter.low);
+    one.input.high = text_of(parameter.high);
+    if (parameter.initial) one.input.initial = out_.source->text(parameter.initial->place.span);
+    const CdlWanted wanted{.type = one.input.value};
+    add_name(parameter.name, NameKind::kParameter, true);
+    use(parameter.type, NameKind::kType, {.kind = Kind::kType});
+    use(parameter.unit, NameKind::kUnit, {.kind = Kind::kUnitName});
+    expression(parameter.initial, wanted);
+    if (parameter.low) number(*parameter.low, wanted);
+    if (parameter.high) number(*parameter.high, wanted);
+    current().parameters.push_back(std::move(one));
+  }
+
+  void lets(const std::vector<cdl::Let>& lets) {
+    for (const cdl::Let& let : lets) {
+      add_name(let.name, NameKind::kLet, true);
+      CdlGuess guess = expression(let.value, {});
+      current().lets.push_back({let.name.text, let.name.place.span, let.whole, let.help, std::move(guess)});
+    }
+  }
+
+  // ---- expressions
+
+  CdlGuess expression(const cdl::ExpressionPtr& one, const CdlWanted& wanted) {
+    if (!one) return {};
+    CdlGuess out = std::visit(
+        base::Overloaded{
+            [&](const cdl::Hole&) {
+              if (is_at_end(one->place)) want({.kind = Kind::kValue, .wanted = wanted});
+              return CdlGuess{};
+            },
+            [&](const cdl::Number& number) { return this->number(number, wanted); },
+            [](const cdl::Text&) { return of_type("Text"); },
+            [&](const cdl::Name& name) { return named(name.name, wanted); },
+            [&](const cdl::List& list) { return this->list(list, wanted); },
+            [&](const cdl::Call& call) { return this->call(call, wanted, one->place.span.end); },
+            [&](const cdl::Logic& logic) {
+              for (const cdl::ExpressionPtr& operand : logic.operands)
+                expression(operand, {.type = {"bool", ""}});
+              return of_type("bool");
+            },
+            [&](const cdl::Cooperate& what) { return members(what.members); },
+            [&](const cdl::Compete& what) { return members(what.members); },
+            [&](const cdl::Coordinate& what) {
+              return by_operator(what, {"Vector", ""}, wanted, one->place.span.end);
+            },
+            [&](const cdl::Fuse& what) { return by_operator(what, {}, wanted, one->place.span.end); },
+            [&](const cdl::Sequence& what) { return sequence(what, one->place.span.begin, wanted); },
+            [&](const cdl::Select& what) { return select(what, wanted); },
+            [&](const cdl::Delay& what) { return delay(what, wanted); },
+        },
+        one->what);
+    if (add_name(one->as, NameKind::kNode, true) >= 0)
+      current().nodes.push_back({one->as.text, one->as.place.span, out});
+    expression(one->active, {});
+    return out;
+  }
+
+  CdlGuess number(const cdl::Number& number, const CdlWanted& wanted) {
+    const int unit = use(number.unit, NameKind::kUnit, {.kind = Kind::kUnit, .wanted = wanted});
+    if (unit >= 0) name_at(unit).wanted = wanted;
+    return of_type("double", number.unit.text);
+  }
+
+  CdlGuess named(const cdl::Word& word, const CdlWanted& wanted) {
+    CdlName& name = name_at(add_name(word, NameKind::kWord));
+    name.is_value = true;
+    name.wanted = wanted;
+    return {CdlGuess::Kind::kName, word.text, ""};
+  }
+
+  CdlGuess list(const cdl::List& list, const CdlWanted& wanted) {
+    CdlWanted inner = wanted;
+    inner.in_list = true;
+    if (inner.call < 0 && (inner.type.type == "Vector" || inner.type.type == "Point"))
+      inner.type = {"double", inner.type.unit};
+    for (const cdl::ExpressionPtr& item : list.items) expression(item, inner);
+    return {};
+  }
+
+  /// @param end  of the call in the text
+  CdlGuess call(const cdl::Call& call, const CdlWanted& wanted, std::uint32_t end) {
+    const int callee = add_name(call.callee, NameKind::kProcedure);
+    if (callee < 0) return {};
+    name_at(callee).wanted = wanted;
+    CdlWant next{.kind = Kind::kArgument, .wanted = {.call = callee}};
+    const bool is_open = !call.is_closed && end == last_end_;
+    if (is_open) out_.open_calls.push_back({callee, 0, ""});
+    const std::size_t open = out_.open_calls.size();
+    for (const cdl::Argument& argument : call.arguments) {
+      const std::string& given = argument.name.text;
+      next.wanted.position = next.positional;
+      if (is_open) {
+        out_.open_calls[open - 1].position = next.positional;
+        out_.open_calls[open - 1].argument = given;
+      }
+      CdlWanted value = next.wanted;
+      value.argument = given;
+      if (!given.empty()) {
+        next.given.insert(given);
+        name_at(add_name(argument.name, NameKind::kArgument)).wanted = value;
+      } else if (std::holds_alternative<cdl::Hole>(argument.value->what) &&
+                 is_at_end(argument.value->place)) {
+        want(next);
+        continue;
+      } else if (next.given.empty()) {
+        ++next.positional;
+      }
+      expression(argument.value, value);
+    }
+    return of_call(call);
+  }
+
+  CdlGuess members(const std::vector<cdl::Member>& members, const ValueType& type = {"Vector", ""}) {
+    for (const cdl::Member& member : members) {
+      expression(member.weight, {.type = type});
+      expression(member.value, {.type = type});
+    }
+    return of_type(type.type);
+  }
+
+  template <class Operator>
+  CdlGuess by_operator(const Operator& what, const ValueType& type, const CdlWanted& wanted,
+                       std::uint32_t end) {
+    if (is_next(what.by.callee)) want({.kind = Kind::kOperator});
+    CdlGuess out = call(what.by, wanted, end);
+    members(what.members, type);
+    return out;
+  }
+
+  CdlGuess sequence(const cdl::Sequence& sequence, std::uint32_t begin, const CdlWanted& wanted) {
+    CdlGuess out;
+    for (const cdl::State& state : sequence.states) {
+      name_at(add_name(state.name, NameKind::kState, true)).sequence = begin;
+      out = known_one(std::move(out), expression(state.member, wanted));
+      for (const cdl::Transition& transition : state.transitions) {
+        expression(transition.trigger, {.type = {"bool", ""}});
+        const int target =
+            use(transition.target, NameKind::kState, {.kind = Kind::kState, .sequence = begin});
+        if (target >= 0) name_at(target).sequence = begin;
+      }
+      current().states.push_back({state.name.text, state.name.place.span, state.whole, state.help, begin,
+                                  state.is_start, state.is_final});
+    }
+    return out;
+  }
+
+  CdlGuess select(const cdl::Select& select, const CdlWanted& wanted) {
+    const CdlGuess selector = expression(select.by, {});
+    CdlGuess out;
+    for (const cdl::Case& one : select.cases) {
+      for (const cdl::Word& value : one.values) {
+        if (is_next(value)) want({.kind = Kind::kCaseValue, .guess = selector});
+        if (cdl::is_name(value.text)) add_name(value, NameKind::kWord);
+      }
+      out = known_one(std::move(out), expression(one.member, wanted));
+    }
+    return out;
+  }
+
+  CdlGuess delay(const cdl::Delay& delay, const CdlWanted& wanted) {
+    CdlGuess out = expression(delay.value, wanted);
+    const bool is_next_argument = delay.initial && std::holds_alternative<cdl::Hole>(delay.initial->what) &&
+                                  is_at_end(delay.initial->place) && last_end_ > 0 &&
+                                  out_.source->text()[last_end_ - 1] == ',';
+    if (is_next_argument) {
+      want({.kind = Kind::kKeyword, .words = {"initial = "}});
+    } else {
+      expression(delay.initial, wanted);
+    }
+    return out;
+  }
+
+  CdlScan out_;
+  std::uint32_t end_ = 0;       // where the text ends
+  std::uint32_t last_end_ = 0;  // and its last token
+};
 
 }  // namespace
 
-CdlReader::CdlReader(const text::SourcePtr& source) {
-  out_.source = source;
-  out_.lexed = cdl::lex(source->text());
-  for (const cdl::Token& token : out_.lexed.tokens) {
-    if (token.kind != TokenKind::kUnknown) tokens_.push_back(token);
-  }
-}
-
-bool CdlReader::is(std::string_view word) const {
-  return (is_name() || token().kind == TokenKind::kPunctuation) && text() == word;
-}
-
-bool CdlReader::is_any(std::initializer_list<std::string_view> words) const {
-  return std::ranges::any_of(words, [&](std::string_view word) { return is(word); });
-}
-
-bool CdlReader::starts_line(std::size_t ahead) const {
-  if (at_ + ahead == 0) return true;
-  const std::uint32_t end = tokens_[std::min(at_ + ahead, tokens_.size() - 1) - 1].span.end;
-  return out_.source->text({end, token(ahead).span.begin}).find('\n') != std::string_view::npos;
-}
-
-bool CdlReader::at_declaration() const {
-  if (!is_name() || !starts_line()) return false;
-  if (std::ranges::find(cdl::kDeclarationWords, text()) == std::end(cdl::kDeclarationWords)) return false;
-  return token(1).kind == (text() == "use" ? TokenKind::kText : TokenKind::kName);
-}
-
-void CdlReader::advance() {
-  if (!at_end()) ++at_;
-}
-
-bool CdlReader::take(std::string_view punctuation) {
-  if (!is(punctuation)) return false;
-  advance();
-  return true;
-}
-
-bool CdlReader::take_word(std::string_view word) {
-  if (!is(word)) return false;
-  note_word();
-  advance();
-  return true;
-}
-
-void CdlReader::skip_statement() {
-  int depth = 0;
-  while (!at_end() && !at_declaration()) {
-    if (depth == 0 && is("}")) return;
-    if (depth == 0 && take(";")) return;
-    if (is_any({"{", "(", "["})) ++depth;
-    if (is_any({"}", ")", "]"})) depth = std::max(0, depth - 1);
-    advance();
-  }
-}
-
-void CdlReader::want(CdlWant one) {
-  if (!is_done_) out_.wants.push_back(std::move(one));
-}
-
-void CdlReader::want_words(std::initializer_list<std::string_view> words) {
-  CdlWant one;
-  for (const std::string_view word : words) one.words.emplace_back(word);
-  want(std::move(one));
-}
-
-void CdlReader::need(CdlWant one) {
-  want(std::move(one));
-  is_done_ = true;
-}
-
-void CdlReader::need_words(std::initializer_list<std::string_view> words) {
-  want_words(words);
-  is_done_ = true;
-}
-
-bool CdlReader::at_statement() const {
-  if (at_ == 0) return true;
-  const std::string_view last = out_.source->text(tokens_[at_ - 1].span);
-  return last == ";" || last == "{" || last == "}" || starts_line();
-}
-
-void CdlReader::close(std::string_view bracket) {
-  if (!take(bracket) && at_end()) is_done_ = true;
-}
-
-int CdlReader::add_name(NameKind kind, bool is_declaration) {
-  CdlName name;
-  name.span = token().span;
-  name.kind = kind;
-  name.is_declaration = is_declaration;
-  name.text = text();
-  name.declaration = static_cast<int>(out_.declarations.size()) - 1;
-  out_.names.push_back(std::move(name));
-  advance();
-  return static_cast<int>(out_.names.size()) - 1;
-}
-
-std::pair<std::string, text::Span> CdlReader::declared(NameKind kind) {
-  if (!is_name()) return {};
-  const CdlName& name = out_.names[static_cast<std::size_t>(add_name(kind, true))];
-  return {name.text, name.span};
-}
-
-bool CdlReader::use(NameKind kind, Kind wanted) {
-  if (at_end()) need_kind(wanted);
-  if (!is_name()) return false;
-  add_name(kind);
-  return true;
-}
-
-// The `///` lines right above the token.
-std::string CdlReader::help_above() const {
-  std::vector<std::string_view> lines;
-  std::uint32_t below = token().span.begin;
-  for (std::size_t i = token().comments; i-- > 0;) {
-    const text::Span span = out_.lexed.comments[i].span;
-    const std::string_view comment = out_.source->text(span);
-    const std::string_view between = out_.source->text({span.end, below});
-    const bool touches = trimmed(between).empty() && std::ranges::count(between, '\n') == 1;
-    if (!comment.starts_with("///") || comment.starts_with("///<") || !touches) break;
-    lines.push_back(trimmed(comment.substr(3)));
-    below = span.begin;
-  }
-  std::string help;
-  for (const std::string_view line : std::views::reverse(lines)) {
-    if (!help.empty()) help += line.empty() ? "\n\n" : help.ends_with('\n') ? "" : " ";
-    help += line;
-  }
-  return help;
-}
-
-// The `///<` help behind what was taken last, or behind the `,` that is next.
-std::string CdlReader::help_behind() const {
-  const std::size_t comma = is(",") ? 1 : 0;
-  const std::uint32_t first = token().comments;
-  std::string help;
-  for (std::size_t i = comma == 0 ? (at_ == 0 ? 0 : tokens_[at_ - 1].comments) : first;
-       i < token(comma).comments; ++i) {
-    const std::string_view comment = out_.source->text(out_.lexed.comments[i].span);
-    if (!comment.starts_with("///<")) break;
-    help += (help.empty() ? "" : " ") + std::string(trimmed(comment.substr(4)));
-  }
-  return help;
-}
-
-CdlScan CdlReader::run() {
-  while (!at_end()) {
-    const std::size_t before = at_;
-    if (at_declaration() || is_any({"assemblage", "robot", "class", "society", "operator", "binding", "use",
-                                    "architecture", "layout"})) {
-      item();
-    }
-    if (at_ == before) advance();
-  }
-  const bool is_inside = is_done_ || !out_.wants.empty();
-  if (!is_inside) {
-    for (const std::string_view word : cdl::kDeclarationWords) want_words({word});
-    out_.open_declaration = -1;
-  }
-  return std::move(out_);
-}
-
-void CdlReader::item() {
-  struct Declared {
-    const char* word;
-    NameKind kind;
-    void (CdlReader::*body)();
-  };
-  static constexpr Declared kDeclared[] = {
-      {"assemblage", NameKind::kAssemblage, &CdlReader::assemblage},
-      {"binding", NameKind::kBinding, &CdlReader::binding},
-      {"class", NameKind::kClass, &CdlReader::robot_class},
-      {"robot", NameKind::kRobot, &CdlReader::robot},
-      {"operator", NameKind::kOperator, &CdlReader::society_operator},
-      {"society", NameKind::kSociety, &CdlReader::society},
-  };
-  const auto* one = std::ranges::find_if(kDeclared, [this](const Declared& other) { return is(other.word); });
-  if (one != std::end(kDeclared)) {
-    declaration(one->kind, one->body);
-  } else if (is("use")) {
-    use_file();
-  } else if (is("architecture")) {
-    architecture();
-  } else {
-    layout();
-  }
-}
-
-void CdlReader::declaration(NameKind kind, void (CdlReader::*body)()) {
-  CdlDeclaration& one = out_.declarations.emplace_back();
-  one.kind = kind;
-  one.help = help_above();
-  one.whole.begin = token().span.begin;
-  note_word();
-  advance();
-  if (at_end()) need({});  // a new name
-  std::tie(current().name, current().span) = declared(kind);
-  (this->*body)();
-  current().whole.end = last_end();
-  const bool is_closed = at_ > 0 && (out_.source->text(tokens_[at_ - 1].span) == "}" ||
-                                     out_.source->text(tokens_[at_ - 1].span) == ";");
-  if (at_end() && (is_done_ || !out_.wants.empty() || !is_closed))
-    out_.open_declaration = static_cast<int>(out_.declarations.size()) - 1;
-}
-
-void CdlReader::use_file() {
-  note_word();
-  advance();
-  if (at_end()) need_kind(Kind::kFile);
-  if (token().kind == TokenKind::kText) {
-    const text::Span span{token().span.begin + 1, token().span.end - 1};
-    out_.uses.push_back(
-        {.span = span, .kind = NameKind::kFile, .text = std::string(out_.source->text(span))});
-    advance();
-  }
-  if (is(";")) advance();
-}
-
-void CdlReader::architecture() {
-  note_word();
-  advance();
-  if (at_end()) need_words({"AuRA", "UGV"});
-  if (is_name()) add_name(NameKind::kArchitecture);
-  take(";");
-}
-
-void CdlReader::assemblage() {
-  parameters();
-  if (take("->")) {
-    if (at_end()) need_kind(Kind::kType);
-    if (is_name()) {
-      current().result_type = text();
-      add_name(NameKind::kType);
-    }
-  }
-  if (take(";")) return;
-  if (take("{")) assemblage_body();
-}
-
-void CdlReader::binding() {
-  parameters();
-  if (take("->")) {
-    if (at_end()) need_kind(Kind::kType);
-    if (is_name()) {
-      current().result_type = text();
-      add_name(NameKind::kType);
-    }
-  }
-  if (at_end()) need({});
-  take(";");
-}
-
-void CdlReader::parameters() {
-  if (!take("(")) {
-    if (at_end()) need({});
-    return;
-  }
-  while (!at_end() && !is(")") && !at_declaration()) {
-    const std::size_t before = at_;
-    parameter();
-    if (!take(",") && (is_any({"{", ";", "->"}) || at_ == before)) break;
-  }
-  if (at_end() && std::string_view("(,").contains(out_.source->text()[last_end() - 1])) need({});
-  close(")");
-}
-
-void CdlReader::parameter() {
-  CdlParameter one;
-  one.whole.begin = token().span.begin;
-  one.input.help = help_above();
-  std::tie(one.input.name, one.span) = declared(NameKind::kParameter);
-  if (one.input.name.empty()) return;
-  if (take(":")) {
-    if (at_end()) need_kind(Kind::kType);
-    if (is_name()) {
-      one.input.type = text();
-      add_name(NameKind::kType);
-      one.input.unit = bracketed_unit();
-    }
-  }
-  one.input.value = value_type(one.input.type, one.input.unit);
-  const CdlWanted wanted{.type = one.input.value};
-  if (take("=")) {
-    const std::uint32_t begin = token().span.begin;
-    expression(wanted);
-    one.input.initial = value_text(begin);
-  }
-  if (at_end()) want_words({"in"});
-  if (take_word("in")) {
-    std::uint32_t begin = token().span.begin;
-    if (token().kind == TokenKind::kNumber) number(wanted);
-    one.input.low = value_text(begin);
-    if (take("..")) {
-      begin = token().span.begin;
-      if (token().kind == TokenKind::kNumber) number(wanted);
-      one.input.high = value_text(begin);
-    }
-  }
-  if (const std::string behind = help_behind(); !behind.empty()) one.input.help = behind;
-  one.whole.end = last_end();
-  current().parameters.push_back(std::move(one));
-}
-
-std::string CdlReader::value_text(std::uint32_t begin) const {
-  return begin < last_end() ? std::string(out_.source->text({begin, last_end()})) : std::string();
-}
-
-std::string CdlReader::bracketed_unit() {
-  if (!take("[")) return "";
-  if (at_end()) need_kind(Kind::kUnitName);
-  const std::uint32_t begin = token().span.begin;
-  while (!at_end() && !is_any({"]", ";", "{", "}", "=", ",", ")"}) && !starts_line()) advance();
-  const std::string unit = value_text(begin);
-  if (!unit.empty())
-    out_.names.push_back({.span = {begin, last_end()},
-                          .kind = NameKind::kUnit,
-                          .text = unit,
-                          .declaration = static_cast<int>(out_.declarations.size()) - 1});
-  close("]");
-  return unit;
-}
-
-void CdlReader::assemblage_body() {
-  stops_at_brace_ = false;
-  const ValueType result = value_type(current().result_type, "");
-  bool has_body = false;
-  while (!at_close()) {
-    const std::size_t before = at_;
-    if (is("let") && !is_next("(")) {
-      let();
-    } else if (is("alias") && token(1).kind == TokenKind::kText) {
-      note_word();
-      advance();
-      advance();
-      take(";");
-    } else {
-      const CdlGuess guess = expression({.type = result});
-      if (!has_body) current().result = guess;
-      has_body = true;
-      if (!take(";") && !at_close() && !starts_line()) skip_statement();
-    }
-    if (at_ == before) skip_statement();
-    if (at_ == before) advance();
-  }
-  if (at_end() && at_statement()) {
-    want_words({"let"});
-    if (!has_body) {
-      want_words({"alias"});
-      want({.kind = Kind::kValue, .wanted = {.type = result}});
-    }
-  }
-  close("}");
-}
-
-void CdlReader::let() {
-  CdlLet one;
-  one.help = help_above();
-  one.whole.begin = token().span.begin;
-  note_word();
-  advance();
-  if (at_end()) need({});
-  std::tie(one.name, one.span) = declared(NameKind::kLet);
-  if (take("=")) one.guess = expression({});
-  if (!take(";") && !at_close() && !starts_line()) skip_statement();
-  one.whole.end = last_end();
-  if (!one.name.empty()) current().lets.push_back(std::move(one));
-}
-
-void CdlReader::robot_class() {
-  if (is("(")) parameters();
-  if (!take("{")) return;
-  while (!at_close()) {
-    const std::size_t before = at_;
-    if (take_word("body")) {
-      body_settings();
-    } else if (is_any({"sensor", "actuator"})) {
-      device();
-    } else {
-      skip_statement();
-    }
-    if (at_ == before) advance();
-  }
-  if (at_end() && at_statement()) want_words({"body", "sensor", "actuator"});
-  close("}");
-}
-
-void CdlReader::body_settings() {
-  if (!take("{")) return;
-  while (!at_close() && !is_any({"sensor", "actuator"})) {
-    const std::size_t before = at_;
-    if (is_name()) add_name(NameKind::kBodySetting);
-    if (take("=")) expression({});
-    if (!take(";") && !at_close() && !starts_line()) skip_statement();
-    if (at_ == before) advance();
-  }
-  if (at_end() && at_statement()) need_kind(Kind::kBodySetting);
-  close("}");
-}
-
-void CdlReader::device() {
-  CdlDevice one;
-  one.help = help_above();
-  one.whole.begin = token().span.begin;
-  one.is_actuator = is("actuator");
-  note_word();
-  advance();
-  if (at_end()) need({});
-  std::tie(one.name, one.span) = declared(NameKind::kDevice);
-  if (take(":")) {
-    if (is_name()) one.by = text();
-    if (is_name() && is_next("(")) {
-      call({});
-    } else if (at_end()) {
-      need({.kind = Kind::kValue});
-    } else if (is_name()) {
-      add_name(NameKind::kProcedure);
-    }
-  }
-  if (at_end() && !one.by.empty()) want_words({"binds"});
-  if (take_word("binds")) {
-    if (at_end()) need_kind(Kind::kBinding);
-    if (is_name()) {
-      one.binds = text();
-      add_name(NameKind::kBinding);
-    }
-  }
-  if (!take(";") && !at_close() && !starts_line()) skip_statement();
-  one.whole.end = last_end();
-  if (!one.name.empty()) current().devices.push_back(std::move(one));
-}
-
-void CdlReader::robot() {
-  if (is("(")) parameters();
-  if (at_end()) want_words({"is"});
-  if (take_word("is")) {
-    if (at_end()) need_kind(Kind::kClass);
-    if (is_name()) {
-      current().class_name = text();
-      add_name(NameKind::kClass);
-    }
-  }
-  if (!take("{")) return;
-  while (!at_close()) {
-    const std::size_t before = at_;
-    if (is("let") && !is_next("=")) {
-      let();
-    } else if (is("use") && !is_next("=")) {
-      choice();
-    } else {
-      drive();
-    }
-    if (at_ == before) skip_statement();
-    if (at_ == before) advance();
-  }
-  if (at_end() && at_statement()) {
-    want_words({"let", "use"});
-    need_kind(Kind::kActuator);
-  }
-  close("}");
-}
-
-void CdlReader::choice() {
-  note_word();
-  advance();
-  std::string device(is_name() ? text() : "");
-  use(NameKind::kDevice, Kind::kDevice);
-  if (at_end() && !device.empty()) want_words({"for"});
-  if (take_word("for")) {
-    if (at_end()) need({.kind = Kind::kBinding, .device = device});
-    if (is_name()) add_name(NameKind::kBinding);
-  }
-  if (!take(";") && !at_close() && !starts_line()) skip_statement();
-}
-
-void CdlReader::drive() {
-  const bool is_movement = is("movement");
-  if (is_name()) add_name(NameKind::kBinding);
-  if (take("=")) expression({.type = is_movement ? ValueType{"Vector", ""} : ValueType{}});
-  if (!take(";") && !at_close() && !starts_line()) skip_statement();
-}
-
-void CdlReader::society_operator() {
-  if (!take("{")) return;
-  while (!at_close()) {
-    const std::size_t before = at_;
-    if (is_name()) add_name(NameKind::kBinding);
-    if (take("=")) {
-      if (at_end()) need({.kind = Kind::kValue});
-      if (is_name()) call({});
-    }
-    if (!take(";") && !at_close() && !starts_line()) skip_statement();
-    if (at_ == before) advance();
-  }
-  if (at_end() && at_statement()) need_kind(Kind::kBinding);
-  close("}");
-}
-
-void CdlReader::society() {
-  if (take(":")) group();
-  take(";");
-}
-
-void CdlReader::group() {
-  if (++depth_ > cdl::kMaxNesting) {
-    at_ = tokens_.size() - 1;
-    --depth_;
-    return;
-  }
-  if (at_end()) {
-    want_words({"team of", "caste"});
-    need_kind(Kind::kMember);
-  }
-  if (is("team") && !is_next(";")) {
-    take_word("team");
-    if (at_end()) need_words({"of"});
-    take_word("of");
-    if (token().kind == TokenKind::kNumber) {
-      advance();
-      use(NameKind::kRobot, Kind::kMember);
-    }
-  } else if (is("caste") && !is_next(";")) {
-    take_word("caste");
-    take("{");
-    while (!at_close()) {
-      const std::size_t before = at_;
-      group();
-      if (!take(";") && !at_close() && !starts_line()) skip_statement();
-      if (at_ == before) advance();
-    }
-    if (at_end() && at_statement()) {
-      want_words({"team of", "caste"});
-      need_kind(Kind::kMember);
-    }
-    close("}");
-  } else if (is_name()) {
-    add_name(NameKind::kRobot);
-  }
-  if (at_end()) want_words({"by"});
-  if (take_word("by")) use(NameKind::kOperator, Kind::kSocietyOperator);
-  --depth_;
-}
-
 CdlScan scan_cdl(const text::SourcePtr& source) {
-  return CdlReader(source).run();
+  return Collector(source).run();
 }
 
 }  // namespace mlab::language

@@ -5,14 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "mlab/lang/cdl/lexer.h"
+#include "mlab/lang/cdl/parser.h"
 #include "mlab/language/component.h"
 #include "mlab/language/name.h"
 #include "mlab/text/source.h"
 
-/// A configuration as far as it is written. Other than the parser this reader says nothing, keeps everything
-/// that has a name, and knows what could come next where the text ends: so it is right for text that somebody
-/// is typing.
+/// A configuration as far as it is written, out of the parser's tree: everything that has a name, what each
+/// name is, and what could come next where the text ends.
 namespace mlab::language {
 
 /// What an expression is, as far as that can be told without looking any name up.
@@ -37,7 +36,7 @@ struct CdlState {
   text::Span span;
   text::Span whole;  ///< with its transitions
   std::string help;
-  int sequence = -1;
+  std::uint32_t sequence = 0;  ///< where its sequence begins
   bool is_start = false;
   bool is_final = false;
 };
@@ -97,10 +96,10 @@ struct CdlName {
   bool is_declaration = false;
   bool is_value = false;  ///< a name that stands for a value: let, parameter or word
   std::string text = {};
-  int declaration = -1;   ///< that it stands in
-  int sequence = -1;      ///< of a state
-  CdlWanted wanted = {};  ///< of a value; the call of an argument
-  int owner = -1;         ///< of a layout: index of its owner's name
+  int declaration = -1;        ///< that it stands in
+  std::uint32_t sequence = 0;  ///< of a state, where it begins
+  CdlWanted wanted = {};       ///< of a value; the call of an argument
+  int owner = -1;              ///< of a layout: index of its owner's name
 };
 
 /// What could come where the text ends.
@@ -132,17 +131,16 @@ struct CdlWant {
   CdlGuess guess = {};
   std::set<std::string> given = {};  ///< arguments that are there already
   int positional = 0;                ///< how many are given by position
-  int sequence = -1;
-  std::string device = {};  ///< chosen one, where its binding is wanted
+  std::uint32_t sequence = 0;        ///< where it begins
+  std::string device = {};           ///< chosen one, where its binding is wanted
 };
 
 struct CdlScan {
   text::SourcePtr source;
-  cdl::Tokens lexed;
+  cdl::Written written;
   std::vector<CdlDeclaration> declarations;
-  std::vector<CdlName> names;     ///< ascending
-  std::vector<text::Span> words;  ///< words of the language, ascending
-  std::vector<CdlName> uses;      ///< files, without quotes
+  std::vector<CdlName> names;
+  std::vector<CdlName> uses;  ///< files, without quotes
   // Where the text ends:
   std::vector<CdlWant> wants;
   int open_declaration = -1;  ///< that the end stands in

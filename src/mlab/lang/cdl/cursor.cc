@@ -13,6 +13,11 @@
 namespace mlab::cdl {
 namespace {
 
+// Not a bracket or another mark.
+bool is_word_of_language(std::string_view word) {
+  return word[0] >= 'a' && word[0] <= 'z';
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
@@ -28,7 +33,8 @@ void append_line(std::string& out, std::string_view line) {
 
 }  // namespace
 
-Cursor::Cursor(text::SourcePtr source, text::Diagnostics& sink) : source_(std::move(source)), sink_(sink) {
+Cursor::Cursor(text::SourcePtr source, text::Diagnostics& sink, Written* written)
+    : source_(std::move(source)), sink_(sink), written_(written) {
   Tokens lexed = lex(source_->text());
   comments_ = std::move(lexed.comments);
   for (const Token& token : lexed.tokens) {
@@ -52,6 +58,14 @@ bool Cursor::is(std::string_view word) const {
 
 bool Cursor::is_any(std::initializer_list<std::string_view> words) const {
   return std::ranges::any_of(words, [&](std::string_view word) { return is(word); });
+}
+
+bool Cursor::could_be(std::initializer_list<std::string_view> words) {
+  if (!at_end() || written_ == nullptr || needs_more_) return is_any(words);
+  for (const std::string_view word : words) {
+    if (is_word_of_language(word)) written_->next_words.emplace_back(word);
+  }
+  return false;
 }
 
 bool Cursor::is_before(std::string_view word) const {
@@ -85,9 +99,13 @@ void Cursor::advance() {
   if (!at_end()) ++at_;
 }
 
+void Cursor::note_word(text::Span span) {
+  if (written_ != nullptr) written_->words.push_back(span);
+}
+
 bool Cursor::take(std::string_view word) {
-  if (!is(word)) return false;
-  advance();
+  if (!could_be({word})) return false;
+  is_word_of_language(word) ? advance_word() : advance();
   return true;
 }
 
@@ -95,8 +113,7 @@ bool Cursor::expect(std::string_view word, std::string_view why) {
   if (take(word)) return true;
   expected(fmt::format("`{}` {}", word, why));
   // A misspelt word before what it introduces.
-  const bool is_word = word[0] >= 'a' && word[0] <= 'z';
-  if (is_word && is(Token::Kind::kName) && is_before_name()) advance();
+  if (is_word_of_language(word) && is(Token::Kind::kName) && is_before_name()) advance();
   return !at_end() && !is(";") && !is(Token::Kind::kUnclosed);
 }
 
@@ -117,6 +134,7 @@ bool Cursor::expect_semicolon(std::string_view why) {
 
 bool Cursor::read_name(Word& out, std::string_view what) {
   if (!is(Token::Kind::kName)) {
+    out = {"", place({begin(), begin()})};
     expected(what);
     return false;
   }
@@ -167,12 +185,11 @@ Word Cursor::take_unit() {
   advance();
   while (!at_end() && !is_any({"]", ";", "{", "}", "=", ",", ")"}) && !starts_line()) advance();
   const std::uint32_t to = token().span.begin;
-  if (!take("]")) {
-    expected("`]` behind the unit");
-    return {};
-  }
+  const bool is_closed = take("]");
+  if (!is_closed) expected("`]` behind the unit");
+  if (!keeps(is_closed)) return {};
   const std::string_view unit = trimmed(source_->text({from, to}));
-  const auto at = static_cast<std::uint32_t>(unit.empty() ? from : unit.data() - source_->text().data());
+  const auto at = static_cast<std::uint32_t>(unit.empty() ? to : unit.data() - source_->text().data());
   return {std::string(unit), place({at, at + static_cast<std::uint32_t>(unit.size())})};
 }
 
@@ -194,6 +211,50 @@ std::uint32_t Cursor::indent_of(std::uint32_t offset) const {
   return static_cast<std::uint32_t>(first == std::string_view::npos ? 0 : first - start);
 }
 
+bool Cursor::at_statement() const {
+  if (at_ == 0) return true;
+  const std::string_view last = source_->text(last_span());
+  return last == ";" || last == "{" || last == "}" || starts_line();
+}
+
+// Where the text ends it is asked once what statement could begin there.
+bool Cursor::at_close() {
+  if (!at_end()) return is("}") || at_declaration();
+  if (written_ == nullptr || needs_more_ || has_read_end_ || !at_statement()) return true;
+  has_read_end_ = true;
+  return false;
+}
+
+bool Cursor::at_next_statement() const {
+  if (!keeps_parts() || !is(Token::Kind::kName) || !starts_line() || at_ == 0) return false;
+  constexpr std::string_view kGoOn[] = {";", "{", "}", "(", ",", "["};
+  if (std::ranges::find(kGoOn, source_->text(last_span())) != std::end(kGoOn)) return false;
+  if (is_before(":")) return true;
+  return tokens_[at_ + 1].kind == Token::Kind::kName &&
+         is_any({"let", "when", "start", "final", "case", "sensor", "actuator"});
+}
+
+ExpressionPtr Cursor::hole() const {
+  auto out = std::make_shared<Expression>();
+  out->place = place({begin(), begin()});
+  return out;
+}
+
+bool Cursor::skip_to(std::initializer_list<std::string_view> words) {
+  if (!keeps_parts()) return false;
+  while (!at_end() && !is_any(words) && !is_any({";", "{", "}"}) && !at_declaration()) advance();
+  return is_any(words);
+}
+
+void Cursor::finish() {
+  if (written_ == nullptr) return;
+  std::ranges::sort(written_->words, {}, &text::Span::begin);
+  written_->ends_inside = needs_more_ || !written_->next_words.empty();
+  if (!written_->ends_inside)
+    written_->next_words.assign(std::begin(kDeclarationWords), std::end(kDeclarationWords));
+  written_->tokens = {std::move(tokens_), std::move(comments_)};
+}
+
 bool Cursor::open(const char* what) {
   const text::Span opener = token().span;
   const bool is_there = expect("{", fmt::format("before what belongs to {}", what));
@@ -205,6 +266,7 @@ bool Cursor::open(const char* what) {
 }
 
 void Cursor::report_unclosed(const Block& block) {
+  need_here();
   // Indents tell which one was forgotten.
   const char* what = mismatch_ ? mismatch_->what : block.what;
   const text::Span opener = mismatch_ ? mismatch_->opener : block.opener;
@@ -237,6 +299,7 @@ bool Cursor::enter() {
   }
   at_ = tokens_.size() - 1;
   gave_up_ = true;
+  needs_more_ = true;
   return false;
 }
 
@@ -258,13 +321,14 @@ std::string Cursor::found() const {
 }
 
 text::Diagnostic* Cursor::expected(std::string_view what) {
+  need_here();
   return error("syntax", here(), fmt::format("expected {}, found {}", what, found()));
 }
 
 void Cursor::skip_statement() {
   int depth = 0;
   while (!at_end() && !(at_declaration() && !blocks_.empty())) {
-    if (depth == 0 && is("}")) return;
+    if (depth == 0 && (is("}") || at_next_statement())) return;
     if (depth == 0 && take(";")) return;
     if (is_any({"{", "(", "["})) ++depth;
     if (is_any({"}", ")", "]"})) depth = std::max(0, depth - 1);

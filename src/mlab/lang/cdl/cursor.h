@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "mlab/lang/cdl/lexer.h"
+#include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/tree.h"
 #include "mlab/text/diagnostic.h"
 
@@ -20,7 +22,8 @@ inline constexpr int kMaxNesting = 200;
 /// message. The functions that read one construct each stand in `parse_*.cc`.
 class Cursor {
  public:
-  Cursor(text::SourcePtr source, text::Diagnostics& sink);
+  /// @param written  null: only what is whole is kept
+  Cursor(text::SourcePtr source, text::Diagnostics& sink, Written* written = nullptr);
 
   const Token& token() const { return tokens_[at_]; }
   std::string_view text() const { return source_->text(token().span); }
@@ -28,6 +31,8 @@ class Cursor {
   bool is(Token::Kind kind) const { return token().kind == kind; }
   bool is(std::string_view word) const;
   bool is_any(std::initializer_list<std::string_view> words) const;
+  /// As `is_any`; where the text ends, these words could stand there.
+  bool could_be(std::initializer_list<std::string_view> words);
   /// Whether the token after this one is this word.
   bool is_before(std::string_view word) const;
   /// Whether a name follows on the same line that is no word of an expression.
@@ -39,6 +44,12 @@ class Cursor {
   const text::SourcePtr& source() const { return source_; }
 
   void advance();
+  /// What stands here is a word of the language.
+  void note_word(text::Span span);
+  void advance_word() {
+    note_word(token().span);
+    advance();
+  }
   bool take(std::string_view word);
   /// Takes this word, or says that it is missing and goes on as if it were there. `why` follows "expected
   /// `word`". @return false where it is missing and what stands there makes no sense behind it
@@ -54,11 +65,28 @@ class Cursor {
   /// A `{`, and which construct it belongs to. @return false where nothing that follows can be its content
   bool open(const char* what);
   /// Whether the block that was opened last ends here (or can't go on).
-  bool at_close() const { return at_end() || is("}") || at_declaration(); }
+  bool at_close();
+  /// Whether a statement may begin here.
+  bool at_statement() const;
   void close();
   /// Counts nesting; says so once and gives up the file where it is too deep.
   bool enter();
   void leave() { --depth_; }
+
+  /// Whether what is incomplete is kept: a part that could not be read whole goes into the tree all the same.
+  bool keeps_parts() const { return written_ != nullptr; }
+  /// Whether the part that was just read goes into the tree.
+  bool keeps(bool is_whole) const { return is_whole || keeps_parts(); }
+  /// A value that is missing here.
+  ExpressionPtr hole() const;
+  /// Where parts are kept: whether the next line begins a statement of its own, so that what should stand
+  /// here is still to be written. (Who checks a whole file says more of it by going on.)
+  bool at_next_statement() const;
+  /// Where parts are kept: skips what can't be read, up to one of these words, but not out of the statement.
+  /// @return whether the cursor looks at one of them
+  bool skip_to(std::initializer_list<std::string_view> words);
+  /// Hands over what was read, and whether anything was left open where the text ends.
+  void finish();
 
   /// A `{` ends the expression that is being read: `select by task {`.
   bool stops_at_brace = false;
@@ -67,6 +95,7 @@ class Cursor {
   text::Place place(text::Span span) const { return {source_, span}; }
   /// From `begin` to the last token that was taken.
   text::Place since(std::uint32_t begin) const;
+  text::Span span_since(std::uint32_t begin) const { return {begin, std::max(begin, last_end())}; }
   std::uint32_t begin() const { return token().span.begin; }
   /// Says it, unless something was said about the same line.
   text::Diagnostic* error(std::string kind, const text::Place& place, std::string message);
@@ -102,6 +131,8 @@ class Cursor {
   text::Span last_span() const { return at_ == 0 ? text::Span{} : tokens_[at_ - 1].span; }
   std::uint32_t last_end() const { return at_ == 0 ? 0 : tokens_[at_ - 1].span.end; }
   void report_unclosed(const Block& block);
+  /// Nothing but what is missing here could follow where the text ends.
+  void need_here() { needs_more_ = needs_more_ || at_end(); }
   std::string found() const;
 
   text::SourcePtr source_;
@@ -115,18 +146,30 @@ class Cursor {
   text::Span error_line_;    ///< the line that something was said about last
   int depth_ = 0;
   bool gave_up_ = false;  ///< nothing more is said of this file
+  Written* written_ = nullptr;
+  bool needs_more_ = false;    ///< all that could follow the text is known
+  bool has_read_end_ = false;  ///< the statement that could begin where the text ends was looked for
 };
 
-/// An expression; null after an error, which was said.
-ExpressionPtr parse_expression(Cursor& cursor);
-/// `callee(arguments)` where the cursor looks at the callee.
-std::optional<Call> parse_call(Cursor& cursor, std::string_view what);
+/// An expression. @return false after an error, which was said; then `into` is what was read of it, with
+/// holes
+bool parse_expression(Cursor& cursor, ExpressionPtr& into);
+/// `callee(arguments)` where the cursor looks at the callee. @return as `parse_expression`
+bool parse_call(Cursor& cursor, std::string_view what, Call& into);
 /// `cooperate { ... }` and the other operators. The cursor looks at their word. @return nothing after an
 /// error
 bool parse_block(Cursor& cursor, Expression& into);
 /// Whether an operator starts here.
 bool at_block(const Cursor& cursor);
+/// @return nothing where no number stands
 std::optional<Number> parse_quantity(Cursor& cursor);
+/// Puts a declaration into the tree, if it is kept. @return is_whole
+template <class Declaration>
+bool put(const Cursor& cursor, std::uint32_t begin, Declaration what, bool is_whole, Tree& tree) {
+  what.whole = cursor.span_since(begin);
+  if (cursor.keeps(is_whole)) tree.items.emplace_back(std::move(what));
+  return is_whole;
+}
 /// One declaration of the file; false where it could not be read.
 bool parse_item(Cursor& cursor, Tree& tree);
 bool parse_parameters(Cursor& cursor, std::vector<Parameter>& into);

@@ -86,6 +86,7 @@ Parts::Values Parts::values_of(const Expression& expression, Scope& scope) {
     Parts& parts;
     Scope& scope;
     const Expression& expression;
+    Values operator()(const Hole&) const { return {}; }
     Values operator()(const Number&) const { return {}; }
     Values operator()(const Text&) const { return {}; }
     Values operator()(const Name& one) const { return parts.named(one.name.text, scope); }

@@ -40,6 +40,7 @@ Value Lowering::lower_what(const Expression& expression, Scope& scope, const Slo
   const text::Place& place = expression.place;
   return std::visit(
       base::Overloaded{
+          [](const Hole&) { return Value{}; },
           [&](const Number& number) {
             Value out;
             if (!number.unit.text.empty() && !unit_named(number.unit.text)) {

@@ -16,15 +16,13 @@ namespace {
 bool parse_member(Cursor& cursor, std::vector<Member>& into) {
   Member member;
   member.help = cursor.help_above();
-  member.value = parse_expression(cursor);
-  if (!member.value) return false;
-  if (cursor.take(":")) {
+  bool is_read = parse_expression(cursor, member.value);
+  if (is_read && cursor.take(":")) {
     member.weight = std::move(member.value);
-    member.value = parse_expression(cursor);
-    if (!member.value) return false;
+    is_read = parse_expression(cursor, member.value);
   }
-  const bool is_whole = cursor.expect_semicolon("behind the member");
-  into.push_back(std::move(member));
+  const bool is_whole = is_read && cursor.expect_semicolon("behind the member");
+  if (cursor.keeps(is_read)) into.push_back(std::move(member));
   return is_whole;
 }
 
@@ -38,40 +36,38 @@ bool parse_members(Cursor& cursor, const char* what, std::vector<Member>& into) 
 }
 
 bool parse_compete(Cursor& cursor, Expression& into) {
-  cursor.advance();
-  Compete compete;
+  cursor.advance_word();
+  Compete& compete = into.what.emplace<Compete>();
   if (!cursor.expect("by", "and `priority` or `strength`")) return false;
-  if (!cursor.is_any({"priority", "strength"})) {
+  if (!cursor.could_be({"priority", "strength"})) {
     text::Diagnostic* d = cursor.expected("`priority` or `strength`");
     if (d != nullptr)
       d->hints.emplace_back("`coordinate by OPERATOR { ... }` takes any operator of the library");
     return false;
   }
   compete.rule = cursor.is("priority") ? CompetitionRule::kPriority : CompetitionRule::kStrength;
-  cursor.read_name(compete.rule_word, "the rule");
-  if (!parse_members(cursor, "`compete`", compete.members)) return false;
-  into.what = std::move(compete);
-  return true;
+  compete.rule_word = {std::string(cursor.text()), cursor.here()};
+  cursor.advance_word();
+  return parse_members(cursor, "`compete`", compete.members);
 }
 
 // `coordinate by Op(...) { ... }`, `fuse by Op(...) { ... }`
 template <class Operator>
 bool parse_by(Cursor& cursor, const char* what, Expression& into) {
-  cursor.advance();
-  Operator op;
+  cursor.advance_word();
+  Operator& op = into.what.emplace<Operator>();
   if (!cursor.expect("by", "and the operator")) return false;
-  std::optional<Call> by;
-  if (cursor.is_before("{")) {  // without arguments the parentheses may be left out
-    by.emplace();
-    if (!cursor.read_name(by->callee, "the operator")) return false;
-  } else {
-    by = parse_call(cursor, "the operator");
-  }
-  if (!by) return false;
-  op.by = std::move(*by);
-  if (!parse_members(cursor, what, op.members)) return false;
-  into.what = std::move(op);
-  return true;
+  const bool is_read = cursor.is_before("{")  // without arguments the parentheses may be left out
+                           ? cursor.read_name(op.by.callee, "the operator")
+                           : parse_call(cursor, "the operator", op.by);
+  return is_read && parse_members(cursor, what, op.members);
+}
+
+bool read_target(Cursor& cursor, Word& into) {
+  constexpr const char* kWhat = "the state to go to";
+  if (!cursor.at_next_statement()) return cursor.read_name(into, kWhat);
+  cursor.expected(kWhat);
+  return false;
 }
 
 // `when TRIGGER goto STATE [restart];`
@@ -79,24 +75,29 @@ bool parse_transition(Cursor& cursor, State& state) {
   const std::uint32_t begin = cursor.begin();
   Transition transition;
   transition.help = cursor.help_above();
-  cursor.advance();
-  transition.trigger = parse_expression(cursor);
-  if (!transition.trigger || !cursor.expect("goto", "behind the trigger")) return false;
-  if (!cursor.read_name(transition.target, "the state to go to")) return false;
-  transition.restarts = cursor.take("restart");
+  cursor.advance_word();
+  const bool is_read = parse_expression(cursor, transition.trigger) &&
+                       cursor.expect("goto", "behind the trigger") && read_target(cursor, transition.target);
+  transition.restarts = is_read && cursor.take("restart");
   transition.place = cursor.since(begin);
-  const bool is_whole = cursor.expect_semicolon("behind the transition");
-  state.transitions.push_back(std::move(transition));
+  const bool is_whole = is_read && cursor.expect_semicolon("behind the transition");
+  if (cursor.keeps(is_read)) state.transitions.push_back(std::move(transition));
   return is_whole;
+}
+
+bool at_mark(Cursor& cursor, const State& state) {
+  if (cursor.at_end() && state.is_start) return !state.is_final && cursor.could_be({"final"});
+  if (cursor.at_end() && state.is_final) return false;
+  return cursor.could_be({"start", "final"});
 }
 
 // `[start] [final] NAME: MEMBER;`
 bool parse_state_head(Cursor& cursor, State& state) {
   state.help = cursor.help_above();
-  while (cursor.is_any({"start", "final"}) && !cursor.is_before("(")) {
+  while (at_mark(cursor, state) && !cursor.is_before("(")) {
     if (cursor.is_before(":") && (state.is_start || state.is_final)) break;  // a state of that name
     (cursor.is("start") ? state.is_start : state.is_final) = true;
-    cursor.advance();
+    cursor.advance_word();
   }
   if (!cursor.read_name(state.name, "a state: its name, `:` and what it does")) return false;
   state.place = state.name.place;
@@ -106,37 +107,48 @@ bool parse_state_head(Cursor& cursor, State& state) {
     return false;
   }
   if (!cursor.expect(":", "behind the name of the state")) return false;
-  state.member = parse_expression(cursor);
-  return state.member && cursor.expect_semicolon("behind what the state does");
+  const bool is_read = parse_expression(cursor, state.member);
+  if (!cursor.keeps(is_read)) state.member = nullptr;
+  return is_read && cursor.expect_semicolon("behind what the state does");
 }
 
 void parse_state(Cursor& cursor, Sequence& sequence) {
   State state;
+  const std::uint32_t begin = cursor.begin();
   if (!parse_state_head(cursor, state)) cursor.skip_statement();
-  while (cursor.is("when")) {
+  while (cursor.is("when") || (cursor.at_statement() && cursor.could_be({"when"}))) {
     if (!parse_transition(cursor, state)) cursor.skip_statement();
   }
+  state.whole = cursor.span_since(begin);
   if (!state.name.text.empty()) sequence.states.push_back(std::move(state));
 }
 
 bool parse_sequence(Cursor& cursor, Expression& into) {
-  cursor.advance();
-  Sequence sequence;
+  cursor.advance_word();
+  Sequence& sequence = into.what.emplace<Sequence>();
   if (!cursor.open("`sequence`")) return false;
   while (!cursor.at_close()) parse_state(cursor, sequence);
   cursor.close();
-  into.what = std::move(sequence);
   return true;
 }
 
 bool parse_case_value(Cursor& cursor, Case& into) {
   Word value{std::string(cursor.text()), cursor.here()};
-  if (!cursor.is(Token::Kind::kNumber) && !cursor.is(Token::Kind::kName)) {
-    cursor.expected("a value of the selector");
+  const bool is_whole = cursor.is(Token::Kind::kNumber) || cursor.is(Token::Kind::kName);
+  if (cursor.keeps(is_whole)) into.values.push_back(std::move(value));
+  is_whole ? cursor.advance() : static_cast<void>(cursor.expected("a value of the selector"));
+  return is_whole;
+}
+
+bool parse_case_head(Cursor& cursor, Case& into) {
+  if (cursor.take("otherwise")) return true;
+  if (!cursor.take("case")) {
+    cursor.expected("`case` or `otherwise`");
     return false;
   }
-  cursor.advance();
-  into.values.push_back(std::move(value));
+  do {
+    if (!parse_case_value(cursor, into)) return false;
+  } while (cursor.take(","));
   return true;
 }
 
@@ -144,46 +156,32 @@ bool parse_case_value(Cursor& cursor, Case& into) {
 bool parse_case(Cursor& cursor, Select& select) {
   Case one;
   one.place = cursor.here();
-  if (!cursor.take("otherwise")) {
-    if (!cursor.is("case")) {
-      cursor.expected("`case` or `otherwise`");
-      return false;
-    }
-    cursor.advance();
-    do {
-      if (!parse_case_value(cursor, one)) return false;
-    } while (cursor.take(","));
-  }
-  if (!cursor.expect(":", "before what is done in this case")) return false;
-  one.member = parse_expression(cursor);
-  if (!one.member) return false;
-  const bool is_whole = cursor.expect_semicolon("behind the case");
-  select.cases.push_back(std::move(one));
+  const bool is_read = parse_case_head(cursor, one) &&
+                       cursor.expect(":", "before what is done in this case") &&
+                       parse_expression(cursor, one.member);
+  const bool is_whole = is_read && cursor.expect_semicolon("behind the case");
+  if (cursor.keeps(is_read)) select.cases.push_back(std::move(one));
   return is_whole;
 }
 
 bool parse_select(Cursor& cursor, Expression& into) {
-  cursor.advance();
-  Select select;
+  cursor.advance_word();
+  Select& select = into.what.emplace<Select>();
   if (!cursor.expect("by", "and the selector")) return false;
   const bool outer = std::exchange(cursor.stops_at_brace, true);
-  select.by = parse_expression(cursor);
+  const bool has_selector = parse_expression(cursor, select.by);
   cursor.stops_at_brace = outer;
-  if (!select.by || !cursor.open("`select`")) return false;
+  if (!has_selector || !cursor.open("`select`")) return false;
   while (!cursor.at_close()) {
     if (!parse_case(cursor, select)) cursor.skip_statement();
   }
   cursor.close();
-  into.what = std::move(select);
   return true;
 }
 
 bool parse_cooperate(Cursor& cursor, Expression& into) {
-  cursor.advance();
-  Cooperate cooperate;
-  if (!parse_members(cursor, "`cooperate`", cooperate.members)) return false;
-  into.what = std::move(cooperate);
-  return true;
+  cursor.advance_word();
+  return parse_members(cursor, "`cooperate`", into.what.emplace<Cooperate>().members);
 }
 
 }  // namespace

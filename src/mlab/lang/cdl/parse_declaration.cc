@@ -24,19 +24,18 @@ bool parse_range(Cursor& cursor, Parameter& parameter) {
 // `sphere: double [m] = 1 m in 0 .. 100`
 bool parse_parameter(Cursor& cursor, std::vector<Parameter>& into) {
   Parameter parameter;
+  const std::uint32_t begin = cursor.begin();
   parameter.help = cursor.help_above();
   if (!cursor.read_name(parameter.name, "the name of a parameter")) return false;
-  if (!cursor.expect(":", "and the type of the parameter")) return false;
-  if (!cursor.read_name(parameter.type, "the type of the parameter")) return false;
-  parameter.unit = cursor.take_unit();
-  if (cursor.take("=")) {
-    parameter.initial = parse_expression(cursor);
-    if (!parameter.initial) return false;
-  }
-  if (!parse_range(cursor, parameter)) return false;
+  bool is_whole = cursor.expect(":", "and the type of the parameter") &&
+                  cursor.read_name(parameter.type, "the type of the parameter");
+  if (is_whole) parameter.unit = cursor.take_unit();
+  if (is_whole && cursor.take("=")) is_whole = parse_expression(cursor, parameter.initial);
+  is_whole = is_whole && parse_range(cursor, parameter);
   if (const std::string behind = cursor.help_behind(); !behind.empty()) parameter.help = behind;
-  into.push_back(std::move(parameter));
-  return true;
+  parameter.whole = cursor.span_since(begin);
+  if (cursor.keeps(is_whole)) into.push_back(std::move(parameter));
+  return is_whole;
 }
 
 bool parse_result_type(Cursor& cursor, Word& into) {
@@ -48,7 +47,7 @@ bool parse_result_type(Cursor& cursor, Word& into) {
 }
 
 bool parse_alias(Cursor& cursor, Assemblage& into) {
-  cursor.advance();
+  cursor.advance_word();
   Word name;
   name.place = cursor.here();
   const std::optional<std::string> text = cursor.read_text("the historic name, in quotes");
@@ -69,8 +68,9 @@ bool parse_body(Cursor& cursor, Assemblage& into) {
     cursor.expected("`let` or the body of the assemblage");
     return false;
   }
-  into.body = parse_expression(cursor);
-  if (!into.body) return false;
+  const bool is_read = parse_expression(cursor, into.body);
+  if (!cursor.keeps(is_read)) into.body = nullptr;
+  if (!is_read) return false;
   if (cursor.is(":")) {
     if (text::Diagnostic* d = cursor.error("syntax", cursor.here(), "a member stands outside of an operator"))
       d->hints.emplace_back("members stand in `cooperate { ... }`, states in `sequence { ... }`");
@@ -79,46 +79,50 @@ bool parse_body(Cursor& cursor, Assemblage& into) {
   return cursor.at_close() || cursor.expect_semicolon("behind the body");
 }
 
-bool parse_assemblage(Cursor& cursor, Tree& tree, const std::string& help) {
-  Assemblage out;
-  out.help = help;
-  cursor.advance();
-  if (!cursor.read_name(out.name, "the name of the assemblage")) return false;
-  if (!parse_parameters(cursor, out.parameters) || !parse_result_type(cursor, out.result_type)) return false;
-  if (cursor.take(";")) {
-    tree.items.emplace_back(std::move(out));
-    return true;
-  }
+bool parse_assemblage_body(Cursor& cursor, Assemblage& into) {
   if (!cursor.open("the assemblage")) return false;
   while (!cursor.at_close()) {
-    const bool is_let = cursor.is("let") && !cursor.is_before("(");
-    const bool is_alias = cursor.is("alias") && !cursor.is_before("(");
-    const bool is_read = is_let     ? parse_let(cursor, out.lets)
-                         : is_alias ? parse_alias(cursor, out)
-                                    : parse_body(cursor, out);
+    const bool is_let = cursor.could_be({"let"}) && !cursor.is_before("(");
+    const bool is_alias = !into.body && cursor.could_be({"alias"}) && !cursor.is_before("(");
+    const bool is_read = is_let     ? parse_let(cursor, into.lets)
+                         : is_alias ? parse_alias(cursor, into)
+                                    : parse_body(cursor, into);
     if (!is_read) cursor.skip_statement();
   }
   cursor.close();
-  tree.items.emplace_back(std::move(out));
   return true;
+}
+
+bool parse_assemblage(Cursor& cursor, Tree& tree, const std::string& help) {
+  Assemblage out;
+  const std::uint32_t begin = cursor.begin();
+  out.help = help;
+  cursor.advance_word();
+  bool is_whole = cursor.read_name(out.name, "the name of the assemblage") &&
+                  ((parse_parameters(cursor, out.parameters) && parse_result_type(cursor, out.result_type)) ||
+                   cursor.skip_to({"{", ";"}));
+  if (is_whole && !cursor.take(";")) is_whole = parse_assemblage_body(cursor, out);
+  return put(cursor, begin, std::move(out), is_whole, tree);
 }
 
 bool parse_binding(Cursor& cursor, Tree& tree, const std::string& help) {
   Binding out;
+  const std::uint32_t begin = cursor.begin();
   out.help = help;
-  cursor.advance();
-  if (!cursor.read_name(out.name, "the name of the binding point")) return false;
-  if (!parse_parameters(cursor, out.parameters) || !parse_result_type(cursor, out.result_type)) return false;
-  const bool is_whole = cursor.expect_semicolon("behind the binding point");
-  tree.items.emplace_back(std::move(out));
+  cursor.advance_word();
+  const bool is_read = cursor.read_name(out.name, "the name of the binding point") &&
+                       parse_parameters(cursor, out.parameters) && parse_result_type(cursor, out.result_type);
+  const bool is_whole = is_read && cursor.expect_semicolon("behind the binding point");
+  put(cursor, begin, std::move(out), is_read, tree);
   return is_whole;
 }
 
 bool parse_use(Cursor& cursor, Tree& tree) {
-  cursor.advance();
+  cursor.advance_word();
   Use out;
   out.path.place = cursor.here();
   std::optional<std::string> path = cursor.read_text("the name of a file, in quotes");
+  if (cursor.keeps_parts() && !path && cursor.at_end()) tree.items.emplace_back(out);
   if (!path) return false;
   out.path.text = std::move(*path);
   const bool is_whole = cursor.expect_semicolon("behind the file");
@@ -127,9 +131,12 @@ bool parse_use(Cursor& cursor, Tree& tree) {
 }
 
 bool parse_architecture(Cursor& cursor, Tree& tree) {
-  cursor.advance();
+  cursor.advance_word();
   Architecture out;
-  if (!cursor.read_name(out.name, "the name of the architecture")) return false;
+  if (!cursor.read_name(out.name, "the name of the architecture")) {
+    if (cursor.keeps_parts()) tree.items.emplace_back(std::move(out));
+    return false;
+  }
   const bool is_whole = cursor.expect_semicolon("behind the architecture");
   tree.items.emplace_back(std::move(out));
   return is_whole;
@@ -141,10 +148,11 @@ bool read_path(Cursor& cursor, Word& into, std::string_view what) {
   if (!cursor.read_name(into, what)) return false;
   while (cursor.take(".")) {
     Word next;
-    if (!cursor.read_name(next, "a name behind `.`")) return false;
+    const bool is_read = cursor.read_name(next, "a name behind `.`");
     into.text += "." + next.text;
+    into.place = cursor.since(begin);
+    if (!is_read) return false;
   }
-  into.place = cursor.since(begin);
   return true;
 }
 
@@ -171,12 +179,17 @@ bool parse_note(Cursor& cursor, LayoutNote note, std::uint32_t begin, Layout& la
 bool parse_layout_entry(Cursor& cursor, Layout& layout) {
   LayoutEntry entry;
   const std::uint32_t begin = cursor.begin();
-  if (!read_path(cursor, entry.node, "the name of a node")) return false;
+  cursor.could_be({"note", "frame"});
+  const bool has_name = read_path(cursor, entry.node, "the name of a node");
+  if (!has_name && cursor.keeps_parts()) layout.entries.push_back(entry);
+  if (!has_name) return false;
   const std::optional<double> x = cursor.read_number();
   const std::optional<double> y = x ? cursor.read_number() : std::nullopt;
+  if (!y && cursor.keeps_parts()) layout.entries.push_back(entry);
   if (!y) return false;
   const bool is_word = entry.node.text == "note" || entry.node.text == "frame";
   if (is_word && !cursor.is(";")) {
+    cursor.note_word(entry.node.place.span);
     LayoutNote note;
     note.is_frame = entry.node.text == "frame";
     note.x = *x;
@@ -190,16 +203,18 @@ bool parse_layout_entry(Cursor& cursor, Layout& layout) {
 }
 
 bool parse_layout(Cursor& cursor, Tree& tree) {
-  cursor.advance();
+  cursor.advance_word();
   Layout out;
-  if (!cursor.is("{") && !read_path(cursor, out.owner, "the name of what is laid out")) return false;
-  if (!cursor.open("the layout")) return false;
-  while (!cursor.at_close()) {
-    if (!parse_layout_entry(cursor, out)) cursor.skip_statement();
+  const bool is_whole = (cursor.is("{") || read_path(cursor, out.owner, "the name of what is laid out")) &&
+                        cursor.open("the layout");
+  if (is_whole) {
+    while (!cursor.at_close()) {
+      if (!parse_layout_entry(cursor, out)) cursor.skip_statement();
+    }
+    cursor.close();
   }
-  cursor.close();
-  tree.items.emplace_back(std::move(out));
-  return true;
+  if (cursor.keeps(is_whole)) tree.items.emplace_back(std::move(out));
+  return is_whole;
 }
 
 bool refuse_item(Cursor& cursor) {
@@ -220,14 +235,16 @@ bool refuse_item(Cursor& cursor) {
 
 bool parse_let(Cursor& cursor, std::vector<Let>& into) {
   Let let;
+  const std::uint32_t begin = cursor.begin();
   let.help = cursor.help_above();
-  cursor.advance();
+  cursor.advance_word();
   if (!cursor.read_name(let.name, "a name behind `let`")) return false;
-  if (!cursor.expect("=", "and what the name stands for")) return false;
-  let.value = parse_expression(cursor);
-  if (!let.value) return false;
-  const bool is_whole = cursor.expect_semicolon("behind what the name stands for");
-  into.push_back(std::move(let));
+  const bool is_read =
+      cursor.expect("=", "and what the name stands for") && parse_expression(cursor, let.value);
+  if (!let.value) let.value = cursor.hole();
+  const bool is_whole = is_read && cursor.expect_semicolon("behind what the name stands for");
+  let.whole = cursor.span_since(begin);
+  if (cursor.keeps(is_read)) into.push_back(std::move(let));
   return is_whole;
 }
 

@@ -27,168 +27,211 @@ std::shared_ptr<Expression> made(const Cursor& cursor, std::uint32_t begin, What
 
 using Made = std::shared_ptr<Expression>;
 
-Made parse_or(Cursor& cursor);
+/// What was read, with holes where it is not whole. Never null.
+struct Read {
+  Made value;
+  bool is_whole = true;
+};
 
-bool parse_arguments(Cursor& cursor, std::vector<Argument>& into) {
-  if (cursor.take(")")) return true;
-  do {
-    Argument argument;
-    if (cursor.is(Token::Kind::kName) && cursor.is_before("=")) {
-      cursor.read_name(argument.name, "the name of an argument");
-      cursor.advance();
-    }
-    argument.value = parse_expression(cursor);
-    if (!argument.value) return false;
-    into.push_back(std::move(argument));
-  } while (cursor.take(","));
-  return cursor.take(")") ||
-         (cursor.expected("`,` or `)` behind the argument"), cursor.is_any({";", "{", "}"}));
+Read hole(Cursor& cursor) {
+  return {std::make_shared<Expression>(*cursor.hole()), false};
 }
 
-Made parse_list(Cursor& cursor) {
+Read parse_or(Cursor& cursor);
+
+bool parse_argument(Cursor& cursor, std::vector<Argument>& into) {
+  Argument argument;
+  if (cursor.is(Token::Kind::kName) && cursor.is_before("=")) {
+    cursor.read_name(argument.name, "the name of an argument");
+    cursor.advance();
+  }
+  const bool is_whole = parse_expression(cursor, argument.value);
+  if (cursor.keeps(is_whole)) into.push_back(std::move(argument));
+  return is_whole;
+}
+
+bool parse_arguments(Cursor& cursor, Call& call) {
+  if (cursor.take(")")) return true;
+  bool is_whole = true;
+  call.is_closed = false;
+  do {
+    const bool is_read = parse_argument(cursor, call.arguments);
+    is_whole = is_whole && is_read;
+    if (!is_read && !cursor.skip_to({",", ")"})) return false;
+  } while (cursor.take(","));
+  call.is_closed = cursor.take(")");
+  if (call.is_closed) return is_whole;
+  cursor.expected("`,` or `)` behind the argument");
+  return is_whole && cursor.is_any({";", "{", "}"});
+}
+
+Read parse_list(Cursor& cursor) {
   const std::uint32_t begin = cursor.begin();
   List list;
+  bool is_whole = true;
   cursor.advance();
-  while (!cursor.take("]")) {
-    const ExpressionPtr item = parse_expression(cursor);
-    if (!item) return nullptr;
-    list.items.push_back(item);
-    if (!cursor.take(",") && !cursor.is("]")) {
-      cursor.expected("`,` or `]` behind the member of the list");
-      if (!cursor.is_any({";", ")", "}"})) return nullptr;
-      break;
-    }
+  while (is_whole && !cursor.take("]")) {
+    ExpressionPtr item;
+    is_whole = parse_expression(cursor, item);
+    list.items.push_back(std::move(item));
+    if (!is_whole || cursor.take(",") || cursor.is("]")) continue;
+    cursor.expected("`,` or `]` behind the member of the list");
+    is_whole = cursor.is_any({";", ")", "}"});
+    break;
   }
-  return made(cursor, begin, std::move(list));
+  return {made(cursor, begin, std::move(list)), is_whole};
+}
+
+// One argument of a delay: `value` or `initial`.
+bool put_delayed(Cursor& cursor, const Argument& argument, Delay& into) {
+  if (!argument.name.text.empty()) cursor.note_word(argument.name.place.span);
+  const bool is_initial = argument.name.text == "initial" || (argument.name.text.empty() && into.value);
+  if (!is_initial && !argument.name.text.empty() && argument.name.text != "value") {
+    cursor.error(
+        "syntax", argument.name.place,
+        fmt::format("a delay has `value` and `initial`, and no `{}`", text::shown(argument.name.text)));
+    return false;
+  }
+  ExpressionPtr& part = is_initial ? into.initial : into.value;
+  if (part) {
+    cursor.error("syntax", argument.value->place, "a delay has one `value` and one `initial`");
+    return false;
+  }
+  part = argument.value;
+  return true;
 }
 
 // `delay(value, initial = 0)`
-Made parse_delay(Cursor& cursor) {
+Read parse_delay(Cursor& cursor) {
   const std::uint32_t begin = cursor.begin();
-  const std::optional<Call> call = parse_call(cursor, "`delay`");
-  if (!call) return nullptr;
+  cursor.note_word(cursor.token().span);
+  Call call;
+  bool is_whole = parse_call(cursor, "`delay`", call);
   Delay delay;
-  for (const Argument& argument : call->arguments) {
-    const bool is_initial = argument.name.text == "initial" || (argument.name.text.empty() && delay.value);
-    if (!is_initial && !argument.name.text.empty() && argument.name.text != "value") {
-      cursor.error(
-          "syntax", argument.name.place,
-          fmt::format("a delay has `value` and `initial`, and no `{}`", text::shown(argument.name.text)));
-      return nullptr;
-    }
-    ExpressionPtr& into = is_initial ? delay.initial : delay.value;
-    if (into) {
-      cursor.error("syntax", argument.value->place, "a delay has one `value` and one `initial`");
-      return nullptr;
-    }
-    into = argument.value;
+  for (const Argument& argument : call.arguments) {
+    is_whole = is_whole && put_delayed(cursor, argument, delay);
   }
-  if (!delay.value) {
-    cursor.error("syntax", call->callee.place, "a delay needs the value that it delays: `delay(value)`");
-    return nullptr;
+  if (is_whole && !delay.value) {
+    cursor.error("syntax", call.callee.place, "a delay needs the value that it delays: `delay(value)`");
+    is_whole = false;
   }
-  return made(cursor, begin, std::move(delay));
+  if (!delay.value) delay.value = cursor.hole();
+  return {made(cursor, begin, std::move(delay)), is_whole};
 }
 
-Made parse_parenthesis(Cursor& cursor) {
+Read parse_parenthesis(Cursor& cursor) {
   cursor.advance();
-  Made inner = parse_or(cursor);
-  if (inner && !cursor.expect(")", "behind the expression") && !cursor.is(";")) return nullptr;
+  Read inner = parse_or(cursor);
+  if (inner.is_whole && !cursor.expect(")", "behind the expression") && !cursor.is(";"))
+    inner.is_whole = false;
   return inner;
 }
 
-Made parse_named(Cursor& cursor) {
+Read parse_named(Cursor& cursor) {
   const std::uint32_t begin = cursor.begin();
   if (cursor.is("delay") && cursor.is_before("(")) return parse_delay(cursor);
   if (at_block(cursor)) {
     auto out = std::make_shared<Expression>();
-    if (!parse_block(cursor, *out)) return nullptr;
+    const bool is_whole = parse_block(cursor, *out);
     out->place = cursor.since(begin);
-    return out;
+    return {std::move(out), is_whole};
   }
   if (cursor.is_before("(")) {
-    std::optional<Call> call = parse_call(cursor, "what to instantiate");
-    return call ? made(cursor, begin, std::move(*call)) : nullptr;
+    Call call;
+    const bool is_whole = parse_call(cursor, "what to instantiate", call);
+    return {made(cursor, begin, std::move(call)), is_whole};
   }
   Name name;
   cursor.read_name(name.name, "a name");
-  return made(cursor, begin, std::move(name));
+  return {made(cursor, begin, std::move(name))};
 }
 
-Made parse_primary(Cursor& cursor) {
+Read parse_primary(Cursor& cursor) {
   const std::uint32_t begin = cursor.begin();
   if (cursor.is(Token::Kind::kNumber)) {
     std::optional<Number> number = parse_quantity(cursor);
-    return number ? made(cursor, begin, std::move(*number)) : nullptr;
+    return number ? Read{made(cursor, begin, std::move(*number))} : hole(cursor);
   }
   if (cursor.is(Token::Kind::kText) || cursor.is(Token::Kind::kUnclosed)) {
     std::optional<std::string> value = cursor.read_text("a text");
-    return value ? made(cursor, begin, Text{std::move(*value)}) : nullptr;
+    const bool is_whole = value.has_value();
+    return {made(cursor, begin, Text{std::move(value).value_or("")}), is_whole};
   }
   if (cursor.is("[")) return parse_list(cursor);
   if (cursor.is("(")) return parse_parenthesis(cursor);
-  if (cursor.is(Token::Kind::kName)) return parse_named(cursor);
+  if (cursor.is(Token::Kind::kName) && !cursor.at_next_statement()) return parse_named(cursor);
   cursor.expected("a value");
-  return nullptr;
+  return hole(cursor);
+}
+
+// `as NAME`
+bool parse_name_of_node(Cursor& cursor, Expression& into) {
+  if (!into.as.text.empty() || into.active) {
+    cursor.error("syntax", cursor.here(), "this has a name already");
+    return false;
+  }
+  cursor.advance_word();
+  return cursor.read_name(into.as, "the name behind `as`");
+}
+
+Read parse_suffixed(Cursor& cursor);
+
+// `active PART`
+bool parse_active(Cursor& cursor, Expression& into) {
+  if (into.active) {
+    cursor.error("syntax", cursor.here(), "this has an active part already");
+    return false;
+  }
+  cursor.advance_word();
+  const Read active = parse_suffixed(cursor);
+  into.active = active.value;
+  return active.is_whole;
 }
 
 // `x as NAME active y`
-Made parse_suffixed(Cursor& cursor) {
-  if (!cursor.enter()) return nullptr;
+Read parse_suffixed(Cursor& cursor) {
+  if (!cursor.enter()) return hole(cursor);
   const std::uint32_t begin = cursor.begin();
-  Made out = parse_primary(cursor);
-  while (out && cursor.is_any({"as", "active"})) {
-    if (cursor.is("as")) {
-      if (!out->as.text.empty() || out->active) {
-        cursor.error("syntax", cursor.here(), "this has a name already");
-        out = nullptr;
-        break;
-      }
-      cursor.advance();
-      if (!cursor.read_name(out->as, "the name behind `as`")) out = nullptr;
-    } else if (out->active) {
-      cursor.error("syntax", cursor.here(), "this has an active part already");
-      out = nullptr;
-    } else {
-      cursor.advance();
-      const Made active = parse_suffixed(cursor);
-      out->active = active;
-      if (!active) out = nullptr;
-    }
-    if (out) out->place = cursor.since(begin);
+  Read out = parse_primary(cursor);
+  while (out.is_whole && ((out.value->as.text.empty() && cursor.could_be({"as"})) ||
+                          cursor.could_be({"active"}) || cursor.is("as"))) {
+    out.is_whole =
+        cursor.is("as") ? parse_name_of_node(cursor, *out.value) : parse_active(cursor, *out.value);
+    out.value->place = cursor.since(begin);
   }
   cursor.leave();
   return out;
 }
 
-Made parse_not(Cursor& cursor) {
+Read parse_not(Cursor& cursor) {
   if (!cursor.is("not") || cursor.is_before("=")) return parse_suffixed(cursor);
-  if (!cursor.enter()) return nullptr;
+  if (!cursor.enter()) return hole(cursor);
   const std::uint32_t begin = cursor.begin();
-  cursor.advance();
-  const Made operand = parse_not(cursor);
+  cursor.advance_word();
+  const Read operand = parse_not(cursor);
   cursor.leave();
-  return operand ? made(cursor, begin, Logic{Connective::kNot, {operand}}) : nullptr;
+  return {made(cursor, begin, Logic{Connective::kNot, {operand.value}}), operand.is_whole};
 }
 
-Made parse_chain(Cursor& cursor, Connective connective) {
+Read parse_chain(Cursor& cursor, Connective connective) {
   const char* word = connective == Connective::kAnd ? "and" : "or";
   const auto operand = [&] {
     return connective == Connective::kAnd ? parse_not(cursor) : parse_chain(cursor, Connective::kAnd);
   };
   const std::uint32_t begin = cursor.begin();
-  Made first = operand();
-  if (!first || !cursor.is(word)) return first;
-  Logic logic{connective, {first}};
-  while (cursor.take(word)) {
-    const Made next = operand();
-    if (!next) return nullptr;
-    logic.operands.push_back(next);
+  Read out = operand();
+  if (!out.is_whole || !cursor.could_be({word})) return out;
+  Logic logic{connective, {out.value}};
+  while (out.is_whole && cursor.take(word)) {
+    const Read next = operand();
+    logic.operands.push_back(next.value);
+    out.is_whole = next.is_whole;
   }
-  return made(cursor, begin, std::move(logic));
+  out.value = made(cursor, begin, std::move(logic));
+  return out;
 }
 
-Made parse_or(Cursor& cursor) {
+Read parse_or(Cursor& cursor) {
   return parse_chain(cursor, Connective::kOr);
 }
 
@@ -199,32 +242,41 @@ std::optional<Number> parse_quantity(Cursor& cursor) {
   const std::optional<double> value = cursor.read_number();
   if (!value) return std::nullopt;
   number.value = *value;
-  if (!is_unit(cursor)) return number;
+  if (!is_unit(cursor)) {
+    if (cursor.keeps_parts() && cursor.at_end()) number.unit.place = cursor.here();
+    return number;
+  }
   const std::uint32_t begin = cursor.begin();
   cursor.read_name(number.unit, "a unit");
-  if (cursor.is("/")) {
-    cursor.advance();
-    Word per;
-    if (!cursor.read_name(per, "the unit behind `/`")) return std::nullopt;
-    number.unit.text += "/" + per.text;
-    number.unit.place = cursor.since(begin);
+  if (!cursor.is("/")) return number;
+  cursor.advance();
+  Word per;
+  if (!cursor.read_name(per, "the unit behind `/`")) {
+    number.unit = per;
+    return cursor.keeps_parts() ? std::optional(number) : std::nullopt;
   }
+  number.unit.text += "/" + per.text;
+  number.unit.place = cursor.since(begin);
   return number;
 }
 
-std::optional<Call> parse_call(Cursor& cursor, std::string_view what) {
-  Call call;
-  if (!cursor.read_name(call.callee, what)) return std::nullopt;
-  if (!cursor.expect("(", "behind the name of what is instantiated")) return std::nullopt;
-  if (!parse_arguments(cursor, call.arguments)) return std::nullopt;
-  return call;
+bool parse_call(Cursor& cursor, std::string_view what, Call& into) {
+  into.is_closed = false;
+  if (!cursor.read_name(into.callee, what)) return false;
+  if (!cursor.expect("(", "behind the name of what is instantiated")) return false;
+  into.is_closed = true;
+  return parse_arguments(cursor, into);
 }
 
-ExpressionPtr parse_expression(Cursor& cursor) {
-  if (!cursor.enter()) return nullptr;
-  Made out = parse_or(cursor);
+bool parse_expression(Cursor& cursor, ExpressionPtr& into) {
+  if (!cursor.enter()) {
+    into = cursor.hole();
+    return false;
+  }
+  Read out = parse_or(cursor);
   cursor.leave();
-  return out;
+  into = std::move(out.value);
+  return out.is_whole;
 }
 
 }  // namespace mlab::cdl

@@ -15,32 +15,31 @@ namespace {
 // `sensor sonars: SonarObstacles(...) binds sense_obstacles;`
 bool parse_device(Cursor& cursor, std::vector<Device>& into) {
   Device device;
+  const std::uint32_t begin = cursor.begin();
   device.help = cursor.help_above();
   device.is_actuator = cursor.is("actuator");
-  cursor.advance();
+  cursor.advance_word();
   if (!cursor.read_name(device.name, "the name of the device")) return false;
-  if (!cursor.expect(":", "and what serves the device")) return false;
-  std::optional<Call> by = parse_call(cursor, "what serves the device");
-  if (!by || !cursor.expect("binds", "and the binding point that the device serves")) return false;
-  device.by = std::move(*by);
-  if (!cursor.read_name(device.binds, "the binding point that the device serves")) return false;
-  const bool is_whole = cursor.expect_semicolon("behind the device");
-  into.push_back(std::move(device));
+  const bool is_read = cursor.expect(":", "and what serves the device") &&
+                       parse_call(cursor, "what serves the device", device.by) &&
+                       cursor.expect("binds", "and the binding point that the device serves") &&
+                       cursor.read_name(device.binds, "the binding point that the device serves");
+  const bool is_whole = is_read && cursor.expect_semicolon("behind the device");
+  device.whole = cursor.span_since(begin);
+  if (cursor.keeps(is_read)) into.push_back(std::move(device));
   return is_whole;
 }
 
 bool parse_body_setting(Cursor& cursor, std::vector<BodySetting>& into) {
   BodySetting setting;
-  if (!cursor.read_name(setting.name, "a number of the body")) return false;
-  if (!cursor.expect("=", "and its value")) return false;
-  setting.value = parse_expression(cursor);
-  if (!setting.value) return false;
-  into.push_back(std::move(setting));
-  return cursor.expect_semicolon("behind the value");
+  const bool is_read = cursor.read_name(setting.name, "a number of the body") &&
+                       cursor.expect("=", "and its value") && parse_expression(cursor, setting.value);
+  if (cursor.keeps(is_read)) into.push_back(std::move(setting));
+  return is_read && cursor.expect_semicolon("behind the value");
 }
 
 bool parse_robot_body(Cursor& cursor, RobotClass& into) {
-  cursor.advance();
+  cursor.advance_word();
   if (!cursor.open("`body`")) return false;
   while (!cursor.at_close() && !(cursor.is_any({"sensor", "actuator"}) && cursor.is_before_name())) {
     if (!parse_body_setting(cursor, into.body)) cursor.skip_statement();
@@ -52,35 +51,35 @@ bool parse_robot_body(Cursor& cursor, RobotClass& into) {
 // `use sonars for sense_obstacles;`
 bool parse_choice(Cursor& cursor, std::vector<Choice>& into) {
   Choice choice;
-  cursor.advance();
-  if (!cursor.read_name(choice.device, "the name of a device")) return false;
-  if (!cursor.expect("for", "and the binding point that the device serves")) return false;
-  if (!cursor.read_name(choice.binding, "the binding point that the device serves")) return false;
-  into.push_back(std::move(choice));
-  return cursor.expect_semicolon("behind the choice");
+  cursor.advance_word();
+  const bool is_read = cursor.read_name(choice.device, "the name of a device") &&
+                       cursor.expect("for", "and the binding point that the device serves") &&
+                       cursor.read_name(choice.binding, "the binding point that the device serves");
+  if (cursor.keeps(is_read)) into.push_back(std::move(choice));
+  return is_read && cursor.expect_semicolon("behind the choice");
 }
 
 // `movement = Forage();`
 bool parse_drive(Cursor& cursor, std::vector<Drive>& into) {
   Drive drive;
-  if (!cursor.read_name(drive.binding, "an actuator, `=` and what drives it")) return false;
-  if (!cursor.expect("=", "and what drives the actuator")) return false;
-  drive.value = parse_expression(cursor);
-  if (!drive.value) return false;
-  into.push_back(std::move(drive));
-  return cursor.expect_semicolon("behind what drives the actuator");
+  const bool is_read = cursor.read_name(drive.binding, "an actuator, `=` and what drives it") &&
+                       cursor.expect("=", "and what drives the actuator") &&
+                       parse_expression(cursor, drive.value);
+  if (cursor.keeps(is_read)) into.push_back(std::move(drive));
+  return is_read && cursor.expect_semicolon("behind what drives the actuator");
 }
 
-std::optional<SocietyMember> parse_society_member(Cursor& cursor);
+bool parse_society_member(Cursor& cursor, SocietyMember& into);
 
 bool parse_caste(Cursor& cursor, SocietyMember& into) {
   into.kind = SocietyMember::Kind::kCaste;
-  cursor.advance();
+  cursor.advance_word();
   if (!cursor.open("`caste`")) return false;
   while (!cursor.at_close()) {
-    std::optional<SocietyMember> member = parse_society_member(cursor);
-    const bool is_whole = member && cursor.expect_semicolon("behind the member of the caste");
-    if (member) into.members.push_back(std::move(*member));
+    SocietyMember member;
+    const bool is_read = parse_society_member(cursor, member);
+    const bool is_whole = is_read && cursor.expect_semicolon("behind the member of the caste");
+    if (cursor.keeps(is_read)) into.members.push_back(std::move(member));
     if (!is_whole) cursor.skip_statement();
   }
   cursor.close();
@@ -91,7 +90,7 @@ bool parse_caste(Cursor& cursor, SocietyMember& into) {
 bool parse_team(Cursor& cursor, SocietyMember& into) {
   constexpr double kMostRobots = 10000;
   into.kind = SocietyMember::Kind::kTeam;
-  cursor.advance();
+  cursor.advance_word();
   if (!cursor.expect("of", "and how many of which robot")) return false;
   const text::Place at = cursor.here();
   const std::optional<double> count = cursor.read_number();
@@ -104,109 +103,124 @@ bool parse_team(Cursor& cursor, SocietyMember& into) {
   return cursor.read_name(into.name, "the robot that the team consists of");
 }
 
-std::optional<SocietyMember> parse_society_member(Cursor& cursor) {
-  if (!cursor.enter()) return std::nullopt;
-  SocietyMember out;
+bool parse_society_member(Cursor& cursor, SocietyMember& into) {
+  if (!cursor.enter()) return false;
   const std::uint32_t begin = cursor.begin();
-  const bool is_read = cursor.is("team") && !cursor.is_before(";") ? parse_team(cursor, out)
-                       : cursor.is("caste") && !cursor.is_before(";")
-                           ? parse_caste(cursor, out)
-                           : cursor.read_name(out.name, "`team of`, `caste` or the name of a robot");
+  bool is_read = cursor.could_be({"team"}) && !cursor.is_before(";") ? parse_team(cursor, into)
+                 : cursor.could_be({"caste"}) && !cursor.is_before(";")
+                     ? parse_caste(cursor, into)
+                     : cursor.read_name(into.name, "`team of`, `caste` or the name of a robot");
   cursor.leave();
-  if (!is_read) return std::nullopt;
-  if (cursor.take("by") && !cursor.read_name(out.by, "the operator that coordinates the society"))
-    return std::nullopt;
-  out.place = cursor.since(begin);
-  return out;
+  if (is_read && cursor.take("by"))
+    is_read = cursor.read_name(into.by, "the operator that coordinates the society");
+  into.place = cursor.since(begin);
+  return is_read;
+}
+
+// `sensor`, `actuator` or `body` of a class.
+bool parse_class_part(Cursor& cursor, RobotClass& into) {
+  if (cursor.could_be({"body"})) return parse_robot_body(cursor, into);
+  if (cursor.could_be({"sensor", "actuator"})) return parse_device(cursor, into.devices);
+  cursor.expected("`sensor`, `actuator` or `body`");
+  return false;
+}
+
+bool parse_class_body(Cursor& cursor, RobotClass& into) {
+  if (!cursor.open("the class")) return false;
+  while (!cursor.at_close()) {
+    if (!parse_class_part(cursor, into)) cursor.skip_statement();
+  }
+  cursor.close();
+  return true;
+}
+
+bool parse_robot_head(Cursor& cursor, Robot& into) {
+  if (!cursor.read_name(into.name, "the name of the robot")) return false;
+  if (cursor.is("(") && !parse_parameters(cursor, into.parameters) && !cursor.skip_to({"is", "{"}))
+    return false;
+  if (cursor.is("{")) return true;
+  if (!cursor.expect("is", "and the class of the robot")) return false;
+  cursor.read_name(into.class_name, "the class of the robot");
+  return true;
+}
+
+bool parse_robot_part(Cursor& cursor, Robot& into) {
+  if (cursor.could_be({"let"}) && !cursor.is_before("=")) return parse_let(cursor, into.lets);
+  if (cursor.could_be({"use"}) && !cursor.is_before("=")) return parse_choice(cursor, into.choices);
+  return parse_drive(cursor, into.drives);
+}
+
+// `choose_target = ClaimClosest(...);`
+bool parse_service(Cursor& cursor, std::vector<Device>& into) {
+  Device device;
+  const std::uint32_t begin = cursor.begin();
+  device.help = cursor.help_above();
+  const bool is_read = cursor.read_name(device.binds, "a binding point, `=` and what serves it") &&
+                       cursor.expect("=", "and what serves the binding point") &&
+                       parse_call(cursor, "what serves the binding point", device.by);
+  const bool is_whole = is_read && cursor.expect_semicolon("behind what serves the binding point");
+  device.name = device.binds;
+  device.whole = cursor.span_since(begin);
+  if (cursor.keeps(is_read)) into.push_back(std::move(device));
+  return is_whole;
 }
 
 }  // namespace
 
 bool parse_class(Cursor& cursor, Tree& tree, const std::string& help) {
   RobotClass out;
+  const std::uint32_t begin = cursor.begin();
   out.help = help;
-  cursor.advance();
-  if (!cursor.read_name(out.name, "the name of the class of robots")) return false;
-  if (cursor.is("(") && !parse_parameters(cursor, out.parameters)) return false;
-  if (!cursor.open("the class")) return false;
-  while (!cursor.at_close()) {
-    bool is_read = false;
-    if (cursor.is("body")) {
-      is_read = parse_robot_body(cursor, out);
-    } else if (cursor.is_any({"sensor", "actuator"})) {
-      is_read = parse_device(cursor, out.devices);
-    } else {
-      cursor.expected("`sensor`, `actuator` or `body`");
-    }
-    if (!is_read) cursor.skip_statement();
-  }
-  cursor.close();
-  tree.items.emplace_back(std::move(out));
-  return true;
+  cursor.advance_word();
+  const bool is_whole =
+      cursor.read_name(out.name, "the name of the class of robots") &&
+      (!cursor.is("(") || parse_parameters(cursor, out.parameters) || cursor.skip_to({"{"})) &&
+      parse_class_body(cursor, out);
+  return put(cursor, begin, std::move(out), is_whole, tree);
 }
 
 bool parse_robot(Cursor& cursor, Tree& tree, const std::string& help) {
   Robot out;
+  const std::uint32_t begin = cursor.begin();
   out.help = help;
-  cursor.advance();
-  if (!cursor.read_name(out.name, "the name of the robot")) return false;
-  if (cursor.is("(") && !parse_parameters(cursor, out.parameters)) return false;
-  if (!cursor.is("{")) {
-    if (!cursor.expect("is", "and the class of the robot")) return false;
-    cursor.read_name(out.class_name, "the class of the robot");
+  cursor.advance_word();
+  const bool is_whole = parse_robot_head(cursor, out) && cursor.open("the robot");
+  if (is_whole) {
+    while (!cursor.at_close()) {
+      if (!parse_robot_part(cursor, out)) cursor.skip_statement();
+    }
+    cursor.close();
   }
-  if (!cursor.open("the robot")) return false;
-  while (!cursor.at_close()) {
-    const bool is_let = cursor.is("let") && !cursor.is_before("=");
-    const bool is_use = cursor.is("use") && !cursor.is_before("=");
-    const bool is_read = is_let   ? parse_let(cursor, out.lets)
-                         : is_use ? parse_choice(cursor, out.choices)
-                                  : parse_drive(cursor, out.drives);
-    if (!is_read) cursor.skip_statement();
-  }
-  cursor.close();
-  tree.items.emplace_back(std::move(out));
-  return true;
+  return put(cursor, begin, std::move(out), is_whole, tree);
 }
 
 bool parse_society(Cursor& cursor, Tree& tree, const std::string& help) {
   Society out;
+  const std::uint32_t begin = cursor.begin();
   out.help = help;
-  cursor.advance();
-  if (!cursor.read_name(out.name, "the name of the society")) return false;
-  if (!cursor.expect(":", "and who belongs to the society")) return false;
-  std::optional<SocietyMember> what = parse_society_member(cursor);
-  if (!what) return false;
-  out.what = std::move(*what);
-  const bool is_whole = cursor.expect_semicolon("behind the society");
-  tree.items.emplace_back(std::move(out));
+  cursor.advance_word();
+  const bool is_read = cursor.read_name(out.name, "the name of the society") &&
+                       cursor.expect(":", "and who belongs to the society") &&
+                       parse_society_member(cursor, out.what);
+  const bool is_whole = is_read && cursor.expect_semicolon("behind the society");
+  put(cursor, begin, std::move(out), is_read, tree);
   return is_whole;
 }
 
 // `operator DistinctTargets { choose_target = ClaimClosest(...); }`
 bool parse_society_operator(Cursor& cursor, Tree& tree, const std::string& help) {
   SocietyOperator out;
+  const std::uint32_t begin = cursor.begin();
   out.help = help;
-  cursor.advance();
-  if (!cursor.read_name(out.name, "the name of the operator")) return false;
-  if (!cursor.open("the operator")) return false;
-  while (!cursor.at_close()) {
-    Device device;
-    device.help = cursor.help_above();
-    bool is_read = cursor.read_name(device.binds, "a binding point, `=` and what serves it") &&
-                   cursor.expect("=", "and what serves the binding point");
-    std::optional<Call> by = is_read ? parse_call(cursor, "what serves the binding point") : std::nullopt;
-    is_read = by && cursor.expect_semicolon("behind what serves the binding point");
-    if (by) {
-      device.by = std::move(*by);
-      device.name = device.binds;
-      out.devices.push_back(std::move(device));
+  cursor.advance_word();
+  const bool is_whole = cursor.read_name(out.name, "the name of the operator") && cursor.open("the operator");
+  if (is_whole) {
+    while (!cursor.at_close()) {
+      if (!parse_service(cursor, out.devices)) cursor.skip_statement();
     }
-    if (!is_read) cursor.skip_statement();
+    cursor.close();
   }
-  cursor.close();
-  tree.items.emplace_back(std::move(out));
-  return true;
+  return put(cursor, begin, std::move(out), is_whole, tree);
 }
 
 }  // namespace mlab::cdl

@@ -7,14 +7,31 @@
 
 namespace mlab::cdl {
 
-Tree parse(const text::SourcePtr& source, text::Diagnostics& sink) {
+namespace {
+
+Tree parse(Cursor& cursor) {
   Tree tree;
-  tree.source = source;
-  Cursor cursor(source, sink);
+  tree.source = cursor.source();
   while (!cursor.at_end()) {
     if (!parse_item(cursor, tree)) cursor.skip_declaration();
   }
   return tree;
+}
+
+}  // namespace
+
+Tree parse(const text::SourcePtr& source, text::Diagnostics& sink) {
+  Cursor cursor(source, sink);
+  return parse(cursor);
+}
+
+Written read_as_written(const text::SourcePtr& source) {
+  Written out;
+  text::Diagnostics unsaid;
+  Cursor cursor(source, unsaid, &out);
+  out.tree = parse(cursor);
+  cursor.finish();
+  return out;
 }
 
 bool looks_like_cdl(std::string_view text) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/lang/cdl/cursor.h"
 #include "mlab/lang/cdl/print.h"
 
 namespace mlab::cdl {
@@ -154,6 +155,72 @@ TEST(CdlParser, TellsAConfigurationByItsFirstWords) {
   EXPECT_FALSE(looks_like_cdl("node a is B with nend"));
   EXPECT_FALSE(looks_like_cdl("MISSION NAME \"x\""));
   EXPECT_FALSE(looks_like_cdl(""));
+}
+
+Written as_written(const std::string& text) {
+  return read_as_written(std::make_shared<const text::Source>("a.cdl", text));
+}
+
+const Assemblage& only_assemblage(const Written& written) {
+  return std::get<Assemblage>(written.tree.items.at(0));
+}
+
+TEST(CdlAsWritten, IsTheSameTreeWhereNothingIsMissing) {
+  const Written written = as_written(kForage);
+  EXPECT_EQ(print(written.tree), reprinted(kForage));
+  EXPECT_FALSE(written.ends_inside);
+  EXPECT_EQ(written.next_words.size(), std::size(kDeclarationWords));
+}
+
+TEST(CdlAsWritten, HasAHoleWhereAValueIsMissing) {
+  const Written written = as_written("assemblage A() { let a = ; cooperate { 1: Noise(x = , y = a); } }");
+  const Assemblage& one = only_assemblage(written);
+  ASSERT_EQ(one.lets.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<Hole>(one.lets[0].value->what));
+  EXPECT_EQ(one.lets[0].value->place.span.begin, 25U);
+  const auto& call = std::get<Call>(std::get<Cooperate>(one.body->what).members.at(0).value->what);
+  ASSERT_EQ(call.arguments.size(), 2U) << "what stands behind the hole is read as well";
+  EXPECT_TRUE(std::holds_alternative<Hole>(call.arguments[0].value->what));
+  EXPECT_EQ(call.arguments[1].name.text, "y");
+}
+
+TEST(CdlAsWritten, KeepsADeclarationWhoseHeadIsNotWhole) {
+  const Written written =
+      as_written("assemblage A(a: length, b: ) { a }\nrobot R(c: ) is Cart { movement = A(); }");
+  ASSERT_EQ(written.tree.items.size(), 2U);
+  EXPECT_EQ(only_assemblage(written).parameters.size(), 2U);
+  EXPECT_TRUE(only_assemblage(written).body);
+  EXPECT_EQ(std::get<Robot>(written.tree.items[1]).drives.size(), 1U);
+}
+
+TEST(CdlAsWritten, GoesOnWhereTheNextLineBeginsAStatement) {
+  const Written written = as_written("assemblage A() {\n  let a =\n  let b = Noise();\n  b\n}");
+  ASSERT_EQ(only_assemblage(written).lets.size(), 2U);
+  EXPECT_EQ(only_assemblage(written).lets[1].name.text, "b");
+}
+
+TEST(CdlAsWritten, TellsWhichWordsCouldFollow) {
+  const auto next = [](const std::string& text) { return as_written(text).next_words; };
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(next("assemblage A() { Noise() "), (Words{"as", "active", "and", "or"}));
+  EXPECT_EQ(next("assemblage A() { Noise() as n "), (Words{"active", "and", "or"}));
+  EXPECT_EQ(next("assemblage A() { Noise(); "), (Words{"let"}));
+  EXPECT_EQ(next("assemblage A() { compete by "), (Words{"priority", "strength"}));
+  EXPECT_EQ(next("assemblage A(a: gain "), (Words{"in"}));
+  EXPECT_EQ(next("assemblage A() { sequence { start One: Noise(); when x "),
+            (Words{"as", "active", "and", "or", "goto"}));
+  EXPECT_EQ(next("assemblage A() { sequence { start One: Noise(); "), (Words{"when", "start", "final"}));
+  EXPECT_EQ(next("class C { "), (Words{"body", "sensor", "actuator"}));
+  EXPECT_EQ(next("assemblage A("), Words{});
+  EXPECT_TRUE(as_written("assemblage A(").ends_inside);
+}
+
+TEST(CdlAsWritten, KnowsTheWordsOfTheLanguage) {
+  const std::string text = "assemblage A() { let in = delay(Noise(), initial = 0); not in }";
+  const Written written = as_written(text);
+  std::vector<std::string> words;
+  for (const text::Span word : written.words) words.push_back(text.substr(word.begin, word.end - word.begin));
+  EXPECT_EQ(words, (std::vector<std::string>{"assemblage", "let", "delay", "initial", "not"}));
 }
 
 }  // namespace

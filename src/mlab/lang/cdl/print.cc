@@ -49,6 +49,7 @@ class Printer {
     }
   }
 
+  void put(const Hole& /*nothing stands there*/) {}
   void put(const Number& number) {
     out_ += fmt::format("{}", number.value);
     if (!number.unit.text.empty()) out_ += ' ' + number.unit.text;

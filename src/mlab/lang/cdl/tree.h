@@ -19,10 +19,14 @@ struct Word {
 struct Expression;
 using ExpressionPtr = std::shared_ptr<const Expression>;
 
+/// Where a value should stand and none does: only in what is read as it is written (`read_as_written`).
+struct Hole {};
+
 /// `2 m`, `-0.5`, `30 deg`
 struct Number {
   double value = 0.0;  ///< in the unit as written
-  Word unit;           ///< empty: none said
+  /// Empty: none said; with a place, then one could stand there, where the text ends.
+  Word unit;
 };
 
 /// `"Flag|Basket"`, without its quotes, escapes resolved.
@@ -50,6 +54,7 @@ struct Argument {
 struct Call {
   Word callee;
   std::vector<Argument> arguments;
+  bool is_closed = true;  ///< its `)` stands there
 };
 
 enum class Connective { kNot, kAnd, kOr };
@@ -111,6 +116,7 @@ struct State {
   std::vector<Transition> transitions;
   std::string help;
   text::Place place;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// `sequence { ... }`: over movements, or over percepts.
@@ -139,8 +145,8 @@ struct Delay {
 
 /// Anything that has a value. `as NAME` names its node; else the node is called as what it instantiates.
 struct Expression {
-  std::variant<Number, Text, Name, List, Call, Logic, Cooperate, Compete, Coordinate, Fuse, Sequence, Select,
-               Delay>
+  std::variant<Hole, Number, Text, Name, List, Call, Logic, Cooperate, Compete, Coordinate, Fuse, Sequence,
+               Select, Delay>
       what;
   Word as;
   ExpressionPtr active;  ///< `... active LookAt(...)`: the part that moves a sensor; null: none
@@ -157,6 +163,7 @@ struct Parameter {
   std::optional<Number> low;
   std::optional<Number> high;
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// `let obstacles = DetectObstacles(range = 30 m);`: one node, any number of readers.
@@ -164,6 +171,7 @@ struct Let {
   Word name;
   ExpressionPtr value;
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 struct Assemblage {
@@ -174,6 +182,7 @@ struct Assemblage {
   ExpressionPtr body;  ///< null: declared and empty (an import that knew no more); stands still
   std::string help;
   std::vector<Word> historic_names;  ///< `alias "MOVE_TO";`
+  text::Span whole = {};             ///< from its first word to its end, without its help
 };
 
 /// `binding sense_obstacles(range: length) -> Obstacles;`: what configurations ask for and robot classes
@@ -183,6 +192,7 @@ struct Binding {
   std::vector<Parameter> parameters;
   Word result_type;  ///< empty: an actuator
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// `sensor sonars: SonarObstacles(...) binds sense_obstacles;`, `actuator base: SynchroDrive(...) binds
@@ -193,6 +203,7 @@ struct Device {
   Call by;  ///< the procedure or assemblage that serves it; the binding's own arguments are added to these
   Word binds;
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// A number that the simulated body has: `radius = 0.35 m;`
@@ -208,6 +219,7 @@ struct RobotClass {
   std::vector<BodySetting> body;
   std::vector<Device> devices;
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// `movement = Forage(attractor = attractor);`: what an actuator of the robot is driven by.
@@ -232,6 +244,7 @@ struct Robot {
   std::vector<Choice> choices;
   std::vector<Drive> drives;
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// `team of 3 Forager`, `caste { ... }`, or the name of a robot or society.
@@ -250,6 +263,7 @@ struct Society {
   Word name;
   SocietyMember what;
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// `operator DistinctTargets { choose_target = ClaimClosest(...); }`: how members of a society serve binding
@@ -258,6 +272,7 @@ struct SocietyOperator {
   Word name;
   std::vector<Device> devices;
   std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 /// `use "skills.cdl";`

@@ -76,6 +76,7 @@ PortType Types::of(const Expression& expression, const Names& names, int depth) 
   if (depth > kMaxDepth) return {};
   const auto part = [&](const ExpressionPtr& one) { return one ? of(*one, names, depth + 1) : PortType{}; };
   return std::visit(base::Overloaded{
+                        [](const Hole&) { return PortType{}; },
                         [&](const Number&) { return named("double"); },
                         [](const Text&) { return PortType{}; },
                         [](const List&) { return PortType{}; },

@@ -41,6 +41,7 @@ void write(const std::vector<cdl::Member>& members, std::string& out) {
 
 struct Writer {
   std::string& out;
+  void operator()(const cdl::Hole& /*nothing stands there*/) const {}
   void operator()(const cdl::Number& n) const { out += fmt::format("{}{}", n.value, n.unit.text); }
   void operator()(const cdl::Text& t) const { out += fmt::format("\"{}\"", t.value); }
   void operator()(const cdl::Name& n) const { out += n.name.text; }
