@@ -40,20 +40,11 @@ std::string type_words(const cdl::PortType& type) {
 
 // Before the layout blocks, which are the end of the file; a robot or society goes behind all else.
 Done Editor::add_text(const std::string& text) {
-  const bool is_layout = text.starts_with("layout");
-  const TokenMap& tokens = work_.tokens();
-  std::uint32_t at = static_cast<std::uint32_t>(work_.text().size());
-  for (std::size_t i = 0; !is_layout && i + 1 < tokens.tokens().size(); ++i) {
-    const bool is_first = i == 0 || tokens.word(i - 1) == "}" || tokens.word(i - 1) == ";";
-    if (!is_first || tokens.word(i) != "layout") continue;
-    // Not a name inside of a declaration: a block follows.
-    std::size_t open = i + 1;
-    while (open + 1 < tokens.tokens().size() &&
-           (tokens.word(open) == "." || tokens.tokens()[open].kind == cdl::Token::Kind::kName))
-      ++open;
-    if (tokens.word(open) != "{") continue;
-    at = tokens.tokens()[i].span.begin;
-    break;
+  auto at = static_cast<std::uint32_t>(work_.text().size());
+  if (!text.starts_with("layout")) {
+    for (const cdl::Item& item : work_.model().tree().items) {
+      if (const auto* layout = std::get_if<cdl::Layout>(&item)) at = std::min(at, layout->whole.begin);
+    }
   }
   const std::string_view before = work_.text().substr(0, at);
   std::string what;
@@ -174,21 +165,6 @@ const std::vector<cdl::Parameter>* Editor::parameters(std::string_view owner, te
   return nullptr;
 }
 
-// From its name up to the `,` or `)` behind it.
-text::Span Editor::parameter_span(const cdl::Parameter& parameter) const {
-  const TokenMap& tokens = work_.tokens();
-  text::Span out = parameter.name.place.span;
-  int depth = 0;
-  for (std::size_t i = tokens.at(out.begin); i + 1 < tokens.tokens().size(); ++i) {
-    const std::string_view here = tokens.word(i);
-    if (depth == 0 && (here == "," || here == ")")) break;
-    if (here == "(" || here == "[" || here == "{") ++depth;
-    if (here == ")" || here == "]" || here == "}") --depth;
-    out.end = tokens.tokens()[i].span.end;
-  }
-  return out;
-}
-
 Done Editor::set_parameter(const SetParameter& change) {
   text::Span owner;
   const std::vector<cdl::Parameter>* all = parameters(change.owner(), owner);
@@ -230,7 +206,7 @@ Done Editor::set_parameter(const SetParameter& change) {
   const std::string help = one_line(change.help());
   const TokenMap& tokens = work_.tokens();
   if (!is_new) {
-    const text::Span span = parameter_span(*known);
+    const text::Span span = known->whole;
     work_.replace({known->name.place.span.begin, span.end},
                   Fragment(work_.moved(known->name.place.span)).add(words.substr(change.name().size())));
     if (change.type().empty() ? !help.empty() : help != known->help) {
@@ -247,7 +223,7 @@ Done Editor::set_parameter(const SetParameter& change) {
     return work_.commit();
   }
   if (!all->empty()) {
-    const text::Span last = parameter_span(all->back());
+    const text::Span last = all->back().whole;
     const std::string tail = help.empty() ? "" : fmt::format("  ///< {}\n", help);
     // Help behind the last one stays its own.
     const std::size_t close = tokens.at(last.end);
@@ -308,7 +284,7 @@ Done Editor::remove_parameter(const RemoveParameter& change) {
       return refusal(fmt::format("a trigger or another parameter needs `{}`", change.name()));
   }
   const TokenMap& tokens = work_.tokens();
-  const text::Span span = parameter_span(*known);
+  const text::Span span = known->whole;
   const std::size_t after = tokens.at(span.end);
   const std::size_t before = tokens.at(span.begin) - 1;
   if (tokens.word(after) == ",")

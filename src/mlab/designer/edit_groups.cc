@@ -123,7 +123,7 @@ Done Editor::group(const Group& change) {
       if (is_hoisted(whole.place.span) || is_chosen_let(word)) return;
       for (const cdl::Parameter& parameter : view.graph->parameters()) {
         if (parameter.name.text != word) continue;
-        const text::Span span = parameter_span(parameter);
+        const text::Span span = parameter.whole;
         const std::string words = text_of({parameter.type.place.span.begin, span.end});
         const std::string param = add(word, words, word);
         if (param != word) swaps.push_back({one.name.place.span, param});

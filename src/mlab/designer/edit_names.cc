@@ -67,16 +67,8 @@ Done Editor::set_layout(const std::string& page,
     for (const auto& [name, words] : entries) block += words + "\n";
     return add_text(block + "}");
   }
-  // The block's `{` is behind its owner.
-  std::size_t open = 0;
-  if (layout->owner.text.empty()) {
-    for (std::size_t i = 0; i + 1 < tokens.tokens().size(); ++i) {
-      if (tokens.word(i) == "layout" && tokens.word(i + 1) == "{") open = i + 1;
-    }
-  } else {
-    open = tokens.at(layout->owner.place.span.end);
-  }
-  std::uint32_t last = tokens.tokens()[tokens.closer(open) - 1].span.end;
+  // Behind the last of its words before its `}`.
+  const std::uint32_t last = tokens.tokens()[tokens.at(layout->whole.end - 1) - 1].span.end;
   for (const auto& [name, words] : entries) {
     const auto known =
         std::ranges::find_if(layout->entries, [&](const cdl::LayoutEntry& e) { return e.node.text == name; });

@@ -69,10 +69,7 @@ Done Editor::add_state(const AddState& change) {
     const text::Span brace = tokens.tokens()[open].span;
     work_.insert(brace.end, "\n" + words + "\n");
   } else {
-    const cdl::State& last = states.back();
-    const std::uint32_t end =
-        last.transitions.empty() ? last.member->place.span.end : last.transitions.back().place.span.end;
-    work_.insert_statement_behind(tokens.statement_end(end), words);
+    work_.insert_statement_behind(states.back().whole.end, words);
   }
   if (const Done done = work_.commit(); !done) return done;
   if (change.x() == 0.0 && change.y() == 0.0) return true;
@@ -90,12 +87,9 @@ Done Editor::set_state(const SetState& change) {
   if (!all) return std::unexpected(all.error());
   const cdl::State* state = state_named(**all, change.state());
   if (state == nullptr) return refusal(fmt::format("there is no state `{}`", text::shown(change.state())));
-  const TokenMap& tokens = work_.tokens();
   const auto mark = [&](const cdl::State& one, bool is_start, bool is_final) {
-    std::size_t first = tokens.at(one.name.place.span.begin);
-    while (first > 0 && (tokens.word(first - 1) == "start" || tokens.word(first - 1) == "final")) --first;
     const std::string words = fmt::format("{}{}", is_start ? "start " : "", is_final ? "final " : "");
-    work_.replace({tokens.tokens()[first].span.begin, one.name.place.span.begin}, words);
+    work_.replace({one.whole.begin, one.name.place.span.begin}, words);
   };
   const bool becomes_start = change.has_is_start() ? change.is_start() : state->is_start;
   const bool becomes_final = change.has_is_final() ? change.is_final() : state->is_final;
@@ -125,10 +119,7 @@ Done Editor::add_transition(const AddTransition& change) {
   // A trigger that is never true, which the checker marks: it is to be filled in.
   const std::string trigger = change.trigger().empty() ? "Constant(value = false)" : change.trigger();
   if (!is_expression(trigger)) return refusal(fmt::format("`{}` is no trigger", text::shown(trigger)));
-  const std::uint32_t end =
-      from->transitions.empty() ? from->member->place.span.end : from->transitions.back().place.span.end;
-  work_.insert_statement_behind(work_.tokens().statement_end(end),
-                                transition_words(trigger, change.to(), false));
+  work_.insert_statement_behind(from->whole.end, transition_words(trigger, change.to(), false));
   return work_.commit();
 }
 
@@ -200,13 +191,10 @@ Done Editor::remove_states(const PageView& view, const Remove& change) {
   const auto is_start = [](const cdl::State& state) { return state.is_start; };
   const auto first_left = std::ranges::find_if(all.states, stays);
   if (first_left == all.states.end()) return refusal("a sequence has one state at least");
-  const TokenMap& tokens = work_.tokens();
   // Where it began has gone: it begins in the first that stays.
   if (std::ranges::any_of(all.states, is_start) &&
       std::ranges::none_of(all.states | std::views::filter(stays), is_start)) {
-    std::size_t begin = tokens.at(first_left->name.place.span.begin);
-    while (begin > 0 && tokens.word(begin - 1) == "final") --begin;
-    work_.insert(tokens.tokens()[begin].span.begin, "start ");
+    work_.insert(first_left->whole.begin, "start ");
   }
   for (const cdl::State& state : all.states) {
     const bool is_gone = gone.contains(state.name.text);
@@ -215,9 +203,7 @@ Done Editor::remove_states(const PageView& view, const Remove& change) {
         work_.erase_statement(transition.place.span.begin);
     }
     if (!is_gone) continue;
-    std::size_t first = tokens.at(state.name.place.span.begin);
-    while (first > 0 && (tokens.word(first - 1) == "start" || tokens.word(first - 1) == "final")) --first;
-    work_.erase_statement(tokens.tokens()[first].span.begin);
+    work_.erase_statement(state.whole.begin);
   }
   return work_.commit();
 }

@@ -117,7 +117,6 @@ class Editor {
   Done remove_declarations(const Remove& change);
   /// The parameters of a declaration, and the name behind which they stand.
   const std::vector<cdl::Parameter>* parameters(std::string_view owner, text::Span& name) const;
-  text::Span parameter_span(const cdl::Parameter& parameter) const;
 
   // ---- edit_states.cc
   text::Result<const cdl::Sequence*> sequence(const std::string& page) const;

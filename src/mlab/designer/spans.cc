@@ -5,12 +5,12 @@
 namespace mlab::designer {
 namespace {
 
-text::Place name_place(const cdl::Item& item, std::string_view name) {
+// Of the declaration of that name; empty where the item is another.
+text::Span span_of(const cdl::Item& item, std::string_view name) {
   return std::visit(
-      [&](const auto& one) -> text::Place {
-        if constexpr (requires { one.name.place; }) {
-          if (one.name.text == name && !std::is_same_v<std::decay_t<decltype(one)>, cdl::Architecture>)
-            return one.name.place;
+      [&](const auto& one) -> text::Span {
+        if constexpr (requires { one.name.text, one.whole; }) {
+          if (one.name.text == name) return one.whole;
         }
         return {};
       },
@@ -77,22 +77,8 @@ std::uint32_t TokenMap::help_begin(std::uint32_t statement) const {
 
 text::Span declaration_span(const Model& model, std::string_view name) {
   for (const cdl::Item& item : model.tree().items) {
-    const text::Place place = name_place(item, name);
-    if (!place.source) continue;
-    const TokenMap map(model.text());
-    const std::size_t at = map.at(place.span.begin);
-    const bool is_society = std::holds_alternative<cdl::Society>(item);
-    text::Span out{at == 0 ? place.span.begin : map.tokens()[at - 1].span.begin, place.span.end};
-    int depth = 0;
-    for (std::size_t i = at; i < map.tokens().size(); ++i) {
-      const std::string_view here = map.word(i);
-      if (here == "{" || here == "(" || here == "[") ++depth;
-      if (here == "}" || here == ")" || here == "]") --depth;
-      out.end = map.tokens()[i].span.end;
-      if (depth == 0 && (here == ";" || (here == "}" && !is_society))) break;
-    }
-    out.begin = map.help_begin(out.begin);
-    return out;
+    const text::Span whole = span_of(item, name);
+    if (whole.begin != whole.end) return {TokenMap(model.text()).help_begin(whole.begin), whole.end};
   }
   return {};
 }

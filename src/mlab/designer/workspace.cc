@@ -279,12 +279,6 @@ Done Workspace::commit() {
 
   // The layout goes along: nodes that are called otherwise now, and those that have gone.
   std::vector<Splice> mends;
-  const auto block = [&](const cdl::Layout& layout) -> text::Span {
-    if (layout.owner.text.empty()) return {};
-    const std::size_t name = tokens_->at(layout.owner.place.span.begin);
-    const std::size_t open = tokens_->at(layout.owner.place.span.end);
-    return {tokens_->tokens()[name - 1].span.begin, tokens_->tokens()[tokens_->closer(open)].span.end};
-  };
   std::map<Anchor, std::string> paths;
   if (!places.empty()) {
     for (const PageAnchor& one : page_anchors(*model_, *tokens_)) {
@@ -303,7 +297,7 @@ Done Workspace::commit() {
       const std::optional<std::uint32_t> there = now(was->second);
       const auto found = there ? paths.find(*there) : paths.end();
       if (found == paths.end()) {
-        mends.push_back({block(*layout), {}, true, false});
+        mends.push_back({layout->whole, {}, true, false});
         continue;
       }
       is = found->second;
@@ -328,7 +322,7 @@ Done Workspace::commit() {
     // A block of which nothing is left goes as a whole.
     const bool is_empty = layout->notes.empty() && !gone.empty() && gone.size() == layout->entries.size();
     if (is_empty && is != page) mends.pop_back();
-    if (is_empty && !page.empty()) gone.assign(1, {block(*layout), {}, true, false});
+    if (is_empty && !page.empty()) gone.assign(1, {layout->whole, {}, true, false});
     for (Splice& splice : gone) mends.push_back(std::move(splice));
   }
   if (mends.empty()) return true;

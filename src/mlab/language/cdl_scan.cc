@@ -100,7 +100,10 @@ class Collector {
   // ---- declarations
 
   void add(const cdl::Use& use) {
-    if (is_next(use.path)) return want({.kind = Kind::kFile});
+    if (is_next(use.path)) {
+      want({.kind = Kind::kFile});
+      return;
+    }
     const text::Span quoted = use.path.place.span;
     out_.uses.push_back(
         {.span = {quoted.begin + 1, quoted.end - 1}, .kind = NameKind::kFile, .text = use.path.text});

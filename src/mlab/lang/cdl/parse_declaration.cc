@@ -203,8 +203,9 @@ bool parse_layout_entry(Cursor& cursor, Layout& layout) {
 }
 
 bool parse_layout(Cursor& cursor, Tree& tree) {
-  cursor.advance_word();
   Layout out;
+  const std::uint32_t begin = cursor.begin();
+  cursor.advance_word();
   const bool is_whole = (cursor.is("{") || read_path(cursor, out.owner, "the name of what is laid out")) &&
                         cursor.open("the layout");
   if (is_whole) {
@@ -213,8 +214,7 @@ bool parse_layout(Cursor& cursor, Tree& tree) {
     }
     cursor.close();
   }
-  if (cursor.keeps(is_whole)) tree.items.emplace_back(std::move(out));
-  return is_whole;
+  return put(cursor, begin, std::move(out), is_whole, tree);
 }
 
 bool refuse_item(Cursor& cursor) {

@@ -309,6 +309,7 @@ struct Layout {
   Word owner;  ///< empty: the file, whose declarations are laid out
   std::vector<LayoutEntry> entries;
   std::vector<LayoutNote> notes;
+  text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
 using Item =
