@@ -14,7 +14,7 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/mlab-config-version.cmake C
 install(FILES ${CMAKE_BINARY_DIR}/mlab-config.cmake ${CMAKE_BINARY_DIR}/mlab-config-version.cmake
   ${CMAKE_SOURCE_DIR}/cmake/MlabProcedures.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/mlab)
 
-foreach(folder missions library docs)
+foreach(folder missions examples library docs)
   if(EXISTS ${CMAKE_SOURCE_DIR}/${folder})
     install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/mlab PATTERN CMakeLists.txt EXCLUDE)
   endif()

@@ -32,14 +32,11 @@ std::string place_of(const fs::path& page, std::size_t line) {
 // Change `FROM` to `TO` in `FILE`, at the begin of a line; or Change it back.
 std::optional<Change> change_in(std::string_view line) {
   if (line.starts_with("Change it back")) return Change{};
-  static const std::regex kChange("^Change `([^`]+)` to `([^`]*)` in `([^`]+)`");
+  static const std::regex kChange("(^|[^\"])Change `([^`]+)` to `([^`]*)` in `([^`]+)`");
   std::cmatch match;
-  if (!std::regex_search(line.data(), line.data() + line.size(), match, kChange)) {
-    EXPECT_EQ(line.find("Change `"), std::string_view::npos)
-        << "what is to be changed into what in which file? " << line;
-    return std::nullopt;
-  }
-  return Change{match[1], match[2], match[3].str()};
+  if (!std::regex_search(line.data(), line.data() + line.size(), match, kChange)) return std::nullopt;
+  EXPECT_EQ(match.position(0), 0) << "what is to be changed has to stand at the begin of a line: " << line;
+  return Change{match[2], match[3], match[4].str()};
 }
 
 int expected_status(const Shown& shown) {

@@ -97,7 +97,8 @@ std::string manual_page(const ProgramWords& program) {
     out += fmt::format(".TP\n\\fBmlab\\-{}\\fR(1)\n{}\n", roff(command.name), roff(command.help));
   out += options_section(program.own.options) + footer_section(program);
   return out +
-         ".SH FILES\nDocumentation, missions and the component library are in \\fI/usr/share/mlab\\fR.\n";
+         ".SH FILES\nDocumentation, examples, missions and the component library are in "
+         "\\fI/usr/share/mlab\\fR.\n";
 }
 
 std::string manual_page(const ProgramWords& program, const CommandWords& command) {
