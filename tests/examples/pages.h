@@ -42,6 +42,8 @@ class Workplace {
   void take(const std::filesystem::path& from, const std::filesystem::path& to) const;
   /// Does what `page` (from the root) tells its reader to change; a test fails where that can't be done.
   void make(const Change& change, const std::filesystem::path& page);
+  /// Whether all changes have been taken back.
+  bool is_unchanged() const;
   /// Carries a shell command out in the folder; `typed` is its standard input.
   Answer carry_out(const std::string& command, const std::string& typed = {}) const;
 
@@ -54,7 +56,7 @@ class Workplace {
 /// A command line that a page shows, with the output that stands below it.
 struct Shown {
   std::string place;    ///< page:line
-  std::string command;  ///< as it stands, without `$ `
+  std::string command;  ///< as it stands, without `$ `; empty for changes at the end of the page
   bool has_prompt = false;
   std::vector<std::string> output;
   std::vector<Change> changes;  ///< to be made before it
