@@ -563,7 +563,9 @@ TEST_F(Command, DescribesTheLibraryAndItsComponents) {
   EXPECT_TRUE(has(one.out, "success_radius"));
   EXPECT_TRUE(Json::parse(mlab("describe --format json").out)["components"].size() > 50U);
   EXPECT_TRUE(has(mlab("describe robot").out, "formation_spacing"));
-  EXPECT_TRUE(has(mlab("describe MoveToGaol").err, "did you mean"));
+  EXPECT_TRUE(has(mlab("describe MoveToGaol").err, "did you mean `MoveToGoal`?"));
+  EXPECT_TRUE(has(mlab("describe nois").err, "did you mean `Noise`?"));
+  EXPECT_FALSE(has(mlab("build --help").out, "formula,formula"));
 }
 
 TEST_F(Command, BenchWritesTheFiguresThatOthersCompare) {

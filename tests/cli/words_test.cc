@@ -24,6 +24,29 @@ TEST_F(Command, AMisspeltCommandOrOptionIsToldWithTheNearest) {
   EXPECT_FALSE(has(mlab("zzzzzz").err, "did you mean"));
 }
 
+TEST_F(Command, AFileOfAnotherLanguageIsToldWithWhatTakesIt) {
+  for (const char* file : {"m.mdl", "map.odl", "robot.cdl", "robot.cnl", "rocks.env"}) write(file, "");
+  const auto expect_told = [&](const std::string& arguments, const std::string& words) {
+    const Outcome o = mlab(arguments);
+    EXPECT_EQ(o.status, 2) << arguments;
+    EXPECT_EQ(o.err, words + "\n") << arguments;
+  };
+  expect_told(
+      "run robot.cdl --headless",
+      "mlab run: robot.cdl is a configuration, a robot's program; a mission names it: NEW-ROBOT robot "
+      "\"robot.cdl\"");
+  expect_told("run robot.cnl",
+              "mlab run: robot.cnl is a network, a robot's program; a mission names it: NEW-ROBOT robot "
+              "\"robot.cnl\"");
+  expect_told("run map.odl --headless",
+              "mlab run: map.odl is an overlay, a map; a mission names it: OVERLAY \"map.odl\"");
+  expect_told(
+      "run rocks.env --headless",
+      "mlab run: rocks.env says how a world changes; `mlab run MISSION --environment rocks.env` takes it");
+  expect_told("build m.mdl", "mlab build: m.mdl is a mission; `mlab run` carries it out");
+  expect_told("edit m.mdl --no-browser", "mlab edit: m.mdl is a mission; `mlab run` carries it out");
+}
+
 TEST_F(Command, HelpOfACommandIsShownByHelpToo) {
   const Outcome help = mlab("help check");
   EXPECT_EQ(help.status, 0);

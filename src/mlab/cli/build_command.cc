@@ -14,6 +14,7 @@
 #include "mlab/cli/export_command.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/other_language.h"
 #include "mlab/cli/permission.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
@@ -124,6 +125,12 @@ int build(const BuildOptions& asked) {
   const fs::path path(options.file);
   if (is_standard_input(options.file)) {
     fmt::print(stderr, "mlab build: -: expected a file, whose name is the robot's\n");
+    return kBadInput;
+  }
+  using language::Language;
+  if (const std::string why = other_language(options.file, {Language::kConfiguration, Language::kNetwork});
+      !why.empty()) {
+    fmt::print(stderr, "mlab build: {}\n", why);
     return kBadInput;
   }
   if (options.emit.empty() && path.extension() != ".cnl") {

@@ -29,6 +29,7 @@
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
 #include "mlab/cli/kept_address.h"
+#include "mlab/cli/other_language.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/permission.h"
 #include "mlab/cli/run_settings.h"
@@ -349,6 +350,11 @@ int edit(RunOptions options) {
   std::error_code error;
   if (!options.configuration.empty() && !fs::is_regular_file(options.configuration, error)) {
     fmt::print(stderr, "mlab edit: {}: there is no such file\n", options.configuration);
+    return kBadInput;
+  }
+  if (const std::string why = other_language(options.configuration, {language::Language::kConfiguration});
+      !why.empty()) {
+    fmt::print(stderr, "mlab edit: {}\n", why);
     return kBadInput;
   }
   return run_console(options);

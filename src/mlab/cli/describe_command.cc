@@ -191,7 +191,8 @@ void refuse_unknown(const std::string& name, const std::vector<HistoricMeaning>&
   }
   std::vector<std::string> names = robot::component_library().names();
   for (const std::string& declared : declaration_names()) names.push_back(declared);
-  const std::string nearest = text::nearest_name(name, names);
+  std::string nearest = text::nearest_name(name, names);
+  if (const Behavior* behavior = robot::component_library().find(nearest).behavior) nearest = behavior->name;
   fmt::print(stderr, "mlab describe: there is no component `{}`{}\n", name,
              nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
 }

@@ -140,7 +140,7 @@ void print_text(const Declaration& one) {
 }
 
 void print_markdown(const Declaration& one) {
-  fmt::print("## {}\n\n{}\n\nA {}{}.\n", one.name, one.help, one.kind,
+  fmt::print("## {}\n\n{}\n\nKind: {}{}.\n", one.name, one.help, one.kind,
              one.type.empty() ? "" : fmt::format(", {}", one.type));
   if (one.parameters != nullptr && !one.parameters->empty()) {
     fmt::print("\n| parameter | type | default | range | meaning |\n|---|---|---|---|---|\n");

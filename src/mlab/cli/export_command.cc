@@ -56,7 +56,7 @@ int write_formula(const BuildOptions& options) {
 }  // namespace
 
 std::vector<std::string> export_formats() {
-  std::vector<std::string> out = {kFormula};
+  std::vector<std::string> out;
   for (const exports::Format& format : exports::formats()) out.emplace_back(format.name);
   std::sort(out.begin(), out.end());
   return out;

@@ -18,6 +18,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/other_language.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/permission.h"
 #include "mlab/cli/plot.h"
@@ -163,6 +164,8 @@ fleet::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen
 }  // namespace
 
 int run(const RunOptions& options) {
+  if (const std::string why = other_language(options.mission, {language::Language::kMission}); !why.empty())
+    return usage_error(why);
   if (!options.headless) return run_console(options);
   if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
   int status = kDone;
