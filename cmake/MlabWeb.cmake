@@ -5,9 +5,8 @@ option(MLAB_WEB "build the web client (needs npm)" ON)
 set(MLAB_WEB_FOLDER ${CMAKE_BINARY_DIR}/web CACHE PATH "where the web client is built; build folders may share one")
 
 file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS
-  ${CMAKE_SOURCE_DIR}/web/core/* ${CMAKE_SOURCE_DIR}/web/console/* ${CMAKE_SOURCE_DIR}/web/designer/*
-  ${CMAKE_SOURCE_DIR}/web/public/*
-  ${CMAKE_SOURCE_DIR}/web/tools/* ${CMAKE_SOURCE_DIR}/proto/*.proto ${CMAKE_SOURCE_DIR}/tools/web/*)
+  ${CMAKE_SOURCE_DIR}/web/core/* ${CMAKE_SOURCE_DIR}/web/ui/* ${CMAKE_SOURCE_DIR}/web/console/* ${CMAKE_SOURCE_DIR}/web/designer/*
+  ${CMAKE_SOURCE_DIR}/web/edit/* ${CMAKE_SOURCE_DIR}/web/public/* ${CMAKE_SOURCE_DIR}/web/tools/* ${CMAKE_SOURCE_DIR}/proto/*.proto ${CMAKE_SOURCE_DIR}/tools/web/*)
 file(GLOB web_roots CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/web/*.json ${CMAKE_SOURCE_DIR}/web/*.ts
   ${CMAKE_SOURCE_DIR}/web/*.html ${CMAKE_SOURCE_DIR}/web/.npmrc)
 set(web_out ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_DATADIR}/mlab/web)

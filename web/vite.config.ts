@@ -39,6 +39,7 @@ export default defineConfig({
     // The core needs no page, and starts many times faster without one.
     projects: [
       { extends: true, test: { name: "core", environment: "node", include: ["core/**/*.test.ts"] } },
+      { extends: true, test: { name: "ui", environment: "happy-dom", include: ["ui/**/*.test.{ts,tsx}"] } },
       { extends: true, test: { name: "console", environment: "happy-dom", include: ["console/**/*.test.{ts,tsx}"] } },
       {
         extends: true,

@@ -1,4 +1,6 @@
 import { useEffect } from "react";
+import { ErrorFence } from "../ui/controls/error_fence.tsx";
+import { isStale, Silence } from "../ui/controls/silence.tsx";
 import { Palette, ShortcutSheet } from "./actions/palette.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { useCalls } from "./calls/use_calls.ts";
@@ -10,7 +12,6 @@ import { useWatching } from "./selection/use_watched.ts";
 import { type Session, SessionContext, usePart, useSession, useUi } from "./session.ts";
 import { Banners } from "./shell/banners.tsx";
 import { Dock, Rail } from "./shell/dock.tsx";
-import { ErrorFence } from "./shell/error_fence.tsx";
 import { kNarrow } from "./shell/layout.ts";
 import { MapPane, ToolOptions } from "./shell/map_pane.tsx";
 import { useRevealing } from "./shell/revealing.ts";
@@ -23,12 +24,11 @@ import { NewMissionDialog, OpenDialog, SaveAsDialog } from "./start/file_dialogs
 import { StartPage } from "./start/start_page.tsx";
 import { Waiting } from "./start/waiting.tsx";
 import { useRevealTeleoperation } from "./teleoperation/use_reveal.ts";
-import { isStale, Silence } from "./ui/silence.tsx";
-import "./styles/tokens.css";
-import "./styles/base.css";
-import "./styles/controls.css";
-import "./styles/shell.css";
-import "./styles/over.css";
+import "../ui/styles/tokens.css";
+import "../ui/styles/base.css";
+import "../ui/styles/controls.css";
+import "../ui/styles/shell.css";
+import "../ui/styles/over.css";
 import "./styles/narrow.css";
 
 export function App({ session }: { session: Session }) {

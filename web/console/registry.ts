@@ -2,8 +2,8 @@
 // They stand in extensions.ts, one line each; the shell knows none of them by name.
 import type { ComponentType } from "react";
 import type { MapTool } from "../core/map/tool.ts";
+import type { IconName } from "../ui/controls/icons.tsx";
 import type { Session } from "./session.ts";
-import type { IconName } from "./ui/icons.tsx";
 
 export type Dock = "left" | "right" | "bottom";
 

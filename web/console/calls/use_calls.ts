@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef } from "react";
-import { plain } from "../format.ts";
+import { plain } from "../../ui/words/format.ts";
 import { sentence } from "../orders.ts";
 import { usePart, useUi } from "../session.ts";
 import { openAlerts } from "../shell/alerts.ts";

@@ -1,7 +1,7 @@
+import { Button } from "../../ui/controls/controls.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
 import { passOperator } from "../orders.ts";
 import { usePart, useSession } from "../session.ts";
-import { Button } from "../ui/controls.tsx";
-import { DialogBox } from "../ui/menus.tsx";
 import { nameOfClient } from "./names.ts";
 
 export function HandOverDialog() {

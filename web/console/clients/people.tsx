@@ -1,7 +1,7 @@
+import { Button } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { usePart, useSession, useUi } from "../session.ts";
-import { Button } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
-import { PopoverButton } from "../ui/menus.tsx";
 import { nameOfClient } from "./names.ts";
 import { PeopleList } from "./people_list.tsx";
 

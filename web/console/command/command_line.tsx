@@ -1,10 +1,10 @@
 // One line of MDL: completed and checked as it is typed, sent with Enter.
 import { type KeyboardEvent, useCallback, useEffect, useRef, useState } from "react";
 import { Complete_Language, type Completions_Item, type Diagnostic, type Targets } from "../../core/protocol.ts";
-import { bytesOf, unitsOf } from "../editor/bytes.ts";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { bytesOf, unitsOf } from "../../ui/text/bytes.ts";
 import { sentence } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { Icon } from "../ui/icons.tsx";
 import { keepHistory, Recall, readHistory, withLine } from "./history.ts";
 import { DiagnosticsView, TargetsView } from "./targets_view.tsx";
 import "./command.css";

@@ -14,10 +14,10 @@ import { useStore } from "zustand";
 import { idRanges } from "../../core/format.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import type { Reply } from "../../core/protocol.ts";
+import { Button, Segments } from "../../ui/controls/controls.tsx";
+import { NumberEntry } from "../../ui/controls/number_entry.tsx";
+import { SelectEntry } from "../../ui/controls/select_entry.tsx";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { Button, Segments } from "../ui/controls.tsx";
-import { NumberEntry } from "../world/number_entry.tsx";
-import { SelectEntry } from "../world/select_entry.tsx";
 import { addressedUnits } from "./addressed.ts";
 import { placeMeasures } from "./command_tool.ts";
 import {

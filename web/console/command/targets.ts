@@ -2,7 +2,7 @@
 
 import { idRanges } from "../../core/format.ts";
 import { Targets_Standing_Fate as Fate, type Targets } from "../../core/protocol.ts";
-import { count } from "../format.ts";
+import { count } from "../../ui/words/format.ts";
 
 export interface TargetLine {
   unit: string;

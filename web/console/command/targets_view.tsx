@@ -1,5 +1,5 @@
 import type { Diagnostic, Targets } from "../../core/protocol.ts";
-import { unitsOf } from "../editor/bytes.ts";
+import { unitsOf } from "../../ui/text/bytes.ts";
 import { sentence } from "../orders.ts";
 import { standingLines, type TargetLine, targetLines } from "./targets.ts";
 

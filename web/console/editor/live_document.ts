@@ -1,8 +1,8 @@
 // The documents of the mission as live texts.
 import type { Documents_Document } from "../../core/protocol.ts";
+import { LiveEditor, type Mark } from "../../ui/text/live_editor.ts";
+import type { OutgoingEdit } from "../../ui/text/sync.ts";
 import type { Session } from "../session.ts";
-import { LiveEditor, type Mark } from "./live_editor.ts";
-import type { OutgoingEdit } from "./sync.ts";
 
 export class LiveDocument extends LiveEditor<Documents_Document> {
   constructor(

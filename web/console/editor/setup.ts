@@ -1,9 +1,9 @@
 // The editor of missions and overlays.
 import type { Extension } from "@codemirror/state";
 import { Complete_Language } from "../../core/protocol.ts";
+import { textEditorParts } from "../../ui/text/parts.ts";
 import type { Session } from "../session.ts";
 import { mdl, odl } from "./languages.ts";
-import { textEditorParts } from "./parts.ts";
 
 export function editorParts({ connection }: Session, language: Complete_Language): Extension[] {
   return textEditorParts({

@@ -5,17 +5,17 @@ import { EditorView } from "@codemirror/view";
 import { useEffect, useRef, useState } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components";
 import { Control_Action, type Documents_Document } from "../../core/protocol.ts";
-import { count } from "../format.ts";
+import { Button } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { nameOf } from "../../ui/files/paths.ts";
+import { kFromServer } from "../../ui/text/live_editor.ts";
+import { count } from "../../ui/words/format.ts";
 import { order, save, sentence } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { nameOf } from "../start/paths.ts";
-import { Button } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
 import { type LiveDocument, liveDocuments } from "./live_document.ts";
-import { kFromServer } from "./live_editor.ts";
 import { editorParts } from "./setup.ts";
 import { stepAtLine } from "./step_at.ts";
-import "./editor.css";
+import "../../ui/text/editor.css";
 
 export default function TextPanel() {
   const { ui } = useSession();

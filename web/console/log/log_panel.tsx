@@ -1,11 +1,11 @@
 // Everything that happened. Only the rows in sight are in the page.
 import { useEffect, useMemo, useRef, useState } from "react";
 import { type Log_Entry, Log_Kind } from "../../core/protocol.ts";
-import { count, duration, plain } from "../format.ts";
+import { Button, Search, Switch } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { PopoverButton } from "../../ui/controls/menus.tsx";
+import { count, duration, plain } from "../../ui/words/format.ts";
 import { usePart, useSession } from "../session.ts";
-import { Button, Search, Switch } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
-import { PopoverButton } from "../ui/menus.tsx";
 import { filterLog, kEverything, kKinds, kKindWords, type LogFilter, windowOf } from "./filter.ts";
 import { hasPlace, showPlace } from "./show_place.ts";
 import "./log.css";

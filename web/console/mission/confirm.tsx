@@ -1,9 +1,9 @@
 // Asked once before a run is given up.
 import { Control_Action } from "../../core/protocol.ts";
+import { Button } from "../../ui/controls/controls.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
 import { control } from "../orders.ts";
 import { useIsOperator, useSession, useUi } from "../session.ts";
-import { Button } from "../ui/controls.tsx";
-import { DialogBox } from "../ui/menus.tsx";
 
 const kTexts = {
   abort: {

@@ -1,13 +1,13 @@
 // The mission's steps, what runs now, and, until the first of them starts, the one large button.
 import { useEffect, useRef } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
-import { shownShortcut } from "../actions/keys.ts";
-import { distance, duration, plain } from "../format.ts";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { Bar, Button, Hint } from "../../ui/controls/controls.tsx";
+import { Icon, type IconName } from "../../ui/controls/icons.tsx";
+import { MenuButton, type MenuEntry } from "../../ui/controls/menus.tsx";
+import { distance, duration, plain } from "../../ui/words/format.ts";
 import { askFirst, control } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
-import { Bar, Button, Hint } from "../ui/controls.tsx";
-import { Icon, type IconName } from "../ui/icons.tsx";
-import { MenuButton, type MenuEntry } from "../ui/menus.tsx";
 import { skipWords, stepWords } from "./main_button.ts";
 import { StartButton } from "./run_button.tsx";
 import { situationOf } from "./situation.ts";

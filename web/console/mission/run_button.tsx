@@ -1,10 +1,10 @@
 // The button that always has the one next thing to do: small in the top bar, whatever panel is open, and large in the
 // Mission panel until the mission starts.
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
-import { shownShortcut } from "../actions/keys.ts";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { control } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
-import { Button, Hint, IconButton } from "../ui/controls.tsx";
 import { type MainButton, mainButton, stepWords } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";

@@ -1,11 +1,11 @@
 import { useState } from "react";
 import { Status_Mode } from "../../core/protocol.ts";
-import { quantity, speedFactor } from "../format.ts";
+import { Button, RangeSlider } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { PopoverButton } from "../../ui/controls/menus.tsx";
+import { quantity, speedFactor } from "../../ui/words/format.ts";
 import { setSpeed } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
-import { Button, RangeSlider } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
-import { PopoverButton } from "../ui/menus.tsx";
 import { kPresets, kSliderEnd, sliderOf, speedOf } from "./speed.ts";
 
 /** How fast simulated time passes: as set, and as reached. */

@@ -1,5 +1,5 @@
 import { type Status, type Status_Command, Status_Outcome } from "../../core/protocol.ts";
-import { count } from "../format.ts";
+import { count } from "../../ui/words/format.ts";
 import { splitCommand } from "./steps.ts";
 
 /** What the unit is doing now, without its name, or what it will when it need not wait any more; empty: nothing. */

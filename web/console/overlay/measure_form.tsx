@@ -2,10 +2,10 @@
 import { useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
 import type { Measure } from "../../core/protocol.ts";
+import { Button, Field, Switch } from "../../ui/controls/controls.tsx";
+import { NumberEntry } from "../../ui/controls/number_entry.tsx";
 import { useIsOperator, usePart, useSession } from "../session.ts";
-import { Button, Field, Switch } from "../ui/controls.tsx";
 import { editMap, removeItems } from "../world/edit_map.ts";
-import { NumberEntry } from "../world/number_entry.tsx";
 import { drawingStore } from "./drawing_store.ts";
 import { KindIcon } from "./kind_icon.tsx";
 import { kindInfo } from "./kinds.ts";

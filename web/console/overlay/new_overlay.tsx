@@ -1,8 +1,8 @@
 // No overlay is open: begin one.
 import { useState } from "react";
 import { NewDocument_Kind } from "../../core/protocol.ts";
+import { Button, Field } from "../../ui/controls/controls.tsx";
 import { useIsOperator, usePart, useSession } from "../session.ts";
-import { Button, Field } from "../ui/controls.tsx";
 import { order } from "../world/edit_map.ts";
 
 export function NewOverlay() {

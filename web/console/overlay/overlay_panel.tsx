@@ -2,12 +2,12 @@
 import { useEffect, useMemo } from "react";
 import { useStore } from "zustand";
 import { Complete_Language, type Documents_Document } from "../../core/protocol.ts";
+import { Button, Hint, Switch } from "../../ui/controls/controls.tsx";
+import { NumberEntry } from "../../ui/controls/number_entry.tsx";
+import { SelectEntry } from "../../ui/controls/select_entry.tsx";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { Button, Hint, Switch } from "../ui/controls.tsx";
 import { editMap } from "../world/edit_map.ts";
 import { changeEditing, editStore } from "../world/edit_store.ts";
-import { NumberEntry } from "../world/number_entry.tsx";
-import { SelectEntry } from "../world/select_entry.tsx";
 import { type ListedThing, ThingList } from "../world/thing_list.tsx";
 import { type Draft, emptyDraft, guidance, missing } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";

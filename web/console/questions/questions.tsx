@@ -1,13 +1,13 @@
 // Proceed? The oldest on top. Nothing else is blocked while they wait, and none takes the focus by itself.
 import { useLayoutEffect, useRef } from "react";
 import type { Questions_Question } from "../../core/protocol.ts";
-import { duration, plain } from "../format.ts";
+import { Bar, Button } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { duration, plain } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { robotPlace, unitPlace } from "../mission/unit_place.ts";
 import { answer } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
-import { Bar, Button } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
 import { countdown } from "./countdown.ts";
 import "./questions.css";
 

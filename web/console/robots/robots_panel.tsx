@@ -2,11 +2,11 @@
 import { useMemo, useState } from "react";
 import { Button as AriaButton, GridList, GridListItem, ListLayout, Virtualizer } from "react-aria-components";
 import type { Selection } from "../../core/selection.ts";
-import { count } from "../format.ts";
+import { Button, Search } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { count } from "../../ui/words/format.ts";
 import { commandOfUnit, type Followed, followedBy } from "../mission/unit_command.ts";
 import { usePart, useSession } from "../session.ts";
-import { Button, Search } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
 import { robotState } from "./robot_state.ts";
 import { type RosterRow, rosterRows, selectedKeys, selectionOf } from "./rows.ts";
 import "./robots.css";

@@ -1,8 +1,8 @@
 import { selectRobots } from "../../core/selection.ts";
-import { distance, duration } from "../format.ts";
+import { Button } from "../../ui/controls/controls.tsx";
+import { distance, duration } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { usePart, useSession } from "../session.ts";
-import { Button } from "../ui/controls.tsx";
 import { groupNumbers } from "./group.ts";
 import { Facts } from "./robot_facts.tsx";
 

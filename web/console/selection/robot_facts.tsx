@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
 import { kNotStarted } from "../../core/model.ts";
-import { distance, duration, headingDegrees } from "../format.ts";
+import { distance, duration, headingDegrees } from "../../ui/words/format.ts";
 import { robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session.ts";
 

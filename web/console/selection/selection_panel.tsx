@@ -2,10 +2,10 @@
 import { useState } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components";
 import { kNothing, selectUnit } from "../../core/selection.ts";
-import { count } from "../format.ts";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { count } from "../../ui/words/format.ts";
 import { usePart, useSession, useUi } from "../session.ts";
-import { Button, IconButton } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
 import { GroupFacts } from "./group_facts.tsx";
 import { MapItemFacts } from "./map_item_facts.tsx";
 import { ParametersTab } from "./parameters_tab.tsx";

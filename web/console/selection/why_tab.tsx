@@ -1,7 +1,8 @@
 // Why it moves as it does: what it follows, what each schema contributes, what it waits for.
-import { plain, quantity } from "../format.ts";
+
+import { Bar } from "../../ui/controls/controls.tsx";
+import { plain, quantity } from "../../ui/words/format.ts";
 import { usePart } from "../session.ts";
-import { Bar } from "../ui/controls.tsx";
 import { Facts } from "./robot_facts.tsx";
 import { direction, type Member, sums, type VectorSum } from "./why.ts";
 

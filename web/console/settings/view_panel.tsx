@@ -2,10 +2,10 @@
 
 import { useState } from "react";
 import { kLayers, type MapSettings, withLayer } from "../../core/map/settings.ts";
+import { RangeSlider, Segments, Switch } from "../../ui/controls/controls.tsx";
 import { askForCalls } from "../calls/calls.ts";
 import { usePart, useSession, useUi } from "../session.ts";
 import type { ThemeChoice } from "../shell/ui.ts";
-import { RangeSlider, Segments, Switch } from "../ui/controls.tsx";
 
 export function ViewPanel() {
   const { ui } = useSession();

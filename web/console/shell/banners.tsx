@@ -1,12 +1,12 @@
 // What has to be known before anything else.
 import { Control_Action } from "../../core/protocol.ts";
-import { count, plain } from "../format.ts";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
+import { count, plain } from "../../ui/words/format.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, save, sentence, takeOperator } from "../orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { Button, IconButton } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
-import { useSecondsUntil } from "../ui/use_seconds.ts";
 import type { StopState } from "./stop_state.ts";
 import { useStopState } from "./use_stop.ts";
 

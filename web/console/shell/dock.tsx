@@ -1,14 +1,14 @@
 // The docks around the map: a rail of buttons, the panel that is shown, a border that can be dragged.
 import { type KeyboardEvent, type PointerEvent, Suspense, useRef, useState } from "react";
 import { Button as AriaButton } from "react-aria-components";
-import { shownShortcut } from "../actions/keys.ts";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
+import { ErrorFence } from "../../ui/controls/error_fence.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { MenuButton } from "../../ui/controls/menus.tsx";
 import { panels } from "../extensions.ts";
 import type { Dock as DockName, Panel } from "../registry.ts";
 import { useLayout, useSession } from "../session.ts";
-import { Button, Hint, IconButton } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
-import { MenuButton } from "../ui/menus.tsx";
-import { ErrorFence } from "./error_fence.tsx";
 import { activePanel, movePanel, panelsIn, resizeDock, toggleDock, togglePanel } from "./layout.ts";
 
 export function Rail({ side }: { side: "left" | "right" }) {

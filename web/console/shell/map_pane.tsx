@@ -1,10 +1,10 @@
 // The map with its tools, and the options of the one that is held.
 import { useEffect, useRef, useSyncExternalStore } from "react";
 import { MapView } from "../../core/map/map_view.ts";
-import { shownShortcut } from "../actions/keys.ts";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { tools } from "../extensions.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { Button, IconButton } from "../ui/controls.tsx";
 import { coveredPlaces, keepFitted } from "./keep_fitted.ts";
 import { forgetView, restoreView } from "./view_memory.ts";
 

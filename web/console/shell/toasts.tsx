@@ -1,11 +1,11 @@
 // Alerts of the log that want to be seen at once, until they are dismissed.
 
 import { Log_Kind } from "../../core/protocol.ts";
-import { duration } from "../format.ts";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { duration } from "../../ui/words/format.ts";
 import { showPlace } from "../log/show_place.ts";
 import { sentence } from "../orders.ts";
 import { usePart, useSession, useUi } from "../session.ts";
-import { Button, IconButton } from "../ui/controls.tsx";
 import { openAlerts } from "./alerts.ts";
 
 const kMostShown = 20;

@@ -1,7 +1,7 @@
 import { useEffect } from "react";
+import { isStale } from "../../ui/controls/silence.tsx";
 import { emergencyStop } from "../orders.ts";
 import { usePart, useSession, useUi } from "../session.ts";
-import { isStale } from "../ui/silence.tsx";
 import { type StopState, stopState } from "./stop_state.ts";
 
 export function useStopState(): StopState {

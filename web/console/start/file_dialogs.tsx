@@ -1,13 +1,13 @@
 // Open, new, save as: over the files of the project, which the server lists.
 import { useCallback, useState } from "react";
 import { Complete_Language, NewDocument_Kind } from "../../core/protocol.ts";
+import { Button, Field } from "../../ui/controls/controls.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
+import { FileList, type Listed } from "../../ui/files/file_list.tsx";
+import { OpenFileDialog } from "../../ui/files/open_dialog.tsx";
+import { folderOf, join, nameOf, nameProblem, withEnding } from "../../ui/files/paths.ts";
 import { openMission, order } from "../orders.ts";
 import { usePart, useSession, useUi } from "../session.ts";
-import { Button, Field } from "../ui/controls.tsx";
-import { DialogBox } from "../ui/menus.tsx";
-import { FileList, type Listed } from "./file_list.tsx";
-import { OpenFileDialog } from "./open_dialog.tsx";
-import { folderOf, join, nameOf, nameProblem, withEnding } from "./paths.ts";
 
 export function OpenDialog() {
   const session = useSession();

@@ -1,10 +1,10 @@
 import type { Project_Entry } from "../../core/protocol.ts";
+import { Button } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { shownPath, shownTitle } from "../../ui/files/paths.ts";
 import { openMission } from "../orders.ts";
 import { useIsOperator, usePart, useSession } from "../session.ts";
-import { Button } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
-import { shownPath, shownTitle } from "./paths.ts";
-import "./start.css";
+import "../../ui/files/start.css";
 
 /** Without a mission: what there is to open, and how to begin one. */
 export function StartPage() {

@@ -1,9 +1,9 @@
 // Obstacles at random: how many, how large, from which seed, and what that comes to.
 import { useState } from "react";
-import { count } from "../format.ts";
+import { Button, Field, RangeSlider, Switch } from "../../ui/controls/controls.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
+import { count } from "../../ui/words/format.ts";
 import { usePart, useSession } from "../session.ts";
-import { Button, Field, RangeSlider, Switch } from "../ui/controls.tsx";
-import { DialogBox } from "../ui/menus.tsx";
 import { order } from "./edit_map.ts";
 import {
   defaultRandomObstacles,

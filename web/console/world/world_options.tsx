@@ -1,6 +1,6 @@
 // What the world tool does, over the map while it is held.
 import { useStore } from "zustand";
-import { Segments } from "../ui/controls.tsx";
+import { Segments } from "../../ui/controls/controls.tsx";
 import { changeEditing, editStore } from "./edit_store.ts";
 
 const kHelp = {

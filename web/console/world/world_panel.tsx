@@ -1,15 +1,15 @@
 // Obstacles and objects: add them, list them, change the selected one by numbers.
 import { useMemo, useState } from "react";
 import { useStore } from "zustand";
-import { count } from "../format.ts";
+import { Button, Switch } from "../../ui/controls/controls.tsx";
+import { NumberEntry } from "../../ui/controls/number_entry.tsx";
+import { SelectEntry } from "../../ui/controls/select_entry.tsx";
+import { count } from "../../ui/words/format.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { Button, Switch } from "../ui/controls.tsx";
 import { editMap, removeItems } from "./edit_map.ts";
 import { changeEditing, editStore } from "./edit_store.ts";
-import { NumberEntry } from "./number_entry.tsx";
 import { RandomObstaclesDialog } from "./random_dialog.tsx";
 import { replaceThing, thingsOf } from "./scene_things.ts";
-import { SelectEntry } from "./select_entry.tsx";
 import { nudgeOf, toolGrid } from "./snap.ts";
 import { type ListedThing, ThingList } from "./thing_list.tsx";
 import { editName, isEditable, movedTo, type ObjectStyle, type Thing, thingKey } from "./things.ts";

@@ -1,4 +1,4 @@
-import type { IconName } from "../../console/ui/icons.tsx";
+import type { IconName } from "../../ui/controls/icons.tsx";
 
 export type ActionGroup = "File" | "Edit" | "Place" | "Arrange" | "Go" | "View" | "Run" | "Help";
 

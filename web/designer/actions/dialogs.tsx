@@ -1,5 +1,5 @@
 // All commands by a few letters; the sheet of shortcuts.
-import { CommandPalette, KeySheet } from "../../console/actions/commands.tsx";
+import { CommandPalette, KeySheet } from "../../ui/commands/commands.tsx";
 import { useDesigner } from "../use.ts";
 import { allActions } from "./all_actions.ts";
 

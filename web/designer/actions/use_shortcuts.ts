@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { isTakenByFocus, matches } from "../../console/actions/keys.ts";
+import { isTakenByFocus, matches } from "../../ui/commands/keys.ts";
 import type { Designer } from "../designer.ts";
 import { allActions } from "./all_actions.ts";
 

@@ -1,6 +1,6 @@
 // Buttons on the canvas: place, layout, camera.
-import { shownShortcut } from "../../console/actions/keys.ts";
-import { IconButton } from "../../console/ui/controls.tsx";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { IconButton } from "../../ui/controls/controls.tsx";
 import { action } from "../actions/all_actions.ts";
 import { useDesigner, useDrawing, usePart } from "../use.ts";
 

@@ -2,8 +2,8 @@
 import { useEffect, useRef } from "react";
 import { Menu, MenuItem, Popover } from "react-aria-components";
 import { create } from "zustand";
-import { shownShortcut } from "../../console/actions/keys.ts";
-import { Icon } from "../../console/ui/icons.tsx";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { Icon } from "../../ui/controls/icons.tsx";
 import type { Action } from "../actions/action.ts";
 import { allActions } from "../actions/all_actions.ts";
 import type { Designer } from "../designer.ts";

@@ -1,7 +1,7 @@
 // A node: its outline, what it is called, its inputs with their values.
 import { Handle, type NodeProps, Position } from "@xyflow/react";
 import { memo } from "react";
-import { Icon } from "../../console/ui/icons.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
 import { LiveBadge } from "../live/badge.tsx";
 import { BreakDot } from "../live/break_dot.tsx";
 import { useLive } from "../live/use_live.ts";

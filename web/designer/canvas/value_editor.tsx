@@ -1,9 +1,9 @@
 // The editor of one input's value, beside its row: a field, a slider where there is a range, the words that it may be.
 import { useEffect, useMemo, useState } from "react";
 import { Dialog, Popover } from "react-aria-components";
-import { Button, Field, IconButton, RangeSlider } from "../../console/ui/controls.tsx";
-import type { IconName } from "../../console/ui/icons.tsx";
 import { kSliderEnd, kSliderStep, placeOnSlider, sliderScale, valueOnSlider } from "../../core/slider_scale.ts";
+import { Button, Field, IconButton, RangeSlider } from "../../ui/controls/controls.tsx";
+import type { IconName } from "../../ui/controls/icons.tsx";
 import type { Node, Port } from "../protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly } from "../use.ts";
 import { canvasStore, useCanvas } from "./canvas_store.ts";

@@ -1,4 +1,4 @@
-import { Button } from "../../console/ui/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 import { alignSelection } from "../actions/arranging.ts";
 import { frameSelection } from "../actions/editing.ts";
 import type { Edge } from "../arrange/arrange.ts";

@@ -1,5 +1,5 @@
 import type { ReactNode } from "react";
-import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { ownCopy } from "../actions/all_actions.ts";
 import { ungroup } from "../actions/editing.ts";
 import { wiredOf } from "../canvas/flow.ts";

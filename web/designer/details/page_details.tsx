@@ -1,4 +1,4 @@
-import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { typeWords } from "../canvas/value_words.ts";
 import { nameOf } from "../designer.ts";
 import { lastPart } from "../pages/pages.ts";

@@ -1,8 +1,9 @@
 // A robot's binding: its class, and for each binding point the device that serves it, with the checker's verdict.
-import { Icon } from "../../console/ui/icons.tsx";
+
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
 import type { Robot, Robot_Binding } from "../protocol.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
-import { Choice } from "./choice.tsx";
 import { Section } from "./parts.tsx";
 
 const kAbstract = "(abstract)";

@@ -1,8 +1,9 @@
 // A society: its members, in each other as they are drawn.
-import { Button, IconButton } from "../../console/ui/controls.tsx";
+
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { type Drawing, type Node, Node_Shape } from "../protocol.ts";
 import { useDesigner, useIsReadOnly, usePart } from "../use.ts";
-import { Choice } from "./choice.tsx";
 import { Section, SentField } from "./parts.tsx";
 
 /** No operator: as a key of a list, which can't be empty. */

@@ -1,4 +1,4 @@
-import { Button, IconButton, Switch } from "../../console/ui/controls.tsx";
+import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
 import type { Drawing, State } from "../protocol.ts";
 import { transitionId } from "../states/flow.ts";
 import { triggerWords } from "../states/trigger_words.ts";

@@ -1,8 +1,8 @@
-import { Button, IconButton, Switch } from "../../console/ui/controls.tsx";
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
 import type { Drawing, Transition } from "../protocol.ts";
 import { triggerText, triggerWords } from "../states/trigger_words.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
-import { Choice } from "./choice.tsx";
 import { Heading, SentText } from "./parts.tsx";
 
 export function TransitionDetails({ drawing, transition }: { drawing: Drawing; transition: Transition }) {

@@ -1,4 +1,4 @@
-import { Button } from "../../console/ui/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 import { wireId } from "../canvas/flow.ts";
 import { typeWords } from "../canvas/value_words.ts";
 import { disconnectChange, endOf } from "../canvas/wiring.ts";

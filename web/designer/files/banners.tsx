@@ -2,9 +2,9 @@
 
 import { create } from "@bufbuild/protobuf";
 import { type ReactNode, useEffect } from "react";
-import { Button, IconButton } from "../../console/ui/controls.tsx";
-import { Icon } from "../../console/ui/icons.tsx";
-import { useSecondsUntil } from "../../console/ui/use_seconds.ts";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
 import { crumbsIn, type Designer, nameOf } from "../designer.ts";
 import { isEmptyDrawing, isOfLibrary } from "../pages/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../protocol.ts";

@@ -1,12 +1,12 @@
 // Open, save as, save to the library.
 import { useCallback, useState } from "react";
-import { FileList, type Listed } from "../../console/start/file_list.tsx";
-import { OpenFileDialog } from "../../console/start/open_dialog.tsx";
-import { folderOf, join, nameOf, nameProblem, withEnding } from "../../console/start/paths.ts";
-import { Button, Field } from "../../console/ui/controls.tsx";
-import { DialogBox } from "../../console/ui/menus.tsx";
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button, Field } from "../../ui/controls/controls.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
+import { FileList, type Listed } from "../../ui/files/file_list.tsx";
+import { OpenFileDialog } from "../../ui/files/open_dialog.tsx";
+import { folderOf, join, nameOf, nameProblem, withEnding } from "../../ui/files/paths.ts";
 import { nameOf as fileName, isNew } from "../designer.ts";
-import { Choice } from "../details/choice.tsx";
 import { useFollowing } from "../pages/follow.ts";
 import { declarationOf } from "../pages/pages.ts";
 import type { Document } from "../protocol.ts";

@@ -1,5 +1,5 @@
 import { Component, type ReactNode } from "react";
-import { Button } from "../../console/ui/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 
 interface FenceProps {
   name: string;

@@ -1,14 +1,14 @@
 // Without a document: what there is to open, and how to begin.
 import { useState } from "react";
-import { shownTitle } from "../../console/start/paths.ts";
-import { Button, IconButton } from "../../console/ui/controls.tsx";
-import { Icon, type IconName } from "../../console/ui/icons.tsx";
-import { DialogBox } from "../../console/ui/menus.tsx";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { Icon, type IconName } from "../../ui/controls/icons.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
+import { shownTitle } from "../../ui/files/paths.ts";
 import { isNew } from "../designer.ts";
 import { startTour } from "../tour/start.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { type Entry, recentEntries, shownPlace } from "./unsaved.ts";
-import "../../console/start/start.css";
+import "../../ui/files/start.css";
 
 export function StartPage() {
   const designer = useDesigner();

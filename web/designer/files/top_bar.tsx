@@ -1,8 +1,8 @@
 // The bar at the top: files, what is open, where in it, undo, running.
-import { shownShortcut } from "../../console/actions/keys.ts";
-import { Button, Hint, IconButton } from "../../console/ui/controls.tsx";
-import { Icon } from "../../console/ui/icons.tsx";
-import { MenuButton, type MenuGroup } from "../../console/ui/menus.tsx";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { MenuButton, type MenuGroup } from "../../ui/controls/menus.tsx";
 import type { ActionGroup } from "../actions/action.ts";
 import { allActions } from "../actions/all_actions.ts";
 import { crumbsIn, isNew, nameOf } from "../designer.ts";

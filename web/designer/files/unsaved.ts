@@ -1,5 +1,5 @@
 // What was opened lately, on the start page: first what has no file yet, of this page and of earlier ones.
-import { shownPath } from "../../console/start/paths.ts";
+import { shownPath } from "../../ui/files/paths.ts";
 import { isNew } from "../designer.ts";
 import type { Document } from "../protocol.ts";
 

@@ -1,10 +1,10 @@
 // All breakpoints: on, off, away; and where the run stands when one has stopped it.
 import { sentence } from "../../console/orders.ts";
 import { usePart as useSessionPart } from "../../console/session.ts";
-import { Button, IconButton, Switch } from "../../console/ui/controls.tsx";
-import { Icon } from "../../console/ui/icons.tsx";
 import { type Breakpoint, Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
+import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
 import { breakpointText, hitText } from "./break_points.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
 

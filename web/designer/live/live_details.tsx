@@ -1,9 +1,9 @@
 // At the end of the details of what is selected, while it runs: its value, its breakpoints.
 import { useState } from "react";
 import { usePart as useSessionPart } from "../../console/session.ts";
-import { Button, Field, IconButton } from "../../console/ui/controls.tsx";
 import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
-import { Choice } from "../details/choice.tsx";
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button, Field, IconButton } from "../../ui/controls/controls.tsx";
 import { Section } from "../details/parts.tsx";
 import type { Drawing } from "../protocol.ts";
 import { useDesigner, usePart } from "../use.ts";

@@ -2,8 +2,8 @@
 import { useEffect, useRef } from "react";
 import { usePart as useSessionPart } from "../../console/session.ts";
 import { keepFitted } from "../../console/shell/keep_fitted.ts";
-import { IconButton } from "../../console/ui/controls.tsx";
 import { MapView } from "../../core/map/map_view.ts";
+import { IconButton } from "../../ui/controls/controls.tsx";
 import { kFieldKey } from "./keys.ts";
 import { isMoving } from "./run_button.ts";
 import { StartsTool } from "./starts_tool.ts";

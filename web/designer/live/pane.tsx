@@ -1,14 +1,14 @@
 // The simulator beside the canvas: how it stands, the map, and below it what is known of the robot that is selected.
 import { useEffect } from "react";
-import { duration } from "../../console/format.ts";
 import { sentence } from "../../console/orders.ts";
 import { usePart as useSessionPart } from "../../console/session.ts";
-import { Button } from "../../console/ui/controls.tsx";
-import { Icon } from "../../console/ui/icons.tsx";
 import { spokenPath } from "../../core/port_words.ts";
 import { Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
-import { Choice } from "../details/choice.tsx";
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { duration } from "../../ui/words/format.ts";
 import { Breakpoints, HaltedNotice } from "./breakpoint_list.tsx";
 import { InSession } from "./in_session.tsx";
 import { MapHost } from "./map_host.tsx";

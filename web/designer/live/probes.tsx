@@ -1,6 +1,7 @@
 // Values that stay in sight, whatever page is shown.
-import { Button, IconButton } from "../../console/ui/controls.tsx";
+
 import { spokenEnd, spokenPath } from "../../core/port_words.ts";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { LiveArrow } from "./badge.tsx";
 import { kPinPage, kPinSpan } from "./follower.ts";
 import type { Pin } from "./live_state.ts";

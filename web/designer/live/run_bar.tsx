@@ -1,11 +1,12 @@
 // In the top bar: run, pause, one cycle, stop, how fast, what runs, and the same run in the console.
-import { shownShortcut } from "../../console/actions/keys.ts";
+
 import { SpeedControl } from "../../console/mission/speed_control.tsx";
 import { usePart as useSessionPart } from "../../console/session.ts";
-import { Button, Hint, IconButton } from "../../console/ui/controls.tsx";
-import { Icon } from "../../console/ui/icons.tsx";
-import { PopoverButton } from "../../console/ui/menus.tsx";
 import { Status_Mode } from "../../core/protocol.ts";
+import { shownShortcut } from "../../ui/commands/keys.ts";
+import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { InSession } from "./in_session.tsx";
 import { kRunKey, kStepKey, kStopKey } from "./keys.ts";
 import { offersChange, runButton } from "./run_button.ts";

@@ -1,7 +1,7 @@
 // What runs, how many robots, in which surroundings, and where they start.
 import { useState } from "react";
-import { Button, Field } from "../../console/ui/controls.tsx";
-import { Choice } from "../details/choice.tsx";
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button, Field } from "../../ui/controls/controls.tsx";
 import { useDocument, usePart } from "../use.ts";
 import { kMostRobots } from "./live_state.ts";
 import { subjectOf, subjectsOf } from "./subject.ts";

@@ -1,5 +1,5 @@
 // A port's value as it stands beside a wire: short, with the digits that mean something.
-import { quantity } from "../../console/format.ts";
+import { quantity } from "../../ui/words/format.ts";
 
 const kMostLetters = 26;
 const kInfinite = /(?<![\w.])\+?(-?)inf(?:inity)?(?!\w)/gi;

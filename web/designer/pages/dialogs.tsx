@@ -1,8 +1,8 @@
 // Small dialogs about what is on the page: names, new declarations, parameters, groups.
 import { type ReactNode, useRef, useState } from "react";
-import { Button, Field } from "../../console/ui/controls.tsx";
-import { DialogBox } from "../../console/ui/menus.tsx";
-import { Choice } from "../details/choice.tsx";
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button, Field } from "../../ui/controls/controls.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
 import type { Drawing } from "../protocol.ts";
 import { transitionOf } from "../states/flow.ts";
 import { triggerText, triggerWords } from "../states/trigger_words.ts";

@@ -1,5 +1,5 @@
 // What to do on a page on which nothing stands yet.
-import { Button } from "../../console/ui/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 import { type Drawing, Drawing_Kind } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 import { isEmptyDrawing } from "./pages.ts";

@@ -1,6 +1,6 @@
 // An assemblage is made of the selection: it is asked for a name, and for what it lacks to have one output.
 
-import { Button } from "../../console/ui/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 import { parted } from "../actions/editing.ts";
 import { onPitch } from "../arrange/elk.ts";
 import { isArranged, placesOf, sizesOf } from "../canvas/use_places.ts";

@@ -1,7 +1,7 @@
 // Connecting by keyboard: the inputs of the page that the selected node's output fits.
 import { useEffect, useState } from "react";
-import { type Choice, Chooser } from "../../console/actions/chooser.tsx";
-import { ranked } from "../../console/actions/search.ts";
+import { type Choice, Chooser } from "../../ui/commands/chooser.tsx";
+import { ranked } from "../../ui/commands/search.ts";
 import { rowId } from "../canvas/form.ts";
 import { inputName } from "../canvas/input_name.ts";
 import { connectChange } from "../canvas/wiring.ts";

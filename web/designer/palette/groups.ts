@@ -1,5 +1,5 @@
 // The palette's components in groups, and found by a few letters.
-import { ranked } from "../../console/actions/search.ts";
+import { ranked } from "../../ui/commands/search.ts";
 import type { Component } from "../protocol.ts";
 import { canBeDone } from "../states/member.ts";
 

@@ -1,7 +1,7 @@
 // The component library at the left: by groups, searched, dragged onto the canvas or placed by Enter.
 import { useMemo, useState } from "react";
-import { Search } from "../../console/ui/controls.tsx";
-import { Icon } from "../../console/ui/icons.tsx";
+import { Search } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
 import { kDragged } from "../canvas/canvas.tsx";
 import { toneOf } from "../canvas/form.ts";
 import { NodeIcon } from "../canvas/icons.tsx";

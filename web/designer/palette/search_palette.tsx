@@ -1,6 +1,6 @@
 // Type to find a component and place it: `/` or Space anywhere, or where a wire was let go.
 import { useEffect, useMemo, useState } from "react";
-import { Chooser } from "../../console/actions/chooser.tsx";
+import { Chooser } from "../../ui/commands/chooser.tsx";
 import { toneOf } from "../canvas/form.ts";
 import { NodeIcon } from "../canvas/icons.tsx";
 import { type Component, Drawing_Kind } from "../protocol.ts";

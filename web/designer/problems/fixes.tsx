@@ -1,5 +1,5 @@
 // The mends that the server offers for a problem: in the list of problems, and in the details of what it is about.
-import { Button } from "../../console/ui/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 import type { Problem } from "../protocol.ts";
 import { useDesigner, useIsReadOnly } from "../use.ts";
 import { applyFix, fixTitle } from "./apply_fix.ts";

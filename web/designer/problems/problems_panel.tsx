@@ -1,6 +1,6 @@
 // All that is wrong, errors first; a click leads there, offered mends apply.
-import { Button } from "../../console/ui/controls.tsx";
-import { Icon } from "../../console/ui/icons.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
 import { sentence } from "../files/banners.tsx";
 import { lastPart } from "../pages/pages.ts";
 import type { Problem } from "../protocol.ts";

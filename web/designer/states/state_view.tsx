@@ -1,7 +1,7 @@
 // A state: its name, what it does in it, marks of start and end.
 import { Handle, type NodeProps, Position } from "@xyflow/react";
 import { type CSSProperties, Fragment, memo } from "react";
-import { Icon } from "../../console/ui/icons.tsx";
+import { Icon } from "../../ui/controls/icons.tsx";
 import { BreakDot } from "../live/break_dot.tsx";
 import { useLive } from "../live/use_live.ts";
 import { useDesigner, usePart } from "../use.ts";

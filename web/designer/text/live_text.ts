@@ -1,6 +1,6 @@
 // The text of each open configuration, live.
-import { LiveEditor, type Mark } from "../../console/editor/live_editor.ts";
-import type { OutgoingEdit } from "../../console/editor/sync.ts";
+import { LiveEditor, type Mark } from "../../ui/text/live_editor.ts";
+import type { OutgoingEdit } from "../../ui/text/sync.ts";
 import { type Designer, titleOf } from "../designer.ts";
 import type { Document, Fix } from "../protocol.ts";
 

@@ -1,8 +1,8 @@
 // The editor of configurations: hover and definitions by the server, undo that is the document's.
 import type { Extension } from "@codemirror/state";
 import { EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
-import { bytesOf, unitsOf } from "../../console/editor/bytes.ts";
-import { textEditorParts } from "../../console/editor/parts.ts";
+import { bytesOf, unitsOf } from "../../ui/text/bytes.ts";
+import { textEditorParts } from "../../ui/text/parts.ts";
 import type { Designer } from "../designer.ts";
 import { AskLanguage_What } from "../protocol.ts";
 import { cdl } from "./cdl.ts";

@@ -3,14 +3,14 @@ import { type Diagnostic, setDiagnostics } from "@codemirror/lint";
 import { Compartment, EditorState } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { useEffect, useRef } from "react";
-import { bytesOf } from "../../console/editor/bytes.ts";
-import { kFromServer } from "../../console/editor/live_editor.ts";
+import { bytesOf } from "../../ui/text/bytes.ts";
+import { kFromServer } from "../../ui/text/live_editor.ts";
 import { applyFix } from "../problems/apply_fix.ts";
 import { AskLanguage_What, type Document } from "../protocol.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 import { type LiveText, liveText } from "./live_text.ts";
 import { editorParts } from "./setup.ts";
-import "../../console/editor/editor.css";
+import "../../ui/text/editor.css";
 
 export default function TextPane() {
   const document = useDocument();

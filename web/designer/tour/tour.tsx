@@ -1,6 +1,6 @@
 // The card of the guided first tour, and the ring round what it is about.
 import { type RefObject, useEffect, useRef, useState } from "react";
-import { Button, IconButton } from "../../console/ui/controls.tsx";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { fit, nodeElement } from "../canvas/view.ts";
 import { useDesigner, usePart } from "../use.ts";
 import { bestCorner, type Corner, isInside } from "./corner.ts";

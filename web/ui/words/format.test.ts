@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { idRanges } from "../core/format.ts";
+import { idRanges } from "../../core/format.ts";
 import { count, distance, duration, headingDegrees, list, plain, quantity, speedFactor } from "./format.ts";
 
 describe("duration", () => {

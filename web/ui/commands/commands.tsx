@@ -1,6 +1,6 @@
 // All that can be done: found by typing a few letters, and as a sheet of its keys.
-import { Icon, type IconName } from "../ui/icons.tsx";
-import { DialogBox } from "../ui/menus.tsx";
+import { Icon, type IconName } from "../controls/icons.tsx";
+import { DialogBox } from "../controls/menus.tsx";
 import { Chooser } from "./chooser.tsx";
 import { shownShortcut } from "./keys.ts";
 import { ranked } from "./search.ts";

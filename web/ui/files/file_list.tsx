@@ -2,8 +2,8 @@
 import { useEffect, useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import type { FileList_Entry } from "../../core/protocol.ts";
-import { Button } from "../ui/controls.tsx";
-import { Icon } from "../ui/icons.tsx";
+import { Button } from "../controls/controls.tsx";
+import { Icon } from "../controls/icons.tsx";
 import { ancestors, nameOf } from "./paths.ts";
 
 interface FileListProps {

@@ -1,6 +1,6 @@
 // A number that is typed, and takes effect with Enter or on leaving the field.
 import { useEffect, useState } from "react";
-import { Field } from "../ui/controls.tsx";
+import { Field } from "./controls.tsx";
 
 interface Props {
   label: string;

@@ -1,8 +1,8 @@
 // A file of the project, to be opened.
 import { useState } from "react";
 import type { FileList_Entry } from "../../core/protocol.ts";
-import { Button } from "../ui/controls.tsx";
-import { DialogBox } from "../ui/menus.tsx";
+import { Button } from "../controls/controls.tsx";
+import { DialogBox } from "../controls/menus.tsx";
 import { FileList, type Listed } from "./file_list.tsx";
 
 interface OpenFileProps {

@@ -1,8 +1,8 @@
 // A list to be searched by a few letters, in the middle of the page: components to place, inputs to connect, commands.
 import { type ReactNode, useRef, useState } from "react";
 import { Dialog, Modal, ModalOverlay } from "react-aria-components";
-import { Icon } from "../ui/icons.tsx";
-import "./actions.css";
+import { Icon } from "../controls/icons.tsx";
+import "./commands.css";
 
 export interface Choice {
   id: string;

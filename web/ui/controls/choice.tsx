@@ -9,7 +9,7 @@ import {
   SelectValue,
   Text,
 } from "react-aria-components";
-import { Icon } from "../../console/ui/icons.tsx";
+import { Icon } from "./icons.tsx";
 
 interface ChoiceProps {
   label: string;

@@ -1,5 +1,5 @@
 import { Component, type ReactNode } from "react";
-import { Button } from "../ui/controls.tsx";
+import { Button } from "./controls.tsx";
 
 /** A panel that fails says so, and everything around it goes on. */
 export class ErrorFence extends Component<{ name: string; children: ReactNode }, { error: Error | null }> {
