@@ -3,7 +3,7 @@ import { createRoot } from "react-dom/client";
 import { Connection, tabKey } from "../core/connection.ts";
 import { Model } from "../core/model.ts";
 import { App } from "./app.tsx";
-import { Ui } from "./shell/ui.ts";
+import { Ui } from "./session/ui.ts";
 
 const model = new Model();
 const roomNow = () => ({ width: window.innerWidth, height: window.innerHeight });

@@ -2,7 +2,7 @@
 // announced by name; what moves (robots, trails, stations) stands in typed arrays that each frame overwrites, for the
 // map and the plots, which listen to frames.
 import { Glide } from "./glide.ts";
-import { applyMissionOptions, kDefaultSettings, type MapSettings } from "./map/settings.ts";
+import { applyMissionOptions, kDefaultSettings, type MapSettings } from "./map_settings.ts";
 import { PointTable } from "./packed.ts";
 import {
   type Breakpoint,

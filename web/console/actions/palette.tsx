@@ -1,7 +1,7 @@
 // Everything that can be done in the console, and its keys.
 import { useMemo } from "react";
 import { CommandPalette, KeySheet } from "../../ui/commands/commands.tsx";
-import { useSession } from "../session.ts";
+import { useSession } from "../session/session.ts";
 import { allActions } from "./shell_actions.ts";
 
 const kOnTheMap = {

@@ -1,14 +1,16 @@
 // The actions of the shell itself: one list behind menus, palette, shortcuts and the sheet that shows them.
 
-import { kLayers, withLayer } from "../../core/map/settings.ts";
+import { kLayers, withLayer } from "../../core/map_settings.ts";
 import type { Model } from "../../core/model.ts";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { kNothing, selectRobots } from "../../core/selection.ts";
-import { actionSources, panels, tools } from "../extensions.ts";
+import { actionSources, panels, tools } from "../extensions/extensions.ts";
 import { mainButton } from "../mission/main_button.ts";
 import { pressMainButton } from "../mission/press.ts";
 import { situationOf } from "../mission/situation.ts";
 import { neighbour } from "../mission/speed.ts";
+import { nameOf, nextRedo, nextUndo } from "../session/history.ts";
+import { firstLayout, kDocks, toggleDock, togglePanel } from "../session/layout.ts";
 import {
   answer,
   askFirst,
@@ -20,11 +22,9 @@ import {
   setSpeed,
   takeOperator,
   undo,
-} from "../orders.ts";
-import type { Action } from "../registry.ts";
-import type { Session } from "../session.ts";
-import { firstLayout, kDocks, toggleDock, togglePanel } from "../shell/layout.ts";
-import { nameOf, nextRedo, nextUndo } from "../undo/history.ts";
+} from "../session/orders.ts";
+import type { Action } from "../session/registry.ts";
+import type { Session } from "../session/session.ts";
 
 export const kStopShortcut = "ctrl+.";
 

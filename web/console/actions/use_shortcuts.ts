@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { isForPageInList, isTakenByFocus, matches } from "../../ui/commands/keys.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../session/session.ts";
 import { allActions } from "./shell_actions.ts";
 
 /** Keys of the whole page. Listens early, so that the emergency stop comes before anything else. */

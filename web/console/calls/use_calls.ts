@@ -1,8 +1,8 @@
 import { useEffect, useMemo, useRef } from "react";
 import { plain } from "../../ui/words/format.ts";
-import { sentence } from "../orders.ts";
-import { usePart, useUi } from "../session.ts";
-import { openAlerts } from "../shell/alerts.ts";
+import { openAlerts } from "../log/alerts.ts";
+import { sentence } from "../session/orders.ts";
+import { usePart, useUi } from "../session/session.ts";
 import { type Call, Calls } from "./calls.ts";
 
 // Dismissed or not: what was told is told.

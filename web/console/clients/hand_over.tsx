@@ -1,7 +1,7 @@
 import { Button } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
-import { passOperator } from "../orders.ts";
-import { usePart, useSession } from "../session.ts";
+import { passOperator } from "../session/orders.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { nameOfClient } from "./names.ts";
 
 export function HandOverDialog() {

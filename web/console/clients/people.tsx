@@ -1,7 +1,7 @@
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
-import { usePart, useSession, useUi } from "../session.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
 import { nameOfClient } from "./names.ts";
 import { PeopleList } from "./people_list.tsx";
 

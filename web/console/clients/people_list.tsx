@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { Button, Field } from "../../ui/controls/controls.tsx";
-import { passOperator, takeOperator } from "../orders.ts";
-import { usePart, useSession, useUi } from "../session.ts";
+import { passOperator, takeOperator } from "../session/orders.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
 import { nameOfClient } from "./names.ts";
 
 export function PeopleList() {

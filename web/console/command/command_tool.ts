@@ -3,10 +3,10 @@ import { centreOf, type Point } from "../../core/geometry.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import { fade } from "../../core/map/palette.ts";
 import type { MapPointer, MapTool, Pen } from "../../core/map/tool.ts";
-import { kindOfWire } from "../overlay/kinds.ts";
-import type { Session } from "../session.ts";
-import { drawNote } from "../world/handles.ts";
-import { headingOfDrag } from "./mdl_text.ts";
+import { headingOfDrag } from "../../core/mdl_text.ts";
+import { kindOfWire } from "../../core/measure_kinds.ts";
+import { drawNote } from "../map_editing/handles.ts";
+import type { Session } from "../session/session.ts";
 import { dropGoal, type Goal, orderStore } from "./order_store.ts";
 import { nearestLine, type PlaceMeasure, snapToCenter } from "./places.ts";
 

@@ -2,7 +2,7 @@
 
 import { createStore } from "zustand/vanilla";
 import type { Point } from "../../core/geometry.ts";
-import type { FormationName, TaskName, TechniqueName } from "./mdl_text.ts";
+import type { FormationName, TaskName, TechniqueName } from "../../core/mdl_text.ts";
 
 export interface Goal {
   readonly at: Point;

@@ -13,13 +13,6 @@ import { createPortal } from "react-dom";
 import { useStore } from "zustand";
 import { idRanges } from "../../core/format.ts";
 import type { MapView } from "../../core/map/map_view.ts";
-import type { Reply } from "../../core/protocol.ts";
-import { Button, Segments } from "../../ui/controls/controls.tsx";
-import { NumberEntry } from "../../ui/controls/number_entry.tsx";
-import { SelectEntry } from "../../ui/controls/select_entry.tsx";
-import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { addressedUnits } from "./addressed.ts";
-import { placeMeasures } from "./command_tool.ts";
 import {
   decimalsFor,
   type FormationName,
@@ -31,7 +24,14 @@ import {
   type TaskName,
   type TechniqueName,
   taskInfo,
-} from "./mdl_text.ts";
+} from "../../core/mdl_text.ts";
+import type { Reply } from "../../core/protocol.ts";
+import { Button, Segments } from "../../ui/controls/controls.tsx";
+import { NumberEntry } from "../../ui/controls/number_entry.tsx";
+import { SelectEntry } from "../../ui/controls/select_entry.tsx";
+import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { addressedUnits } from "./addressed.ts";
+import { placeMeasures } from "./command_tool.ts";
 import "./order_window.css";
 import { dropGoal, type Goal, orderStore } from "./order_store.ts";
 import { placeFor, referenceTo } from "./places.ts";

@@ -1,8 +1,8 @@
 // Control measures as goals of commands: what a click means, and how MDL refers to it.
 
 import { centreOf, distanceToSegment, type Point } from "../../core/geometry.ts";
-import { keywordOf, kLineKinds, type MeasureKind } from "../overlay/kinds.ts";
-import { type MdlPlace, mdlName, mdlNumber } from "./mdl_text.ts";
+import { type MdlPlace, mdlName, mdlNumber } from "../../core/mdl_text.ts";
+import { keywordOf, kLineKinds, type MeasureKind } from "../../core/measure_kinds.ts";
 
 /** What is needed of a Measure. */
 export interface PlaceMeasure {

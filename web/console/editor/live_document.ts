@@ -2,7 +2,7 @@
 import type { Documents_Document } from "../../core/protocol.ts";
 import { LiveEditor, type Mark } from "../../ui/text/live_editor.ts";
 import type { OutgoingEdit } from "../../ui/text/sync.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../session/session.ts";
 
 export class LiveDocument extends LiveEditor<Documents_Document> {
   constructor(

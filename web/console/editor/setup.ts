@@ -2,7 +2,7 @@
 import type { Extension } from "@codemirror/state";
 import { Complete_Language } from "../../core/protocol.ts";
 import { textEditorParts } from "../../ui/text/parts.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../session/session.ts";
 import { mdl, odl } from "./languages.ts";
 
 export function editorParts({ connection }: Session, language: Complete_Language): Extension[] {

@@ -2,7 +2,7 @@
 //   ?scene=demo-c|everything|lab|crowd  &theme=dark  &military=1  &watched=1  &count=10000  &renderer=webgl|canvas
 import { create } from "@bufbuild/protobuf";
 import { MapView } from "../../core/map/map_view.ts";
-import { type MapSettings, withLayer } from "../../core/map/settings.ts";
+import { type MapSettings, withLayer } from "../../core/map_settings.ts";
 import { Model } from "../../core/model.ts";
 import { ToBrowserSchema } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";

@@ -5,7 +5,7 @@ import { Button, Search, Switch } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { count, duration, plain } from "../../ui/words/format.ts";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { filterLog, kEverything, kKinds, kKindWords, type LogFilter, windowOf } from "./filter.ts";
 import { hasPlace, showPlace } from "./show_place.ts";
 import "./log.css";

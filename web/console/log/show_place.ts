@@ -1,6 +1,6 @@
 import type { Log_Entry } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../session/session.ts";
 
 /** Where it happened, else where the robot or unit is now. */
 export function showPlace({ model, ui }: Session, entry: Pick<Log_Entry, "robot" | "unit" | "place">): void {

@@ -2,8 +2,8 @@
 import { Control_Action } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
-import { control } from "../orders.ts";
-import { useIsOperator, useSession, useUi } from "../session.ts";
+import { control } from "../session/orders.ts";
+import { useIsOperator, useSession, useUi } from "../session/session.ts";
 
 const kTexts = {
   abort: {

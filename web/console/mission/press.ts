@@ -1,6 +1,6 @@
 // What the main button does when it is pressed.
-import { control, takeOperator } from "../orders.ts";
-import type { Session } from "../session.ts";
+import { control, takeOperator } from "../session/orders.ts";
+import type { Session } from "../session/session.ts";
 import { mainButton } from "./main_button.ts";
 import { situationOf } from "./situation.ts";
 

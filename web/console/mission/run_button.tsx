@@ -3,8 +3,8 @@
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
-import { control } from "../orders.ts";
-import { useIsOperator, usePart, useSession } from "../session.ts";
+import { control } from "../session/orders.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { type MainButton, mainButton, stepWords } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";

@@ -4,8 +4,8 @@ import { Button, RangeSlider } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { quantity, speedFactor } from "../../ui/words/format.ts";
-import { setSpeed } from "../orders.ts";
-import { useIsOperator, usePart, useSession } from "../session.ts";
+import { setSpeed } from "../session/orders.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { kPresets, kSliderEnd, sliderOf, speedOf } from "./speed.ts";
 
 /** How fast simulated time passes: as set, and as reached. */

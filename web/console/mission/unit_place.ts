@@ -1,5 +1,5 @@
 import { selectRobots, selectUnit } from "../../core/selection.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../session/session.ts";
 
 /** Selects the units' robots and brings them into view. */
 export function unitPlace({ model, ui }: Session, units: readonly string[]): void {

@@ -1,7 +1,7 @@
 // A control measure while it is being drawn: points come one by one, or a drag gives a circle.
 
 import type { Point } from "../../core/geometry.ts";
-import { type KindInfo, kindInfo, type MeasureKind } from "./kinds.ts";
+import { type KindInfo, kindInfo, type MeasureKind } from "../../core/measure_kinds.ts";
 
 export interface Draft {
   readonly kind: MeasureKind;

@@ -1,9 +1,9 @@
 // What the drawing tool waits for, over the map while it is held.
 import { useStore } from "zustand";
-import { editStore } from "../world/edit_store.ts";
+import { kindInfo } from "../../core/measure_kinds.ts";
+import { editStore } from "../map_editing/edit_store.ts";
 import { emptyDraft, guidance } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
-import { kindInfo } from "./kinds.ts";
 
 export function DrawOptions() {
   const { kind } = useStore(editStore);

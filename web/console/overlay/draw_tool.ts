@@ -3,12 +3,13 @@ import { centreOf, distance, type Point } from "../../core/geometry.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import { fade } from "../../core/map/palette.ts";
 import type { MapPointer, MapTool, Pen } from "../../core/map/tool.ts";
+import { kindInfo, type MeasureKind } from "../../core/measure_kinds.ts";
 import { kNothing, selectItem } from "../../core/selection.ts";
-import type { Session } from "../session.ts";
-import { editMap, removeItems } from "../world/edit_map.ts";
-import { changeEditing, editStore } from "../world/edit_store.ts";
-import { drawHandle, drawNote } from "../world/handles.ts";
-import { nudgeOf, snapNumber, snapPoint, toolGrid } from "../world/snap.ts";
+import { editMap, removeItems } from "../map_editing/edit_map.ts";
+import { changeEditing, editStore } from "../map_editing/edit_store.ts";
+import { drawHandle, drawNote } from "../map_editing/handles.ts";
+import { nudgeOf, snapNumber, snapPoint, toolGrid } from "../map_editing/snap.ts";
+import type { Session } from "../session/session.ts";
 import {
   addPoint,
   canBeCircle,
@@ -20,7 +21,6 @@ import {
   removeLastPoint,
 } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
-import { kindInfo, type MeasureKind } from "./kinds.ts";
 import { proposeName } from "./names.ts";
 import {
   addMeasure,

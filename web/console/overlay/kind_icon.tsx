@@ -1,5 +1,5 @@
 // What each control measure looks like on the map, small.
-import type { MeasureKind } from "./kinds.ts";
+import type { MeasureKind } from "../../core/measure_kinds.ts";
 
 const kPaths: Record<MeasureKind, string> = {
   assembly_area: "M4 8.5L12 4l8 3.5-1.5 10L8 20z",

@@ -1,14 +1,14 @@
 // The selected control measure by name and numbers.
 import { useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
+import { kindInfo } from "../../core/measure_kinds.ts";
 import type { Measure } from "../../core/protocol.ts";
 import { Button, Field, Switch } from "../../ui/controls/controls.tsx";
 import { NumberEntry } from "../../ui/controls/number_entry.tsx";
-import { useIsOperator, usePart, useSession } from "../session.ts";
-import { editMap, removeItems } from "../world/edit_map.ts";
+import { editMap, removeItems } from "../map_editing/edit_map.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { drawingStore } from "./drawing_store.ts";
 import { KindIcon } from "./kind_icon.tsx";
-import { kindInfo } from "./kinds.ts";
 import { nameProblem } from "./names.ts";
 import { odlText, parsePoints, pointLines } from "./odl_text.ts";
 import {

@@ -1,7 +1,7 @@
 // Names for new control measures, and what is wrong with a name.
 
-import { mdlName } from "../command/mdl_text.ts";
-import { keywordOf, type MeasureKind } from "./kinds.ts";
+import { mdlName } from "../../core/mdl_text.ts";
+import { keywordOf, type MeasureKind } from "../../core/measure_kinds.ts";
 
 /** `AA-1`, `PP-2`: the keyword and the first number that no measure has yet. */
 export function proposeName(kind: MeasureKind, taken: readonly string[]): string {

@@ -2,8 +2,8 @@
 import { useState } from "react";
 import { NewDocument_Kind } from "../../core/protocol.ts";
 import { Button, Field } from "../../ui/controls/controls.tsx";
-import { useIsOperator, usePart, useSession } from "../session.ts";
-import { order } from "../world/edit_map.ts";
+import { order } from "../map_editing/edit_map.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 
 export function NewOverlay() {
   const session = useSession();

@@ -1,8 +1,8 @@
 // The ODL statement that a control measure means, to be shown beside the map. The server writes the text itself.
 
 import type { Point } from "../../core/geometry.ts";
-import { mdlName, mdlNumber } from "../command/mdl_text.ts";
-import { kindInfo, type MeasureKind } from "./kinds.ts";
+import { mdlName, mdlNumber } from "../../core/mdl_text.ts";
+import { kindInfo, type MeasureKind } from "../../core/measure_kinds.ts";
 
 export interface MeasureText {
   readonly kind: MeasureKind;

@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { kindInfo, kindOfWire, kKinds, kLineKinds, type MeasureKind } from "../../core/measure_kinds.ts";
 import {
   addPoint,
   circleDraft,
@@ -11,7 +12,6 @@ import {
   missing,
   removeLastPoint,
 } from "./draft.ts";
-import { kindInfo, kindOfWire, kKinds, kLineKinds, type MeasureKind } from "./kinds.ts";
 import { nameProblem, proposeName } from "./names.ts";
 import { odlText, parsePoints, pointLines } from "./odl_text.ts";
 import { dragHandle, handlesOf, moveAll, removeCorner } from "./vertices.ts";

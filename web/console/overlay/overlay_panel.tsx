@@ -1,18 +1,18 @@
 // Drawing an overlay: a palette of control measures, what is being drawn, the selected one by numbers, all of them, the area.
 import { useEffect, useMemo } from "react";
 import { useStore } from "zustand";
+import { type KindInfo, kindInfo, kindOfWire, kKinds, type MeasureKind } from "../../core/measure_kinds.ts";
 import { Complete_Language, type Documents_Document } from "../../core/protocol.ts";
 import { Button, Hint, Switch } from "../../ui/controls/controls.tsx";
 import { NumberEntry } from "../../ui/controls/number_entry.tsx";
 import { SelectEntry } from "../../ui/controls/select_entry.tsx";
-import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { editMap } from "../world/edit_map.ts";
-import { changeEditing, editStore } from "../world/edit_store.ts";
-import { type ListedThing, ThingList } from "../world/thing_list.tsx";
+import { editMap } from "../map_editing/edit_map.ts";
+import { changeEditing, editStore } from "../map_editing/edit_store.ts";
+import { type ListedThing, ThingList } from "../map_editing/thing_list.tsx";
+import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
 import { type Draft, emptyDraft, guidance, missing } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
 import { KindIcon } from "./kind_icon.tsx";
-import { type KindInfo, kindInfo, kindOfWire, kKinds, type MeasureKind } from "./kinds.ts";
 import { MeasureForm } from "./measure_form.tsx";
 import { proposeName } from "./names.ts";
 import { NewOverlay } from "./new_overlay.tsx";

@@ -1,8 +1,9 @@
 // Control measures of the Scene as the drawing tools see them, and the changes that bring them about.
+
+import { kindInfo, kindOfWire, type MeasureKind } from "../../core/measure_kinds.ts";
 import type { Measure } from "../../core/protocol.ts";
-import type { MapChangeInit } from "../world/edit_map.ts";
+import type { MapChangeInit } from "../map_editing/edit_map.ts";
 import { type Draft, hallwayPoints, measurePoints } from "./draft.ts";
-import { kindInfo, kindOfWire, type MeasureKind } from "./kinds.ts";
 import type { MeasureText } from "./odl_text.ts";
 import type { Geometry } from "./vertices.ts";
 

@@ -1,8 +1,8 @@
 // A control measure's bare geometry over the map, while it is drawn or changed.
 import { fade } from "../../core/map/palette.ts";
 import type { Pen } from "../../core/map/tool.ts";
+import { kindInfo, type MeasureKind } from "../../core/measure_kinds.ts";
 import { hallwayPoints } from "./draft.ts";
-import { kindInfo, type MeasureKind } from "./kinds.ts";
 import { type Geometry, isClosed } from "./vertices.ts";
 
 export function drawGeometry(pen: Pen, kind: MeasureKind, geometry: Geometry, look: "draft" | "outline"): void {

@@ -1,7 +1,7 @@
 // Changing the points of a measure that stands: handles to drag, points put in between and taken out.
 
 import type { Point } from "../../core/geometry.ts";
-import { kindInfo, type MeasureKind } from "./kinds.ts";
+import { kindInfo, type MeasureKind } from "../../core/measure_kinds.ts";
 
 /** A place to take hold of. Corners are points; middles become one when they are dragged; the whole moves everything. */
 export type Handle =

@@ -3,7 +3,7 @@ import { type KeyboardEvent, useCallback, useEffect, useMemo, useRef, useState }
 import { Button, DialogTrigger, Menu, MenuItem, MenuTrigger, Popover, ToggleButton } from "react-aria-components";
 import type uPlot from "uplot";
 import { useStore } from "zustand";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { saveCsv, savePng, saveSvg } from "./downloads.ts";
 import { type PlotState, plotStore } from "./plot_store.ts";
 import { PlotStrip } from "./plot_strip.tsx";

@@ -16,7 +16,7 @@ import {
 import { kNone } from "../../core/protocol.ts";
 import type { RosterIndex } from "../../core/roster.ts";
 import type { Selection as MapSelection } from "../../core/selection.ts";
-import { usePart } from "../session.ts";
+import { usePart } from "../session/session.ts";
 import { type CatalogPort, type CatalogRoster, searchEntries, seriesFor, subjectsOf, whoOf } from "./catalog.ts";
 import { kMostSeries } from "./recorder.ts";
 import type { SeriesSpec } from "./series.ts";

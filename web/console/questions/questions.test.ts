@@ -7,8 +7,8 @@ import {
   Status_Outcome,
   StatusSchema,
 } from "../../core/protocol.ts";
+import { openAlerts } from "../log/alerts.ts";
 import { commandOfUnit, followedBy } from "../mission/unit_command.ts";
-import { openAlerts } from "../shell/alerts.ts";
 import { countdown } from "./countdown.ts";
 
 describe("the countdown of a question", () => {

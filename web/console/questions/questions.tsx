@@ -6,8 +6,8 @@ import { Icon } from "../../ui/controls/icons.tsx";
 import { duration, plain } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { robotPlace, unitPlace } from "../mission/unit_place.ts";
-import { answer } from "../orders.ts";
-import { useIsOperator, usePart, useSession } from "../session.ts";
+import { answer } from "../session/orders.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { countdown } from "./countdown.ts";
 import "./questions.css";
 

@@ -6,7 +6,7 @@ import { Button, Search } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
 import { commandOfUnit, type Followed, followedBy } from "../mission/unit_command.ts";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { robotState } from "./robot_state.ts";
 import { type RosterRow, rosterRows, selectedKeys, selectionOf } from "./rows.ts";
 import "./robots.css";

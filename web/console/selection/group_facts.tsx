@@ -2,7 +2,7 @@ import { selectRobots } from "../../core/selection.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { distance, duration } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { groupNumbers } from "./group.ts";
 import { Facts } from "./robot_facts.tsx";
 

@@ -2,7 +2,7 @@ import { Measure_Kind, WorldObject_Style } from "../../core/protocol.ts";
 import type { MapItem } from "../../core/selection.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { distance } from "../../ui/words/format.ts";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { Facts } from "./robot_facts.tsx";
 
 /** A control measure, an obstacle or an object. */

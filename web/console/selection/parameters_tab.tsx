@@ -5,8 +5,8 @@ import { kSliderEnd, kSliderStep, placeOnSlider, valueOnSlider } from "../../cor
 import { Field, IconButton, RangeSlider, Search, Switch } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
-import { order } from "../orders.ts";
-import { useIsOperator, usePart, useSession } from "../session.ts";
+import { order } from "../session/orders.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { isSwitchedOn, parameterKind, parameterProblem, sliderOf, valueNumber } from "./parameter.ts";
 import { portGroups, spoken } from "./ports.ts";
 import { usePortText } from "./ports_tab.tsx";

@@ -1,7 +1,7 @@
 import { useCallback, useMemo, useState, useSyncExternalStore } from "react";
 import { portText } from "../../core/port_values.ts";
 import { Search, Segments } from "../../ui/controls/controls.tsx";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { portGroups, type RoleFilter, spoken } from "./ports.ts";
 import { usePorts } from "./use_watched.ts";
 

@@ -2,7 +2,7 @@ import type { ReactNode } from "react";
 import { kNotStarted } from "../../core/model.ts";
 import { distance, duration, headingDegrees } from "../../ui/words/format.ts";
 import { robotState } from "../robots/robot_state.ts";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 
 /** One robot in short. */
 export function RobotFacts({ id }: { id: number }) {

@@ -5,7 +5,7 @@ import { kNothing, selectUnit } from "../../core/selection.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
-import { usePart, useSession, useUi } from "../session.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
 import { GroupFacts } from "./group_facts.tsx";
 import { MapItemFacts } from "./map_item_facts.tsx";
 import { ParametersTab } from "./parameters_tab.tsx";

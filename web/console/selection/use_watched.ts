@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { kMostWatched } from "../../core/watching.ts";
-import { usePart, useSession, useUi } from "../session.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
 
 const kManyRobots = 2000; // beyond it frames hold only what the map shows
 const kFewRobots = 1500; // up to it frames come as often as displays draw, not half as often

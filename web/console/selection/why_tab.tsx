@@ -2,7 +2,7 @@
 
 import { Bar } from "../../ui/controls/controls.tsx";
 import { plain, quantity } from "../../ui/words/format.ts";
-import { usePart } from "../session.ts";
+import { usePart } from "../session/session.ts";
 import { Facts } from "./robot_facts.tsx";
 import { direction, type Member, sums, type VectorSum } from "./why.ts";
 

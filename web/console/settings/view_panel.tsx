@@ -1,11 +1,11 @@
 // How the map and the console look. Everything here can be undone.
 
 import { useState } from "react";
-import { kLayers, type MapSettings, withLayer } from "../../core/map/settings.ts";
+import { kLayers, type MapSettings, withLayer } from "../../core/map_settings.ts";
 import { RangeSlider, Segments, Switch } from "../../ui/controls/controls.tsx";
 import { askForCalls } from "../calls/calls.ts";
-import { usePart, useSession, useUi } from "../session.ts";
-import type { ThemeChoice } from "../shell/ui.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
+import type { ThemeChoice } from "../session/ui.ts";
 
 export function ViewPanel() {
   const { ui } = useSession();

@@ -5,8 +5,8 @@ import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
 import { count, plain } from "../../ui/words/format.ts";
 import { showErrors } from "../mission/press.ts";
-import { control, passOperator, save, sentence, takeOperator } from "../orders.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
+import { control, passOperator, save, sentence, takeOperator } from "../session/orders.ts";
+import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
 import type { StopState } from "./stop_state.ts";
 import { useStopState } from "./use_stop.ts";
 

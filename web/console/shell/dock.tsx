@@ -6,10 +6,10 @@ import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { ErrorFence } from "../../ui/controls/error_fence.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { MenuButton } from "../../ui/controls/menus.tsx";
-import { panels } from "../extensions.ts";
-import type { Dock as DockName, Panel } from "../registry.ts";
-import { useLayout, useSession } from "../session.ts";
-import { activePanel, movePanel, panelsIn, resizeDock, toggleDock, togglePanel } from "./layout.ts";
+import { panels } from "../extensions/extensions.ts";
+import { activePanel, movePanel, panelsIn, resizeDock, toggleDock, togglePanel } from "../session/layout.ts";
+import type { Dock as DockName, Panel } from "../session/registry.ts";
+import { useLayout, useSession } from "../session/session.ts";
 
 export function Rail({ side }: { side: "left" | "right" }) {
   const layout = useLayout();

@@ -1,11 +1,11 @@
 // The map with its tools, and the options of the one that is held.
 import { useEffect, useRef, useSyncExternalStore } from "react";
+import { coveredPlaces, keepFitted } from "../../core/map/keep_fitted.ts";
 import { MapView } from "../../core/map/map_view.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
-import { tools } from "../extensions.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { coveredPlaces, keepFitted } from "./keep_fitted.ts";
+import { tools } from "../extensions/extensions.ts";
+import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
 import { forgetView, restoreView } from "./view_memory.ts";
 
 export function MapPane() {

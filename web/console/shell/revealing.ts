@@ -1,7 +1,7 @@
 import { useEffect } from "react";
-import { panels } from "../extensions.ts";
-import { usePart, useSession, useUi } from "../session.ts";
-import { dockOf, isShown, leavesAll, showPanel } from "./layout.ts";
+import { panels } from "../extensions/extensions.ts";
+import { dockOf, isShown, leavesAll, showPanel } from "../session/layout.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
 
 /** Opens the text editor when something is to be shown in it, and the selection panel with the first selection. */
 export function useRevealing(): void {

@@ -1,8 +1,8 @@
 import { CommandLine } from "../command/command_line.tsx";
-import { panels } from "../extensions.ts";
-import { useLayout } from "../session.ts";
+import { panels } from "../extensions/extensions.ts";
+import { panelsIn } from "../session/layout.ts";
+import { useLayout } from "../session/session.ts";
 import { PanelButton } from "./dock.tsx";
-import { panelsIn } from "./layout.ts";
 
 /** The lower edge: buttons of the drawer, and the command line. */
 export function Strip() {

@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { useSession, useUi } from "../session.ts";
+import { useSession, useUi } from "../session/session.ts";
 
 /** Light or dark on the whole page and on the map, by choice or as the system has it. */
 export function useTheme(): void {

@@ -8,12 +8,12 @@ import { RunButton, StepButton } from "../mission/run_button.tsx";
 import { situationOf } from "../mission/situation.ts";
 import { SpeedControl } from "../mission/speed_control.tsx";
 import { stateOf } from "../mission/state.ts";
-import { emergencyStop, redo, save, undo } from "../orders.ts";
-import { usePart, useSession, useUi } from "../session.ts";
+import { nameOf, nextRedo, nextUndo } from "../session/history.ts";
+import { emergencyStop, redo, save, undo } from "../session/orders.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
+import { missionEdits } from "../session/ui.ts";
 import { FileMenu } from "../start/file_menu.tsx";
-import { nameOf, nextRedo, nextUndo } from "../undo/history.ts";
 import { stopWords } from "./stop_state.ts";
-import { missionEdits } from "./ui.ts";
 import { useStopState } from "./use_stop.ts";
 
 /** In a narrow window what is pressed in a hurry has a line of its own, and the rest the next one. */

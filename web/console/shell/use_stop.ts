@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { isStale } from "../../ui/controls/silence.tsx";
-import { emergencyStop } from "../orders.ts";
-import { usePart, useSession, useUi } from "../session.ts";
+import { emergencyStop } from "../session/orders.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
 import { type StopState, stopState } from "./stop_state.ts";
 
 export function useStopState(): StopState {

@@ -1,6 +1,6 @@
 // A reload comes back to the same place on the map and the same selection. Kept for one browser tab.
 import type { MapView } from "../../core/map/map_view.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../session/session.ts";
 
 interface View {
   mission: string;

@@ -6,8 +6,8 @@ import { DialogBox } from "../../ui/controls/menus.tsx";
 import { FileList, type Listed } from "../../ui/files/file_list.tsx";
 import { OpenFileDialog } from "../../ui/files/open_dialog.tsx";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "../../ui/files/paths.ts";
-import { openMission, order } from "../orders.ts";
-import { usePart, useSession, useUi } from "../session.ts";
+import { openMission, order } from "../session/orders.ts";
+import { usePart, useSession, useUi } from "../session/session.ts";
 
 export function OpenDialog() {
   const session = useSession();

@@ -1,8 +1,8 @@
 import { Button } from "../../ui/controls/controls.tsx";
 import { MenuButton } from "../../ui/controls/menus.tsx";
 import { shownPath, shownTitle } from "../../ui/files/paths.ts";
-import { openMission, save } from "../orders.ts";
-import { useIsOperator, usePart, useSession } from "../session.ts";
+import { openMission, save } from "../session/orders.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 
 export function FileMenu() {
   const session = useSession();

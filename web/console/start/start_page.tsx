@@ -2,8 +2,8 @@ import type { Project_Entry } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { shownPath, shownTitle } from "../../ui/files/paths.ts";
-import { openMission } from "../orders.ts";
-import { useIsOperator, usePart, useSession } from "../session.ts";
+import { openMission } from "../session/orders.ts";
+import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import "../../ui/files/start.css";
 
 /** Without a mission: what there is to open, and how to begin one. */

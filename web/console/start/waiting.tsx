@@ -1,4 +1,4 @@
-import { usePart } from "../session.ts";
+import { usePart } from "../session/session.ts";
 
 /** Before the server has said anything. */
 export function Waiting() {

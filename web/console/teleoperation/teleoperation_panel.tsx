@@ -3,7 +3,7 @@ import { useEffect, useMemo, useState } from "react";
 import { idRanges } from "../../core/format.ts";
 import type { RobotDetail, Status_Teleoperation } from "../../core/protocol.ts";
 import { count } from "../../ui/words/format.ts";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { bearingText, distanceText, meanPose, objectiveFrom } from "./objective.ts";
 import { StickPad } from "./stick_pad.tsx";
 import "./teleoperation.css";

@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
-import type { Panel } from "../registry.ts";
-import { usePart, useSession } from "../session.ts";
-import { isShown, showPanel } from "../shell/layout.ts";
+import { isShown, showPanel } from "../session/layout.ts";
+import type { Panel } from "../session/registry.ts";
+import { usePart, useSession } from "../session/session.ts";
 
 /** Opens the sticks when one more unit comes under teleoperation, whoever began it. */
 export function useRevealTeleoperation(panels: readonly Panel[]): void {

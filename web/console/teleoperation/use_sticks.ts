@@ -2,7 +2,7 @@
 import { useEffect, useSyncExternalStore } from "react";
 import type { Connection } from "../../core/connection.ts";
 import type { Model } from "../../core/model.ts";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { StickControl } from "./control.ts";
 import { driveKeyOf } from "./stick.ts";
 

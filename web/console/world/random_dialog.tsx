@@ -3,8 +3,8 @@ import { useState } from "react";
 import { Button, Field, RangeSlider, Switch } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
 import { count } from "../../ui/words/format.ts";
-import { usePart, useSession } from "../session.ts";
-import { order } from "./edit_map.ts";
+import { order } from "../map_editing/edit_map.ts";
+import { usePart, useSession } from "../session/session.ts";
 import {
   defaultRandomObstacles,
   expectedCount,

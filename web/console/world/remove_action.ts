@@ -1,7 +1,8 @@
 // Delete takes away what is selected on the map, whichever tool is held.
-import type { Action } from "../registry.ts";
-import type { Session } from "../session.ts";
-import { removeItems } from "./edit_map.ts";
+
+import { removeItems } from "../map_editing/edit_map.ts";
+import type { Action } from "../session/registry.ts";
+import type { Session } from "../session/session.ts";
 
 export function removeActions(session: Session): readonly Action[] {
   const { items } = session.model.get("selection");

@@ -1,8 +1,8 @@
 // Things of the Scene as the world tools see them, and the changes that bring them about.
 import type { Model } from "../../core/model.ts";
 import type { Scene } from "../../core/protocol.ts";
-import type { MapChangeInit } from "./edit_map.ts";
-import type { ObjectStyle, ObjectThing, ObstacleThing, Thing } from "./things.ts";
+import type { MapChangeInit } from "../map_editing/edit_map.ts";
+import type { ObjectStyle, ObjectThing, ObstacleThing, Thing } from "../map_editing/things.ts";
 
 const kStyles: readonly ObjectStyle[] = ["fixed", "movable", "container"];
 

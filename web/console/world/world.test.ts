@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { gridFor, nudgeOf, snapPoint } from "../map_editing/snap.ts";
+import { editName, gripAt, type Thing, withRadius } from "../map_editing/things.ts";
 import { defaultRandomObstacles, expectedCount, problemsOf, radiusLimits, seedFrom } from "./random_obstacles.ts";
-import { gridFor, nudgeOf, snapPoint } from "./snap.ts";
-import { editName, gripAt, type Thing, withRadius } from "./things.ts";
 
 const kArea = { width: 1000, height: 800 };
 

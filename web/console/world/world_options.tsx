@@ -1,7 +1,7 @@
 // What the world tool does, over the map while it is held.
 import { useStore } from "zustand";
 import { Segments } from "../../ui/controls/controls.tsx";
-import { changeEditing, editStore } from "./edit_store.ts";
+import { changeEditing, editStore } from "../map_editing/edit_store.ts";
 
 const kHelp = {
   change: "Drag to move, drag the square to resize, Delete removes.",

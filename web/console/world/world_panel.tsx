@@ -5,15 +5,15 @@ import { Button, Switch } from "../../ui/controls/controls.tsx";
 import { NumberEntry } from "../../ui/controls/number_entry.tsx";
 import { SelectEntry } from "../../ui/controls/select_entry.tsx";
 import { count } from "../../ui/words/format.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session.ts";
-import { editMap, removeItems } from "./edit_map.ts";
-import { changeEditing, editStore } from "./edit_store.ts";
+import { editMap, removeItems } from "../map_editing/edit_map.ts";
+import { changeEditing, editStore } from "../map_editing/edit_store.ts";
+import { nudgeOf, toolGrid } from "../map_editing/snap.ts";
+import { type ListedThing, ThingList } from "../map_editing/thing_list.tsx";
+import { editName, isEditable, movedTo, type ObjectStyle, type Thing, thingKey } from "../map_editing/things.ts";
+import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
 import { RandomObstaclesDialog } from "./random_dialog.tsx";
 import { replaceThing, thingsOf } from "./scene_things.ts";
-import { nudgeOf, toolGrid } from "./snap.ts";
-import { type ListedThing, ThingList } from "./thing_list.tsx";
-import { editName, isEditable, movedTo, type ObjectStyle, type Thing, thingKey } from "./things.ts";
-import "./world.css";
+import "../map_editing/world.css";
 
 export const kStyleNames: readonly (readonly [ObjectStyle, string])[] = [
   ["fixed", "fixed"],

@@ -4,12 +4,10 @@ import type { MapView } from "../../core/map/map_view.ts";
 import { fade } from "../../core/map/palette.ts";
 import type { MapPointer, MapTool, Pen } from "../../core/map/tool.ts";
 import { kNothing, selectItem, toggleItem } from "../../core/selection.ts";
-import type { Session } from "../session.ts";
-import { editMap, removeItems } from "./edit_map.ts";
-import { editStore } from "./edit_store.ts";
-import { drawHandle, drawNote } from "./handles.ts";
-import { addThing, indexOfThing, replaceThing, thingsOf } from "./scene_things.ts";
-import { nudgeOf, snapNumber, snapPoint, toolGrid } from "./snap.ts";
+import { editMap, removeItems } from "../map_editing/edit_map.ts";
+import { editStore } from "../map_editing/edit_store.ts";
+import { drawHandle, drawNote } from "../map_editing/handles.ts";
+import { nudgeOf, snapNumber, snapPoint, toolGrid } from "../map_editing/snap.ts";
 import {
   editName,
   gripAt,
@@ -20,7 +18,9 @@ import {
   type ThingGrip,
   thingKey,
   withRadius,
-} from "./things.ts";
+} from "../map_editing/things.ts";
+import type { Session } from "../session/session.ts";
+import { addThing, indexOfThing, replaceThing, thingsOf } from "./scene_things.ts";
 
 interface Drag {
   readonly grip: ThingGrip | "new";

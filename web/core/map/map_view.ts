@@ -19,9 +19,9 @@ import { SceneIndex } from "./picking.ts";
 import { PictureLoader } from "./picture.ts";
 import { PlaceReadout } from "./place_readout.ts";
 import { kManyRobots, RobotLayer } from "./robot_layer.ts";
+import { SelectTool } from "./select_tool.ts";
 import { drawStarts, startBoxes } from "./starts.ts";
 import type { MapPick, MapTool, Pen } from "./tool.ts";
-import { SelectTool } from "./tools/select.ts";
 import { drawTop, isTopEmpty } from "./top.ts";
 import { TrailLayer } from "./trail_layer.ts";
 

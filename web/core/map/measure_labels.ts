@@ -1,10 +1,10 @@
 // Where the names of control measures stand.
 import { alongLine, type Box, crosses, type Point } from "../geometry.ts";
 import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
+import type { MapSettings } from "../map_settings.ts";
 import { type Measure, Measure_Kind, type Scene } from "../protocol.ts";
 import { colorOf, labelOf } from "./measure_names.ts";
 import { boxOfMeasure, middleOf, shapeOf, sizeOf } from "./measure_shape.ts";
-import type { MapSettings } from "./settings.ts";
 import { kSans, textWidth } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
 

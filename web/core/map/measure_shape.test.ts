@@ -1,10 +1,10 @@
 import { create, type MessageInitShape } from "@bufbuild/protobuf";
 import { describe, expect, test } from "vitest";
+import { kDefaultSettings, withLayer } from "../map_settings.ts";
 import { Measure_Kind as K, type Measure, MeasureSchema, SceneSchema } from "../protocol.ts";
 import { labelOf } from "./measure_names.ts";
 import { axisOutline, boxOfMeasure, distanceTo, gapRails, shapeOf } from "./measure_shape.ts";
 import { SceneIndex } from "./picking.ts";
-import { kDefaultSettings, withLayer } from "./settings.ts";
 
 function measure(init: MessageInitShape<typeof MeasureSchema>): Measure {
   return create(MeasureSchema, { showsLabel: true, ...init });

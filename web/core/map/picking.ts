@@ -1,10 +1,10 @@
 // Finds the overlay's things under the pointer or in a box.
 import { type Box, distance, type Point } from "../geometry.ts";
+import type { MapSettings } from "../map_settings.ts";
 import type { Scene } from "../protocol.ts";
 import type { MapItem } from "../selection.ts";
 import { SpatialIndex } from "../spatial_index.ts";
 import { boxOfMeasure, distanceTo } from "./measure_shape.ts";
-import type { MapSettings } from "./settings.ts";
 
 interface Hit {
   readonly item: MapItem;

@@ -24,7 +24,7 @@ function measured(text: string, size: number, isBold: boolean): number | undefin
   return context.measureText(text).width;
 }
 
-/** As in styles/tokens.css. */
+/** As in ui/styles/tokens.css. */
 export const kFont = `system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "Liberation Sans", sans-serif`;
 
 function guessed(text: string, size: number): number {

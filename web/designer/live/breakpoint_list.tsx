@@ -1,6 +1,6 @@
 // All breakpoints: on, off, away; and where the run stands when one has stopped it.
-import { sentence } from "../../console/orders.ts";
-import { usePart as useSessionPart } from "../../console/session.ts";
+import { sentence } from "../../console/session/orders.ts";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { type Breakpoint, Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
 import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";

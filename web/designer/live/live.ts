@@ -1,8 +1,8 @@
 // Running, for one page of the designer: its connection to the simulator, and what can be asked of it.
 
-import { sentence } from "../../console/orders.ts";
-import type { Session } from "../../console/session.ts";
-import { Ui } from "../../console/shell/ui.ts";
+import { sentence } from "../../console/session/orders.ts";
+import type { Session } from "../../console/session/session.ts";
+import { Ui } from "../../console/session/ui.ts";
 import { Connection, tabKey } from "../../core/connection.ts";
 import { Model } from "../../core/model.ts";
 import { spokenPath } from "../../core/port_words.ts";

@@ -1,6 +1,6 @@
 // At the end of the details of what is selected, while it runs: its value, its breakpoints.
 import { useState } from "react";
-import { usePart as useSessionPart } from "../../console/session.ts";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field, IconButton } from "../../ui/controls/controls.tsx";

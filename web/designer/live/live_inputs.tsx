@@ -3,7 +3,7 @@ import type { ReactNode } from "react";
 import { Parameter } from "../../console/selection/parameters_tab.tsx";
 import { usePortText } from "../../console/selection/ports_tab.tsx";
 import { useSomePorts } from "../../console/selection/use_watched.ts";
-import { useIsOperator, usePart as useSessionPart } from "../../console/session.ts";
+import { useIsOperator, usePart as useSessionPart } from "../../console/session/session.ts";
 import { type Port as LivePort, Port_Role } from "../../core/protocol.ts";
 import { Button, Segments } from "../../ui/controls/controls.tsx";
 import { lastPart } from "../pages/pages.ts";

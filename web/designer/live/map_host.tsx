@@ -1,7 +1,7 @@
 // The map beside the canvas: the console's, with the tools that are needed here.
 import { useEffect, useRef } from "react";
-import { usePart as useSessionPart } from "../../console/session.ts";
-import { keepFitted } from "../../console/shell/keep_fitted.ts";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
+import { keepFitted } from "../../core/map/keep_fitted.ts";
 import { MapView } from "../../core/map/map_view.ts";
 import { IconButton } from "../../ui/controls/controls.tsx";
 import { kFieldKey } from "./keys.ts";

@@ -1,7 +1,7 @@
 // The simulator beside the canvas: how it stands, the map, and below it what is known of the robot that is selected.
 import { useEffect } from "react";
-import { sentence } from "../../console/orders.ts";
-import { usePart as useSessionPart } from "../../console/session.ts";
+import { sentence } from "../../console/session/orders.ts";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { spokenPath } from "../../core/port_words.ts";
 import { Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";

@@ -1,7 +1,7 @@
 // In the top bar: run, pause, one cycle, stop, how fast, what runs, and the same run in the console.
 
 import { SpeedControl } from "../../console/mission/speed_control.tsx";
-import { usePart as useSessionPart } from "../../console/session.ts";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";

@@ -1,7 +1,7 @@
 // The movement field of what is selected: read when it is switched on, and anew whenever what it depends on changes; while
 // robots move, again and again.
 import { useEffect } from "react";
-import { usePart as useSessionPart } from "../../console/session.ts";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { type Drawing, kResult } from "../protocol.ts";
 import { useDrawing, usePart } from "../use.ts";
 import { drawField } from "./field_layer.ts";

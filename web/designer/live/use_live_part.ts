@@ -1,6 +1,6 @@
 // How components get at running and subscribe to it.
 import { useStore } from "zustand";
-import { usePart as useSessionPart } from "../../console/session.ts";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { useDesigner, useDocument, usePart } from "../use.ts";
 import { type Live, liveOf } from "./live.ts";
 import type { LiveState } from "./live_state.ts";

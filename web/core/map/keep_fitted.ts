@@ -1,8 +1,8 @@
 // While the whole mission area is fitted to the map, it stays fitted when panels open and close.
-import { Camera } from "../../core/camera.ts";
-import type { Box } from "../../core/geometry.ts";
-import type { MapView } from "../../core/map/map_view.ts";
-import type { Model } from "../../core/model.ts";
+import { Camera } from "../camera.ts";
+import type { Box } from "../geometry.ts";
+import type { Model } from "../model.ts";
+import type { MapView } from "./map_view.ts";
 
 interface Place {
   x: number;

@@ -1,7 +1,7 @@
 // What only this browser knows: layout, tool, theme, open dialogs; kept over reloads where a person would expect it.
 
 import type { MapView } from "../../core/map/map_view.ts";
-import type { MapSettings } from "../../core/map/settings.ts";
+import type { MapSettings } from "../../core/map_settings.ts";
 import type { Model } from "../../core/model.ts";
 import { Store } from "../../core/store.ts";
 import {
@@ -13,7 +13,7 @@ import {
   recordEdit,
   redoLocal,
   undoLocal,
-} from "../undo/history.ts";
+} from "./history.ts";
 import { fitted, type Layout, type Room, readLayout } from "./layout.ts";
 import { readMapSettings } from "./map_settings.ts";
 

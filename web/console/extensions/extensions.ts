@@ -1,26 +1,26 @@
 // Everything that stands in the shell, in the order of its buttons.
 import { lazy } from "react";
-import { CommandTool } from "./command/command_tool.ts";
-import { CommandOptions } from "./command/order_window.tsx";
-import { LogPanel } from "./log/log_panel.tsx";
-import { MeasureOptions, makeMeasureTool } from "./measuring/measure_tool.tsx";
-import { MissionPanel } from "./mission/mission_panel.tsx";
-import { DrawOptions } from "./overlay/draw_options.tsx";
-import { DrawTool } from "./overlay/draw_tool.ts";
-import { OverlayPanel } from "./overlay/overlay_panel.tsx";
-import type { ActionSource, Panel, Tool } from "./registry.ts";
-import { RobotsPanel } from "./robots/robots_panel.tsx";
-import { SelectionPanel } from "./selection/selection_panel.tsx";
-import { ViewPanel } from "./settings/view_panel.tsx";
-import { TeleoperationPanel } from "./teleoperation/teleoperation_panel.tsx";
-import { useSteeredUnits } from "./teleoperation/use_reveal.ts";
-import { removeActions } from "./world/remove_action.ts";
-import { WorldOptions } from "./world/world_options.tsx";
-import { WorldPanel } from "./world/world_panel.tsx";
-import { WorldTool } from "./world/world_tool.ts";
+import { CommandTool } from "../command/command_tool.ts";
+import { CommandOptions } from "../command/order_window.tsx";
+import { LogPanel } from "../log/log_panel.tsx";
+import { MeasureOptions, makeMeasureTool } from "../measuring/measure_tool.tsx";
+import { MissionPanel } from "../mission/mission_panel.tsx";
+import { DrawOptions } from "../overlay/draw_options.tsx";
+import { DrawTool } from "../overlay/draw_tool.ts";
+import { OverlayPanel } from "../overlay/overlay_panel.tsx";
+import { RobotsPanel } from "../robots/robots_panel.tsx";
+import { SelectionPanel } from "../selection/selection_panel.tsx";
+import type { ActionSource, Panel, Tool } from "../session/registry.ts";
+import { ViewPanel } from "../settings/view_panel.tsx";
+import { TeleoperationPanel } from "../teleoperation/teleoperation_panel.tsx";
+import { useSteeredUnits } from "../teleoperation/use_reveal.ts";
+import { removeActions } from "../world/remove_action.ts";
+import { WorldOptions } from "../world/world_options.tsx";
+import { WorldPanel } from "../world/world_panel.tsx";
+import { WorldTool } from "../world/world_tool.ts";
 
-const PlotsPanel = lazy(() => import("./plots/plots_panel.tsx").then((plots) => ({ default: plots.PlotsPanel })));
-const TextPanel = lazy(() => import("./editor/text_panel.tsx"));
+const PlotsPanel = lazy(() => import("../plots/plots_panel.tsx").then((plots) => ({ default: plots.PlotsPanel })));
+const TextPanel = lazy(() => import("../editor/text_panel.tsx"));
 
 export const panels: readonly Panel[] = [
   { id: "mission", title: "Mission", icon: "steps", component: MissionPanel, dock: "left", shortcut: "1" },

@@ -2,7 +2,7 @@
 import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { MapChangeSchema, Order } from "../../core/protocol.ts";
 import type { MapItem } from "../../core/selection.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../session/session.ts";
 
 export type MapChangeInit = MessageInitShape<typeof MapChangeSchema>;
 

@@ -1,6 +1,6 @@
 // What a person orders of the server; what goes wrong is shown to them.
-import { Control_Action, type Order, type Reply, Status_Mode } from "../core/protocol.ts";
-import { plain } from "../ui/words/format.ts";
+import { Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
+import { plain } from "../../ui/words/format.ts";
 import type { Session } from "./session.ts";
 
 /** Asks, and shows why not where the answer is no. */

@@ -1,5 +1,5 @@
 // How the map looked the last time, read back with care: what was stored may be of another version.
-import type { LayerName, MapSettings } from "../../core/map/settings.ts";
+import type { LayerName, MapSettings } from "../../core/map_settings.ts";
 
 /** What is stored and fits, over `fallback`. The theme is the shell's business. */
 export function readMapSettings(stored: unknown, fallback: MapSettings): MapSettings {

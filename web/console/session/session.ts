@@ -1,9 +1,9 @@
 // The session that all panels show, and how they subscribe to it.
 import { createContext, useCallback, useContext, useMemo, useSyncExternalStore } from "react";
-import type { Connection } from "../core/connection.ts";
-import type { Model, Parts } from "../core/model.ts";
-import { fitted, type Layout } from "./shell/layout.ts";
-import type { Ui, UiParts } from "./shell/ui.ts";
+import type { Connection } from "../../core/connection.ts";
+import type { Model, Parts } from "../../core/model.ts";
+import { fitted, type Layout } from "./layout.ts";
+import type { Ui, UiParts } from "./ui.ts";
 
 export interface Session {
   /** What the server tells, and what is selected. */

@@ -1,6 +1,5 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import type { Dock } from "../registry.ts";
 import {
   activePanel,
   firstLayout,
@@ -18,6 +17,7 @@ import {
   toggleDock,
   togglePanel,
 } from "./layout.ts";
+import type { Dock } from "./registry.ts";
 
 const steps = { id: "steps", title: "Mission", dock: "left" as const };
 const robots = { id: "robots", title: "Robots", dock: "left" as const };

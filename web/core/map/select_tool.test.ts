@@ -1,11 +1,11 @@
 import { create } from "@bufbuild/protobuf";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { Model } from "../../model.ts";
-import { RosterSchema } from "../../protocol.ts";
-import { RosterIndex } from "../../roster.ts";
-import type { MapView } from "../map_view.ts";
-import type { MapPick, MapPointer } from "../tool.ts";
-import { SelectTool } from "./select.ts";
+import { Model } from "../model.ts";
+import { RosterSchema } from "../protocol.ts";
+import { RosterIndex } from "../roster.ts";
+import type { MapView } from "./map_view.ts";
+import { SelectTool } from "./select_tool.ts";
+import type { MapPick, MapPointer } from "./tool.ts";
 
 beforeEach(() => void vi.useFakeTimers({ now: 0 }));
 afterEach(() => void vi.useRealTimers());

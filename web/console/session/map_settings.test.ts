@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { kDefaultSettings, withLayer } from "../../core/map/settings.ts";
+import { kDefaultSettings, withLayer } from "../../core/map_settings.ts";
 import { readMapSettings } from "./map_settings.ts";
 
 describe("the stored look of the map", () => {

@@ -1,8 +1,8 @@
 // What can be put into the shell: panels in its docks, tools on its map, actions in menus, palette and shortcuts.
 // They stand in extensions.ts, one line each; the shell knows none of them by name.
 import type { ComponentType } from "react";
-import type { MapTool } from "../core/map/tool.ts";
-import type { IconName } from "../ui/controls/icons.tsx";
+import type { MapTool } from "../../core/map/tool.ts";
+import type { IconName } from "../../ui/controls/icons.tsx";
 import type { Session } from "./session.ts";
 
 export type Dock = "left" | "right" | "bottom";
@@ -26,7 +26,7 @@ export interface Tool {
   id: string;
   label: string;
   icon: IconName;
-  /** As in actions/keys.ts: `m`, `shift+o`. */
+  /** As in ui/commands/keys.ts: `m`, `shift+o`. */
   shortcut?: string;
   /** A new one each time the tool is taken up; dropped when another one is. */
   make: (session: Session) => MapTool;

@@ -3,7 +3,7 @@ import { type KeyboardEvent, useMemo, useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import type { MapItem } from "../../core/selection.ts";
 import { Search } from "../../ui/controls/controls.tsx";
-import { usePart, useSession } from "../session.ts";
+import { usePart, useSession } from "../session/session.ts";
 import { removeItems } from "./edit_map.ts";
 import "./world.css";
 

@@ -1,10 +1,10 @@
 // Selecting: click, shift-click, a box drawn over empty ground, again on the same place for what lies below.
-import { boxOf, distance, type Point } from "../../geometry.ts";
-import { kNothing, selectItem, selectRobots, selectUnit, toggleItem, toggleRobot } from "../../selection.ts";
-import { kDragStart } from "../input.ts";
-import type { MapView } from "../map_view.ts";
-import { fade } from "../palette.ts";
-import type { MapPick, MapPointer, MapTool, Pen } from "../tool.ts";
+import { boxOf, distance, type Point } from "../geometry.ts";
+import { kNothing, selectItem, selectRobots, selectUnit, toggleItem, toggleRobot } from "../selection.ts";
+import { kDragStart } from "./input.ts";
+import type { MapView } from "./map_view.ts";
+import { fade } from "./palette.ts";
+import type { MapPick, MapPointer, MapTool, Pen } from "./tool.ts";
 
 const kDoubleClick = 500; // ms between its two clicks, at most
 

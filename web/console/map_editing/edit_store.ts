@@ -1,6 +1,6 @@
 // How the map is being edited: shared by the tools on the map and the panels beside it.
 import { createStore } from "zustand/vanilla";
-import type { MeasureKind } from "../overlay/kinds.ts";
+import type { MeasureKind } from "../../core/measure_kinds.ts";
 import type { ObjectStyle } from "./things.ts";
 
 export interface EditSettings {

@@ -1,6 +1,6 @@
 // Which panel stands in which dock, which docks are open, and how large they are. Pure: every change gives a new layout.
 // What a window shows of it is `fitted`: the map keeps at least half of the window.
-import type { Dock } from "../registry.ts";
+import type { Dock } from "./registry.ts";
 
 export const kDocks: readonly Dock[] = ["left", "right", "bottom"];
 
@@ -39,7 +39,7 @@ const kLimits: Record<Dock, { min: number; max: number }> = {
 /** Below, a panel lies over the map instead of beside it (as in styles/narrow.css). */
 export const kNarrow = 760;
 
-/** What the shell takes beside docks and map, as in styles/shell.css. */
+/** What the shell takes beside docks and map, as in ui/styles/shell.css. */
 function shellOf({ width }: Room): Room {
   return width < 1400 ? { width: 2 * 48, height: 44 + 34 } : { width: 2 * 68, height: 48 + 40 };
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { Camera } from "../../core/camera.ts";
+import { Camera } from "../camera.ts";
 import { isFitted } from "./keep_fitted.ts";
 
 const size = { width: 800, height: 600 };
