@@ -47,6 +47,10 @@ export default defineConfig({
       },
       {
         extends: true,
+        test: { name: "edit", environment: "happy-dom", include: ["edit/**/*.test.{ts,tsx}"] },
+      },
+      {
+        extends: true,
         test: {
           name: "browser",
           environment: "node",

@@ -8,28 +8,27 @@ import { Commands, ShortcutSheet } from "./actions/dialogs.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { Canvas } from "./canvas/canvas.tsx";
 import { CanvasTools } from "./canvas/canvas_tools.tsx";
-import { type Designer, nameOf } from "./designer.ts";
+import { EmptyHint } from "./canvas/empty_hint.tsx";
 import Details from "./details/details.tsx";
-import { extensions } from "./extensions.ts";
+import { DeclarationDialog, ParameterDialog, RenameDialog } from "./dialogs/dialogs.tsx";
+import { GroupDialog } from "./dialogs/group_dialog.tsx";
 import { Banners, FloatingBanners } from "./files/banners.tsx";
 import { LibraryDialog, OpenDialog, SaveAsDialog } from "./files/dialogs.tsx";
 import { Fence } from "./files/fence.tsx";
 import { StartPage } from "./files/start_page.tsx";
 import { TopBar } from "./files/top_bar.tsx";
-import { DeclarationDialog, ParameterDialog, RenameDialog } from "./pages/dialogs.tsx";
-import { EmptyHint } from "./pages/empty_hint.tsx";
-import { GroupDialog } from "./pages/group_dialog.tsx";
-import { lastPart, pageKey } from "./pages/pages.ts";
-import { watchPanes } from "./pages/panes.ts";
 import { ConnectChooser } from "./palette/connect_chooser.tsx";
 import { PalettePanel } from "./palette/palette_panel.tsx";
 import { SearchPalette } from "./palette/search_palette.tsx";
 import { ProblemsPanel } from "./problems/problems_panel.tsx";
-import { type Drawing, Drawing_Kind } from "./protocol.ts";
-import type { Shown } from "./state.ts";
+import { type Designer, nameOf } from "./session/designer.ts";
+import { lastPart, pageKey } from "./session/pages.ts";
+import { watchPanes } from "./session/panes.ts";
+import { type Drawing, Drawing_Kind } from "./session/protocol.ts";
+import type { Shown } from "./session/state.ts";
+import { DesignerContext, useDesigner, useDocument, useDrawing, usePart } from "./session/use.ts";
 import { transitionOf } from "./states/flow.ts";
 import { Tour } from "./tour/tour.tsx";
-import { DesignerContext, useDesigner, useDocument, useDrawing, usePart } from "./use.ts";
 import "@xyflow/react/dist/base.css";
 import "../ui/styles/tokens.css";
 import "../ui/styles/base.css";
@@ -83,7 +82,7 @@ function Page() {
 
 function Work() {
   const shown = usePart((state) => state.shown);
-  const Live = extensions.live;
+  const Live = useDesigner().extensions.live;
   return (
     <>
       <div className="work">
@@ -207,7 +206,7 @@ function Strip() {
     <footer className="strip">
       <span className="columns" style={{ gap: 2 }}>
         {kPanes
-          .filter(([name]) => name !== "live" || extensions.live)
+          .filter(([name]) => name !== "live" || designer.extensions.live)
           .map(([name, title]) => (
             <button
               key={name}

@@ -4,7 +4,7 @@
 
 #include "mlab/designer.pb.h"
 
-// How large things are drawn. The page goes by the same rules (web/designer/canvas/form.ts, states/form.ts);
+// How large things are drawn. The page goes by the same rules (web/designer/drawing/form.ts, states/form.ts);
 // there the letters are measured, here they are guessed.
 
 namespace mlab::designer {

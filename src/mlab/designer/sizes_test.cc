@@ -1,7 +1,7 @@
 // The page and the server both say how large things are drawn: the page from measured letters, the server for
 // making room in files that come from elsewhere. What they must agree on stands in one file: drawings of
 // every kind of node and state, with their sizes. This test holds the server to it,
-// web/designer/canvas/sizes.test.ts the page.
+// web/designer/states/sizes.test.ts the page.
 //
 // MLAB_UPDATE_GOLDEN=1 writes the file anew.
 
@@ -25,7 +25,7 @@
 namespace mlab::designer {
 namespace {
 
-constexpr const char* kGolden = MLAB_SOURCE_DIR "/web/designer/canvas/testdata/sizes.golden";
+constexpr const char* kGolden = MLAB_SOURCE_DIR "/web/designer/states/testdata/sizes.golden";
 
 constexpr const char* kUnknown = R"(assemblage NobodyKnows(number: gain = 0.5) {
   let near = not Nothing(a = 1);

@@ -1,5 +1,5 @@
 // What can be put into the shell: panels in its docks, tools on its map, actions in menus, palette and shortcuts.
-// They stand in extensions.ts, one line each; the shell knows none of them by name.
+// They stand in ../extensions/extensions.ts, one line each; the shell knows none of them by name.
 import type { ComponentType } from "react";
 import type { MapTool } from "../../core/map/tool.ts";
 import type { IconName } from "../../ui/controls/icons.tsx";

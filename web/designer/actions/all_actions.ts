@@ -1,15 +1,14 @@
 // Everything that can be done: for keys, menus, the list of commands and the sheet of shortcuts.
 import { withToken } from "../../core/server_link.ts";
-import { camera, fit } from "../canvas/view.ts";
-import type { Designer } from "../designer.ts";
-import { isNew } from "../designer.ts";
-import { extensions } from "../extensions.ts";
-import { innerOf } from "../pages/inside.ts";
-import { outer } from "../pages/pages.ts";
-import { goToPane } from "../pages/panes.ts";
-import { Drawing_Kind } from "../protocol.ts";
+import type { Action } from "../session/action.ts";
+import type { Designer } from "../session/designer.ts";
+import { isNew } from "../session/designer.ts";
+import { innerOf } from "../session/inside.ts";
+import { outer } from "../session/pages.ts";
+import { goToPane } from "../session/panes.ts";
+import { Drawing_Kind } from "../session/protocol.ts";
+import { camera, fit } from "../sight/view.ts";
 import { startTour } from "../tour/start.ts";
-import type { Action } from "./action.ts";
 import { arrangeAll } from "./arranging.ts";
 import {
   addNote,
@@ -31,7 +30,7 @@ export function allActions(designer: Designer): Action[] {
     ...editActions(designer),
     ...goActions(designer),
     ...viewActions(designer),
-    ...(extensions.actions?.(designer) ?? []),
+    ...(designer.extensions.actions?.(designer) ?? []),
     ...helpActions(designer),
   ];
 }
@@ -467,7 +466,7 @@ function viewActions(designer: Designer): Action[] {
     toggle("problems", "the problems", "p"),
     toggle("minimap", "the overview", "m"),
     toggle("grid", "the grid", "g"),
-    ...(extensions.live ? [toggle("live", "the map", "r")] : []),
+    ...(designer.extensions.live ? [toggle("live", "the map", "r")] : []),
     {
       id: "theme",
       label: `Colours: ${{ auto: "as the system", light: "light", dark: "dark" }[state.theme]}`,

@@ -1,9 +1,9 @@
 import { aligned, arrangeChange, type Edge } from "../arrange/arrange.ts";
 import { layOut } from "../arrange/layout.ts";
-import { isArranged, keepMoved, placesOf, sizesOf } from "../canvas/use_places.ts";
-import { fit } from "../canvas/view.ts";
-import type { Designer } from "../designer.ts";
-import { kResult } from "../protocol.ts";
+import type { Designer } from "../session/designer.ts";
+import { kResult } from "../session/protocol.ts";
+import { isArranged, keepMoved, placesOf, sizesOf } from "../sight/use_places.ts";
+import { fit } from "../sight/view.ts";
 import { parted } from "./editing.ts";
 
 export function alignSelection(designer: Designer, edge: Edge): void {

@@ -1,6 +1,6 @@
 // All commands by a few letters; the sheet of shortcuts.
 import { CommandPalette, KeySheet } from "../../ui/commands/commands.tsx";
-import { useDesigner } from "../use.ts";
+import { useDesigner } from "../session/use.ts";
 import { allActions } from "./all_actions.ts";
 
 const kMouse = {

@@ -1,14 +1,14 @@
 // What is done to the selection: removed, copied, grouped, framed, moved.
 import { arrangeChange } from "../arrange/arrange.ts";
 import { onPitch } from "../arrange/elk.ts";
-import { canvasStore } from "../canvas/canvas_store.ts";
-import { ownPlaces } from "../canvas/flow.ts";
-import { isArranged, keepMoved, layOutAnew, placesOf, sizesOf, wholePlaces } from "../canvas/use_places.ts";
-import { fit } from "../canvas/view.ts";
-import { disconnectChange, endOf } from "../canvas/wiring.ts";
-import { type Designer, soon } from "../designer.ts";
+import { ownPlaces } from "../drawing/flow.ts";
 import { freePlace, showNode } from "../palette/place.ts";
-import { type ChangeInit, type ChangeOf, Drawing_Kind } from "../protocol.ts";
+import { type Designer, soon } from "../session/designer.ts";
+import { type ChangeInit, type ChangeOf, Drawing_Kind } from "../session/protocol.ts";
+import { canvasStore } from "../sight/canvas_store.ts";
+import { isArranged, keepMoved, layOutAnew, placesOf, sizesOf, wholePlaces } from "../sight/use_places.ts";
+import { fit } from "../sight/view.ts";
+import { disconnectChange, endOf } from "../sight/wiring.ts";
 import { transitionOf } from "../states/flow.ts";
 
 /** The selection by what it is. */

@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { isTakenByFocus, matches } from "../../ui/commands/keys.ts";
-import type { Designer } from "../designer.ts";
+import type { Designer } from "../session/designer.ts";
 import { allActions } from "./all_actions.ts";
 
 /** Keys of the whole page. */

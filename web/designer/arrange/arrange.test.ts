@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import ELK from "elkjs/lib/elk.bundled.js";
 import { expect, test } from "vitest";
-import { DrawingSchema } from "../protocol.ts";
+import { DrawingSchema } from "../session/protocol.ts";
 import { aligned, arrangeChange } from "./arrange.ts";
 import { fromElk, toElk } from "./elk.ts";
 import { graphOf } from "./graph.ts";

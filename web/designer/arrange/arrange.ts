@@ -1,6 +1,6 @@
 // Places that a person or automatic layout gave, as changes of the document.
-import type { At, Places } from "../canvas/flow.ts";
-import type { ChangeInit, Drawing } from "../protocol.ts";
+import type { At, Places } from "../drawing/flow.ts";
+import type { ChangeInit, Drawing } from "../session/protocol.ts";
 import { onPitch } from "./elk.ts";
 
 interface Moved {

@@ -1,8 +1,8 @@
 // What automatic layout is asked: boxes with ports, wires between them. For dataflow and for states alike.
 
-import { hasResult, kResultHeight, kResultWidth, wiredOf, wireId } from "../canvas/flow.ts";
-import { formOf } from "../canvas/form.ts";
-import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
+import { hasResult, kResultHeight, kResultWidth, wiredOf, wireId } from "../drawing/flow.ts";
+import { formOf } from "../drawing/form.ts";
+import { type Drawing, Drawing_Kind, kResult } from "../session/protocol.ts";
 import { stateSize } from "../states/form.ts";
 import { type LabelSize, labelLines, labelSize } from "../states/label.ts";
 

@@ -1,5 +1,5 @@
 // Asks the worker for a layout.
-import type { Drawing } from "../protocol.ts";
+import type { Drawing } from "../session/protocol.ts";
 import type { Spot } from "./elk.ts";
 import { graphOf } from "./graph.ts";
 import { gridSpots } from "./grid.ts";

@@ -1,6 +1,6 @@
 // A page of which some nodes have a place and some have none: what automatic layout says is moved so that it fits to what
 // stands already, and nothing lies on anything.
-import type { At } from "../canvas/flow.ts";
+import type { At } from "../drawing/flow.ts";
 import { onPitch, type Spot } from "./elk.ts";
 
 export interface Sized {

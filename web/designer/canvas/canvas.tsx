@@ -20,38 +20,36 @@ import {
 import { type CSSProperties, type DragEvent, type MouseEvent, useEffect, useMemo, useRef, useState } from "react";
 import { arrangeChange } from "../arrange/arrange.ts";
 import { kPitch, onPitch } from "../arrange/elk.ts";
-import { innerOf } from "../pages/inside.ts";
-import { isEmptyDrawing } from "../pages/pages.ts";
-import { isTabbed, offerFocus } from "../pages/panes.ts";
-import { dropAt } from "../palette/touch_drag.ts";
-import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import { type CanvasNode, type CanvasWire, nodesOf, wiresOf } from "../drawing/flow.ts";
+import { dropAt, kDragged } from "../palette/touch_drag.ts";
+import { innerOf } from "../session/inside.ts";
+import { isEmptyDrawing } from "../session/pages.ts";
+import { isTabbed, offerFocus } from "../session/panes.ts";
+import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
+import { useDesigner, usePart } from "../session/use.ts";
+import { canvasStore, distanceAt, useCanvas } from "../sight/canvas_store.ts";
+import { forgetMoved, isArranged, keepMoved, usePlaces } from "../sight/use_places.ts";
+import { boundsOf, fitReadably, holdsAll, kFarthest, kFit, nodeElement, setView } from "../sight/view.ts";
+import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "../sight/wiring.ts";
 import { stateNodes, transitionEdges, transitionId } from "../states/flow.ts";
 import { scaleAt } from "../states/label.ts";
-import { StateView, spokenState } from "../states/state_view.tsx";
-import { TransitionView } from "../states/transition_view.tsx";
-import { useDesigner, usePart } from "../use.ts";
-import { canvasStore, distanceAt, useCanvas } from "./canvas_store.ts";
+import { NodeView, spokenNode } from "../views/node_view.tsx";
+import { NoteView, ResultView } from "../views/small_views.tsx";
+import { StateView, spokenState } from "../views/state_view.tsx";
+import { TransitionView } from "../views/transition_view.tsx";
+import { ValueEditor } from "../views/value_editor.tsx";
+import { WireView } from "../views/wire_view.tsx";
 import { ConnectReason } from "./connect_reason.tsx";
 import { ContextMenu, openMenu } from "./context_menu.tsx";
 import { FarWires } from "./far_wires.tsx";
-import { type CanvasNode, type CanvasWire, nodesOf, wiresOf } from "./flow.ts";
 import { useGivenHandles } from "./given_handles.ts";
-import { NodeView, spokenNode } from "./node_view.tsx";
 import { selectionAfter, stillThere } from "./selected.ts";
-import { NoteView, ResultView } from "./small_views.tsx";
-import { forgetMoved, isArranged, keepMoved, usePlaces } from "./use_places.ts";
-import { ValueEditor } from "./value_editor.tsx";
-import { boundsOf, fitReadably, holdsAll, kFarthest, kFit, nodeElement, setView } from "./view.ts";
-import { WireView } from "./wire_view.tsx";
-import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "./wiring.ts";
 
 const kNodeTypes = { node: NodeView, result: ResultView, note: NoteView, state: StateView };
 const kEdgeTypes = { wire: WireView, transition: TransitionView };
 const kMiniSize = { width: 160, height: 110 };
 const kSmallMini = { width: 100, height: 72 }; // beside panes that take the room
 const kPaneSize = 60; // no pane takes less than twice of it, no line more [px]
-/** What is dragged out of the palette. */
-export const kDragged = "application/x-mlab-component";
 
 export function Canvas({ drawing }: { drawing: Drawing }) {
   const designer = useDesigner();

@@ -2,7 +2,7 @@
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { IconButton } from "../../ui/controls/controls.tsx";
 import { action } from "../actions/all_actions.ts";
-import { useDesigner, useDrawing, usePart } from "../use.ts";
+import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 
 const kTools = ["place", "comment", "layout", "fit", "zoom-in", "zoom-out"] as const;
 

@@ -1,7 +1,7 @@
 // Beside the pointer while a wire is drawn: why it does not fit where it is, or that it does.
 import { useConnection, ViewportPortal } from "@xyflow/react";
-import { useCanvas } from "./canvas_store.ts";
-import { reasonAgainst } from "./wiring.ts";
+import { useCanvas } from "../sight/canvas_store.ts";
+import { reasonAgainst } from "../sight/wiring.ts";
 
 export function ConnectReason() {
   const wire = useConnection();

@@ -4,11 +4,10 @@ import { Menu, MenuItem, Popover } from "react-aria-components";
 import { create } from "zustand";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
-import type { Action } from "../actions/action.ts";
 import { allActions } from "../actions/all_actions.ts";
-import type { Designer } from "../designer.ts";
-import { extensions } from "../extensions.ts";
-import { useDesigner } from "../use.ts";
+import type { Action } from "../session/action.ts";
+import type { Designer } from "../session/designer.ts";
+import { useDesigner } from "../session/use.ts";
 
 interface Opened {
   readonly id: string;
@@ -31,7 +30,7 @@ export function openMenu(designer: Designer, id: string, event: { clientX: numbe
 function entriesOf(designer: Designer, id: string): Action[] {
   const common = allActions(designer).filter((one) => kCommon.includes(one.id) && one.blocked === undefined);
   // What only waits for a run is there before one, and says so.
-  return [...(extensions.menu?.(designer, id) ?? []), ...common];
+  return [...(designer.extensions.menu?.(designer, id) ?? []), ...common];
 }
 
 export function ContextMenu() {

@@ -1,7 +1,7 @@
 // All wires of a large drawing seen from far away: one path for each colour instead of one element for each wire.
 import { type Edge, type Node as FlowNode, ViewportPortal } from "@xyflow/react";
 import { memo, useMemo } from "react";
-import { wirePath } from "./wire_path.ts";
+import { wirePath } from "../drawing/wire_path.ts";
 
 export const FarWires = memo(function FarWires({ nodes, edges }: { nodes: FlowNode[]; edges: Edge[] }) {
   const paths = useMemo(() => pathsOf(nodes, edges), [nodes, edges]);

@@ -1,9 +1,8 @@
 // What is selected, in words and fields; without a selection the page itself.
-import { extensions } from "../extensions.ts";
 import { OwnProblems } from "../problems/own_problems.tsx";
-import { type Drawing, Drawing_Kind } from "../protocol.ts";
+import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
+import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { transitionOf } from "../states/flow.ts";
-import { useDrawing, usePart } from "../use.ts";
 import { GroupDetails } from "./group_details.tsx";
 import { NodeDetails } from "./node_details.tsx";
 import { NoteDetails } from "./note_details.tsx";
@@ -14,12 +13,13 @@ import { WireDetails } from "./wire_details.tsx";
 import "./details.css";
 
 export default function Details() {
+  const designer = useDesigner();
   const drawing = useDrawing();
   const selection = usePart((state) => state.selection);
   if (!drawing) return <p className="empty small">Nothing is open.</p>;
   if (selection.length > 1) return <GroupDetails drawing={drawing} selection={selection} />;
   const id = selection[0] ?? "";
-  const Live = extensions.details;
+  const Live = designer.extensions.details;
   return (
     <>
       {id !== "" && (

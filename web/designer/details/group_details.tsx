@@ -2,9 +2,9 @@ import { Button } from "../../ui/controls/controls.tsx";
 import { alignSelection } from "../actions/arranging.ts";
 import { frameSelection } from "../actions/editing.ts";
 import type { Edge } from "../arrange/arrange.ts";
-import { lastPart } from "../pages/pages.ts";
-import { type Drawing, Drawing_Kind } from "../protocol.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
+import { lastPart } from "../session/pages.ts";
+import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly } from "../session/use.ts";
 import { Heading, Section } from "./parts.tsx";
 
 const kAligns: readonly (readonly [Edge, string])[] = [

@@ -2,17 +2,16 @@ import type { ReactNode } from "react";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { ownCopy } from "../actions/all_actions.ts";
 import { ungroup } from "../actions/editing.ts";
-import { wiredOf } from "../canvas/flow.ts";
-import { kindOf, rowId, rowLabel } from "../canvas/form.ts";
-import { ValueField } from "../canvas/value_editor.tsx";
-import { typeWords } from "../canvas/value_words.ts";
-import { disconnectChange } from "../canvas/wiring.ts";
-import type { Designer } from "../designer.ts";
-import { extensions } from "../extensions.ts";
-import type { FieldOf } from "../live/live_inputs.tsx";
-import { lastPart } from "../pages/pages.ts";
-import { type Drawing, type Node, Node_Shape, type Port } from "../protocol.ts";
-import { useDesigner, useIsReadOnly, usePart } from "../use.ts";
+import { wiredOf } from "../drawing/flow.ts";
+import { kindOf, rowId, rowLabel } from "../drawing/form.ts";
+import { typeWords } from "../drawing/value_words.ts";
+import type { Designer } from "../session/designer.ts";
+import type { FieldOf } from "../session/extensions.ts";
+import { lastPart } from "../session/pages.ts";
+import { type Drawing, type Node, Node_Shape, type Port } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly, usePart } from "../session/use.ts";
+import { disconnectChange } from "../sight/wiring.ts";
+import { ValueField } from "../views/value_editor.tsx";
 import { Heading, Section, SentField } from "./parts.tsx";
 
 export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node }) {
@@ -45,7 +44,7 @@ export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node })
 }
 
 function Inputs({ drawing, node }: { drawing: Drawing; node: Node }) {
-  const Live = extensions.inputs;
+  const Live = useDesigner().extensions.inputs;
   const list = (fieldOf: FieldOf, chooser: ReactNode) => (
     <Section title="Inputs">
       {chooser}

@@ -1,5 +1,5 @@
-import type { Drawing, Note } from "../protocol.ts";
-import { useDesigner } from "../use.ts";
+import type { Drawing, Note } from "../session/protocol.ts";
+import { useDesigner } from "../session/use.ts";
 import { Heading, SentText } from "./parts.tsx";
 
 export function NoteDetails({ drawing, note }: { drawing: Drawing; note: Note }) {

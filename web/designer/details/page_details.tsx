@@ -1,9 +1,9 @@
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
-import { typeWords } from "../canvas/value_words.ts";
-import { nameOf } from "../designer.ts";
-import { lastPart } from "../pages/pages.ts";
-import { type Drawing, Drawing_Kind, type Parameter } from "../protocol.ts";
-import { useDesigner, useDocument, useIsReadOnly } from "../use.ts";
+import { typeWords } from "../drawing/value_words.ts";
+import { nameOf } from "../session/designer.ts";
+import { lastPart } from "../session/pages.ts";
+import { type Drawing, Drawing_Kind, type Parameter } from "../session/protocol.ts";
+import { useDesigner, useDocument, useIsReadOnly } from "../session/use.ts";
 import { Heading, Section, SentText } from "./parts.tsx";
 import { RobotDetails } from "./robot_details.tsx";
 import { SocietyDetails } from "./society_details.tsx";

@@ -1,7 +1,7 @@
 // Fields that send what is typed in them when they are left, and headings: the same in all details.
 import { type ReactNode, useEffect, useId, useRef, useState } from "react";
 import { Field } from "../../ui/controls/controls.tsx";
-import { useIsReadOnly } from "../use.ts";
+import { useIsReadOnly } from "../session/use.ts";
 
 interface SentFieldProps {
   label: string;

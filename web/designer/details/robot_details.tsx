@@ -2,8 +2,8 @@
 
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
-import type { Robot, Robot_Binding } from "../protocol.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
+import type { Robot, Robot_Binding } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly } from "../session/use.ts";
 import { Section } from "./parts.tsx";
 
 const kAbstract = "(abstract)";

@@ -2,8 +2,8 @@
 
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
-import { type Drawing, type Node, Node_Shape } from "../protocol.ts";
-import { useDesigner, useIsReadOnly, usePart } from "../use.ts";
+import { type Drawing, type Node, Node_Shape } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly, usePart } from "../session/use.ts";
 import { Section, SentField } from "./parts.tsx";
 
 /** No operator: as a key of a list, which can't be empty. */

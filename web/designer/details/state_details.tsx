@@ -1,8 +1,8 @@
 import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
-import type { Drawing, State } from "../protocol.ts";
+import type { Drawing, State } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly } from "../session/use.ts";
 import { transitionId } from "../states/flow.ts";
 import { triggerWords } from "../states/trigger_words.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
 import { Heading, Section, SentField, SentText } from "./parts.tsx";
 
 export function StateDetails({ drawing, state }: { drawing: Drawing; state: State }) {

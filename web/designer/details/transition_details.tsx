@@ -1,8 +1,8 @@
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
-import type { Drawing, Transition } from "../protocol.ts";
+import type { Drawing, Transition } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly } from "../session/use.ts";
 import { triggerText, triggerWords } from "../states/trigger_words.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
 import { Heading, SentText } from "./parts.tsx";
 
 export function TransitionDetails({ drawing, transition }: { drawing: Drawing; transition: Transition }) {

@@ -1,9 +1,9 @@
 import { Button } from "../../ui/controls/controls.tsx";
-import { wireId } from "../canvas/flow.ts";
-import { typeWords } from "../canvas/value_words.ts";
-import { disconnectChange, endOf } from "../canvas/wiring.ts";
-import { type Drawing, kResult } from "../protocol.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
+import { wireId } from "../drawing/flow.ts";
+import { typeWords } from "../drawing/value_words.ts";
+import { type Drawing, kResult } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly } from "../session/use.ts";
+import { disconnectChange, endOf } from "../sight/wiring.ts";
 import { Heading } from "./parts.tsx";
 
 export function WireDetails({ drawing, id }: { drawing: Drawing; id: string }) {

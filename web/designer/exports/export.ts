@@ -1,6 +1,7 @@
 // The drawing that is shown, as a file or on paper.
-import { placesOf, wholePlaces } from "../canvas/use_places.ts";
-import { type Designer, titleOf } from "../designer.ts";
+
+import { type Designer, titleOf } from "../session/designer.ts";
+import { placesOf, wholePlaces } from "../sight/use_places.ts";
 import { drawingAsSvg } from "./svg.ts";
 
 export async function exportDrawing(designer: Designer, what: "svg" | "png" | "print"): Promise<void> {

@@ -1,6 +1,6 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { Drawing_Kind, DrawingSchema } from "../protocol.ts";
+import { Drawing_Kind, DrawingSchema } from "../session/protocol.ts";
 import { drawingAsSvg } from "./svg.ts";
 
 test("an exported dataflow is well formed, and has its nodes, values and wires", () => {

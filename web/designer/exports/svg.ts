@@ -1,12 +1,12 @@
 // A drawing as SVG that stands alone: what the canvas shows, from the same forms, without the page.
 
-import { hasResult, kResultHeight, kResultWidth, type Places, resultPlace, wiredOf, wireId } from "../canvas/flow.ts";
-import { type Form, formOf } from "../canvas/form.ts";
-import { outlinePath } from "../canvas/outline.ts";
-import { kFont } from "../canvas/text_width.ts";
-import { flowOf } from "../canvas/types.ts";
-import { wirePath } from "../canvas/wire_path.ts";
-import { type Drawing, Drawing_Kind, kResult } from "../protocol.ts";
+import { hasResult, kResultHeight, kResultWidth, type Places, resultPlace, wiredOf, wireId } from "../drawing/flow.ts";
+import { type Form, formOf } from "../drawing/form.ts";
+import { outlinePath } from "../drawing/outline.ts";
+import { kFont } from "../drawing/text_width.ts";
+import { flowOf } from "../drawing/types.ts";
+import { wirePath } from "../drawing/wire_path.ts";
+import { type Drawing, Drawing_Kind, kResult } from "../session/protocol.ts";
 import type { Rect } from "../states/curve.ts";
 import { curveOf, labelMarks, transitionRoutes } from "../states/flow.ts";
 import { stateSize } from "../states/form.ts";

@@ -5,11 +5,11 @@ import { type ReactNode, useEffect } from "react";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
-import { crumbsIn, type Designer, nameOf } from "../designer.ts";
-import { isEmptyDrawing, isOfLibrary } from "../pages/pages.ts";
-import { type Document, type FileChanged, PageSchema } from "../protocol.ts";
-import type { State } from "../state.ts";
-import { useDesigner, useDocument, useDrawing, usePart } from "../use.ts";
+import { crumbsIn, type Designer, nameOf } from "../session/designer.ts";
+import { isEmptyDrawing, isOfLibrary } from "../session/pages.ts";
+import { type Document, type FileChanged, PageSchema } from "../session/protocol.ts";
+import type { State } from "../session/state.ts";
+import { useDesigner, useDocument, useDrawing, usePart } from "../session/use.ts";
 
 /** What stays as long as the page does, or stops all work. */
 export function Banners() {

@@ -6,11 +6,11 @@ import { DialogBox } from "../../ui/controls/menus.tsx";
 import { FileList, type Listed } from "../../ui/files/file_list.tsx";
 import { OpenFileDialog } from "../../ui/files/open_dialog.tsx";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "../../ui/files/paths.ts";
-import { nameOf as fileName, isNew } from "../designer.ts";
-import { useFollowing } from "../pages/follow.ts";
-import { declarationOf } from "../pages/pages.ts";
-import type { Document } from "../protocol.ts";
-import { useDesigner, useDocument, usePart } from "../use.ts";
+import { nameOf as fileName, isNew } from "../session/designer.ts";
+import { useFollowing } from "../session/follow.ts";
+import { declarationOf } from "../session/pages.ts";
+import type { Document } from "../session/protocol.ts";
+import { useDesigner, useDocument, usePart } from "../session/use.ts";
 
 export function OpenDialog() {
   const designer = useDesigner();

@@ -4,9 +4,9 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon, type IconName } from "../../ui/controls/icons.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
 import { shownTitle } from "../../ui/files/paths.ts";
-import { isNew } from "../designer.ts";
+import { isNew } from "../session/designer.ts";
+import { useDesigner, usePart } from "../session/use.ts";
 import { startTour } from "../tour/start.ts";
-import { useDesigner, usePart } from "../use.ts";
 import { type Entry, recentEntries, shownPlace } from "./unsaved.ts";
 import "../../ui/files/start.css";
 

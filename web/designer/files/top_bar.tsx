@@ -3,16 +3,15 @@ import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { MenuButton, type MenuGroup } from "../../ui/controls/menus.tsx";
-import type { ActionGroup } from "../actions/action.ts";
 import { allActions } from "../actions/all_actions.ts";
-import { crumbsIn, isNew, nameOf } from "../designer.ts";
-import { extensions } from "../extensions.ts";
-import { useDesigner, useDocument, usePart } from "../use.ts";
+import type { ActionGroup } from "../session/action.ts";
+import { crumbsIn, isNew, nameOf } from "../session/designer.ts";
+import { useDesigner, useDocument, usePart } from "../session/use.ts";
 
 export function TopBar() {
   const designer = useDesigner();
   const document = useDocument();
-  const Run = extensions.run;
+  const Run = designer.extensions.run;
   return (
     <header className="topbar">
       <FileMenu />

@@ -1,6 +1,6 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { type Document, DocumentSchema } from "../protocol.ts";
+import { type Document, DocumentSchema } from "../session/protocol.ts";
 import { recentEntries, shownPlace } from "./unsaved.ts";
 
 const documents = (...all: { path: string; title?: string; isDirty?: boolean }[]): Record<string, Document> =>

@@ -2,12 +2,12 @@
 import { useEffect, useState } from "react";
 import { type Choice, Chooser } from "../../ui/commands/chooser.tsx";
 import { ranked } from "../../ui/commands/search.ts";
-import { rowId } from "../canvas/form.ts";
-import { inputName } from "../canvas/input_name.ts";
-import { connectChange } from "../canvas/wiring.ts";
-import { lastPart } from "../pages/pages.ts";
-import { Drawing_Kind, type FitList_Fit } from "../protocol.ts";
-import { useDesigner, useDrawing, usePart } from "../use.ts";
+import { rowId } from "../drawing/form.ts";
+import { inputName } from "../drawing/input_name.ts";
+import { lastPart } from "../session/pages.ts";
+import { Drawing_Kind, type FitList_Fit } from "../session/protocol.ts";
+import { useDesigner, useDrawing, usePart } from "../session/use.ts";
+import { connectChange } from "../sight/wiring.ts";
 
 export function ConnectChooser() {
   const designer = useDesigner();

@@ -1,6 +1,6 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { ComponentSchema, Node_Shape } from "../protocol.ts";
+import { ComponentSchema, Node_Shape } from "../session/protocol.ts";
 import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
 
 const all = [

@@ -1,6 +1,6 @@
 // The palette's components in groups, and found by a few letters.
 import { ranked } from "../../ui/commands/search.ts";
-import type { Component } from "../protocol.ts";
+import type { Component } from "../session/protocol.ts";
 import { canBeDone } from "../states/member.ts";
 
 export interface Group {

@@ -2,15 +2,14 @@
 import { useMemo, useState } from "react";
 import { Search } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
-import { kDragged } from "../canvas/canvas.tsx";
-import { toneOf } from "../canvas/form.ts";
-import { NodeIcon } from "../canvas/icons.tsx";
-import { declarationOf } from "../pages/pages.ts";
-import { type Component, Drawing_Kind } from "../protocol.ts";
-import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../use.ts";
+import { toneOf } from "../drawing/form.ts";
+import { declarationOf } from "../session/pages.ts";
+import { type Component, Drawing_Kind } from "../session/protocol.ts";
+import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../session/use.ts";
+import { NodeIcon } from "../views/icons.tsx";
 import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
 import { place } from "./place.ts";
-import { dragByTouch } from "./touch_drag.ts";
+import { dragByTouch, kDragged } from "./touch_drag.ts";
 import { keepUnfolded, readUnfolded } from "./unfolded.ts";
 
 const kNone: readonly Component[] = [];

@@ -2,14 +2,14 @@
 
 import { beside, sideOf } from "../arrange/beside.ts";
 import { onPitch } from "../arrange/elk.ts";
-import { canvasStore } from "../canvas/canvas_store.ts";
-import { rowId } from "../canvas/form.ts";
-import { placesOf, sizesOf } from "../canvas/use_places.ts";
-import { camera } from "../canvas/view.ts";
-import { connectChange } from "../canvas/wiring.ts";
-import { type Designer, soon } from "../designer.ts";
-import { type ChangeInit, Drawing_Kind } from "../protocol.ts";
-import type { Placing } from "../state.ts";
+import { rowId } from "../drawing/form.ts";
+import { type Designer, soon } from "../session/designer.ts";
+import { type ChangeInit, Drawing_Kind } from "../session/protocol.ts";
+import type { Placing } from "../session/state.ts";
+import { canvasStore } from "../sight/canvas_store.ts";
+import { placesOf, sizesOf } from "../sight/use_places.ts";
+import { camera } from "../sight/view.ts";
+import { connectChange } from "../sight/wiring.ts";
 import { memberOf, stateName } from "../states/member.ts";
 
 /** As large as most nodes; how large a new one is shows only when it is there. */

@@ -1,10 +1,10 @@
 // Type to find a component and place it: `/` or Space anywhere, or where a wire was let go.
 import { useEffect, useMemo, useState } from "react";
 import { Chooser } from "../../ui/commands/chooser.tsx";
-import { toneOf } from "../canvas/form.ts";
-import { NodeIcon } from "../canvas/icons.tsx";
-import { type Component, Drawing_Kind } from "../protocol.ts";
-import { useDesigner, useDrawing, usePart } from "../use.ts";
+import { toneOf } from "../drawing/form.ts";
+import { type Component, Drawing_Kind } from "../session/protocol.ts";
+import { useDesigner, useDrawing, usePart } from "../session/use.ts";
+import { NodeIcon } from "../views/icons.tsx";
 import { firstSentence, found, isForPage } from "./groups.ts";
 import { place } from "./place.ts";
 

@@ -1,11 +1,13 @@
 // A component dragged out of the palette by a finger or a pen: the browser's own dragging knows mice only. Up and down
 // scrolls, sideways drags.
 import { onPitch } from "../arrange/elk.ts";
-import { camera } from "../canvas/view.ts";
-import type { Designer } from "../designer.ts";
-import { Drawing_Kind } from "../protocol.ts";
+import type { Designer } from "../session/designer.ts";
+import { Drawing_Kind } from "../session/protocol.ts";
+import { camera } from "../sight/view.ts";
 import { placeState } from "./place.ts";
 
+/** What the browser drags out of the palette. */
+export const kDragged = "application/x-mlab-component";
 const kSlop = 10; // [px]
 
 interface Began {

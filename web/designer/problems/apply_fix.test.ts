@@ -1,6 +1,6 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { FixSchema } from "../protocol.ts";
+import { FixSchema } from "../session/protocol.ts";
 import { fixTitle, mergeSplices } from "./apply_fix.ts";
 
 test("several splices become one", () => {

@@ -1,6 +1,6 @@
 // Mends the text as a problem offers it: one step of undo for each splice, the last one first so that places hold.
-import type { Designer } from "../designer.ts";
-import type { Fix } from "../protocol.ts";
+import type { Designer } from "../session/designer.ts";
+import type { Fix } from "../session/protocol.ts";
 
 /** What its button says: what the server calls it, as a person would write it. */
 export function fixTitle(fix: Fix): string {

@@ -1,7 +1,7 @@
 // The mends that the server offers for a problem: in the list of problems, and in the details of what it is about.
 import { Button } from "../../ui/controls/controls.tsx";
-import type { Problem } from "../protocol.ts";
-import { useDesigner, useIsReadOnly } from "../use.ts";
+import type { Problem } from "../session/protocol.ts";
+import { useDesigner, useIsReadOnly } from "../session/use.ts";
 import { applyFix, fixTitle } from "./apply_fix.ts";
 
 export function Fixes({ problem }: { problem: Problem }) {

@@ -1,6 +1,6 @@
 // What is wrong with what is selected, beside its fields.
 import { sentence } from "../files/banners.tsx";
-import { useDocument, usePart } from "../use.ts";
+import { useDocument, usePart } from "../session/use.ts";
 import { Fixes } from "./fixes.tsx";
 
 export function OwnProblems({ node }: { node: string }) {

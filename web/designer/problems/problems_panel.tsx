@@ -2,9 +2,9 @@
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { sentence } from "../files/banners.tsx";
-import { lastPart } from "../pages/pages.ts";
-import type { Problem } from "../protocol.ts";
-import { useDesigner, useDocument } from "../use.ts";
+import { lastPart } from "../session/pages.ts";
+import type { Problem } from "../session/protocol.ts";
+import { useDesigner, useDocument } from "../session/use.ts";
 import { Fixes } from "./fixes.tsx";
 
 const kMostShown = 300;

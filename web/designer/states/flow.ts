@@ -1,8 +1,8 @@
 // A page of states as what the canvas shows.
 import type { Edge, Node as FlowNode } from "@xyflow/react";
 import { Position } from "@xyflow/react";
-import type { Places } from "../canvas/flow.ts";
-import type { Drawing, State, Transition } from "../protocol.ts";
+import type { Places } from "../drawing/flow.ts";
+import type { Drawing, State, Transition } from "../session/protocol.ts";
 import { type Curve, curveBetween, loopAt, type Rect } from "./curve.ts";
 import { stateSize } from "./form.ts";
 import { kScales, labelLines, labelSize } from "./label.ts";

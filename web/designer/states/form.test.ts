@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { widthOf } from "../canvas/text_width.ts";
+import { widthOf } from "../drawing/text_width.ts";
 import { farNameSize, nameParts } from "./form.ts";
 
 test("a name is broken between its words", () => {

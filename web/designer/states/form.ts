@@ -1,6 +1,6 @@
 // What a state looks like: its size, from what is written in it.
-import { widthOf } from "../canvas/text_width.ts";
-import type { State } from "../protocol.ts";
+import { widthOf } from "../drawing/text_width.ts";
+import type { State } from "../session/protocol.ts";
 
 export const kStateHeight = 64;
 

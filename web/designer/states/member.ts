@@ -1,5 +1,5 @@
 // What a state does, in CDL, where somebody chose a component for it; and a name for such a state.
-import { type Component, Node_Shape } from "../protocol.ts";
+import { type Component, Node_Shape } from "../session/protocol.ts";
 
 /** `Wander()`; operators are begun empty. */
 export function memberOf(component: string): string {

@@ -1,8 +1,8 @@
 // The text of each open configuration, live.
 import { LiveEditor, type Mark } from "../../ui/text/live_editor.ts";
 import type { OutgoingEdit } from "../../ui/text/sync.ts";
-import { type Designer, titleOf } from "../designer.ts";
-import type { Document, Fix } from "../protocol.ts";
+import { type Designer, titleOf } from "../session/designer.ts";
+import type { Document, Fix } from "../session/protocol.ts";
 
 export class LiveText extends LiveEditor<Document> {
   constructor(

@@ -1,5 +1,5 @@
 // The tour begins on an empty page: with a new configuration, unless the one that is shown is empty.
-import type { Designer } from "../designer.ts";
+import type { Designer } from "../session/designer.ts";
 
 export async function startTour(designer: Designer): Promise<void> {
   const { document } = designer;

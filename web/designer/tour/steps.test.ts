@@ -1,8 +1,8 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { pageKey } from "../pages/pages.ts";
-import { type Drawing, Drawing_Kind, DrawingSchema } from "../protocol.ts";
-import { createState } from "../state.ts";
+import { pageKey } from "../session/pages.ts";
+import { type Drawing, Drawing_Kind, DrawingSchema } from "../session/protocol.ts";
+import { createState } from "../session/state.ts";
 import { kSteps } from "./steps.ts";
 
 function stateWith(drawing: Drawing) {

@@ -1,8 +1,8 @@
 // The card of the guided first tour, and the ring round what it is about.
 import { type RefObject, useEffect, useRef, useState } from "react";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
-import { fit, nodeElement } from "../canvas/view.ts";
-import { useDesigner, usePart } from "../use.ts";
+import { useDesigner, usePart } from "../session/use.ts";
+import { fit, nodeElement } from "../sight/view.ts";
 import { bestCorner, type Corner, isInside } from "./corner.ts";
 import { kSteps, nodesOf, type Step } from "./steps.ts";
 import "./tour.css";

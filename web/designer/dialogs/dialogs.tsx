@@ -1,0 +1,263 @@
+// Small dialogs about what is on the page: names, new declarations, parameters, groups.
+import { type ReactNode, useRef, useState } from "react";
+import { Choice } from "../../ui/controls/choice.tsx";
+import { Button, Field } from "../../ui/controls/controls.tsx";
+import { DialogBox } from "../../ui/controls/menus.tsx";
+import { useClosedWithout, useFollowing } from "../session/follow.ts";
+import { lastPart } from "../session/pages.ts";
+import type { Drawing } from "../session/protocol.ts";
+import { useDesigner, useDrawing, usePart } from "../session/use.ts";
+import { transitionOf } from "../states/flow.ts";
+import { triggerText, triggerWords } from "../states/trigger_words.ts";
+import { cdlName } from "./names.ts";
+
+interface AskProps {
+  title: string;
+  label: string;
+  first: string;
+  button: string;
+  help?: string;
+  isFree?: boolean;
+  /** Above the field. */
+  children?: ReactNode;
+  /** Gives what is wrong; nothing: done. */
+  done: (value: string) => Promise<string>;
+}
+
+export function Ask({ title, label, first, button, help, isFree = false, children, done }: AskProps) {
+  const designer = useDesigner();
+  const [value, setValue] = useFollowing(first);
+  const [problem, setProblem] = useState<string | undefined>();
+  const close = () => designer.store.setState({ dialog: "" });
+  const wrong = isFree ? undefined : cdlName(value);
+  const go = async () => {
+    if (wrong) return;
+    const error = await done(value.trim());
+    if (error) setProblem(error);
+    else close();
+  };
+  return (
+    <DialogBox
+      title={title}
+      onClose={close}
+      width={420}
+      footer={
+        <>
+          <Button onPress={close}>Cancel</Button>
+          <Button tone="primary" isDisabled={wrong !== undefined} onPress={() => void go()}>
+            {button}
+          </Button>
+        </>
+      }
+    >
+      {children}
+      {/* Enter in the field is the button's. */}
+      <form
+        onSubmit={(event) => {
+          event.preventDefault();
+          void go();
+        }}
+      >
+        <Field
+          label={label}
+          value={value}
+          onChange={(next) => {
+            setValue(next);
+            setProblem(undefined);
+          }}
+          problem={problem ?? (value === "" ? undefined : wrong)}
+          autoFocus
+          {...(help ? { help } : {})}
+        />
+      </form>
+    </DialogBox>
+  );
+}
+
+export function RenameDialog() {
+  const designer = useDesigner();
+  const drawing = useDrawing();
+  const node = usePart((state) => state.subject);
+  const page = usePart((state) => state.page);
+  const transition = drawing && transitionOf(drawing, node);
+  const isThere = !drawing || transition !== undefined || isOn(drawing, node);
+  const isOurs = useRef(false); // what is renamed here is not lost
+  useClosedWithout(isThere || isOurs.current, lastPart(node));
+  if (transition) {
+    return (
+      <Ask
+        title={`Transition from ${transition.from} to ${transition.to}`}
+        label="When"
+        first={triggerWords(transition.trigger)}
+        button="Set"
+        isFree
+        done={async (typed) => {
+          const trigger = triggerText(typed);
+          const { from, index } = transition;
+          isOurs.current = true;
+          const answer = await designer.link.ask(
+            editOf(designer, `trigger of ${from}`, { case: "setTransition", value: { page, from, index, trigger } }),
+          );
+          return answer.error;
+        }}
+      />
+    );
+  }
+  return (
+    <Ask
+      title={`Rename ${node}`}
+      label="Name"
+      first={lastPart(node)}
+      button="Rename"
+      done={async (name) => {
+        if (name === lastPart(node)) return "";
+        isOurs.current = true;
+        const answer = await designer.link.ask(editOf(designer, "", { case: "rename", value: { page, node, name } }));
+        if (answer.ok) designer.select([name]);
+        else isOurs.current = false;
+        return answer.error;
+      }}
+    />
+  );
+}
+
+function isOn({ nodes, states }: Drawing, name: string): boolean {
+  return [...nodes, ...states].some((one) => one.name === name);
+}
+
+const kKinds: Record<string, string> = { assemblage: "an assemblage", robot: "a robot", society: "a society" };
+
+export function DeclarationDialog() {
+  const designer = useDesigner();
+  const kind = usePart((state) => state.subject);
+  return (
+    <Ask
+      title={`Add ${kKinds[kind] ?? kind}`}
+      label="Name"
+      first=""
+      button="Add"
+      help="Begins with a capital, as Wander or ForageTeam."
+      done={async (name) => {
+        const answer = await designer.link.ask(
+          editOf(designer, `add ${kind} ${name}`, { case: "addDeclaration", value: { kind, name } }),
+        );
+        if (answer.ok) designer.goTo(designer.state.document, name);
+        return answer.error;
+      }}
+    />
+  );
+}
+
+const kTypes = [
+  "gain",
+  "number",
+  "length",
+  "speed",
+  "angle",
+  "duration",
+  "turning",
+  "flag",
+  "count",
+  "text",
+  "object_class",
+  "Vector",
+  "Point",
+  "Object",
+];
+
+export function ParameterDialog() {
+  const designer = useDesigner();
+  const drawing = useDrawing();
+  const subject = usePart((state) => state.subject);
+  const before = drawing?.parameters.find((one) => one.name === subject);
+  const [name, setName] = useFollowing(before?.name ?? "");
+  const [type, setType] = useFollowing(before?.type ?? "gain");
+  const [initial, setInitial] = useFollowing(before?.initial ?? "");
+  const [low, setLow] = useFollowing(before?.min === undefined ? "" : String(before.min));
+  const [high, setHigh] = useFollowing(before?.max === undefined ? "" : String(before.max));
+  const [help, setHelp] = useFollowing(before?.help ?? "");
+  const isOurs = useRef(false); // what is renamed here is not lost
+  useClosedWithout(subject === "" || before !== undefined || isOurs.current, subject);
+  const [problem, setProblem] = useState("");
+  const owner = drawing?.page?.path ?? "";
+  const close = () => designer.store.setState({ dialog: "" });
+  const save = async () => {
+    if (cdlName(name) !== undefined) return;
+    isOurs.current = true;
+    const changes = [
+      ...(before && before.name !== name
+        ? [{ case: "rename" as const, value: { page: owner, node: before.name, name } }]
+        : []),
+      { case: "setParameter" as const, value: { owner, name, type, initial, low, high, help } },
+    ];
+    const answer = await designer.link.ask(
+      editOf(designer, before ? `change parameter ${name}` : `add parameter ${name}`, ...changes),
+    );
+    isOurs.current = answer.ok;
+    if (answer.ok) close();
+    else setProblem(answer.error);
+  };
+  const types = kTypes.includes(type) ? kTypes : [type, ...kTypes];
+  return (
+    <DialogBox
+      title={before ? `Parameter ${before.name}` : "Add a parameter"}
+      onClose={close}
+      width={460}
+      footer={
+        <>
+          <Button onPress={close}>Cancel</Button>
+          <Button tone="primary" isDisabled={cdlName(name) !== undefined} onPress={() => void save()}>
+            {before ? "Change" : "Add"}
+          </Button>
+        </>
+      }
+    >
+      {/* Enter in a field is the button's. */}
+      <form
+        className="rows"
+        onSubmit={(event) => {
+          event.preventDefault();
+          void save();
+        }}
+      >
+        {problem && <p className="notice danger">{problem}</p>}
+        <Field
+          label="Name"
+          value={name}
+          onChange={setName}
+          problem={name === "" ? undefined : cdlName(name)}
+          autoFocus
+        />
+        <Choice label="Type" value={type} choices={types.map((one) => [one, one])} onChange={setType} />
+        <Field
+          label="Default"
+          value={initial}
+          onChange={setInitial}
+          help="Without one it has to be given wherever the assemblage is used."
+        />
+        <div className="columns even">
+          <Field label="Least" value={low} onChange={setLow} />
+          <Field label="Most" value={high} onChange={setHigh} />
+        </div>
+        <Field label="What it is for" value={help} onChange={setHelp} />
+        <input type="submit" hidden />
+      </form>
+    </DialogBox>
+  );
+}
+
+export function editOf(
+  designer: ReturnType<typeof useDesigner>,
+  name: string,
+  ...changes: Parameters<typeof designer.edit>[1][]
+) {
+  return {
+    case: "edit" as const,
+    value: {
+      document: designer.state.document,
+      revision: designer.drawing?.revision ?? 0n,
+      name,
+      changes: changes.map((change) => ({ change })),
+    },
+  };
+}

@@ -1,0 +1,253 @@
+// What the page knows: what the server tells, what is looked at, what is open. Values are replaced, never changed in place.
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { LinkState } from "../../core/server_link.ts";
+import type { Crumb } from "./crumbs.ts";
+import { pageKey } from "./pages.ts";
+import type { Document, Drawing, FileChanged, Hello, Mark, Palette } from "./protocol.ts";
+
+export type DialogName =
+  | ""
+  | "place" // search palette
+  | "connect"
+  | "commands"
+  | "shortcuts"
+  | "open"
+  | "save-as"
+  | "library"
+  | "group"
+  | "rename"
+  | "parameter"
+  | "declaration"
+  | "welcome";
+
+export type Theme = "auto" | "light" | "dark";
+
+/** What is shown beside the canvas; kept over reloads. */
+export interface Shown {
+  palette: boolean;
+  details: boolean;
+  text: boolean;
+  problems: boolean;
+  /** The map of the embedded simulator. */
+  live: boolean;
+  /** The palette has made room for the map or the text, and comes back with its end. */
+  paletteWaits: boolean;
+  minimap: boolean;
+  grid: boolean;
+  /** [px] */
+  paletteWidth: number;
+  detailsWidth: number;
+  textWidth: number;
+  liveWidth: number;
+  problemsHeight: number;
+}
+
+export interface Notice {
+  text: string;
+  tone: "danger" | "hold" | "accent";
+}
+
+/** What the search palette is for: a place on the canvas, perhaps an input that waits for it. */
+export interface Placing {
+  x: number;
+  y: number;
+  /** Connected to this input at once. */
+  to?: { node: string; port: string; index?: number | undefined };
+  /** An output that the new one is to take. */
+  from?: string;
+  /** Puts it in this node's place. */
+  replace?: string;
+}
+
+/** Where the text editor shall go; a new object each time. */
+export interface Reveal {
+  begin: number;
+  end: number;
+  focus: boolean;
+}
+
+export interface State {
+  link: LinkState;
+  hello: Hello | null;
+  /** Those that this page has opened, by path. */
+  documents: Readonly<Record<string, Document>>;
+  /** By pageKey. */
+  drawings: Readonly<Record<string, Drawing>>;
+  palettes: Readonly<Record<string, Palette>>;
+  changed: Readonly<Record<string, FileChanged>>;
+  /** Why what is not saved would be lost with the server; empty: it is kept. */
+  notKept: string;
+  /** Probes and breakpoints, by document. */
+  marks: Readonly<Record<string, readonly Mark[]>>;
+  /** Path of the document that is shown; empty: the start page. */
+  document: string;
+  /** Path of the page that is shown. */
+  page: string;
+  /** The pages from which one went inside of something, to get here. */
+  trail: readonly Crumb[];
+  /** Names of nodes, states or declarations; `From/0` for a transition; `note:1`. */
+  selection: readonly string[];
+  dialog: DialogName;
+  placing: Placing | null;
+  /** What a dialog is about: the node that is renamed, say. */
+  subject: string;
+  shown: Shown;
+  theme: Theme;
+  notice: Notice | null;
+  reveal: Reveal | null;
+  /** Step of the first tour; -1: not shown. */
+  tour: number;
+  /** The step was done before it came: it waits for who reads it. */
+  tourWaits: boolean;
+  /** Said to people who can't see it. */
+  spoken: string;
+}
+
+export type Store = StoreApi<State>;
+
+const kKey = "mlab.designer";
+
+export function firstShown(windowWidth: number): Shown {
+  return {
+    palette: true,
+    details: true,
+    text: windowWidth >= 1700,
+    problems: false,
+    live: false,
+    paletteWaits: false,
+    minimap: true,
+    grid: true,
+    paletteWidth: 232,
+    detailsWidth: 288,
+    textWidth: 440,
+    liveWidth: 420,
+    problemsHeight: 180,
+  };
+}
+
+export function createState(storage: Storage, windowWidth: number): Store {
+  const stored = read(storage);
+  const store = createStore<State>(() => ({
+    link: { state: "connecting", reason: "", retryAt: 0, silentSince: 0 },
+    hello: null,
+    documents: {},
+    drawings: {},
+    palettes: {},
+    changed: {},
+    notKept: "",
+    marks: {},
+    document: "",
+    page: "",
+    trail: [],
+    selection: [],
+    dialog: "",
+    placing: null,
+    subject: "",
+    shown: readShown(stored.shown, firstShown(windowWidth)),
+    theme: stored.theme === "light" || stored.theme === "dark" ? stored.theme : "auto",
+    notice: null,
+    reveal: null,
+    tour: -1,
+    tourWaits: false,
+    spoken: "",
+  }));
+  store.subscribe((state, before) => {
+    if (state.shown === before.shown && state.theme === before.theme) return;
+    try {
+      storage.setItem(kKey, JSON.stringify({ shown: state.shown, theme: state.theme }));
+    } catch {
+      // A full or forbidden storage: the designer works, it only forgets.
+    }
+  });
+  return store;
+}
+
+/** Palette, drawing, details and one more side by side need a window so wide [px]. */
+export const kWide = 1500;
+
+/** The simulator needs room: where the window is narrow the palette makes it, for as long as the simulator is open. */
+export function besideSimulator({ palette }: Shown, isNarrow: boolean): Partial<Shown> {
+  return isNarrow && palette ? { live: true, palette: false, paletteWaits: true } : { live: true };
+}
+
+/**
+ * A palette that made room comes back when what it made room for is closed, unless somebody has said otherwise meanwhile.
+ * In a narrow window it makes room for the text as well, where the details stand beside that.
+ */
+export function shownAfter(before: Shown, change: Partial<Shown>, isNarrow = false): Shown {
+  const after = { ...before, ...change };
+  if (change.palette !== undefined) after.paletteWaits = change.paletteWaits ?? false;
+  else if (isNarrow && after.palette && needsRoom(before, after)) {
+    return { ...after, palette: false, paletteWaits: true };
+  }
+  if (!after.paletteWaits || after.live || (isNarrow && after.text)) return after;
+  return { ...after, palette: true, paletteWaits: false };
+}
+
+/** The simulator or the text has just been opened, and something else stands at the right as well. */
+function needsRoom(before: Shown, after: Shown): boolean {
+  const isOpened = (after.text && !before.text) || (after.live && !before.live);
+  return isOpened && [after.text, after.live, after.details].filter(Boolean).length > 1;
+}
+
+/** Below, sides lie over the drawing, as in styles/narrow.css [px]. */
+export const kNarrow = 900;
+
+/** Where the sides lie over the drawing, those at the right would lie over each other: the one that opens stays. */
+export function aloneAtTheRight(change: Partial<Shown>): Partial<Shown> {
+  const opened = (["text", "live", "details"] as const).find((name) => change[name]);
+  return opened ? { text: false, live: false, details: false, ...change } : change;
+}
+
+/** After a document has gone: it is not listed any more. */
+export function without({ documents, hello }: State, path: string): Partial<State> {
+  const { [path]: _gone, ...others } = documents;
+  return {
+    documents: others,
+    hello: hello && { ...hello, recent: hello.recent.filter((entry) => entry.path !== path) },
+  };
+}
+
+/** A document is called otherwise: what is known of it is known under its new name. */
+export function renamed(state: State, from: string, to: string): Partial<State> {
+  const moved = <T>(all: Readonly<Record<string, T>>): Record<string, T> =>
+    Object.fromEntries(Object.entries(all).map(([path, one]) => [path === from ? to : path, one]));
+  const drawings = Object.values(state.drawings).map((drawing): [string, Drawing] => {
+    const page = drawing.page?.document === from ? { ...drawing.page, document: to } : drawing.page;
+    return [pageKey(page?.document ?? "", page?.path ?? ""), page ? { ...drawing, page } : drawing];
+  });
+  const document = state.documents[from];
+  const { documents, ...rest } = without(state, from);
+  return {
+    ...rest,
+    documents: document ? { ...documents, [to]: { ...document, path: to } } : documents!,
+    drawings: Object.fromEntries(drawings),
+    palettes: moved(state.palettes),
+    marks: moved(state.marks),
+    document: state.document === from ? to : state.document,
+    trail: state.trail.map((crumb) => (crumb.document === from ? { ...crumb, document: to } : crumb)),
+  };
+}
+
+/** What was stored may be of another version, or anything at all: what can't be used is as at first. */
+export function readShown(stored: unknown, first: Shown): Shown {
+  if (typeof stored !== "object" || stored === null) return first;
+  const from = stored as Record<string, unknown>;
+  const shown = { ...first } as Record<keyof Shown, boolean | number>;
+  for (const name of Object.keys(first) as (keyof Shown)[]) {
+    const value = from[name];
+    if (typeof value !== typeof first[name]) continue;
+    if (typeof value === "number") shown[name] = Math.min(1200, Math.max(160, value));
+    else if (typeof value === "boolean") shown[name] = value;
+  }
+  return shown as unknown as Shown;
+}
+
+function read(storage: Storage): Record<string, unknown> {
+  try {
+    const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "{}");
+    return typeof stored === "object" && stored !== null ? (stored as Record<string, unknown>) : {};
+  } catch {
+    return {};
+  }
+}

@@ -1,0 +1,82 @@
+// A state: its name, what it does in it, marks of start and end.
+import { Handle, type NodeProps, Position } from "@xyflow/react";
+import { type CSSProperties, Fragment, memo } from "react";
+import { Icon } from "../../ui/controls/icons.tsx";
+import { BreakDot } from "../running/break_dot.tsx";
+import { useLive } from "../running/use_live.ts";
+import { useDesigner, usePart } from "../session/use.ts";
+import type { StateNode } from "../states/flow.ts";
+import { farNameSize, nameParts, stateSize } from "../states/form.ts";
+
+export const StateView = memo(function StateView({ data, selected }: NodeProps<StateNode>) {
+  const { state, page } = data;
+  const designer = useDesigner();
+  const isActive = useLive(page, state.live)?.isActive ?? false;
+  const trouble = usePart((all) => {
+    const own = (all.documents[all.document]?.problems ?? []).filter(
+      (problem) => problem.node === state.name && problem.page === all.page,
+    );
+    if (own.length === 0) return "";
+    return own.some((problem) => !problem.diagnostic?.isWarning) ? "has-error" : "has-warning";
+  });
+  const classes = [
+    "state",
+    selected ? "selected" : "",
+    isActive ? "active" : "",
+    trouble,
+    state.isFinal ? "final" : "",
+  ];
+  const size = stateSize(state);
+  const farSize = farNameSize({ name: state.name, width: size.width });
+  return (
+    <div className={classes.join(" ")} style={size} title={state.help || undefined}>
+      <Handle id="in" type="target" position={Position.Left} className="state-in" isConnectableStart={false} />
+      {state.isStart && (
+        <svg className="state-start" viewBox="0 0 34 20" aria-hidden="true">
+          <circle cx="6" cy="10" r="5" />
+          <path d="M11 10h20M26 5l6 5-6 5" />
+        </svg>
+      )}
+      <BreakDot page={page} id={state.name} />
+      <span className="state-name ellipsis" style={{ "--far-size": `${farSize}px` } as CSSProperties}>
+        {nameParts(state.name).map((part, i) => (
+          <Fragment key={`${i} ${part}`}>
+            {i > 0 && <wbr />}
+            {part}
+          </Fragment>
+        ))}
+      </span>
+      <span className="state-does ellipsis">{state.title || state.member}</span>
+      {state.isFinal && <span className="state-mark">end</span>}
+      {state.inner && (
+        <button
+          type="button"
+          className="node-enter nodrag"
+          tabIndex={-1}
+          title={`Look inside of ${state.name}`}
+          aria-label={`Look inside of ${state.name}`}
+          onClick={(event) => {
+            event.stopPropagation();
+            designer.enter(state.calls ?? state.inner!);
+          }}
+        >
+          <Icon name="right" />
+        </button>
+      )}
+      <Handle
+        id="out"
+        type="source"
+        position={Position.Right}
+        className="state-out"
+        title="Drag to another state: a transition"
+        isConnectableEnd={false}
+      />
+    </div>
+  );
+});
+
+/** What a screen reader says of a state. */
+export function spokenState(state: StateNode["data"]["state"]): string {
+  const marks = [state.isStart ? "start state" : "state", state.isFinal ? "final" : ""].filter((mark) => mark !== "");
+  return `${state.name}, ${marks.join(", ")}, does ${state.title || state.member || "nothing"}`;
+}

@@ -1,0 +1,51 @@
+// Running among all that can be done: in the list of commands, and by keys.
+import type { Action } from "../../designer/session/action.ts";
+import type { Designer } from "../../designer/session/designer.ts";
+import { kBreakKey, kFieldKey, kPinKey, kRunKey, kStepKey, kStopKey } from "../run/keys.ts";
+import { knownLive, liveOf } from "../run/live.ts";
+import { runButton } from "../run/run_button.ts";
+import { liveMenu } from "./menu.ts";
+
+export function liveActions(designer: Designer): Action[] {
+  const live = designer.document ? liveOf(designer) : knownLive(designer);
+  if (!live || !designer.document) return [];
+  const { act, label, hint } = runButton(live.situation);
+  const none = act === "none" ? hint : undefined;
+  const selected = designer.state.selection.length === 1 ? designer.state.selection[0]! : "";
+  const menu = liveMenu(designer, selected);
+  const { showsField } = live.store.getState();
+  return [
+    { id: "run", label, group: "Run", icon: "play", shortcut: kRunKey, blocked: none, run: () => void live.press() },
+    { id: "step", label: "One cycle", group: "Run", icon: "step", shortcut: kStepKey, run: () => void live.step() },
+    { id: "stop", label: "Stop", group: "Run", icon: "rewind", shortcut: kStopKey, run: () => void live.stop() },
+    {
+      id: "field-toggle",
+      label: showsField ? "Hide the movement field" : "Movement field of the selection",
+      group: "Run",
+      shortcut: kFieldKey,
+      blocked: live.model.get("scene") ? undefined : "Run it first",
+      run: () => {
+        live.showPane();
+        live.store.setState({ showsField: !showsField, field: null, fieldError: "" });
+      },
+    },
+    { id: "to-console", label: "Open the run in the console", group: "Run", run: () => live.openConsole() },
+    keyed(
+      menu.find(({ id }) => id.startsWith("break")),
+      "break",
+      "Breakpoint on the selection",
+      kBreakKey,
+    ),
+    keyed(
+      menu.find(({ id }) => id === "pin"),
+      "pin",
+      "Pin a probe",
+      kPinKey,
+    ),
+  ];
+}
+
+function keyed(found: Action | undefined, id: string, label: string, shortcut: string): Action {
+  if (found) return { ...found, id, shortcut };
+  return { id, label, group: "Run", shortcut, blocked: "Select a transition, a wire or a node", run: () => {} };
+}

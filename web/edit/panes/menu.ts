@@ -1,0 +1,170 @@
+// What running adds to the menus of a node, a wire, a state or a transition.
+import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
+import type { Action } from "../../designer/session/action.ts";
+import type { Designer } from "../../designer/session/designer.ts";
+import { isOfLibrary } from "../../designer/session/pages.ts";
+import type { Drawing, Mark } from "../../designer/session/protocol.ts";
+import { transitionOf } from "../../designer/states/flow.ts";
+import { atCondition, atTransition } from "../run/break_points.ts";
+import { knownLive, type Live } from "../run/live.ts";
+import { breakAtTransition, breaksWhen, isOnSame, markAt, marksOfPage } from "../run/marks.ts";
+import { joined } from "../run/places.ts";
+import { type Target, targetOf } from "../run/targets.ts";
+
+export function liveMenu(designer: Designer, id: string): Action[] {
+  const live = knownLive(designer);
+  const { drawing } = designer;
+  const target = drawing && targetOf(drawing, id);
+  if (!live || !target) return [];
+  switch (target.kind) {
+    case "transition":
+      return [transitionBreak(live, target.from, target.to, id), ...conditionBreaks(live, drawing, id)];
+    case "state":
+      return [transitionBreak(live, "", target.name, id), transitionBreak(live, target.name, "", id)];
+    case "value":
+      return valueActions(live, drawing, target, id);
+  }
+}
+
+/** The place in which the page runs; nothing: it does not run. */
+function placeOf(live: Live): string | undefined {
+  const { place, places } = live.store.getState();
+  return places.includes(place) ? place : undefined;
+}
+
+/** Why nothing can be marked on the page. */
+function blockedBy(live: Live): string | undefined {
+  if (placeOf(live) !== undefined) return undefined;
+  const { errors, hasSubject } = live.situation;
+  if (!hasSubject || isOfLibrary(live.designer.state.document)) return "Run it first";
+  return errors > 0 ? "It does not compile" : undefined;
+}
+
+/** What is marked of the page, where it runs. */
+function marksHere(live: Live): Mark[] {
+  const { marks, document, page } = live.designer.state;
+  return marksOfPage(marks[document] ?? [], page, placeOf(live));
+}
+
+/** How many breakpoints there are on a value of the page. */
+export function breaksOnValue(live: Live, drawing: Drawing, id: string): number {
+  const at = markAt(drawing, id);
+  return marksHere(live).filter((mark) => at && mark.breakpoint && isOnSame(mark, at)).length;
+}
+
+function transitionBreak(live: Live, from: string, to: string, id: string): Action {
+  const known = breakAtTransition(marksHere(live), from, to);
+  const when = from === "" ? `when ${to} begins` : to === "" ? `when ${from} ends` : `${from} → ${to}`;
+  return breakAction(live, `break ${from} ${to}`, known, {
+    set: `Break ${when}`,
+    remove: `Remove the breakpoint ${when}`,
+    run: () => live.setBreakpoint((place) => atTransition(place, from, to), id),
+  });
+}
+
+interface Breaking {
+  readonly set: string;
+  readonly remove: string;
+  readonly run: () => Promise<void>;
+}
+
+/** Sets a breakpoint, or takes away the one that is there. */
+function breakAction(live: Live, id: string, known: Mark | undefined, { set, remove, run }: Breaking): Action {
+  return {
+    id,
+    label: known ? remove : set,
+    group: "Run",
+    icon: known ? "close" : "pause",
+    blocked: known ? undefined : blockedBy(live),
+    run: () => void (known ? live.removeBreakMark(known) : run()),
+  };
+}
+
+const kLongestLabel = 48; // letters of a trigger in a menu
+
+/** On the trigger's value, and on those of the conditions that it is made of. */
+function conditionBreaks(live: Live, drawing: Drawing, id: string): Action[] {
+  const place = placeOf(live);
+  const ports = new Set(
+    live.model
+      .get("roster")
+      .portsOf(live.follower.robot)
+      .map(({ path }) => path),
+  );
+  const transition = { ...markAt(drawing, id) };
+  return (transitionOf(drawing, id)?.conditions ?? []).map(({ text, live: below, isNegated }) => {
+    const value = isNegated ? "false" : "true";
+    const known = marksHere(live).find(
+      (mark) => isOnSame(mark, { ...transition, trigger: below }) && breaksWhen(mark, value),
+    );
+    const called = text.length > kLongestLabel ? `${text.slice(0, kLongestLabel - 1)}…` : text;
+    const action = breakAction(live, `break-when ${text}`, known, {
+      set: `Break when ${called}`,
+      remove: `Remove the breakpoint on ${called}`,
+      run: () => live.setBreakpoint((one) => atCondition(joined(one, below), Comparison.EQUAL, value), id, below),
+    });
+    const isThere = place === undefined || ports.has(joined(place, below));
+    return isThere ? action : { ...action, blocked: "It has no value of its own" };
+  });
+}
+
+function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "value" }, id: string): Action[] {
+  const blocked = blockedBy(live);
+  const { designer } = live;
+  const at = markAt(drawing, id);
+  const marks = marksHere(live).filter((mark) => at && isOnSame(mark, at));
+  const pinned = marks.find(({ breakpoint }) => !breakpoint);
+  const actions: Action[] = [
+    {
+      id: "pin",
+      label: pinned ? "Take the probe away" : "Pin a probe",
+      group: "Run",
+      icon: pinned ? "close" : "plot",
+      blocked: pinned ? undefined : blocked,
+      run: () => void (pinned ? live.unpin(designer.state.document, pinned.id) : live.pin(id, target.live)),
+    },
+  ];
+  if (target.type === "bool") {
+    const known = marks.find((mark) => breaksWhen(mark, "true"));
+    actions.push(
+      breakAction(live, "break-true", known, {
+        set: "Break when it becomes true",
+        remove: "Remove the breakpoint",
+        run: () => live.setBreakpoint((place) => atCondition(joined(place, target.live), Comparison.EQUAL, "true"), id),
+      }),
+    );
+  } else {
+    actions.push({
+      id: "break-value",
+      label: "Break on its value…",
+      group: "Run",
+      icon: "pause",
+      blocked,
+      run: () => {
+        designer.select([id]);
+        designer.show({ details: true });
+        // The field stands there once the details are drawn.
+        setTimeout(() => breakField()?.focus(), 100);
+      },
+    });
+  }
+  if (target.type === "Vector") {
+    actions.push({
+      id: "field",
+      label: "Movement field on the map",
+      group: "Run",
+      icon: "command",
+      blocked: live.model.get("scene") ? undefined : "Run it first",
+      run: () => {
+        designer.select([id]);
+        live.showPane();
+        live.store.setState({ showsField: true, field: null, fieldError: "" });
+      },
+    });
+  }
+  return actions;
+}
+
+function breakField(): HTMLInputElement | null {
+  return window.document.querySelector<HTMLInputElement>(".break-when input");
+}

@@ -1,0 +1,35 @@
+// How components get at running and subscribe to it.
+import { useStore } from "zustand";
+import { usePart as useSessionPart } from "../../console/session/session.ts";
+import { useDesigner, useDocument, usePart } from "../../designer/session/use.ts";
+import { type Live, liveOf } from "../run/live.ts";
+import type { LiveState } from "../run/live_state.ts";
+import { joined } from "../run/places.ts";
+import type { Situation } from "../run/run_button.ts";
+
+export function useLivePage(): Live {
+  return liveOf(useDesigner());
+}
+
+export function useLiveState<T>(pick: (state: LiveState) => T): T {
+  return useStore(useLivePage().store, pick);
+}
+
+/** Drawn anew when how things stand changes. Only inside of the session's context. */
+export function useSituation(): Situation {
+  const live = useLivePage();
+  useDocument();
+  usePart((state) => state.page);
+  useLiveState((state) => state);
+  useSessionPart("status");
+  useSessionPart("documents");
+  useSessionPart("link");
+  return live.situation;
+}
+
+/** The path of a port on the page that is shown; empty: it does not run. */
+export function usePath(live: string): string {
+  const place = useLiveState((state) => (state.places.includes(state.place) ? state.place : undefined));
+  if (place === undefined || live === "") return "";
+  return joined(place, live);
+}
