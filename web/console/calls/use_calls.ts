@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef } from "react";
 import { plain } from "../../ui/words/format.ts";
+import { sentence } from "../../ui/words/sentence.ts";
 import { openAlerts } from "../log/alerts.ts";
-import { sentence } from "../session/orders.ts";
 import { usePart, useUi } from "../session/session.ts";
 import { type Call, Calls } from "./calls.ts";
 

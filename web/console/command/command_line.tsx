@@ -3,7 +3,7 @@ import { type KeyboardEvent, useCallback, useEffect, useRef, useState } from "re
 import { Complete_Language, type Completions_Item, type Diagnostic, type Targets } from "../../core/protocol.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { bytesOf, unitsOf } from "../../ui/text/bytes.ts";
-import { sentence } from "../session/orders.ts";
+import { sentence } from "../../ui/words/sentence.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
 import { keepHistory, Recall, readHistory, withLine } from "./history.ts";
 import { DiagnosticsView, TargetsView } from "./targets_view.tsx";

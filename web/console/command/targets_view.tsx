@@ -1,6 +1,6 @@
 import type { Diagnostic, Targets } from "../../core/protocol.ts";
 import { unitsOf } from "../../ui/text/bytes.ts";
-import { sentence } from "../session/orders.ts";
+import { sentence } from "../../ui/words/sentence.ts";
 import { standingLines, type TargetLine, targetLines } from "./targets.ts";
 
 /** Who is meant, who is skipped and why, and what becomes of every other unit. */

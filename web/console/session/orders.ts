@@ -1,6 +1,6 @@
 // What a person orders of the server; what goes wrong is shown to them.
 import { Control_Action, type Order, type Reply, Status_Mode } from "../../core/protocol.ts";
-import { plain } from "../../ui/words/format.ts";
+import { sentence } from "../../ui/words/sentence.ts";
 import type { Session } from "./session.ts";
 
 /** Asks, and shows why not where the answer is no. */
@@ -73,12 +73,4 @@ export function takeOperator(session: Session): void {
 /** 0: declines the request that is open. */
 export function passOperator(session: Session, client: number): void {
   void order(session, { case: "passOperator", value: { client } });
-}
-
-/** First letter large, a full stop at the end. */
-export function sentence(text: string): string {
-  const trimmed = plain(text).trim();
-  if (trimmed === "") return "";
-  const end = /[.!?…]$/.test(trimmed) ? "" : ".";
-  return trimmed.charAt(0).toUpperCase() + trimmed.slice(1) + end;
 }

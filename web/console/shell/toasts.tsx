@@ -3,9 +3,9 @@
 import { Log_Kind } from "../../core/protocol.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { duration } from "../../ui/words/format.ts";
+import { sentence } from "../../ui/words/sentence.ts";
 import { openAlerts } from "../log/alerts.ts";
 import { showPlace } from "../log/show_place.ts";
-import { sentence } from "../session/orders.ts";
 import { usePart, useSession, useUi } from "../session/session.ts";
 
 const kMostShown = 20;

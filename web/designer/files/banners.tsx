@@ -5,6 +5,7 @@ import { type ReactNode, useEffect } from "react";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
+import { sentence, unmarked } from "../../ui/words/sentence.ts";
 import { crumbsIn, type Designer, nameOf } from "../session/designer.ts";
 import { isEmptyDrawing, isOfLibrary } from "../session/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../session/protocol.ts";
@@ -76,7 +77,7 @@ function NotKeptBanner() {
     <Banner tone={isDirty ? "danger" : "hold"} role="alert">
       <Icon name="warning" />
       <span className="grow">
-        What is not saved is not kept, and is lost when mlab ends: {notKept.replaceAll("`", "")}.
+        What is not saved is not kept, and is lost when mlab ends: {unmarked(notKept)}.
         {isDirty ? " There is something that is not saved." : ""}
       </span>
       {canSave && <Button onPress={() => void designer.save()}>Save</Button>}
@@ -224,18 +225,8 @@ function NoticeBanner() {
   return (
     <Banner tone={notice.tone} role="alert">
       <Icon name="warning" />
-      <span className="grow">{sentence(notice.text)}</span>
+      <span className="grow">{sentence(notice.text, unmarked)}</span>
       <IconButton icon="close" label="Dismiss" onPress={() => designer.store.setState({ notice: null })} />
     </Banner>
   );
-}
-
-/** As a sentence: capital first, a full stop, no marks of code. */
-export function sentence(text: string): string {
-  const plain = text.replaceAll("`", "").trim();
-  if (plain === "") return "";
-  // The name of a file stays as it is written.
-  const isName = /^\S*[./_]\S/.test(plain);
-  const capital = isName ? plain : plain[0]!.toUpperCase() + plain.slice(1);
-  return /[.!?]$/.test(capital) ? capital : `${capital}.`;
 }

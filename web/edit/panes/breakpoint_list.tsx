@@ -1,10 +1,11 @@
 // All breakpoints: on, off, away; and where the run stands when one has stopped it.
-import { sentence } from "../../console/session/orders.ts";
+
 import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { type Breakpoint, Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
 import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
+import { sentence } from "../../ui/words/sentence.ts";
 import { breakpointText, hitText } from "../run/break_points.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
 

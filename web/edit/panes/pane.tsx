@@ -1,6 +1,5 @@
 // The simulator beside the canvas: how it stands, the map, and below it what is known of the robot that is selected.
 import { useEffect } from "react";
-import { sentence } from "../../console/session/orders.ts";
 import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { spokenPath } from "../../core/port_words.ts";
 import { Status_Mode } from "../../core/protocol.ts";
@@ -9,6 +8,7 @@ import { Choice } from "../../ui/controls/choice.tsx";
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { duration } from "../../ui/words/format.ts";
+import { sentence } from "../../ui/words/sentence.ts";
 import { isMoving, runButton } from "../run/run_button.ts";
 import { Breakpoints, HaltedNotice } from "./breakpoint_list.tsx";
 import { InSession } from "./in_session.tsx";

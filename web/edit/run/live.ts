@@ -1,6 +1,5 @@
 // Running, for one page of the designer: its connection to the simulator, and what can be asked of it.
 
-import { sentence } from "../../console/session/orders.ts";
 import type { Session } from "../../console/session/session.ts";
 import { Ui } from "../../console/session/ui.ts";
 import { Connection, tabKey } from "../../core/connection.ts";
@@ -14,6 +13,7 @@ import { lastPart } from "../../designer/session/pages.ts";
 import type { Drawing, Mark } from "../../designer/session/protocol.ts";
 import { besideSimulator, kWide } from "../../designer/session/state.ts";
 import { fit } from "../../designer/sight/view.ts";
+import { sentence } from "../../ui/words/sentence.ts";
 import { type BreakpointInit, hitText } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
