@@ -1,7 +1,7 @@
 import type { ReactNode } from "react";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
-import { ownCopy } from "../actions/all_actions.ts";
 import { ungroup } from "../actions/editing.ts";
+import { ownCopy } from "../actions/place_actions.ts";
 import { wiredOf } from "../drawing/flow.ts";
 import { kindOf, rowId, rowLabel } from "../drawing/form.ts";
 import { typeWords } from "../drawing/value_words.ts";

@@ -1,0 +1,99 @@
+// What is done with files: opened, saved, exported, left.
+import { withToken } from "../../core/server_link.ts";
+import type { Action } from "../session/action.ts";
+import { type Designer, isNew } from "../session/designer.ts";
+import { kClosed } from "./blocks.ts";
+
+export function fileActions(designer: Designer): Action[] {
+  const { store, state, document } = designer;
+  const closed = document ? undefined : kClosed;
+  const dialog = (name: typeof state.dialog) => () => store.setState({ dialog: name, subject: "" });
+  const unwritten = document && (document.isReadOnly || isNew(document.path));
+  return [
+    { id: "new", label: "New configuration", group: "File", icon: "plus", run: () => void designer.open("", "") },
+    {
+      id: "open",
+      label: "Open…",
+      group: "File",
+      icon: "folder",
+      shortcut: "ctrl+o",
+      everywhere: true,
+      run: dialog("open"),
+    },
+    {
+      id: "save",
+      label: unwritten ? "Save…" : "Save",
+      group: "File",
+      icon: "save",
+      shortcut: "ctrl+s",
+      everywhere: true,
+      blocked: closed,
+      run: () => void designer.save(),
+    },
+    {
+      id: "save-as",
+      label: "Save as…",
+      group: "File",
+      shortcut: "ctrl+shift+s",
+      everywhere: true,
+      blocked: closed,
+      run: dialog("save-as"),
+    },
+    {
+      id: "library",
+      label: "Save to the library…",
+      group: "File",
+      icon: "layers",
+      blocked: closed,
+      run: dialog("library"),
+    },
+    ...exportActions(designer, closed),
+    {
+      id: "close",
+      label: "Close: back to the start page",
+      group: "File",
+      blocked: closed,
+      run: () => designer.leave(),
+    },
+    {
+      id: "console",
+      label: "Open the operator console",
+      group: "File",
+      icon: "robots",
+      run: () => window.open(withToken(designer.page, "./"), "_blank", "noopener"),
+    },
+  ];
+}
+
+function exportActions(designer: Designer, closed: string | undefined): Action[] {
+  return [
+    {
+      id: "export-svg",
+      label: "Export the drawing as SVG",
+      group: "File",
+      icon: "plot",
+      blocked: closed,
+      run: () => void exporting(designer, "svg"),
+    },
+    {
+      id: "export-png",
+      label: "Export the drawing as PNG",
+      group: "File",
+      blocked: closed,
+      run: () => void exporting(designer, "png"),
+    },
+    {
+      id: "print",
+      label: "Print the drawing",
+      group: "File",
+      shortcut: "ctrl+p",
+      blocked: closed,
+      run: () => void exporting(designer, "print"),
+    },
+  ];
+}
+
+async function exporting(designer: Designer, what: "svg" | "png" | "print"): Promise<void> {
+  const { exportDrawing } = await import("../exports/export.ts");
+  await exportDrawing(designer, what);
+}

@@ -1,0 +1,75 @@
+// Going from page to page, and from one part of the window to another.
+import type { Action } from "../session/action.ts";
+import type { Designer } from "../session/designer.ts";
+import { innerOf } from "../session/inside.ts";
+import { outer } from "../session/pages.ts";
+import { goToPane } from "../session/panes.ts";
+import { kClosed } from "./blocks.ts";
+
+export function goActions(designer: Designer): Action[] {
+  const { state, drawing } = designer;
+  const to = drawing && innerOf(drawing, state.selection[0] ?? "");
+  return [
+    {
+      id: "enter",
+      label: "Look inside",
+      group: "Go",
+      icon: "right",
+      shortcut: "enter",
+      blocked: to ? undefined : "Select something that has an inside",
+      run: () => designer.enter(to!),
+    },
+    {
+      id: "up",
+      label: "Up one level",
+      group: "Go",
+      icon: "rewind",
+      shortcut: "u",
+      blocked: state.page === "" || !drawing ? "This is the whole file" : undefined,
+      run: () => {
+        const before = designer.crumbs.at(-2);
+        designer.goTo(before?.document ?? state.document, before?.page ?? outer(state.page) ?? "");
+      },
+    },
+    {
+      id: "file-page",
+      label: "The whole file",
+      group: "Go",
+      shortcut: "home",
+      blocked: drawing ? undefined : kClosed,
+      run: () => designer.goTo(state.document, ""),
+    },
+    {
+      id: "next-pane",
+      label: "To the next part of the page",
+      group: "Go",
+      shortcut: "f6",
+      everywhere: true,
+      run: () => goToPane(1),
+    },
+    {
+      id: "previous-pane",
+      label: "To the part before",
+      group: "Go",
+      shortcut: "shift+f6",
+      everywhere: true,
+      run: () => goToPane(-1),
+    },
+    {
+      id: "link",
+      label: "Copy a link to this place",
+      group: "Go",
+      blocked: drawing ? undefined : kClosed,
+      run: () => void copyLink(designer),
+    },
+  ];
+}
+
+async function copyLink(designer: Designer): Promise<void> {
+  const { document, page, selection } = designer.state;
+  designer.goTo(document, page, selection[0] ?? "");
+  await navigator.clipboard
+    .writeText(window.location.href)
+    .catch(() => designer.tell("The browser does not let the page write to the clipboard."));
+  designer.say("Copied the link");
+}
