@@ -8,6 +8,7 @@
  * @param {import("playwright-core").Page} page
  */
 export function wiresInSight(page) {
+  // biome-ignore lint/complexity/noExcessiveCognitiveComplexity: runs in the page, where it has to bring everything along
   return page.evaluate(() => {
     const canvas = document.querySelector(".canvas").getBoundingClientRect();
     const margin = 16; // a node that ends at the rim is not in the page

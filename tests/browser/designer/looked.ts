@@ -21,6 +21,8 @@ export function looked({ page }: DesignerPage): Promise<Looked> {
     };
     type Box = ReturnType<typeof boxOf>;
     const isOver = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    const isPassedBy = (box: Box, points: readonly DOMPoint[]) =>
+      points.some(({ x, y }) => x > box.left && x < box.right && y > box.top && y < box.bottom);
     const labels = [...document.querySelectorAll<HTMLElement>(".transition-label")];
     const boxes = labels.map((label) => ({ id: label.dataset.transition ?? "", box: boxOf(label) }));
     const nodes = [...document.querySelectorAll<HTMLElement>(".react-flow__node:not(.react-flow__node-note)")].map(
@@ -41,10 +43,8 @@ export function looked({ page }: DesignerPage): Promise<Looked> {
     boxes.forEach(({ id, box }, i) => {
       for (const node of nodes) if (isOver(box, node.box)) over.push(`label ${id} on ${node.id}`);
       for (const other of boxes.slice(0, i)) if (isOver(box, other.box)) over.push(`label ${id} on label ${other.id}`);
-      for (const way of ways) {
-        const passes = way.points.some(({ x, y }) => x > box.left && x < box.right && y > box.top && y < box.bottom);
-        if (way.id !== id && passes) over.push(`label ${id} on the way of ${way.id}`);
-      }
+      const passing = ways.filter((way) => way.id !== id && isPassedBy(box, way.points));
+      for (const way of passing) over.push(`label ${id} on the way of ${way.id}`);
     });
     const fonts = labels.map(
       (label) =>

@@ -48,17 +48,7 @@ function operatorOnly(model: Model): string | undefined {
 }
 
 function runActions(session: Session): Action[] {
-  const { model } = session;
-  const status = model.get("status");
-  const mode = status?.mode ?? Status_Mode.NO_MISSION;
-  const main = mainButton(situationOf(model));
-  const noMission = mode === Status_Mode.NO_MISSION ? "No mission is loaded." : undefined;
-  const blocked = operatorOnly(model) ?? noMission;
-  const stands = mode === Status_Mode.STOPPED ? "Release the emergency stop first." : undefined;
-  const oldest = model.get("questions")[0];
-  const noQuestion = oldest ? undefined : "Nothing is asked.";
-  const run = (action: Control_Action) => () => control(session, action);
-  const speed = status?.speed ?? 1;
+  const main = mainButton(situationOf(session.model));
   return [
     {
       id: "stop",
@@ -78,6 +68,20 @@ function runActions(session: Session): Action[] {
       blocked: main.does.kind === "nothing" ? main.hint : undefined,
       run: () => pressMainButton(session),
     },
+    ...stepActions(session),
+    ...speedActions(session),
+    ...questionActions(session),
+  ];
+}
+
+function stepActions(session: Session): Action[] {
+  const { model } = session;
+  const mode = model.get("status")?.mode ?? Status_Mode.NO_MISSION;
+  const noMission = mode === Status_Mode.NO_MISSION ? "No mission is loaded." : undefined;
+  const blocked = operatorOnly(model) ?? noMission;
+  const stands = mode === Status_Mode.STOPPED ? "Release the emergency stop first." : undefined;
+  const run = (action: Control_Action) => () => control(session, action);
+  return [
     {
       id: "step",
       label: "Single step of the mission, then stop",
@@ -129,13 +133,20 @@ function runActions(session: Session): Action[] {
       blocked: blocked ?? stands,
       run: () => askFirst(session, Control_Action.ABORT),
     },
+  ];
+}
+
+function speedActions(session: Session): Action[] {
+  const blocked = operatorOnly(session.model);
+  const speed = session.model.get("status")?.speed ?? 1;
+  return [
     {
       id: "faster",
       label: "Faster",
       group: "Run",
       icon: "gauge",
       shortcut: ">",
-      blocked: operatorOnly(model),
+      blocked,
       run: () => setSpeed(session, neighbour(speed, 1)),
     },
     {
@@ -144,7 +155,7 @@ function runActions(session: Session): Action[] {
       group: "Run",
       icon: "gauge",
       shortcut: "<",
-      blocked: operatorOnly(model),
+      blocked,
       run: () => setSpeed(session, neighbour(speed, -1)),
     },
     {
@@ -152,16 +163,23 @@ function runActions(session: Session): Action[] {
       label: "Speed of real time",
       group: "Run",
       icon: "gauge",
-      blocked: operatorOnly(model),
+      blocked,
       run: () => setSpeed(session, 1),
     },
+  ];
+}
+
+function questionActions(session: Session): Action[] {
+  const oldest = session.model.get("questions")[0];
+  const blocked = operatorOnly(session.model) ?? (oldest ? undefined : "Nothing is asked.");
+  return [
     {
       id: "proceed",
       label: "Answer the oldest question: proceed",
       group: "Run",
       icon: "check",
       shortcut: "p",
-      blocked: operatorOnly(model) ?? noQuestion,
+      blocked,
       run: () => oldest && answer(session, oldest.id, true),
     },
     {
@@ -170,7 +188,7 @@ function runActions(session: Session): Action[] {
       group: "Run",
       icon: "abort",
       shortcut: "shift+p",
-      blocked: operatorOnly(model) ?? noQuestion,
+      blocked,
       run: () => oldest && answer(session, oldest.id, false),
     },
   ];

@@ -1,158 +1,20 @@
 // One line of MDL: completed and checked as it is typed, sent with Enter.
-import { type KeyboardEvent, useCallback, useEffect, useRef, useState } from "react";
-import { Complete_Language, type Completions_Item, type Diagnostic, type Targets } from "../../core/protocol.ts";
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
+import type { Completions_Item } from "../../core/protocol.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
-import { bytesOf, unitsOf } from "../../ui/text/bytes.ts";
 import { sentence } from "../../ui/words/sentence.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
-import { keepHistory, Recall, readHistory, withLine } from "./history.ts";
+import { useIsOperator, usePart } from "../session/session.ts";
 import { DiagnosticsView, TargetsView } from "./targets_view.tsx";
+import { type Suggestions, type TypedLine, useTypedLine, type Verdict } from "./use_typed_line.ts";
 import "./command.css";
 
-interface Suggestions {
-  begin: number; // [code units]
-  items: readonly Completions_Item[];
-}
-
-interface Verdict {
-  line: string;
-  targets?: Targets;
-  diagnostics: readonly Diagnostic[];
-  error: string;
-  isSent: boolean;
-}
-
 export function CommandLine() {
-  const session = useSession();
-  const { connection } = session;
   const isOperator = useIsOperator();
-  const link = usePart("link");
-  const draft = useUi("draft");
-  const [line, setLine] = useState("");
-  const [suggestions, setSuggestions] = useState<Suggestions | null>(null);
-  const [at, setAt] = useState(-1);
-  const [verdict, setVerdict] = useState<Verdict | null>(null);
-  const [isFocused, setFocused] = useState(false);
-  const [history, setHistory] = useState(() => readHistory(window.localStorage));
-  const recall = useRef<Recall | null>(null);
+  const isConnected = usePart("link").state === "open";
   const input = useRef<HTMLInputElement>(null);
-  const newest = useRef(0);
-
-  const inspect = useCallback(
-    async (text: string, cursor: number) => {
-      const mine = ++newest.current;
-      await new Promise((resolve) => setTimeout(resolve, 120));
-      if (mine !== newest.current) return;
-      const [completed, checked] = await Promise.all([
-        connection.ask({
-          case: "complete",
-          value: { language: Complete_Language.IMMEDIATE, text, cursor: bytesOf(text, cursor) },
-        }),
-        text.trim() === "" ? undefined : connection.ask({ case: "typed", value: { line: text, preview: true } }),
-      ]);
-      if (mine !== newest.current) return;
-      const { result } = completed;
-      setSuggestions(
-        result.case === "completions" && result.value.items.length > 0
-          ? { begin: unitsOf(text, result.value.begin), items: result.value.items }
-          : null,
-      );
-      setAt(-1);
-      setVerdict(
-        checked
-          ? {
-              line: text,
-              diagnostics: checked.diagnostics,
-              error: checked.ok ? "" : checked.error,
-              isSent: false,
-              ...(checked.result.case === "targets" ? { targets: checked.result.value } : {}),
-            }
-          : null,
-      );
-    },
-    [connection],
-  );
-
-  const change = useCallback(
-    (text: string, cursor = text.length) => {
-      setLine(text);
-      void inspect(text, cursor);
-    },
-    [inspect],
-  );
-
-  useEffect(() => {
-    if (!draft) return;
-    input.current?.focus();
-    change(draft.line);
-  }, [draft, change]);
-
-  const accept = (item: Completions_Item) => {
-    if (!suggestions) return;
-    const cursor = input.current?.selectionStart ?? line.length;
-    const rest = line.slice(cursor);
-    const before = `${line.slice(0, suggestions.begin)}${item.text}${rest.startsWith(" ") ? "" : " "}`;
-    change(before + rest, before.length);
-    requestAnimationFrame(() => input.current?.setSelectionRange(before.length, before.length));
-  };
-
-  const send = async () => {
-    const text = line.trim();
-    if (text === "") return;
-    ++newest.current;
-    const reply = await connection.ask({ case: "typed", value: { line: text, preview: false } });
-    if (reply.ok) {
-      const lines = withLine(history, text);
-      setHistory(lines);
-      keepHistory(window.localStorage, lines);
-      setLine("");
-      setSuggestions(null);
-    }
-    recall.current = null;
-    setVerdict({
-      line: text,
-      diagnostics: reply.diagnostics,
-      error: reply.ok ? "" : reply.error,
-      isSent: reply.ok,
-      ...(reply.result.case === "targets" ? { targets: reply.result.value } : {}),
-    });
-  };
-
-  const browse = (direction: -1 | 1) => {
-    recall.current ??= new Recall(history, line);
-    const found = recall.current.step(direction);
-    if (found !== undefined) change(found);
-  };
-
-  const keys = (event: KeyboardEvent<HTMLInputElement>) => {
-    const items = suggestions?.items ?? [];
-    const isBrowsing = line === "" || recall.current !== null || event.altKey;
-    if (event.key === "Enter") {
-      event.preventDefault();
-      if (at >= 0 && items[at]) accept(items[at]);
-      else void send();
-    } else if (event.key === "Tab" && !event.shiftKey && items.length > 0 && line !== "") {
-      event.preventDefault();
-      accept((items[at] ?? items[0]) as Completions_Item);
-    } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
-      event.preventDefault();
-      const direction = event.key === "ArrowUp" ? -1 : 1;
-      if (isBrowsing && at < 0 && !(line === "" && direction > 0)) browse(direction);
-      else setAt(Math.max(-1, Math.min(items.length - 1, at + direction)));
-    } else if (event.key === "Escape") {
-      event.preventDefault();
-      if (suggestions || verdict) {
-        setSuggestions(null);
-        setVerdict(null);
-        setAt(-1);
-      } else if (line !== "") change("");
-      else input.current?.blur();
-    } else if (event.key === " " && event.ctrlKey) {
-      event.preventDefault();
-      void inspect(line, event.currentTarget.selectionStart ?? line.length);
-    }
-  };
-
+  const typed = useTypedLine(input);
+  const { line, suggestions, at, verdict } = typed;
+  const [isFocused, setFocused] = useState(false);
   const isOpen = isFocused && (suggestions !== null || verdict !== null);
   return (
     <div className="command-line">
@@ -168,35 +30,66 @@ export function CommandLine() {
         aria-activedescendant={at >= 0 ? `command-suggestion-${at}` : undefined}
         autoComplete="off"
         spellCheck={false}
-        disabled={link.state !== "open"}
+        disabled={!isConnected}
         placeholder={
-          link.state !== "open"
+          !isConnected
             ? "No connection"
             : isOperator
               ? "Type a command: UNIT scouts MOVETO 310 205"
               : "Commands are checked here; only the operator can send them"
         }
         value={line}
-        onChange={(event) => {
-          recall.current = null;
-          change(event.target.value, event.target.selectionStart ?? event.target.value.length);
-        }}
-        onKeyDown={keys}
-        onFocus={(event) => {
+        onChange={({ target }) => typed.type(target.value, target.selectionStart ?? target.value.length)}
+        onKeyDown={(event) => press(typed, event)}
+        onFocus={({ target }) => {
           setFocused(true);
-          void inspect(line, event.target.selectionStart ?? line.length);
+          typed.inspect(target.selectionStart ?? line.length);
         }}
         onBlur={() => setFocused(false)}
       />
       <kbd>/</kbd>
       {isOpen && (
         <div className="command-pop">
-          {suggestions && <Suggested suggestions={suggestions} at={at} onChoose={accept} />}
+          {suggestions && <Suggested suggestions={suggestions} at={at} onChoose={typed.accept} />}
           {verdict && <Judged verdict={verdict} />}
         </div>
       )}
     </div>
   );
+}
+
+function press(typed: TypedLine, event: KeyboardEvent<HTMLInputElement>): void {
+  const { line, suggestions, at } = typed;
+  const items = suggestions?.items ?? [];
+  const chosen = at >= 0 ? items[at] : undefined;
+  const act = {
+    Enter: () => (chosen ? typed.accept(chosen) : void typed.send()),
+    Tab: () => {
+      const item = items[at] ?? items[0];
+      if (event.shiftKey || line === "" || !item) return false;
+      typed.accept(item);
+    },
+    ArrowUp: () => move(typed, -1, event.altKey),
+    ArrowDown: () => move(typed, 1, event.altKey),
+    Escape: () => leave(typed, event.currentTarget),
+    " ": () => event.ctrlKey && typed.inspect(event.currentTarget.selectionStart ?? line.length),
+  }[event.key];
+  if (act && act() !== false) event.preventDefault();
+}
+
+/** Through the suggestions, or the lines that were sent before. */
+function move(typed: TypedLine, direction: -1 | 1, isAlt: boolean): void {
+  const { line, at, suggestions } = typed;
+  const isBrowsing = line === "" || typed.isRecalled() || isAlt;
+  if (isBrowsing && at < 0 && !(line === "" && direction > 0)) typed.browse(direction);
+  else typed.mark(Math.max(-1, Math.min((suggestions?.items.length ?? 0) - 1, at + direction)));
+}
+
+/** Away with what is shown, then with what is typed, then out of the line. */
+function leave({ suggestions, verdict, line, forget, change }: TypedLine, input: HTMLInputElement): void {
+  if (suggestions || verdict) forget();
+  else if (line !== "") change("");
+  else input.blur();
 }
 
 function Suggested({

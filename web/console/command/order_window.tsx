@@ -82,7 +82,6 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
   useEffect(() => setPlace(placeOf(session, goal, scene?.origin)), [goal]);
   useEffect(() => window.current?.querySelector<HTMLElement>("[aria-checked=true], button, input")?.focus(), []);
 
-  const info = taskInfo(order.task);
   const line = goal.line === null ? null : referenceTo(placeMeasures(session), goal.line);
   const built = mdlText({
     units: addressed.units,
@@ -113,64 +112,13 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
     event.stopPropagation();
     map.host.focus({ preventScroll: true });
   };
-  const tasks = kTasks.filter((t) => t.task !== "FOLLOW" || line !== null);
 
   return (
     <div ref={window} className="order-window" style={style} role="dialog" aria-label="Command" onKeyDown={keys}>
       <div className="order-fields">
-        <Segments<TaskName>
-          label="Task"
-          value={order.task}
-          choices={tasks.map((t) => [t.task, t.label] as const)}
-          onChange={(task) => orderStore.setState({ task })}
-        />
-        <p className="help">{info.help}.</p>
-        <div className="world-fields">
-          {order.task === "FOLLOW" ? (
-            <div className="field wide">
-              <span className="label">Line</span>
-              <b>{line}</b>
-            </div>
-          ) : (
-            <PlaceEntry place={place} onPlace={setPlace} />
-          )}
-          <SelectEntry<FormationName | "">
-            label="Formation"
-            value={order.formation}
-            choices={[["", "as it is"], ...kFormations.map((f) => [f, f] as const)]}
-            onChange={(formation) => orderStore.setState({ formation })}
-          />
-          {info.takesTechnique && (
-            <SelectEntry<TechniqueName | "">
-              label="Technique"
-              value={order.technique}
-              choices={[["", "Traveling (usual)"], ...kTechniques.slice(1).map((t) => [t, t] as const)]}
-              onChange={(technique) => orderStore.setState({ technique })}
-            />
-          )}
-          {info.takesSpeed && (
-            <NumberEntry
-              label="Speed [m/s]"
-              value={order.speed}
-              min={0}
-              whenZero="the robots’ own"
-              onCommit={(speed) => orderStore.setState({ speed })}
-            />
-          )}
-          {info.takesHeading && (
-            <HeadingEntry heading={order.heading} onHeading={(heading) => orderStore.setState({ heading })} />
-          )}
-        </div>
+        <OrderFields line={line} place={place} onPlace={setPlace} />
         <code className="order-text">{text || ("error" in built ? built.error : "")}</code>
-        <div className="order-targets" role="status">
-          {addressed.note !== "" && <p className="small target-replaces">{addressed.note}</p>}
-          {preview && preview.diagnostics.length > 0 && (
-            <DiagnosticsView line={text} diagnostics={preview.diagnostics} />
-          )}
-          {preview?.result.case === "targets" && <TargetsView targets={preview.result.value} />}
-          {isWrong && preview.diagnostics.length === 0 && <p className="problem">{preview.error}</p>}
-          {refusal !== "" && <p className="problem">{refusal}</p>}
-        </div>
+        <OrderVerdict text={text} note={addressed.note} preview={preview} refusal={refusal} />
       </div>
       <footer>
         <Button tone="quiet" isDisabled={text === ""} onPress={() => edit(session, text)}>
@@ -181,6 +129,88 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
           Send
         </Button>
       </footer>
+    </div>
+  );
+}
+
+interface OrderFieldsProps {
+  /** What the goal's line is called; null: the goal is on none that has a name. */
+  line: string | null;
+  place: MdlPlace;
+  onPlace: (place: MdlPlace) => void;
+}
+
+function OrderFields({ line, place, onPlace }: OrderFieldsProps) {
+  const order = useStore(orderStore);
+  const info = taskInfo(order.task);
+  const tasks = kTasks.filter((t) => t.task !== "FOLLOW" || line !== null);
+  return (
+    <>
+      <Segments<TaskName>
+        label="Task"
+        value={order.task}
+        choices={tasks.map((t) => [t.task, t.label] as const)}
+        onChange={(task) => orderStore.setState({ task })}
+      />
+      <p className="help">{info.help}.</p>
+      <div className="world-fields">
+        {order.task === "FOLLOW" ? (
+          <div className="field wide">
+            <span className="label">Line</span>
+            <b>{line}</b>
+          </div>
+        ) : (
+          <PlaceEntry place={place} onPlace={onPlace} />
+        )}
+        <SelectEntry<FormationName | "">
+          label="Formation"
+          value={order.formation}
+          choices={[["", "as it is"], ...kFormations.map((f) => [f, f] as const)]}
+          onChange={(formation) => orderStore.setState({ formation })}
+        />
+        {info.takesTechnique && (
+          <SelectEntry<TechniqueName | "">
+            label="Technique"
+            value={order.technique}
+            choices={[["", "Traveling (usual)"], ...kTechniques.slice(1).map((t) => [t, t] as const)]}
+            onChange={(technique) => orderStore.setState({ technique })}
+          />
+        )}
+        {info.takesSpeed && (
+          <NumberEntry
+            label="Speed [m/s]"
+            value={order.speed}
+            min={0}
+            whenZero="the robots’ own"
+            onCommit={(speed) => orderStore.setState({ speed })}
+          />
+        )}
+        {info.takesHeading && (
+          <HeadingEntry heading={order.heading} onHeading={(heading) => orderStore.setState({ heading })} />
+        )}
+      </div>
+    </>
+  );
+}
+
+interface OrderVerdictProps {
+  /** In MDL; empty: nothing can be sent. */
+  text: string;
+  note: string;
+  preview: Reply | null;
+  /** Why it was not taken when it was sent; empty: it was not sent. */
+  refusal: string;
+}
+
+/** Whom it would be sent to, or what is wrong with it. */
+function OrderVerdict({ text, note, preview, refusal }: OrderVerdictProps) {
+  return (
+    <div className="order-targets" role="status">
+      {note !== "" && <p className="small target-replaces">{note}</p>}
+      {preview && preview.diagnostics.length > 0 && <DiagnosticsView line={text} diagnostics={preview.diagnostics} />}
+      {preview?.result.case === "targets" && <TargetsView targets={preview.result.value} />}
+      {preview && !preview.ok && preview.diagnostics.length === 0 && <p className="problem">{preview.error}</p>}
+      {refusal !== "" && <p className="problem">{refusal}</p>}
     </div>
   );
 }

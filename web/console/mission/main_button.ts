@@ -47,23 +47,9 @@ export function mainButton(situation: Situation): MainButton {
   if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation);
   switch (status.mode) {
     case Status_Mode.NO_MISSION:
-      return situation.errors > 0
-        ? {
-            label: "Show the errors",
-            hint: "The mission can't run before they are mended.",
-            does: { kind: "show-errors" },
-            tone: "hold",
-            icon: "warning",
-          }
-        : { label: "Execute", hint: "Open a mission first.", does: nothing, tone: "quiet", icon: "play" };
+      return withoutMission(situation);
     case Status_Mode.READY:
-      return control(
-        "Execute",
-        stepHint("Starts with step", situation.nextLabel),
-        Control_Action.EXECUTE,
-        "go",
-        "play",
-      );
+      return execute("Starts with step", situation);
     case Status_Mode.RUNNING:
       return control(
         "Pause",
@@ -73,43 +59,10 @@ export function mainButton(situation: Situation): MainButton {
         "pause",
       );
     case Status_Mode.PAUSED:
-      if (!isUnderWay(status))
-        return control(
-          "Execute",
-          stepHint("Goes on with step", situation.nextLabel),
-          Control_Action.EXECUTE,
-          "go",
-          "play",
-        );
+      if (!isUnderWay(status)) return execute("Goes on with step", situation);
       return control("Resume", "Goes on where it stands.", Control_Action.RESUME, "go", "play");
     case Status_Mode.WAITING:
-      if (situation.openQuestions > 0) {
-        return {
-          label: situation.openQuestions === 1 ? "Answer: Proceed?" : `Answer ${situation.openQuestions} questions`,
-          short: situation.openQuestions === 1 ? "Answer" : `Answer ${situation.openQuestions}`,
-          hint: "The mission waits for you.",
-          does: { kind: "answer" },
-          tone: "go",
-          icon: "question",
-        };
-      }
-      if (status.teleoperations.length > 0) {
-        const units = status.teleoperations.map((teleoperation) => teleoperation.unit).join(", ");
-        return control(
-          "Pause",
-          `Waits for the end of teleoperation of ${units}.`,
-          Control_Action.PAUSE,
-          "hold",
-          "pause",
-        );
-      }
-      return control(
-        "Execute",
-        stepHint("Goes on with step", situation.nextLabel),
-        Control_Action.EXECUTE,
-        "go",
-        "play",
-      );
+      return waiting(status, situation);
     case Status_Mode.STOPPED:
       return {
         ...control("Release the stop", "The run is paused then.", Control_Action.RELEASE_STOP, "danger", "release"),
@@ -118,6 +71,41 @@ export function mainButton(situation: Situation): MainButton {
     case Status_Mode.ENDED:
       return control("Restart", endHint(status.outcome), Control_Action.RESTART, "hold", "restart");
   }
+}
+
+function withoutMission({ errors }: Situation): MainButton {
+  return errors > 0
+    ? {
+        label: "Show the errors",
+        hint: "The mission can't run before they are mended.",
+        does: { kind: "show-errors" },
+        tone: "hold",
+        icon: "warning",
+      }
+    : { label: "Execute", hint: "Open a mission first.", does: nothing, tone: "quiet", icon: "play" };
+}
+
+/** For an answer, or the end of teleoperation. */
+function waiting(status: Status, situation: Situation): MainButton {
+  const { openQuestions } = situation;
+  if (openQuestions > 0) {
+    return {
+      label: openQuestions === 1 ? "Answer: Proceed?" : `Answer ${openQuestions} questions`,
+      short: openQuestions === 1 ? "Answer" : `Answer ${openQuestions}`,
+      hint: "The mission waits for you.",
+      does: { kind: "answer" },
+      tone: "go",
+      icon: "question",
+    };
+  }
+  if (status.teleoperations.length === 0) return execute("Goes on with step", situation);
+  const units = status.teleoperations.map((teleoperation) => teleoperation.unit).join(", ");
+  return control("Pause", `Waits for the end of teleoperation of ${units}.`, Control_Action.PAUSE, "hold", "pause");
+}
+
+/** `words`: what comes before the label of the step that is next. */
+function execute(words: string, { nextLabel }: Situation): MainButton {
+  return control("Execute", stepHint(words, nextLabel), Control_Action.EXECUTE, "go", "play");
 }
 
 /** A step, or an order, has been begun and not ended. */

@@ -11,18 +11,18 @@ import "./plots.css";
 import { recorderOf } from "./recorder.ts";
 import { type SeriesSpec, seriesKey } from "./series.ts";
 import { SeriesChooser } from "./series_chooser.tsx";
-import { kWindows, panSpan, spanOf, stripsOf, zoomSpan } from "./strips.ts";
+import { kWindows, panSpan, type Strip, spanOf, stripsOf, zoomSpan } from "./strips.ts";
 
 const kColorsLight = ["#1d5fc4", "#b4540a", "#14713f", "#a3195b", "#6a4bc4", "#0b7285", "#7a6200", "#4d5766"];
 const kColorsDark = ["#74a8ff", "#ff9f5a", "#5fd08c", "#ff85b8", "#b197fc", "#4fd1e0", "#e3c34e", "#c3ccd8"];
 
 const change = (part: Partial<PlotState>) => plotStore.setState(part);
+const zoom = (from: number, to: number) => change({ view: { live: false, from, to } });
 const goLive = (window = plotStore.getState().window) => change({ window, view: { live: true, window } });
 
 export function PlotsPanel() {
   const { model, connection } = useSession();
-  const { specs, together, window: seconds, view } = useStore(plotStore);
-  const roster = usePart("roster");
+  const { specs, view } = useStore(plotStore);
   const theme = usePart("map").theme;
   const recorder = recorderOf(model, connection);
   const [cursor, setCursor] = useState<number | null>(null);
@@ -30,25 +30,12 @@ export function PlotsPanel() {
   const plots = useRef(new Map<string, uPlot>());
 
   useEffect(() => recorder.record(specs), [recorder, specs]);
-
-  const strips = useMemo(() => {
-    const portUnit = (robot: number, port: string) => roster.portsOf(robot).find((p) => p.path === port)?.unit ?? "";
-    return stripsOf(specs, together, portUnit);
-  }, [specs, together, roster]);
+  const strips = useStrips();
   const extent = recorder.extent();
   const span = spanOf(view, extent.first, extent.last);
   const colors = theme === "dark" ? kColorsDark : kColorsLight;
   const look = useMemo(lookOf, [theme]);
 
-  const zoom = useCallback((from: number, to: number) => change({ view: { live: false, from, to } }), []);
-  const keys = (event: KeyboardEvent) => {
-    const next = keyView(event.key, span);
-    if (next === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (next === null) goLive();
-    else zoom(next.from, next.to);
-  };
   const remove = (spec: SeriesSpec) => change({ specs: specs.filter((s) => seriesKey(s) !== seriesKey(spec)) });
   const onPlot = useCallback((key: string, plot: uPlot | null) => {
     if (plot) plots.current.set(key, plot);
@@ -63,63 +50,7 @@ export function PlotsPanel() {
 
   return (
     <div className="plots">
-      <div className="plots-bar" role="toolbar" aria-label="Plots">
-        <DialogTrigger>
-          <Button className="button primary">Add…</Button>
-          <SeriesChooser present={specs} onAdd={(more) => change({ specs: [...specs, ...more] })} />
-        </DialogTrigger>
-        <fieldset className="segments plots-windows">
-          <legend className="hidden-text">Span of time</legend>
-          {kWindows.map((w) => (
-            <ToggleButton
-              key={w.seconds}
-              className="button"
-              isSelected={view.live && seconds === w.seconds}
-              onChange={() => goLive(w.seconds)}
-            >
-              {w.label}
-            </ToggleButton>
-          ))}
-        </fieldset>
-        <ToggleButton
-          className="button"
-          isDisabled={specs.length === 0}
-          isSelected={!view.live}
-          onChange={(held) => (held ? zoom(span.from, span.to) : goLive())}
-        >
-          {view.live ? "Hold" : "Back to live"}
-        </ToggleButton>
-        <ToggleButton
-          className="button quiet"
-          isSelected={together}
-          isDisabled={specs.length < 2}
-          onChange={(on) => change({ together: on })}
-        >
-          Shared axes
-        </ToggleButton>
-        <span className="plots-fill" />
-        <MenuTrigger>
-          <Button className="button" isDisabled={specs.length === 0}>
-            Export
-          </Button>
-          <Popover className="popover">
-            <Menu className="menu" onAction={save}>
-              <MenuItem className="menu-item" id="png">
-                Picture (PNG)
-              </MenuItem>
-              <MenuItem className="menu-item" id="svg">
-                Drawing (SVG)
-              </MenuItem>
-              <MenuItem className="menu-item" id="csv">
-                Table (CSV)
-              </MenuItem>
-            </Menu>
-          </Popover>
-        </MenuTrigger>
-        <Button className="button quiet" isDisabled={specs.length === 0} onPress={() => change({ specs: [] })}>
-          Clear
-        </Button>
-      </div>
+      <PlotsBar onHold={() => zoom(span.from, span.to)} onExport={save} />
       {strips.length === 0 ? (
         <NoPlots />
       ) : (
@@ -128,7 +59,7 @@ export function PlotsPanel() {
           aria-label="Plots; plus and minus zoom, arrow keys move, 0 goes back to live"
           // biome-ignore lint/a11y/noNoninteractiveTabindex: keys zoom while it has the focus, and it scrolls
           tabIndex={0}
-          onKeyDown={keys}
+          onKeyDown={(event) => press(event, span)}
         >
           {strips.map((strip) => (
             <PlotStrip
@@ -150,6 +81,97 @@ export function PlotsPanel() {
         </section>
       )}
     </div>
+  );
+}
+
+function useStrips(): Strip[] {
+  const { specs, together } = useStore(plotStore);
+  const roster = usePart("roster");
+  return useMemo(() => {
+    const portUnit = (robot: number, port: string) => roster.portsOf(robot).find((p) => p.path === port)?.unit ?? "";
+    return stripsOf(specs, together, portUnit);
+  }, [specs, together, roster]);
+}
+
+interface PlotsBarProps {
+  /** Time stands still in the plots as they are. */
+  onHold: () => void;
+  onExport: (kind: React.Key) => void;
+}
+
+function PlotsBar({ onHold, onExport }: PlotsBarProps) {
+  const { specs, together, view } = useStore(plotStore);
+  return (
+    <div className="plots-bar" role="toolbar" aria-label="Plots">
+      <DialogTrigger>
+        <Button className="button primary">Add…</Button>
+        <SeriesChooser present={specs} onAdd={(more) => change({ specs: [...specs, ...more] })} />
+      </DialogTrigger>
+      <Spans />
+      <ToggleButton
+        className="button"
+        isDisabled={specs.length === 0}
+        isSelected={!view.live}
+        onChange={(held) => (held ? onHold() : goLive())}
+      >
+        {view.live ? "Hold" : "Back to live"}
+      </ToggleButton>
+      <ToggleButton
+        className="button quiet"
+        isSelected={together}
+        isDisabled={specs.length < 2}
+        onChange={(on) => change({ together: on })}
+      >
+        Shared axes
+      </ToggleButton>
+      <span className="plots-fill" />
+      <ExportMenu isDisabled={specs.length === 0} onExport={onExport} />
+      <Button className="button quiet" isDisabled={specs.length === 0} onPress={() => change({ specs: [] })}>
+        Clear
+      </Button>
+    </div>
+  );
+}
+
+function Spans() {
+  const { window: seconds, view } = useStore(plotStore);
+  return (
+    <fieldset className="segments plots-windows">
+      <legend className="hidden-text">Span of time</legend>
+      {kWindows.map((w) => (
+        <ToggleButton
+          key={w.seconds}
+          className="button"
+          isSelected={view.live && seconds === w.seconds}
+          onChange={() => goLive(w.seconds)}
+        >
+          {w.label}
+        </ToggleButton>
+      ))}
+    </fieldset>
+  );
+}
+
+function ExportMenu({ isDisabled, onExport }: { isDisabled: boolean; onExport: (kind: React.Key) => void }) {
+  return (
+    <MenuTrigger>
+      <Button className="button" isDisabled={isDisabled}>
+        Export
+      </Button>
+      <Popover className="popover">
+        <Menu className="menu" onAction={onExport}>
+          <MenuItem className="menu-item" id="png">
+            Picture (PNG)
+          </MenuItem>
+          <MenuItem className="menu-item" id="svg">
+            Drawing (SVG)
+          </MenuItem>
+          <MenuItem className="menu-item" id="csv">
+            Table (CSV)
+          </MenuItem>
+        </Menu>
+      </Popover>
+    </MenuTrigger>
   );
 }
 
@@ -177,6 +199,15 @@ function NoPlots() {
       )}
     </div>
   );
+}
+
+function press(event: KeyboardEvent, span: { from: number; to: number }): void {
+  const next = keyView(event.key, span);
+  if (next === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+  event.preventDefault();
+  event.stopPropagation();
+  if (next === null) goLive();
+  else zoom(next.from, next.to);
 }
 
 /** undefined: the key means nothing here; null: back to live. */

@@ -9,51 +9,68 @@ export type RosterRow =
 
 /** What the query finds is shown with the units above it; all of a unit that is found itself. */
 export function rosterRows(roster: RosterIndex, query: string, folded: ReadonlySet<string>): RosterRow[] {
-  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
-  const fits = (text: string) => words.every((word) => text.toLowerCase().includes(word));
-  const rows: RosterRow[] = [];
-  const placed = new Set<number>();
-  const robotRow = (id: number, depth: number, unit: string): RosterRow => ({
-    key: `r:${id}`,
-    kind: "robot",
-    id,
-    name: roster.nameOf(id),
-    depth,
-    unit,
-  });
-  const children = new Map<number, number[]>();
-  roster.units.forEach((unit, index) => {
-    children.set(unit.parent, [...(children.get(unit.parent) ?? []), index]);
-  });
-  const addUnit = (index: number, depth: number, isFound: boolean): boolean => {
-    const unit = roster.units[index];
-    if (!unit) return false;
-    const at = rows.length;
-    const all = roster.robotsOf(unit.name);
-    const found = isFound || (words.length > 0 && fits(unit.name));
-    rows.push({ key: `u:${unit.name}`, kind: "unit", name: unit.name, depth, robots: all });
-    const inside = children.get(index) ?? [];
-    const below = new Set(inside.flatMap((child) => [...roster.robotsOf(roster.units[child]?.name ?? "")]));
-    let any = found || words.length === 0;
-    const isFolded = folded.has(unit.name) && words.length === 0;
-    for (const id of all) {
-      if (below.has(id)) continue;
-      placed.add(id);
-      if (isFolded || !(found || words.length === 0 || fits(`${roster.nameOf(id)} ${roster.robot(id)?.type ?? ""}`)))
-        continue;
-      rows.push(robotRow(id, depth + 1, unit.name));
-      any = true;
-    }
-    for (const id of below) placed.add(id);
-    if (!isFolded) for (const child of inside) any = addUnit(child, depth + 1, found) || any;
-    if (!any) rows.length = at;
-    return any;
-  };
-  for (const top of children.get(-1) ?? []) addUnit(top, 0, false);
-  for (const robot of roster.robots) {
-    if (!placed.has(robot.id) && fits(`${roster.nameOf(robot.id)} ${robot.type}`)) rows.push(robotRow(robot.id, 0, ""));
+  return new Rows(roster, query, folded).all();
+}
+
+class Rows {
+  private readonly words: readonly string[];
+  private readonly rows: RosterRow[] = [];
+  /** Robots that stand in a unit, shown or not. */
+  private readonly placed = new Set<number>();
+  private readonly children = new Map<number, number[]>();
+
+  constructor(
+    private readonly roster: RosterIndex,
+    query: string,
+    private readonly folded: ReadonlySet<string>,
+  ) {
+    this.words = query.toLowerCase().split(/\s+/).filter(Boolean);
+    roster.units.forEach((unit, index) => {
+      this.children.set(unit.parent, [...(this.children.get(unit.parent) ?? []), index]);
+    });
   }
-  return rows;
+
+  all(): RosterRow[] {
+    for (const top of this.children.get(-1) ?? []) this.addUnit(top, 0, false);
+    for (const { id } of this.roster.robots) {
+      if (!this.placed.has(id) && this.fitsRobot(id)) this.addRobot(id, 0, "");
+    }
+    return this.rows;
+  }
+
+  /** `isFound`: a unit around it was. @returns whether anything of it is shown */
+  private addUnit(index: number, depth: number, isFound: boolean): boolean {
+    const unit = this.roster.units[index];
+    if (!unit) return false;
+    const at = this.rows.length;
+    const robots = this.roster.robotsOf(unit.name);
+    const isAll = this.words.length === 0;
+    const isWhole = isFound || isAll || this.fits(unit.name);
+    const isFolded = isAll && this.folded.has(unit.name);
+    this.rows.push({ key: `u:${unit.name}`, kind: "unit", name: unit.name, depth, robots });
+    const inside = this.children.get(index) ?? [];
+    const below = new Set(inside.flatMap((child) => [...this.roster.robotsOf(this.roster.units[child]?.name ?? "")]));
+    const own = robots.filter((id) => !below.has(id));
+    for (const id of robots) this.placed.add(id);
+    const shown = isFolded ? [] : own.filter((id) => isWhole || this.fitsRobot(id));
+    for (const id of shown) this.addRobot(id, depth + 1, unit.name);
+    let any = isWhole || shown.length > 0;
+    if (!isFolded) for (const child of inside) any = this.addUnit(child, depth + 1, isWhole && !isAll) || any;
+    if (!any) this.rows.length = at;
+    return any;
+  }
+
+  private addRobot(id: number, depth: number, unit: string): void {
+    this.rows.push({ key: `r:${id}`, kind: "robot", id, name: this.roster.nameOf(id), depth, unit });
+  }
+
+  private fitsRobot(id: number): boolean {
+    return this.fits(`${this.roster.nameOf(id)} ${this.roster.robot(id)?.type ?? ""}`);
+  }
+
+  private fits(text: string): boolean {
+    return this.words.every((word) => text.toLowerCase().includes(word));
+  }
 }
 
 /** The rows that a selection marks. */

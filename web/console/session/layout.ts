@@ -165,16 +165,7 @@ export function readLayout(stored: unknown, windowWidth: number): Layout {
   const layout = firstLayout(windowWidth);
   if (!isRecord(stored)) return layout;
   if (isRecord(stored.docks)) {
-    for (const dock of kDocks) {
-      const from = stored.docks[dock];
-      if (!isRecord(from)) continue;
-      const into = layout.docks[dock];
-      if (typeof from.open === "boolean") into.open = from.open;
-      if (typeof from.active === "string") into.active = from.active;
-      if (typeof from.size === "number" && Number.isFinite(from.size)) {
-        into.size = Math.min(kLimits[dock].max, Math.max(kLimits[dock].min, from.size));
-      }
-    }
+    for (const dock of kDocks) layout.docks[dock] = readDock(stored.docks[dock], layout.docks[dock], kLimits[dock]);
   }
   if (kDocks.includes(stored.recent as Dock)) layout.recent = stored.recent as Dock;
   if (isRecord(stored.moved)) {
@@ -183,6 +174,17 @@ export function readLayout(stored: unknown, windowWidth: number): Layout {
     }
   }
   return layout;
+}
+
+function readDock(stored: unknown, fallback: DockLayout, { min, max }: { min: number; max: number }): DockLayout {
+  if (!isRecord(stored)) return fallback;
+  const { open, active, size } = stored;
+  const isSize = typeof size === "number" && Number.isFinite(size);
+  return {
+    open: typeof open === "boolean" ? open : fallback.open,
+    active: typeof active === "string" ? active : fallback.active,
+    size: isSize ? Math.min(max, Math.max(min, size)) : fallback.size,
+  };
 }
 
 function withDock(layout: Layout, dock: Dock, change: Partial<DockLayout>): Layout {

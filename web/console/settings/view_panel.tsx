@@ -7,25 +7,51 @@ import { askForCalls } from "../calls/calls.ts";
 import { usePart, useSession, useUi } from "../session/session.ts";
 import type { ThemeChoice } from "../session/ui.ts";
 
+type Edit = (name: string, change: Partial<MapSettings>) => void;
+
+interface MapProps {
+  map: MapSettings;
+  edit: Edit;
+}
+
 export function ViewPanel() {
   const { ui } = useSession();
   const map = usePart("map");
-  const theme = useUi("theme");
-  const edit = (name: string, change: Partial<MapSettings>) => ui.editMap(name, change);
+  const edit: Edit = (name, change) => ui.editMap(name, change);
   return (
     <div className="rows tab-body">
-      <Row label="Colours">
-        <Segments<ThemeChoice>
-          label="Colours"
-          value={theme}
-          onChange={(value) => ui.set("theme", value)}
-          choices={[
-            ["auto", "System"],
-            ["light", "Light"],
-            ["dark", "Dark"],
-          ]}
-        />
-      </Row>
+      <Colours />
+      <MapLook map={map} edit={edit} />
+      <RobotScale />
+      <CallsSwitch />
+      <Layers map={map} edit={edit} />
+      <Marks map={map} edit={edit} />
+    </div>
+  );
+}
+
+function Colours() {
+  const { ui } = useSession();
+  const theme = useUi("theme");
+  return (
+    <Row label="Colours">
+      <Segments<ThemeChoice>
+        label="Colours"
+        value={theme}
+        onChange={(value) => ui.set("theme", value)}
+        choices={[
+          ["auto", "System"],
+          ["light", "Light"],
+          ["dark", "Dark"],
+        ]}
+      />
+    </Row>
+  );
+}
+
+function MapLook({ map, edit }: MapProps) {
+  return (
+    <>
       <Row label="Symbols">
         <Segments
           label="Symbols"
@@ -66,44 +92,52 @@ export function ViewPanel() {
           ]}
         />
       </Row>
-      <RobotScale />
-      <CallsSwitch />
-      <section aria-label="Layers">
-        <h3>Layers</h3>
-        {kLayers
-          .filter(([layer]) => layer !== "trails")
-          .map(([layer, name]) => (
-            <Switch
-              key={layer}
-              label={name}
-              value={map.layers[layer]}
-              onChange={(shown) =>
-                edit(`${shown ? "show" : "hide"} ${name.toLowerCase()}`, {
-                  layers: withLayer(map, layer, shown).layers,
-                })
-              }
-            />
-          ))}
-      </section>
-      <section aria-label="Marks">
-        <h3>Marks</h3>
-        <Switch
-          label="Rings round robots"
-          value={map.circleRobots}
-          onChange={(circleRobots) => edit("rings round robots", { circleRobots })}
-        />
-        <Switch
-          label="Highlight obstacles that repel"
-          value={map.highlightObstacles}
-          onChange={(highlightObstacles) => edit("highlighted obstacles", { highlightObstacles })}
-        />
-        <Switch
-          label="What each schema contributes"
-          value={map.contributions}
-          onChange={(contributions) => edit("contributions", { contributions })}
-        />
-      </section>
-    </div>
+    </>
+  );
+}
+
+function Layers({ map, edit }: MapProps) {
+  return (
+    <section aria-label="Layers">
+      <h3>Layers</h3>
+      {kLayers
+        .filter(([layer]) => layer !== "trails")
+        .map(([layer, name]) => (
+          <Switch
+            key={layer}
+            label={name}
+            value={map.layers[layer]}
+            onChange={(shown) =>
+              edit(`${shown ? "show" : "hide"} ${name.toLowerCase()}`, {
+                layers: withLayer(map, layer, shown).layers,
+              })
+            }
+          />
+        ))}
+    </section>
+  );
+}
+
+function Marks({ map, edit }: MapProps) {
+  return (
+    <section aria-label="Marks">
+      <h3>Marks</h3>
+      <Switch
+        label="Rings round robots"
+        value={map.circleRobots}
+        onChange={(circleRobots) => edit("rings round robots", { circleRobots })}
+      />
+      <Switch
+        label="Highlight obstacles that repel"
+        value={map.highlightObstacles}
+        onChange={(highlightObstacles) => edit("highlighted obstacles", { highlightObstacles })}
+      />
+      <Switch
+        label="What each schema contributes"
+        value={map.contributions}
+        onChange={(contributions) => edit("contributions", { contributions })}
+      />
+    </section>
   );
 }
 

@@ -52,11 +52,14 @@ describe("the dead-man's switch", () => {
         let now = 0;
         for (const e of events) {
           now += 20;
-          if (e.type === "hold") man.hold(e.source, { x: 0.5, y: 0.5 }, now);
-          else if (e.type === "release") man.release(e.source);
-          else if (e.type === "stop") man.stop();
-          else if (e.type === "frame") man.setRobotFrame(!man.robotFrame);
-          else man.tick(now);
+          const happen = {
+            hold: () => man.hold(e.source, { x: 0.5, y: 0.5 }, now),
+            release: () => man.release(e.source),
+            stop: () => man.stop(),
+            frame: () => man.setRobotFrame(!man.robotFrame),
+            tick: () => man.tick(now),
+          };
+          happen[e.type]();
           const last = sent.at(-1)?.stick ?? { x: 0, y: 0 };
           expect(man.heldBy === null ? last : man.value).toEqual(
             man.heldBy === null ? { x: 0, y: 0 } : { x: 0.5, y: 0.5 },

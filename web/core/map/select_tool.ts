@@ -1,6 +1,14 @@
 // Selecting: click, shift-click, a box drawn over empty ground, again on the same place for what lies below.
 import { boxOf, distance, type Point } from "../geometry.ts";
-import { kNothing, selectItem, selectRobots, selectUnit, toggleItem, toggleRobot } from "../selection.ts";
+import {
+  kNothing,
+  type Selection,
+  selectItem,
+  selectRobots,
+  selectUnit,
+  toggleItem,
+  toggleRobot,
+} from "../selection.ts";
 import { kDragStart } from "./input.ts";
 import type { MapView } from "./map_view.ts";
 import { fade } from "./palette.ts";
@@ -121,13 +129,9 @@ export class SelectTool implements MapTool {
     const isSecond = isAgain && this.isSecondClick();
     if (isSecond && !picks.some((one) => one.kind === "robot" && one.id === this.lastRobot.id)) return;
     if (!isSecond) this.lastRobot = { id: pick?.kind === "robot" ? pick.id : 0, at: performance.now() };
-    if (!pick) {
-      if (!pointer.shift) model.select(kNothing);
-    } else if (pick.kind === "robot") {
-      model.select(pointer.shift || pointer.ctrl ? toggleRobot(selection, pick.id) : selectRobots([pick.id]));
-    } else {
-      model.select(pointer.shift || pointer.ctrl ? toggleItem(selection, pick) : selectItem(pick));
-    }
+    const isMore = pointer.shift || pointer.ctrl;
+    if (pick) model.select(isMore ? toggled(selection, pick) : chosen(pick));
+    else if (!pointer.shift) model.select(kNothing);
   }
 
   private isSecondClick(): boolean {
@@ -149,6 +153,14 @@ export class SelectTool implements MapTool {
     model.select(robots.length || items.length ? { robots, unit: "", items } : kNothing);
     this.lastClick = null;
   }
+}
+
+function chosen(pick: MapPick): Selection {
+  return pick.kind === "robot" ? selectRobots([pick.id]) : selectItem(pick);
+}
+
+function toggled(selection: Selection, pick: MapPick): Selection {
+  return pick.kind === "robot" ? toggleRobot(selection, pick.id) : toggleItem(selection, pick);
 }
 
 function bound(map: MapView) {

@@ -124,34 +124,29 @@ export class Router {
 
   /** Takes the best route for a way, all others as they are. @returns whether it is another one than before */
   private choose(i: number): boolean {
-    const { label: whole, short } = this.labels[i]!;
     const before = this.taken[i];
+    const best = this.best(i);
+    this.taken[i] = best;
+    return best !== undefined && !isSameRoute(best.route, before?.route);
+  }
+
+  private best(i: number): Taken | undefined {
     let best: Taken | undefined;
     let least = Number.POSITIVE_INFINITY;
     for (const drawn of this.tried[i]!) {
       if (drawn.cost >= least) continue;
       const base = drawn.cost + this.costOfWay(i, drawn);
-      for (const isShort of [false, true]) {
-        for (const [place, middle] of drawn.middles.entries()) {
-          const at = kPlaces[place]!;
-          const extra = base + Math.abs(at - 0.5) * 6 + (isShort ? kCost.short : 0);
-          if (extra >= least) continue;
-          const label = around(middle, isShort ? short : whole);
-          const cost = extra + this.costOfLabel(i, drawn, label, least - extra);
-          if (cost >= least) continue;
-          least = cost;
-          best = { drawn, label, route: { bend: drawn.bend, at, isShort } };
-        }
+      for (const { at, isShort, middle, size, aside, shortened } of placings(drawn, this.labels[i]!)) {
+        const extra = base + aside + shortened;
+        if (extra >= least) continue;
+        const label = around(middle, size);
+        const cost = extra + this.costOfLabel(i, drawn, label, least - extra);
+        if (cost >= least) continue;
+        least = cost;
+        best = { drawn, label, route: { bend: drawn.bend, at, isShort } };
       }
     }
-    this.taken[i] = best;
-    return (
-      best !== undefined &&
-      (before === undefined ||
-        before.route.bend !== best.route.bend ||
-        before.route.at !== best.route.at ||
-        before.route.isShort !== best.route.isShort)
-    );
+    return best;
   }
 
   /** Without what is only less beautiful. */
@@ -200,6 +195,21 @@ export class Router {
     }
     return cost;
   }
+}
+
+/** Where on its way a label may stand, whole or short, the most beautiful first. */
+function placings({ middles }: Drawn, { label, short }: LabelSizes) {
+  return [false, true].flatMap((isShort) =>
+    middles.map((middle, place) => {
+      const at = kPlaces[place]!;
+      const [aside, shortened] = [Math.abs(at - 0.5) * 6, isShort ? kCost.short : 0];
+      return { at, isShort, middle, size: isShort ? short : label, aside, shortened };
+    }),
+  );
+}
+
+function isSameRoute(a: Route, b: Route | undefined): boolean {
+  return a.bend === b?.bend && a.at === b.at && a.isShort === b.isShort;
 }
 
 /** 0, a little to each side, more ... */

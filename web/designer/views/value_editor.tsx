@@ -33,7 +33,7 @@ export function ValueEditor() {
 
 function Editor({ node, port, what, row }: { node: Node; port: Port; what: "value" | "weight"; row: Element }) {
   const close = () => canvasStore.setState({ editing: null });
-  const label = what === "weight" ? `Weight of ${rowLabel(port)}` : port.label || port.name;
+  const label = what === "weight" ? `Weight of ${rowLabel(port)}` : nameOf(port);
   return (
     <Popover
       className="popover value-editor"
@@ -79,7 +79,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
   const [typed, setTyped] = useState(shown);
   const [problem, setProblem] = useState<string | undefined>();
   useEffect(() => setTyped(shown), [shown]);
-  const label = what === "weight" ? `Weight of ${rowLabel(port)}` : port.label || port.name;
+  const label = what === "weight" ? `Weight of ${rowLabel(port)}` : nameOf(port);
   const send = async (value: string) => {
     if (value === given || value === shown || isReadOnly) return onDone(); // a default that is only left is not written
     const answer = await designer.link.ask({
@@ -93,11 +93,6 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
     });
     if (answer.ok) onDone();
     else setProblem(answer.error);
-  };
-  const expose = () => {
-    const value = { page: designer.state.page, node: node.name, port: port.name, ...indexOf(port) };
-    void designer.edit(`make ${label} a parameter`, { case: "expose", value });
-    onDone();
   };
   const { min, max } = port;
   const number = numberIn(typed, port.unit);
@@ -131,35 +126,65 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
           onCommit={(next) => void send(next)}
         />
       )}
-      {choices.length > 0 && (
-        <div className="columns" style={{ gap: 4 }}>
-          {choices.slice(0, 24).map((choice) => (
-            <Button
-              key={choice}
-              tone={choice === typed ? "primary" : "plain"}
-              isDisabled={isReadOnly}
-              onPress={() => void send(choice)}
-            >
-              {choice}
-            </Button>
-          ))}
-        </div>
-      )}
+      {choices.length > 0 && <ValueChoices choices={choices} typed={typed} onChoose={(next) => void send(next)} />}
       {what === "value" && !isReadOnly && (
-        <div className={isCompact ? "value-tools" : "columns"} style={{ gap: 4 }}>
-          {port.initial !== "" && given !== "" && (
-            <Tool
-              icon="restart"
-              label={`Default: ${port.initial}`}
-              isCompact={isCompact}
-              onPress={() => void send("")}
-            />
-          )}
-          {!port.isExposed && <Tool icon="gear" label="Make it a parameter" isCompact={isCompact} onPress={expose} />}
-        </div>
+        <ValueTools node={node} port={port} isCompact={isCompact} onDefault={() => void send("")} onDone={onDone} />
       )}
     </div>
   );
+}
+
+interface ValueChoicesProps {
+  choices: readonly string[];
+  typed: string;
+  onChoose: (choice: string) => void;
+}
+
+function ValueChoices({ choices, typed, onChoose }: ValueChoicesProps) {
+  const isReadOnly = useIsReadOnly();
+  return (
+    <div className="columns" style={{ gap: 4 }}>
+      {choices.slice(0, 24).map((choice) => (
+        <Button
+          key={choice}
+          tone={choice === typed ? "primary" : "plain"}
+          isDisabled={isReadOnly}
+          onPress={() => onChoose(choice)}
+        >
+          {choice}
+        </Button>
+      ))}
+    </div>
+  );
+}
+
+interface ValueToolsProps {
+  node: Node;
+  port: Port;
+  isCompact: boolean;
+  onDefault: () => void;
+  onDone: () => void;
+}
+
+function ValueTools({ node, port, isCompact, onDefault, onDone }: ValueToolsProps) {
+  const designer = useDesigner();
+  const expose = () => {
+    const value = { page: designer.state.page, node: node.name, port: port.name, ...indexOf(port) };
+    void designer.edit(`make ${nameOf(port)} a parameter`, { case: "expose", value });
+    onDone();
+  };
+  return (
+    <div className={isCompact ? "value-tools" : "columns"} style={{ gap: 4 }}>
+      {port.initial !== "" && port.value !== "" && (
+        <Tool icon="restart" label={`Default: ${port.initial}`} isCompact={isCompact} onPress={onDefault} />
+      )}
+      {!port.isExposed && <Tool icon="gear" label="Make it a parameter" isCompact={isCompact} onPress={expose} />}
+    </div>
+  );
+}
+
+function nameOf(port: Port): string {
+  return port.label || port.name;
 }
 
 interface ValueSliderProps {

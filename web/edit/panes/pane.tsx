@@ -70,13 +70,11 @@ function Place() {
   const live = useLivePage();
   const now = useSituation();
   const scene = useSessionPart("scene");
-  const link = useSessionPart("link");
   const error = useLiveState((state) => state.error);
   const fieldError = useLiveState((state) => state.fieldError);
   const field = useLiveState((state) => (state.showsField ? state.field : null));
   const isReading = useLiveState(({ showsField, field, fieldError }) => showsField && !field && fieldError === "");
   const isPlacing = useLiveState((state) => state.isPlacing);
-  const { act, hint } = runButton(now);
   const isEmpty = !scene || now.mode === Status_Mode.NO_MISSION;
   return (
     <div className="sim-place">
@@ -112,29 +110,38 @@ function Place() {
         </p>
       )}
       {!isEmpty && <MapHost />}
-      {isEmpty && (
-        <div className="sim-empty">
-          {link.state !== "open" ? (
-            <p className="muted">{link.reason === "" ? "Connecting…" : `No simulator: ${link.reason}.`}</p>
-          ) : now.isBusy ? (
-            <p className="muted">Compiling…</p>
+      {isEmpty && <Nothing />}
+    </div>
+  );
+}
+
+/** Where the map would be: why there is none, and what can be done. */
+function Nothing() {
+  const live = useLivePage();
+  const now = useSituation();
+  const link = useSessionPart("link");
+  const { act, hint } = runButton(now);
+  return (
+    <div className="sim-empty">
+      {link.state !== "open" ? (
+        <p className="muted">{link.reason === "" ? "Connecting…" : `No simulator: ${link.reason}.`}</p>
+      ) : now.isBusy ? (
+        <p className="muted">Compiling…</p>
+      ) : (
+        <>
+          <p className="muted">{act === "none" ? `${hint}.` : "Robots that run what is drawn are shown here."}</p>
+          {now.errors > 0 ? (
+            <Button icon="warning" onPress={() => live.showProblem()}>
+              It does not compile: show why
+            </Button>
           ) : (
-            <>
-              <p className="muted">{act === "none" ? `${hint}.` : "Robots that run what is drawn are shown here."}</p>
-              {now.errors > 0 ? (
-                <Button icon="warning" onPress={() => live.showProblem()}>
-                  It does not compile: show why
-                </Button>
-              ) : (
-                now.hasSubject && (
-                  <Button tone="go" icon="play" onPress={() => void live.press()}>
-                    Run
-                  </Button>
-                )
-              )}
-            </>
+            now.hasSubject && (
+              <Button tone="go" icon="play" onPress={() => void live.press()}>
+                Run
+              </Button>
+            )
           )}
-        </div>
+        </>
       )}
     </div>
   );
