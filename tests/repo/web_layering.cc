@@ -106,13 +106,13 @@ const WebArrows& web_arrows() {
       {"ui/text", {"core"}},
 
       // The operator console: what every panel may ask, panels, what shows them.
-      {"console/session", {"core/map", "ui/controls"}},
+      {"console/session", {"core/map", "ui/commands"}},
       {"console/map_editing", {"console/session"}},
       {"console/command", {"console/map_editing", "ui/text"}},
       {"console/overlay", {"console/map_editing"}},
       {"console/world", {"console/map_editing"}},
       {"console/measuring", {"core/map/tools", "console/session"}},
-      {"console/mission", {"console/session", "ui/commands"}},
+      {"console/mission", {"console/session"}},
       {"console/robots", {"console/mission"}},
       {"console/selection", {"console/robots"}},
       {"console/log", {"console/session"}},
@@ -135,14 +135,14 @@ const WebArrows& web_arrows() {
       {"console/gallery", {"core/map"}},
 
       // The designer: what the page knows, what a page looks like, what is seen of it, what is done with it.
-      {"designer/session", {"core", "ui/controls"}},
+      {"designer/session", {"ui/commands"}},
       {"designer/drawing", {"designer/session"}},
       {"designer/states", {"designer/drawing"}},
       {"designer/arrange", {"designer/states"}},
       {"designer/sight", {"designer/arrange"}},
       {"designer/running", {"designer/session"}},
       {"designer/views", {"designer/sight", "designer/running"}},
-      {"designer/palette", {"designer/views", "ui/commands"}},
+      {"designer/palette", {"designer/views"}},
       {"designer/tour", {"designer/sight"}},
       {"designer/exports", {"designer/sight"}},
       {"designer/actions", {"designer/exports", "designer/palette", "designer/tour"}},

@@ -1,6 +1,7 @@
-import { useEffect } from "react";
+import { useCallback, useEffect } from "react";
 import { ErrorFence } from "../ui/controls/error_fence.tsx";
 import { isStale, Silence } from "../ui/controls/silence.tsx";
+import { useTheme } from "../ui/controls/theme.ts";
 import { Palette, ShortcutSheet } from "./actions/palette.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { useCalls } from "./calls/use_calls.ts";
@@ -16,7 +17,6 @@ import { Dock, Rail } from "./shell/dock.tsx";
 import { MapPane, ToolOptions } from "./shell/map_pane.tsx";
 import { useRevealing } from "./shell/revealing.ts";
 import { Strip } from "./shell/strip.tsx";
-import { useTheme } from "./shell/theme.ts";
 import { Toasts } from "./shell/toasts.tsx";
 import { TopBar } from "./shell/top_bar.tsx";
 import { useFollowStop } from "./shell/use_stop.ts";
@@ -41,7 +41,7 @@ export function App({ session }: { session: Session }) {
 
 function Page() {
   const session = useSession();
-  useTheme();
+  usePageTheme();
   useShortcuts(session);
   useRevealing();
   useRevealTeleoperation(panels);
@@ -129,6 +129,18 @@ function Dialogs() {
     default:
       return null;
   }
+}
+
+/** On the map, too. */
+function usePageTheme(): void {
+  const { model } = useSession();
+  const told = useCallback(
+    (theme: "light" | "dark") => {
+      if (model.get("map").theme !== theme) model.updateMap({ theme });
+    },
+    [model],
+  );
+  useTheme(useUi("theme"), told);
 }
 
 function useTitle(): void {

@@ -1,8 +1,10 @@
 import { ReactFlowProvider } from "@xyflow/react";
 import { lazy, type ReactNode, Suspense, useEffect } from "react";
 import { IconButton } from "../ui/controls/controls.tsx";
+import { ErrorFence } from "../ui/controls/error_fence.tsx";
 import { isStale, Silence } from "../ui/controls/silence.tsx";
 import { Splitter } from "../ui/controls/splitter.tsx";
+import { useTheme } from "../ui/controls/theme.ts";
 import { count } from "../ui/words/format.ts";
 import { Commands, ShortcutSheet } from "./actions/dialogs.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
@@ -14,7 +16,6 @@ import { DeclarationDialog, ParameterDialog, RenameDialog } from "./dialogs/dial
 import { GroupDialog } from "./dialogs/group_dialog.tsx";
 import { Banners, FloatingBanners } from "./files/banners.tsx";
 import { LibraryDialog, OpenDialog, SaveAsDialog } from "./files/dialogs.tsx";
-import { Fence } from "./files/fence.tsx";
 import { StartPage } from "./files/start_page.tsx";
 import { TopBar } from "./files/top_bar.tsx";
 import { ConnectChooser } from "./palette/connect_chooser.tsx";
@@ -54,7 +55,7 @@ export function App({ designer }: { designer: Designer }) {
 function Page() {
   const designer = useDesigner();
   const document = usePart((state) => state.document);
-  useTheme();
+  useTheme(usePart((state) => state.theme));
   useShortcuts(designer);
   useEffect(watchPanes, []);
   useTitle();
@@ -92,9 +93,9 @@ function Work() {
           </Side>
         )}
         <main className="centre">
-          <Fence name="The drawing">
+          <ErrorFence name="The drawing">
             <Centre />
-          </Fence>
+          </ErrorFence>
           <FloatingBanners />
         </main>
         {shown.text && (
@@ -152,6 +153,8 @@ function Side({ name, title, width, side, children }: SideProps) {
         side={side}
         label={`Width of ${title}`}
         size={size}
+        least={160}
+        most={Math.max(320, window.innerWidth - 700)}
         onSize={(next) => designer.show({ [width]: next } as Partial<Shown>)}
       />
       <header>
@@ -160,7 +163,7 @@ function Side({ name, title, width, side, children }: SideProps) {
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
       <section className="panel" tabIndex={0} aria-label={`${title} content`}>
-        <Fence name={title}>{children}</Fence>
+        <ErrorFence name={title}>{children}</ErrorFence>
       </section>
     </section>
   );
@@ -174,6 +177,8 @@ function Problems({ height }: { height: number }) {
         side="bottom"
         label="Height of Problems"
         size={height}
+        least={100}
+        most={window.innerHeight - 240}
         onSize={(next) => designer.show({ problemsHeight: next })}
       />
       <header>
@@ -301,19 +306,6 @@ function Spoken() {
       {spoken}
     </div>
   );
-}
-
-function useTheme(): void {
-  const choice = usePart((state) => state.theme);
-  useEffect(() => {
-    const system = window.matchMedia("(prefers-color-scheme: dark)");
-    const apply = () => {
-      document.documentElement.dataset.theme = choice === "auto" ? (system.matches ? "dark" : "light") : choice;
-    };
-    apply();
-    system.addEventListener("change", apply);
-    return () => system.removeEventListener("change", apply);
-  }, [choice]);
 }
 
 function useTitle(): void {

@@ -1,7 +1,6 @@
 // Asked once before a run is given up.
 import { Control_Action } from "../../core/protocol.ts";
-import { Button } from "../../ui/controls/controls.tsx";
-import { DialogBox } from "../../ui/controls/menus.tsx";
+import { Confirm } from "../../ui/controls/confirm.tsx";
 import { control } from "../session/orders.ts";
 import { useIsOperator, useSession, useUi } from "../session/session.ts";
 
@@ -26,26 +25,17 @@ export function ConfirmDialog() {
   const isOperator = useIsOperator();
   if (name !== "abort" && name !== "restart") return null;
   const { title, text, action, word } = kTexts[name];
-  const close = () => session.ui.set("dialog", "");
-  const carryOut = () => {
-    close();
-    control(session, action);
-  };
   return (
-    <DialogBox
+    <Confirm
       title={title}
-      onClose={close}
       width={420}
-      footer={
-        <>
-          <Button onPress={close}>Go on as it is</Button>
-          <Button tone="danger" isDisabled={!isOperator} onPress={carryOut}>
-            {word}
-          </Button>
-        </>
-      }
+      no="Go on as it is"
+      yes={word}
+      isDisabled={!isOperator}
+      onYes={() => control(session, action)}
+      onClose={() => session.ui.set("dialog", "")}
     >
       <p>{text}</p>
-    </DialogBox>
+    </Confirm>
   );
 }

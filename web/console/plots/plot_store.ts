@@ -1,5 +1,6 @@
 // What is plotted and how: kept over reloads, and there whether or not the panel is open.
 import { createStore } from "zustand/vanilla";
+import { readRecord } from "../../core/stored.ts";
 import { type SeriesSpec, seriesFromJson } from "./series.ts";
 import type { TimeView } from "./strips.ts";
 
@@ -15,13 +16,7 @@ export interface PlotState {
 export const kPlotsKey = "mlab.plots";
 
 export function initialPlots(stored: string | null): PlotState {
-  let kept: Record<string, unknown> = {};
-  try {
-    const value: unknown = JSON.parse(stored ?? "{}");
-    if (typeof value === "object" && value !== null) kept = value as Record<string, unknown>;
-  } catch {
-    // Of another version, or damaged: as if nothing had been kept.
-  }
+  const kept = readRecord(stored);
   const window = typeof kept.window === "number" && kept.window >= 0 && Number.isFinite(kept.window) ? kept.window : 60;
   return { specs: seriesFromJson(kept.specs), together: kept.together === true, window, view: { live: true, window } };
 }

@@ -1,5 +1,6 @@
 // Which panel stands in which dock, which docks are open, and how large they are. Pure: every change gives a new layout.
 // What a window shows of it is `fitted`: the map keeps at least half of the window.
+import { isRecord } from "../../core/stored.ts";
 import type { Dock } from "./registry.ts";
 
 export const kDocks: readonly Dock[] = ["left", "right", "bottom"];
@@ -30,10 +31,11 @@ export interface PanelPlace {
   dock: Dock;
 }
 
-const kLimits: Record<Dock, { min: number; max: number }> = {
-  left: { min: 244, max: 560 },
-  right: { min: 230, max: 640 },
-  bottom: { min: 140, max: 620 },
+/** [px] */
+export const kDockSizes: Record<Dock, { least: number; most: number }> = {
+  left: { least: 244, most: 560 },
+  right: { least: 230, most: 640 },
+  bottom: { least: 140, most: 620 },
 };
 
 /** Below, a panel lies over the map instead of beside it (as in styles/narrow.css). */
@@ -93,8 +95,8 @@ export function toggleDock(layout: Layout, shown: Layout, dock: Dock): Layout {
 }
 
 export function resizeDock(layout: Layout, dock: Dock, size: number): Layout {
-  const { min, max } = kLimits[dock];
-  return withDock(layout, dock, { size: Math.round(Math.min(max, Math.max(min, size))) });
+  const { least, most } = kDockSizes[dock];
+  return withDock(layout, dock, { size: Math.round(Math.min(most, Math.max(least, size))) });
 }
 
 export function movePanel(layout: Layout, panel: PanelPlace, dock: Dock): Layout {
@@ -147,9 +149,9 @@ export function leavesAll(layout: Layout, panel: PanelPlace, room: Room): boolea
 /** As much smaller as the map needs, or as it can be. */
 function narrowed(layout: Layout, dock: Dock, room: Room): Layout {
   if (!layout.docks[dock].open || mapShare(layout, room) >= keptShare(room)) return layout;
-  const { min } = kLimits[dock];
-  let size = Math.max(min, layout.docks[dock].size);
-  while (size > min && mapShare(withDock(layout, dock, { size }), room) < keptShare(room)) --size;
+  const { least } = kDockSizes[dock];
+  let size = Math.max(least, layout.docks[dock].size);
+  while (size > least && mapShare(withDock(layout, dock, { size }), room) < keptShare(room)) --size;
   return withDock(layout, dock, { size });
 }
 
@@ -165,7 +167,7 @@ export function readLayout(stored: unknown, windowWidth: number): Layout {
   const layout = firstLayout(windowWidth);
   if (!isRecord(stored)) return layout;
   if (isRecord(stored.docks)) {
-    for (const dock of kDocks) layout.docks[dock] = readDock(stored.docks[dock], layout.docks[dock], kLimits[dock]);
+    for (const dock of kDocks) layout.docks[dock] = readDock(stored.docks[dock], layout.docks[dock], kDockSizes[dock]);
   }
   if (kDocks.includes(stored.recent as Dock)) layout.recent = stored.recent as Dock;
   if (isRecord(stored.moved)) {
@@ -176,21 +178,17 @@ export function readLayout(stored: unknown, windowWidth: number): Layout {
   return layout;
 }
 
-function readDock(stored: unknown, fallback: DockLayout, { min, max }: { min: number; max: number }): DockLayout {
+function readDock(stored: unknown, fallback: DockLayout, { least, most }: { least: number; most: number }): DockLayout {
   if (!isRecord(stored)) return fallback;
   const { open, active, size } = stored;
   const isSize = typeof size === "number" && Number.isFinite(size);
   return {
     open: typeof open === "boolean" ? open : fallback.open,
     active: typeof active === "string" ? active : fallback.active,
-    size: isSize ? Math.min(max, Math.max(min, size)) : fallback.size,
+    size: isSize ? Math.min(most, Math.max(least, size)) : fallback.size,
   };
 }
 
 function withDock(layout: Layout, dock: Dock, change: Partial<DockLayout>): Layout {
   return { ...layout, docks: { ...layout.docks, [dock]: { ...layout.docks[dock], ...change } } };
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
 }

@@ -1,5 +1,7 @@
 // How the map looked the last time, read back with care: what was stored may be of another version.
+
 import type { LayerName, MapSettings } from "../../core/map_settings.ts";
+import { isRecord } from "../../core/stored.ts";
 
 /** What is stored and fits, over `fallback`. The theme is the shell's business. */
 export function readMapSettings(stored: unknown, fallback: MapSettings): MapSettings {
@@ -32,8 +34,4 @@ function readLayers(stored: unknown, fallback: MapSettings["layers"]): MapSettin
     if (typeof shown === "boolean") layers[name] = shown;
   }
   return layers;
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null;
 }

@@ -1,7 +1,9 @@
 // What can be put into the shell: panels in its docks, tools on its map, actions in menus, palette and shortcuts.
 // They stand in ../extensions/extensions.ts, one line each; the shell knows none of them by name.
+
 import type { ComponentType } from "react";
 import type { MapTool } from "../../core/map/tool.ts";
+import type { Command } from "../../ui/commands/commands.tsx";
 import type { IconName } from "../../ui/controls/icons.tsx";
 import type { Session } from "./session.ts";
 
@@ -38,18 +40,10 @@ export interface Tool {
   hidden?: boolean;
 }
 
-export interface Action {
-  id: string;
-  /** As in a menu: `Pause`, `Fit the map`. */
-  label: string;
+export interface Action extends Command {
   group: ActionGroup;
-  shortcut?: string;
-  icon?: IconName;
   /** Also while a text field has the focus. */
   everywhere?: boolean;
-  /** Why it can't be done now, as a sentence; nothing: it can. */
-  blocked?: string | undefined;
-  run: () => void;
 }
 
 export type ActionGroup = "Run" | "Mission" | "Map" | "Tools" | "Selection" | "Edit" | "View" | "People";

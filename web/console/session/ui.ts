@@ -4,6 +4,8 @@ import type { MapView } from "../../core/map/map_view.ts";
 import type { MapSettings } from "../../core/map_settings.ts";
 import type { Model } from "../../core/model.ts";
 import { Store } from "../../core/store.ts";
+import { readRecord } from "../../core/stored.ts";
+import type { ThemeChoice } from "../../ui/controls/theme.ts";
 import {
   emptyHistory,
   type LocalHistory,
@@ -16,8 +18,6 @@ import {
 } from "./history.ts";
 import { fitted, type Layout, type Room, readLayout } from "./layout.ts";
 import { readMapSettings } from "./map_settings.ts";
-
-export type ThemeChoice = "auto" | "light" | "dark";
 
 /** What a local edit changes: how the map looks. Panels come and go without one: Undo is for the mission. */
 export type LocalState = { map: MapSettings };
@@ -75,7 +75,7 @@ export class Ui extends Store<UiParts> {
     private readonly storage: Storage,
     room: Room,
   ) {
-    const stored = read(storage);
+    const stored = readRecord(storage.getItem(kKey));
     super({
       layout: readLayout(stored.layout, room.width),
       room,
@@ -171,13 +171,4 @@ export function missionEdits(model: Model): MissionEdits {
     undoNumber: edits?.undoNumber ?? 0n,
     redoNumber: edits?.redoNumber ?? 0n,
   };
-}
-
-function read(storage: Storage): Record<string, unknown> {
-  try {
-    const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "{}");
-    return typeof stored === "object" && stored !== null ? (stored as Record<string, unknown>) : {};
-  } catch {
-    return {};
-  }
 }

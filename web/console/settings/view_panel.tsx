@@ -3,9 +3,9 @@
 import { useState } from "react";
 import { kLayers, type MapSettings, withLayer } from "../../core/map_settings.ts";
 import { RangeSlider, Segments, Switch } from "../../ui/controls/controls.tsx";
+import type { ThemeChoice } from "../../ui/controls/theme.ts";
 import { askForCalls } from "../calls/calls.ts";
 import { usePart, useSession, useUi } from "../session/session.ts";
-import type { ThemeChoice } from "../session/ui.ts";
 
 type Edit = (name: string, change: Partial<MapSettings>) => void;
 

@@ -1,5 +1,6 @@
 // What has to be known before anything else.
 import { Control_Action } from "../../core/protocol.ts";
+import { Banner } from "../../ui/controls/banner.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
@@ -33,7 +34,7 @@ function StopBanner() {
   const stop = useStopState();
   if (stop.kind === "none") return null;
   return (
-    <div className="banner danger" role="alert">
+    <Banner tone="danger" role="alert">
       <Icon name="stop" />
       <span className="grow">{stopSentence(stop, isConnected)}</span>
       {stop.kind === "sent" ? null : isOperator ? (
@@ -43,7 +44,7 @@ function StopBanner() {
           {isConnected ? "Only the operator can release it." : "Not connected: it cannot be released from here."}
         </span>
       )}
-    </div>
+    </Banner>
   );
 }
 
@@ -65,7 +66,7 @@ function LinkBanner() {
   if (link.state === "open" || (link.state === "connecting" && !welcome)) return null;
   const isRefused = link.state === "refused";
   return (
-    <div className={`banner ${isRefused ? "danger" : "hold"}`} role="alert">
+    <Banner tone={isRefused ? "danger" : "hold"} role="alert">
       <Icon name="warning" />
       <span className="grow">
         {isRefused
@@ -78,7 +79,7 @@ function LinkBanner() {
           <Button onPress={() => connection.connect()}>Try now</Button>
         </>
       )}
-    </div>
+    </Banner>
   );
 }
 
@@ -89,14 +90,14 @@ function RequestBanner() {
   const asks = clients?.clients.find((client) => client.id === clients.asks);
   if (!isOperator || !asks) return null;
   return (
-    <div className="banner accent" role="alert">
+    <Banner tone="accent" role="alert">
       <Icon name="hand" />
       <span className="grow">{asks.name || `Browser ${asks.id}`} asks to become the operator.</span>
       <Button tone="primary" onPress={() => passOperator(session, asks.id)}>
         Hand over
       </Button>
       <Button onPress={() => passOperator(session, 0)}>Decline</Button>
-    </div>
+    </Banner>
   );
 }
 
@@ -110,7 +111,7 @@ function WatchingBanner() {
   const holder = clients.clients.find((client) => client.id === clients.operator);
   const hasAsked = clients.asks === welcome.client;
   return (
-    <div className="banner accent" role="status">
+    <Banner tone="accent">
       <Icon name="lock" />
       <span className="grow">
         You are watching.{" "}
@@ -120,7 +121,7 @@ function WatchingBanner() {
       {!hasAsked && (
         <Button onPress={() => takeOperator(session)}>{holder ? "Ask for control" : "Take control"}</Button>
       )}
-    </div>
+    </Banner>
   );
 }
 
@@ -129,11 +130,11 @@ function OlderTextBanner() {
   const documents = usePart("documents");
   if (!documents?.runsOlderText) return null;
   return (
-    <div className="banner hold" role="status">
+    <Banner tone="hold">
       <Icon name="warning" />
       <span className="grow">The mission text has errors. What runs is the last version without.</span>
       <Button onPress={() => showErrors(session)}>Show the errors</Button>
-    </div>
+    </Banner>
   );
 }
 
@@ -143,14 +144,14 @@ function NotKeptBanner() {
   const isOperator = useIsOperator();
   if (!edits?.notKept) return null;
   return (
-    <div className={`banner ${edits.isDirty ? "danger" : "hold"}`} role="alert">
+    <Banner tone={edits.isDirty ? "danger" : "hold"} role="alert">
       <Icon name="warning" />
       <span className="grow">
         What is not saved is not kept, and is lost when mlab ends: {plain(edits.notKept)}.
         {edits.isDirty ? " There is something that is not saved." : ""}
       </span>
       {edits.isDirty && isOperator && <Button onPress={() => save(session)}>Save</Button>}
-    </div>
+    </Banner>
   );
 }
 
@@ -159,10 +160,10 @@ function Notice() {
   const notice = useUi("notice");
   if (!notice) return null;
   return (
-    <div className={`banner ${notice.tone}`} role="alert">
+    <Banner tone={notice.tone} role="alert">
       <Icon name="warning" />
       <span className="grow">{sentence(notice.text)}</span>
       <IconButton icon="close" label="Dismiss" onPress={() => ui.set("notice", null)} />
-    </div>
+    </Banner>
   );
 }

@@ -1,13 +1,22 @@
 // The docks around the map: a rail of buttons, the panel that is shown, a border that can be dragged.
-import { type KeyboardEvent, type PointerEvent, Suspense, useRef, useState } from "react";
+import { Suspense } from "react";
 import { Button as AriaButton } from "react-aria-components";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { ErrorFence } from "../../ui/controls/error_fence.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { MenuButton } from "../../ui/controls/menus.tsx";
+import { Splitter } from "../../ui/controls/splitter.tsx";
 import { panels } from "../extensions/extensions.ts";
-import { activePanel, movePanel, panelsIn, resizeDock, toggleDock, togglePanel } from "../session/layout.ts";
+import {
+  activePanel,
+  kDockSizes,
+  movePanel,
+  panelsIn,
+  resizeDock,
+  toggleDock,
+  togglePanel,
+} from "../session/layout.ts";
 import type { Dock as DockName, Panel } from "../session/registry.ts";
 import { useLayout, useSession } from "../session/session.ts";
 
@@ -65,7 +74,13 @@ export function Dock({ side }: { side: DockName }) {
       style={side === "bottom" ? { height: size } : { width: size }}
       aria-label={panel.title}
     >
-      <Splitter side={side} />
+      <Splitter
+        side={side}
+        label={side === "bottom" ? "Height of the bottom panel" : `Width of the ${side} panel`}
+        size={layout.docks[side].size}
+        {...kDockSizes[side]}
+        onSize={(size) => ui.set("layout", resizeDock(ui.get("layout"), side, size))}
+      />
       <header>
         <h2>{panel.title}</h2>
         <MenuButton
@@ -102,50 +117,5 @@ export function Dock({ side }: { side: DockName }) {
         </ErrorFence>
       </section>
     </section>
-  );
-}
-
-/** Dragged by pointer, or moved with arrow keys while it has the focus. */
-function Splitter({ side }: { side: DockName }) {
-  const { ui } = useSession();
-  const size = useLayout().docks[side].size;
-  const drag = useRef<{ at: number; size: number } | null>(null);
-  const [dragged, setDragged] = useState(false);
-  const along = (event: PointerEvent) => (side === "bottom" ? event.clientY : event.clientX);
-  const resize = (next: number) => ui.set("layout", resizeDock(ui.get("layout"), side, next));
-  const keys = (event: KeyboardEvent) => {
-    const larger = { left: "ArrowRight", right: "ArrowLeft", bottom: "ArrowUp" }[side];
-    const smaller = { left: "ArrowLeft", right: "ArrowRight", bottom: "ArrowDown" }[side];
-    if (event.key !== larger && event.key !== smaller) return;
-    event.preventDefault();
-    resize(size + (event.key === larger ? 16 : -16));
-  };
-  return (
-    // biome-ignore lint/a11y/useSemanticElements: a separator that can be moved is no <hr>
-    <div
-      className={`splitter ${side} ${dragged ? "dragged" : ""}`}
-      role="separator"
-      tabIndex={0}
-      aria-label={`Width of the ${side} panel`.replace("Width of the bottom", "Height of the bottom")}
-      aria-orientation={side === "bottom" ? "horizontal" : "vertical"}
-      aria-valuenow={size}
-      aria-valuemin={140}
-      aria-valuemax={640}
-      onKeyDown={keys}
-      onPointerDown={(event) => {
-        event.currentTarget.setPointerCapture(event.pointerId);
-        drag.current = { at: along(event), size };
-        setDragged(true);
-      }}
-      onPointerMove={(event) => {
-        if (!drag.current) return;
-        const moved = along(event) - drag.current.at;
-        resize(drag.current.size + (side === "left" ? moved : -moved));
-      }}
-      onLostPointerCapture={() => {
-        drag.current = null;
-        setDragged(false);
-      }}
-    />
   );
 }

@@ -1,7 +1,8 @@
 // Lines above the canvas: the connection is lost, the file changed on disk, the text does not parse, something went wrong.
 
 import { create } from "@bufbuild/protobuf";
-import { type ReactNode, useEffect } from "react";
+import { useEffect } from "react";
+import { Banner } from "../../ui/controls/banner.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
@@ -30,14 +31,6 @@ export function FloatingBanners() {
       <ChangedBanner />
       <OutdatedBanner />
       <NoticeBanner />
-    </div>
-  );
-}
-
-function Banner({ tone, children, role = "status" }: { tone: string; children: ReactNode; role?: "status" | "alert" }) {
-  return (
-    <div className={`banner ${tone}`} role={role}>
-      {children}
     </div>
   );
 }

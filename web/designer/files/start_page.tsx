@@ -1,8 +1,8 @@
 // Without a document: what there is to open, and how to begin.
 import { useState } from "react";
+import { Confirm } from "../../ui/controls/confirm.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon, type IconName } from "../../ui/controls/icons.tsx";
-import { DialogBox } from "../../ui/controls/menus.tsx";
 import { shownTitle } from "../../ui/files/paths.ts";
 import { isNew } from "../session/designer.ts";
 import { useDesigner, usePart } from "../session/use.ts";
@@ -69,26 +69,19 @@ function DiscardDialog({ entry, onClose }: { entry: Entry; onClose: () => void }
   const designer = useDesigner();
   const name = shownTitle(entry);
   const discard = async () => {
-    onClose();
     if (await designer.discard(entry.path)) designer.say(`Threw ${name} away`);
   };
   return (
-    <DialogBox
+    <Confirm
       title={`Throw ${name} away?`}
+      no="Keep it"
+      yes="Throw it away"
+      isCareful
+      onYes={() => void discard()}
       onClose={onClose}
-      footer={
-        <>
-          <Button autoFocus onPress={onClose}>
-            Keep it
-          </Button>
-          <Button tone="danger" onPress={() => void discard()}>
-            Throw it away
-          </Button>
-        </>
-      }
     >
       <p>It was never saved: what it holds is lost.</p>
-    </DialogBox>
+    </Confirm>
   );
 }
 

@@ -1,4 +1,5 @@
 // Which groups of the palette somebody has folded or unfolded: kept over reloads.
+import { readRecord } from "../../core/stored.ts";
 
 const kKey = "mlab.designer.groups";
 
@@ -6,13 +7,8 @@ const kKey = "mlab.designer.groups";
 export type Unfolded = Readonly<Record<string, boolean>>;
 
 export function readUnfolded(storage: Storage): Unfolded {
-  try {
-    const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "{}");
-    if (typeof stored !== "object" || stored === null) return {};
-    return Object.fromEntries(Object.entries(stored).filter(([, isOpen]) => typeof isOpen === "boolean"));
-  } catch {
-    return {};
-  }
+  const stored = Object.entries(readRecord(storage.getItem(kKey)));
+  return Object.fromEntries(stored.filter((entry): entry is [string, boolean] => typeof entry[1] === "boolean"));
 }
 
 export function keepUnfolded(storage: Storage, unfolded: Unfolded): void {

@@ -1,6 +1,9 @@
 // What the page knows: what the server tells, what is looked at, what is open. Values are replaced, never changed in place.
+
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { LinkState } from "../../core/server_link.ts";
+import { isRecord, readRecord } from "../../core/stored.ts";
+import type { ThemeChoice } from "../../ui/controls/theme.ts";
 import type { Crumb } from "./crumbs.ts";
 import { pageKey } from "./pages.ts";
 import type { Document, Drawing, FileChanged, Hello, Mark, Palette } from "./protocol.ts";
@@ -19,8 +22,6 @@ export type DialogName =
   | "parameter"
   | "declaration"
   | "welcome";
-
-export type Theme = "auto" | "light" | "dark";
 
 /** What is shown beside the canvas; kept over reloads. */
 export interface Shown {
@@ -92,7 +93,7 @@ export interface State {
   /** What a dialog is about: the node that is renamed, say. */
   subject: string;
   shown: Shown;
-  theme: Theme;
+  theme: ThemeChoice;
   notice: Notice | null;
   reveal: Reveal | null;
   /** Step of the first tour; -1: not shown. */
@@ -126,7 +127,7 @@ export function firstShown(windowWidth: number): Shown {
 }
 
 export function createState(storage: Storage, windowWidth: number): Store {
-  const stored = read(storage);
+  const stored = readRecord(storage.getItem(kKey));
   const store = createStore<State>(() => ({
     link: { state: "connecting", reason: "", retryAt: 0, silentSince: 0 },
     hello: null,
@@ -231,23 +232,13 @@ export function renamed(state: State, from: string, to: string): Partial<State> 
 
 /** What was stored may be of another version, or anything at all: what can't be used is as at first. */
 export function readShown(stored: unknown, first: Shown): Shown {
-  if (typeof stored !== "object" || stored === null) return first;
-  const from = stored as Record<string, unknown>;
+  if (!isRecord(stored)) return first;
   const shown = { ...first } as Record<keyof Shown, boolean | number>;
   for (const name of Object.keys(first) as (keyof Shown)[]) {
-    const value = from[name];
+    const value = stored[name];
     if (typeof value !== typeof first[name]) continue;
     if (typeof value === "number") shown[name] = Math.min(1200, Math.max(160, value));
     else if (typeof value === "boolean") shown[name] = value;
   }
   return shown as unknown as Shown;
-}
-
-function read(storage: Storage): Record<string, unknown> {
-  try {
-    const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "{}");
-    return typeof stored === "object" && stored !== null ? (stored as Record<string, unknown>) : {};
-  } catch {
-    return {};
-  }
 }

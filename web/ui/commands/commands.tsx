@@ -7,11 +7,13 @@ import { ranked } from "./search.ts";
 
 export interface Command {
   id: string;
+  /** As in a menu: `Pause`, `Fit the map`. */
   label: string;
   group: string;
   icon?: IconName;
+  /** As in keys.ts: `ctrl+shift+z`, `f`. */
   shortcut?: string;
-  /** Why it can't be done now. */
+  /** Why it can't be done now, as a sentence; nothing: it can. */
   blocked?: string | undefined;
   run: () => void;
 }

@@ -1,19 +1,18 @@
 import { useEffect } from "react";
-import { useSession, useUi } from "../session/session.ts";
 
-/** Light or dark on the whole page and on the map, by choice or as the system has it. */
-export function useTheme(): void {
-  const { model } = useSession();
-  const choice = useUi("theme");
+export type ThemeChoice = "auto" | "light" | "dark";
+
+/** Light or dark on the whole page, by choice or as the system has it; `told` hears which. */
+export function useTheme(choice: ThemeChoice, told?: (theme: "light" | "dark") => void): void {
   useEffect(() => {
     const system = window.matchMedia("(prefers-color-scheme: dark)");
     const apply = () => {
       const theme = choice === "auto" ? (system.matches ? "dark" : "light") : choice;
       document.documentElement.dataset.theme = theme;
-      if (model.get("map").theme !== theme) model.updateMap({ theme });
+      told?.(theme);
     };
     apply();
     system.addEventListener("change", apply);
     return () => system.removeEventListener("change", apply);
-  }, [choice, model]);
+  }, [choice, told]);
 }
