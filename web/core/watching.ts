@@ -12,7 +12,7 @@ export interface SeriesWish {
 }
 
 /** What one panel needs. What is left out, it doesn't. */
-export interface Wish {
+export interface WatchWish {
   /** [m, world]; only the map asks for it. Without it frames hold all robots. */
   readonly view?: { xMin: number; yMin: number; xMax: number; yMax: number };
   readonly rate?: number;
@@ -30,7 +30,7 @@ type WatchInit = MessageInitShape<typeof WatchSchema>;
 export const kMostWatched = 64;
 
 export class Watching {
-  private readonly wishes = new Map<string, Wish>();
+  private readonly wishes = new Map<string, WatchWish>();
   private timer: ReturnType<typeof setTimeout> | undefined;
   private lastSeries = 0;
   private told = ""; // last
@@ -39,7 +39,7 @@ export class Watching {
   constructor(private readonly send: (watch: WatchInit) => void) {}
 
   /** Replaces what `owner` (a panel's own name) wished before; null: nothing any more. */
-  wish(owner: string, wish: Wish | null): void {
+  wish(owner: string, wish: WatchWish | null): void {
     if (wish) this.wishes.set(owner, wish);
     else if (!this.wishes.delete(owner)) return;
     this.timer ??= setTimeout(() => this.tell(), 30);

@@ -26,7 +26,7 @@ import { type Designer, nameOf } from "./session/designer.ts";
 import { lastPart, pageKey } from "./session/pages.ts";
 import { watchPanes } from "./session/panes.ts";
 import { type Drawing, Drawing_Kind } from "./session/protocol.ts";
-import type { Shown } from "./session/state.ts";
+import type { ShownPanes } from "./session/state.ts";
 import { DesignerContext, useDesigner, useDocument, useDrawing, usePart } from "./session/use.ts";
 import { transitionOf } from "./states/flow.ts";
 import { Tour } from "./tour/tour.tsx";
@@ -76,7 +76,7 @@ function Page() {
       )}
       <Silence link={link} />
       <Dialogs />
-      <Spoken />
+      <SpokenStatus />
     </div>
   );
 }
@@ -88,9 +88,9 @@ function Work() {
     <>
       <div className="work">
         {shown.palette && (
-          <Side name="palette" title="Components" width="paletteWidth" side="left">
+          <SidePane name="palette" title="Components" width="paletteWidth" side="left">
             <PalettePanel />
-          </Side>
+          </SidePane>
         )}
         <main className="centre">
           <ErrorFence name="The drawing">
@@ -99,21 +99,21 @@ function Work() {
           <FloatingBanners />
         </main>
         {shown.text && (
-          <Side name="text" title="Text" width="textWidth" side="right">
+          <SidePane name="text" title="Text" width="textWidth" side="right">
             <Suspense fallback={<p className="empty small">Loading…</p>}>
               <TextPane />
             </Suspense>
-          </Side>
+          </SidePane>
         )}
         {shown.live && Live && (
-          <Side name="live" title="Simulator" width="liveWidth" side="right">
+          <SidePane name="live" title="Simulator" width="liveWidth" side="right">
             <Live />
-          </Side>
+          </SidePane>
         )}
         {shown.details && (
-          <Side name="details" title="Details" width="detailsWidth" side="right">
+          <SidePane name="details" title="Details" width="detailsWidth" side="right">
             <Details />
-          </Side>
+          </SidePane>
         )}
       </div>
       {shown.problems && <Problems height={shown.problemsHeight} />}
@@ -144,7 +144,7 @@ interface SideProps {
   children: ReactNode;
 }
 
-function Side({ name, title, width, side, children }: SideProps) {
+function SidePane({ name, title, width, side, children }: SideProps) {
   const designer = useDesigner();
   const size = usePart((state) => state.shown[width]);
   return (
@@ -155,7 +155,7 @@ function Side({ name, title, width, side, children }: SideProps) {
         size={size}
         least={160}
         most={Math.max(320, window.innerWidth - 700)}
-        onSize={(next) => designer.show({ [width]: next } as Partial<Shown>)}
+        onSize={(next) => designer.show({ [width]: next } as Partial<ShownPanes>)}
       />
       <header>
         <h2>{title}</h2>
@@ -299,7 +299,7 @@ function Dialogs() {
   }
 }
 
-function Spoken() {
+function SpokenStatus() {
   const spoken = usePart((state) => state.spoken);
   return (
     <div className="hidden-text" role="status" aria-live="polite">

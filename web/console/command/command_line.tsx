@@ -50,8 +50,8 @@ export function CommandLine() {
       <kbd>/</kbd>
       {isOpen && (
         <div className="command-pop">
-          {suggestions && <Suggested suggestions={suggestions} at={at} onChoose={typed.accept} />}
-          {verdict && <Judged verdict={verdict} />}
+          {suggestions && <SuggestionList suggestions={suggestions} at={at} onChoose={typed.accept} />}
+          {verdict && <VerdictView verdict={verdict} />}
         </div>
       )}
     </div>
@@ -92,7 +92,7 @@ function leave({ suggestions, verdict, line, forget, change }: TypedLine, input:
   else input.blur();
 }
 
-function Suggested({
+function SuggestionList({
   suggestions,
   at,
   onChoose,
@@ -137,7 +137,7 @@ function Suggested({
   );
 }
 
-function Judged({ verdict }: { verdict: Verdict }) {
+function VerdictView({ verdict }: { verdict: Verdict }) {
   const isBad = verdict.error !== "" || verdict.diagnostics.some((diagnostic) => !diagnostic.isWarning);
   return (
     <div className="command-verdict" role="status">

@@ -8,7 +8,7 @@ import { frameOf, place } from "./scenes.ts";
 
 const kFrames = 120;
 
-export interface Measured {
+export interface FrameTimes {
   readonly renderer: string;
   readonly robots: number;
   /** Main-thread time of a frame: decoding, taking it in, drawing [ms]. */
@@ -33,7 +33,7 @@ function encode(robots: number): ArrayBuffer[] {
 }
 
 /** Sends a frame at each display frame for so long, and tells what that cost. */
-export async function measure(map: MapView, model: Model, robots: number, seconds: number): Promise<Measured> {
+export async function measure(map: MapView, model: Model, robots: number, seconds: number): Promise<FrameTimes> {
   const frames = encode(robots);
   let acknowledged = 0;
   const socket = fakeSocket(() => ++acknowledged);

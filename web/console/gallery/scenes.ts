@@ -17,10 +17,10 @@ type MeasureInit = NonNullable<SceneInit["measures"]>[number];
 export interface Session {
   readonly scene: SceneInit;
   readonly roster: RosterInit;
-  readonly robots: readonly Placed[];
+  readonly robots: readonly PlacedRobot[];
 }
 
-export interface Placed {
+export interface PlacedRobot {
   readonly id: number;
   readonly x: number;
   readonly y: number;
@@ -222,14 +222,14 @@ export function crowd(count: number): Session {
 }
 
 /** Where robot `i` of a crowd is after so much time. */
-export function place(i: number, time: number): Placed {
+export function place(i: number, time: number): PlacedRobot {
   const phase = time * 0.4 + i * 1.7;
   const x = ((i * 7919) % 1081) + 10 + 8 * Math.cos(phase);
   const y = ((i * 104729) % 777) + 10 + 8 * Math.sin(phase);
   return { id: i + 1, x, y, heading: phase + Math.PI / 2, flags: 1 };
 }
 
-export function frameOf(robots: readonly Placed[], number: number, time: number): Frame {
+export function frameOf(robots: readonly PlacedRobot[], number: number, time: number): Frame {
   const bytes = new Uint8Array(robots.length * kRecordBytes);
   const view = new DataView(bytes.buffer);
   for (let row = 0; row < robots.length; ++row) writeRecord(view, row, robots[row]!);

@@ -1,7 +1,7 @@
 // A frame with all that can be told of watched robots.
 import { create } from "@bufbuild/protobuf";
 import { type Frame, RobotDetailSchema } from "../../core/protocol.ts";
-import { frameOf, type Placed, type Session } from "./scenes.ts";
+import { frameOf, type PlacedRobot, type Session } from "./scenes.ts";
 
 function floats(...values: number[]): Uint8Array {
   return new Uint8Array(new Float32Array(values).buffer);
@@ -19,7 +19,7 @@ function points(list: readonly (readonly [number, number, number])[]): Uint8Arra
 }
 
 /** The nearest hit of a ray on the obstacles, or the range where there is none. */
-function rayLength(session: Session, robot: Placed, angle: number, range: number): number {
+function rayLength(session: Session, robot: PlacedRobot, angle: number, range: number): number {
   let nearest = range;
   for (const { x = 0, y = 0, radius = 0 } of session.scene.obstacles ?? []) {
     const dx = x - robot.x;
@@ -40,7 +40,7 @@ export function watchedFrame(session: Session, number: number, time: number): Fr
   return frame;
 }
 
-function detailOf(session: Session, robot: Placed, size: number) {
+function detailOf(session: Session, robot: PlacedRobot, size: number) {
   const range = 100 * size;
   const rays = Array.from({ length: 32 }, (_, i) => (i / 32) * 2 * Math.PI);
   const near = (session.scene.obstacles ?? []).filter(

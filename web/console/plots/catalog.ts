@@ -25,7 +25,7 @@ export interface Subject {
   readonly help: string;
 }
 
-export interface Who {
+export interface PlotSubject {
   readonly key: string;
   readonly robot: number;
   readonly unit: string;
@@ -55,7 +55,7 @@ export function subjectsOf(roster: CatalogRoster): Subject[] {
 }
 
 /** Units first, then robots by number. */
-export function whoOf(roster: CatalogRoster): Who[] {
+export function whoOf(roster: CatalogRoster): PlotSubject[] {
   const units = roster.units.map((u) => ({
     key: `u:${u.name}`,
     robot: 0,
@@ -95,7 +95,7 @@ export function searchEntries<T>(entries: readonly T[], query: string, texts: (e
 export function seriesFor(
   roster: CatalogRoster,
   subjects: readonly Subject[],
-  who: readonly Who[],
+  who: readonly PlotSubject[],
   present: readonly SeriesSpec[],
 ): SeriesSpec[] {
   const seen = new Set(present.map(seriesKey));
@@ -120,7 +120,7 @@ export function seriesFor(
   return result;
 }
 
-function robotsOf(roster: CatalogRoster, who: Who): readonly number[] {
+function robotsOf(roster: CatalogRoster, who: PlotSubject): readonly number[] {
   return who.robot !== 0 ? [who.robot] : (roster.units.find((u) => u.name === who.unit)?.members ?? []);
 }
 

@@ -55,7 +55,7 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
           {question.asked > 0 ? ` · asked at ${duration(question.asked)}` : ""}
         </span>
       </div>
-      <Remaining question={question} />
+      <TimeLeft question={question} />
       <div className="question-buttons">
         <Button
           className="go"
@@ -92,7 +92,7 @@ function handFocusOn(card: HTMLElement | null): void {
   next?.focus();
 }
 
-function Remaining({ question }: { question: Questions_Question }) {
+function TimeLeft({ question }: { question: Questions_Question }) {
   const time = usePart("time");
   const status = usePart("status");
   const left = countdown(question, Math.max(time, status?.time ?? 0), status);

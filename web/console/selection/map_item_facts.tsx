@@ -32,14 +32,14 @@ export function MapItemFacts({ item, others }: { item: MapItem; others: number }
   );
 }
 
-interface Described {
+interface ItemFacts {
   title: string;
   rows: (readonly [string, string])[];
   document: string;
   line: number;
 }
 
-function describe(scene: NonNullable<ReturnType<typeof usePart<"scene">>>, item: MapItem): Described | undefined {
+function describe(scene: NonNullable<ReturnType<typeof usePart<"scene">>>, item: MapItem): ItemFacts | undefined {
   if (item.kind === "measure") {
     const measure = scene.measures[item.index];
     if (!measure) return undefined;

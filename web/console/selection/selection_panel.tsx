@@ -21,7 +21,7 @@ export function SelectionPanel() {
   const [first] = selection.robots;
   if (first === undefined) {
     const [item] = selection.items;
-    return item ? <MapItemFacts item={item} others={selection.items.length - 1} /> : <Nothing />;
+    return item ? <MapItemFacts item={item} others={selection.items.length - 1} /> : <NothingSelected />;
   }
   const isOne = selection.robots.length === 1 && selection.unit === "";
   return (
@@ -46,14 +46,14 @@ export function SelectionPanel() {
           {isOne ? <RobotFacts id={first} /> : <GroupFacts robots={selection.robots} unit={selection.unit} />}
         </TabPanel>
         <TabPanel id="why" className="tab-panel">
-          <OneOf robots={selection.robots} />
+          <FirstOfSeveral robots={selection.robots} />
           <WhyTab id={first} />
         </TabPanel>
         <TabPanel id="parameters" className="tab-panel">
           <ParametersTab key={roster.robot(first)?.program} robots={selection.robots} />
         </TabPanel>
         <TabPanel id="ports" className="tab-panel">
-          <OneOf robots={selection.robots} />
+          <FirstOfSeveral robots={selection.robots} />
           <PortsTab id={first} />
         </TabPanel>
       </Tabs>
@@ -61,7 +61,7 @@ export function SelectionPanel() {
   );
 }
 
-function Nothing() {
+function NothingSelected() {
   return (
     <div className="empty">
       <p>Nothing is selected.</p>
@@ -111,7 +111,7 @@ function Heading() {
 }
 
 /** With several selected, this tab tells of the first; another is a click away. */
-function OneOf({ robots }: { robots: readonly number[] }) {
+function FirstOfSeveral({ robots }: { robots: readonly number[] }) {
   const { model } = useSession();
   const selection = usePart("selection");
   const roster = usePart("roster");

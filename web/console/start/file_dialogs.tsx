@@ -3,7 +3,7 @@ import { useCallback, useState } from "react";
 import { Complete_Language, NewDocument_Kind } from "../../core/protocol.ts";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
-import { FileList, type Listed } from "../../ui/files/file_list.tsx";
+import { FileList, type FolderListing } from "../../ui/files/file_list.tsx";
 import { OpenFileDialog } from "../../ui/files/open_dialog.tsx";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "../../ui/files/paths.ts";
 import { openMission, order } from "../session/orders.ts";
@@ -25,7 +25,7 @@ export function OpenDialog() {
   );
 }
 
-function useListing(): (folder: string) => Promise<Listed> {
+function useListing(): (folder: string) => Promise<FolderListing> {
   const { connection } = useSession();
   return useCallback(
     async (folder) => {

@@ -3,7 +3,7 @@ import type { At, Places } from "../drawing/flow.ts";
 import type { ChangeInit, Drawing } from "../session/protocol.ts";
 import { onPitch } from "./elk.ts";
 
-interface Moved {
+interface MovedNode {
   id: string;
   position: At;
 }
@@ -14,7 +14,7 @@ interface Moved {
  */
 export function arrangeChange(
   drawing: Drawing,
-  moved: readonly Moved[],
+  moved: readonly MovedNode[],
   places: Places,
   isArranged: boolean,
 ): { changes: ChangeInit[]; places: Map<string, At> } {
@@ -39,13 +39,13 @@ export function arrangeChange(
 
 export type Edge = "left" | "right" | "top" | "bottom" | "middle" | "centre" | "across" | "down";
 
-interface Box extends Moved {
+interface Box extends MovedNode {
   width: number;
   height: number;
 }
 
 /** Boxes with one edge in line, or (`across`, `down`) with the same room between them. */
-export function aligned(boxes: readonly Box[], edge: Edge): Moved[] {
+export function aligned(boxes: readonly Box[], edge: Edge): MovedNode[] {
   if (boxes.length < 2) return [];
   const left = Math.min(...boxes.map((box) => box.position.x));
   const right = Math.max(...boxes.map((box) => box.position.x + box.width));
@@ -64,7 +64,7 @@ export function aligned(boxes: readonly Box[], edge: Edge): Moved[] {
   });
 }
 
-function spread(boxes: readonly Box[], edge: "across" | "down"): Moved[] {
+function spread(boxes: readonly Box[], edge: "across" | "down"): MovedNode[] {
   const along = edge === "across" ? "x" : "y";
   const size = edge === "across" ? "width" : "height";
   const sorted = [...boxes].sort((a, b) => a.position[along] - b.position[along]);

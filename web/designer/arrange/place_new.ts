@@ -3,7 +3,7 @@
 import type { At } from "../drawing/flow.ts";
 import { onPitch, type Spot } from "./elk.ts";
 
-export interface Sized {
+export interface SizedNode {
   id: string;
   width: number;
   height: number;
@@ -15,7 +15,7 @@ const kRoom = 16;
 export function placeNew(
   own: ReadonlyMap<string, At>,
   laidOut: readonly Spot[],
-  sizes: readonly Sized[],
+  sizes: readonly SizedNode[],
 ): Map<string, At> {
   const places = new Map<string, At>(own);
   const shift = shiftOf(own, laidOut);
@@ -54,7 +54,7 @@ function shiftOf(own: ReadonlyMap<string, At>, laidOut: readonly Spot[]): At {
   return count === 0 ? { x: 0, y: 0 } : { x: x / count, y: y / count };
 }
 
-function isOver(a: Sized & At, b: Sized & At): boolean {
+function isOver(a: SizedNode & At, b: SizedNode & At): boolean {
   return (
     a.x < b.x + b.width + kRoom &&
     b.x < a.x + a.width + kRoom &&

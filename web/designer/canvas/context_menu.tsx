@@ -9,14 +9,14 @@ import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
 import { useDesigner } from "../session/use.ts";
 
-interface Opened {
+interface OpenedMenu {
   readonly id: string;
   /** [px] of the window. */
   readonly x: number;
   readonly y: number;
 }
 
-const useOpened = create<{ opened: Opened | null }>(() => ({ opened: null }));
+const useOpened = create<{ opened: OpenedMenu | null }>(() => ({ opened: null }));
 
 /** What everything has in its menu, where it can be done. */
 const kCommon = ["enter", "rename", "connect", "replace", "copy", "duplicate", "remove"];

@@ -42,7 +42,7 @@ function wireGestures(designer: Designer, drawing: Drawing, flow: ReactFlowInsta
   return {
     onConnect: ({ source, target, targetHandle }: Connection) =>
       void designer.edit("", connectChange(page, source, target, targetHandle ?? "")),
-    onConnectStart: (_: unknown, { nodeId, handleId, handleType }: Begun) => {
+    onConnectStart: (_: unknown, { nodeId, handleId, handleType }: ConnectStart) => {
       if (nodeId)
         void askFits(
           designer,
@@ -64,7 +64,7 @@ function wireGestures(designer: Designer, drawing: Drawing, flow: ReactFlowInsta
   };
 }
 
-interface Begun {
+interface ConnectStart {
   nodeId: string | null;
   handleId: string | null;
   handleType: string | null;

@@ -27,7 +27,7 @@ export default function Details() {
           <OwnProblems node={id} />
         </div>
       )}
-      <Of drawing={drawing} id={id} />
+      <SelectedDetails drawing={drawing} id={id} />
       {Live && id !== "" && (
         <div className="details">
           <Live key={id} drawing={drawing} id={id} />
@@ -38,7 +38,7 @@ export default function Details() {
 }
 
 /** What one thing is. */
-function Of({ drawing, id }: { drawing: Drawing; id: string }) {
+function SelectedDetails({ drawing, id }: { drawing: Drawing; id: string }) {
   if (drawing.kind === Drawing_Kind.STATES) {
     const transition = transitionOf(drawing, id);
     if (transition) return <TransitionDetails key={id} drawing={drawing} transition={transition} />;

@@ -1,12 +1,12 @@
 // An assemblage gives one value: what of a selection others read, and what has to be chosen as well so that one is left.
 
-interface Wired {
+interface Reading {
   readonly from: string;
   readonly to: string;
 }
 
 /** Of the chosen, those that something else reads, or nothing at all. */
-export function outputsOf(chosen: ReadonlySet<string>, wires: readonly Wired[]): string[] {
+export function outputsOf(chosen: ReadonlySet<string>, wires: readonly Reading[]): string[] {
   return [...chosen].filter((name) => {
     const readers = wires.filter((wire) => wire.from === name).map((wire) => wire.to);
     return readers.length === 0 || readers.some((reader) => !chosen.has(reader));
@@ -20,7 +20,7 @@ export function outputsOf(chosen: ReadonlySet<string>, wires: readonly Wired[]):
  */
 export function withOneOutput(
   chosen: readonly string[],
-  wires: readonly Wired[],
+  wires: readonly Reading[],
   nodes: ReadonlySet<string>,
 ): string[] | undefined {
   const all = new Set(chosen);

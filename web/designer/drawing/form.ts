@@ -51,14 +51,14 @@ const kMinWidth = 148;
 const kMaxWidth = 300;
 const kSymbolWidth = 44;
 
-interface Look {
+interface Appearance {
   outline: Outline;
   tone: Tone;
   symbol: string;
   kind: string;
 }
 
-const kLooks: Record<Node_Shape, Look> = {
+const kLooks: Record<Node_Shape, Appearance> = {
   [Node_Shape.BEHAVIOR]: { outline: "box", tone: "motor", symbol: "", kind: "motor schema" },
   [Node_Shape.PERCEPTION]: { outline: "box", tone: "sense", symbol: "", kind: "perception" },
   [Node_Shape.ASSEMBLAGE]: { outline: "box", tone: "skill", symbol: "", kind: "assemblage" },

@@ -1,12 +1,12 @@
 // Numbers with units, as a slider moves them.
 
-interface Written {
+interface WrittenNumber {
   number: number;
   unit: string;
 }
 
 /** The number that a text begins with, and its unit; nothing: the rest is something else. */
-export function written(text: string): Written | undefined {
+export function written(text: string): WrittenNumber | undefined {
   const found = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*([A-Za-z%/]*)\s*$/i.exec(text);
   return found ? { number: Number(found[1]), unit: found[2]! } : undefined;
 }

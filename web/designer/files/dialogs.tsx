@@ -3,7 +3,7 @@ import { useCallback, useState } from "react";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
-import { FileList, type Listed } from "../../ui/files/file_list.tsx";
+import { FileList, type FolderListing } from "../../ui/files/file_list.tsx";
 import { OpenFileDialog } from "../../ui/files/open_dialog.tsx";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "../../ui/files/paths.ts";
 import { nameOf as fileName, isNew } from "../session/designer.ts";
@@ -28,7 +28,7 @@ export function OpenDialog() {
 }
 
 /** Folders and configurations. */
-function useListing(): (folder: string) => Promise<Listed> {
+function useListing(): (folder: string) => Promise<FolderListing> {
   const designer = useDesigner();
   return useCallback(
     async (folder) => {

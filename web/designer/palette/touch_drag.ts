@@ -10,7 +10,7 @@ import { placeState } from "./place.ts";
 export const kDragged = "application/x-mlab-component";
 const kSlop = 10; // [px]
 
-interface Began {
+interface TouchStart {
   readonly pointerType: string;
   readonly pointerId: number;
   readonly clientX: number;
@@ -31,7 +31,7 @@ export function dropAt(designer: Designer, component: string, x: number, y: numb
 }
 
 /** From when the finger came down; ends with it. */
-export function dragByTouch(designer: Designer, component: string, title: string, began: Began): void {
+export function dragByTouch(designer: Designer, component: string, title: string, began: TouchStart): void {
   if (began.pointerType === "mouse") return;
   let ghost: HTMLElement | null = null;
   const move = (event: PointerEvent) => {

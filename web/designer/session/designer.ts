@@ -11,7 +11,7 @@ import {
   kWide,
   type Notice,
   renamed,
-  type Shown,
+  type ShownPanes,
   type State,
   type Store,
   shownAfter,
@@ -69,7 +69,7 @@ export class Designer {
     this.store.setState({ spoken });
   }
 
-  show(change: Partial<Shown>): void {
+  show(change: Partial<ShownPanes>): void {
     const width = window.innerWidth;
     const whole = width < kNarrow ? aloneAtTheRight(change) : change;
     this.store.setState(({ shown }) => ({ shown: shownAfter(shown, whole, width < kWide) }));

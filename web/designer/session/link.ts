@@ -15,10 +15,10 @@ const kSpeech: Speech<Request, FromDesigner, Answer> = {
   beatIn: ({ body }) => (body.case === "beat" ? body.value.number : undefined),
 };
 
-type Wanted = Omit<LinkOptions<Request, FromDesigner, Answer>, "path" | "speech" | "opened">;
+type LinkParts = Omit<LinkOptions<Request, FromDesigner, Answer>, "path" | "speech" | "opened">;
 
 /** Not connected yet. */
-export function linkTo(wanted: Wanted): Link {
+export function linkTo(wanted: LinkParts): Link {
   const link: Link = new ServerLink({
     ...wanted,
     path: "designer",

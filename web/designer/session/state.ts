@@ -24,7 +24,7 @@ export type DialogName =
   | "welcome";
 
 /** What is shown beside the canvas; kept over reloads. */
-export interface Shown {
+export interface ShownPanes {
   palette: boolean;
   details: boolean;
   text: boolean;
@@ -92,7 +92,7 @@ export interface State {
   placing: Placing | null;
   /** What a dialog is about: the node that is renamed, say. */
   subject: string;
-  shown: Shown;
+  shown: ShownPanes;
   theme: ThemeChoice;
   notice: Notice | null;
   reveal: Reveal | null;
@@ -108,7 +108,7 @@ export type Store = StoreApi<State>;
 
 const kKey = "mlab.designer";
 
-export function firstShown(windowWidth: number): Shown {
+export function firstShown(windowWidth: number): ShownPanes {
   return {
     palette: true,
     details: true,
@@ -167,7 +167,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
 export const kWide = 1500;
 
 /** The simulator needs room: where the window is narrow the palette makes it, for as long as the simulator is open. */
-export function besideSimulator({ palette }: Shown, isNarrow: boolean): Partial<Shown> {
+export function besideSimulator({ palette }: ShownPanes, isNarrow: boolean): Partial<ShownPanes> {
   return isNarrow && palette ? { live: true, palette: false, paletteWaits: true } : { live: true };
 }
 
@@ -175,7 +175,7 @@ export function besideSimulator({ palette }: Shown, isNarrow: boolean): Partial<
  * A palette that made room comes back when what it made room for is closed, unless somebody has said otherwise meanwhile.
  * In a narrow window it makes room for the text as well, where the details stand beside that.
  */
-export function shownAfter(before: Shown, change: Partial<Shown>, isNarrow = false): Shown {
+export function shownAfter(before: ShownPanes, change: Partial<ShownPanes>, isNarrow = false): ShownPanes {
   const after = { ...before, ...change };
   if (change.palette !== undefined) after.paletteWaits = change.paletteWaits ?? false;
   else if (isNarrow && after.palette && needsRoom(before, after)) {
@@ -186,7 +186,7 @@ export function shownAfter(before: Shown, change: Partial<Shown>, isNarrow = fal
 }
 
 /** The simulator or the text has just been opened, and something else stands at the right as well. */
-function needsRoom(before: Shown, after: Shown): boolean {
+function needsRoom(before: ShownPanes, after: ShownPanes): boolean {
   const isOpened = (after.text && !before.text) || (after.live && !before.live);
   return isOpened && [after.text, after.live, after.details].filter(Boolean).length > 1;
 }
@@ -195,7 +195,7 @@ function needsRoom(before: Shown, after: Shown): boolean {
 export const kNarrow = 900;
 
 /** Where the sides lie over the drawing, those at the right would lie over each other: the one that opens stays. */
-export function aloneAtTheRight(change: Partial<Shown>): Partial<Shown> {
+export function aloneAtTheRight(change: Partial<ShownPanes>): Partial<ShownPanes> {
   const opened = (["text", "live", "details"] as const).find((name) => change[name]);
   return opened ? { text: false, live: false, details: false, ...change } : change;
 }
@@ -231,14 +231,14 @@ export function renamed(state: State, from: string, to: string): Partial<State> 
 }
 
 /** What was stored may be of another version, or anything at all: what can't be used is as at first. */
-export function readShown(stored: unknown, first: Shown): Shown {
+export function readShown(stored: unknown, first: ShownPanes): ShownPanes {
   if (!isRecord(stored)) return first;
-  const shown = { ...first } as Record<keyof Shown, boolean | number>;
-  for (const name of Object.keys(first) as (keyof Shown)[]) {
+  const shown = { ...first } as Record<keyof ShownPanes, boolean | number>;
+  for (const name of Object.keys(first) as (keyof ShownPanes)[]) {
     const value = stored[name];
     if (typeof value !== typeof first[name]) continue;
     if (typeof value === "number") shown[name] = Math.min(1200, Math.max(160, value));
     else if (typeof value === "boolean") shown[name] = value;
   }
-  return shown as unknown as Shown;
+  return shown as unknown as ShownPanes;
 }

@@ -1,6 +1,6 @@
 import { useEffect, useMemo } from "react";
 import { layOut } from "../arrange/layout.ts";
-import { placeNew, type Sized } from "../arrange/place_new.ts";
+import { placeNew, type SizedNode } from "../arrange/place_new.ts";
 import { type At, ownPlaces, type Places, wiredOf } from "../drawing/flow.ts";
 import { formOf } from "../drawing/form.ts";
 import { pageKey } from "../session/pages.ts";
@@ -11,13 +11,13 @@ import { canvasStore, useCanvas } from "./canvas_store.ts";
 /** Of nodes that the file says nothing of, by page: what automatic layout said. */
 const laidOut = new Map<string, Map<string, At>>();
 
-interface Moved {
+interface MovedPlaces {
   /** Of the document when they were moved: a later drawing knows better. */
   revision: bigint;
   places: Map<string, At>;
 }
 /** What was moved here and is on its way to the server. */
-const moved = new Map<string, Moved>();
+const moved = new Map<string, MovedPlaces>();
 
 /** Where everything on the page stands; null while that is being worked out. */
 export function usePlaces(drawing: Drawing): Places | null {
@@ -98,8 +98,8 @@ function tellMoved(): void {
   canvasStore.setState(({ moves }) => ({ moves: moves + 1 }));
 }
 
-export function sizesOf(drawing: Drawing): Map<string, Sized> {
-  const sizes = new Map<string, Sized>();
+export function sizesOf(drawing: Drawing): Map<string, SizedNode> {
+  const sizes = new Map<string, SizedNode>();
   if (drawing.kind === Drawing_Kind.STATES) {
     for (const state of drawing.states) sizes.set(state.name, { id: state.name, ...stateSize(state) });
     return sizes;

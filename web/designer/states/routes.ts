@@ -42,7 +42,7 @@ const kClear = 8; // a way keeps this far from other states [px]
 const kCost = { onState: 100, onLabel: 100, onWay: 60, passes: 80, together: 50, onArrow: 40, short: 30 };
 
 /** A way that might be taken. */
-interface Drawn {
+interface Candidate {
   bend: number;
   curve: Curve;
   points: readonly Point[];
@@ -52,8 +52,8 @@ interface Drawn {
   /** Without any label. */
   cost: number;
 }
-interface Taken {
-  drawn: Drawn;
+interface ChosenRoute {
+  drawn: Candidate;
   label: Rect;
   route: Route;
 }
@@ -66,12 +66,12 @@ export interface Routes {
 
 /** Of one page: what ways could be taken is worked out once, for labels of any size. */
 export class Router {
-  private readonly tried: (readonly Drawn[])[];
+  private readonly tried: (readonly Candidate[])[];
   private readonly states: readonly Rect[];
   private readonly bounds: Rect;
   private readonly thoroughness: { rounds: number; steps: number };
   private labels: readonly LabelSizes[] = [];
-  private taken: (Taken | undefined)[] = [];
+  private taken: (ChosenRoute | undefined)[] = [];
 
   constructor(
     private readonly ways: readonly Way[],
@@ -101,7 +101,7 @@ export class Router {
     };
   }
 
-  private candidates(way: Way): Drawn[] {
+  private candidates(way: Way): Candidate[] {
     const from = this.rects.get(way.from);
     const to = this.rects.get(way.to);
     if (!from || !to) return [];
@@ -130,8 +130,8 @@ export class Router {
     return best !== undefined && !isSameRoute(best.route, before?.route);
   }
 
-  private best(i: number): Taken | undefined {
-    let best: Taken | undefined;
+  private best(i: number): ChosenRoute | undefined {
+    let best: ChosenRoute | undefined;
     let least = Number.POSITIVE_INFINITY;
     for (const drawn of this.tried[i]!) {
       if (drawn.cost >= least) continue;
@@ -150,7 +150,7 @@ export class Router {
   }
 
   /** Without what is only less beautiful. */
-  private hardTrouble(i: number, { drawn, label }: Taken): number {
+  private hardTrouble(i: number, { drawn, label }: ChosenRoute): number {
     const cost = this.costOfWay(i, drawn) + this.costOfLabel(i, drawn, label) - this.strayCost(label);
     return cost < kCost.onArrow ? 0 : cost;
   }
@@ -160,11 +160,11 @@ export class Router {
   }
 
   /** What would be wrong that can be seen: of the way and of its label. */
-  private troubles(i: number, { drawn, label, route }: Taken): number {
+  private troubles(i: number, { drawn, label, route }: ChosenRoute): number {
     return this.costOfWay(i, drawn) + this.costOfLabel(i, drawn, label) + (route.isShort ? kCost.short : 0);
   }
 
-  private costOfWay(i: number, drawn: Drawn): number {
+  private costOfWay(i: number, drawn: Candidate): number {
     const way = this.ways[i]!;
     let cost = 0;
     this.taken.forEach((other, j) => {
@@ -181,7 +181,7 @@ export class Router {
   }
 
   /** At least `enough` where it is that much or more: what is left is not looked at. */
-  private costOfLabel(i: number, drawn: Drawn, label: Rect, enough = Number.POSITIVE_INFINITY): number {
+  private costOfLabel(i: number, drawn: Candidate, label: Rect, enough = Number.POSITIVE_INFINITY): number {
     let cost = this.strayCost(label);
     for (const state of this.states) if (isOver(state, label, kGap)) cost += kCost.onState;
     if (this.ways[i]!.from !== this.ways[i]!.to && holds(enlarged(label, kArrow), drawn.curve.end))
@@ -198,7 +198,7 @@ export class Router {
 }
 
 /** Where on its way a label may stand, whole or short, the most beautiful first. */
-function placings({ middles }: Drawn, { label, short }: LabelSizes) {
+function placings({ middles }: Candidate, { label, short }: LabelSizes) {
   return [false, true].flatMap((isShort) =>
     middles.map((middle, place) => {
       const at = kPlaces[place]!;

@@ -64,7 +64,7 @@ function Parts({ node, form, page }: { node: Node; form: Form; page: string }) {
           <span className="node-title ellipsis">{form.title}</span>
           {form.outputY !== 16 && <span className="node-kind ellipsis">{form.subtitle}</span>}
         </span>
-        {node.inner && <Enter node={node} />}
+        {node.inner && <EnterButton node={node} />}
       </div>
       {form.rows.map((row) => (
         <InputRow key={row.id} node={node} row={row} />
@@ -105,7 +105,7 @@ function useTrouble(name: string): string {
   });
 }
 
-function Enter({ node }: { node: Node }) {
+function EnterButton({ node }: { node: Node }) {
   const designer = useDesigner();
   return (
     <button

@@ -21,12 +21,12 @@ export function LiveDetails({ drawing, id }: { drawing: Drawing; id: string }) {
   if (!target) return null;
   return (
     <InSession>
-      <Running drawing={drawing} id={id} target={target} />
+      <RunningDetails drawing={drawing} id={id} target={target} />
     </InSession>
   );
 }
 
-function Running({ drawing, id, target }: { drawing: Drawing; id: string; target: Target }) {
+function RunningDetails({ drawing, id, target }: { drawing: Drawing; id: string; target: Target }) {
   const designer = useDesigner();
   const path = usePath(target.kind === "value" ? target.live : ".");
   usePart((state) => state.marks);

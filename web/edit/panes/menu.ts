@@ -62,14 +62,14 @@ function transitionBreak(live: Live, from: string, to: string, id: string): Acti
   });
 }
 
-interface Breaking {
+interface BreakWords {
   readonly set: string;
   readonly remove: string;
   readonly run: () => Promise<void>;
 }
 
 /** Sets a breakpoint, or takes away the one that is there. */
-function breakAction(live: Live, id: string, known: Mark | undefined, { set, remove, run }: Breaking): Action {
+function breakAction(live: Live, id: string, known: Mark | undefined, { set, remove, run }: BreakWords): Action {
   return {
     id,
     label: known ? remove : set,

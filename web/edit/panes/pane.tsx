@@ -20,10 +20,10 @@ export default function LivePane() {
   return (
     <InSession>
       <div className="sim">
-        <Standing />
+        <RunLine />
         <HaltedNotice />
         <Place />
-        <Below />
+        <BelowMap />
       </div>
     </InSession>
   );
@@ -39,7 +39,7 @@ const kModes: Readonly<Record<Status_Mode, readonly [string, string]>> = {
   [Status_Mode.ENDED]: ["Ended", ""],
 };
 
-function Standing() {
+function RunLine() {
   const now = useSituation();
   const time = useSessionPart("time");
   const count = useSessionPart("roster").robots.length;
@@ -110,13 +110,13 @@ function Place() {
         </p>
       )}
       {!isEmpty && <MapHost />}
-      {isEmpty && <Nothing />}
+      {isEmpty && <NoMap />}
     </div>
   );
 }
 
 /** Where the map would be: why there is none, and what can be done. */
-function Nothing() {
+function NoMap() {
   const live = useLivePage();
   const now = useSituation();
   const link = useSessionPart("link");
@@ -147,11 +147,11 @@ function Nothing() {
   );
 }
 
-function Below() {
+function BelowMap() {
   const notes = useLiveState((state) => state.tried?.notes) ?? [];
   return (
     <div className="sim-below">
-      <Whose />
+      <RobotChoice />
       <Probes />
       <Breakpoints />
       {notes.length > 0 && (
@@ -169,7 +169,7 @@ function Below() {
 }
 
 /** Which robot's values the drawing shows, and of which place where the page runs in several. */
-function Whose() {
+function RobotChoice() {
   const live = useLivePage();
   const roster = useSessionPart("roster");
   const selected = useSessionPart("selection").robots[0] ?? 0;

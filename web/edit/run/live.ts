@@ -17,7 +17,7 @@ import { sentence } from "../../ui/words/sentence.ts";
 import { type BreakpointInit, hitText } from "./break_points.ts";
 import { gridFor, readArrows } from "./field_arrows.ts";
 import { Follower } from "./follower.ts";
-import { createLiveState, type DrawnAt, type LiveState, setupKey, type Tried } from "./live_state.ts";
+import { createLiveState, type DrawnAt, type LastTrial, type LiveState, setupKey } from "./live_state.ts";
 import { drawnAtOf, endedMarks, type MarkInit, markAt, pinsOf, renamedBreakpoints, untoldMarks } from "./marks.ts";
 import { joined } from "./places.ts";
 import { remember, remembered } from "./remembered.ts";
@@ -90,7 +90,7 @@ export class Live {
   }
 
   /** Whether what runs, how many or where was changed since; another page alone is none: it may be only looked at. */
-  private isOtherSetup(tried: Tried): boolean {
+  private isOtherSetup(tried: LastTrial): boolean {
     const state = this.store.getState();
     return tried.setup !== setupKey(state.subject, state);
   }

@@ -5,7 +5,7 @@ import type { MapView } from "../../core/map/map_view.ts";
 import type { FieldArrow } from "./field_arrows.ts";
 
 /** What was last handed to the simulator from this page. */
-export interface Tried {
+export interface LastTrial {
   readonly document: string;
   readonly revision: bigint;
   /** What was asked for, as `setupKey` says it. */
@@ -47,7 +47,7 @@ export interface LiveState {
   isBusy: boolean;
   /** Why the last attempt did not run; empty: it did. */
   error: string;
-  tried: Tried | null;
+  tried: LastTrial | null;
   /** What runs: a declaration's name; empty: found by the page. */
   subject: string;
   robots: number;

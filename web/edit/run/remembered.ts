@@ -1,9 +1,9 @@
 // What this tab has tried, over a reload of the page; of another run of the server it means nothing.
-import type { Tried } from "./live_state.ts";
+import type { LastTrial } from "./live_state.ts";
 
 const kKey = "mlab.designer.tried";
 
-export function remember(storage: Storage, server: string, tried: Tried): void {
+export function remember(storage: Storage, server: string, tried: LastTrial): void {
   try {
     storage.setItem(kKey, JSON.stringify({ ...tried, revision: String(tried.revision), server }));
   } catch {
@@ -12,7 +12,7 @@ export function remember(storage: Storage, server: string, tried: Tried): void {
 }
 
 /** `setup`: what is set now, which is what was tried as far as anybody knows. */
-export function remembered(storage: Storage, server: string, setup: string): Tried | null {
+export function remembered(storage: Storage, server: string, setup: string): LastTrial | null {
   try {
     const stored: unknown = JSON.parse(storage.getItem(kKey) ?? "null");
     if (typeof stored !== "object" || stored === null) return null;

@@ -15,10 +15,10 @@ interface FileListProps {
   onOpen: (path: string) => void;
   isSelectable: (entry: FileList_Entry) => boolean;
   /** What is in a folder. The same function as long as nothing else is to be read. */
-  list: (folder: string) => Promise<Listed>;
+  list: (folder: string) => Promise<FolderListing>;
 }
 
-export interface Listed {
+export interface FolderListing {
   entries: readonly FileList_Entry[];
   /** Why there are none; empty: all is well. */
   problem: string;

@@ -3,13 +3,13 @@ import { useState } from "react";
 import type { FileList_Entry } from "../../core/protocol.ts";
 import { Button } from "../controls/controls.tsx";
 import { DialogBox } from "../controls/menus.tsx";
-import { FileList, type Listed } from "./file_list.tsx";
+import { FileList, type FolderListing } from "./file_list.tsx";
 
 interface OpenFileProps {
   title: string;
   /** The folder that is shown first. */
   first: string;
-  list: (folder: string) => Promise<Listed>;
+  list: (folder: string) => Promise<FolderListing>;
   isSelectable: (entry: FileList_Entry) => boolean;
   /** Whether that could be done. */
   open: (path: string) => Promise<boolean>;

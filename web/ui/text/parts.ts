@@ -83,7 +83,7 @@ const looks = EditorView.theme({
   },
 });
 
-interface Wanted {
+interface EditorParts {
   language: Extension;
   /** What may stand at a byte of the text; undefined: the server does not say. */
   complete: (text: string, cursor: number) => Promise<Completions | undefined>;
@@ -93,7 +93,7 @@ interface Wanted {
   keys?: readonly KeyBinding[];
 }
 
-export function textEditorParts({ language, complete, letter, keys = [] }: Wanted): Extension[] {
+export function textEditorParts({ language, complete, letter, keys = [] }: EditorParts): Extension[] {
   const word = new RegExp(`^${letter.source}*$`);
   const begun = new RegExp(`(${letter.source}|")+$`);
   const find = async (context: CompletionContext): Promise<CompletionResult | null> => {
