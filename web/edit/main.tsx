@@ -1,4 +1,4 @@
-// Before the designer's own looks, which win.
+// Before the looks of the designer, which win.
 import "./panes/live.css";
 
 import { StrictMode } from "react";
