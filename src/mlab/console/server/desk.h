@@ -80,8 +80,7 @@ struct Desk {
   asio::io_context& io;
 };
 
-/// Answers one connection until it ends.
-asio::awaitable<void> serve(Tcp::socket socket, Desk& desk);
-asio::awaitable<void> serve_tls(Tcp::socket socket, asio::ssl::context& tls, Desk& desk);
+/// Answers one connection until it ends. `tls`, which must outlive it, is null where it is not encrypted.
+asio::awaitable<void> serve(Tcp::socket socket, asio::ssl::context* tls, Desk& desk);
 
 }  // namespace mlab::console

@@ -156,11 +156,7 @@ class Server::Network {
       }
       ErrorCode ignored;
       socket.set_option(Tcp::no_delay(true), ignored);
-      if (tls_) {
-        asio::co_spawn(io_, serve_tls(std::move(socket), *tls_, *desk_), asio::detached);
-      } else {
-        asio::co_spawn(io_, serve(std::move(socket), *desk_), asio::detached);
-      }
+      asio::co_spawn(io_, serve(std::move(socket), tls_.get(), *desk_), asio::detached);
     }
   }
 

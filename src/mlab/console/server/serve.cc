@@ -1,22 +1,22 @@
-#pragma once
-
 #include <array>
 #include <list>
 #include <memory>
 #include <string>
 #include <utility>
 
-#include <boost/asio/post.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
 
 #include "mlab/console/server/desk.h"
 #include "mlab/console/server/session_socket.h"
+#include "mlab/console/server/stream.h"
 
-// The life of a connection, for a stream with TLS or without. Heavy: one source includes it for each of the
-// two.
+// The life of a connection.
 
 namespace mlab::console {
-
-using Request = beast::http::request<beast::http::string_body>;
 
 /// A connection's entry among the visitors, for as long as it lasts.
 class Visit {
@@ -46,11 +46,13 @@ class Visit {
   std::list<Visitor>::iterator entry_;
 };
 
-inline std::string_view view(beast::string_view text) {
+namespace {
+
+std::string_view view(beast::string_view text) {
   return {text.data(), text.size()};
 }
 
-inline HttpRequest request_of(const Request& request) {
+HttpRequest request_of(const Request& request) {
   namespace http = beast::http;
   HttpRequest out;
   out.method = request.method() == http::verb::get    ? HttpRequest::Method::kGet
@@ -68,7 +70,7 @@ inline HttpRequest request_of(const Request& request) {
 }
 
 // On the thread that may wait, where the answer needs it.
-inline asio::awaitable<HttpResponse> answer_of(const HttpRequest& request, Desk& desk) {
+asio::awaitable<HttpResponse> answer_of(const HttpRequest& request, Desk& desk) {
   if (!Routes::may_wait(request)) co_return desk.routes.answer(request, desk.handlers);
   co_return co_await asio::co_spawn(
       desk.waiting,
@@ -77,7 +79,6 @@ inline asio::awaitable<HttpResponse> answer_of(const HttpRequest& request, Desk&
 }
 
 /// Sends an answer. False where the connection can't go on.
-template <class Stream>
 asio::awaitable<bool> write_answer(Stream& stream, const HttpResponse& answer, const Request& request,
                                    bool keeps) {
   namespace http = beast::http;
@@ -91,7 +92,7 @@ asio::awaitable<bool> write_answer(Stream& stream, const HttpResponse& answer, c
   const bool is_head = request.method() == http::verb::head;
   if (answer.body && !is_head) response.body() = beast::span<const char>(answer.body->data(), size);
   if (answer.status != 304) response.content_length(size);
-  beast::get_lowest_layer(stream).expires_after(limits::kAnswer);
+  stream.expires_after(limits::kAnswer);
   http::response_serializer<http::span_body<const char>> serializer(response);
   const auto [error, sent] = is_head ? co_await http::async_write_header(stream, serializer, kReturned)
                                      : co_await http::async_write(stream, serializer, kReturned);
@@ -99,13 +100,13 @@ asio::awaitable<bool> write_answer(Stream& stream, const HttpResponse& answer, c
 }
 
 // Bytes came, but they are no request.
-inline bool is_unreadable(beast::error_code error) {
+bool is_unreadable(beast::error_code error) {
   namespace http = beast::http;
   return error.category() == http::make_error_code(http::error::bad_method).category() &&
          error != http::error::end_of_stream && error != http::error::partial_message;
 }
 
-inline HttpResponse complaint(beast::error_code error) {
+HttpResponse complaint(beast::error_code error) {
   namespace http = beast::http;
   if (error == http::error::header_limit) return refusal(431, "the request's header is too long");
   if (error == http::error::body_limit) return refusal(413, "the request's body is too long");
@@ -114,32 +115,28 @@ inline HttpResponse complaint(beast::error_code error) {
 
 // Tells the other side that nothing more comes, and gives it time to read what came: closing at once on a
 // request that was not read to its end would take back the answer.
-template <class Stream>
 asio::awaitable<void> part(Stream& stream) {
-  beast::get_lowest_layer(stream).expires_after(limits::kGoodbye);
+  stream.expires_after(limits::kGoodbye);
   beast::error_code ignored;
-  beast::get_lowest_layer(stream).socket().shutdown(Tcp::socket::shutdown_send, ignored);
+  stream.socket().shutdown(Tcp::socket::shutdown_send, ignored);
   std::array<char, 4096> rest{};
   for (std::size_t taken = 0; taken < limits::kMessageBytes;) {
-    const auto [error, size] =
-        co_await beast::get_lowest_layer(stream).async_read_some(asio::buffer(rest), kReturned);
+    const auto [error, size] = co_await stream.async_read_some(asio::buffer(rest), kReturned);
     if (error) co_return;
     taken += size;
   }
 }
 
 /// Requests and answers, one after the other, until one of them becomes a session or the connection ends.
-template <class Stream>
 asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
   namespace http = beast::http;
-  visit.set_socket(&beast::get_lowest_layer(stream).socket());
   beast::flat_buffer buffer;
   auto patience = limits::kHandshake;
   for (bool goes_on = true; goes_on;) {
     http::request_parser<http::string_body> parser;
     parser.header_limit(limits::kHeaderBytes);
     parser.body_limit(limits::kBodyBytes);
-    beast::get_lowest_layer(stream).expires_after(std::exchange(patience, limits::kBetweenRequests));
+    stream.expires_after(std::exchange(patience, limits::kBetweenRequests));
     const auto [error, size] = co_await http::async_read(stream, buffer, parser, kReturned);
     if (is_unreadable(error)) {
       goes_on = co_await write_answer(stream, complaint(error), parser.get(), false);
@@ -151,7 +148,7 @@ asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
     const HttpResponse answer = co_await answer_of(request, desk);
     if (answer.status == 101) {
       visit.set_socket(nullptr);
-      const auto session = std::make_shared<SessionSocket<Stream>>(
+      const auto session = std::make_shared<SessionSocket>(
           std::move(stream), desk, request.path() == "/designer" ? Party::kDesigner : Party::kSession);
       co_await session->run(asked);
       co_return;
@@ -159,6 +156,17 @@ asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
     goes_on = co_await write_answer(stream, answer, asked, asked.keep_alive());
   }
   co_await part(stream);
+}
+
+}  // namespace
+
+asio::awaitable<void> serve(Tcp::socket socket, asio::ssl::context* tls, Desk& desk) {
+  Visit visit(desk);
+  Stream stream(std::move(socket), tls);
+  visit.set_socket(&stream.socket());
+  stream.expires_after(limits::kHandshake);
+  if (co_await stream.handshake()) co_return;
+  co_await serve_stream(std::move(stream), visit, desk);
 }
 
 }  // namespace mlab::console
