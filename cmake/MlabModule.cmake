@@ -43,14 +43,15 @@ add_custom_target(threaded_tests)
 add_custom_target(fuzzers)
 # Whose tests run robots with procedures of their own, in the program that hosts those.
 set(MLAB_HOSTING_MODULES robot robot_build fleet language lsp console designer)
-set(MLAB_THREADED_MODULES flow sim fleet console console_server designer)
 
-# mlab_module(NAME [SOURCES file...] [TESTS file...] [LINK target...] [TEST_LINK target...])
+# mlab_module(NAME [SOURCES file...] [TESTS file...] [THREADED_TESTS file...] [LINK target...] [TEST_LINK target...])
 #
 # The static library mlab_NAME out of SOURCES (header-only without), that links LINK; and the test program
-# mlab_NAME_test out of TESTS. Installed, the library is mlab::NAME, with the headers of the folder.
+# mlab_NAME_test out of TESTS and THREADED_TESTS. The latter start threads, and what they need: of them alone it is made
+# for the thread sanitizer, which finds nothing in the others. Installed, the library is mlab::NAME, with the headers of
+# the folder.
 function(mlab_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;TESTS;LINK;TEST_LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;TESTS;THREADED_TESTS;LINK;TEST_LINK" ${ARGN})
   if(arg_SOURCES)
     add_library(mlab_${name} STATIC ${arg_SOURCES})
     set(scope PUBLIC)
@@ -72,12 +73,16 @@ function(mlab_module name)
   file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} FILES_MATCHING PATTERN "*.h")
 
-  if(MLAB_TESTS AND arg_TESTS)
+  set(tests ${arg_THREADED_TESTS})
+  if(NOT MLAB_SANITIZE STREQUAL thread)
+    list(APPEND tests ${arg_TESTS})
+  endif()
+  if(MLAB_TESTS AND tests)
     set(label "")
-    if(name IN_LIST MLAB_THREADED_MODULES)
+    if(arg_THREADED_TESTS)
       set(label LABEL threads)
     endif()
-    mlab_test(mlab_${name}_test SOURCES ${arg_TESTS} LINK mlab_${name} ${arg_TEST_LINK} ${label})
+    mlab_test(mlab_${name}_test SOURCES ${tests} LINK mlab_${name} ${arg_TEST_LINK} ${label})
     add_dependencies(unit_tests mlab_${name}_test)
     if(name IN_LIST MLAB_HOSTING_MODULES)
       add_dependencies(mlab_${name}_test mlab-robots)
