@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using testing::MapOfTexts;
 
 // A map in all the ways of writing that there are.
-const std::string kMission =
+const std::string kMissionWithOverlays =
     "MISSION NAME x OVERLAY a.odl SP start 1 2 -- SP\nOVERLAY b.odl\nOBSTACLE 3 4 5 OBSTACLE 6 7 8\nUNIT <u> "
     "ROBOT\nCOMMAND LIST:\n 0. UNIT u START aa-one\n 1. UNIT u MOVETO PP-two PHASE-LINE three\n";
 const std::string kFirst =
@@ -82,7 +82,7 @@ void change_at_random(MapOfTexts& texts, base::Random& random, int count,
 }
 
 RC_GTEST_PROP(OverlayEditLaws, AfterAnyChangesTheMapIsAsAsked, (std::uint32_t seed)) {
-  MapOfTexts texts(kMission, {{"a.odl", kFirst}, {"b.odl", kSecond}});
+  MapOfTexts texts(kMissionWithOverlays, {{"a.odl", kFirst}, {"b.odl", kSecond}});
   ASSERT_FALSE(texts.has_errors()) << texts.said();
   base::Random random(seed);
   change_at_random(texts, random, 12, {"a.odl", "b.odl"});
