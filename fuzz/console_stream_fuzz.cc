@@ -73,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   desk.handlers = handlers(desk, done);
   Tcp::socket socket(io);
   socket.assign(Tcp::v4(), server);
-  asio::co_spawn(io, serve(std::move(socket), desk), asio::detached);
+  asio::co_spawn(io, serve(std::move(socket), nullptr, desk), asio::detached);
 
   // A browser sends nothing of a session before its request is answered.
   const std::string_view text(reinterpret_cast<const char*>(data), size);
