@@ -1,5 +1,5 @@
 // One strip: its title, a legend with the values at the cursor, and the lines.
-import { useEffect, useLayoutEffect, useRef, useState } from "react";
+import { type RefObject, useEffect, useLayoutEffect, useRef, useState } from "react";
 import { Button } from "react-aria-components";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
@@ -29,8 +29,26 @@ interface Props {
 const kHeight = 132;
 
 export function PlotStrip(props: Props) {
-  const { strip, recorder, span, revision, cursor } = props;
+  const { strip } = props;
   const host = useRef<HTMLDivElement>(null);
+  usePlot(host, props);
+  return (
+    <section className="plot-strip" aria-label={`Plot of ${strip.title}`}>
+      <header>
+        <h3>
+          {strip.title}
+          {strip.unit !== "" && <span className="plot-unit"> [{strip.unit}]</span>}
+        </h3>
+        <Legend {...props} />
+      </header>
+      <div ref={host} className="plot-canvas" aria-hidden="true" />
+    </section>
+  );
+}
+
+/** The plot in `host`, made anew when its lines or its looks change, drawn anew when what it shows does. */
+function usePlot(host: RefObject<HTMLDivElement | null>, props: Props): void {
+  const { strip, span, revision } = props;
   const plot = useRef<uPlot | null>(null);
   const latest = useRef(props);
   latest.current = props;
@@ -43,7 +61,7 @@ export function PlotStrip(props: Props) {
     observer.observe(element);
     setWidth(Math.floor(element.clientWidth));
     return () => observer.disconnect();
-  }, []);
+  }, [host]);
 
   const lines = strip.lines.map((line) => `${line.key} ${line.color} ${line.dash.join(" ")}`).join("\n");
   const look = JSON.stringify([props.colors, props.look]);
@@ -62,7 +80,7 @@ export function PlotStrip(props: Props) {
       plot.current = null;
       made.destroy();
     };
-  }, [lines, look, strip.unit, width > 0]);
+  }, [host, lines, look, strip.unit, width > 0]);
 
   useEffect(() => {
     if (width > 0) plot.current?.setSize({ width, height: kHeight });
@@ -71,38 +89,32 @@ export function PlotStrip(props: Props) {
   useEffect(() => {
     if (plot.current) draw(plot.current, latest.current);
   }, [revision, span.from, span.to, lines]);
+}
 
+/** What each line is, with its value under the pointer; else the newest. */
+function Legend({ strip, recorder, span, cursor, colors, onRemove }: Props) {
   const time = cursor ?? span.to;
   return (
-    <section className="plot-strip" aria-label={`Plot of ${strip.title}`}>
-      <header>
-        <h3>
-          {strip.title}
-          {strip.unit !== "" && <span className="plot-unit"> [{strip.unit}]</span>}
-        </h3>
-        <ul className="plot-legend">
-          {strip.lines.map((line) => {
-            const recording = recorder.recordingOf(line.key);
-            const value = recording ? valueAt(recording.buffer.within(time, time), time) : null;
-            return (
-              <li key={line.key} title={recording?.error || undefined}>
-                <Swatch color={props.colors[line.color] ?? "gray"} dash={line.dash} />
-                <span className="plot-label">{line.label}</span>
-                <span className="plot-value">{recording?.error ? "no data" : valueText(value)}</span>
-                <Button
-                  className="plot-remove"
-                  aria-label={`Remove ${strip.title} of ${line.label}`}
-                  onPress={() => props.onRemove(line.spec)}
-                >
-                  ×
-                </Button>
-              </li>
-            );
-          })}
-        </ul>
-      </header>
-      <div ref={host} className="plot-canvas" aria-hidden="true" />
-    </section>
+    <ul className="plot-legend">
+      {strip.lines.map((line) => {
+        const recording = recorder.recordingOf(line.key);
+        const value = recording ? valueAt(recording.buffer.within(time, time), time) : null;
+        return (
+          <li key={line.key} title={recording?.error || undefined}>
+            <Swatch color={colors[line.color] ?? "gray"} dash={line.dash} />
+            <span className="plot-label">{line.label}</span>
+            <span className="plot-value">{recording?.error ? "no data" : valueText(value)}</span>
+            <Button
+              className="plot-remove"
+              aria-label={`Remove ${strip.title} of ${line.label}`}
+              onPress={() => onRemove(line.spec)}
+            >
+              ×
+            </Button>
+          </li>
+        );
+      })}
+    </ul>
   );
 }
 

@@ -9,7 +9,6 @@ export function StateDetails({ drawing, state }: { drawing: Drawing; state: Stat
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const page = drawing.page?.path ?? "";
-  const out = drawing.transitions.filter((one) => one.from === state.name).sort((a, b) => a.index - b.index);
   const set = (name: string, value: { isStart?: boolean; isFinal?: boolean; member?: string }) =>
     void designer.edit(name, { case: "setState", value: { page, state: state.name, ...value } });
   return (
@@ -27,25 +26,7 @@ export function StateDetails({ drawing, state }: { drawing: Drawing; state: Stat
         rows={2}
         send={(member) => set(`change what ${state.name} does`, { member })}
       />
-      <div className="columns" style={{ gap: 4 }}>
-        {state.calls && (
-          <Button icon="right" onPress={() => designer.enter(state.calls!)}>
-            Look inside
-          </Button>
-        )}
-        {state.inner && (
-          <Button icon="draw" onPress={() => designer.enter(state.inner!)}>
-            As a drawing
-          </Button>
-        )}
-        {!isReadOnly && (
-          <Button
-            onPress={() => designer.store.setState({ dialog: "place", placing: { x: 0, y: 0, replace: state.name } })}
-          >
-            Replace…
-          </Button>
-        )}
-      </div>
+      <StateButtons state={state} />
       <div>
         <Switch
           label="The start state"
@@ -60,29 +41,65 @@ export function StateDetails({ drawing, state }: { drawing: Drawing; state: Stat
           onChange={(isFinal) => set(isFinal ? `${state.name} is final` : `${state.name} is not final`, { isFinal })}
         />
       </div>
-      <Section
-        title="Transitions, in the order in which they are asked"
-        tools={
-          !isReadOnly && (
-            <IconButton
-              icon="plus"
-              label="Add a transition"
-              onPress={() => designer.store.setState({ dialog: "connect", subject: state.name })}
-            />
-          )
-        }
-      >
-        {out.length === 0 && <p className="small muted">It has no way out{state.isFinal ? "." : " yet."}</p>}
-        <ol className="transitions">
-          {out.map((one) => (
-            <li key={transitionId(one)}>
-              <Button tone="link" onPress={() => designer.select([transitionId(one)])}>
-                <span className="mono">{triggerWords(one.trigger) || "when?"}</span> → {one.to}
-              </Button>
-            </li>
-          ))}
-        </ol>
-      </Section>
+      <WaysOut drawing={drawing} state={state} />
     </div>
+  );
+}
+
+function StateButtons({ state }: { state: State }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  return (
+    <div className="columns" style={{ gap: 4 }}>
+      {state.calls && (
+        <Button icon="right" onPress={() => designer.enter(state.calls!)}>
+          Look inside
+        </Button>
+      )}
+      {state.inner && (
+        <Button icon="draw" onPress={() => designer.enter(state.inner!)}>
+          As a drawing
+        </Button>
+      )}
+      {!isReadOnly && (
+        <Button
+          onPress={() => designer.store.setState({ dialog: "place", placing: { x: 0, y: 0, replace: state.name } })}
+        >
+          Replace…
+        </Button>
+      )}
+    </div>
+  );
+}
+
+/** Its transitions to other states, or back to itself. */
+function WaysOut({ drawing, state }: { drawing: Drawing; state: State }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const out = drawing.transitions.filter((one) => one.from === state.name).sort((a, b) => a.index - b.index);
+  return (
+    <Section
+      title="Transitions, in the order in which they are asked"
+      tools={
+        !isReadOnly && (
+          <IconButton
+            icon="plus"
+            label="Add a transition"
+            onPress={() => designer.store.setState({ dialog: "connect", subject: state.name })}
+          />
+        )
+      }
+    >
+      {out.length === 0 && <p className="small muted">It has no way out{state.isFinal ? "." : " yet."}</p>}
+      <ol className="transitions">
+        {out.map((one) => (
+          <li key={transitionId(one)}>
+            <Button tone="link" onPress={() => designer.select([transitionId(one)])}>
+              <span className="mono">{triggerWords(one.trigger) || "when?"}</span> → {one.to}
+            </Button>
+          </li>
+        ))}
+      </ol>
+    </Section>
   );
 }

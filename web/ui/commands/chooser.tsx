@@ -89,33 +89,53 @@ export function Chooser({
           </div>
           <div className="palette-list" id="chooser-list" role="listbox" aria-label={title} ref={list} tabIndex={-1}>
             {choices.map((choice, place) => (
-              // biome-ignore lint/a11y/useKeyWithClickEvents: keys go to the field, which holds the focus
-              <div
+              <ChoiceRow
                 key={choice.id}
-                id={`choice-${place}`}
-                role="option"
-                tabIndex={-1}
-                className="palette-item"
-                aria-selected={place === at}
-                aria-disabled={choice.blocked !== undefined}
-                onClick={() => choose(place)}
-                onMouseMove={() => setAt(place)}
-              >
-                {choice.icon ?? <span className="icon-room" />}
-                <span className="grow choice-names">
-                  <span className="ellipsis">{choice.label}</span>
-                  {(choice.blocked || choice.detail) && (
-                    <span className="small muted ellipsis">{choice.blocked || choice.detail}</span>
-                  )}
-                </span>
-                {choice.tail && <span className="small muted">{choice.tail}</span>}
-                {choice.keys && <kbd>{choice.keys}</kbd>}
-              </div>
+                choice={choice}
+                place={place}
+                isMarked={place === at}
+                onChoose={() => choose(place)}
+                onPoint={() => setAt(place)}
+              />
             ))}
             {choices.length === 0 && <p className="empty">{empty}</p>}
           </div>
         </Dialog>
       </Modal>
     </ModalOverlay>
+  );
+}
+
+interface ChoiceRowProps {
+  choice: Choice;
+  place: number;
+  isMarked: boolean;
+  onChoose: () => void;
+  onPoint: () => void;
+}
+
+function ChoiceRow({ choice, place, isMarked, onChoose, onPoint }: ChoiceRowProps) {
+  return (
+    // biome-ignore lint/a11y/useKeyWithClickEvents: keys go to the field, which holds the focus
+    <div
+      id={`choice-${place}`}
+      role="option"
+      tabIndex={-1}
+      className="palette-item"
+      aria-selected={isMarked}
+      aria-disabled={choice.blocked !== undefined}
+      onClick={onChoose}
+      onMouseMove={onPoint}
+    >
+      {choice.icon ?? <span className="icon-room" />}
+      <span className="grow choice-names">
+        <span className="ellipsis">{choice.label}</span>
+        {(choice.blocked || choice.detail) && (
+          <span className="small muted ellipsis">{choice.blocked || choice.detail}</span>
+        )}
+      </span>
+      {choice.tail && <span className="small muted">{choice.tail}</span>}
+      {choice.keys && <kbd>{choice.keys}</kbd>}
+    </div>
   );
 }
