@@ -51,6 +51,7 @@ set(MLAB_HOSTING_MODULES robot robot_build fleet language lsp console designer)
 # for the thread sanitizer, which finds nothing in the others. Installed, the library is mlab::NAME, with the headers of
 # the folder.
 function(mlab_module name)
+  mlab_tidy_folder()
   cmake_parse_arguments(arg "" "" "SOURCES;TESTS;THREADED_TESTS;LINK;TEST_LINK" ${ARGN})
   if(arg_SOURCES)
     add_library(mlab_${name} STATIC ${arg_SOURCES})
@@ -98,6 +99,7 @@ endfunction()
 # A GoogleTest program, each of its tests one test of ctest. LABEL: `repo` (rules of the source tree), `e2e` (missions
 # and command line); without, or with `threads` (which the thread sanitizer sees too), they are unit tests.
 function(mlab_test name)
+  mlab_tidy_folder()
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   # It replaces operators new and delete, which a compiler that sees them beside their callers takes for mismatched.

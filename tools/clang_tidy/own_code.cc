@@ -1,5 +1,5 @@
 // A plugin for clang-tidy: its checks look at declarations of the project only, not at those of system headers, which
-// they read through without ever reporting anything. They take a third of the time. tools/tidy compiles it.
+// they read through without ever reporting anything. They take a third of the time. cmake/MlabTidy.cmake compiles it.
 //
 // clangd limits clang-tidy in the same way (clang::ASTContext::setTraversalScope).
 

@@ -8,9 +8,13 @@ run_ctest() {
   ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=ignore "${ctest_options[@]}" "$@"
 }
 
+configure_test() {
+  configure "$build/test" -DCMAKE_BUILD_TYPE=Release -DMLAB_UNITY=ON -DMLAB_TESTS=ON "-DMLAB_WEB_FOLDER=$build/web"
+}
+
 # Compiled exactly as the product, so that what is tested is what runs, and the two share what ccache keeps.
 stage_build() {
-  configure "$build/test" -DCMAKE_BUILD_TYPE=Release -DMLAB_UNITY=ON -DMLAB_TESTS=ON "-DMLAB_WEB_FOLDER=$build/web"
+  configure_test
   ninja -C "$build/test" -j "$jobs"
 }
 
@@ -91,6 +95,9 @@ stage_thread() {
   run_ctest "$build/tsan" -L threads
 }
 
-stage_tidy() { MLAB_JOBS=$jobs bash "$root/tools/tidy" -p "$build/test" --seconds "$tidy_seconds"; }
+stage_tidy() {
+  configure_test
+  ninja -C "$build/test" -j "$jobs" -k 0 tidy
+}
 
 stage_install() { bash "$root/tests/install/install_test" "$root" "$build/test"; }
