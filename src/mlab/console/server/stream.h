@@ -37,6 +37,7 @@ class Stream {
   class Pieces {
    public:
     using value_type = Buffer;
+    // NOLINTNEXTLINE(readability-identifier-naming): its name is Asio's
     using const_iterator = const Buffer*;
     /// The first of the pieces, as far as there is room: nobody is promised that all is read or written at
     /// once.
