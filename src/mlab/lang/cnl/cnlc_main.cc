@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,7 +54,16 @@ bool read_options(int count, char** words, Options& options) {
   return !options.output.empty() && (options.is_table || options.files.size() == 1);
 }
 
+bool holds(const std::string& path, const std::string& text) {
+  std::ifstream file(path, std::ios::binary);
+  std::string is;
+  if (file) is.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  return file && is == text;
+}
+
+// A file that is so already is left alone: what is made of it need not be made anew.
 bool write_file(const std::string& path, const std::string& text) {
+  if (holds(path, text)) return true;
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
