@@ -2,6 +2,9 @@
 import { type Browser, chromium, type Page } from "playwright-core";
 import { afterAll, inject } from "vitest";
 
+/** What a busy machine may take for what it does at once when it has nothing else to do [ms]. */
+export const kPatience = 90_000;
+
 export const kSmall = { width: 1280, height: 800 };
 
 let browser: Promise<Browser> | undefined;
@@ -13,9 +16,10 @@ afterAll(async () => {
 
 /** Whoever opens it closes its context. */
 export async function openPage(viewport = kSmall): Promise<Page> {
-  browser ??= chromium.connect(inject("browser"));
+  const addresses = inject("browsers");
+  browser ??= chromium.connect(addresses[Number(process.env.VITEST_POOL_ID ?? 0) % addresses.length]!);
   const context = await (await browser).newContext({ viewport });
   const page = await context.newPage();
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(kPatience);
   return page;
 }

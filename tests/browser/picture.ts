@@ -5,6 +5,11 @@ import type { Page } from "playwright-core";
 
 const folder = process.env.MLAB_TOUR ?? "";
 
+/** Waits, where pictures are wanted, until there is more to be seen on them [ms]. */
+export async function untilThereIsMore(page: Page, time: number): Promise<void> {
+  if (folder !== "") await page.waitForTimeout(time);
+}
+
 interface PictureOptions {
   pointerStays?: boolean;
   /** What the file's name begins with. */

@@ -5,7 +5,7 @@ import { Project } from "./begin.ts";
 import { Console } from "./console.ts";
 import { Mlab } from "./mlab.ts";
 import { openPage } from "./open_page.ts";
-import { picture } from "./picture.ts";
+import { picture, untilThereIsMore } from "./picture.ts";
 
 let pages: Page[] = [];
 let servers: Mlab[] = [];
@@ -79,7 +79,7 @@ test("on the way the steps, the trails and the selected robot show how it goes",
   const { page } = tour;
   const current = tour.steps.locator("[aria-current=step]");
   await current.filter({ hasText: "PP-Delta1" }).waitFor({ timeout: 90_000 });
-  await page.waitForTimeout(4000);
+  await untilThereIsMore(page, 4000);
   await page.keyboard.press("Escape");
   await tour.select("Robot 2");
   await tour.panel("Mission");
@@ -217,8 +217,8 @@ test("numbers are plotted over time", async () => {
   const strip = plots.getByRole("region", { name: /^Plot of Distance to goal/i });
   await strip.locator("canvas").waitFor();
   const begin = await tour.runTime.textContent();
-  await tour.page.waitForTimeout(12_000);
-  expect(await tour.runTime.textContent()).not.toBe(begin);
+  await untilThereIsMore(tour.page, 12_000);
+  await expect.poll(() => tour.runTime.textContent()).not.toBe(begin);
   await picture(tour.page, "plots");
 });
 

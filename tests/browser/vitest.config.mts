@@ -1,15 +1,16 @@
+import { availableParallelism } from "node:os";
 import { defineConfig } from "vitest/config";
 
-// One after the other: each test has an mlab and a page of its own, which want the whole machine.
+// Each test has an mlab and a page of its own. Most of the time it waits for them, so that files of tests run side by side.
 export default defineConfig({
   root: import.meta.dirname,
   test: {
     environment: "node",
     globalSetup: "./one_browser.ts",
     include: ["**/*.test.ts"],
-    fileParallelism: false,
-    testTimeout: 120_000,
-    hookTimeout: 60_000,
-    expect: { poll: { timeout: 30_000 } },
+    maxWorkers: Math.min(4, availableParallelism()),
+    testTimeout: 300_000,
+    hookTimeout: 120_000,
+    expect: { poll: { timeout: 90_000 } },
   },
 });

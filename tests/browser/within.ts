@@ -22,5 +22,5 @@ export async function expectWithin(what: Locator): Promise<void> {
       }
       return "";
     });
-  await expect.poll(trouble, { timeout: 10_000 }).toBe("");
+  await expect.poll(trouble, { timeout: 30_000 }).toBe("");
 }

@@ -112,8 +112,7 @@ test("the window of a server that was started anew with another token says what 
     const fresh = await look(again.url);
     await fresh.page.locator("h1, h2").first().waitFor();
   } finally {
-    await designer.page.close();
-    designer.troubles.length = 0; // the browser tells of each connection that was refused
+    await designer.leave();
     await again.stop();
   }
 });

@@ -4,9 +4,9 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Locator, Page } from "playwright-core";
 import { expect, onTestFinished } from "vitest";
-import { openBrowser } from "../../../web/tools/browser.mjs";
 import { Project } from "../begin.ts";
 import { Mlab } from "../mlab.ts";
+import { openPage } from "../open_page.ts";
 
 const failures =
   process.env.MLAB_FAILURES ??
@@ -15,6 +15,7 @@ const failures =
 export class DesignerPage {
   /** What the page threw or complained of. */
   readonly troubles: string[] = [];
+  private hasLeft = false;
   readonly canvas: Locator;
   readonly details: Locator;
   readonly palette: Locator;
@@ -26,8 +27,8 @@ export class DesignerPage {
   readonly probes: Locator;
 
   constructor(readonly page: Page) {
-    page.on("pageerror", (error) => this.troubles.push(String(error)));
-    page.on("console", (message) => message.type() === "error" && this.troubles.push(message.text()));
+    page.on("pageerror", (error) => this.complains(String(error)));
+    page.on("console", (message) => message.type() === "error" && this.complains(message.text()));
     this.canvas = page.getByRole("region", { name: /^Drawing of / });
     this.details = page.getByRole("region", { name: "Details", exact: true });
     this.palette = page.getByRole("region", { name: "Components", exact: true });
@@ -37,6 +38,17 @@ export class DesignerPage {
     this.simulator = page.getByRole("region", { name: "Simulator", exact: true });
     this.breakpoints = page.getByRole("region", { name: "Breakpoints" });
     this.probes = page.getByRole("region", { name: "Probes" });
+  }
+
+  private complains(words: string): void {
+    if (!this.hasLeft) this.troubles.push(words);
+  }
+
+  /** Closes the page of a server that went away: what it complained of, and may still do, is meant so. */
+  async leave(): Promise<void> {
+    this.hasLeft = true;
+    this.troubles.length = 0;
+    await this.page.close();
   }
 
   button(name: string | RegExp): Locator {
@@ -222,9 +234,7 @@ export async function begin(beginning: Beginning = {}): Promise<Begun> {
 
 /** One more browser that looks at this designer. */
 export async function look(url: string, size = { width: 1280, height: 800 }): Promise<DesignerPage> {
-  const browser = await openBrowser();
-  const page = await browser.page(size);
-  page.setDefaultTimeout(30_000);
+  const page = await openPage(size);
   await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   const designer = new DesignerPage(page);
@@ -234,7 +244,7 @@ export async function look(url: string, size = { width: 1280, height: 800 }): Pr
       const name = task.name.replace(/[^a-z0-9]+/gi, "_").slice(0, 80);
       await page.screenshot({ path: join(failures, `${name}.png`) }).catch(() => {});
     }
-    await browser.close();
+    await page.context().close();
     expect(designer.troubles).toEqual([]);
   });
   await page.goto(url);

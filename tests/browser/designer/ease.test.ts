@@ -1,6 +1,7 @@
 // What keeps a person from losing the way: nothing moves under the pointer, keys leave dialogs, levels lead
 // back.
 import { expect, test } from "vitest";
+import { atRest } from "../at_rest.ts";
 import { begin, type DesignerPage, look } from "./designer.ts";
 
 const kTwo = `assemblage Urges() {
@@ -59,10 +60,11 @@ test("the browser leads back page by page, and on again", async () => {
 test("what is told does not move the drawing", async () => {
   const { designer, project } = await opened();
   await designer.goTo("Urges");
-  const before = await designer.node("Noise").boundingBox();
+  const box = () => designer.node("Noise").boundingBox();
+  const before = await atRest(box);
   project.write("two.cdl", `${kTwo}// more\n`);
   await designer.page.getByText("was changed on the disk; this is the new text").waitFor();
-  expect(await designer.node("Noise").boundingBox()).toEqual(before);
+  expect(await atRest(box)).toEqual(before);
 });
 
 test("Escape leaves a dialog and Enter does what it is for", async () => {

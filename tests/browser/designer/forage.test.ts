@@ -1,5 +1,6 @@
 // The forage of Figures 6 to 9, from an empty canvas: the states by keyboard and mouse, the robot, the society.
 import { expect, test } from "vitest";
+import { atRest } from "../at_rest.ts";
 import { begin, type DesignerPage } from "./designer.ts";
 
 const kForage = `assemblage Forage(attractor: object_class = Mine) {
@@ -73,7 +74,7 @@ test("the forage of Figures 6 to 9 is built from an empty canvas", async () => {
 
   await designer.place("sequence");
   await page.keyboard.press("f");
-  await page.waitForTimeout(500);
+  await atRest(() => designer.result.boundingBox());
   await designer.wire(designer.output(designer.named("sequence")), designer.result);
   await designer.node("Waiting").waitFor();
   await rename(designer, "Waiting", "Searching");

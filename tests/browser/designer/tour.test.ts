@@ -1,5 +1,6 @@
 // The tour of docs/designer.md, step by step. MLAB_TOUR=FOLDER also writes its pictures there (`npm run tour`).
 import { expect, test } from "vitest";
+import { atRest } from "../at_rest.ts";
 import { picture } from "../picture.ts";
 import { begin, type DesignerPage } from "./designer.ts";
 
@@ -46,7 +47,7 @@ test("the guided tour leads from an empty canvas to a skill that can run, by the
   await card.getByRole("heading", { name: "The result" }).waitFor();
   // It stood outside of the canvas: the step brings it into sight, and the card gets out of its way.
   await expect.poll(() => isFree(designer)).toBe(true);
-  await page.waitForTimeout(300);
+  await atRest(() => designer.result.boundingBox());
   await designer.wire(designer.output(sum), designer.result);
   await card.getByRole("heading", { name: "Values" }).waitFor();
   await card.getByRole("button", { name: "Next" }).click();

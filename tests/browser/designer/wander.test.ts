@@ -1,5 +1,6 @@
 // The wander of Figure 4, from an empty canvas, with the mouse.
 import { expect, test } from "vitest";
+import { atRest } from "../at_rest.ts";
 import { begin } from "./designer.ts";
 
 const kWander = `assemblage Wander(curious: gain = 0.8, cautious: gain = 0.5) {
@@ -55,7 +56,7 @@ test("the wander of Figure 4 is built with the mouse from an empty canvas", asyn
   await designer.setWeight(sum, 1, "cautious");
   await designer.setWeight(sum, 2, "curious");
   await page.keyboard.press("f");
-  await page.waitForTimeout(500);
+  await atRest(() => designer.result.boundingBox());
   await designer.wire(designer.output(sum), designer.result);
   await designer.hasWires(6);
   await expect.poll(() => designer.verdict.textContent()).not.toMatch(/error/);
