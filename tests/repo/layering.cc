@@ -42,6 +42,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"console/server", {"base"}},
     {"console", {"cell", "fleet", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
     {"designer", {"console", "lang/cdl", "lang/cdl_historic"}},
+    {"tables", {"overlay", "lang/odl"}},
 };
 
 /// The module of a path such as `mlab/lang/odl/parser.h`; empty where it is none of ours.

@@ -77,15 +77,19 @@ std::string label(const View& view, geom::Point at, double below, std::string_vi
 }
 
 bool is_area(overlay::MeasureKind kind) {
-  using enum overlay::MeasureKind;
-  return kind == kAssemblyArea || kind == kAttackPosition || kind == kBattlePosition || kind == kObjective ||
-         kind == kPassagePoint || kind == kStartPoint;
+  return !overlay::info(kind).is_line;
+}
+
+// Drawn as broad as it is.
+bool is_lane(overlay::MeasureKind kind) {
+  const overlay::MeasureSign sign = overlay::info(kind).sign;
+  return sign == overlay::MeasureSign::kArrow || sign == overlay::MeasureSign::kRoad;
 }
 
 std::string measure_svg(const View& view, const overlay::ControlMeasure& measure) {
   std::string out;
   double width_px = 1.0;
-  const bool is_solid = measure.kind == overlay::MeasureKind::kWall;
+  const bool is_solid = overlay::info(measure.kind).substance == overlay::Substance::kSolid;
   if (is_area(measure.kind) && measure.points.size() == 1) {
     out = fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"place\"/>\n",
                       view.x(measure.points[0]), view.y(measure.points[0]),
@@ -94,7 +98,7 @@ std::string measure_svg(const View& view, const overlay::ControlMeasure& measure
     const char* shape = is_area(measure.kind) ? "polygon" : "polyline";
     const char* look = is_area(measure.kind) ? "place" : is_solid ? "wall" : "line";
     width_px = is_solid ? 2.0 : 1.0;
-    if (measure.kind == overlay::MeasureKind::kAxis || measure.kind == overlay::MeasureKind::kRoad) {
+    if (is_lane(measure.kind)) {
       look = "lane";
       width_px = std::max(1.0, measure.size * view.scale);
     }
@@ -116,8 +120,7 @@ std::string measure_label(const View& view, const overlay::ControlMeasure& measu
   if (measure.kind == kPhaseLine || measure.kind == kLineOfDeparture) {
     return label(view, first.y < last.y ? first : last, 14.0, measure.name);  // at the lower end
   }
-  const double half_width =
-      measure.kind == kAxis || measure.kind == kRoad ? measure.size * view.scale / 2.0 : 0.0;
+  const double half_width = is_lane(measure.kind) ? measure.size * view.scale / 2.0 : 0.0;
   return label(view, first + (last - first) * 0.5, -6.0 - half_width, measure.name);
 }
 

@@ -18,36 +18,6 @@ using overlay::MeasureKind;
 
 constexpr std::uint32_t kWordsOfUtm = 5;  // UTM LAT a LON b
 
-struct KindRule {
-  double default_size = 0.0;  ///< [m]; 0: it has no size
-  int min_points = 1;
-  int max_points = 0;  ///< 0: any number
-};
-
-KindRule rule_of(MeasureKind kind) {
-  switch (kind) {
-    case MeasureKind::kAssemblyArea:
-    case MeasureKind::kAttackPosition:
-    case MeasureKind::kBattlePosition:
-    case MeasureKind::kObjective:
-      return {50.0};
-    case MeasureKind::kPassagePoint:
-      return {10.0, 1, 1};
-    case MeasureKind::kStartPoint:
-      return {0.0, 1, 1};
-    case MeasureKind::kAxis:
-      return {100.0};
-    case MeasureKind::kGap:
-      return {40.0, 2, 2};
-    case MeasureKind::kWall:
-      return {1.0};
-    case MeasureKind::kRoad:
-      return {10.0};
-    default:
-      return {};
-  }
-}
-
 bool is_on_a_map(double value) {
   return std::abs(value) <= odl::kMaxCoordinate;
 }  // false for NaN, too
@@ -98,21 +68,20 @@ std::string brief_point(geom::Point world, geom::Offset origin) {
 }
 
 std::string problem_with(const Measure& measure) {
-  if (measure.kind() < Measure::ASSEMBLY_AREA || measure.kind() > Measure::ROAD)
-    return "there is no such kind";
+  if (!Measure::Kind_IsValid(measure.kind())) return "there is no such kind";
   const MeasureKind kind = decode_kind(measure.kind());
-  const KindRule rule = rule_of(kind);
-  const std::string word(overlay::keyword(kind));
+  const overlay::MeasureInfo& info = overlay::info(kind);
+  const std::string word(info.keyword);
   if (written_name(measure.name()).empty()) return "a name has no quotes and stands on one line";
   if (measure.name().ends_with('*'))
     return "a `*` at the end of a name hides its label, and is no part of it";
   const bool is_hallway = kind == MeasureKind::kHallway;
-  const int count = measure.points_size();
-  if (count < rule.min_points || (rule.max_points > 0 && count > rule.max_points) ||
-      (is_hallway && measure.centerline_size() == 0)) {
-    return rule.max_points > 0 ? fmt::format("{} has exactly {} point{}", word, rule.max_points,
-                                             rule.max_points == 1 ? "" : "s")
-                               : fmt::format("{} has at least one point", word);
+  const auto count = static_cast<std::size_t>(measure.points_size());
+  if (count < info.min_points || count > info.max_points || (is_hallway && measure.centerline_size() == 0)) {
+    return info.max_points != overlay::kAnyNumber
+               ? fmt::format("{} has exactly {} point{}", word, info.max_points,
+                             info.max_points == 1 ? "" : "s")
+               : fmt::format("{} has at least one point", word);
   }
   for (const auto* list : {&measure.points(), &measure.centerline()}) {
     for (const Point& p : *list) {
@@ -151,7 +120,7 @@ std::string odl_statement(const Measure& measure, geom::Offset origin) {
                              brief_number(measure.size()), written(points, 0, points.size(), origin));
   }
   out += written(points, 0, points.size(), origin);
-  const double usual = rule_of(kind).default_size;
+  const double usual = overlay::info(kind).default_size;
   if (usual > 0.0 && measure.size() > 0.0 && std::abs(measure.size() - usual) > kSameNumber)
     out += ' ' + brief_number(measure.size());
   return out;
@@ -240,7 +209,7 @@ void StatementEdit::name(const overlay::ControlMeasure& before, const Measure& a
 }
 
 void StatementEdit::size(double before, double after, MeasureKind kind) {
-  const double usual = rule_of(kind).default_size;
+  const double usual = overlay::info(kind).default_size;
   if (!statement_.numbers.empty()) {
     if (usual == 0.0) {
       splices_.erase(statement_.numbers[0].span);

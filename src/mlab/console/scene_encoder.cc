@@ -67,6 +67,7 @@ void encode(const overlay::WorldObject& from, const PlaceOf& place_of, WorldObje
 }  // namespace
 
 // Both enumerations have the same order; the test holds them to it.
+static_assert(Measure::Kind_ARRAYSIZE == overlay::kMeasures.size());
 Measure::Kind encode_kind(overlay::MeasureKind kind) {
   return static_cast<Measure::Kind>(kind);
 }

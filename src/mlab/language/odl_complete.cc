@@ -133,11 +133,9 @@ class OverlayCompleter {
   }
 
   void statements() {
-    const Keyword begin = has_header_ ? Keyword::kAa : Keyword::kScenario;
-    const Keyword end = has_header_ ? Keyword::kWaypointFile : Keyword::kHeightmap;
-    for (Keyword k = begin; k <= end; k = static_cast<Keyword>(static_cast<int>(k) + 1)) {
-      const std::string usage(odl::rule_of(k).usage);
-      if (!usage.empty()) out_.add(std::string(odl::spelling(k)), "keyword", usage);
+    for (const odl::Word& word : odl::words()) {
+      const bool fits = has_header_ ? odl::is_feature(word.keyword) : odl::is_information(word.keyword);
+      if (fits) out_.add(std::string(word.spelling), "keyword", odl::rule_of(word.keyword).usage);
     }
     if (!has_header_) out_.add("CONTROL MEASURES:", "keyword", "the features follow");
   }

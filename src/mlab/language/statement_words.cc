@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mlab/lang/mdl/token.h"
+#include "mlab/lang/odl/token.h"
 #include "mlab/language/words.h"
 
 namespace mlab::language {
@@ -87,52 +88,6 @@ constexpr Entry kMdl[] = {
     {"ROBOTS", "`ROBOTS numbers action`: robots that are a unit as long as the command lasts"},
 };
 
-constexpr Entry kOdl[] = {
-    {"SCENARIO", "`SCENARIO name`: a title"},
-    {"SITE", "`SITE name`: where it is"},
-    {"ORIGIN", "`ORIGIN x y`: added to all coordinates that follow"},
-    {"GLOBAL_REF_POINT", "`GLOBAL_REF_POINT latitude longitude` in degrees"},
-    {"HEADING", "`HEADING degrees`: of all robots at the start"},
-    {"MISSION-AREA", "`MISSION-AREA width height` in metres"},
-    {"LOAD-MAP", "`LOAD-MAP file`: a background picture"},
-    {"SET", "`SET ZOOM-FACTOR percent`"},
-    {"SCALE", "`SCALE number`"},
-    {"HEIGHTMAP", "`HEIGHTMAP file width height sea-level z-scale`"},
-    {"CONTROL MEASURES:", "the features follow"},
-    {"AA", "assembly area"},
-    {"ATK", "attack position"},
-    {"AXIS", "axis of advance: a line to follow"},
-    {"BOUNDARY", "a drawn line, no wall"},
-    {"ATTRACTOR", "something that robots look for"},
-    {"OBJECT", "something that robots perceive, and perhaps carry"},
-    {"BASKET", "takes what robots bring"},
-    {"FLAG", "a flag"},
-    {"BP", "battle position"},
-    {"GAP", "an opening between two points, to go through"},
-    {"LDLC", "line of departure, line of contact"},
-    {"OBJ", "objective"},
-    {"OBSTACLE", "`OBSTACLE x y radius [height]`: solid"},
-    {"PL", "phase line: its crossing can be told"},
-    {"PP", "passage point"},
-    {"SP", "start place"},
-    {"WALL", "solid line"},
-    {"ROOM", "outline of a room"},
-    {"DOOR", "a way through a wall"},
-    {"HALLWAY", "`HALLWAY name CENTERLINE points WIDTH number EXTENTS points`"},
-    {"ROAD", "a road that robots can follow"},
-    {"WAYPOINT-FILE", "`WAYPOINT-FILE file`: features from another file"},
-    {"UTM", "the point in degrees: `UTM LAT degrees LON degrees`"},
-    {"LAT", "degrees north"},
-    {"LON", "degrees east"},
-    {"MOVABLE", "can be carried"},
-    {"FIXED", "stays where it is"},
-    {"CONTAINER", "holds things"},
-    {"CENTERLINE", "the middle of a hallway"},
-    {"WIDTH", "of a hallway, in metres"},
-    {"EXTENTS", "the outline of a hallway"},
-    {"ZOOM-FACTOR", "10 to 400 per cent"},
-};
-
 std::string_view found(std::span<const Entry> words, std::string_view word, bool is_exact) {
   const auto one = std::ranges::find_if(words, [&](const Entry& entry) {
     return is_exact ? entry.first == word : mdl::equal_without_case(entry.first, word);
@@ -149,7 +104,9 @@ std::string_view mdl_word_help(std::string_view word) {
   return found(kMdl, word, false);
 }
 std::string_view odl_word_help(std::string_view word) {
-  return found(kOdl, word, false);
+  const odl::Keyword keyword = odl::find_keyword(word);
+  const auto one = std::ranges::find(odl::words(), keyword, &odl::Word::keyword);
+  return one == odl::words().end() ? std::string_view() : one->help;
 }
 
 }  // namespace mlab::language

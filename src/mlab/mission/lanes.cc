@@ -33,7 +33,7 @@ bool is_free(const overlay::Overlay& map, geom::Point place, double clearance) {
 
 bool is_walled_off(const overlay::Overlay& map, const geom::Segment& between) {
   for (const overlay::ControlMeasure& measure : map.measures) {
-    if (measure.kind != overlay::MeasureKind::kWall) continue;
+    if (overlay::info(measure.kind).substance != overlay::Substance::kSolid) continue;
     for (std::size_t i = 1; i < measure.points.size(); ++i) {
       if (geom::intersects(between, {measure.points[i - 1], measure.points[i]})) return true;
     }

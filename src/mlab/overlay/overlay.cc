@@ -13,21 +13,6 @@ namespace {
 // More names than this are not compared for a hint: it is about a few hundred microseconds.
 constexpr std::size_t kNamesForHints = 2000;
 
-struct Prefix {
-  std::string_view word;
-  MeasureKind kind;
-};
-constexpr std::array kPrefixes = {
-    Prefix{"AA", MeasureKind::kAssemblyArea},   Prefix{"ATK", MeasureKind::kAttackPosition},
-    Prefix{"BP", MeasureKind::kBattlePosition}, Prefix{"OBJ", MeasureKind::kObjective},
-    Prefix{"PP", MeasureKind::kPassagePoint},   Prefix{"SP", MeasureKind::kStartPoint},
-    Prefix{"AXIS", MeasureKind::kAxis},         Prefix{"GAP", MeasureKind::kGap},
-    Prefix{"BOUNDARY", MeasureKind::kBoundary}, Prefix{"LDLC", MeasureKind::kLineOfDeparture},
-    Prefix{"PL", MeasureKind::kPhaseLine},      Prefix{"WALL", MeasureKind::kWall},
-    Prefix{"ROOM", MeasureKind::kRoom},         Prefix{"DOOR", MeasureKind::kDoor},
-    Prefix{"HALLWAY", MeasureKind::kHallway},   Prefix{"ROAD", MeasureKind::kRoad},
-};
-
 char lower(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
@@ -40,18 +25,13 @@ std::string_view without_prefix(std::string_view reference) {
   const std::size_t hyphen = reference.find('-');
   if (hyphen == std::string_view::npos) return reference;
   const std::string_view head = reference.substr(0, hyphen);
-  const auto is_head = [&](const Prefix& p) {
-    return std::ranges::equal(p.word, head, {}, {}, [](char c) { return upper(c); });
+  const auto is_head = [&](const MeasureInfo& info) {
+    return std::ranges::equal(info.keyword, head, {}, {}, [](char c) { return upper(c); });
   };
-  return std::ranges::any_of(kPrefixes, is_head) ? reference.substr(hyphen + 1) : reference;
+  return std::ranges::any_of(kMeasures, is_head) ? reference.substr(hyphen + 1) : reference;
 }
 
 }  // namespace
-
-std::string_view keyword(MeasureKind kind) {
-  const auto* found = std::ranges::find(kPrefixes, kind, &Prefix::kind);
-  return found == kPrefixes.end() ? std::string_view{} : found->word;
-}
 
 geom::Point ControlMeasure::center() const {
   if (points.empty()) return {};
@@ -59,24 +39,6 @@ geom::Point ControlMeasure::center() const {
   for (const geom::Point& p : points) sum = sum + (p - geom::Point{});
   const auto count = static_cast<double>(points.size());
   return {sum.x / count, sum.y / count};
-}
-
-bool ControlMeasure::is_line() const {
-  switch (kind) {
-    case MeasureKind::kBoundary:
-    case MeasureKind::kLineOfDeparture:
-    case MeasureKind::kGap:
-    case MeasureKind::kAxis:
-    case MeasureKind::kPhaseLine:
-    case MeasureKind::kWall:
-    case MeasureKind::kDoor:
-    case MeasureKind::kRoom:
-    case MeasureKind::kHallway:
-    case MeasureKind::kRoad:
-      return true;
-    default:
-      return false;
-  }
 }
 
 ZoneKind zone_kind(const ControlMeasure& measure) {

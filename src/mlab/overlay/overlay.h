@@ -9,31 +9,10 @@
 #include <vector>
 
 #include "mlab/geom/pose.h"
+#include "mlab/overlay/measure_kinds.h"
 #include "mlab/text/source.h"
 
 namespace mlab::overlay {
-
-/// The kinds of named control measures: what a mission may send a unit to, or follow.
-enum class MeasureKind : std::uint8_t {
-  kAssemblyArea,
-  kAttackPosition,
-  kBattlePosition,
-  kObjective,
-  kPassagePoint,
-  kStartPoint,
-  kAxis,
-  kGap,
-  kBoundary,
-  kLineOfDeparture,
-  kPhaseLine,
-  kWall,
-  kRoom,
-  kDoor,
-  kHallway,
-  kRoad
-};
-/// `AA`, `ATK`, ...: the keyword, as it also stands before a hyphen in references.
-std::string_view keyword(MeasureKind kind);
 
 /// A named control measure. All points are world points, ORIGIN added [m].
 struct ControlMeasure {
@@ -47,9 +26,8 @@ struct ControlMeasure {
 
   /// Where the measure is when one point is wanted: the mean of its vertices.
   geom::Point center() const;
-  /// True for the kinds that FOLLOW takes: boundary, LD/LC, gap, axis, phase line, wall, door, room, hallway,
-  /// road.
-  bool is_line() const;
+  /// Whether FOLLOW takes it.
+  bool is_line() const { return info(kind).is_line; }
 };
 
 struct ObstacleDisc {

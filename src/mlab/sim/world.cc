@@ -63,7 +63,7 @@ World world_of(const overlay::Overlay& overlay) {
     world.discs.push_back({disc.center, disc.radius});
   std::uint32_t group = 0;
   for (const overlay::ControlMeasure& measure : overlay.measures) {
-    if (measure.kind == overlay::MeasureKind::kWall) {
+    if (overlay::info(measure.kind).substance == overlay::Substance::kSolid) {
       add_walls(world, measure.points, false, group++);
     } else if (zone_kind(measure) == overlay::ZoneKind::kWeather) {
       add_walls(world, measure.points, true, group++);

@@ -3,8 +3,9 @@ import { parseColor, readableOn, toHex } from "../color.ts";
 import { roundDown } from "../format.ts";
 import { overlaps } from "../geometry.ts";
 import type { Model } from "../model.ts";
-import { type Measure, Measure_Kind, type Scene, WorldObject_Style } from "../protocol.ts";
+import { type Measure, type Scene, WorldObject_Style } from "../protocol.ts";
 import type { MapItem } from "../selection.ts";
+import { kindOfWire } from "../tables/measures.ts";
 import type { PlacedLabel } from "./measure_labels.ts";
 import { boxOfMeasure, shapeOf } from "./measure_shape.ts";
 import { drawMilitary } from "./measures_military.ts";
@@ -12,29 +13,6 @@ import { drawPlain } from "./measures_plain.ts";
 import { fade } from "./palette.ts";
 import { crisp, fill, isOnScreen, stroke, trace, traceCircle, writeText } from "./strokes.ts";
 import type { MapPick, Pen } from "./tool.ts";
-
-const K = Measure_Kind;
-
-/** What is drawn first lies below. */
-const kOrder: readonly Measure_Kind[] = [
-  K.ROAD,
-  K.ROOM,
-  K.HALLWAY,
-  K.ASSEMBLY_AREA,
-  K.OBJECTIVE,
-  K.BATTLE_POSITION,
-  K.ATTACK_POSITION,
-  K.AXIS,
-  K.BOUNDARY,
-  K.PHASE_LINE,
-  K.LINE_OF_DEPARTURE,
-  K.GAP,
-  K.WALL,
-  K.DOOR,
-  K.PASSAGE_POINT,
-  K.START_POINT,
-];
-const kRank = new Map(kOrder.map((kind, rank) => [kind, rank]));
 
 export function drawGround(pen: Pen, model: Model, picture: HTMLImageElement | null, hover: MapPick | null): void {
   const scene = model.get("scene");
@@ -123,11 +101,16 @@ function drawMeasures(pen: Pen, scene: Scene): void {
   const seen = pen.camera.visible();
   const inOrder = scene.measures
     .filter((measure) => isNear(measure, seen, 60 / pen.camera.scale))
-    .sort((a, b) => (kRank.get(a.kind) ?? 0) - (kRank.get(b.kind) ?? 0));
+    .sort((a, b) => layerOf(a) - layerOf(b));
   for (const measure of inOrder) {
     if (pen.military) drawMilitary(pen, measure);
     else drawPlain(pen, measure);
   }
+}
+
+/** What is drawn first lies below. */
+function layerOf(measure: Measure): number {
+  return kindOfWire(measure.kind)?.layer ?? 0;
 }
 
 function isNear(measure: Measure, seen: Parameters<typeof overlaps>[0], margin: number): boolean {

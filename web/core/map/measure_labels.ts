@@ -2,13 +2,12 @@
 import { alongLine, type Box, crosses, type Point } from "../geometry.ts";
 import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { MapSettings } from "../map_settings.ts";
-import { type Measure, Measure_Kind, type Scene } from "../protocol.ts";
+import type { Measure, Scene } from "../protocol.ts";
+import { kindOfWire } from "../tables/measures.ts";
 import { colorOf, labelOf } from "./measure_names.ts";
-import { boxOfMeasure, middleOf, shapeOf, sizeOf } from "./measure_shape.ts";
+import { boxOfMeasure, middleOf, shapeOf, signOf, sizeOf } from "./measure_shape.ts";
 import { kSans, textWidth } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
-
-const K = Measure_Kind;
 
 export type LabelBox = Box;
 
@@ -25,19 +24,6 @@ interface Key {
   readonly color: string;
   readonly font: string;
 }
-
-const kWeights: Partial<Record<Measure_Kind, number>> = {
-  [K.OBJECTIVE]: 9,
-  [K.ASSEMBLY_AREA]: 8,
-  [K.ATTACK_POSITION]: 8,
-  [K.BATTLE_POSITION]: 8,
-  [K.PASSAGE_POINT]: 7,
-  [K.START_POINT]: 7,
-  [K.GAP]: 5,
-  [K.AXIS]: 6,
-  [K.LINE_OF_DEPARTURE]: 4,
-  [K.PHASE_LINE]: 4,
-};
 
 /** @param bodies  what names don't cover either */
 export function placeMeasureLabels(
@@ -57,8 +43,12 @@ export function placeMeasureLabels(
   );
 }
 
+function weightOf(measure: Measure): number {
+  return kindOfWire(measure.kind)?.weight ?? 2;
+}
+
 function fontOf(measure: Measure, military: boolean): string {
-  const isSoft = measure.kind === K.BOUNDARY || measure.kind === K.WALL || measure.kind >= K.ROOM;
+  const isSoft = weightOf(measure) === 2;
   if (military) return `600 11.5px ${kSans}`;
   return isSoft ? `500 11px ${kSans}` : `600 12px ${kSans}`;
 }
@@ -71,7 +61,8 @@ function wishOf(pen: Pen, measure: Measure): LabelWish<Key>[] {
   const width = textWidth(pen, text, font) + 6;
   const height = 16;
   const color = colorOf(measure, pen.palette, pen.military);
-  const weight = kWeights[measure.kind] ?? 2;
+  const weight = weightOf(measure);
+  const sign = signOf(measure);
   const wish = (places: Point[], lighter = 0): LabelWish<Key> => ({
     key: { text, color, font },
     width,
@@ -82,9 +73,9 @@ function wishOf(pen: Pen, measure: Measure): LabelWish<Key>[] {
   const box = boxOfMeasure(measure)!;
   const extent = Math.max(box.xMax - box.xMin, box.yMax - box.yMin) * pen.camera.scale;
   // What is only a speck would be all name.
-  const isPoint = measure.kind === K.PASSAGE_POINT || measure.kind === K.START_POINT;
+  const isPoint = sign === "point" || sign === "flag";
   if (!isPoint && extent < 14) return [];
-  const both = pen.military && (measure.kind === K.PHASE_LINE || measure.kind === K.LINE_OF_DEPARTURE);
+  const both = pen.military && (sign === "line" || sign === "arcs");
   const places = placesOf(pen, measure, width, height);
   return both ? [wish(places), wish(otherEnd(pen, measure, height), 1)] : [wish(places)];
 }
@@ -92,27 +83,28 @@ function wishOf(pen: Pen, measure: Measure): LabelWish<Key>[] {
 /** The best first. */
 function placesOf(pen: Pen, measure: Measure, width: number, height: number): Point[] {
   const { camera } = pen;
-  switch (measure.kind) {
-    case K.PASSAGE_POINT: {
+  switch (signOf(measure)) {
+    case "point": {
       const at = camera.toScreen(measure.points[0]!);
       if (pen.military) return aside(at, { x: 12, y: 34 }, width, height, -17);
       const radius = Math.max(4, (sizeOf(measure) / 2) * camera.scale);
       return aside(at, { x: radius + 2, y: radius + 2 }, width, height);
     }
-    case K.START_POINT:
+    case "flag":
       return aside(camera.toScreen(measure.points[0]!), { x: 12, y: 34 }, width, height, -17);
-    case K.LINE_OF_DEPARTURE:
-    case K.PHASE_LINE:
+    case "arcs":
+    case "line":
       return lineEnds(pen, measure, width, height);
-    case K.BOUNDARY:
-    case K.WALL:
-    case K.ROAD:
-    case K.DOOR: {
+    case "boundary":
+    case "wall":
+    case "road":
+    case "door": {
       const shape = shapeOf(measure)!;
-      if (shape.kind === "line") return alongPlaces(pen, shape.points, width, height, shape.width);
-      break;
+      return shape.kind === "line"
+        ? alongPlaces(pen, shape.points, width, height, shape.width)
+        : areaPlaces(pen, measure, height);
     }
-    case K.GAP: {
+    case "rails": {
       const middle = camera.toScreen(middleOf(measure));
       const half = (sizeOf(measure) / 2) * camera.scale * 1.35 + height / 2 + 2;
       return [
@@ -123,13 +115,17 @@ function placesOf(pen: Pen, measure: Measure, width: number, height: number): Po
         middle,
       ];
     }
-    case K.AXIS: {
+    case "arrow": {
       const shares = [0.45, 0.3, 0.6, 0.15];
       const length = alongTotal(measure.points);
       return shares.map((share) => camera.toScreen(alongLine(measure.points, length * share).point));
     }
+    case "area":
+    case "held_area":
+    case "room":
+    case "hallway":
+      return areaPlaces(pen, measure, height);
   }
-  return areaPlaces(pen, measure, height);
 }
 
 function alongTotal(points: readonly Point[]): number {
@@ -175,7 +171,7 @@ function lineEnds(pen: Pen, measure: Measure, width: number, height: number): Po
   const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => camera.toScreen(point));
   const [low, high] = ends[0]!.y >= ends[1]!.y ? ends : [ends[1]!, ends[0]!];
   const bottom = Math.min(low!.y + height / 2 + 4, camera.height - 4 - height / 2);
-  const above = measure.kind === K.LINE_OF_DEPARTURE ? 10 : 4; // its arcs
+  const above = signOf(measure) === "arcs" ? 10 : 4; // its arcs
   return [
     { x: low!.x, y: bottom },
     { x: low!.x, y: bottom + height * 0.75 },
@@ -188,7 +184,7 @@ function lineEnds(pen: Pen, measure: Measure, width: number, height: number): Po
 function otherEnd(pen: Pen, measure: Measure, height: number): Point[] {
   const ends = [measure.points[0]!, measure.points.at(-1)!].map((point) => pen.camera.toScreen(point));
   const high = ends[0]!.y < ends[1]!.y ? ends[0]! : ends[1]!;
-  const above = measure.kind === K.LINE_OF_DEPARTURE ? 10 : 4;
+  const above = signOf(measure) === "arcs" ? 10 : 4;
   const top = Math.max(high.y - height / 2 - above, 4 + height / 2);
   return [
     { x: high.x, y: top },
@@ -233,7 +229,7 @@ function linesOnScreen(pen: Pen, scene: Scene): Segment[] {
 
 function outlineOnScreen(pen: Pen, measure: Measure): Point[] {
   const shape = shapeOf(measure);
-  if (!shape || shape.kind === "point" || measure.kind === K.PASSAGE_POINT) return [];
+  if (!shape || shape.kind === "point" || signOf(measure) === "point") return [];
   const toScreen = (points: readonly Point[]): Point[] => points.map((point) => pen.camera.toScreen(point));
   if (shape.kind === "circle") {
     const { centre, radius } = shape;
@@ -263,9 +259,9 @@ function signBoxes(pen: Pen, scene: Scene): Box[] {
     const first = measure.points[0];
     if (!first) return [];
     const { x, y } = camera.toScreen(first);
-    const isFlag = measure.kind === K.START_POINT || (pen.military && measure.kind === K.PASSAGE_POINT);
+    const isFlag = signOf(measure) === "flag" || (pen.military && signOf(measure) === "point");
     if (isFlag) return [{ xMin: x - 11, xMax: x + 11, yMin: y - 33, yMax: y + 2 }];
-    if (measure.kind !== K.PASSAGE_POINT) return [];
+    if (signOf(measure) !== "point") return [];
     const radius = Math.max(4, (sizeOf(measure) / 2) * camera.scale);
     return radius > 40 ? [] : [{ xMin: x - radius, xMax: x + radius, yMin: y - radius, yMax: y + radius }];
   });

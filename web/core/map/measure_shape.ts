@@ -14,9 +14,8 @@ import {
   offsetLine,
   type Point,
 } from "../geometry.ts";
-import { type Measure, Measure_Kind } from "../protocol.ts";
-
-const K = Measure_Kind;
+import type { Measure } from "../protocol.ts";
+import { kindOfWire, type MeasureSign } from "../tables/measures.ts";
 
 export type Shape =
   | { readonly kind: "circle"; readonly centre: Point; readonly radius: number }
@@ -24,20 +23,14 @@ export type Shape =
   | { readonly kind: "line"; readonly points: readonly Point[]; readonly width: number }
   | { readonly kind: "point"; readonly at: Point };
 
-/** [m], where the overlay doesn't say. */
-const kSizes: Partial<Record<Measure_Kind, number>> = {
-  [K.ASSEMBLY_AREA]: 50,
-  [K.ATTACK_POSITION]: 50,
-  [K.BATTLE_POSITION]: 50,
-  [K.OBJECTIVE]: 50,
-  [K.PASSAGE_POINT]: 10,
-  [K.AXIS]: 100,
-  [K.GAP]: 40,
-  [K.ROAD]: 10,
-};
-
+/** Its diameter or width [m]. */
 export function sizeOf(measure: Measure): number {
-  return measure.size > 0 ? measure.size : (kSizes[measure.kind] ?? 0);
+  return measure.size > 0 ? measure.size : (kindOfWire(measure.kind)?.defaultSize ?? 0);
+}
+
+/** What stands for it; of a kind of a newer server just its line. */
+export function signOf(measure: Measure): MeasureSign {
+  return kindOfWire(measure.kind)?.sign ?? "line";
 }
 
 /** null of a measure without points. */
@@ -45,41 +38,41 @@ export function shapeOf(measure: Measure): Shape | null {
   const { points } = measure;
   const first = points[0];
   if (!first) return null;
-  switch (measure.kind) {
-    case K.ASSEMBLY_AREA:
-    case K.ATTACK_POSITION:
-    case K.BATTLE_POSITION:
-    case K.OBJECTIVE:
+  switch (signOf(measure)) {
+    case "area":
+    case "held_area":
       return points.length === 1
         ? { kind: "circle", centre: first, radius: sizeOf(measure) / 2 }
         : { kind: "polygon", points };
-    case K.PASSAGE_POINT:
+    case "point":
       return { kind: "circle", centre: first, radius: sizeOf(measure) / 2 };
-    case K.START_POINT:
+    case "flag":
       return { kind: "point", at: first };
-    case K.AXIS:
+    case "arrow":
       return points.length < 2 ? { kind: "point", at: first } : { kind: "polygon", points: axisOutline(measure) };
-    case K.GAP:
+    case "rails":
       return points.length < 2
         ? { kind: "point", at: first }
         : { kind: "line", points: points.slice(0, 2), width: sizeOf(measure) };
-    case K.BOUNDARY:
+    case "boundary":
       if (points.length === 1) return { kind: "circle", centre: first, radius: 25 };
       return isClosed(measure) ? { kind: "polygon", points } : { kind: "line", points, width: 0 };
-    case K.ROOM:
+    case "room":
       return points.length > 2 ? { kind: "polygon", points } : { kind: "line", points, width: 0 };
-    case K.HALLWAY:
+    case "hallway":
       if (points.length > 2) return { kind: "polygon", points };
       return {
         kind: "line",
         points: measure.centerline.length > 1 ? measure.centerline : points,
         width: sizeOf(measure),
       };
-    case K.ROAD:
+    case "road":
       return { kind: "line", points, width: sizeOf(measure) };
-    case K.LINE_OF_DEPARTURE:
+    case "arcs":
       return { kind: "line", points: points.length > 1 ? [first, points.at(-1)!] : points, width: 0 };
-    default:
+    case "line":
+    case "wall":
+    case "door":
       return { kind: "line", points, width: 0 };
   }
 }
@@ -169,6 +162,6 @@ export function distanceTo(measure: Measure, point: Point, reach: number): { edg
 /** A place on the measure that a label or a line can point at: the middle of what is drawn. */
 export function middleOf(measure: Measure): Point {
   const { points } = measure;
-  if (measure.kind === K.GAP && points.length > 1) return between(points[0]!, points[1]!, 0.5);
+  if (signOf(measure) === "rails" && points.length > 1) return between(points[0]!, points[1]!, 0.5);
   return centreOf(isClosed(measure) ? points.slice(1) : points);
 }

@@ -1,61 +1,59 @@
 // Control measures as tactical graphics, drawn from what MIL-STD-2525 says of each: friendly ones in one ink, told apart
 // by shape and letters; where the standard has no sign for a thing, it looks as in the plain style.
 import { add, alongLine, between, direction, lengthOf, normal, type Point } from "../geometry.ts";
-import { type Measure, Measure_Kind } from "../protocol.ts";
+import type { Measure } from "../protocol.ts";
+import { kindOfWire, type MeasureSign } from "../tables/measures.ts";
 import { colorOf } from "./measure_names.ts";
-import { axisOutline, shapeOf, sizeOf } from "./measure_shape.ts";
-import { drawArcs, drawBoundary, drawBuilding, drawFlag, drawGap, traceShape } from "./measures_plain.ts";
+import { axisOutline, shapeOf, signOf, sizeOf } from "./measure_shape.ts";
+import {
+  type DrawSign,
+  drawArcs,
+  drawBoundary,
+  drawFlag,
+  drawGap,
+  kBuildingSigns,
+  traceShape,
+} from "./measures_plain.ts";
 import { fade } from "./palette.ts";
 import { fill, stroke, trace } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
 
-const K = Measure_Kind;
 const kLine = 2.25;
+
+const drawArea: DrawSign = (pen, _, shape, color) => {
+  traceShape(pen, shape);
+  fill(pen, fade(pen.palette.ground, 0.35));
+  stroke(pen, { color, width: kLine });
+};
+
+const drawCodeFlag: DrawSign = (pen, measure, _, color) =>
+  drawFlag(pen, measure.points[0]!, color, false, kindOfWire(measure.kind)?.keyword);
+
+const kMilitarySigns: Readonly<Record<MeasureSign, DrawSign>> = {
+  ...kBuildingSigns,
+  area: drawArea,
+  held_area: (pen, measure, shape, color) => {
+    drawArea(pen, measure, shape, color);
+    drawEchelon(pen, measure, color);
+  },
+  point: drawCodeFlag,
+  flag: drawCodeFlag,
+  arrow: (pen, measure, _, color) => drawAxis(pen, measure, color),
+  line: (pen, measure, _, color) => {
+    trace(pen, measure.points);
+    stroke(pen, { color, width: kLine });
+  },
+  arcs: (pen, measure, _, color) => drawArcs(pen, measure, color, kLine),
+  rails: (pen, measure, _, color) => drawGap(pen, measure, color, kLine),
+  boundary: (pen, measure, shape, color) => {
+    if (measure.zone) drawBoundary(pen, measure, shape, color);
+    else drawUnitBoundary(pen, measure, color);
+  },
+};
 
 export function drawMilitary(pen: Pen, measure: Measure): void {
   const shape = shapeOf(measure);
-  if (!shape) return;
-  const color = colorOf(measure, pen.palette, true);
-  switch (measure.kind) {
-    case K.ASSEMBLY_AREA:
-    case K.ATTACK_POSITION:
-    case K.OBJECTIVE:
-      traceShape(pen, shape);
-      fill(pen, fade(pen.palette.ground, 0.35));
-      stroke(pen, { color, width: kLine });
-      break;
-    case K.BATTLE_POSITION:
-      traceShape(pen, shape);
-      fill(pen, fade(pen.palette.ground, 0.35));
-      stroke(pen, { color, width: kLine });
-      drawEchelon(pen, measure, color);
-      break;
-    case K.PASSAGE_POINT:
-      drawFlag(pen, measure.points[0]!, color, false, "PP");
-      break;
-    case K.START_POINT:
-      drawFlag(pen, measure.points[0]!, color, false, "SP");
-      break;
-    case K.AXIS:
-      drawAxis(pen, measure, color);
-      break;
-    case K.PHASE_LINE:
-      trace(pen, measure.points);
-      stroke(pen, { color, width: kLine });
-      break;
-    case K.LINE_OF_DEPARTURE:
-      drawArcs(pen, measure, color, kLine);
-      break;
-    case K.GAP:
-      drawGap(pen, measure, color, kLine);
-      break;
-    case K.BOUNDARY:
-      if (measure.zone) drawBoundary(pen, measure, shape, color);
-      else drawUnitBoundary(pen, measure, color);
-      break;
-    default:
-      drawBuilding(pen, measure, shape);
-  }
+  if (shape) kMilitarySigns[signOf(measure)](pen, measure, shape, colorOf(measure, pen.palette, true));
 }
 
 /** The axis of a supporting attack: the arrow's tail stays open, its head has one point. */

@@ -1,54 +1,61 @@
 // Control measures in the plain style: outlines and light fills, told apart by colour and shape.
 import { add, direction, distance, normal, type Point } from "../geometry.ts";
-import { type Measure, Measure_Kind } from "../protocol.ts";
+import type { Measure } from "../protocol.ts";
+import type { MeasureSign } from "../tables/measures.ts";
 import { colorOf } from "./measure_names.ts";
-import { gapRails, isClosed, type Shape, shapeOf, sizeOf } from "./measure_shape.ts";
+import { gapRails, isClosed, type Shape, shapeOf, signOf, sizeOf } from "./measure_shape.ts";
 import { fade } from "./palette.ts";
 import { fill, hatch, stroke, trace, traceCircle } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
 
-const K = Measure_Kind;
+/** Draws the sign of a measure. `color` is that of the style. */
+export type DrawSign = (pen: Pen, measure: Measure, shape: Shape, color: string) => void;
+
+/** The same in both styles. */
+export const kBuildingSigns = {
+  wall: (pen, measure) => {
+    trace(pen, measure.points);
+    stroke(pen, { color: pen.palette.wall, width: Math.max(2.5, Math.min(7, 0.2 * pen.camera.scale)) });
+  },
+  room: (pen, _, shape) => {
+    traceShape(pen, shape);
+    if (shape.kind === "polygon") fill(pen, pen.palette.room);
+    stroke(pen, { color: pen.palette.roomEdge, width: 1 });
+  },
+  hallway: drawHallway,
+  door: drawDoor,
+  road: (pen, _, shape) => drawRoad(pen, shape),
+} satisfies Partial<Record<MeasureSign, DrawSign>>;
+
+const drawPlainArea: DrawSign = (pen, _, shape, color) => {
+  traceShape(pen, shape);
+  fill(pen, fade(color, pen.palette.isDark ? 0.12 : 0.08));
+  stroke(pen, { color, width: 1.75 });
+};
+
+const kPlainSigns: Readonly<Record<MeasureSign, DrawSign>> = {
+  ...kBuildingSigns,
+  area: drawPlainArea,
+  held_area: drawPlainArea,
+  point: (pen, measure, _, color) => drawPassagePoint(pen, measure, color),
+  flag: (pen, measure, _, color) => drawFlag(pen, measure.points[0]!, color, true),
+  arrow: (pen, _, shape, color) => {
+    traceShape(pen, shape);
+    fill(pen, fade(color, pen.palette.isDark ? 0.1 : 0.06));
+    stroke(pen, { color, width: 1.75 });
+  },
+  line: (pen, measure, _, color) => {
+    trace(pen, measure.points);
+    stroke(pen, { color, width: 2 });
+  },
+  arcs: (pen, measure, _, color) => drawArcs(pen, measure, color),
+  rails: (pen, measure, _, color) => drawGap(pen, measure, color),
+  boundary: drawBoundary,
+};
 
 export function drawPlain(pen: Pen, measure: Measure): void {
   const shape = shapeOf(measure);
-  if (!shape) return;
-  const color = colorOf(measure, pen.palette, false);
-  switch (measure.kind) {
-    case K.ASSEMBLY_AREA:
-    case K.ATTACK_POSITION:
-    case K.BATTLE_POSITION:
-    case K.OBJECTIVE:
-      traceShape(pen, shape);
-      fill(pen, fade(color, pen.palette.isDark ? 0.12 : 0.08));
-      stroke(pen, { color, width: 1.75 });
-      break;
-    case K.PASSAGE_POINT:
-      drawPassagePoint(pen, measure, color);
-      break;
-    case K.START_POINT:
-      drawFlag(pen, measure.points[0]!, color, true);
-      break;
-    case K.AXIS:
-      traceShape(pen, shape);
-      fill(pen, fade(color, pen.palette.isDark ? 0.1 : 0.06));
-      stroke(pen, { color, width: 1.75 });
-      break;
-    case K.PHASE_LINE:
-      trace(pen, measure.points);
-      stroke(pen, { color, width: 2 });
-      break;
-    case K.LINE_OF_DEPARTURE:
-      drawArcs(pen, measure, color);
-      break;
-    case K.GAP:
-      drawGap(pen, measure, color);
-      break;
-    case K.BOUNDARY:
-      drawBoundary(pen, measure, shape, color);
-      break;
-    default:
-      drawBuilding(pen, measure, shape);
-  }
+  if (shape) kPlainSigns[signOf(measure)](pen, measure, shape, colorOf(measure, pen.palette, false));
 }
 
 export function traceShape(pen: Pen, shape: Shape): void {
@@ -142,31 +149,6 @@ export function drawBoundary(pen: Pen, measure: Measure, shape: Shape, color: st
   }
   traceShape(pen, shape);
   stroke(pen, { color, width: 2, dash: dashes[measure.zone] ?? [10, 4] });
-}
-
-/** Walls, rooms, doors, hallways and roads, the same in both styles. */
-export function drawBuilding(pen: Pen, measure: Measure, shape: Shape): void {
-  const { palette, camera } = pen;
-  switch (measure.kind) {
-    case K.WALL:
-      trace(pen, measure.points);
-      stroke(pen, { color: palette.wall, width: Math.max(2.5, Math.min(7, 0.2 * camera.scale)) });
-      break;
-    case K.ROOM:
-      traceShape(pen, shape);
-      if (shape.kind === "polygon") fill(pen, palette.room);
-      stroke(pen, { color: palette.roomEdge, width: 1 });
-      break;
-    case K.HALLWAY:
-      drawHallway(pen, measure, shape);
-      break;
-    case K.DOOR:
-      drawDoor(pen, measure);
-      break;
-    case K.ROAD:
-      drawRoad(pen, shape);
-      break;
-  }
 }
 
 function drawHallway(pen: Pen, measure: Measure, shape: Shape): void {

@@ -7,6 +7,7 @@
 
 #include "mlab/base/random.h"
 #include "mlab/console.pb.h"
+#include "mlab/overlay/measure_kinds.h"
 
 namespace mlab::console::testing {
 
@@ -23,7 +24,7 @@ inline void add_point(google::protobuf::RepeatedPtrField<Point>& to, base::Rando
 /// A measure of any kind that an overlay can hold.
 inline Measure random_measure(base::Random& random) {
   Measure out;
-  out.set_kind(static_cast<Measure::Kind>(random.below(16)));
+  out.set_kind(static_cast<Measure::Kind>(random.below(overlay::kMeasures.size())));
   out.set_name((random.below(2) == 0 ? "N" : "odd name ") + std::to_string(random.below(1000)));
   out.set_shows_label(random.below(3) > 0);
   const bool is_point = out.kind() == Measure::PASSAGE_POINT || out.kind() == Measure::START_POINT;

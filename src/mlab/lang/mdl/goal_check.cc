@@ -63,7 +63,7 @@ const overlay::ObstacleDisc* GoalCheck::obstacle_at(geom::Point p, double radius
 const overlay::ControlMeasure* GoalCheck::wall_at(geom::Point p, double radius) {
   for (const overlay::ControlMeasure& measure : mission_.overlay.measures) {
     if (++visits_ > kMaxThingVisits) return nullptr;
-    if (measure.kind != overlay::MeasureKind::kWall) continue;
+    if (overlay::info(measure.kind).substance != overlay::Substance::kSolid) continue;
     for (std::size_t i = 0; i + 1 < measure.points.size() && ++visits_ <= kMaxThingVisits; ++i) {
       if (distance_to_piece(p, measure.points[i], measure.points[i + 1]) < radius) return &measure;
     }

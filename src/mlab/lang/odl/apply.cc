@@ -18,50 +18,6 @@
 namespace mlab::odl {
 namespace {
 
-using overlay::MeasureKind;
-
-struct NamedFeature {
-  MeasureKind kind;
-  double default_size;  // [m]; 0 where the feature has none
-};
-
-NamedFeature named_feature(Keyword keyword) {
-  switch (keyword) {
-    case Keyword::kAa:
-      return {MeasureKind::kAssemblyArea, 50.0};
-    case Keyword::kAtk:
-      return {MeasureKind::kAttackPosition, 50.0};
-    case Keyword::kBp:
-      return {MeasureKind::kBattlePosition, 50.0};
-    case Keyword::kObj:
-      return {MeasureKind::kObjective, 50.0};
-    case Keyword::kPp:
-      return {MeasureKind::kPassagePoint, 10.0};
-    case Keyword::kAxis:
-      return {MeasureKind::kAxis, 100.0};
-    case Keyword::kGap:
-      return {MeasureKind::kGap, 40.0};
-    case Keyword::kBoundary:
-      return {MeasureKind::kBoundary, 0.0};
-    case Keyword::kLdlc:
-      return {MeasureKind::kLineOfDeparture, 0.0};
-    case Keyword::kPl:
-      return {MeasureKind::kPhaseLine, 0.0};
-    case Keyword::kWall:
-      return {MeasureKind::kWall, 1.0};
-    case Keyword::kRoom:
-      return {MeasureKind::kRoom, 0.0};
-    case Keyword::kDoor:
-      return {MeasureKind::kDoor, 0.0};
-    case Keyword::kHallway:
-      return {MeasureKind::kHallway, 0.0};
-    case Keyword::kRoad:
-      return {MeasureKind::kRoad, 10.0};
-    default:
-      return {MeasureKind::kStartPoint, 0.0};
-  }
-}
-
 // Applies statements to an overlay. Its own copy of the names makes the search for duplicates fast.
 class Applier {
  public:
@@ -79,10 +35,11 @@ class Applier {
 
  private:
   void apply(const Statement& s) {
+    if (const auto kind = measure_of(s.keyword)) {
+      add_measure(s, overlay::info(*kind));
+      return;
+    }
     switch (s.keyword) {
-      case Keyword::kNone:
-      case Keyword::kControlMeasures:
-        return;
       case Keyword::kScenario:
         into_.scenario = s.name.text;
         return;
@@ -131,8 +88,20 @@ class Applier {
       case Keyword::kWaypointFile:
         include_waypoints(s.name);
         return;
-      default:
-        add_measure(s);
+      case Keyword::kNone:
+      case Keyword::kControlMeasures:
+      case Keyword::kZoomFactor:
+      case Keyword::kLat:
+      case Keyword::kLon:
+      case Keyword::kUtm:
+      case Keyword::kCenterline:
+      case Keyword::kWidth:
+      case Keyword::kExtents:
+      case Keyword::kMovable:
+      case Keyword::kFixed:
+      case Keyword::kContainer:
+      case Keyword::kFirstMeasure:
+        return;
     }
   }
 
@@ -353,18 +322,17 @@ class Applier {
     into_.objects.push_back({*at, *diameter, style, std::move(color), place_of(s.span)});
   }
 
-  void add_measure(const Statement& s) {
-    const auto [kind, default_size] = named_feature(s.keyword);
+  void add_measure(const Statement& s, const overlay::MeasureInfo& info) {
     overlay::ControlMeasure out;
-    out.kind = kind;
+    out.kind = info.kind;
     out.name = s.name.text;
     out.shows_label = !s.name.has_star;
     out.place = place_of(s.name.span);
     auto vertices = points(s.points);
     auto centerline = points(s.centerline);
-    const std::optional<double> given = kind == MeasureKind::kHallway
+    const std::optional<double> given = info.shape == overlay::MeasureShape::kHallway
                                             ? above_zero(s.numbers.front(), "the width of a hallway")
-                                            : size(s, default_size);
+                                            : size(s, info.default_size);
     if (!vertices || !centerline || !given) return;
     out.points = std::move(*vertices);
     out.centerline = std::move(*centerline);

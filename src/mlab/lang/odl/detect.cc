@@ -9,17 +9,8 @@ namespace {
 
 // Mission files have these statements too.
 bool is_shared_with_missions(Keyword k) {
-  switch (k) {
-    case Keyword::kScenario:
-    case Keyword::kMissionArea:
-    case Keyword::kLoadMap:
-    case Keyword::kSet:
-    case Keyword::kSp:
-    case Keyword::kObstacle:
-      return true;
-    default:
-      return false;
-  }
+  return k == Keyword::kScenario || k == Keyword::kMissionArea || k == Keyword::kLoadMap ||
+         k == Keyword::kSet || k == Keyword::kObstacle || k == keyword_of(overlay::MeasureKind::kStartPoint);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
+#include <string>
 #include <string_view>
 
 #include "mlab/lang/odl/token.h"
@@ -28,11 +28,10 @@ struct Rule {
   std::size_t min_numbers = 0;  ///< that are no coordinates
   std::size_t max_numbers = 0;
   std::string_view number;  ///< what the first of these numbers is, for messages
-  std::string_view usage;   ///< the whole statement, for messages
+  std::string usage;        ///< the whole statement, for messages
 };
-inline constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
 
-/// The rule of a keyword that starts a statement.
+/// The rule of a keyword that starts a statement; one without usage for any other.
 const Rule& rule_of(Keyword keyword);
 
 }  // namespace mlab::odl

@@ -17,9 +17,8 @@ namespace {
 // All words that a statement can begin with, for hints.
 std::vector<std::string> statement_words() {
   std::vector<std::string> out;
-  for (auto k = Keyword::kScenario; k <= Keyword::kWaypointFile;
-       k = static_cast<Keyword>(static_cast<int>(k) + 1)) {
-    out.emplace_back(spelling(k));
+  for (const Word& word : words()) {
+    if (starts_statement(word.keyword)) out.emplace_back(word.spelling);
   }
   return out;
 }

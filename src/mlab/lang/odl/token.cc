@@ -6,74 +6,73 @@
 namespace mlab::odl {
 namespace {
 
-struct Entry {
-  Keyword keyword;
-  std::string_view spelling;
+constexpr std::array kBeforeFeatures = {
+    Word{Keyword::kScenario, "SCENARIO", "", "`SCENARIO name`: a title"},
+    Word{Keyword::kSite, "SITE", "", "`SITE name`: where it is"},
+    Word{Keyword::kOrigin, "ORIGIN", "", "`ORIGIN x y`: added to all coordinates that follow"},
+    Word{Keyword::kGlobalRefPoint, "GLOBAL_REF_POINT", "",
+         "`GLOBAL_REF_POINT latitude longitude` in degrees"},
+    Word{Keyword::kHeading, "HEADING", "", "`HEADING degrees`: of all robots at the start"},
+    Word{Keyword::kMissionArea, "MISSION-AREA", "", "`MISSION-AREA width height` in metres"},
+    Word{Keyword::kLoadMap, "LOAD-MAP", "", "`LOAD-MAP file`: a background picture"},
+    Word{Keyword::kSet, "SET", "", "`SET ZOOM-FACTOR percent`"},
+    Word{Keyword::kScale, "SCALE", "", "`SCALE number`"},
+    Word{Keyword::kHeightmap, "HEIGHTMAP", "", "`HEIGHTMAP file width height sea-level z-scale`"},
+    Word{Keyword::kControlMeasures, "CONTROL MEASURES:", "", "the features follow"},
 };
-// The first spelling of a keyword is the canonical one.
-constexpr std::array kEntries = {
-    Entry{Keyword::kScenario, "SCENARIO"},
-    Entry{Keyword::kSite, "SITE"},
-    Entry{Keyword::kOrigin, "ORIGIN"},
-    Entry{Keyword::kGlobalRefPoint, "GLOBAL_REF_POINT"},
-    Entry{Keyword::kHeading, "HEADING"},
-    Entry{Keyword::kMissionArea, "MISSION-AREA"},
-    Entry{Keyword::kLoadMap, "LOAD-MAP"},
-    Entry{Keyword::kSet, "SET"},
-    Entry{Keyword::kScale, "SCALE"},
-    Entry{Keyword::kHeightmap, "HEIGHTMAP"},
-    Entry{Keyword::kControlMeasures, "CONTROL MEASURES:"},
-    Entry{Keyword::kAa, "AA"},
-    Entry{Keyword::kAtk, "ATK"},
-    Entry{Keyword::kAxis, "AXIS"},
-    Entry{Keyword::kBoundary, "BOUNDARY"},
-    Entry{Keyword::kAttractor, "ATTRACTOR"},
-    Entry{Keyword::kObject, "OBJECT"},
-    Entry{Keyword::kBasket, "BASKET"},
-    Entry{Keyword::kFlag, "FLAG"},
-    Entry{Keyword::kBp, "BP"},
-    Entry{Keyword::kGap, "GAP"},
-    Entry{Keyword::kLdlc, "LDLC"},
-    Entry{Keyword::kLdlc, "LD/LC"},
-    Entry{Keyword::kObj, "OBJ"},
-    Entry{Keyword::kObstacle, "OBSTACLE"},
-    Entry{Keyword::kPl, "PL"},
-    Entry{Keyword::kPp, "PP"},
-    Entry{Keyword::kSp, "SP"},
-    Entry{Keyword::kWall, "WALL"},
-    Entry{Keyword::kRoom, "ROOM"},
-    Entry{Keyword::kDoor, "DOOR"},
-    Entry{Keyword::kHallway, "HALLWAY"},
-    Entry{Keyword::kRoad, "ROAD"},
-    Entry{Keyword::kWaypointFile, "WAYPOINT-FILE"},
-    Entry{Keyword::kZoomFactor, "ZOOM-FACTOR"},
-    Entry{Keyword::kLat, "LAT"},
-    Entry{Keyword::kLon, "LON"},
-    Entry{Keyword::kUtm, "UTM"},
-    Entry{Keyword::kCenterline, "CENTERLINE"},
-    Entry{Keyword::kWidth, "WIDTH"},
-    Entry{Keyword::kExtents, "EXTENTS"},
-    Entry{Keyword::kMovable, "MOVABLE"},
-    Entry{Keyword::kFixed, "FIXED"},
-    Entry{Keyword::kContainer, "CONTAINER"},
+constexpr std::array kBehindMeasures = {
+    Word{Keyword::kAttractor, "ATTRACTOR", "", "something that robots look for"},
+    Word{Keyword::kObject, "OBJECT", "", "something that robots perceive, and perhaps carry"},
+    Word{Keyword::kBasket, "BASKET", "", "takes what robots bring"},
+    Word{Keyword::kFlag, "FLAG", "", "a flag"},
+    Word{Keyword::kObstacle, "OBSTACLE", "", "`OBSTACLE x y radius [height]`: solid"},
+    Word{Keyword::kWaypointFile, "WAYPOINT-FILE", "", "`WAYPOINT-FILE file`: features from another file"},
+    Word{Keyword::kUtm, "UTM", "", "the point in degrees: `UTM LAT degrees LON degrees`"},
+    Word{Keyword::kLat, "LAT", "", "degrees north"},
+    Word{Keyword::kLon, "LON", "", "degrees east"},
+    Word{Keyword::kMovable, "MOVABLE", "", "can be carried"},
+    Word{Keyword::kFixed, "FIXED", "", "stays where it is"},
+    Word{Keyword::kContainer, "CONTAINER", "", "holds things"},
+    Word{Keyword::kCenterline, "CENTERLINE", "", "the middle of a hallway"},
+    Word{Keyword::kWidth, "WIDTH", "", "of a hallway, in metres"},
+    Word{Keyword::kExtents, "EXTENTS", "", "the outline of a hallway"},
+    Word{Keyword::kZoomFactor, "ZOOM-FACTOR", "", "10 to 400 per cent"},
 };
+static_assert(kBeforeFeatures.size() + kBehindMeasures.size() + 1 ==
+              static_cast<std::size_t>(Keyword::kFirstMeasure));
+
+constexpr auto kAllWords = [] {
+  std::array<Word, kBeforeFeatures.size() + overlay::kMeasures.size() + kBehindMeasures.size()> out;
+  auto next = std::ranges::copy(kBeforeFeatures, out.begin()).out;
+  for (const overlay::MeasureInfo& measure : overlay::kMeasures)
+    *next++ = {keyword_of(measure.kind), measure.keyword, measure.also, measure.help};
+  std::ranges::copy(kBehindMeasures, next);
+  return out;
+}();
 
 constexpr char upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
+bool is_same(std::string_view spelling, std::string_view word) {
+  return spelling.size() == word.size() && std::ranges::equal(spelling, word, {}, {}, upper);
+}
+
 }  // namespace
 
+std::span<const Word> words() {
+  return kAllWords;
+}
+
 std::string_view spelling(Keyword keyword) {
-  const auto* found = std::ranges::find(kEntries, keyword, &Entry::keyword);
-  return found == kEntries.end() ? std::string_view{} : found->spelling;
+  const auto* found = std::ranges::find(kAllWords, keyword, &Word::keyword);
+  return found == kAllWords.end() ? std::string_view{} : found->spelling;
 }
 
 Keyword find_keyword(std::string_view word) {
-  for (const Entry& entry : kEntries) {
-    if (entry.spelling.size() == word.size() && std::ranges::equal(entry.spelling, word, {}, {}, upper)) {
-      return entry.keyword;
-    }
+  if (word.empty()) return Keyword::kNone;
+  for (const Word& entry : kAllWords) {
+    if (is_same(entry.spelling, word) || is_same(entry.also, word)) return entry.keyword;
   }
   return Keyword::kNone;
 }

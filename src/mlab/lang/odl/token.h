@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 
+#include "mlab/overlay/measure_kinds.h"
 #include "mlab/text/source.h"
 
 namespace mlab::odl {
@@ -22,28 +25,12 @@ enum class Keyword : std::uint8_t {
   kScale,
   kHeightmap,
   kControlMeasures,
-  // features, after it
-  kAa,
-  kAtk,
-  kAxis,
-  kBoundary,
+  // features that are no control measures, after it
   kAttractor,
   kObject,
   kBasket,
   kFlag,
-  kBp,
-  kGap,
-  kLdlc,
-  kObj,
   kObstacle,
-  kPl,
-  kPp,
-  kSp,
-  kWall,
-  kRoom,
-  kDoor,
-  kHallway,
-  kRoad,
   kWaypointFile,
   // inside a statement
   kZoomFactor,
@@ -55,8 +42,31 @@ enum class Keyword : std::uint8_t {
   kExtents,
   kMovable,
   kFixed,
-  kContainer
+  kContainer,
+  kFirstMeasure  ///< from here on the kinds of control measures, by their numbers
 };
+/// The word that begins the statement of a control measure.
+constexpr Keyword keyword_of(overlay::MeasureKind kind) {
+  return static_cast<Keyword>(static_cast<std::uint8_t>(Keyword::kFirstMeasure) +
+                              static_cast<std::uint8_t>(kind));
+}
+/// The kind whose statement begins with it; nothing where it is no control measure.
+constexpr std::optional<overlay::MeasureKind> measure_of(Keyword k) {
+  if (k < Keyword::kFirstMeasure) return std::nullopt;
+  return static_cast<overlay::MeasureKind>(static_cast<std::uint8_t>(k) -
+                                           static_cast<std::uint8_t>(Keyword::kFirstMeasure));
+}
+
+/// How a reserved word is written, and what it means.
+struct Word {
+  Keyword keyword = Keyword::kNone;
+  std::string_view spelling;  ///< `MISSION-AREA`
+  std::string_view also;      ///< a second spelling; empty: none
+  std::string_view help;      ///< a line for people who write it
+};
+/// All reserved words: those before CONTROL MEASURES, that header, features, those inside of statements.
+std::span<const Word> words();
+
 /// How it is written: `MISSION-AREA`; empty for kNone.
 std::string_view spelling(Keyword keyword);
 /// The reserved word that a word is, whatever its letter case; kNone for any other word.
@@ -65,11 +75,11 @@ constexpr bool is_information(Keyword k) {
   return k >= Keyword::kScenario && k <= Keyword::kHeightmap;
 }
 constexpr bool is_feature(Keyword k) {
-  return k >= Keyword::kAa && k <= Keyword::kWaypointFile;
+  return (k >= Keyword::kAttractor && k <= Keyword::kWaypointFile) || k >= Keyword::kFirstMeasure;
 }
 /// True where a statement (or the header) can begin with it.
 constexpr bool starts_statement(Keyword k) {
-  return k >= Keyword::kScenario && k <= Keyword::kWaypointFile;
+  return is_information(k) || k == Keyword::kControlMeasures || is_feature(k);
 }
 
 enum class TokenKind : std::uint8_t {

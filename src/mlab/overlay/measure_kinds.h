@@ -1,0 +1,356 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "mlab/base/table.h"
+
+namespace mlab::overlay {
+
+/// The kinds of named control measures: what a mission may send a unit to, or follow. The numbers are those
+/// of `Measure.Kind` on the wire, so a new kind comes last.
+enum class MeasureKind : std::uint8_t {
+  kAssemblyArea,
+  kAttackPosition,
+  kBattlePosition,
+  kObjective,
+  kPassagePoint,
+  kStartPoint,
+  kAxis,
+  kGap,
+  kBoundary,
+  kLineOfDeparture,
+  kPhaseLine,
+  kWall,
+  kRoom,
+  kDoor,
+  kHallway,
+  kRoad
+};
+
+/// Where the console's menu has it.
+enum class MeasureGroup : std::uint8_t { kPlaces, kLines, kBuildings };
+
+/// How somebody draws it: one click; the corners of a region, or a circle; the points of a line; a rectangle.
+enum class MeasureShape : std::uint8_t { kPoint, kRegion, kLine, kHallway };
+
+/// What the number of its statement means.
+enum class MeasureSize : std::uint8_t { kNone, kDiameter, kWidth, kHeight };
+
+/// What robots notice of it.
+enum class Substance : std::uint8_t {
+  kDrawn,      ///< nothing: it only stands on the map
+  kSolid,      ///< sensed, hides what is behind it, stops robots
+  kPerceived,  ///< the robots' map of the building has it
+};
+
+/// The sign that stands for it on maps; who draws has one function for each.
+enum class MeasureSign : std::uint8_t {
+  kArea,
+  kHeldArea,  ///< an area that shows the size of who holds it
+  kPoint,
+  kFlag,
+  kArrow,
+  kLine,
+  kArcs,
+  kRails,
+  kBoundary,
+  kWall,
+  kRoom,
+  kDoor,
+  kHallway,
+  kRoad
+};
+
+inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
+
+/// All that is to be known of one kind; what has no default must be said of each. Parsers, printers, checks,
+/// completion, help, maps, editors' grammars and the documentation take it from here; `tools/tables` writes
+/// what is not C++.
+struct MeasureInfo {
+  MeasureKind kind;
+  std::string_view id;         ///< on the wire and in the page: `assembly_area`
+  std::string_view keyword;    ///< of its statement: `AA`; it also stands before a hyphen in references
+  std::string_view also = {};  ///< a second spelling of the keyword; empty: none
+  std::string_view label;      ///< for people: `Assembly area`
+  std::string_view purpose;    ///< what it is for, a line for menus and the documentation
+  std::string_view help;       ///< what editors say of the keyword
+  MeasureGroup group{};
+  MeasureShape shape;
+  std::size_t min_points = 1;  ///< that a statement may have
+  std::size_t max_points = kAnyNumber;
+  std::size_t min_drawn = 1;  ///< that somebody has to draw
+  std::size_t max_drawn = kAnyNumber;
+  MeasureSize size{};
+  double default_size = 0.0;  ///< [m], where a statement gives none
+  bool is_line = false;       ///< FOLLOW takes it
+  Substance substance{};
+  MeasureSign sign;
+  std::string_view color;      ///< of the sign in the plain style: a colour of the map's palette
+  std::string_view said = {};  ///< what stands before its name on the map in the plain style
+  std::string_view code = {};  ///< the same in the military style
+  int layer;                   ///< signs with a lower one are drawn first
+  int weight = 2;              ///< names with a higher one are placed first; 2: written small
+};
+
+/// In the order of menus and of the documentation.
+inline constexpr std::array kMeasures = {
+    MeasureInfo{.kind = MeasureKind::kAssemblyArea,
+                .id = "assembly_area",
+                .keyword = "AA",
+                .label = "Assembly area",
+                .purpose = "Where units gather and start",
+                .help = "assembly area",
+                .shape = MeasureShape::kRegion,
+                .size = MeasureSize::kDiameter,
+                .default_size = 50.0,
+                .sign = MeasureSign::kArea,
+                .color = "assembly",
+                .code = "AA",
+                .layer = 3,
+                .weight = 8},
+    MeasureInfo{.kind = MeasureKind::kPassagePoint,
+                .id = "passage_point",
+                .keyword = "PP",
+                .label = "Passage point",
+                .purpose = "A point on the way",
+                .help = "passage point",
+                .shape = MeasureShape::kPoint,
+                .max_points = 1,
+                .max_drawn = 1,
+                .size = MeasureSize::kDiameter,
+                .default_size = 10.0,
+                .sign = MeasureSign::kPoint,
+                .color = "passage",
+                .layer = 14,
+                .weight = 7},
+    MeasureInfo{.kind = MeasureKind::kAttackPosition,
+                .id = "attack_position",
+                .keyword = "ATK",
+                .label = "Attack position",
+                .purpose = "The last place before the attack",
+                .help = "attack position",
+                .shape = MeasureShape::kRegion,
+                .size = MeasureSize::kDiameter,
+                .default_size = 50.0,
+                .sign = MeasureSign::kArea,
+                .color = "attack",
+                .code = "ATK",
+                .layer = 6,
+                .weight = 8},
+    MeasureInfo{.kind = MeasureKind::kBattlePosition,
+                .id = "battle_position",
+                .keyword = "BP",
+                .label = "Battle position",
+                .purpose = "A place to hold",
+                .help = "battle position",
+                .shape = MeasureShape::kRegion,
+                .size = MeasureSize::kDiameter,
+                .default_size = 50.0,
+                .sign = MeasureSign::kHeldArea,
+                .color = "battle",
+                .code = "BP",
+                .layer = 5,
+                .weight = 8},
+    MeasureInfo{.kind = MeasureKind::kObjective,
+                .id = "objective",
+                .keyword = "OBJ",
+                .label = "Objective",
+                .purpose = "What the mission is to reach",
+                .help = "objective",
+                .shape = MeasureShape::kRegion,
+                .size = MeasureSize::kDiameter,
+                .default_size = 50.0,
+                .sign = MeasureSign::kArea,
+                .color = "objective",
+                .code = "OBJ",
+                .layer = 4,
+                .weight = 9},
+    MeasureInfo{.kind = MeasureKind::kStartPoint,
+                .id = "start_point",
+                .keyword = "SP",
+                .label = "Start point",
+                .purpose = "Where a robot starts",
+                .help = "start place",
+                .shape = MeasureShape::kPoint,
+                .max_points = 1,
+                .max_drawn = 1,
+                .sign = MeasureSign::kFlag,
+                .color = "passage",
+                .said = "SP",
+                .layer = 15,
+                .weight = 7},
+    MeasureInfo{.kind = MeasureKind::kAxis,
+                .id = "axis",
+                .keyword = "AXIS",
+                .label = "Axis of advance",
+                .purpose = "A line to follow, in its direction",
+                .help = "axis of advance: a line to follow",
+                .group = MeasureGroup::kLines,
+                .shape = MeasureShape::kLine,
+                .min_drawn = 2,
+                .size = MeasureSize::kWidth,
+                .default_size = 100.0,
+                .is_line = true,
+                .sign = MeasureSign::kArrow,
+                .color = "axis",
+                .said = "Axis",
+                .layer = 7,
+                .weight = 6},
+    MeasureInfo{.kind = MeasureKind::kGap,
+                .id = "gap",
+                .keyword = "GAP",
+                .label = "Gap",
+                .purpose = "A way through; opens nothing",
+                .help = "an opening between two points, to go through",
+                .group = MeasureGroup::kLines,
+                .shape = MeasureShape::kLine,
+                .min_points = 2,
+                .max_points = 2,
+                .min_drawn = 2,
+                .max_drawn = 2,
+                .size = MeasureSize::kWidth,
+                .default_size = 40.0,
+                .is_line = true,
+                .sign = MeasureSign::kRails,
+                .color = "gap",
+                .layer = 11,
+                .weight = 5},
+    MeasureInfo{.kind = MeasureKind::kBoundary,
+                .id = "boundary",
+                .keyword = "BOUNDARY",
+                .label = "Boundary",
+                .purpose = "Limit between units, or a closed zone",
+                .help = "a drawn line, no wall",
+                .group = MeasureGroup::kLines,
+                .shape = MeasureShape::kLine,
+                .min_drawn = 2,
+                .is_line = true,
+                .sign = MeasureSign::kBoundary,
+                .color = "boundary",
+                .layer = 8},
+    MeasureInfo{.kind = MeasureKind::kPhaseLine,
+                .id = "phase_line",
+                .keyword = "PL",
+                .label = "Phase line",
+                .purpose = "Its crossing is told, or waited at",
+                .help = "phase line: its crossing can be told",
+                .group = MeasureGroup::kLines,
+                .shape = MeasureShape::kLine,
+                .min_drawn = 2,
+                .is_line = true,
+                .sign = MeasureSign::kLine,
+                .color = "line",
+                .said = "PL",
+                .code = "PL",
+                .layer = 9,
+                .weight = 4},
+    MeasureInfo{.kind = MeasureKind::kLineOfDeparture,
+                .id = "line_of_departure",
+                .keyword = "LDLC",
+                .also = "LD/LC",
+                .label = "Line of departure",
+                .purpose = "Line of departure, line of contact",
+                .help = "line of departure, line of contact",
+                .group = MeasureGroup::kLines,
+                .shape = MeasureShape::kLine,
+                .min_drawn = 2,
+                .is_line = true,
+                .sign = MeasureSign::kArcs,
+                .color = "line",
+                .said = "LD/LC",
+                .code = "LD/LC",
+                .layer = 10,
+                .weight = 4},
+    MeasureInfo{.kind = MeasureKind::kRoad,
+                .id = "road",
+                .keyword = "ROAD",
+                .label = "Road",
+                .purpose = "A road, to follow and to perceive",
+                .help = "a road that robots can follow",
+                .group = MeasureGroup::kLines,
+                .shape = MeasureShape::kLine,
+                .min_drawn = 2,
+                .size = MeasureSize::kWidth,
+                .default_size = 10.0,
+                .is_line = true,
+                .sign = MeasureSign::kRoad,
+                .color = "softInk",
+                .layer = 0},
+    MeasureInfo{.kind = MeasureKind::kWall,
+                .id = "wall",
+                .keyword = "WALL",
+                .label = "Wall",
+                .purpose = "Solid: stops robots, hides what is behind",
+                .help = "solid line",
+                .group = MeasureGroup::kBuildings,
+                .shape = MeasureShape::kLine,
+                .min_drawn = 2,
+                .size = MeasureSize::kHeight,
+                .default_size = 1.0,
+                .is_line = true,
+                .substance = Substance::kSolid,
+                .sign = MeasureSign::kWall,
+                .color = "wall",
+                .layer = 12},
+    MeasureInfo{.kind = MeasureKind::kRoom,
+                .id = "room",
+                .keyword = "ROOM",
+                .label = "Room",
+                .purpose = "Robots know that they are inside",
+                .help = "outline of a room",
+                .group = MeasureGroup::kBuildings,
+                .shape = MeasureShape::kRegion,
+                .min_drawn = 3,
+                .is_line = true,
+                .substance = Substance::kPerceived,
+                .sign = MeasureSign::kRoom,
+                .color = "softInk",
+                .layer = 1},
+    MeasureInfo{.kind = MeasureKind::kDoor,
+                .id = "door",
+                .keyword = "DOOR",
+                .label = "Door",
+                .purpose = "Robots see it; opens no wall",
+                .help = "a way through a wall",
+                .group = MeasureGroup::kBuildings,
+                .shape = MeasureShape::kLine,
+                .min_drawn = 2,
+                .max_drawn = 2,
+                .is_line = true,
+                .substance = Substance::kPerceived,
+                .sign = MeasureSign::kDoor,
+                .color = "wall",
+                .layer = 13},
+    MeasureInfo{.kind = MeasureKind::kHallway,
+                .id = "hallway",
+                .keyword = "HALLWAY",
+                .label = "Hallway",
+                .purpose = "Robots know that they are inside, and its direction",
+                .help = "`HALLWAY name CENTERLINE points WIDTH number EXTENTS points`",
+                .group = MeasureGroup::kBuildings,
+                .shape = MeasureShape::kHallway,
+                .min_drawn = 2,
+                .max_drawn = 2,
+                .size = MeasureSize::kWidth,
+                .default_size = 2.0,
+                .is_line = true,
+                .substance = Substance::kPerceived,
+                .sign = MeasureSign::kHallway,
+                .color = "softInk",
+                .layer = 2},
+};
+static_assert(base::has_a_row_for_each<kMeasures, &MeasureInfo::kind>());
+
+constexpr const MeasureInfo& info(MeasureKind kind) {
+  return base::row_of(kMeasures, &MeasureInfo::kind, kind);
+}
+/// `AA`, `ATK`, ...
+constexpr std::string_view keyword(MeasureKind kind) {
+  return info(kind).keyword;
+}
+
+}  // namespace mlab::overlay
