@@ -33,12 +33,52 @@ enum class MeasureKind : std::uint8_t {
 
 /// Where the console's menu has it.
 enum class MeasureGroup : std::uint8_t { kPlaces, kLines, kBuildings };
+/// As the page has it.
+constexpr std::string_view name(MeasureGroup group) {
+  switch (group) {
+    case MeasureGroup::kPlaces:
+      return "Places";
+    case MeasureGroup::kLines:
+      return "Lines";
+    case MeasureGroup::kBuildings:
+      return "Buildings";
+  }
+  return "";
+}
 
 /// How somebody draws it: one click; the corners of a region, or a circle; the points of a line; a rectangle.
 enum class MeasureShape : std::uint8_t { kPoint, kRegion, kLine, kHallway };
+/// As the page has it.
+constexpr std::string_view name(MeasureShape shape) {
+  switch (shape) {
+    case MeasureShape::kPoint:
+      return "point";
+    case MeasureShape::kRegion:
+      return "region";
+    case MeasureShape::kLine:
+      return "line";
+    case MeasureShape::kHallway:
+      return "hallway";
+  }
+  return "";
+}
 
 /// What the number of its statement means.
 enum class MeasureSize : std::uint8_t { kNone, kDiameter, kWidth, kHeight };
+/// As the page has it.
+constexpr std::string_view name(MeasureSize size) {
+  switch (size) {
+    case MeasureSize::kNone:
+      return "";
+    case MeasureSize::kDiameter:
+      return "diameter";
+    case MeasureSize::kWidth:
+      return "width";
+    case MeasureSize::kHeight:
+      return "height";
+  }
+  return "";
+}
 
 /// What robots notice of it.
 enum class Substance : std::uint8_t {
@@ -64,6 +104,40 @@ enum class MeasureSign : std::uint8_t {
   kHallway,
   kRoad
 };
+/// As the page has it.
+constexpr std::string_view name(MeasureSign sign) {
+  switch (sign) {
+    case MeasureSign::kArea:
+      return "area";
+    case MeasureSign::kHeldArea:
+      return "held_area";
+    case MeasureSign::kPoint:
+      return "point";
+    case MeasureSign::kFlag:
+      return "flag";
+    case MeasureSign::kArrow:
+      return "arrow";
+    case MeasureSign::kLine:
+      return "line";
+    case MeasureSign::kArcs:
+      return "arcs";
+    case MeasureSign::kRails:
+      return "rails";
+    case MeasureSign::kBoundary:
+      return "boundary";
+    case MeasureSign::kWall:
+      return "wall";
+    case MeasureSign::kRoom:
+      return "room";
+    case MeasureSign::kDoor:
+      return "door";
+    case MeasureSign::kHallway:
+      return "hallway";
+    case MeasureSign::kRoad:
+      return "road";
+  }
+  return "";
+}
 
 inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
@@ -90,6 +164,8 @@ struct MeasureInfo {
   Substance substance{};
   MeasureSign sign;
   std::string_view color;      ///< of the sign in the plain style: a colour of the map's palette
+  std::string_view icon;       ///< in menus: an outline in SVG's language of paths, 24 units wide and high
+  bool is_hatched = false;     ///< the inside of its sign
   std::string_view said = {};  ///< what stands before its name on the map in the plain style
   std::string_view code = {};  ///< the same in the military style
   int layer;                   ///< signs with a lower one are drawn first
@@ -109,6 +185,7 @@ inline constexpr std::array kMeasures = {
                 .default_size = 50.0,
                 .sign = MeasureSign::kArea,
                 .color = "assembly",
+                .icon = "M4 8.5L12 4l8 3.5-1.5 10L8 20z",
                 .code = "AA",
                 .layer = 3,
                 .weight = 8},
@@ -125,6 +202,7 @@ inline constexpr std::array kMeasures = {
                 .default_size = 10.0,
                 .sign = MeasureSign::kPoint,
                 .color = "passage",
+                .icon = "M12 18a6 6 0 1 0 0-12 6 6 0 0 0 0 12zM12 12v.1",
                 .layer = 14,
                 .weight = 7},
     MeasureInfo{.kind = MeasureKind::kAttackPosition,
@@ -138,6 +216,7 @@ inline constexpr std::array kMeasures = {
                 .default_size = 50.0,
                 .sign = MeasureSign::kArea,
                 .color = "attack",
+                .icon = "M5 5h14v14H5zM9 12h6M12 9v6",
                 .code = "ATK",
                 .layer = 6,
                 .weight = 8},
@@ -152,6 +231,7 @@ inline constexpr std::array kMeasures = {
                 .default_size = 50.0,
                 .sign = MeasureSign::kHeldArea,
                 .color = "battle",
+                .icon = "M4 12c0-5 3.5-7 8-7s8 2 8 7-3.5 7-8 7-8-2-8-7zM12 5V2.5M12 21.5V19",
                 .code = "BP",
                 .layer = 5,
                 .weight = 8},
@@ -166,6 +246,7 @@ inline constexpr std::array kMeasures = {
                 .default_size = 50.0,
                 .sign = MeasureSign::kArea,
                 .color = "objective",
+                .icon = "M12 20a8 8 0 1 0 0-16 8 8 0 0 0 0 16zM12 15a3 3 0 1 0 0-6 3 3 0 0 0 0 6z",
                 .code = "OBJ",
                 .layer = 4,
                 .weight = 9},
@@ -180,6 +261,7 @@ inline constexpr std::array kMeasures = {
                 .max_drawn = 1,
                 .sign = MeasureSign::kFlag,
                 .color = "passage",
+                .icon = "M7 21V4h11l-3 4 3 4H7",
                 .said = "SP",
                 .layer = 15,
                 .weight = 7},
@@ -197,6 +279,7 @@ inline constexpr std::array kMeasures = {
                 .is_line = true,
                 .sign = MeasureSign::kArrow,
                 .color = "axis",
+                .icon = "M3 10h10V6l8 6-8 6v-4H3z",
                 .said = "Axis",
                 .layer = 7,
                 .weight = 6},
@@ -217,6 +300,7 @@ inline constexpr std::array kMeasures = {
                 .is_line = true,
                 .sign = MeasureSign::kRails,
                 .color = "gap",
+                .icon = "M4 5l4 4h8l4-4M4 19l4-4h8l4 4",
                 .layer = 11,
                 .weight = 5},
     MeasureInfo{.kind = MeasureKind::kBoundary,
@@ -231,6 +315,7 @@ inline constexpr std::array kMeasures = {
                 .is_line = true,
                 .sign = MeasureSign::kBoundary,
                 .color = "boundary",
+                .icon = "M3 17l6-9 6 5 6-8M12 8.5l-2-2M18 10.5l-2-2",
                 .layer = 8},
     MeasureInfo{.kind = MeasureKind::kPhaseLine,
                 .id = "phase_line",
@@ -244,6 +329,7 @@ inline constexpr std::array kMeasures = {
                 .is_line = true,
                 .sign = MeasureSign::kLine,
                 .color = "line",
+                .icon = "M3 12c4-6 7 6 11 0 2-3 4-3 7-1M3 8v8M21 7v8",
                 .said = "PL",
                 .code = "PL",
                 .layer = 9,
@@ -261,6 +347,7 @@ inline constexpr std::array kMeasures = {
                 .is_line = true,
                 .sign = MeasureSign::kArcs,
                 .color = "line",
+                .icon = "M2 15a3.3 3.3 0 0 1 6.6 0 3.3 3.3 0 0 1 6.6 0 3.3 3.3 0 0 1 6.6 0",
                 .said = "LD/LC",
                 .code = "LD/LC",
                 .layer = 10,
@@ -279,6 +366,7 @@ inline constexpr std::array kMeasures = {
                 .is_line = true,
                 .sign = MeasureSign::kRoad,
                 .color = "softInk",
+                .icon = "M8 21L10 3M16 21L14 3M12 5v3M12 11v3M12 17v3",
                 .layer = 0},
     MeasureInfo{.kind = MeasureKind::kWall,
                 .id = "wall",
@@ -295,6 +383,7 @@ inline constexpr std::array kMeasures = {
                 .substance = Substance::kSolid,
                 .sign = MeasureSign::kWall,
                 .color = "wall",
+                .icon = "M3 7h18v10H3zM3 12h18M9 7v5M15 7v5M6 12v5M12 12v5M18 12v5",
                 .layer = 12},
     MeasureInfo{.kind = MeasureKind::kRoom,
                 .id = "room",
@@ -309,6 +398,7 @@ inline constexpr std::array kMeasures = {
                 .substance = Substance::kPerceived,
                 .sign = MeasureSign::kRoom,
                 .color = "softInk",
+                .icon = "M4 5h16v14H4zM14 19v-5h6",
                 .layer = 1},
     MeasureInfo{.kind = MeasureKind::kDoor,
                 .id = "door",
@@ -324,6 +414,7 @@ inline constexpr std::array kMeasures = {
                 .substance = Substance::kPerceived,
                 .sign = MeasureSign::kDoor,
                 .color = "wall",
+                .icon = "M6 20V4M6 20h12M6 6c8 0 12 6 12 14",
                 .layer = 13},
     MeasureInfo{.kind = MeasureKind::kHallway,
                 .id = "hallway",
@@ -341,6 +432,7 @@ inline constexpr std::array kMeasures = {
                 .substance = Substance::kPerceived,
                 .sign = MeasureSign::kHallway,
                 .color = "softInk",
+                .icon = "M3 8h18M3 16h18M6 12h12M15 9.5l3 2.5-3 2.5",
                 .layer = 2},
 };
 static_assert(base::has_a_row_for_each<kMeasures, &MeasureInfo::kind>());

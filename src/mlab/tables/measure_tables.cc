@@ -32,80 +32,6 @@ std::string first_small(std::string_view words) {
   return out;
 }
 
-std::string_view word(overlay::MeasureGroup group) {
-  switch (group) {
-    case overlay::MeasureGroup::kPlaces:
-      return "Places";
-    case overlay::MeasureGroup::kLines:
-      return "Lines";
-    case overlay::MeasureGroup::kBuildings:
-      return "Buildings";
-  }
-  return "";
-}
-
-std::string_view word(overlay::MeasureShape shape) {
-  switch (shape) {
-    case overlay::MeasureShape::kPoint:
-      return "point";
-    case overlay::MeasureShape::kRegion:
-      return "region";
-    case overlay::MeasureShape::kLine:
-      return "line";
-    case overlay::MeasureShape::kHallway:
-      return "hallway";
-  }
-  return "";
-}
-
-std::string_view word(overlay::MeasureSize size) {
-  switch (size) {
-    case overlay::MeasureSize::kNone:
-      return "";
-    case overlay::MeasureSize::kDiameter:
-      return "diameter";
-    case overlay::MeasureSize::kWidth:
-      return "width";
-    case overlay::MeasureSize::kHeight:
-      return "height";
-  }
-  return "";
-}
-
-std::string_view word(overlay::MeasureSign sign) {
-  switch (sign) {
-    case overlay::MeasureSign::kArea:
-      return "area";
-    case overlay::MeasureSign::kHeldArea:
-      return "held_area";
-    case overlay::MeasureSign::kPoint:
-      return "point";
-    case overlay::MeasureSign::kFlag:
-      return "flag";
-    case overlay::MeasureSign::kArrow:
-      return "arrow";
-    case overlay::MeasureSign::kLine:
-      return "line";
-    case overlay::MeasureSign::kArcs:
-      return "arcs";
-    case overlay::MeasureSign::kRails:
-      return "rails";
-    case overlay::MeasureSign::kBoundary:
-      return "boundary";
-    case overlay::MeasureSign::kWall:
-      return "wall";
-    case overlay::MeasureSign::kRoom:
-      return "room";
-    case overlay::MeasureSign::kDoor:
-      return "door";
-    case overlay::MeasureSign::kHallway:
-      return "hallway";
-    case overlay::MeasureSign::kRoad:
-      return "road";
-  }
-  return "";
-}
-
 // Measures whose statements are alike stand together.
 std::string arguments(const MeasureInfo& one) {
   if (one.shape == overlay::MeasureShape::kHallway)
@@ -138,8 +64,8 @@ std::vector<std::string> keywords_of_features() {
 std::string number_of(const MeasureInfo& one) {
   if (one.size == overlay::MeasureSize::kNone) return "none";
   if (one.shape == overlay::MeasureShape::kHallway)
-    return fmt::format("`{}`, above 0", upper(word(one.size)));
-  return fmt::format("{} ({:g})", word(one.size), one.default_size);
+    return fmt::format("`{}`, above 0", upper(name(one.size)));
+  return fmt::format("{} ({:g})", name(one.size), one.default_size);
 }
 
 std::string points_of(const MeasureInfo& one) {
@@ -175,15 +101,17 @@ std::string measure_rows() {
     text("keyword", one.keyword);
     text("label", one.label);
     text("purpose", one.purpose);
-    text("group", word(one.group));
-    text("shape", word(one.shape));
+    text("group", name(one.group));
+    text("shape", name(one.shape));
     number("minPoints", one.min_drawn);
     number("maxPoints", std::min(one.max_drawn, kManyDrawn));
-    text("sizeLabel", word(one.size));
+    text("sizeLabel", name(one.size));
     number("defaultSize", one.default_size);
     number("isLine", one.is_line);
-    text("sign", word(one.sign));
+    text("sign", name(one.sign));
     text("color", one.color);
+    text("icon", one.icon);
+    number("isHatched", one.is_hatched);
     text("said", one.said);
     text("code", one.code);
     number("layer", one.layer);

@@ -11,6 +11,7 @@ import {
   drawBoundary,
   drawFlag,
   drawGap,
+  hatchInside,
   kBuildingSigns,
   traceShape,
 } from "./measures_plain.ts";
@@ -20,9 +21,10 @@ import type { Pen } from "./tool.ts";
 
 const kLine = 2.25;
 
-const drawArea: DrawSign = (pen, _, shape, color) => {
+const drawArea: DrawSign = (pen, measure, shape, color) => {
   traceShape(pen, shape);
   fill(pen, fade(pen.palette.ground, 0.35));
+  hatchInside(pen, measure, shape, color);
   stroke(pen, { color, width: kLine });
 };
 

@@ -1,7 +1,7 @@
 // Control measures in the plain style: outlines and light fills, told apart by colour and shape.
 import { add, direction, distance, normal, type Point } from "../geometry.ts";
 import type { Measure } from "../protocol.ts";
-import type { MeasureSign } from "../tables/measures.ts";
+import { kindOfWire, type MeasureSign } from "../tables/measures.ts";
 import { colorOf } from "./measure_names.ts";
 import { gapRails, isClosed, type Shape, shapeOf, signOf, sizeOf } from "./measure_shape.ts";
 import { fade } from "./palette.ts";
@@ -27,9 +27,17 @@ export const kBuildingSigns = {
   road: (pen, _, shape) => drawRoad(pen, shape),
 } satisfies Partial<Record<MeasureSign, DrawSign>>;
 
-const drawPlainArea: DrawSign = (pen, _, shape, color) => {
+/** Inside of the shape that was traced, where its kind wants it. */
+export const hatchInside: DrawSign = (pen, measure, shape, color) => {
+  if (!kindOfWire(measure.kind)?.isHatched) return;
+  hatch(pen, fade(color, 0.4), 14, true);
+  traceShape(pen, shape);
+};
+
+const drawPlainArea: DrawSign = (pen, measure, shape, color) => {
   traceShape(pen, shape);
   fill(pen, fade(color, pen.palette.isDark ? 0.12 : 0.08));
+  hatchInside(pen, measure, shape, color);
   stroke(pen, { color, width: 1.75 });
 };
 
