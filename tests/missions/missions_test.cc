@@ -2,9 +2,11 @@
 // contact, as that file says.
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -116,8 +118,8 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
-                         testing::Values("demo_c", "forage", "robot_lab", "formations", "mrv2", "patrol",
-                                         "rover", "squeeze", "split_rejoin", "survey", "ugv"),
+                         testing::Values("demo_c", "forage", "robot_lab", "formations", "minefield", "mrv2",
+                                         "patrol", "rover", "squeeze", "split_rejoin", "survey", "ugv"),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {
@@ -127,8 +129,8 @@ TEST(Missions, EveryFolderIsTried) {
   }
   std::sort(folders.begin(), folders.end());
   EXPECT_EQ(folders,
-            (std::vector<std::string>{"demo_c", "forage", "formations", "mrv2", "patrol", "robot_lab",
-                                      "rover", "split_rejoin", "squeeze", "survey", "ugv"}));
+            (std::vector<std::string>{"demo_c", "forage", "formations", "minefield", "mrv2", "patrol",
+                                      "robot_lab", "rover", "split_rejoin", "squeeze", "survey", "ugv"}));
 }
 
 // What the foragers that are after an attractor go for, by object.
@@ -168,6 +170,39 @@ TEST(Forage, NoTwoRobotsGoForTheSameAttractorForLongerThanACycle) {
     }
   }
   EXPECT_GT(cycles_with_target, 1000);
+}
+
+// Whoever is inside sees the corners go once around.
+bool is_inside(const std::vector<geom::Point>& corners, geom::Point at) {
+  double turned = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const geom::Offset a = corners[i] - at;
+    const geom::Offset b = corners[(i + 1) % corners.size()] - at;
+    turned += std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+  }
+  return std::abs(turned) > 1.0;
+}
+
+TEST(Minefield, NoRobotIsEverInside) {
+  const auto run = prepare(kMissions / "minefield" / "minefield.mdl", 1, 1);
+  ASSERT_TRUE(run);
+  const overlay::ControlMeasure* outline = overlay::find_measure(run->mission().overlay, "Old Road");
+  const overlay::ControlMeasure* round = overlay::find_measure(run->mission().overlay, "MINEFIELD-Crossing");
+  ASSERT_TRUE(outline && round);
+  ASSERT_TRUE(is_inside(outline->points, outline->center()));
+  double nearest = std::numeric_limits<double>::infinity();
+  run->post(mission::event::Execute{});
+  while (run->time() < 900.0 && run->step() == fleet::MissionRun::Progress::kStepped) {
+    for (const fleet::FleetRobot& robot : run->fleet().robots()) {
+      if (robot.life == fleet::RobotLife::kNotStarted) continue;
+      const geom::Point at = run->fleet().pose(robot).position;
+      ASSERT_FALSE(is_inside(outline->points, at))
+          << "robot " << robot.id.value << " at " << run->time() << " s";
+      ASSERT_GT(geom::distance(at, round->center()), round->size / 2.0);
+      nearest = std::min(nearest, geom::distance(at, outline->center()));
+    }
+  }
+  EXPECT_LT(nearest, 100.0) << "it lies on the way";
 }
 
 TEST(DemoC, RunsItsStepsInTheOrderOfTheReport) {

@@ -85,6 +85,7 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
   double wall_distance = kNear;
   geom::Point wall_point;
   for (const sim::Wall& wall : simulator_->walls()) {
+    if (!wall.is_solid) continue;
     const geom::Point p = geom::nearest_point(wall.segment, pose.position);
     if (geom::distance(p, pose.position) < wall_distance) {
       wall_distance = geom::distance(p, pose.position);

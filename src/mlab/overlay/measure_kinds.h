@@ -28,7 +28,8 @@ enum class MeasureKind : std::uint8_t {
   kRoom,
   kDoor,
   kHallway,
-  kRoad
+  kRoad,
+  kMinefield
 };
 
 /// Where the console's menu has it.
@@ -85,6 +86,7 @@ enum class Substance : std::uint8_t {
   kDrawn,      ///< nothing: it only stands on the map
   kSolid,      ///< sensed, hides what is behind it, stops robots
   kPerceived,  ///< the robots' map of the building has it
+  kAvoided,    ///< they keep out of it as of an obstacle, though nothing stops or hides anything there
 };
 
 /// The sign that stands for it on maps; who draws has one function for each.
@@ -250,6 +252,24 @@ inline constexpr std::array kMeasures = {
                 .code = "OBJ",
                 .layer = 4,
                 .weight = 9},
+    MeasureInfo{.kind = MeasureKind::kMinefield,
+                .id = "minefield",
+                .keyword = "MINEFIELD",
+                .label = "Minefield",
+                .purpose = "Robots keep out of it; nothing stops them",
+                .help = "an area that robots keep out of, though nothing stops them",
+                .group = MeasureGroup::kPlaces,
+                .shape = MeasureShape::kRegion,
+                .size = MeasureSize::kDiameter,
+                .default_size = 50.0,
+                .substance = Substance::kAvoided,
+                .sign = MeasureSign::kArea,
+                .color = "repelling",
+                .icon = "M4 8.5L12 4l8 3.5-1.5 10L8 20zM9 15V9.5l3 3.5 3-3.5V15",
+                .is_hatched = true,
+                .code = "M",
+                .layer = 3,
+                .weight = 8},
     MeasureInfo{.kind = MeasureKind::kStartPoint,
                 .id = "start_point",
                 .keyword = "SP",

@@ -27,6 +27,47 @@ double square_distance(Point a, Point b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
+// Whether a ray to the east crosses the line, counted so that a closed edge is crossed an odd number of times
+// from inside.
+bool is_crossed(const geom::Segment& line, Point from) {
+  const auto& [a, b] = line;
+  if ((a.y > from.y) == (b.y > from.y)) return false;
+  return from.x < a.x + (b.x - a.x) * (from.y - a.y) / (b.y - a.y);
+}
+
+/// What a robot notices of an area that only it itself keeps it out of.
+struct AreaSeen {
+  double distance;  ///< [m]; 0 inside
+  Point
+      center;  ///< the nearest point of the edge; from inside a disc opposite to it, which touches the robot
+  double radius;  ///< [m]
+};
+
+AreaSeen area_seen(std::span<const Wall> edge, Point here) {
+  Point nearest = edge.front().segment.a;
+  bool is_inside = false;
+  for (const Wall& wall : edge) {
+    const Point at = geom::nearest_point(wall.segment, here);
+    if (square_distance(at, here) < square_distance(nearest, here)) nearest = at;
+    is_inside ^= is_crossed(wall.segment, here);
+  }
+  const double distance = std::sqrt(square_distance(nearest, here));
+  return is_inside ? AreaSeen{0.0, here + (here - nearest), distance} : AreaSeen{distance, nearest, 0.0};
+}
+
+/// Calls visit(seen) for each area that robots keep out of.
+template <class Visit>
+void visit_areas(std::span<const Wall> walls, Point here, Visit&& visit) {
+  const auto first =
+      std::find_if(walls.rbegin(), walls.rend(), [](const Wall& wall) { return wall.is_solid; }).base();
+  for (auto at = first; at != walls.end();) {
+    const auto next =
+        std::find_if(at, walls.end(), [&](const Wall& wall) { return wall.group != at->group; });
+    visit(area_seen({at, next}, here));
+    at = next;
+  }
+}
+
 }  // namespace
 
 void SenseBuffer::reserve(std::size_t obstacles, std::size_t robots, std::size_t objects, std::size_t beams) {
@@ -122,6 +163,11 @@ void Sensors::sense_obstacles(double range, percept::Percepts& out) {
       buffer_.seen_.push_back({distance - kWallHitRadius, first_id + ray, hit.x, hit.y, kWallHitRadius});
     }
   }
+  auto area_id = static_cast<std::uint32_t>(scene_.statics.discs().size()) + kWallRays;
+  visit_areas(scene_.statics.walls(), here_, [&](const AreaSeen& area) {
+    if (area.distance <= range) see(area.distance, area_id, area.center, area.radius);
+    ++area_id;
+  });
   sort_seen();
   buffer_.obstacles_.clear();
   for (const auto& seen : buffer_.seen_) buffer_.obstacles_.push_back({{seen.x, seen.y, 0.0}, seen.radius});

@@ -67,6 +67,46 @@ TEST(Obstacles, WallsAreSensedAsSmallDiscsWhereSixteenRaysHitThem) {
   EXPECT_EQ(sensed.percepts.obstacles[2].radius, 0.1);
 }
 
+// The edge of the square from (10, -5) to (20, 5).
+World with_avoided_square() {
+  World world;
+  const std::vector<Point> corners = {{10, -5}, {20, -5}, {20, 5}, {10, 5}};
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    world.walls.push_back({{corners[i], corners[(i + 1) % corners.size()]}, 0, false});
+  return world;
+}
+
+TEST(Obstacles, AnAvoidedAreaIsSensedAtItsNearestPointWhereThatIsInRange) {
+  Simulator simulator(with_avoided_square());
+  const BodyIndex body = add(simulator, {{4, 2}, 0.0});
+  EXPECT_TRUE(Sensed(simulator, body, {.obstacle_range = 5.9}).percepts.obstacles.empty());
+  const Sensed sensed(simulator, body, {.obstacle_range = 6.1});
+  ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
+  EXPECT_NEAR(sensed.percepts.obstacles[0].center.x, 6.0, 1e-12);
+  EXPECT_NEAR(sensed.percepts.obstacles[0].center.y, 0.0, 1e-12);
+  EXPECT_EQ(sensed.percepts.obstacles[0].radius, 0.0);
+}
+
+TEST(Obstacles, AnAvoidedAreaPushesWhoIsInsideToTheNearestWayOut) {
+  Simulator simulator(with_avoided_square());
+  const BodyIndex body = add(simulator, {{15, 3}, 0.0});
+  const Sensed sensed(simulator, body, {.obstacle_range = 10.0});
+  ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
+  const auto& [center, radius] = sensed.percepts.obstacles[0];
+  EXPECT_NEAR(center.x, 0.0, 1e-12);
+  EXPECT_NEAR(center.y, -2.0, 1e-12) << "the way out lies to the left";
+  EXPECT_NEAR(radius, 2.0, 1e-12) << "it touches the robot";
+}
+
+TEST(Obstacles, AnAvoidedAreaHidesAndStopsNothing) {
+  Simulator simulator(with_avoided_square());
+  const BodyIndex body = add(simulator, {{5, 0}, 0.0}, with_ring(8, 20.0));
+  add(simulator, {{15, 0}, 0.0});
+  const Sensed sensed(simulator, body, {.robot_range = 20.0, .ranges = true});
+  ASSERT_EQ(sensed.percepts.robots.size(), 1U) << "one stands inside";
+  EXPECT_NEAR(static_cast<double>(sensed.percepts.ranges[0].distance), 9.6, 1e-6) << "between the two bodies";
+}
+
 TEST(Obstacles, OnlyTheNearestWallOnARayIsSensed) {
   World world;
   for (int i = 0; i < 20; ++i) world.walls.push_back({{{5.0 + i, -0.5}, {5.0 + i, 0.5}}, 0});

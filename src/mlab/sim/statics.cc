@@ -82,6 +82,7 @@ Statics::Statics(std::vector<Disc> discs, std::vector<Wall> walls)
   });
   SizeClasses<WallGrid::Item> wall_classes;
   for (std::uint32_t index = 0; index < walls_.size(); ++index) {
+    if (!walls_[index].is_solid) continue;  // stops and hides nothing
     const geom::Segment& segment = walls_[index].segment;
     wall_classes.add(size_class(distance(segment.a, segment.b), kWallClass), {segment, index});
   }

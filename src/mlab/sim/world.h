@@ -23,6 +23,9 @@ struct Disc {
 struct Wall {
   geom::Segment segment;
   std::uint32_t group = 0;
+  /// False: a piece of the closed edge of an area that robots sense and keep out of, though nothing stops
+  /// them. The group is the area.
+  bool is_solid = true;
 };
 
 /// Something that robots perceive and perhaps carry. Not solid.
@@ -43,7 +46,7 @@ struct World {
   geom::Point area_low{-kFarthest, -kFarthest};
   geom::Point area_high{kFarthest, kFarthest};
   std::vector<Disc> discs;
-  std::vector<Wall> walls;
+  std::vector<Wall> walls;  ///< the solid ones first
   std::vector<Object> objects;
   Building building;
 
@@ -54,9 +57,9 @@ struct World {
 inline constexpr double kAreaMargin = 0.5;
 
 /// The discs, walls and objects of an overlay as robots on the ground meet them: OBSTACLE, WALL, the edges of
-/// weather zones; OBJECT, ATTRACTOR, BASKET with their class told by colour; ROOM, DOOR, HALLWAY as the
-/// building. Objects get the ids 1, 2, ... in file order. Coordinates that are not finite or beyond
-/// World::kFarthest are left out.
+/// weather zones; MINEFIELD, which stops nobody; OBJECT, ATTRACTOR, BASKET with their class told by colour;
+/// ROOM, DOOR, HALLWAY as the building. Objects get the ids 1, 2, ... in file order. Coordinates that are not
+/// finite or beyond World::kFarthest are left out.
 World world_of(const overlay::Overlay& overlay);
 
 /// Which of the objects of a changed map are those of the map before: for each of `after` the id of an equal

@@ -45,6 +45,22 @@ TEST(World, WallsAreSolidAndBoundariesGapsAndRoomsAreNot) {
   EXPECT_EQ(world.walls[2].segment.a, (geom::Point{9, 9}));
 }
 
+TEST(World, AMinefieldIsAClosedEdgeThatIsNotSolidBehindAllWalls) {
+  overlay::Overlay overlay;
+  overlay.measures.push_back(measure(MeasureKind::kMinefield, "", {{0, 0}, {5, 0}, {5, 5}}));
+  overlay.measures.push_back(measure(MeasureKind::kWall, "", {{9, 9}, {8, 8}}));
+  overlay.measures.push_back(measure(MeasureKind::kMinefield, "", {{50, 50}}));
+  overlay.measures.back().size = 20.0;
+  const World world = world_of(overlay);
+  ASSERT_EQ(world.walls.size(), 1U + 3U + 24U);
+  EXPECT_TRUE(world.walls[0].is_solid);
+  EXPECT_FALSE(world.walls[1].is_solid);
+  EXPECT_EQ(world.walls[3].segment.b, (geom::Point{0, 0})) << "it comes back to where it began";
+  EXPECT_NE(world.walls[3].group, world.walls[4].group);
+  for (std::size_t i = 4; i < world.walls.size(); ++i)
+    EXPECT_NEAR(distance(nearest_point(world.walls[i].segment, {50, 50}), {50, 50}), 10.0, 1e-9);
+}
+
 TEST(World, AWeatherZoneIsAClosedWallAndANoFlyZoneConcernsNobodyOnTheGround) {
   overlay::Overlay overlay;
   const std::vector<geom::Point> line = {{0, 0}, {5, 0}, {5, 5}};
