@@ -93,7 +93,8 @@ const WebArrows& web_arrows() {
       {"tests", {"tools"}},
 
       // Free of any framework.
-      {"core", {"generated"}},
+      {"core/tables", {}},
+      {"core", {"generated", "core/tables"}},
       {"core/map", {"core"}},
       {"core/map/tools", {"core/map"}},
 
