@@ -121,7 +121,7 @@ TEST_F(CompletionTest, KnowsWhereInAnOverlayItIs) {
   EXPECT_EQ(in_overlay("MIS|"), Strings{"MISSION-AREA"});
   EXPECT_EQ(in_overlay("SITE x\nCON|"), Strings{"CONTROL MEASURES:"});
   EXPECT_FALSE(has(in_overlay("SITE x\n|"), "AA"));
-  EXPECT_EQ(in_overlay("CONTROL MEASURES:\nAA a 1 2\nOB|"), (Strings{"OBJECT", "OBJ", "OBSTACLE"}));
+  EXPECT_EQ(in_overlay("CONTROL MEASURES:\nAA a 1 2\nOB|"), (Strings{"OBJ", "OBJECT", "OBSTACLE"}));
   EXPECT_TRUE(in_overlay("CONTROL MEASURES:\nAA |").empty());
   EXPECT_EQ(in_overlay("CONTROL MEASURES:\nGAP door |"), Strings{"UTM"});
   EXPECT_EQ(in_overlay("CONTROL MEASURES:\nPP a UTM |"), (Strings{"LAT", "LON"}));

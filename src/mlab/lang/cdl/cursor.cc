@@ -219,6 +219,7 @@ bool Cursor::at_statement() const {
 
 // Where the text ends it is asked once what statement could begin there.
 bool Cursor::at_close() {
+  statement_ = at_;
   if (!at_end()) return is("}") || at_declaration();
   if (written_ == nullptr || needs_more_ || has_read_end_ || !at_statement()) return true;
   has_read_end_ = true;
@@ -226,7 +227,7 @@ bool Cursor::at_close() {
 }
 
 bool Cursor::at_next_statement() const {
-  if (!keeps_parts() || !is(Token::Kind::kName) || !starts_line() || at_ == 0) return false;
+  if (!keeps_parts() || !is(Token::Kind::kName) || !starts_line() || at_ == statement_) return false;
   constexpr std::string_view kGoOn[] = {";", "{", "}", "(", ",", "["};
   if (std::ranges::find(kGoOn, source_->text(last_span())) != std::end(kGoOn)) return false;
   if (is_before(":")) return true;

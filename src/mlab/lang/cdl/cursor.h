@@ -140,6 +140,7 @@ class Cursor {
   std::vector<Token> tokens_;
   std::vector<Comment> comments_;
   std::size_t at_ = 0;
+  std::size_t statement_ = 0;  ///< where the statement begins that is being read
   std::vector<Block> blocks_;
   std::optional<Mismatch> mismatch_;
   mutable text::Span line_;  ///< that was looked for last

@@ -199,6 +199,13 @@ TEST(CdlAsWritten, GoesOnWhereTheNextLineBeginsAStatement) {
   EXPECT_EQ(only_assemblage(written).lets[1].name.text, "b");
 }
 
+TEST(CdlAsWritten, ComesToAnEndWhereAStatementIsNoneOfItsBlock) {
+  for (const char* text :
+       {"assemblage A() { cooperate { x\n let b = Noise(); } }", "class C { x\n case A: y\n when z }",
+        "assemblage A() { x\n One: two\n start Three: four }"})
+    EXPECT_EQ(as_written(text).tree.items.size(), 1U) << text;
+}
+
 TEST(CdlAsWritten, TellsWhichWordsCouldFollow) {
   const auto next = [](const std::string& text) { return as_written(text).next_words; };
   using Words = std::vector<std::string>;
