@@ -146,6 +146,8 @@ inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(
 /// All that is to be known of one kind; what has no default must be said of each. Parsers, printers, checks,
 /// completion, help, maps, editors' grammars and the documentation take it from here; `tools/tables` writes
 /// what is not C++.
+// In the order in which one reads a row; there are few of them.
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 struct MeasureInfo {
   MeasureKind kind;
   std::string_view id;         ///< on the wire and in the page: `assembly_area`

@@ -139,7 +139,7 @@ asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
     stream.expires_after(std::exchange(patience, limits::kBetweenRequests));
     const auto [error, size] = co_await http::async_read(stream, buffer, parser, kReturned);
     if (is_unreadable(error)) {
-      goes_on = co_await write_answer(stream, complaint(error), parser.get(), false);
+      co_await write_answer(stream, complaint(error), parser.get(), false);
       break;
     }
     if (error) co_return;
