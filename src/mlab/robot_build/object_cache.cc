@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/hash.h"
+#include "mlab/cell/keep_first.h"
 #include "mlab/lang/cnl/compile_folder.h"
 
 namespace mlab::robot_build {
@@ -94,7 +95,7 @@ void ObjectCache::compile(const std::string& key, const std::string& text,
       out.path = path_of(key);
       if (!out.compiler.output.empty())
         std::ofstream(out.path + ".txt", std::ios::binary) << out.compiler.output;
-      if (!failure) fs::rename(object, out.path, failure);
+      if (!failure) failure = cell::keep_first(object, out.path);
       if (failure) out.failure = fmt::format("cannot write into `{}`: {}", folder_, failure.message());
     }
   } else {

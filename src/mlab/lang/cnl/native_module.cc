@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/hash.h"
+#include "mlab/cell/keep_first.h"
 #include "mlab/flow/module.h"
 #include "mlab/lang/cnl/compile_folder.h"
 #include "mlab/lang/cnl/compiler_messages.h"
@@ -215,7 +216,7 @@ class NativeBuild {
       fs::rename(dependencies, in_folder(key_ + ".d"), failure);
       if (!failure && !messages_.empty())
         std::ofstream(messages_of(library_path()), std::ios::binary) << messages_;
-      if (!failure) fs::rename(library, library_path(), failure);
+      if (!failure) failure = cell::keep_first(library, library_path());
       done = !failure;
       if (failure)
         diagnostics_.error("cannot-write", {},
