@@ -166,7 +166,7 @@ test("a mistake in the text is underlined while it is typed", async () => {
     .first()
     .waitFor();
   await picture(page, "text");
-  await page.keyboard.press("Control+z");
+  await text.press("Control+z");
   await panel.getByRole("list", { name: "Problems" }).waitFor({ state: "detached" });
 });
 

@@ -150,7 +150,8 @@ test("how many robots run is taken over by a run of its own, which is offered", 
   const count = page.getByRole("textbox", { name: "Robots" });
   await count.fill("7");
   await count.press("Enter");
-  await page.keyboard.press("Escape");
+  await designer.button("Run the change").waitFor(); // the number has come about
+  await count.press("Escape");
   await designer.button("Run the change").click();
   await designer.simulator.getByText("7 robots").waitFor();
   await designer.button("Run the change").waitFor({ state: "detached" });
