@@ -87,7 +87,7 @@ Folders imported(const File& file, std::string_view line) {
 }  // namespace
 
 const WebArrows& web_arrows() {
-  static const WebArrows kArrows = {
+  static const WebArrows kWebArrows = {
       {"generated", {}},
       {"tools", {}},
       {"tests", {"tools"}},
@@ -163,7 +163,7 @@ const WebArrows& web_arrows() {
       {"edit/panes", {"console/selection", "designer/details", "edit/run"}},
       {"edit", {"designer", "edit/panes"}},
   };
-  return kArrows;
+  return kWebArrows;
 }
 
 Findings web_imports(const Tree& tree, const WebArrows& arrows) {

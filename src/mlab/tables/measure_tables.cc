@@ -35,7 +35,7 @@ std::string first_small(std::string_view words) {
 // Measures whose statements are alike stand together.
 std::string arguments(const MeasureInfo& one) {
   if (one.shape == overlay::MeasureShape::kHallway)
-    return "name \"CENTERLINE\" pts \"WIDTH\" NUMBER \"EXTENTS\" pts";
+    return R"(name "CENTERLINE" pts "WIDTH" NUMBER "EXTENTS" pts)";
   std::string out = "name";
   if (one.max_points == overlay::kAnyNumber) out += " pts";
   for (std::size_t i = 0; one.max_points != overlay::kAnyNumber && i < one.max_points; ++i) out += " pt";
