@@ -13,21 +13,6 @@ namespace {
 
 constexpr std::size_t kMaxNodes = 200'000;  // recursion makes much out of little
 
-// The inputs of a procedure as they are called under the name by which it was found.
-std::vector<InputView> views_of(const flow::Library::Entry& entry) {
-  std::vector<InputView> out;
-  const auto& inputs = entry.behavior->inputs;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const bool is_renamed = entry.alias != nullptr && i < entry.alias->inputs.size();
-    const std::string_view name = is_renamed ? entry.alias->inputs[i].name : inputs[i].name;
-    const std::string_view unit =
-        is_renamed && !entry.alias->inputs[i].unit.empty() ? entry.alias->inputs[i].unit : inputs[i].unit;
-    if (!name.empty())
-      out.push_back({std::string(name.substr(0, name.find('|'))), std::string(unit), &inputs[i]});
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<Lowering::Given> Lowering::given_by(const Call& call, Scope& scope) const {
@@ -37,23 +22,23 @@ std::vector<Lowering::Given> Lowering::given_by(const Call& call, Scope& scope) 
   return out;
 }
 
-Value Lowering::lower_call(const Call& call, Scope& scope, const Slot& slot, const text::Place& place) {
+Value Lowering::lower_call(const Call& call, Scope& scope, const Spot& spot, const text::Place& place) {
   const std::string& name = call.callee.text;
   if (const auto binding = configuration_.bindings.find(name); binding != configuration_.bindings.end())
-    return call_binding(call, *binding->second, scope, slot, place);
-  return instantiate(call.callee, given_by(call, scope), slot, place);
+    return call_binding(call, *binding->second, scope, spot, place);
+  return instantiate(call.callee, given_by(call, scope), spot, place);
 }
 
-Value Lowering::instantiate(const Word& callee, const std::vector<Given>& given, const Slot& slot,
+Value Lowering::instantiate(const Word& callee, const std::vector<Given>& given, const Spot& spot,
                             const text::Place& place) {
   if (network_.nodes.size() > kMaxNodes) {
     error("too-many-nodes", place, fmt::format("the robot has more than {} nodes", kMaxNodes));
     return {};
   }
   if (const Assemblage* assemblage = configuration_.assemblage_named(callee))
-    return instantiate_assemblage(callee, *assemblage, given, slot, place);
+    return instantiate_assemblage(callee, *assemblage, given, spot, place);
   const flow::Library::Entry entry = library_.find(callee.text);
-  if (entry.behavior != nullptr) return instantiate_procedure(callee, entry, given, slot, place);
+  if (entry.behavior != nullptr) return instantiate_procedure(callee, entry, given, spot.path, place);
   return unknown_callee(callee);
 }
 
@@ -125,16 +110,15 @@ void Lowering::say_missing(const Word& callee, const std::string& name, const Po
                                    bracketed(type.unit), help.empty() ? "" : ": ", help));
 }
 
-Value Lowering::value_of(const Given& given, const Slot& slot) {
-  return given.ready ? *given.ready : lower(*given.value, *given.scope, slot);
+Value Lowering::value_of(const Given& given) {
+  return given.ready ? *given.ready : lower(*given.value, *given.scope);
 }
 
 void Lowering::link_argument(const InputView& view, const Given& given, flow::Node& node) {
-  const PortType type{view.input->type, view.unit};
-  const Value value = value_of(given, {node.name, "", false});
+  const Value value = value_of(given);
   const text::Place link_place = given.name.text.empty() ? given.place : given.name.place;
   const auto link = [&](const Value& one, const text::Place& place) {
-    if (auto source = bind(one, type, view.input, view.name, place))
+    if (auto source = bind(one, view.type, view.input, view.name, place))
       node.links.push_back({view.name, std::move(*source), link_place});
   };
   if (!view.input->is_list || value.kind != Value::Kind::kList) {
@@ -146,9 +130,9 @@ void Lowering::link_argument(const InputView& view, const Given& given, flow::No
 }
 
 Value Lowering::instantiate_procedure(const Word& callee, const flow::Library::Entry& entry,
-                                      const std::vector<Given>& given, const Slot& slot,
+                                      const std::vector<Given>& given, const std::string& path,
                                       const text::Place& place) {
-  const std::vector<InputView> views = views_of(entry);
+  const std::vector<InputView> views = inputs_of(entry);
   std::vector<std::string> names;
   for (const InputView& view : views) names.push_back(view.name);
   const std::vector<int> matched = match(callee, given, names);
@@ -156,7 +140,7 @@ Value Lowering::instantiate_procedure(const Word& callee, const flow::Library::E
 
   const std::size_t errors_before = sink_.error_count();
   flow::Node node;
-  node.name = claim(slot, callee.text);
+  node.name = path;
   node.behavior = callee.text;
   node.place = place;
   node.behavior_place = callee.place;
@@ -170,11 +154,8 @@ Value Lowering::instantiate_procedure(const Word& callee, const flow::Library::E
   for (std::size_t i = 0; is_right && i < views.size(); ++i) {
     const flow::Input& input = *views[i].input;
     if (!is_given[i] && !input.is_list && input.default_text.empty())
-      say_missing(callee, views[i].name, {input.type, views[i].unit}, std::string(input.help));
+      say_missing(callee, views[i].name, views[i].type, std::string(input.help));
   }
-  const std::string_view unit = entry.alias != nullptr && !entry.alias->output_unit.empty()
-                                    ? entry.alias->output_unit
-                                    : entry.behavior->output_unit;
   if (entry.behavior->output == nullptr) {
     Value sink;
     sink.kind = Value::Kind::kSink;
@@ -184,7 +165,7 @@ Value Lowering::instantiate_procedure(const Word& callee, const flow::Library::E
     return sink;
   }
   // After an error the node is there all the same: who takes its value is not wrong for that.
-  Value out = wire(node.name, {entry.behavior->output, std::string(unit)}, place);
+  Value out = wire(node.name, types_.of_call(entry), place);
   if (sink_.error_count() == errors_before) network_.nodes.push_back(std::move(node));
   return out;
 }
@@ -204,24 +185,26 @@ bool Lowering::enter_assemblage(const Assemblage& assemblage, const Word& callee
 }
 
 Value Lowering::instantiate_assemblage(const Word& callee, const Assemblage& assemblage,
-                                       const std::vector<Given>& given, const Slot& slot,
+                                       const std::vector<Given>& given, const Spot& spot,
                                        const text::Place& place) {
   std::vector<std::string> names;
   for (const Parameter& parameter : assemblage.parameters) names.push_back(parameter.name.text);
   const std::vector<int> matched = match(callee, given, names, &assemblage);
   const bool is_right = std::ranges::find(matched, -1) == matched.end();
-  const std::string path = claim(slot, callee.text);
   Scope& scope = new_scope();
-  scope.path = path;
+  scope.path = spot.path;
   std::vector<bool> is_given(names.size(), false);
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (matched[i] < 0) continue;
     const auto at = static_cast<std::size_t>(matched[i]);
     is_given[at] = true;
     const Parameter& parameter = assemblage.parameters[at];
-    const Value value = value_of(given[i], {path, "", false});
+    const Value value = value_of(given[i]);
     scope.names[parameter.name.text].value = pass(value, parameter, type_of(parameter), given[i].place);
   }
+  const auto known = is_checking_ ? said_.results.find(&assemblage) : said_.results.end();
+  const bool is_known = known != said_.results.end();
+  scope.nodes = is_known ? &kUnnamed : &elaboration_.names(assemblage, is_given, *spot.taken);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Parameter& parameter = assemblage.parameters[i];
     if (is_given[i]) continue;
@@ -231,9 +214,8 @@ Value Lowering::instantiate_assemblage(const Word& callee, const Assemblage& ass
     inside_ = outer;
   }
   if (!enter_assemblage(assemblage, callee)) return {};
-  const auto known = is_checking_ ? said_.results.find(&assemblage) : said_.results.end();
-  Value out = known != said_.results.end() ? wire(path, {known->second.first, known->second.second}, place)
-                                           : lower_assemblage(assemblage, scope, place);
+  Value out = is_known ? wire(spot.path, {known->second.first, known->second.second}, place)
+                       : lower_assemblage(assemblage, scope, place);
   open_.pop_back();
   return out;
 }
@@ -242,7 +224,7 @@ Value Lowering::instantiate_assemblage(const Word& callee, const Assemblage& ass
 Value Lowering::default_of(const Parameter& parameter, Scope& scope) {
   if (!parameter.initial) return {};
   // A default may use the parameters before it.
-  const Value value = lower(*parameter.initial, scope, {scope.path, parameter.name.text, false});
+  const Value value = lower(*parameter.initial, scope);
   return pass(value, parameter, type_of(parameter), parameter.initial->place);
 }
 
@@ -254,7 +236,7 @@ Value Lowering::lower_assemblage(const Assemblage& assemblage, Scope& scope, con
       assemblage.result_type.text.empty() ? PortType{} : type_named(assemblage.result_type);
   Value out;
   if (assemblage.body) {
-    out = lower(*assemblage.body, scope, {scope.path, "", true});
+    out = lower(*assemblage.body, scope);
     const bool has_type = result.type != nullptr && out.kind != Value::Kind::kNone;
     if (has_type && out.kind == Value::Kind::kWire) {
       if (!fits(out.type, result, assemblage.name.text, assemblage.body->place)) out = {};
@@ -311,20 +293,19 @@ Value Lowering::stand_still(const Assemblage& assemblage, Scope& scope, const Po
 }
 
 // What a configuration asks for by the name of a binding point.
-Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& scope, const Slot& slot,
+Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& scope, const Spot& spot,
                              const text::Place& place) {
   std::vector<std::string> names;
   for (const Parameter& parameter : binding.parameters) names.push_back(parameter.name.text);
   std::vector<Given> given = given_by(call, scope);
   const std::vector<int> matched = match(call.callee, given, names);
-  const std::string path = claim(slot, call.callee.text);
   std::vector<Given> asked;
   std::vector<bool> is_given(names.size(), false);
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (matched[i] < 0) continue;
     const Parameter& parameter = binding.parameters[static_cast<std::size_t>(matched[i])];
     is_given[static_cast<std::size_t>(matched[i])] = true;
-    const Value value = value_of(given[i], {path, "", false});
+    const Value value = value_of(given[i]);
     asked.push_back({{parameter.name.text, given[i].place},
                      nullptr,
                      nullptr,
@@ -347,10 +328,9 @@ Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& sc
         .hints = {fmt::format("a robot drives it: `{} = ...;`", call.callee.text)};
     return {};
   }
-  if (is_checking_) return wire(path, type, place);
-  const DeviceUse* use = device_for(call.callee);
-  if (use == nullptr) return wire(path, type, place);
-  Value out = serve(*use, std::move(asked), {path, "", true}, place);
+  const DeviceUse* use = is_checking_ ? nullptr : device_serving(call.callee);
+  if (use == nullptr) return wire(spot.path, type, place);
+  Value out = serve(*use, std::move(asked), spot, place);
   if (out.kind == Value::Kind::kWire &&
       !fits(out.type, type, binding.name.text, use->device->by.callee.place))
     return {};
@@ -358,28 +338,30 @@ Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& sc
 }
 
 // A device's own arguments hold: they say what it is. What is asked for is added to them.
-Value Lowering::serve(const DeviceUse& use, std::vector<Given> asked, const Slot& slot,
+Value Lowering::serve(const DeviceUse& use, std::vector<Given> asked, const Spot& spot,
                       const text::Place& place) {
   const Device& device = *use.device;
-  std::vector<Given> given = given_by(device.by, *use.scope);
+  Scope& scope = device_scope(use, spot);
+  std::vector<Given> given = given_by(device.by, scope);
   for (Given& one : asked) {
     const bool is_said =
         std::ranges::any_of(given, [&](const Given& own) { return own.name.text == one.name.text; });
     one.name.place = device.by.callee.place;  // what the device does not take is the device's mistake
     if (!is_said) given.push_back(std::move(one));
   }
-  return instantiate(device.by.callee, given, slot, place);
+  return instantiate(device.by.callee, given, {spot.path, &scope.nodes->top()}, place);
 }
 
-const Lowering::DeviceUse* Lowering::device_for(const Word& binding) {
-  const DeviceUse* found = nullptr;
-  std::vector<std::string> fitting;
-  for (const DeviceUse& use : devices_) {
-    if (use.device->binds.text != binding.text) continue;
-    if (use.overrides || use.is_chosen) return &use;
-    fitting.push_back(use.device->name.text);
-    found = found == nullptr ? &use : found;
-  }
+Scope& Lowering::device_scope(const DeviceUse& use, const Spot& spot) {
+  Scope& out = new_scope();
+  if (!use.overrides && class_scope_ != nullptr) out.names = class_scope_->names;
+  out.path = spot.path;
+  out.nodes = &elaboration_.names(*use.device, *spot.taken);
+  return out;
+}
+
+const DeviceUse* Lowering::device_serving(const Word& binding) {
+  const auto [found, fitting] = device_for(devices_, binding.text);
   const text::Place& place = class_name_.empty() ? robot_name_.place : class_place_;
   if (fitting.size() > 1) {
     error("several-devices", place,

@@ -9,35 +9,27 @@
 #include "mlab/base/overloaded.h"
 #include "mlab/flow/port_types.h"
 #include "mlab/lang/cdl/lowering.h"
+#include "mlab/lang/cdl/naming.h"
 #include "mlab/lang/cdl/units.h"
 
 namespace mlab::cdl {
-namespace {
-
-// Assemblages in assemblages, calls in calls: so deep in all.
-constexpr int kMaxDepth = 500;
-
-}  // namespace
-
-Value Lowering::lower(const Expression& expression, Scope& scope, const Slot& slot) {
-  if (depth_ > kMaxDepth) {
+Value Lowering::lower(const Expression& expression, Scope& scope) {
+  if (depth_ > kDeepestExpression) {
     error("nested-too-deep", expression.place,
-          fmt::format("calls stand more than {} deep in each other", kMaxDepth));
+          fmt::format("calls stand more than {} deep in each other", kDeepestExpression));
     return {};
   }
   ++depth_;
-  Slot own = slot;
-  if (!expression.as.text.empty()) {
-    const bool has_name = slot.is_claimed || !slot.name.empty();
-    own = {has_name ? claim(slot, "") : slot.prefix, expression.as.text, false};
-  }
-  Value out = expression.active ? lower_active(expression, scope, own) : lower_what(expression, scope, own);
+  const NodeNames::Paths& paths = paths_of(expression, scope);
+  Value out = expression.active ? lower_active(expression, scope, paths)
+                                : lower_what(expression, scope, paths.inside);
   --depth_;
   return out;
 }
 
-Value Lowering::lower_what(const Expression& expression, Scope& scope, const Slot& slot) {
+Value Lowering::lower_what(const Expression& expression, Scope& scope, const std::string& inside) {
   const text::Place& place = expression.place;
+  const std::string path = joined_path(scope.path, inside);
   return std::visit(
       base::Overloaded{
           [](const Hole&) { return Value{}; },
@@ -65,16 +57,18 @@ Value Lowering::lower_what(const Expression& expression, Scope& scope, const Slo
             return out;
           },
           [&](const Name& name) { return lower_name(name, scope, place); },
-          [&](const List& list) { return lower_list(list, scope, slot, place); },
-          [&](const Call& call) { return lower_call(call, scope, slot, place); },
-          [&](const Logic& logic) { return lower_logic(logic, scope, slot, place); },
-          [&](const Cooperate& what) { return lower_cooperate(what, scope, slot, place); },
-          [&](const Compete& what) { return lower_compete(what, scope, slot, place); },
-          [&](const Coordinate& what) { return lower_generic(what.by, what.members, scope, slot, place); },
-          [&](const Fuse& what) { return lower_generic(what.by, what.members, scope, slot, place); },
-          [&](const Sequence& what) { return lower_sequence(what, scope, slot, place); },
-          [&](const Select& what) { return lower_select(what, scope, slot, place); },
-          [&](const Delay& what) { return lower_delay(what, scope, slot, place); },
+          [&](const List& list) { return lower_list(list, scope, place); },
+          [&](const Call& call) {
+            return lower_call(call, scope, {path, &scope.nodes->below(expression)}, place);
+          },
+          [&](const Logic& logic) { return lower_logic(logic, scope, path, place); },
+          [&](const Cooperate& what) { return lower_cooperate(what, scope, path, place); },
+          [&](const Compete& what) { return lower_compete(what, scope, path, place); },
+          [&](const Coordinate& what) { return lower_generic(what.by, what.members, scope, path, place); },
+          [&](const Fuse& what) { return lower_generic(what.by, what.members, scope, path, place); },
+          [&](const Sequence& what) { return lower_sequence(what, scope, path, place); },
+          [&](const Select& what) { return lower_select(what, scope, path, place); },
+          [&](const Delay& what) { return lower_delay(what, scope, path, place); },
       },
       expression.what);
 }
@@ -103,12 +97,12 @@ Value Lowering::lower_let(Scope::Named& named, Scope& scope) {
   if (named.state == Progress::kReady) return named.value;
   if (named.state == Progress::kOpen) {
     named.was_promised = true;
-    return wire(named.path, types_.of(*let.value, types_in(scope)), let.name.place);
+    return wire(joined_path(scope.path, scope.nodes->of(let)), types_.of(*let.value, types_in(scope)),
+                let.name.place);
   }
   named.state = Progress::kOpen;
-  named.path = claim({scope.path, let.name.text, false}, "");
-  const std::string path = named.path;
-  Value value = lower(*let.value, scope, {path, "", true});
+  const std::string path = joined_path(scope.path, scope.nodes->of(let));
+  Value value = lower(*let.value, scope);
   named.state = Progress::kReady;
   // What comes round to its own name has made no node of it, unless it is one.
   const bool is_other = value.text != path || std::holds_alternative<Name>(let.value->what);
@@ -120,29 +114,27 @@ Value Lowering::lower_let(Scope::Named& named, Scope& scope) {
   return named.value;
 }
 
-Value Lowering::lower_list(const List& list, Scope& scope, const Slot& slot, const text::Place& place) {
+Value Lowering::lower_list(const List& list, Scope& scope, const text::Place& place) {
   Value out;
   out.kind = Value::Kind::kList;
   out.place = place;
-  const Slot inner =
-      slot.is_claimed || slot.name.empty() ? Slot{slot.prefix, "", false} : Slot{claim(slot, ""), "", false};
   for (const ExpressionPtr& item : list.items) {
-    Value value = lower(*item, scope, inner);
+    Value value = lower(*item, scope);
     value.place = item->place;
     out.items.push_back(std::move(value));
   }
   return out;
 }
 
-Value Lowering::lower_logic(const Logic& logic, Scope& scope, const Slot& slot, const text::Place& place) {
+Value Lowering::lower_logic(const Logic& logic, Scope& scope, const std::string& path,
+                            const text::Place& place) {
   const PortType type{&flow::type_info<bool>(), ""};
   const char* callee = logic.connective == Connective::kNot   ? "Not"
                        : logic.connective == Connective::kAnd ? "And"
                                                               : "Or";
-  const std::string path = claim(slot, callee);
   std::vector<flow::Source> operands;
   for (const ExpressionPtr& operand : logic.operands) {
-    const Value value = lower(*operand, scope, {path, "", false});
+    const Value value = lower(*operand, scope);
     const auto source = bind(value, type, nullptr, callee, operand->place);
     if (source) operands.push_back(*source);
   }
@@ -152,7 +144,7 @@ Value Lowering::lower_logic(const Logic& logic, Scope& scope, const Slot& slot, 
   for (std::size_t i = logic.connective == Connective::kNot ? 0 : 1; i < operands.size(); ++i) {
     flow::Node node;
     const bool is_last = i + 1 == operands.size();
-    node.name = is_last ? path : claim_path(path + "." + callee);
+    node.name = is_last ? path : path_behind(*logic.operands[i], scope);
     node.behavior = callee;
     node.place = node.behavior_place = place;
     node.links.push_back({"a", left, left.place});
@@ -163,10 +155,10 @@ Value Lowering::lower_logic(const Logic& logic, Scope& scope, const Slot& slot, 
   return wire(path, type, place);
 }
 
-Value Lowering::lower_delay(const Delay& delay, Scope& scope, const Slot& slot, const text::Place& place) {
-  const std::string path = claim(slot, "delay");
-  const Value value = lower(*delay.value, scope, {path, "value", false});
-  const Value initial = delay.initial ? lower(*delay.initial, scope, {path, "initial", false}) : Value{};
+Value Lowering::lower_delay(const Delay& delay, Scope& scope, const std::string& path,
+                            const text::Place& place) {
+  const Value value = lower(*delay.value, scope);
+  const Value initial = delay.initial ? lower(*delay.initial, scope) : Value{};
   PortType type = value.type.type != nullptr ? value.type : initial.type;
   if (value.kind == Value::Kind::kNone || (delay.initial && initial.kind == Value::Kind::kNone)) return {};
   if (type.type == nullptr) {
@@ -193,11 +185,10 @@ Value Lowering::lower_delay(const Delay& delay, Scope& scope, const Slot& slot, 
 }
 
 // The active part has to run whenever the value is wanted, and only then: it selects the only case there is.
-Value Lowering::lower_active(const Expression& expression, Scope& scope, const Slot& slot) {
-  const auto* call = std::get_if<Call>(&expression.what);
-  const std::string path = claim(slot, call == nullptr ? "active" : call->callee.text);
-  const Value value = lower_what(expression, scope, {path, "value", false});
-  Value active = lower(*expression.active, scope, {path, "active", false});
+Value Lowering::lower_active(const Expression& expression, Scope& scope, const NodeNames::Paths& paths) {
+  const std::string path = joined_path(scope.path, paths.path);
+  const Value value = lower_what(expression, scope, paths.inside);
+  Value active = lower(*expression.active, scope);
   if (value.kind == Value::Kind::kNone || active.kind == Value::Kind::kNone) return {};
   if (value.kind != Value::Kind::kWire || value.type.type == nullptr) {
     error("wrong-type", expression.place, "only a behavior or a percept has an active part");
@@ -209,7 +200,7 @@ Value Lowering::lower_active(const Expression& expression, Scope& scope, const S
   }
   if (active.type.type->kind == flow::TypeKind::kVector) {
     flow::Node node;
-    node.name = claim_path(path + ".is_idle");
+    node.name = path_behind(*expression.active, scope);
     node.behavior = "IsZero";
     node.place = node.behavior_place = expression.active->place;
     node.links.push_back(

@@ -33,20 +33,19 @@ bool Lowering::check_members(const std::vector<Member>& members, const char* wha
   return false;
 }
 
-Value Lowering::lower_cooperate(const Cooperate& what, Scope& scope, const Slot& slot,
+Value Lowering::lower_cooperate(const Cooperate& what, Scope& scope, const std::string& path,
                                 const text::Place& place) {
   const PortType vector = types_.named("Vector");
   const PortType gain = types_.named("double");
-  const std::string path = claim(slot, "cooperate");
   if (!check_members(what.members, "cooperate", place)) return wire(path, vector, place);
   flow::Node node = node_of(path, "WeightedSum", place);
   for (const Member& member : what.members) {
-    const Value value = lower(*member.value, scope, {path, "", false});
+    const Value value = lower(*member.value, scope);
     auto source = bind(value, vector, nullptr, "cooperate", member.value->place);
     if (source) node.links.push_back({"members", std::move(*source), member.value->place});
     flow::Source weight{flow::Source::Kind::kConstant, "1", member.value->place};
     if (member.weight) {
-      const Value given = lower(*member.weight, scope, {path, "gain", false});
+      const Value given = lower(*member.weight, scope);
       const auto bound = bind(given, gain, nullptr, "gain", member.weight->place);
       if (bound) weight = *bound;
     }
@@ -56,26 +55,26 @@ Value Lowering::lower_cooperate(const Cooperate& what, Scope& scope, const Slot&
   return wire(path, vector, place);
 }
 
-Value Lowering::lower_compete(const Compete& what, Scope& scope, const Slot& slot, const text::Place& place) {
+Value Lowering::lower_compete(const Compete& what, Scope& scope, const std::string& path,
+                              const text::Place& place) {
   const PortType vector = types_.named("Vector");
   const bool by_strength = what.rule == CompetitionRule::kStrength;
-  const std::string path = claim(slot, "compete");
   if (!check_members(what.members, "compete", place)) return wire(path, vector, place);
   const bool has_weights =
       std::ranges::any_of(what.members, [](const Member& m) { return m.weight != nullptr; });
   flow::Node node = node_of(path, by_strength ? "Arbiter" : "FirstActive", place);
   for (const Member& member : what.members) {
-    const Value value = lower(*member.value, scope, {path, "", false});
+    const Value value = lower(*member.value, scope);
     auto source = bind(value, vector, nullptr, "compete", member.value->place);
     if (member.weight && !by_strength) {
       error("weight-without-meaning", member.weight->place, "members that compete by priority have no weight")
           .hints = {"their order tells which comes first; `compete by strength` takes an activation here"};
     } else if (member.weight) {
-      const Value given = lower(*member.weight, scope, {path, "activation", false});
+      const Value given = lower(*member.weight, scope);
       auto bound = bind(given, types_.named("double"), nullptr, "activation", member.weight->place);
       if (bound) node.links.push_back({"activations", std::move(*bound), member.weight->place});
     } else if (has_weights && by_strength && source) {
-      flow::Node length = node_of(claim_path(path + ".Length"), "Length", member.value->place);
+      flow::Node length = node_of(path_behind(*member.value, scope), "Length", member.value->place);
       length.links.push_back({"v", *source, member.value->place});
       node.links.push_back({"activations", named(length.name, member.value->place), member.value->place});
       network_.nodes.push_back(std::move(length));
@@ -89,7 +88,7 @@ Value Lowering::lower_compete(const Compete& what, Scope& scope, const Slot& slo
 // `coordinate by Op(...) { ... }` and `fuse by Op(...) { ... }`: members go to the first list input, weights
 // to the second.
 Value Lowering::lower_generic(const Call& by, const std::vector<Member>& members, Scope& scope,
-                              const Slot& slot, const text::Place& place) {
+                              const std::string& path, const text::Place& place) {
   const flow::Library::Entry entry = library_.find(by.callee.text);
   if (entry.behavior == nullptr) return unknown_callee(by.callee);
   std::vector<const flow::Input*> lists;
@@ -101,7 +100,6 @@ Value Lowering::lower_generic(const Call& by, const std::vector<Member>& members
         .hints = {"an operator is a procedure with a list input"};
     return {};
   }
-  const std::string path = claim(slot, by.callee.text);
   std::vector<Given> given = given_by(by, scope);
   const auto add_list = [&](const flow::Input& input, std::vector<Value> items) {
     Value list;
@@ -113,10 +111,10 @@ Value Lowering::lower_generic(const Call& by, const std::vector<Member>& members
   std::vector<Value> values;
   std::vector<Value> weights;
   for (const Member& member : members) {
-    values.push_back(lower(*member.value, scope, {path, "", false}));
+    values.push_back(lower(*member.value, scope));
     values.back().place = member.value->place;
     if (!member.weight) continue;
-    weights.push_back(lower(*member.weight, scope, {path, "weight", false}));
+    weights.push_back(lower(*member.weight, scope));
     weights.back().place = member.weight->place;
     if (lists.size() > 1) continue;
     error("weight-without-meaning", member.weight->place,
@@ -132,7 +130,7 @@ Value Lowering::lower_generic(const Call& by, const std::vector<Member>& members
   }
   add_list(*lists[0], std::move(values));
   if (!weights.empty()) add_list(*lists[1], std::move(weights));
-  return instantiate_procedure(by.callee, entry, given, {path, "", true}, place);
+  return instantiate_procedure(by.callee, entry, given, path, place);
 }
 
 PortType Lowering::common_type(const std::vector<Value>& members, const text::Place& place,
@@ -161,14 +159,13 @@ PortType Lowering::common_type(const std::vector<Value>& members, const text::Pl
   return {};
 }
 
-flow::State Lowering::lower_state(const State& state, Scope& scope, const std::string& path, Value& member) {
+flow::State Lowering::lower_state(const State& state, Scope& scope, Value& member) {
   flow::State out;
   out.name = state.name.text;
   out.place = state.name.place;
   out.is_start = state.is_start;
   out.is_final = state.is_final;
-  const std::string own = claim_path(path + "." + state.name.text);
-  if (state.member) member = lower(*state.member, scope, {own, "", true});
+  if (state.member) member = lower(*state.member, scope);
   if (member.kind == Value::Kind::kSink) {
     error("sink-as-value", state.member->place, fmt::format("`{}` gives no value", member.text));
     member = {};
@@ -179,24 +176,18 @@ flow::State Lowering::lower_state(const State& state, Scope& scope, const std::s
     code.target = transition.target.text;
     code.restarts = transition.restarts;
     code.place = transition.target.place;
-    const Expression* trigger = transition.trigger.get();
-    const auto* logic = std::get_if<Logic>(&trigger->what);
-    if (logic != nullptr && logic->connective == Connective::kNot && trigger->as.text.empty() &&
-        !trigger->active) {
-      code.is_negated = true;
-      trigger = logic->operands.front().get();
-    }
-    const Value value = lower(*trigger, scope, {own, "", false});
-    if (auto source = bind(value, boolean, nullptr, "when", trigger->place))
+    const Expression& condition = condition_of(*transition.trigger);
+    code.is_negated = &condition != transition.trigger.get();
+    const Value value = lower(condition, scope);
+    if (auto source = bind(value, boolean, nullptr, "when", condition.place))
       code.trigger = std::move(*source);
     out.transitions.push_back(std::move(code));
   }
   return out;
 }
 
-Value Lowering::lower_sequence(const Sequence& what, Scope& scope, const Slot& slot,
+Value Lowering::lower_sequence(const Sequence& what, Scope& scope, const std::string& path,
                                const text::Place& place) {
-  const std::string path = claim(slot, "sequence");
   flow::Node node = node_of(path, "", place);
   node.kind = flow::Node::Kind::kSequence;
   if (what.states.empty()) {
@@ -205,7 +196,7 @@ Value Lowering::lower_sequence(const Sequence& what, Scope& scope, const Slot& s
   }
   std::vector<Value> members(what.states.size());
   for (std::size_t i = 0; i < what.states.size(); ++i)
-    node.states.push_back(lower_state(what.states[i], scope, path, members[i]));
+    node.states.push_back(lower_state(what.states[i], scope, members[i]));
   const PortType type = common_type(members, place, "sequence");
   if (type.type == nullptr) return {};
   node.behavior = std::string(type.type->name);
@@ -236,10 +227,10 @@ std::optional<std::int64_t> Lowering::case_value(const Word& word, const flow::T
   return static_cast<std::int64_t>(value);
 }
 
-Value Lowering::lower_select(const Select& what, Scope& scope, const Slot& slot, const text::Place& place) {
+Value Lowering::lower_select(const Select& what, Scope& scope, const std::string& path,
+                             const text::Place& place) {
   using flow::TypeKind;
-  const std::string path = claim(slot, "select");
-  const Value by = lower(*what.by, scope, {path, "by", false});
+  const Value by = lower(*what.by, scope);
   flow::Node node = node_of(path, "", place);
   node.kind = flow::Node::Kind::kSelect;
   const bool is_known = by.kind == Value::Kind::kWire && by.type.type != nullptr;
@@ -259,13 +250,11 @@ Value Lowering::lower_select(const Select& what, Scope& scope, const Slot& slot,
   for (const Case& one : what.cases) {
     flow::Case code;
     code.place = one.place;
-    std::string name = "otherwise";
     if (one.values.empty() && otherwise)
       error("duplicate-case", one.place, "a second `otherwise`")
           .notes.push_back({"the first is here", *otherwise});
     if (one.values.empty()) otherwise = one.place;
     for (const Word& word : one.values) {
-      if (name == "otherwise") name = "case_" + word.text;
       if (!can_select) continue;
       const std::optional<std::int64_t> value = case_value(word, *by.type.type);
       if (!value) continue;
@@ -275,8 +264,7 @@ Value Lowering::lower_select(const Select& what, Scope& scope, const Slot& slot,
         error("duplicate-case", word.place, fmt::format("a second case for `{}`", word.text))
             .notes.push_back({"the first is here", first->second});
     }
-    std::ranges::replace(name, '-', '_');
-    members.push_back(lower(*one.member, scope, {path, name, false}));
+    members.push_back(lower(*one.member, scope));
     node.cases.push_back(std::move(code));
   }
   if (what.cases.empty()) {

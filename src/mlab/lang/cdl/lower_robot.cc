@@ -51,6 +51,8 @@ std::vector<std::string> body_settings() {
   return out;
 }
 
+const NamesBelow kNothing;
+
 constexpr std::array<std::string_view, 4> kDrives = {"holonomic", "differential", "car", "synchro"};
 
 }  // namespace
@@ -75,7 +77,7 @@ void Lowering::declare_network_parameter(const Parameter& parameter, Scope& scop
     return;
   }
   value = wire(parameter.name.text, type, parameter.name.place);
-  const Value initial = lower(*parameter.initial, scope, {"", parameter.name.text, false});
+  const Value initial = lower(*parameter.initial, scope);
   const auto bound = bind(initial, type, nullptr, parameter.name.text, parameter.initial->place);
   if (!bound || !check_range(initial, parameter, type)) return;
   if (bound->kind == flow::Source::Kind::kName) {
@@ -91,13 +93,13 @@ void Lowering::declare_network_parameter(const Parameter& parameter, Scope& scop
   out.place = parameter.name.place;
   if (parameter.low) out.min = in_unit(*parameter.low, type.unit);
   if (parameter.high) out.max = in_unit(*parameter.high, type.unit);
-  claim_path(out.name);
   network_.parameters.push_back(std::move(out));
 }
 
 // The class's parameters are the robot's, too; where both have one of a name, the robot's holds.
 Scope& Lowering::declare_class(const RobotClass& robot_class, Scope& own) {
   Scope& scope = new_scope();
+  scope.nodes = own.nodes;
   for (const Parameter& parameter : robot_class.parameters) {
     const auto given = own.names.find(parameter.name.text);
     if (given == own.names.end() || given->second.let != nullptr) {
@@ -110,16 +112,8 @@ Scope& Lowering::declare_class(const RobotClass& robot_class, Scope& own) {
   return scope;
 }
 
-void Lowering::add_operators(const Robot& robot) {
-  const std::vector<const SocietyOperator*> operators = operators_of(configuration_, robot);
-  // The inner ones come first, so that they are found first.
-  for (auto op = operators.rbegin(); op != operators.rend(); ++op) {
-    for (const Device& device : (*op)->devices) devices_.push_back({&device, &new_scope(), false, true});
-  }
-}
-
 void Lowering::find_devices(const Robot& robot, Scope& own, LoweredRobot& out) {
-  add_operators(robot);
+  devices_ = elaboration_.devices(robot);
   if (robot.class_name.text.empty()) return;
   const auto found = configuration_.classes.find(robot.class_name.text);
   if (found == configuration_.classes.end()) {
@@ -132,22 +126,20 @@ void Lowering::find_devices(const Robot& robot, Scope& own, LoweredRobot& out) {
   const RobotClass& robot_class = *found->second;
   class_name_ = robot_class.name.text;
   class_place_ = robot.class_name.place;
-  Scope& scope = declare_class(robot_class, own);
-  for (const Device& device : robot_class.devices) {
-    devices_.push_back({&device, &scope, false, false});
+  class_scope_ = &declare_class(robot_class, own);
+  for (const Device& device : robot_class.devices)
     class_is_broken_ |= !configuration_.bindings.contains(device.binds.text);
-  }
-  lower_body(robot_class, scope, out);
+  lower_body(robot_class, *class_scope_, out);
 }
 
 void Lowering::choose_devices(const Robot& robot) {
   for (const Choice& choice : robot.choices) {
-    DeviceUse* chosen = nullptr;
+    const Device* chosen = nullptr;
     std::vector<std::string> names;
-    for (DeviceUse& use : devices_) {
+    for (const DeviceUse& use : devices_) {
       if (use.overrides) continue;
       names.push_back(use.device->name.text);
-      if (use.device->name.text == choice.device.text) chosen = &use;
+      if (use.device->name.text == choice.device.text) chosen = use.device;
     }
     if (chosen == nullptr) {
       if (class_is_broken_) continue;
@@ -155,20 +147,18 @@ void Lowering::choose_devices(const Robot& robot) {
           error("unknown-device", choice.device.place,
                 fmt::format("class `{}` has no device `{}`", class_name_, choice.device.text));
       hint_nearest(d, choice.device.text, names);
-    } else if (chosen->device->binds.text != choice.binding.text) {
+    } else if (chosen->binds.text != choice.binding.text) {
       error("wrong-device", choice.binding.place,
-            fmt::format("`{}` serves `{}`, not `{}`", choice.device.text, chosen->device->binds.text,
+            fmt::format("`{}` serves `{}`, not `{}`", choice.device.text, chosen->binds.text,
                         choice.binding.text))
-          .notes.push_back({"the device is here", chosen->device->name.place});
-    } else {
-      chosen->is_chosen = true;
+          .notes.push_back({"the device is here", chosen->name.place});
     }
   }
 }
 
 void Lowering::lower_body(const RobotClass& robot_class, Scope& scope, LoweredRobot& out) {
   for (const BodySetting& setting : robot_class.body) {
-    const Value value = lower(*setting.value, scope, {"body", setting.name.text, false});
+    const Value value = lower(*setting.value, scope);
     if (value.kind == Value::Kind::kNone) continue;
     if (setting.name.text == "drive") {
       const auto* const drive = std::ranges::find(kDrives, value.text);
@@ -206,21 +196,8 @@ void Lowering::lower_body(const RobotClass& robot_class, Scope& scope, LoweredRo
 }
 
 // The actuator that a drive speaks of, by the device's name or by the binding point.
-const Lowering::DeviceUse* Lowering::actuator_for(const Drive& drive) {
-  std::vector<std::string> names;
-  const DeviceUse* found = nullptr;
-  std::vector<std::string> fitting;
-  for (const DeviceUse& use : devices_) {
-    const Device& device = *use.device;
-    if (!device.is_actuator) continue;
-    names.push_back(device.name.text);
-    names.push_back(device.binds.text);
-    if (device.name.text == drive.binding.text) return &use;
-    if (device.binds.text != drive.binding.text) continue;
-    if (use.is_chosen) return &use;
-    fitting.push_back(device.name.text);
-    found = found == nullptr ? &use : found;
-  }
+const DeviceUse* Lowering::actuator_of(const Drive& drive) {
+  const auto [found, fitting] = actuator_for(devices_, drive.binding.text);
   if (fitting.size() > 1) {
     error("several-devices", drive.binding.place,
           fmt::format("several devices of `{}` serve `{}`: {}", class_name_, drive.binding.text,
@@ -228,6 +205,10 @@ const Lowering::DeviceUse* Lowering::actuator_for(const Drive& drive) {
         .hints = {fmt::format("drive one by its name: `{} = ...;`", fitting.front())};
   }
   if (found == nullptr && !class_is_broken_) {
+    std::vector<std::string> names;
+    for (const DeviceUse& use : devices_) {
+      if (use.device->is_actuator) names.insert(names.end(), {use.device->name.text, use.device->binds.text});
+    }
     text::Diagnostic& d =
         error("unknown-actuator", drive.binding.place,
               fmt::format("robot `{}` has no actuator `{}`", robot_name_.text, drive.binding.text));
@@ -244,9 +225,11 @@ const Lowering::DeviceUse* Lowering::actuator_for(const Drive& drive) {
   return found;
 }
 
-void Lowering::drive_device(const DeviceUse& use, const Value& value, const text::Place& place) {
+void Lowering::drive_device(const DeviceUse& use, const Value& value, const std::string& path,
+                            const text::Place& place) {
   const Device& device = *use.device;
-  std::vector<Given> given = given_by(device.by, *use.scope);
+  Scope& scope = device_scope(use, {path, &kNothing});
+  std::vector<Given> given = given_by(device.by, scope);
   const auto binding = configuration_.bindings.find(device.binds.text);
   std::string input;
   if (binding != configuration_.bindings.end() && !binding->second->parameters.empty()) {
@@ -257,7 +240,7 @@ void Lowering::drive_device(const DeviceUse& use, const Value& value, const text
   }
   given.push_back({{input, device.by.callee.place}, nullptr, nullptr, value, place});
   if (input.empty()) std::ranges::rotate(given, given.end() - 1);  // by position, the first
-  const Value out = instantiate(device.by.callee, given, {"", device.name.text, false}, device.name.place);
+  const Value out = instantiate(device.by.callee, given, {path, &scope.nodes->top()}, device.name.place);
   if (out.kind == Value::Kind::kWire) {
     error("not-an-actuator", device.by.callee.place,
           fmt::format("`{}` gives a value and moves nothing", device.by.callee.text))
@@ -266,16 +249,16 @@ void Lowering::drive_device(const DeviceUse& use, const Value& value, const text
 }
 
 void Lowering::lower_drive(const Drive& drive, Scope& scope) {
-  const Value value = lower(*drive.value, scope, {"", drive.binding.text, false});
+  const Value value = lower(*drive.value, scope);
   if (value.kind == Value::Kind::kSink) return;  // it is an actuator by itself
-  const DeviceUse* use = actuator_for(drive);
+  const DeviceUse* use = actuator_of(drive);
   if (use == nullptr) return;
   if (!driven_.insert(use->device).second) {
     error("driven-twice", drive.binding.place, fmt::format("`{}` is driven twice", use->device->name.text))
         .hints = {"`cooperate` or `compete` makes one movement of two"};
     return;
   }
-  if (value.kind != Value::Kind::kNone) drive_device(*use, value, drive.value->place);
+  if (value.kind != Value::Kind::kNone) drive_device(*use, value, scope.nodes->of(drive), drive.value->place);
 }
 
 LoweredRobot Lowering::robot(const Robot& robot) {
@@ -283,6 +266,7 @@ LoweredRobot Lowering::robot(const Robot& robot) {
   robot_name_ = robot.name;
   network_.name = robot.name.text;
   Scope& scope = new_scope();
+  scope.nodes = &elaboration_.names(robot);
   for (const Parameter& parameter : robot.parameters) declare_network_parameter(parameter, scope);
   declare_lets(robot.lets, scope);
   find_devices(robot, scope, out);
@@ -313,7 +297,7 @@ void Lowering::check_assemblage(const Assemblage& assemblage) {
   is_checking_ = true;
   Scope& scope = new_scope();
   scope.path = assemblage.name.text;
-  claim_path(scope.path);
+  scope.nodes = &elaboration_.names(assemblage, std::vector<bool>(assemblage.parameters.size(), false), {});
   inside_ = &assemblage;
   declare_typed(assemblage.parameters, scope);
   open_.push_back(&assemblage);
@@ -324,7 +308,7 @@ void Lowering::check_assemblage(const Assemblage& assemblage) {
   if (is_constant) bind(out, types_.named("Vector"), nullptr, assemblage.name.text, assemblage.body->place);
 }
 
-void Lowering::check_device(const Device& device, Scope& scope) {
+void Lowering::check_device(const Device& device) {
   const auto found = configuration_.bindings.find(device.binds.text);
   if (found == configuration_.bindings.end()) {
     text::Diagnostic& d = error("unknown-binding", device.binds.place,
@@ -339,7 +323,7 @@ void Lowering::check_device(const Device& device, Scope& scope) {
     if (!binding.parameters.empty())
       driven = wire("driven", type_of(binding.parameters.front()), device.name.place);
     if (driven.kind != Value::Kind::kNone)
-      drive_device({&device, &scope, false, false}, driven, device.by.callee.place);
+      drive_device({&device}, driven, device.name.text, device.by.callee.place);
     return;
   }
   if (!fits(types_.of_call(device.by.callee), type_named(binding.result_type), device.binds.text,
@@ -354,8 +338,7 @@ void Lowering::check_device(const Device& device, Scope& scope) {
                      wire(parameter.name.text, type, device.by.callee.place),
                      device.by.callee.place});
   }
-  const Value value = serve({&device, &scope, false, false}, std::move(asked), {"", device.name.text, false},
-                            device.name.place);
+  const Value value = serve({&device}, std::move(asked), {device.name.text, &kNothing}, device.name.place);
   if (value.kind == Value::Kind::kWire)
     fits(value.type, type_named(binding.result_type), device.binds.text, device.by.callee.place);
 }
@@ -363,16 +346,17 @@ void Lowering::check_device(const Device& device, Scope& scope) {
 void Lowering::check_class(const RobotClass& robot_class) {
   is_checking_ = true;
   Scope& scope = new_scope();
+  scope.nodes = &kUnnamed;
+  class_scope_ = &scope;
   declare_typed(robot_class.parameters, scope);
-  for (const Device& device : robot_class.devices) check_device(device, scope);
+  for (const Device& device : robot_class.devices) check_device(device);
   LoweredRobot ignored;
   lower_body(robot_class, scope, ignored);
 }
 
 void Lowering::check_operator(const SocietyOperator& op) {
   is_checking_ = true;
-  Scope& scope = new_scope();
-  for (const Device& device : op.devices) check_device(device, scope);
+  for (const Device& device : op.devices) check_device(device);
 }
 
 }  // namespace mlab::cdl

@@ -40,22 +40,15 @@ void Lowering::hint_nearest(text::Diagnostic& d, std::string_view name,
   if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
 }
 
-std::string Lowering::claim_path(std::string path) {
-  const int before = claimed_[path]++;
-  if (before == 0) return path;
-  for (int number = before + 1;; ++number) {
-    std::string numbered = fmt::format("{}_{}", path, number);
-    if (claimed_.try_emplace(numbered, 1).second) {
-      claimed_[path] = number;
-      return numbered;
-    }
-  }
+const NodeNames::Paths& Lowering::paths_of(const Expression& expression, Scope& scope) const {
+  const bool is_repeated = scope.nodes->is_repeated(expression);
+  return scope.nodes->of(expression, is_repeated ? scope.times[&expression]++ : 0);
 }
 
-std::string Lowering::claim(const Slot& slot, const std::string& fallback) {
-  if (slot.is_claimed) return slot.prefix;
-  const std::string& name = slot.name.empty() ? fallback : slot.name;
-  return claim_path(slot.prefix.empty() ? name : slot.prefix + "." + name);
+std::string Lowering::path_behind(const Expression& expression, const Scope& scope) const {
+  const auto times = scope.times.find(&expression);
+  const std::size_t time = times == scope.times.end() ? 0 : times->second - 1;
+  return joined_path(scope.path, scope.nodes->of(expression, time).behind);
 }
 
 Value Lowering::wire(const std::string& node, const PortType& type, const text::Place& place) const {

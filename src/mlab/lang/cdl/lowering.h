@@ -12,7 +12,9 @@
 #include "mlab/flow/library.h"
 #include "mlab/flow/network.h"
 #include "mlab/lang/cdl/configuration.h"
+#include "mlab/lang/cdl/elaboration.h"
 #include "mlab/lang/cdl/lower.h"
+#include "mlab/lang/cdl/node_names.h"
 #include "mlab/lang/cdl/port_type.h"
 #include "mlab/lang/cdl/types.h"
 #include "mlab/text/diagnostic.h"
@@ -45,19 +47,14 @@ struct Value {
   const struct Scope* scope = nullptr;  ///< kWord: where it was looked up in vain
 };
 
-/// What one call can be given: an input of a procedure under the name that it has here, or a parameter.
-struct InputView {
-  std::string name;
-  std::string unit;
-  const flow::Input* input = nullptr;
+/// Where a node goes.
+struct Spot {
+  std::string path;
+  const NamesBelow* taken;  ///< what stands right below it already
 };
 
-/// Where a node goes: its name, and the names of what it stands in.
-struct Slot {
-  std::string prefix;
-  std::string name;         ///< empty: called as what it instantiates
-  bool is_claimed = false;  ///< `prefix` is the whole path, and nobody else has it
-};
+/// Of what is only checked: nobody asks what its nodes are called.
+inline const NodeNames kUnnamed;
 
 /// The names that expressions of one instance may use.
 struct Scope {
@@ -67,11 +64,11 @@ struct Scope {
     const Let* let = nullptr;
     enum class State { kReady, kWaiting, kOpen } state = State::kReady;
     bool was_promised = false;  ///< somebody took its wire before it was there
-    std::string path;           ///< of its node
   };
-  std::string path;
-  std::string owner;  ///< for messages: "assemblage `Forage`"
+  std::string path;                  ///< where the instance runs
+  const NodeNames* nodes = nullptr;  ///< what its nodes are called below that
   std::map<std::string, Named, std::less<>> names;
+  std::map<const Expression*, std::size_t> times;  ///< how often it was evaluated what is so repeatedly
 };
 
 /// One flattening of a configuration to the network of a robot. The methods stand in lower_*.cc by construct.
@@ -81,7 +78,8 @@ class Lowering {
            Said& said)
       : configuration_(configuration),
         library_(library),
-        types_(configuration, library),
+        elaboration_(configuration, library),
+        types_(elaboration_.types()),
         sink_(sink),
         said_(said) {}
 
@@ -96,19 +94,19 @@ class Lowering {
   using Link = flow::Link;
 
   // lower_expression.cc
-  Value lower(const Expression& expression, Scope& scope, const Slot& slot);
-  Value lower_what(const Expression& expression, Scope& scope, const Slot& slot);
+  Value lower(const Expression& expression, Scope& scope);
+  Value lower_what(const Expression& expression, Scope& scope, const std::string& inside);
   Value lower_name(const Name& name, Scope& scope, const text::Place& place);
   Value lower_let(Scope::Named& named, Scope& scope);
-  Value lower_list(const List& list, Scope& scope, const Slot& slot, const text::Place& place);
-  Value lower_logic(const Logic& logic, Scope& scope, const Slot& slot, const text::Place& place);
-  Value lower_delay(const Delay& delay, Scope& scope, const Slot& slot, const text::Place& place);
-  Value lower_active(const Expression& expression, Scope& scope, const Slot& slot);
+  Value lower_list(const List& list, Scope& scope, const text::Place& place);
+  Value lower_logic(const Logic& logic, Scope& scope, const std::string& path, const text::Place& place);
+  Value lower_delay(const Delay& delay, Scope& scope, const std::string& path, const text::Place& place);
+  Value lower_active(const Expression& expression, Scope& scope, const NodeNames::Paths& paths);
   Types::Names types_in(const Scope& scope) const;
 
   // lower_call.cc
-  Value lower_call(const Call& call, Scope& scope, const Slot& slot, const text::Place& place);
-  Value call_binding(const Call& call, const Binding& binding, Scope& scope, const Slot& slot,
+  Value lower_call(const Call& call, Scope& scope, const Spot& spot, const text::Place& place);
+  Value call_binding(const Call& call, const Binding& binding, Scope& scope, const Spot& spot,
                      const text::Place& place);
   /// An argument with the scope that it is to be read in.
   struct Given {
@@ -118,25 +116,22 @@ class Lowering {
     std::optional<Value> ready = std::nullopt;  ///< instead of `value`
     text::Place place = {};
   };
-  struct DeviceUse {
-    const Device* device = nullptr;
-    Scope* scope = nullptr;  ///< of its class
-    bool is_chosen = false;
-    bool overrides = false;  ///< an operator of the society brings it
-  };
-  Value serve(const DeviceUse& use, std::vector<Given> asked, const Slot& slot, const text::Place& place);
-  const DeviceUse* device_for(const Word& binding);
-  Value instantiate(const Word& callee, const std::vector<Given>& given, const Slot& slot,
+  Value serve(const DeviceUse& use, std::vector<Given> asked, const Spot& spot, const text::Place& place);
+  /// What a device's arguments are read in: its class's names, where the device runs.
+  Scope& device_scope(const DeviceUse& use, const Spot& spot);
+  const DeviceUse* device_serving(const Word& binding);
+  Value instantiate(const Word& callee, const std::vector<Given>& given, const Spot& spot,
                     const text::Place& place);
   Value instantiate_procedure(const Word& callee, const flow::Library::Entry& entry,
-                              const std::vector<Given>& given, const Slot& slot, const text::Place& place);
+                              const std::vector<Given>& given, const std::string& path,
+                              const text::Place& place);
   Value instantiate_assemblage(const Word& callee, const Assemblage& assemblage,
-                               const std::vector<Given>& given, const Slot& slot, const text::Place& place);
+                               const std::vector<Given>& given, const Spot& spot, const text::Place& place);
   Value lower_assemblage(const Assemblage& assemblage, Scope& scope, const text::Place& place);
   Value stand_still(const Assemblage& assemblage, Scope& scope, const PortType& result,
                     const text::Place& place);
   Value default_of(const Parameter& parameter, Scope& scope);
-  Value value_of(const Given& given, const Slot& slot);
+  Value value_of(const Given& given);
   void link_argument(const InputView& view, const Given& given, flow::Node& node);
   std::vector<Given> given_by(const Call& call, Scope& scope) const;
   /// Per argument the index of what it is for; -1 where that is wrong, which was said.
@@ -148,17 +143,15 @@ class Lowering {
   bool enter_assemblage(const Assemblage& assemblage, const Word& callee);
 
   // lower_operators.cc
-  Value lower_cooperate(const Cooperate& what, Scope& scope, const Slot& slot, const text::Place& place);
-  Value lower_compete(const Compete& what, Scope& scope, const Slot& slot, const text::Place& place);
-  Value lower_generic(const Call& by, const std::vector<Member>& members, Scope& scope, const Slot& slot,
-                      const text::Place& place);
-  Value lower_sequence(const Sequence& what, Scope& scope, const Slot& slot, const text::Place& place);
-  flow::State lower_state(const State& state, Scope& scope, const std::string& path, Value& member);
-  Value lower_select(const Select& what, Scope& scope, const Slot& slot, const text::Place& place);
+  Value lower_cooperate(const Cooperate& what, Scope& scope, const std::string& path,
+                        const text::Place& place);
+  Value lower_compete(const Compete& what, Scope& scope, const std::string& path, const text::Place& place);
+  Value lower_generic(const Call& by, const std::vector<Member>& members, Scope& scope,
+                      const std::string& path, const text::Place& place);
+  Value lower_sequence(const Sequence& what, Scope& scope, const std::string& path, const text::Place& place);
+  flow::State lower_state(const State& state, Scope& scope, Value& member);
+  Value lower_select(const Select& what, Scope& scope, const std::string& path, const text::Place& place);
   std::optional<std::int64_t> case_value(const Word& word, const flow::TypeInfo& type);
-  /// The values of members, each in the type of the list that takes them.
-  void link_members(flow::Node& node, const flow::Behavior& behavior, const std::vector<Member>& members,
-                    Scope& scope, const std::string& path, const char* missing_weight);
   bool check_members(const std::vector<Member>& members, const char* what, const text::Place& place);
   /// The type that members of a sequence or select have in common.
   PortType common_type(const std::vector<Value>& members, const text::Place& place, const char* what);
@@ -186,12 +179,12 @@ class Lowering {
   void declare_network_parameter(const Parameter& parameter, Scope& scope);
   void find_devices(const Robot& robot, Scope& own, LoweredRobot& out);
   void choose_devices(const Robot& robot);
-  void add_operators(const Robot& robot);
   void lower_drive(const Drive& drive, Scope& scope);
-  void drive_device(const DeviceUse& use, const Value& value, const text::Place& place);
-  const DeviceUse* actuator_for(const Drive& drive);
+  void drive_device(const DeviceUse& use, const Value& value, const std::string& path,
+                    const text::Place& place);
+  const DeviceUse* actuator_of(const Drive& drive);
   void lower_body(const RobotClass& robot_class, Scope& scope, LoweredRobot& out);
-  void check_device(const Device& device, Scope& scope);
+  void check_device(const Device& device);
   void declare_lets(const std::vector<Let>& lets, Scope& scope);
   void declare_typed(const std::vector<Parameter>& parameters, Scope& scope);
 
@@ -206,20 +199,23 @@ class Lowering {
                      const std::string& about) const;
   void hint_nearest(text::Diagnostic& d, std::string_view name,
                     const std::vector<std::string>& candidates) const;
-  std::string claim(const Slot& slot, const std::string& fallback);
-  std::string claim_path(std::string path);
+  /// What the nodes of an expression are called that is evaluated now.
+  const NodeNames::Paths& paths_of(const Expression& expression, Scope& scope) const;
+  /// The node between an expression that was evaluated and who reads it.
+  std::string path_behind(const Expression& expression, const Scope& scope) const;
   Value wire(const std::string& node, const PortType& type, const text::Place& place) const;
   Scope& new_scope();
 
   const Configuration& configuration_;
   const flow::Library& library_;
-  const Types types_;
+  const Elaboration elaboration_;
+  const Types& types_;
   text::Diagnostics& sink_;
   flow::Network network_;
   std::deque<Scope> scopes_;
-  std::map<std::string, int, std::less<>> claimed_;  // path: how many asked for it
-  std::vector<const Assemblage*> open_;              // assemblages that are being instantiated
+  std::vector<const Assemblage*> open_;  // assemblages that are being instantiated
   std::vector<DeviceUse> devices_;
+  Scope* class_scope_ = nullptr;  // names of the robot's class; null: there are none
   std::set<const Device*> driven_;
   Word robot_name_;
   std::string class_name_;

@@ -26,6 +26,23 @@ PortType first_of(const List& list, Part part) {
 
 }  // namespace
 
+std::vector<InputView> inputs_of(const flow::Library::Entry& entry) {
+  std::vector<InputView> out;
+  if (entry.behavior == nullptr) return out;
+  const auto& inputs = entry.behavior->inputs;
+  out.reserve(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const bool is_renamed = entry.alias != nullptr && i < entry.alias->inputs.size();
+    const std::string_view name = is_renamed ? entry.alias->inputs[i].name : inputs[i].name;
+    const std::string_view unit =
+        is_renamed && !entry.alias->inputs[i].unit.empty() ? entry.alias->inputs[i].unit : inputs[i].unit;
+    if (name.empty()) continue;
+    out.push_back(
+        {std::string(name.substr(0, name.find('|'))), {inputs[i].type, std::string(unit)}, &inputs[i]});
+  }
+  return out;
+}
+
 PortType Types::named(std::string_view type) const {
   if (const Quantity* quantity = quantity_named(type))
     return {library_.find_type(quantity->type), std::string(quantity->unit)};
@@ -52,6 +69,26 @@ PortType Types::of_call(const Word& callee, int depth) const {
   if (const Assemblage* assemblage = configuration_.assemblage_named(callee))
     return result_of(*assemblage, depth);
   return of_call(library_.find(callee.text));
+}
+
+bool Types::is_sink(const Word& callee) const {
+  const flow::Behavior* behavior = library_.find(callee.text).behavior;
+  return behavior != nullptr && behavior->output == nullptr;
+}
+
+std::vector<InputView> Types::inputs_of(const Word& callee) const {
+  const auto of_parameters = [this](const std::vector<Parameter>& parameters) {
+    std::vector<InputView> out;
+    for (const Parameter& parameter : parameters)
+      out.push_back({parameter.name.text, of(parameter), nullptr, &parameter});
+    return out;
+  };
+  if (const auto binding = configuration_.bindings.find(callee.text);
+      binding != configuration_.bindings.end())
+    return of_parameters(binding->second->parameters);
+  if (const Assemblage* assemblage = configuration_.assemblage_named(callee))
+    return of_parameters(assemblage->parameters);
+  return cdl::inputs_of(library_.find(callee.text));
 }
 
 PortType Types::result_of(const Assemblage& assemblage, int depth) const {
