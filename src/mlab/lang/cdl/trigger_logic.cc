@@ -94,13 +94,15 @@ void TriggerLogic::collect_facts(const Expression& expression, const Scope& scop
     return;
   }
   const Constant value = constant(expression, scope);
+  Leaf& leaf = leaves_[&expression];
+  leaf.is_true = value == Constant::kTrue;
   if (value == Constant::kTrue || value == Constant::kFalse) return;
-  facts_.try_emplace(print(expression), static_cast<unsigned>(facts_.size()));
+  leaf.fact = facts_.try_emplace(print(expression), static_cast<unsigned>(facts_.size())).first->second;
 }
 
-bool TriggerLogic::is_true(const Expression& expression, const Scope& scope, unsigned facts) const {
+bool TriggerLogic::is_true(const Expression& expression, unsigned facts) const {
   if (const auto* logic = std::get_if<Logic>(&expression.what)) {
-    const auto holds = [&](const ExpressionPtr& operand) { return is_true(*operand, scope, facts); };
+    const auto holds = [&](const ExpressionPtr& operand) { return is_true(*operand, facts); };
     switch (logic->connective) {
       case Connective::kNot:
         return !holds(logic->operands.front());
@@ -110,9 +112,8 @@ bool TriggerLogic::is_true(const Expression& expression, const Scope& scope, uns
         return std::ranges::any_of(logic->operands, holds);
     }
   }
-  const auto fact = facts_.find(print(expression));
-  if (fact != facts_.end()) return (facts >> fact->second & 1U) != 0;
-  return constant(expression, scope) == Constant::kTrue;
+  const Leaf& leaf = leaves_.at(&expression);
+  return leaf.fact ? (facts >> *leaf.fact & 1U) != 0 : leaf.is_true;
 }
 
 TriggerLogic::Verdict TriggerLogic::verdict(const State& state, std::size_t index, const Scope& scope) const {
@@ -124,11 +125,11 @@ TriggerLogic::Verdict TriggerLogic::verdict(const State& state, std::size_t inde
   std::vector<bool> suffices(index, true);
   std::vector<bool> is_same(index, true);
   for (unsigned facts = 0; facts < combinations; ++facts) {
-    const bool now = is_true(trigger, scope, facts);
+    const bool now = is_true(trigger, facts);
     true_in += now ? 1 : 0;
     bool is_any = false;
     for (std::size_t above = 0; above < index; ++above) {
-      const bool before = is_true(*state.transitions[above].trigger, scope, facts);
+      const bool before = is_true(*state.transitions[above].trigger, facts);
       is_any = is_any || before;
       if (now && !before) suffices[above] = false;
       if (now != before) is_same[above] = false;
@@ -152,22 +153,24 @@ std::vector<TriggerLogic::Verdict> TriggerLogic::judge(const State& state,
                                                        const std::vector<Let>& lets) {
   const Scope scope{&parameters, &lets, 0};
   facts_.clear();
+  leaves_.clear();
   for (const Transition& transition : state.transitions) {
     if (transition.trigger && facts_.size() <= kMaxFacts) collect_facts(*transition.trigger, scope);
   }
   std::vector<Verdict> out(state.transitions.size());
   if (std::ranges::any_of(state.transitions, [](const Transition& one) { return one.trigger == nullptr; }))
     return out;
+  const bool knows_all = facts_.size() <= kMaxFacts;
+  std::map<std::string, std::size_t> written;  // the first that is written so
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (facts_.size() <= kMaxFacts) {
+    if (knows_all) {
       out[i] = verdict(state, i, scope);
       continue;
     }
-    out[i].constant = constant(*state.transitions[i].trigger, scope);
-    for (std::size_t above = 0; above < i && !out[i].hidden_by; ++above) {
-      if (print(*state.transitions[above].trigger) == print(*state.transitions[i].trigger))
-        out[i] = {out[i].constant, true, true, above};
-    }
+    const Expression& trigger = *state.transitions[i].trigger;
+    out[i].constant = constant(trigger, scope);
+    const auto [first, is_new] = written.try_emplace(print(trigger), i);
+    if (!is_new) out[i] = {out[i].constant, true, true, first->second};
   }
   return out;
 }

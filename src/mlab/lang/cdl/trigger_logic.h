@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "mlab/flow/library.h"
@@ -45,12 +46,18 @@ class TriggerLogic {
   Constant constant_logic(const Logic& logic, const Scope& scope) const;
   bool is_literal(const Expression& expression, const Scope& scope) const;
   void collect_facts(const Expression& expression, const Scope& scope);
-  bool is_true(const Expression& expression, const Scope& scope, unsigned facts) const;
+  bool is_true(const Expression& expression, unsigned facts) const;
   Verdict verdict(const State& state, std::size_t index, const Scope& scope) const;
 
   const Configuration& configuration_;
   const flow::Library& library_;
+  // What a trigger is made of: a fact, by its bit, or what it always is.
+  struct Leaf {
+    std::optional<unsigned> fact;
+    bool is_true = false;
+  };
   std::map<std::string, unsigned> facts_;  // the bit of each, by its text
+  std::unordered_map<const Expression*, Leaf> leaves_;
 };
 
 }  // namespace mlab::cdl
