@@ -17,32 +17,23 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "configurations.h"
 #include "mlab/base/hash.h"
 #include "mlab/designer/drawing.h"
-#include "mlab/designer/spread.h"
 #include "mlab/lang/cdl/emit_cnl.h"
 #include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cdl/parser.h"
-#include "mlab/lang/cdl_historic/import.h"
 #include "mlab/robot/configuration_file.h"
-#include "mlab/robot/robot_program.h"
-#include "mlab/text/testing/golden.h"
 
 namespace mlab {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = MLAB_SOURCE_DIR;
-const fs::path kDigests = kSource / "tests/configurations/digests.txt";
+const fs::path kDigests = configurations::kSource / "tests/configurations/digests.txt";
 
 // By the name of a configuration and of what of it is meant: `missions/rover/ranger.cdl: drawing Rover`.
 using Aspects = std::map<std::string, std::string>;
-
-fs::path corpus() {
-  const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
-  return (named != nullptr ? fs::path(named) : kSource / "../shared/corpus") / "configurations";
-}
 
 std::string document_of(std::string_view source, std::string_view own) {
   return source == own ? "own" : "";
@@ -90,29 +81,6 @@ void add_aspects(const text::SourcePtr& source, const std::string& name, Aspects
   out[name + ": text"] = cdl::format(source, ignored).value_or("can't be laid out\n");
   add_networks(source, name, out);
   add_drawings(source, name, out);
-}
-
-void add_own(const fs::path& folder, Aspects& out) {
-  for (const fs::path& path : text::testing::golden_files(folder, ".cdl")) {
-    const std::string text = text::testing::read_all(path);
-    add_aspects(std::make_shared<const text::Source>(path.filename().string(), text),
-                fs::relative(path, kSource).string(), out);
-  }
-}
-
-void add_imported(const fs::path& folder, const std::string& name, Aspects& out) {
-  static const cdl_historic::Vocabulary kVocabulary(robot::component_library(),
-                                                    robot::library_environment().built_in);
-  for (const fs::path& path : text::testing::golden_files(folder, ".cdl")) {
-    text::Diagnostics sink;
-    const std::string file = path.filename().string();
-    const auto historic = std::make_shared<const text::Source>(file, text::testing::read_all(path));
-    const std::string text = designer::spread_out(cdl_historic::import_as_text(historic, kVocabulary, sink),
-                                                  robot::library_environment());
-    const std::string imported = fmt::format("{}/{}", name, file);
-    out[imported + ": text as imported"] = text::render(sink) + text;
-    add_aspects(std::make_shared<const text::Source>(file, text), imported, out);
-  }
 }
 
 std::map<std::string, std::string> known_digests() {
@@ -169,21 +137,27 @@ void compare(const Aspects& aspects, const std::function<bool(std::string_view)>
     EXPECT_EQ(seen[name], here[name]) << name << " (MLAB_CONFIGURATIONS_OUT=FOLDER shows it)";
 }
 
+void add_imported(const fs::path& folder, const std::string& name, Aspects& out) {
+  configurations::for_each_imported(
+      folder, name,
+      [&](const text::SourcePtr& source, const std::string& imported) { add_aspects(source, imported, out); },
+      [&](const std::string& imported, const std::string& text) {
+        out[imported + ": text as imported"] = text;
+      });
+}
+
 TEST(Configurations, OfTheProjectAreWhatTheyWere) {
   Aspects aspects;
-  for (const char* folder : {"src/mlab/lang/cdl/testdata", "library/assemblages", "library/robots"})
-    add_own(kSource / folder, aspects);
-  for (const auto& entry : fs::directory_iterator(kSource / "missions")) {
-    if (entry.is_directory()) add_own(entry.path(), aspects);
-  }
-  add_imported(kSource / "src/mlab/lang/cdl_historic/testdata", "imported", aspects);
+  configurations::for_each_own(
+      [&](const text::SourcePtr& source, const std::string& name) { add_aspects(source, name, aspects); });
+  add_imported(configurations::kSource / "src/mlab/lang/cdl_historic/testdata", "imported", aspects);
   compare(aspects, [](std::string_view name) { return !name.starts_with("corpus/"); });
 }
 
 TEST(Configurations, OfTheCorpusAreWhatTheyWere) {
-  if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
+  if (!configurations::has_corpus()) GTEST_SKIP() << "no corpus at " << configurations::corpus();
   Aspects aspects;
-  add_imported(corpus(), "corpus", aspects);
+  add_imported(configurations::corpus(), "corpus", aspects);
   compare(aspects, [](std::string_view name) { return name.starts_with("corpus/"); });
 }
 

@@ -38,10 +38,11 @@ std::string as_cdl(std::string_view text, const flow::TypeInfo* type) {
   return '"' + out + '"';
 }
 
-Socket socket_of(const flow::Input& input, std::string_view name, std::string_view unit) {
+Socket socket_of(const cdl::InputView& view) {
+  const flow::Input& input = *view.input;
   Socket out;
-  out.name = std::string(name.substr(0, name.find('|')));
-  out.type = {input.type, std::string(unit)};
+  out.name = view.name;
+  out.type = view.type;
   out.help = std::string(input.help);
   out.initial = as_cdl(input.default_text, input.type);
   if (input.min > -kUnbounded) out.min = input.min;
@@ -66,7 +67,7 @@ std::string with_unit(const cdl::PortType& type) {
 Socket Components::socket(const cdl::Parameter& parameter) const {
   Socket out;
   out.name = parameter.name.text;
-  out.type = types_.of(parameter);
+  out.type = types().of(parameter);
   out.help = parameter.help;
   if (parameter.initial) out.initial = cdl::print(*parameter.initial);
   if (parameter.low) out.min = in_unit(*parameter.low, out.type.unit);
@@ -98,7 +99,7 @@ Callable Components::of(const cdl::Assemblage& assemblage) const {
   out.help = assemblage.help;
   out.assemblage = &assemblage;
   for (const cdl::Word& word : assemblage.historic_names) out.historic_names += word.text + " ";
-  out.output = types_.result_of(assemblage);
+  out.output = types().result_of(assemblage);
   for (const cdl::Parameter& parameter : assemblage.parameters) out.inputs.push_back(socket(parameter));
   return out;
 }
@@ -109,7 +110,7 @@ Callable Components::of(const cdl::Binding& binding) const {
   out.name = binding.name.text;
   out.help = binding.help;
   out.binding = &binding;
-  out.output = types_.named(binding.result_type.text);
+  out.output = types().named(binding.result_type.text);
   out.gives_nothing = binding.result_type.text.empty();
   for (const cdl::Parameter& parameter : binding.parameters) out.inputs.push_back(socket(parameter));
   return out;
@@ -123,26 +124,10 @@ Callable Components::of(const flow::Library::Entry& entry) const {
   out.help = std::string(behavior.help);
   out.behavior = &behavior;
   out.gives_nothing = behavior.output == nullptr;
-  out.output = types_.of_call(entry);
+  out.output = types().of_call(entry);
   for (const flow::Alias& alias : behavior.aliases) out.historic_names += std::string(alias.name) + " ";
-  for (std::size_t i = 0; i < behavior.inputs.size(); ++i) {
-    const flow::Input& input = behavior.inputs[i];
-    const bool is_renamed = entry.alias != nullptr && i < entry.alias->inputs.size();
-    const std::string_view name = is_renamed ? entry.alias->inputs[i].name : input.name;
-    const bool has_own_unit = is_renamed && !entry.alias->inputs[i].unit.empty();
-    if (!name.empty())
-      out.inputs.push_back(socket_of(input, name, has_own_unit ? entry.alias->inputs[i].unit : input.unit));
-  }
+  for (const cdl::InputView& view : cdl::inputs_of(entry)) out.inputs.push_back(socket_of(view));
   return out;
-}
-
-cdl::PortType Components::of(const cdl::Expression& expression, const Scope& scope) const {
-  static const std::vector<cdl::Parameter> kNoParameters;
-  static const std::vector<cdl::Let> kNoLets;
-  if (std::holds_alternative<cdl::Number>(expression.what)) return {};
-  return types_.of(expression,
-                   types_.names_of(scope.parameters != nullptr ? *scope.parameters : kNoParameters,
-                                   scope.lets != nullptr ? *scope.lets : kNoLets));
 }
 
 std::string why_not(const cdl::PortType& have, const cdl::PortType& want) {
@@ -179,19 +164,6 @@ std::vector<std::string> choices_of(const cdl::PortType& type) {
     for (std::size_t i = 0; i < count && add(i);) ++i;
   }
   return out;
-}
-
-bool is_wired(const cdl::PortType& type) {
-  if (type.type == nullptr) return false;
-  switch (type.type->kind) {
-    case TypeKind::kVector:
-    case TypeKind::kPose:
-    case TypeKind::kList:
-    case TypeKind::kOther:
-      return true;
-    default:
-      return type.type->parse == nullptr;
-  }
 }
 
 }  // namespace mlab::designer

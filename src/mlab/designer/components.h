@@ -8,6 +8,7 @@
 
 #include "mlab/flow/library.h"
 #include "mlab/lang/cdl/configuration.h"
+#include "mlab/lang/cdl/elaboration.h"
 #include "mlab/lang/cdl/port_type.h"
 #include "mlab/lang/cdl/types.h"
 
@@ -45,7 +46,7 @@ struct Callable {
 class Components {
  public:
   Components(const cdl::Configuration& configuration, const flow::Library& library)
-      : configuration_(configuration), library_(library), types_(configuration, library) {}
+      : configuration_(configuration), library_(library), elaboration_(configuration, library) {}
 
   const cdl::Configuration& configuration() const { return configuration_; }
   const flow::Library& library() const { return library_; }
@@ -56,27 +57,16 @@ class Components {
   Callable of(const cdl::Binding& binding) const;
   Callable of(const flow::Library::Entry& entry) const;
 
-  const cdl::Types& types() const { return types_; }
+  const cdl::Elaboration& elaboration() const { return elaboration_; }
+  const cdl::Types& types() const { return elaboration_.types(); }
   Socket socket(const cdl::Parameter& parameter) const;
-
-  /// Names that an expression may use besides components: where it stands.
-  struct Scope {
-    const std::vector<cdl::Parameter>* parameters = nullptr;
-    const std::vector<cdl::Let>* lets = nullptr;
-  };
-  static Scope scope_of(const cdl::Assemblage& assemblage) {
-    return {&assemblage.parameters, &assemblage.lets};
-  }
-  static Scope scope_of(const cdl::Robot& robot) { return {&robot.parameters, &robot.lets}; }
-  /// What an expression gives; without a type where it is a constant or wrong.
-  cdl::PortType of(const cdl::Expression& expression, const Scope& scope) const;
 
  private:
   std::optional<Callable> made(std::string_view name) const;
 
   const cdl::Configuration& configuration_;
   const flow::Library& library_;
-  cdl::Types types_;
+  cdl::Elaboration elaboration_;
   mutable std::map<std::string, std::optional<Callable>, std::less<>> found_;  // asked for already
 };
 
@@ -86,8 +76,5 @@ std::string why_not(const cdl::PortType& have, const cdl::PortType& want);
 
 /// The words that a type's constants are chosen from; empty where there are too many.
 std::vector<std::string> choices_of(const cdl::PortType& type);
-
-/// Whether values of this type come on wires only: no person writes them.
-bool is_wired(const cdl::PortType& type);
 
 }  // namespace mlab::designer

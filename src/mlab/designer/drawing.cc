@@ -48,7 +48,7 @@ class Drawer {
     if (page_.sequence != nullptr) add_states(*page_.sequence);
     for (const cdl::Parameter& parameter : graph_.parameters()) add_parameter(parameter);
     if (page_.result >= 0) out_.set_result_node(node_at(page_.result).name);
-    if (page_.root != nullptr) out_.set_result_type(model_.components().of(*page_.root, graph_.scope).name());
+    if (page_.root != nullptr) out_.set_result_type(graph_.type_of(*page_.root).name());
     if (is_owner && graph_.assemblage != nullptr && !graph_.assemblage->result_type.text.empty())
       out_.set_result_type(graph_.assemblage->result_type.text);
     if (is_owner) out_.set_help(graph_.assemblage != nullptr ? graph_.assemblage->help : graph_.robot->help);
@@ -73,18 +73,10 @@ class Drawer {
     return page_.base.empty() ? node.path : node.path.substr(page_.base.size() + 1);
   }
 
-  cdl::PortType type_of(const GraphNode& node) const {
-    const Components& components = model_.components();
-    if (node.parameter != nullptr) return components.types().of(*node.parameter);
-    if (node.kind == Kind::kOuter) return components.of(*node.let->value, graph_.scope);
-    if (node.expression != nullptr) return components.of(*node.expression, graph_.scope);
-    return {};
-  }
-
   void add_node(const GraphNode& node) {
     Node& out = *out_.add_nodes();
     out.set_name(node.name);
-    const cdl::PortType type = type_of(node);
+    const cdl::PortType type = graph_.type_of(node);
     out.set_type(type.name());
     out.set_unit(type.unit);
     out.set_live(live_of(node));
@@ -203,7 +195,7 @@ class Drawer {
 
   // What the inputs of a node are, by their names.
   std::vector<Socket> sockets_of(const GraphNode& node) const {
-    return sockets(node, model_.components(), graph_.scope);
+    return sockets(node, model_.components(), graph_);
   }
 
   void add_inputs(const GraphNode& node, Node& out) {
@@ -279,7 +271,7 @@ class Drawer {
     wire.set_to(node.name);
     wire.set_port(input.port);
     if (input.index) wire.set_index(*input.index);
-    const cdl::PortType type = type_of(from);
+    const cdl::PortType type = graph_.type_of(from);
     wire.set_type(type.name());
     wire.set_unit(type.unit);
     wire.set_live(live_of(from));

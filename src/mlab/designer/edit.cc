@@ -116,11 +116,6 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
   if (found.graph == nullptr) return out;
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
   const Components& components = model.components();
-  const auto type_of = [&](const GraphNode& node) -> cdl::PortType {
-    if (node.parameter != nullptr) return components.types().of(*node.parameter);
-    if (node.kind == GraphNode::Kind::kOuter) return components.of(*node.let->value, found.graph->scope);
-    return node.expression == nullptr ? cdl::PortType{} : components.of(*node.expression, found.graph->scope);
-  };
   const auto reads = [&](int start, int wanted) {  // directly or not, without a delay
     std::vector<int> open{start};
     std::vector<bool> seen(page.nodes.size(), false);
@@ -141,7 +136,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
                         input.role == Role::kSelector || input.role == Role::kCase ||
                         input.role == Role::kValue;
     if (is_any) return {};
-    for (const Socket& socket : sockets(node, components, found.graph->scope)) {
+    for (const Socket& socket : sockets(node, components, *found.graph)) {
       if (socket.name == input.port) return socket.type;
     }
     return {};
@@ -175,7 +170,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     for (std::size_t i = 0; i < page.nodes.size(); ++i) {
       const GraphNode& node = page.nodes[i];
       if (node.kind == GraphNode::Kind::kActuator) continue;
-      std::string reason = why_not(type_of(node), type);
+      std::string reason = why_not(found.graph->type_of(node), type);
       if (reason.empty() && target >= 0 && reads(static_cast<int>(i), target))
         reason = "that would be a loop without a delay";
       add(node.name, "", {}, reason);
@@ -210,7 +205,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
   } else {
     from = page.find(request.from_node());
     if (from < 0) return out;
-    type = type_of(page.nodes[static_cast<std::size_t>(from)]);
+    type = found.graph->type_of(page.nodes[static_cast<std::size_t>(from)]);
   }
   for (std::size_t i = 0; i < page.nodes.size(); ++i) {
     const GraphNode& node = page.nodes[i];

@@ -413,7 +413,7 @@ Done Editor::expose(const Expose& change) {
   const GraphInput& input = *to->at();
   if (input.from >= 0) return refusal("a wire drives it: disconnect it first");
   const GraphNode& there = view->node(to->node);
-  const std::vector<Socket> all = sockets(there, work_.model().components(), view->graph->scope);
+  const std::vector<Socket> all = sockets(there, work_.model().components(), *view->graph);
   const auto socket = std::ranges::find(all, input.port, &Socket::name);
   if (socket == all.end() || socket->type.type == nullptr) return refusal("what type it has can't be told");
   std::string name = change.parameter();

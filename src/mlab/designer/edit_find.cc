@@ -123,18 +123,14 @@ cdl::PortType Editor::wanted(const Spot& spot) const {
                       input.role == Role::kSelector || input.role == Role::kCase ||
                       input.role == Role::kValue || input.role == Role::kActive;
   if (is_any) return {};
-  for (const Socket& socket : sockets(node, components, spot.view.graph->scope)) {
+  for (const Socket& socket : sockets(node, components, *spot.view.graph)) {
     if (socket.name == input.port) return socket.type;
   }
   return {};
 }
 
 cdl::PortType Editor::given(const PageView& view, int at) const {
-  const GraphNode& node = view.node(at);
-  const Components& components = work_.model().components();
-  if (node.parameter != nullptr) return components.types().of(*node.parameter);
-  if (node.kind == GraphNode::Kind::kOuter) return components.of(*node.let->value, view.graph->scope);
-  return node.expression == nullptr ? cdl::PortType{} : components.of(*node.expression, view.graph->scope);
+  return view.graph->type_of(view.node(at));
 }
 
 bool Editor::is_taken(const PageView& view, std::string_view name) const {

@@ -130,7 +130,7 @@ Done Editor::group(const Group& change) {
       }
       for (const cdl::Let& let : view.graph->lets()) {
         if (let.name.text != word) continue;
-        const cdl::PortType type = work_.model().components().of(*let.value, view.graph->scope);
+        const cdl::PortType type = view.graph->type_of(*let.value);
         if (type.type == nullptr) trouble = word;
         const std::string param = add(word, type.type == nullptr ? "" : type_words(type), word);
         if (param != word) swaps.push_back({one.name.place.span, param});

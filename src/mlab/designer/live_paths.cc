@@ -36,7 +36,8 @@ class InstanceVisit {
  private:
   const OwnerGraph& graph_of_called(const cdl::Assemblage& assemblage) {
     std::unique_ptr<OwnerGraph>& known = graphs_[&assemblage];
-    if (!known) known = std::make_unique<OwnerGraph>(graph_of(assemblage, model_.components()));
+    if (!known)
+      known = std::make_unique<OwnerGraph>(cdl::model_of(assemblage, model_.components().elaboration()));
     return *known;
   }
 
@@ -54,18 +55,11 @@ std::string_view declaring_source(const OwnerGraph& graph) {
 
 }  // namespace
 
-std::string joined_path(std::string_view path, std::string_view below) {
-  std::string out(path);
-  if (!path.empty() && !below.empty()) out += '.';
-  out += below;
-  return out;
-}
-
 void visit_instances(const Model& model, std::string_view robot,
                      const std::function<void(const OwnerGraph& graph, const std::string& path)>& show) {
   const auto found = model.configuration().robots.find(robot);
   if (found == model.configuration().robots.end()) return;
-  const OwnerGraph graph = graph_of(*found->second, model.components());
+  const OwnerGraph graph = cdl::model_of(*found->second, model.components().elaboration());
   InstanceVisit(model, show).visit(graph, "", 0);
 }
 

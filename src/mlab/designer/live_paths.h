@@ -22,7 +22,6 @@ void visit_instances(const Model& model, std::string_view robot,
 std::vector<std::string> live_paths(const Model& model, std::string_view robot, std::string_view source,
                                     std::string_view page);
 
-/// Two parts of a path; either may be empty.
-std::string joined_path(std::string_view path, std::string_view below);
+using cdl::joined_path;
 
 }  // namespace mlab::designer

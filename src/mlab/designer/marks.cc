@@ -35,7 +35,7 @@ class WaySearch {
         const std::string there = joined_path(path, node.path);
         if (called == nullptr || !(place_ == there || place_.starts_with(there + '.'))) continue;
         way.push_back({page.path, node.name, node.path});
-        if (search(graph_of(*called, model_.components()), there, depth + 1)) return true;
+        if (search(cdl::model_of(*called, model_.components().elaboration()), there, depth + 1)) return true;
         way.pop_back();
       }
     }
@@ -129,7 +129,8 @@ std::optional<std::vector<Hop>> way_to(const Model& model, std::string_view robo
   const auto found = model.configuration().robots.find(robot);
   if (found == model.configuration().robots.end()) return std::nullopt;
   WaySearch search(model, page, place);
-  if (!search.search(graph_of(*found->second, model.components()), "", 0)) return std::nullopt;
+  if (!search.search(cdl::model_of(*found->second, model.components().elaboration()), "", 0))
+    return std::nullopt;
   return std::move(search.way);
 }
 

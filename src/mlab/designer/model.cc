@@ -87,9 +87,9 @@ const OwnerGraph* Model::graph(std::string_view owner) const {
   }
   std::unique_ptr<OwnerGraph> made;
   if (const cdl::Assemblage* one = assemblage(owner)) {
-    made = std::make_unique<OwnerGraph>(graph_of(*one, components_, shown));
+    made = std::make_unique<OwnerGraph>(cdl::model_of(*one, components_.elaboration(), shown));
   } else if (const cdl::Robot* other = robot(owner)) {
-    made = std::make_unique<OwnerGraph>(graph_of(*other, components_, shown));
+    made = std::make_unique<OwnerGraph>(cdl::model_of(*other, components_.elaboration(), shown));
   }
   return graphs_.emplace(owner, std::move(made)).first->second.get();
 }

@@ -129,8 +129,7 @@ std::string group_of(const Callable& component) {
   return is_trigger ? "Triggers" : "Perception";
 }
 
-std::vector<Socket> sockets(const GraphNode& node, const Components& components,
-                            const Components::Scope& scope) {
+std::vector<Socket> sockets(const GraphNode& node, const Components& components, const OwnerGraph& graph) {
   using Kind = GraphNode::Kind;
   if (node.kind == Kind::kActuator) {
     const auto binding = components.configuration().bindings.find(node.drive->binding.text);
@@ -157,13 +156,13 @@ std::vector<Socket> sockets(const GraphNode& node, const Components& components,
   if (const auto* fuse = std::get_if<cdl::Fuse>(&what)) return generic(fuse->by, components);
   if (std::holds_alternative<cdl::Logic>(what))
     return {socket("in", components.types().named("bool"), "", true)};
-  const cdl::PortType own = components.of(*node.expression, scope);
+  const cdl::PortType own = graph.type_of(*node.expression);
   if (std::holds_alternative<cdl::Delay>(what))
     return {socket("value", own, "what is delayed", true),
             socket("initial", own, "what it gives first", false)};
   if (std::holds_alternative<cdl::Select>(what)) {
     const auto& select = std::get<cdl::Select>(what);
-    const cdl::PortType by = select.by ? components.of(*select.by, scope) : cdl::PortType{};
+    const cdl::PortType by = select.by ? graph.type_of(*select.by) : cdl::PortType{};
     return {socket("by", by, "which case", true), socket("case", own, "", true)};
   }
   return {};

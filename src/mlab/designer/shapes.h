@@ -31,8 +31,7 @@ std::string group_of(const Callable& component);
 bool is_operator(const Callable& component);
 
 /// The inputs that a node has, by name: of its component, or of the operator.
-std::vector<Socket> sockets(const GraphNode& node, const Components& components,
-                            const Components::Scope& scope);
+std::vector<Socket> sockets(const GraphNode& node, const Components& components, const OwnerGraph& graph);
 
 void draw_file(const Model& model, const DrawingContext& context, Drawing& out);
 void draw_society(const Model& model, const cdl::Society& society, const DrawingContext& context,

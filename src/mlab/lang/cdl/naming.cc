@@ -21,7 +21,7 @@ std::string joined_path(std::string_view path, std::string_view below) {
   return out;
 }
 
-std::string_view default_name(const Expression& expression) {
+std::string default_name(const Expression& expression) {
   const auto& what = expression.what;
   if (const auto* call = std::get_if<Call>(&what)) return call->callee.text;
   if (std::holds_alternative<Cooperate>(what)) return "cooperate";
@@ -154,7 +154,7 @@ void Naming::walk_what(const Expression& expression, const Slot& slot, const std
     const bool is_below = slot.is_claimed || slot.name.empty();
     const std::string path = is_below ? slot.prefix : claim(slot, "");
     for (const ExpressionPtr& item : list->items) walk(item, {path, "", false});
-  } else if (const std::string_view fallback = default_name(expression); !fallback.empty()) {
+  } else if (const std::string fallback = default_name(expression); !fallback.empty()) {
     const std::string path = claim(slot, fallback);
     record(expression, {active == nullptr ? path : *active, path, ""});
     walk_parts(expression, path);
@@ -268,7 +268,7 @@ void Naming::open_lets(const std::vector<Let>& lets) {
 }
 
 void Naming::walk_let(const Let& let) {
-  if (!walked_.insert(&let).second) return;
+  if (depth_ > kDeepestExpression || !walked_.insert(&let).second) return;
   const std::string path = claim("", let.name.text);
   out_.lets_[&let] = path;
   walk(let.value, {path, "", true});

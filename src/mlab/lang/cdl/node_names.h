@@ -71,7 +71,7 @@ class NodeNames {
 /// Two parts of a path; either may be empty.
 std::string joined_path(std::string_view path, std::string_view below);
 /// What a node is called that nobody gave a name: `Noise`, `cooperate`. Empty: the expression makes none.
-std::string_view default_name(const Expression& expression);
+std::string default_name(const Expression& expression);
 /// What of a trigger is computed: a `not` around it is part of the transition.
 const Expression& condition_of(const Expression& trigger);
 /// `case_2`, `otherwise`: what the node of a case's member is called.

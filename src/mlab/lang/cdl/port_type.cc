@@ -21,4 +21,17 @@ Misfit misfit(const PortType& have, const PortType& want) {
   return is_angle(have.unit) && is_angle(want.unit) ? Misfit::kNone : Misfit::kUnit;
 }
 
+bool is_wired(const PortType& type) {
+  if (type.type == nullptr) return false;
+  switch (type.type->kind) {
+    case flow::TypeKind::kVector:
+    case flow::TypeKind::kPose:
+    case flow::TypeKind::kList:
+    case flow::TypeKind::kOther:
+      return true;
+    default:
+      return type.type->parse == nullptr;
+  }
+}
+
 }  // namespace mlab::cdl

@@ -24,4 +24,7 @@ enum class Misfit {
 /// What may be connected with what, for everybody who asks.
 Misfit misfit(const PortType& have, const PortType& want);
 
+/// Whether values of this type come on wires only: no person writes them.
+bool is_wired(const PortType& type);
+
 }  // namespace mlab::cdl
