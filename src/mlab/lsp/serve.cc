@@ -17,7 +17,7 @@ namespace mlab::lsp {
 namespace {
 
 /// How long nothing has to come before what takes long is begun [ms].
-constexpr int kQuiet = 150;
+constexpr int kQuiet = 25;
 
 }  // namespace
 
