@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "mlab/lang/cdl/owner_model.h"
@@ -202,6 +203,19 @@ TEST_F(Elaborated, CirclesOfNamesAndOfCallsEnd) {
           assemblage B() { let a = a; a })");
   EXPECT_EQ(elaboration_->names(assemblage("A")).top(), (NamesBelow{"a", "b"}));
   EXPECT_EQ(model_of(assemblage("B"), *elaboration_).pages.size(), 1U);
+}
+
+TEST_F(Elaborated, WhatManyWaysLeadToIsAskedForItsTypeOnce) {
+  std::string text = "assemblage A() {\n";
+  constexpr int kMany = 60;
+  for (int i = 0; i < kMany; ++i) text += fmt::format("let x{0} = delay(x{1}, initial = x{1});\n", i, i + 1);
+  for (int i = 0; i < kMany; ++i)
+    text += fmt::format("{} B{}() {{ select by x {{ case 1: B{}(); case 2: B{}(); }}\n",
+                        i == 0 ? "x0 }\nassemblage" : "}\nassemblage", i, i + 1, i + 1);
+  read(text + "}");
+  const OwnerModel lets = model_of(assemblage("A"), *elaboration_);
+  EXPECT_EQ(lets.type_of(*assemblage("A").body).type, nullptr);
+  EXPECT_EQ(elaboration_->types().result_of(assemblage("B0")).type, nullptr);
 }
 
 TEST_F(Elaborated, WhatStandsDeeperThanAnythingMayHasNoName) {

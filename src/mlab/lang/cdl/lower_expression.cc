@@ -227,12 +227,12 @@ Value Lowering::lower_active(const Expression& expression, Scope& scope, const N
 
 // What the names of a scope stand for, without making anything of them: for what is not there yet.
 Types::Names Lowering::types_in(const Scope& scope) const {
-  return [&, this](const std::string& name, int depth) -> PortType {
+  return [&, this](const std::string& name, Types::Question& question) -> PortType {
     const auto known = scope.names.find(name);
     if (known == scope.names.end()) return {};
     const Scope::Named& named = known->second;
     if (named.let != nullptr && named.state != Scope::Named::State::kReady)
-      return types_.of(*named.let->value, types_in(scope), depth + 1);
+      return types_.of(*named.let, types_in(scope), question);
     return named.value.type;
   };
 }

@@ -62,12 +62,17 @@ PortType Types::of_call(const flow::Library::Entry& entry) const {
           std::string(has_own_unit ? entry.alias->output_unit : entry.behavior->output_unit)};
 }
 
-PortType Types::of_call(const Word& callee, int depth) const {
+PortType Types::of_call(const Word& callee) const {
+  Question question;
+  return of_call(callee, question);
+}
+
+PortType Types::of_call(const Word& callee, Question& question) const {
   if (const auto binding = configuration_.bindings.find(callee.text);
       binding != configuration_.bindings.end())
     return named(binding->second->result_type.text);
   if (const Assemblage* assemblage = configuration_.assemblage_named(callee))
-    return result_of(*assemblage, depth);
+    return result_of(*assemblage, question);
   return of_call(library_.find(callee.text));
 }
 
@@ -91,16 +96,24 @@ std::vector<InputView> Types::inputs_of(const Word& callee) const {
   return cdl::inputs_of(library_.find(callee.text));
 }
 
-PortType Types::result_of(const Assemblage& assemblage, int depth) const {
+PortType Types::result_of(const Assemblage& assemblage) const {
+  Question question;
+  return result_of(assemblage, question);
+}
+
+PortType Types::result_of(const Assemblage& assemblage, Question& question) const {
   if (!assemblage.result_type.text.empty()) return named(assemblage.result_type.text);
   if (!assemblage.body) return named("Vector");
-  return of(*assemblage.body, names_of(assemblage.parameters, assemblage.lets), depth + 1);
+  const auto [at, is_new] = question.known.try_emplace(&assemblage);
+  if (!is_new) return at->second;
+  const PortType type = of(*assemblage.body, names_of(assemblage.parameters, assemblage.lets), question);
+  return question.known[&assemblage] = type;
 }
 
 Types::Names Types::names_of(const std::vector<Parameter>& parameters, const std::vector<Let>& lets) const {
-  return [&, this](const std::string& name, int depth) -> PortType {
+  return [&, this](const std::string& name, Question& question) -> PortType {
     for (const Let& let : lets) {
-      if (let.name.text == name && let.value) return of(*let.value, names_of(parameters, lets), depth + 1);
+      if (let.name.text == name && let.value) return of(let, names_of(parameters, lets), question);
     }
     for (const Parameter& parameter : parameters) {
       if (parameter.name.text == name) return of(parameter);
@@ -109,31 +122,46 @@ Types::Names Types::names_of(const std::vector<Parameter>& parameters, const std
   };
 }
 
-PortType Types::of(const Expression& expression, const Names& names, int depth) const {
-  if (depth > kMaxDepth) return {};
-  const auto part = [&](const ExpressionPtr& one) { return one ? of(*one, names, depth + 1) : PortType{}; };
-  return std::visit(base::Overloaded{
-                        [](const Hole&) { return PortType{}; },
-                        [&](const Number&) { return named("double"); },
-                        [](const Text&) { return PortType{}; },
-                        [](const List&) { return PortType{}; },
-                        [&](const Name& name) { return names(name.name.text, depth + 1); },
-                        [&](const Call& call) { return of_call(call.callee, depth + 1); },
-                        [&](const Logic&) { return named("bool"); },
-                        [&](const Cooperate&) { return named("Vector"); },
-                        [&](const Compete&) { return named("Vector"); },
-                        [&](const Coordinate& what) { return of_call(what.by.callee, depth + 1); },
-                        [&](const Fuse& what) { return of_call(what.by.callee, depth + 1); },
-                        [&](const Sequence& what) { return first_of(what.states, part); },
-                        [&](const Select& what) { return first_of(what.cases, part); },
-                        [&](const Delay& what) {
-                          PortType type = part(what.value);
-                          if (type.type == nullptr) type = part(what.initial);
-                          type.unit.clear();
-                          return type;
-                        },
-                    },
-                    expression.what);
+PortType Types::of(const Let& let, const Names& names, Question& question) const {
+  const auto [at, is_new] = question.known.try_emplace(&let);
+  if (!is_new) return at->second;
+  const PortType type = of(*let.value, names, question);
+  return question.known[&let] = type;
+}
+
+PortType Types::of(const Expression& expression, const Names& names) const {
+  Question question;
+  return of(expression, names, question);
+}
+
+PortType Types::of(const Expression& expression, const Names& names, Question& question) const {
+  if (question.depth > kMaxDepth) return {};
+  ++question.depth;
+  const auto part = [&](const ExpressionPtr& one) { return one ? of(*one, names, question) : PortType{}; };
+  PortType out = std::visit(base::Overloaded{
+                                [](const Hole&) { return PortType{}; },
+                                [&](const Number&) { return named("double"); },
+                                [](const Text&) { return PortType{}; },
+                                [](const List&) { return PortType{}; },
+                                [&](const Name& name) { return names(name.name.text, question); },
+                                [&](const Call& call) { return of_call(call.callee, question); },
+                                [&](const Logic&) { return named("bool"); },
+                                [&](const Cooperate&) { return named("Vector"); },
+                                [&](const Compete&) { return named("Vector"); },
+                                [&](const Coordinate& what) { return of_call(what.by.callee, question); },
+                                [&](const Fuse& what) { return of_call(what.by.callee, question); },
+                                [&](const Sequence& what) { return first_of(what.states, part); },
+                                [&](const Select& what) { return first_of(what.cases, part); },
+                                [&](const Delay& what) {
+                                  PortType type = part(what.value);
+                                  if (type.type == nullptr) type = part(what.initial);
+                                  type.unit.clear();
+                                  return type;
+                                },
+                            },
+                            expression.what);
+  --question.depth;
+  return out;
 }
 
 }  // namespace mlab::cdl

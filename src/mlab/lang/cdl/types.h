@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "mlab/flow/library.h"
@@ -34,24 +35,33 @@ class Types {
   PortType named(std::string_view type) const;
   PortType of(const Parameter& parameter) const;
   /// What a call gives: nothing where nobody answers to the name, or who does is a sink.
-  PortType of_call(const Word& callee) const { return of_call(callee, 0); }
+  PortType of_call(const Word& callee) const;
   PortType of_call(const flow::Library::Entry& entry) const;
   /// Whether a call of it gives nothing: it is a procedure that acts.
   bool is_sink(const Word& callee) const;
   /// Empty where nobody answers to the name.
   std::vector<InputView> inputs_of(const Word& callee) const;
-  PortType result_of(const Assemblage& assemblage) const { return result_of(assemblage, 0); }
+  PortType result_of(const Assemblage& assemblage) const;
 
-  /// What a name stands for where an expression stands. Hands `depth` on to `of`.
-  using Names = std::function<PortType(const std::string& name, int depth)>;
+  /// One question for a type with what was answered on the way. Many ways may lead to the same `let` or
+  /// assemblage, and some go round in circles: what is asked for a second time is what is known by then.
+  struct Question {
+    int depth = 0;
+    std::unordered_map<const void*, PortType> known;  ///< of `let`s and assemblages
+  };
+  /// What a name stands for where an expression stands.
+  using Names = std::function<PortType(const std::string& name, Question& question)>;
   /// Of parameters and `let`s. Both must outlive it.
   Names names_of(const std::vector<Parameter>& parameters, const std::vector<Let>& lets) const;
-  /// What an expression gives; a number by itself is a real one.
-  PortType of(const Expression& expression, const Names& names, int depth = 0) const;
+  /// What an expression gives; a number by itself is a real one, a text by itself may be of any type.
+  PortType of(const Expression& expression, const Names& names) const;
+  /// Of a `let`, for `Names`.
+  PortType of(const Let& let, const Names& names, Question& question) const;
 
  private:
-  PortType of_call(const Word& callee, int depth) const;
-  PortType result_of(const Assemblage& assemblage, int depth) const;
+  PortType of(const Expression& expression, const Names& names, Question& question) const;
+  PortType of_call(const Word& callee, Question& question) const;
+  PortType result_of(const Assemblage& assemblage, Question& question) const;
 
   const Configuration& configuration_;
   const flow::Library& library_;
