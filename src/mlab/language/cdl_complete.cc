@@ -137,7 +137,7 @@ class CdlCompleter {
                     .has_more = true});
         break;
       case CdlWant::Kind::kCaseValue:
-        words(world_.type_of(want.guess, open()));
+        words(world_.type_of(want.selector, open()));
         break;
       case CdlWant::Kind::kNode:
         nodes(want);
@@ -203,7 +203,7 @@ class CdlCompleter {
     const CdlDeclaration* const in = open();
     if (in == nullptr) return;
     for (const CdlLet& let : in->lets) {
-      const ValueType type = world_.type_of(let.guess, in);
+      const ValueType type = world_.type_of(let.value, in);
       out_.add(
           {.text = let.name, .kind = "let", .detail = shown_type(type), .help = first_sentence(let.help)},
           fits(type, wanted) ? kGood : kUnlikely);

@@ -147,6 +147,22 @@ TEST(CdlHover, TellsTypeUnitDefaultAndRange) {
   EXPECT_NE(hover(let.text, let.cursor, {})->markdown.find("let drift: Vector"), std::string::npos);
 }
 
+TEST(CdlHover, TellsTheTypesThatTheCheckerTells) {
+  const auto told = [](const std::string& lets) {
+    const Marked let = marked("assemblage A(far: length, v: Vector) {\n" + lets + "\n v }");
+    return hover(let.text, let.cursor, {})->markdown;
+  };
+  const auto has_line = [](const std::string& markdown, const std::string& line) {
+    return markdown.find("\n" + line + "\n") != std::string::npos;
+  };
+  EXPECT_TRUE(has_line(told("let ne|ar = 3 m;"), "let near: double [m]"));
+  EXPECT_TRUE(has_line(told("let ne|ar = far;"), "let near: double [m]"));
+  EXPECT_TRUE(has_line(told("let la|te = delay(unknown, initial = v);"), "let late: Vector"));
+  EXPECT_TRUE(has_line(told("let ei|ther = select by far { case 1: unknown; otherwise: v; };"),
+                       "let either: Vector"));
+  EXPECT_TRUE(has_line(told("let ro|und = round;"), "let round"));
+}
+
 TEST(CdlDefinition, LeadsToLetsParametersAndDeclarations) {
   const Marked let = marked(std::string(kWander) + "dri|ft; } }");
   const auto place = definition(let.text, let.cursor, {});

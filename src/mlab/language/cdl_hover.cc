@@ -94,7 +94,7 @@ class CdlHover {
         in == nullptr ? CdlWorld::Variable{} : CdlWorld::variable(*in, name.text);
     if (!found) return "";
     if (found.parameter != nullptr) return markdown_of(found.parameter->input);
-    return code(fmt::format("let {}{}", found.let->name, of_type(world_.type_of(found.let->guess, in))),
+    return code(fmt::format("let {}{}", found.let->name, of_type(world_.type_of(found.let->value, in))),
                 found.let->help);
   }
 
@@ -103,7 +103,7 @@ class CdlHover {
     if (in == nullptr) return "";
     for (const CdlNode& one : in->nodes) {
       if (one.name == name.text)
-        return code(fmt::format("node {}{}", one.name, of_type(world_.type_of(one.guess, in))), "");
+        return code(fmt::format("node {}{}", one.name, of_type(world_.type_of(one.value, in))), "");
     }
     return "";
   }
@@ -198,7 +198,7 @@ std::vector<Symbol> symbols_cdl(const Text& text, const Surroundings& around) {
                                   shown_type(parameter.input.value), parameter.whole, parameter.span));
     for (const CdlLet& let : one.lets)
       made.parts.push_back(
-          symbol(let.name, NameKind::kLet, shown_type(world.type_of(let.guess, &one)), let.whole, let.span));
+          symbol(let.name, NameKind::kLet, shown_type(world.type_of(let.value, &one)), let.whole, let.span));
     for (const CdlDevice& device : one.devices)
       made.parts.push_back(symbol(device.name, NameKind::kDevice, device.binds, device.whole, device.span));
     for (const CdlState& state : one.states)

@@ -14,18 +14,6 @@ namespace {
 
 using Kind = CdlWant::Kind;
 
-CdlGuess of_type(std::string type, std::string unit = "") {
-  return {CdlGuess::Kind::kType, std::move(type), std::move(unit)};
-}
-
-CdlGuess of_call(const cdl::Call& call) {
-  return {CdlGuess::Kind::kCall, call.callee.text, ""};
-}
-
-CdlGuess known_one(CdlGuess first, CdlGuess other) {
-  return first.kind == CdlGuess::Kind::kUnknown ? std::move(other) : std::move(first);
-}
-
 std::string text_of(const std::optional<cdl::Number>& number) {
   if (!number) return "";
   return fmt::format("{}{}{}", number->value, number->unit.text.empty() ? "" : " ", number->unit.text);
@@ -115,12 +103,12 @@ class Collector {
 
   void add(const cdl::Assemblage& assemblage) {
     declare(assemblage, NameKind::kAssemblage);
+    current().assemblage = &assemblage;
     parameters(assemblage.parameters);
     use(assemblage.result_type, NameKind::kType, {.kind = Kind::kType});
     current().result_type = assemblage.result_type.text;
     lets(assemblage.lets);
-    CdlGuess result = expression(assemblage.body, {.type = value_type(assemblage.result_type.text, "")});
-    current().result = std::move(result);
+    expression(assemblage.body, {.type = value_type(assemblage.result_type.text, "")});
   }
 
   void add(const cdl::Binding& binding) {
@@ -155,6 +143,7 @@ class Collector {
 
   void add(const cdl::Robot& robot) {
     declare(robot, NameKind::kRobot);
+    current().robot = &robot;
     parameters(robot.parameters);
     use(robot.class_name, NameKind::kClass, {.kind = Kind::kClass});
     current().class_name = robot.class_name.text;
@@ -253,74 +242,67 @@ class Collector {
   void lets(const std::vector<cdl::Let>& lets) {
     for (const cdl::Let& let : lets) {
       add_name(let.name, NameKind::kLet, true);
-      CdlGuess guess = expression(let.value, {});
-      current().lets.push_back({let.name.text, let.name.place.span, let.whole, let.help, std::move(guess)});
+      expression(let.value, {});
+      current().lets.push_back({let.name.text, let.name.place.span, let.whole, let.help, let.value.get()});
     }
   }
 
   // ---- expressions
 
-  CdlGuess expression(const cdl::ExpressionPtr& one, const CdlWanted& wanted) {
-    if (!one) return {};
-    CdlGuess out = std::visit(
-        base::Overloaded{
-            [&](const cdl::Hole&) {
-              if (is_at_end(one->place)) want({.kind = Kind::kValue, .wanted = wanted});
-              return CdlGuess{};
-            },
-            [&](const cdl::Number& number) { return this->number(number, wanted); },
-            [](const cdl::Text&) { return of_type("Text"); },
-            [&](const cdl::Name& name) { return named(name.name, wanted); },
-            [&](const cdl::List& list) { return this->list(list, wanted); },
-            [&](const cdl::Call& call) { return this->call(call, wanted, one->place.span.end); },
-            [&](const cdl::Logic& logic) {
-              for (const cdl::ExpressionPtr& operand : logic.operands)
-                expression(operand, {.type = {"bool", ""}});
-              return of_type("bool");
-            },
-            [&](const cdl::Cooperate& what) { return members(what.members); },
-            [&](const cdl::Compete& what) { return members(what.members); },
-            [&](const cdl::Coordinate& what) {
-              return by_operator(what, {"Vector", ""}, wanted, one->place.span.end);
-            },
-            [&](const cdl::Fuse& what) { return by_operator(what, {}, wanted, one->place.span.end); },
-            [&](const cdl::Sequence& what) { return sequence(what, one->place.span.begin, wanted); },
-            [&](const cdl::Select& what) { return select(what, wanted); },
-            [&](const cdl::Delay& what) { return delay(what, wanted); },
-        },
-        one->what);
+  void expression(const cdl::ExpressionPtr& one, const CdlWanted& wanted) {
+    if (!one) return;
+    std::visit(base::Overloaded{
+                   [&](const cdl::Hole&) {
+                     if (is_at_end(one->place)) want({.kind = Kind::kValue, .wanted = wanted});
+                   },
+                   [&](const cdl::Number& number) { this->number(number, wanted); },
+                   [](const cdl::Text&) {},
+                   [&](const cdl::Name& name) { named(name.name, wanted); },
+                   [&](const cdl::List& list) { this->list(list, wanted); },
+                   [&](const cdl::Call& call) { this->call(call, wanted, one->place.span.end); },
+                   [&](const cdl::Logic& logic) {
+                     for (const cdl::ExpressionPtr& operand : logic.operands)
+                       expression(operand, {.type = {"bool", ""}});
+                   },
+                   [&](const cdl::Cooperate& what) { members(what.members); },
+                   [&](const cdl::Compete& what) { members(what.members); },
+                   [&](const cdl::Coordinate& what) {
+                     by_operator(what, {"Vector", ""}, wanted, one->place.span.end);
+                   },
+                   [&](const cdl::Fuse& what) { by_operator(what, {}, wanted, one->place.span.end); },
+                   [&](const cdl::Sequence& what) { sequence(what, one->place.span.begin, wanted); },
+                   [&](const cdl::Select& what) { select(what, wanted); },
+                   [&](const cdl::Delay& what) { delay(what, wanted); },
+               },
+               one->what);
     if (add_name(one->as, NameKind::kNode, true) >= 0)
-      current().nodes.push_back({one->as.text, one->as.place.span, out});
+      current().nodes.push_back({one->as.text, one->as.place.span, one.get()});
     expression(one->active, {});
-    return out;
   }
 
-  CdlGuess number(const cdl::Number& number, const CdlWanted& wanted) {
+  void number(const cdl::Number& number, const CdlWanted& wanted) {
     const int unit = use(number.unit, NameKind::kUnit, {.kind = Kind::kUnit, .wanted = wanted});
     if (unit >= 0) name_at(unit).wanted = wanted;
-    return of_type("double", number.unit.text);
   }
 
-  CdlGuess named(const cdl::Word& word, const CdlWanted& wanted) {
+  void named(const cdl::Word& word, const CdlWanted& wanted) {
     CdlName& name = name_at(add_name(word, NameKind::kWord));
     name.is_value = true;
     name.wanted = wanted;
-    return {CdlGuess::Kind::kName, word.text, ""};
   }
 
-  CdlGuess list(const cdl::List& list, const CdlWanted& wanted) {
+  void list(const cdl::List& list, const CdlWanted& wanted) {
     CdlWanted inner = wanted;
     inner.in_list = true;
     if (inner.call < 0 && (inner.type.type == "Vector" || inner.type.type == "Point"))
       inner.type = {"double", inner.type.unit};
     for (const cdl::ExpressionPtr& item : list.items) expression(item, inner);
-    return {};
   }
 
   /// @param end  of the call in the text
-  CdlGuess call(const cdl::Call& call, const CdlWanted& wanted, std::uint32_t end) {
+  void call(const cdl::Call& call, const CdlWanted& wanted, std::uint32_t end) {
     const int callee = add_name(call.callee, NameKind::kProcedure);
-    if (callee < 0) return {};
+    if (callee < 0) return;
     name_at(callee).wanted = wanted;
     CdlWant next{.kind = Kind::kArgument, .wanted = {.call = callee}};
     const bool is_open = !call.is_closed && end == last_end_;
@@ -347,31 +329,26 @@ class Collector {
       }
       expression(argument.value, value);
     }
-    return of_call(call);
   }
 
-  CdlGuess members(const std::vector<cdl::Member>& members, const ValueType& type = {"Vector", ""}) {
+  void members(const std::vector<cdl::Member>& members, const ValueType& type = {"Vector", ""}) {
     for (const cdl::Member& member : members) {
       expression(member.weight, {.type = type});
       expression(member.value, {.type = type});
     }
-    return of_type(type.type);
   }
 
   template <class Operator>
-  CdlGuess by_operator(const Operator& what, const ValueType& type, const CdlWanted& wanted,
-                       std::uint32_t end) {
+  void by_operator(const Operator& what, const ValueType& type, const CdlWanted& wanted, std::uint32_t end) {
     if (is_next(what.by.callee)) want({.kind = Kind::kOperator});
-    CdlGuess out = call(what.by, wanted, end);
+    call(what.by, wanted, end);
     members(what.members, type);
-    return out;
   }
 
-  CdlGuess sequence(const cdl::Sequence& sequence, std::uint32_t begin, const CdlWanted& wanted) {
-    CdlGuess out;
+  void sequence(const cdl::Sequence& sequence, std::uint32_t begin, const CdlWanted& wanted) {
     for (const cdl::State& state : sequence.states) {
       name_at(add_name(state.name, NameKind::kState, true)).sequence = begin;
-      out = known_one(std::move(out), expression(state.member, wanted));
+      expression(state.member, wanted);
       for (const cdl::Transition& transition : state.transitions) {
         expression(transition.trigger, {.type = {"bool", ""}});
         const int target =
@@ -381,24 +358,21 @@ class Collector {
       current().states.push_back({state.name.text, state.name.place.span, state.whole, state.help, begin,
                                   state.is_start, state.is_final});
     }
-    return out;
   }
 
-  CdlGuess select(const cdl::Select& select, const CdlWanted& wanted) {
-    const CdlGuess selector = expression(select.by, {});
-    CdlGuess out;
+  void select(const cdl::Select& select, const CdlWanted& wanted) {
+    expression(select.by, {});
     for (const cdl::Case& one : select.cases) {
       for (const cdl::Word& value : one.values) {
-        if (is_next(value)) want({.kind = Kind::kCaseValue, .guess = selector});
+        if (is_next(value)) want({.kind = Kind::kCaseValue, .selector = select.by.get()});
         if (cdl::is_name(value.text)) add_name(value, NameKind::kWord);
       }
-      out = known_one(std::move(out), expression(one.member, wanted));
+      expression(one.member, wanted);
     }
-    return out;
   }
 
-  CdlGuess delay(const cdl::Delay& delay, const CdlWanted& wanted) {
-    CdlGuess out = expression(delay.value, wanted);
+  void delay(const cdl::Delay& delay, const CdlWanted& wanted) {
+    expression(delay.value, wanted);
     const bool is_next_argument = delay.initial && std::holds_alternative<cdl::Hole>(delay.initial->what) &&
                                   is_at_end(delay.initial->place) && last_end_ > 0 &&
                                   out_.source->text()[last_end_ - 1] == ',';
@@ -407,7 +381,6 @@ class Collector {
     } else {
       expression(delay.initial, wanted);
     }
-    return out;
   }
 
   CdlScan out_;

@@ -14,21 +14,13 @@
 /// name is, and what could come next where the text ends.
 namespace mlab::language {
 
-/// What an expression is, as far as that can be told without looking any name up.
-struct CdlGuess {
-  enum class Kind : std::uint8_t { kUnknown, kType, kCall, kName };
-  Kind kind = Kind::kUnknown;
-  std::string text;  ///< type, or what is called or named
-  std::string unit;  ///< kType
-};
-
 /// `let NAME = ...;`
 struct CdlLet {
   std::string name;
   text::Span span;
   text::Span whole;
   std::string help;
-  CdlGuess guess;
+  const cdl::Expression* value = nullptr;
 };
 
 struct CdlState {
@@ -45,7 +37,7 @@ struct CdlState {
 struct CdlNode {
   std::string name;
   text::Span span;
-  CdlGuess guess;
+  const cdl::Expression* value = nullptr;
 };
 
 /// A sensor or actuator of a class of robots.
@@ -73,7 +65,8 @@ struct CdlDeclaration {
   std::string help;
   std::vector<CdlParameter> parameters;
   std::string result_type;
-  CdlGuess result;
+  const cdl::Assemblage* assemblage = nullptr;  ///< that it is
+  const cdl::Robot* robot = nullptr;
   std::vector<CdlLet> lets;
   std::vector<CdlState> states;
   std::vector<CdlNode> nodes;
@@ -120,7 +113,7 @@ struct CdlWant {
     kBinding,   ///< a binding point
     kActuator,  ///< a binding point or device that a robot drives
     kBodySetting,
-    kCaseValue,  ///< a word of what `guess` is
+    kCaseValue,  ///< a word of what `selector` gives
     kNode,       ///< a node or state of what a layout is of
     kOwner,      ///< a declaration
     kFile
@@ -128,16 +121,16 @@ struct CdlWant {
   Kind kind = Kind::kKeyword;
   std::vector<std::string> words = {};
   CdlWanted wanted = {};
-  CdlGuess guess = {};
-  std::set<std::string> given = {};  ///< arguments that are there already
-  int positional = 0;                ///< how many are given by position
-  std::uint32_t sequence = 0;        ///< where it begins
-  std::string device = {};           ///< chosen one, where its binding is wanted
+  const cdl::Expression* selector = nullptr;  ///< kCaseValue
+  std::set<std::string> given = {};           ///< arguments that are there already
+  int positional = 0;                         ///< how many are given by position
+  std::uint32_t sequence = 0;                 ///< where it begins
+  std::string device = {};                    ///< chosen one, where its binding is wanted
 };
 
 struct CdlScan {
   text::SourcePtr source;
-  cdl::Written written;
+  cdl::Written written;  ///< what follows points into it
   std::vector<CdlDeclaration> declarations;
   std::vector<CdlName> names;
   std::vector<CdlName> uses;  ///< files, without quotes

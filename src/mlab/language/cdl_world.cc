@@ -1,72 +1,46 @@
 #include "mlab/language/cdl_world.h"
 
 #include <algorithm>
-#include <filesystem>
 
-#include <fmt/core.h>
-
-#include "mlab/lang/cnl/load.h"
-#include "mlab/lang/cnl/parser.h"
 #include "mlab/language/languages.h"
 #include "mlab/library/library.h"
+#include "mlab/robot/brought_code.h"
+#include "mlab/robot/configuration_file.h"
 
 namespace mlab::language {
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int kMostTypeSteps = 32;
-
-}  // namespace
-
 CdlWorld::CdlWorld() {
   for (const library::ConfigurationText& one : library::configuration_texts())
     scans_.push_back(
         scan_cdl(std::make_shared<const text::Source>(std::string(one.file), std::string(one.text))));
   for (const flow::Behavior* behavior : robot::component_library().behaviors())
     procedures_.push_back(language::component_of(*behavior));
+  types_.emplace(robot::library_configuration(), robot::component_library());
   declare();
   components();  // all are made now: from here on, threads only read
 }
 
-CdlWorld::CdlWorld(const text::SourcePtr& source, const Surroundings& around)
-    : around_(&around), library_(&library()) {
-  seen_.push_back(canonical_path(source->name()));
-  read(source);
+CdlWorld::CdlWorld(const text::SourcePtr& source, const Surroundings& around) : library_(&library()) {
+  const CdlScan& first = scans_.emplace_back(scan_cdl(source));
+  text::Diagnostics unsaid;
+  const std::shared_ptr<const cdl::Tree> own(std::shared_ptr<const void>(), &first.written.tree);
+  configuration_ = cdl::configuration_of(own, {robot::library_environment().built_in, &around.files}, unsaid);
+  for (std::size_t i = 1; i < std::min(configuration_.trees.size(), kMostFiles); ++i)
+    scans_.push_back(scan_cdl(configuration_.trees[i]->source));
+  for (const auto& file : configuration_.procedures) add_procedures(*file);
+  described_ = robot::describe_library(configuration_.procedures);
+  types_.emplace(configuration_, described_->library);
   declare();
 }
+
+CdlWorld::~CdlWorld() = default;
 
 const CdlWorld& CdlWorld::library() {
   static const CdlWorld kLibrary;
   return kLibrary;
 }
 
-void CdlWorld::read(const text::SourcePtr& source) {
-  follow(scans_.emplace_back(scan_cdl(source)));
-}
-
-void CdlWorld::follow(const CdlScan& scan) {
-  for (const CdlName& use : scan.uses) {
-    if (use.text.empty() || use.text.find('\0') != std::string::npos || seen_.size() > kMostFiles) continue;
-    const std::string path = (fs::path(scan.source->name()).parent_path() / use.text).string();
-    const std::string key = canonical_path(path);
-    if (std::ranges::find(seen_, key) != seen_.end()) continue;
-    seen_.push_back(key);
-    const auto source = around_->files.read(path);
-    if (!source) continue;
-    const std::string ending = fs::path(use.text).extension().string();
-    if (ending == ".cnl" || (ending != ".cdl" && cnl::looks_like_cnl((*source)->text()))) {
-      add_procedures(*source);
-    } else {
-      read(*source);
-    }
-  }
-}
-
-void CdlWorld::add_procedures(const text::SourcePtr& source) {
-  text::Diagnostics unsaid;
-  const cnl::Tree tree = cnl::parse(source, unsaid);
-  for (const cnl::Item& item : tree.items) {
+void CdlWorld::add_procedures(const cnl::Tree& file) {
+  for (const cnl::Item& item : file.items) {
     if (const auto* procedure = std::get_if<cnl::Procedure>(&item))
       procedures_.push_back(language::component_of(*procedure));
   }
@@ -115,11 +89,8 @@ Component CdlWorld::component_of(const CdlDeclaration& declaration, const CdlSca
   out.file = scan.source->name();
   out.declaration = {scan.source, declaration.span};
   out.is_sink = declaration.kind == NameKind::kBinding && declaration.result_type.empty();
-  if (!declaration.result_type.empty()) {
-    out.output = value_type(declaration.result_type, "");
-  } else if (!out.is_sink) {
-    out.output = type_of(declaration.result, &declaration, depth_);
-  }
+  if (declaration.assemblage != nullptr) out.output = value_type(types_->result_of(*declaration.assemblage));
+  if (declaration.kind == NameKind::kBinding) out.output = value_type(declaration.result_type, "");
   return out;
 }
 
@@ -131,10 +102,8 @@ const Component* CdlWorld::component(std::string_view name) const {
   }
   for (const NameKind kind : {NameKind::kBinding, NameKind::kAssemblage}) {
     const auto found = declared_.find(std::pair{kind, std::string(name)});
-    if (found == declared_.end() || depth_ > kMostTypeSteps) continue;
-    ++depth_;
+    if (found == declared_.end()) continue;
     auto made = std::make_unique<Component>(component_of(*found->second.declaration, *found->second.scan));
-    --depth_;
     return (components_[std::string(name)] = std::move(made)).get();
   }
   const auto procedure = procedure_by_name_.find(name);
@@ -168,34 +137,23 @@ CdlWorld::Variable CdlWorld::variable(const CdlDeclaration& in, std::string_view
   return {};
 }
 
-ValueType CdlWorld::type_of(const CdlGuess& guess, const CdlDeclaration* in) const {
-  return type_of(guess, in, 0);
+cdl::Types::Names CdlWorld::names_in(const CdlDeclaration* declaration) const {
+  if (declaration != nullptr && declaration->assemblage != nullptr)
+    return types_->names_of(declaration->assemblage->parameters, declaration->assemblage->lets);
+  if (declaration != nullptr && declaration->robot != nullptr)
+    return types_->names_of(declaration->robot->parameters, declaration->robot->lets);
+  return [](const std::string&, cdl::Types::Question&) { return cdl::PortType{}; };
+}
+
+ValueType CdlWorld::type_of(const cdl::Expression* expression, const CdlDeclaration* in) const {
+  if (expression == nullptr) return {};
+  ValueType out = value_type(types_->of(*expression, names_in(in)));
+  if (const auto* number = std::get_if<cdl::Number>(&expression->what)) out.unit = number->unit.text;
+  return out;
 }
 
 ValueType CdlWorld::type_of(const Variable& variable, const CdlDeclaration& in) const {
-  return variable.let != nullptr ? type_of(variable.let->guess, &in, 1) : variable.parameter->input.value;
-}
-
-ValueType CdlWorld::type_of(const CdlGuess& guess, const CdlDeclaration* in, int depth) const {
-  if (depth > kMostTypeSteps) return {};
-  switch (guess.kind) {
-    case CdlGuess::Kind::kUnknown:
-      return {};
-    case CdlGuess::Kind::kType:
-      return {guess.text, guess.unit};
-    case CdlGuess::Kind::kCall: {
-      if (depth_ > kMostTypeSteps) return {};
-      const Component* const called = component(guess.text);
-      return called == nullptr ? ValueType{} : called->output;
-    }
-    case CdlGuess::Kind::kName: {
-      if (in == nullptr) return {};
-      const Variable found = variable(*in, guess.text);
-      if (!found) return {};
-      return found.let != nullptr ? type_of(found.let->guess, in, depth + 1) : found.parameter->input.value;
-    }
-  }
-  return {};
+  return variable.let != nullptr ? type_of(variable.let->value, &in) : variable.parameter->input.value;
 }
 
 const ComponentInput* CdlWorld::input_of(const CdlWanted& wanted, const CdlScan& scan) const {

@@ -3,15 +3,22 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "mlab/lang/cdl/configuration.h"
+#include "mlab/lang/cdl/types.h"
 #include "mlab/lang/cnl/tree.h"
 #include "mlab/language/cdl_scan.h"
 #include "mlab/language/component.h"
 #include "mlab/language/service.h"
+
+namespace mlab::robot {
+struct DescribedLibrary;
+}
 
 namespace mlab::language {
 
@@ -19,6 +26,7 @@ namespace mlab::language {
 class CdlWorld {
  public:
   CdlWorld(const text::SourcePtr& source, const Surroundings& around);
+  ~CdlWorld();
   CdlWorld(const CdlWorld&) = delete;
   CdlWorld& operator=(const CdlWorld&) = delete;
 
@@ -51,7 +59,8 @@ class CdlWorld {
   };
   static Variable variable(const CdlDeclaration& in, std::string_view name);
 
-  ValueType type_of(const CdlGuess& guess, const CdlDeclaration* in) const;
+  /// What an expression gives that stands in a declaration; null: nothing that could be told stands there.
+  ValueType type_of(const cdl::Expression* expression, const CdlDeclaration* in) const;
   ValueType type_of(const Variable& variable, const CdlDeclaration& in) const;
   /// The input that a value goes to; null where it is no argument of a known call.
   const ComponentInput* input_of(const CdlWanted& wanted, const CdlScan& scan) const;
@@ -65,27 +74,25 @@ class CdlWorld {
   CdlWorld();  // of the library
   static const CdlWorld& library();
 
-  void read(const text::SourcePtr& source);
-  void follow(const CdlScan& scan);
-  void add_procedures(const text::SourcePtr& source);
+  void add_procedures(const cnl::Tree& file);
   void declare();
   Component component_of(const CdlDeclaration& declaration, const CdlScan& scan) const;
-  ValueType type_of(const CdlGuess& guess, const CdlDeclaration* in, int depth) const;
   void resolve_argument(const CdlName& name, Name& out) const;
   void resolve_value(const CdlName& name, Name& out) const;
   void resolve_binding(const CdlName& name, Name& out) const;
   void resolve_node(const CdlName& name, Name& out) const;
   const CdlDeclaration* around(const CdlName& name) const;
+  cdl::Types::Names names_in(const CdlDeclaration* declaration) const;
 
-  const Surroundings* around_ = nullptr;
   const CdlWorld* library_ = nullptr;  // null: this is the library
   std::deque<CdlScan> scans_;          // the text itself, then those that it uses
-  std::vector<std::string> seen_;
+  cdl::Configuration configuration_;   // of them, holes and all; of the library none
+  std::unique_ptr<robot::DescribedLibrary> described_;
+  std::optional<cdl::Types> types_;
   std::map<std::pair<NameKind, std::string>, Found, std::less<>> declared_;
   std::deque<Component> procedures_;
   std::map<std::string_view, const Component*> procedure_by_name_;
   mutable std::map<std::string, std::unique_ptr<Component>, std::less<>> components_;
-  mutable int depth_ = 0;
 };
 
 }  // namespace mlab::language

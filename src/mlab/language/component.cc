@@ -185,6 +185,10 @@ ValueType value_type(std::string_view type, std::string_view unit) {
   return {std::string(known == nullptr ? type : known->name), std::string(unit)};
 }
 
+ValueType value_type(const cdl::PortType& type) {
+  return {type.name(), type.unit};
+}
+
 bool fits(const ValueType& have, const ValueType& want) {
   if (have.type.empty() || want.type.empty()) return true;
   const auto known = [](const ValueType& one) {

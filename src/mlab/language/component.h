@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mlab/flow/behavior.h"
+#include "mlab/lang/cdl/port_type.h"
 #include "mlab/lang/cnl/tree.h"
 #include "mlab/text/source.h"
 
@@ -67,6 +68,7 @@ std::string markdown_of(const ComponentInput& input);
 
 /// What a type's name means: `length` is a `double` in m. Unknown names stay as they are.
 ValueType value_type(std::string_view type, std::string_view unit);
+ValueType value_type(const cdl::PortType& type);
 /// Whether a value of the one type may stand where the other is expected. Unknown types fit everything.
 bool fits(const ValueType& have, const ValueType& want);
 /// The words of a type (`Column`, `Flag`, `true`); empty for types of numbers and for unknown ones.
