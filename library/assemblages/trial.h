@@ -82,7 +82,7 @@ class Trial {
 
  private:
   void step() {
-    const flow::Needs needs = program_->needs(frame_.data());
+    const percept::Needs needs = program_->needs(frame_.data());
     simulator_.sense(body_, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges}, buffer_,
                      percepts_);
     percepts_.notifications = inbox_;

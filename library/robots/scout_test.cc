@@ -97,7 +97,7 @@ std::uint64_t deeds(const flow::Program& program,
     add(action.status.remaining);
     hash = base::combine_bits(hash, action.status.sequence * 8U + (action.drives ? 4U : 0U) +
                                         (action.spins ? 2U : 0U) + (action.status.done ? 1U : 0U));
-    const flow::Needs needs = program.needs(frame.data());
+    const percept::Needs needs = program.needs(frame.data());
     add(needs.obstacles);
     add(needs.robots);
   }

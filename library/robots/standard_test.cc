@@ -200,7 +200,7 @@ TEST(StandardRobot, SensesNoFartherThanItsTaskNeeds) {
       .set("occupy_avoid_robot_sphere", "45")
       .set("detect_obs_range", "33");
   robot.step();
-  const flow::Needs needs = standard().needs(robot.frame.data());
+  const percept::Needs needs = standard().needs(robot.frame.data());
   EXPECT_GE(needs.obstacles, 33.0);
   EXPECT_GE(needs.robots, 40.0);
   EXPECT_LE(needs.robots, 45.0);

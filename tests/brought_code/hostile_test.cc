@@ -128,11 +128,9 @@ class Siege {
     for (int i = 0; i < 40 && team_.robot(1).life != RobotLife::kFaulted; ++i) {
       team_.step(1);
       const auto& robot = team_.robot(1);
-      got_ =
-          got_ ||
-          (robot.life == RobotLife::kRunning &&
-           flow::Program::number(robot.frame.data(), *robot.program->program->find("attack")).value_or(0.0) >
-               0.5);
+      got_ = got_ || (robot.life == RobotLife::kRunning &&
+                      flow::Program::number(robot.workings().frame, *robot.workings().program->find("attack"))
+                              .value_or(0.0) > 0.5);
       if (got_) break;
     }
   }

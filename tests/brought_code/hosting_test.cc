@@ -128,13 +128,13 @@ TEST(Hosting, ShowsPortsAndStatesOfARobotInAProcessOfItsOwn) {
   team.step(30);
   const fleet::FleetRobot& robot = team.robot(2);
   ASSERT_EQ(robot.life, RobotLife::kRunning) << team.all();
-  const flow::Program& program = *robot.program->program;
-  EXPECT_EQ(program.active_states(robot.frame.data()).size(), 1U);
-  EXPECT_GT(flow::Program::number(robot.frame.data(), *program.find("ways")).value_or(0), 0.1);
-  EXPECT_GT(flow::Program::cycle(robot.frame.data()), 20U);
+  const flow::Program& program = *robot.workings().program;
+  EXPECT_EQ(program.active_states(robot.workings().frame).size(), 1U);
+  EXPECT_GT(flow::Program::number(robot.workings().frame, *program.find("ways")).value_or(0), 0.1);
+  EXPECT_GT(flow::Program::cycle(robot.workings().frame), 20U);
   EXPECT_EQ(team.run->set_parameter({2}, "pace", "0"), std::nullopt);
   team.step(1);
-  EXPECT_EQ(flow::Program::print(robot.frame.data(), *program.find("pace")), "0");
+  EXPECT_EQ(flow::Program::print(robot.workings().frame, *program.find("pace")), "0");
 }
 
 TEST(Hosting, IsTheSameForAnyNumberOfThreads) {

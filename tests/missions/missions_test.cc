@@ -137,13 +137,13 @@ TEST(Missions, EveryFolderIsTried) {
 std::map<std::uint32_t, int> targets_of(const fleet::MissionRun& run) {
   std::map<std::uint32_t, int> out;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
-    const flow::Program& program = *robot.program->program;
+    const flow::Program& program = *robot.workings().program;
     const flow::Port* const port = program.find("movement.target");
     if (port == nullptr || robot.life != fleet::RobotLife::kRunning) continue;
-    const std::vector<std::string> states = program.active_states(robot.frame.data());
+    const std::vector<std::string> states = program.active_states(robot.workings().frame);
     if (std::ranges::find(states, "movement.Acquiring") == states.end()) continue;
     percept::ObjectReading target;
-    std::memcpy(&target, robot.frame.data() + port->offset, sizeof target);
+    std::memcpy(&target, robot.workings().frame + port->offset, sizeof target);
     if (target.id.value != 0) ++out[target.id.value];
   }
   return out;

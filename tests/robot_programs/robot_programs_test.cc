@@ -169,14 +169,14 @@ TEST_F(RobotProgramsTest, ShowTheirNodesAsTheEmbeddedProgramDoes) {
     native->step();
     const fleet::FleetRobot& inside = embedded->fleet().robots()[2];
     const fleet::FleetRobot& beside = native->fleet().robots()[2];
-    ASSERT_TRUE(beside.program->program);
-    const std::vector<flow::Port>& ports = inside.program->program->ports();
-    ASSERT_EQ(beside.program->program->ports().size(), ports.size());
+    ASSERT_TRUE(beside.workings().program);
+    const std::vector<flow::Port>& ports = inside.workings().program->ports();
+    ASSERT_EQ(beside.workings().program->ports().size(), ports.size());
     for (const flow::Port& port : ports) {
-      const flow::Port* same = beside.program->program->find(port.path);
+      const flow::Port* same = beside.workings().program->find(port.path);
       ASSERT_NE(same, nullptr) << port.path;
-      ASSERT_EQ(flow::Program::print(beside.frame.data(), *same),
-                flow::Program::print(inside.frame.data(), port))
+      ASSERT_EQ(flow::Program::print(beside.workings().frame, *same),
+                flow::Program::print(inside.workings().frame, port))
           << port.path << " in cycle " << cycle;
     }
   }
@@ -185,7 +185,7 @@ TEST_F(RobotProgramsTest, ShowTheirNodesAsTheEmbeddedProgramDoes) {
 TEST_F(RobotProgramsTest, ThatAreClosedShowNothing) {
   const auto native = prepare("./closed", 1);
   ASSERT_TRUE(native) << text::render(sink_);
-  EXPECT_FALSE(native->fleet().robots()[0].program->program);
+  EXPECT_FALSE(native->fleet().robots()[0].workings().program);
 }
 
 // Three foragers tell each other what they claim, look around with cameras that turn, pick up and deliver.

@@ -140,19 +140,19 @@ void Alarms::look_for_silence(const fleet::MissionRun& run, const FleetRobot& ro
 
 void Alarms::look_for_states(const fleet::MissionRun& run, const FleetRobot& robot, Robot& known,
                              EventLog& log) {
-  if (!known.is_watched || !robot.program->program) {
+  if (!known.is_watched || !robot.workings().program) {
     known.knows_states = false;
     return;
   }
-  const flow::Program& program = *robot.program->program;
-  const std::uint64_t states = program.states_key(robot.frame.data());
+  const flow::Program& program = *robot.workings().program;
+  const std::uint64_t states = program.states_key(robot.workings().frame);
   const bool changed = known.knows_states && states != known.states;
   known.states = states;
   known.knows_states = true;
   if (!changed || ++states_now_ > kMostAtOnce) return;
   log.add(run.time(), entry(Log::STATE,
                             fmt::format("robot {} is in {}", robot.id.value,
-                                        fmt::join(program.active_states(robot.frame.data()), ", ")),
+                                        fmt::join(program.active_states(robot.workings().frame), ", ")),
                             robot, run.fleet().pose(robot).position, false));
 }
 

@@ -150,7 +150,7 @@ void BreakpointTable::say_problems(const fleet::MissionRun* run) {
     one.told.clear_error();
     const bool is_somewhere =
         run == nullptr || std::ranges::any_of(run->fleet().robots(), [&](const auto& robot) {
-          const Program* const program = robot.program->program.get();
+          const Program* const program = robot.workings().program;
           return program != nullptr && names_robot(one.told, robot.id.value) &&
                  meaning(one, *program).is_there;
         });
@@ -192,7 +192,7 @@ const BreakpointTable::Meaning& BreakpointTable::meaning(const One& one, const P
 void BreakpointTable::look(const fleet::MissionRun& run, Halted& out) {
   if (count_on_ == 0) return;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
-    if (robot.life == fleet::RobotLife::kRunning && robot.program->program) look_at(robot, out);
+    if (robot.life == fleet::RobotLife::kRunning && robot.workings().program) look_at(robot, out);
   }
   if (out.hits().empty()) return;
   has_news_ = true;
@@ -207,8 +207,8 @@ void BreakpointTable::look(const fleet::MissionRun& run, Halted& out) {
 
 // The first look at a robot only notes how it stands: what is true from the start did not become so.
 void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
-  const Program& program = *robot.program->program;
-  const std::byte* const frame = robot.frame.data();
+  const Program& program = *robot.workings().program;
+  const std::byte* const frame = robot.workings().frame;
   Robot& known = robots_[robot.id.value];
   const bool is_new = std::exchange(known.program, &program) != &program;
   const std::vector<Program::SequenceState> before = std::exchange(known.states, {});
@@ -233,7 +233,7 @@ void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
 
 void BreakpointTable::look_for_transit(One& one, const fleet::FleetRobot& robot,
                                        const std::vector<Program::Transit>& transits, Halted& out) {
-  const Program& program = *robot.program->program;
+  const Program& program = *robot.workings().program;
   const Meaning& meant = meaning(one, program);
   for (const Program::Transit& transit : transits) {
     const bool is_it = transit.sequence == meant.sequence && (!meant.from || *meant.from == transit.from) &&
@@ -253,8 +253,8 @@ void BreakpointTable::look_for_transit(One& one, const fleet::FleetRobot& robot,
 
 void BreakpointTable::look_for_condition(One& one, const fleet::FleetRobot& robot, Robot& known,
                                          const std::vector<std::uint32_t>& ran, Halted& out) {
-  const flow::Port& port = *meaning(one, *robot.program->program).port;
-  const std::byte* const frame = robot.frame.data();
+  const flow::Port& port = *meaning(one, *robot.workings().program).port;
+  const std::byte* const frame = robot.workings().frame;
   const bool is_computed =
       port.role != flow::Port::Role::kOutput || std::ranges::binary_search(ran, port.offset);
   const bool is_true = is_computed && is_true_now(one.told.condition(), one.number, frame, port);

@@ -40,7 +40,7 @@ std::optional<geom::Point> goal_of(const fleet::MissionRun& run, const FleetRobo
 
 // In the unit in which Port.unit says that people read it.
 std::optional<double> shown_number(const FleetRobot& robot, const flow::Port& port) {
-  const auto number = flow::Program::number(robot.frame.data(), port);
+  const auto number = flow::Program::number(robot.workings().frame, port);
   const bool is_turned = port.edge_unit == "deg" && port.unit != "deg";
   return number && is_turned ? std::optional(*number * 180.0 / std::numbers::pi) : number;
 }
@@ -50,8 +50,8 @@ std::optional<double> measure_robot(const fleet::MissionRun& run, const FleetRob
   if (robot.life == RobotLife::kNotStarted) return std::nullopt;
   switch (series.quantity()) {
     case Series::PORT: {
-      if (!robot.program->program) return std::nullopt;
-      const flow::Port* port = robot.program->program->find(series.port());
+      if (!robot.workings().program) return std::nullopt;
+      const flow::Port* port = robot.workings().program->find(series.port());
       return port == nullptr ? std::nullopt : shown_number(robot, *port);
     }
     case Series::DISTANCE_TO_GOAL: {
@@ -125,10 +125,10 @@ std::string problem_of(const fleet::MissionRun& run, const Series& series) {
     if (!unit->members.empty()) robot = run.fleet().find(unit->members.front());
   }
   if (series.quantity() != Series::PORT || robot == nullptr) return "";
-  if (!robot->program->program) return "the robot has no program";
-  const flow::Port* port = robot->program->program->find(series.port());
+  if (!robot->workings().program) return "the robot has no program";
+  const flow::Port* port = robot->workings().program->find(series.port());
   if (port == nullptr) return fmt::format("the program has no port `{}`", clean(series.port()));
-  if (!flow::Program::number(robot->frame.data(), *port))
+  if (!flow::Program::number(robot->workings().frame, *port))
     return fmt::format("`{}` is no number", clean(series.port()));
   return "";
 }

@@ -150,7 +150,7 @@ void encode_roster(const fleet::MissionRun& run, Roster& out) {
     told.set_length(length > 0.0 ? length : 2.0 * robot.body_spec.radius);
     if (const auto unit = units.find(robot.id); unit != units.end())
       told.set_unit(clean(mission.units[unit->second].name));
-    const flow::Program* const program = robot.program->program.get();
+    const flow::Program* const program = robot.workings().program;
     told.set_program(kNoProgram);
     if (program == nullptr) continue;
     const auto [at, is_new] = programs.try_emplace(program, static_cast<std::uint32_t>(programs.size()));

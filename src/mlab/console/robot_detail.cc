@@ -71,8 +71,8 @@ bool is_active(const flow::Program& program, const flow::Port& port, std::span<c
 }
 
 void encode_ports(const FleetRobot& robot, const DetailWishes& wishes, RobotDetail& out) {
-  const flow::Program& program = *robot.program->program;
-  const std::byte* const frame = robot.frame.data();
+  const flow::Program& program = *robot.workings().program;
+  const std::byte* const frame = robot.workings().frame;
   const std::vector<std::uint32_t> ran = program.ran(frame, wishes.before);
   const auto encode = [&](std::uint32_t index) {
     const flow::Port& port = program.ports()[index];
@@ -97,7 +97,7 @@ void encode_ports(const FleetRobot& robot, const DetailWishes& wishes, RobotDeta
 
 void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim::SenseBuffer& buffer,
                      RobotDetail& out) {
-  const flow::Needs needs = robot.program->program->needs(robot.frame.data());
+  const percept::Needs needs = robot.workings().program->needs(robot.workings().frame);
   percept::Percepts percepts;
   run.simulator().sense(robot.body, {needs.obstacles, 0.0, 0.0, 0, robot.body_spec.ring.count > 0}, buffer,
                         percepts);
@@ -112,9 +112,9 @@ void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim:
 
 void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, const DetailWishes& wishes,
                     sim::SenseBuffer& buffer, RobotDetail& out) {
-  const flow::Program& program = *robot.program->program;
-  for (const std::string& state : program.active_states(robot.frame.data())) out.add_states(clean(state));
-  for (const flow::Contribution& part : program.contributions(robot.frame.data())) {
+  const flow::Program& program = *robot.workings().program;
+  for (const std::string& state : program.active_states(robot.workings().frame)) out.add_states(clean(state));
+  for (const flow::Contribution& part : program.contributions(robot.workings().frame)) {
     RobotDetail::Contribution& told = *out.add_contributions();
     told.set_sum(clean(part.sum));
     told.set_member(clean(part.member));
@@ -160,8 +160,8 @@ std::vector<std::string> waits_for(const fleet::MissionRun& run, const FleetRobo
   } else if (robot.life == RobotLife::kRunning) {
     out.emplace_back("no command waits for this robot");
   }
-  if (robot.program->program && robot.life == RobotLife::kRunning) {
-    for (const auto& way : robot.program->program->ways_out(robot.frame.data())) {
+  if (robot.workings().program && robot.life == RobotLife::kRunning) {
+    for (const auto& way : robot.workings().program->ways_out(robot.workings().frame)) {
       out.push_back(fmt::format("{} leaves {} for {} when `{}` is {}; now it is {}", way.sequence, way.state,
                                 way.target, way.trigger, !way.is_negated, way.trigger_value));
     }
@@ -176,7 +176,7 @@ void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, con
   out.set_id(robot.id.value);
   out.set_life(std::string(name(robot.life)));
   out.set_fault(clean(robot.fault));
-  if (robot.program->program) encode_program(run, robot, wishes, buffer, out);
+  if (robot.workings().program) encode_program(run, robot, wishes, buffer, out);
   if (robot.life == RobotLife::kNotStarted) {
     out.set_remaining(-1.0);
     out.set_arrival(-1.0);

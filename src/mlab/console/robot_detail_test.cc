@@ -25,7 +25,7 @@ class Ports : public ::testing::Test {
     encode_detail(*run_, estimates_, run_->fleet().robots().front(), wishes, buffer_, out);
     return out;
   }
-  const flow::Program& program() { return *run_->fleet().robots().front().program->program; }
+  const flow::Program& program() { return *run_->fleet().robots().front().workings().program; }
 
  private:
   std::unique_ptr<fleet::MissionRun> run_ = testing::run_of(testing::kTravel);

@@ -173,9 +173,10 @@ Session::Parts::Answered Session::Parts::set_parameter(const std::string& who, c
   for (const std::uint32_t id : robots) {
     const fleet::FleetRobot* robot = live_->run().fleet().find({id});
     if (robot == nullptr) return fmt::format("there is no robot {}", id);
-    const flow::Port* port = robot->program->program ? robot->program->program->find(set.port()) : nullptr;
+    const flow::Port* port =
+        robot->workings().program ? robot->workings().program->find(set.port()) : nullptr;
     if (port == nullptr) return fmt::format("the program of robot {} has no `{}`", id, clean(set.port()));
-    before.push_back(flow::Program::print(robot->frame.data(), *port));
+    before.push_back(flow::Program::print(robot->workings().frame, *port));
   }
   const std::string& port = set.port();
   const std::vector<std::string> after(robots.size(), set.value());

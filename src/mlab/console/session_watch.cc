@@ -91,8 +91,8 @@ void Session::Parts::fill_details(const Watch& watch, Frame& out) {
     if (robot == nullptr) continue;
     RobotDetail& told = *out.add_details();
     DetailWishes wishes = {watch.with_ports(), watch.with_readings(), live_->transitions().before(id)};
-    if (watch.ports_size() > 0 && robot->program->program)
-      wishes.some_ports = port_indices(*robot->program->program, paths);
+    if (watch.ports_size() > 0 && robot->workings().program)
+      wishes.some_ports = port_indices(*robot->workings().program, paths);
     encode_detail(run, live_->estimates(), *robot, wishes, sense_buffer_, told);
     live_->transitions().encode(id, told);
     Sentences& sentences = sentences_[id];

@@ -85,7 +85,7 @@ TEST(RobotDetail, SaysWhatTheRobotFollowsAndWhatItWaitsFor) {
   EXPECT_GT(detail.remaining(), 100.0);
   EXPECT_GT(detail.contributions_size(), 2);
   EXPECT_TRUE(detail.has_station());
-  const auto ports = run->fleet().find({1})->program->program->ports().size();
+  const auto ports = run->fleet().find({1})->workings().program->ports().size();
   EXPECT_EQ(static_cast<std::size_t>(detail.ports_size()), ports);
   EXPECT_EQ(detail.numbers().size(), 8 * ports);
   bool says_what_waits = false;

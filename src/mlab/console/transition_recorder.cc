@@ -17,10 +17,10 @@ void TransitionRecorder::look(const fleet::MissionRun& run) {
   for (auto& [id, watched] : robots_) {
     const fleet::FleetRobot* robot = run.fleet().find({id});
     const bool runs =
-        robot != nullptr && robot->life == fleet::RobotLife::kRunning && robot->program->program;
+        robot != nullptr && robot->life == fleet::RobotLife::kRunning && robot->workings().program;
     if (!runs) continue;
-    const flow::Program& program = *robot->program->program;
-    const std::byte* const frame = robot->frame.data();
+    const flow::Program& program = *robot->workings().program;
+    const std::byte* const frame = robot->workings().frame;
     const bool begins = flow::Program::cycle(frame) <= 1;
     const bool is_known = std::exchange(watched.program, &program) == &program && !watched.now.empty();
     if (!is_known || begins) watched.last.clear();

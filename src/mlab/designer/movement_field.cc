@@ -71,8 +71,8 @@ FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
 
 void FieldReading::begin(const fleet::FleetRobot& body) {
   const flow::Program& program = *part_.program;
-  if (as_is_ && body.program->program)
-    program.take_over(start_.data(), *body.program->program, body.frame.data());
+  if (as_is_ && body.workings().program)
+    program.take_over(start_.data(), *body.workings().program, body.workings().frame);
   needs_ = program.needs(start_.data());
   arrows_.reserve(std::size_t{grid_.columns} * grid_.rows * sizeof(FieldArrow));
 }

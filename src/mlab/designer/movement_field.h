@@ -69,7 +69,7 @@ class FieldReading {
   const flow::Port* port_;
   flow::Frame start_;
   flow::Frame frame_;
-  flow::Needs needs_;
+  percept::Needs needs_;
   sim::SenseBuffer buffer_;
   std::unique_ptr<robot_host::HostedCycle> hosted_;  ///< where the part has a process of its own
   std::uint32_t next_ = 0;                           ///< place; 0: not begun

@@ -109,9 +109,9 @@ TEST(Edit, ChangesOfParametersReachRobotsThatAreUnderWay) {
   EXPECT_EQ(slow_crew->programs[0].program, crew->programs[0].program) << "not built again";
   run.edit(slow_crew);
   const FleetRobot& robot = *run.fleet().find({1});
-  const flow::Program& program = *robot.program->program;
-  EXPECT_EQ(flow::Program::number(robot.frame.data(), *program.find("base_velocity")), 0.5);
-  EXPECT_EQ(flow::Program::number(robot.frame.data(), *program.find("max_velocity")), 7.0);
+  const flow::Program& program = *robot.workings().program;
+  EXPECT_EQ(flow::Program::number(robot.workings().frame, *program.find("base_velocity")), 0.5);
+  EXPECT_EQ(flow::Program::number(robot.workings().frame, *program.find("max_velocity")), 7.0);
 }
 
 TEST(Edit, ObstaclesComeAndGoWithTheOverlay) {
@@ -162,8 +162,8 @@ TEST(SetParameter, ChangesOneRobotAndOutlivesItsStart) {
   run->post(mission::event::Execute{});
   run->step();
   const FleetRobot& robot = *run->fleet().find({1});
-  const flow::Program& program = *robot.program->program;
-  EXPECT_EQ(flow::Program::number(robot.frame.data(), *program.find("base_velocity")), 0.25);
+  const flow::Program& program = *robot.workings().program;
+  EXPECT_EQ(flow::Program::number(robot.workings().frame, *program.find("base_velocity")), 0.25);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
   std::string motion;
   // What a process of its own sums up, it keeps to itself.
   std::vector<flow::Contribution> parts;
-  if (robot.program->program) parts = robot.program->program->contributions(robot.frame.data());
+  if (robot.workings().program) parts = robot.workings().program->contributions(robot.workings().frame);
   for (const flow::Contribution& part : parts) {
     const double strength = geom::length(part.weighted);
     if (strength < kWorthTelling) continue;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -13,30 +11,6 @@
 #include "mlab/percept/object_colors.h"
 
 namespace mlab::fleet {
-namespace {
-
-constexpr std::size_t kRobotsPerPiece = 32;
-// Reading the clock costs as much as sensing does: only every so often is a robot's time taken, and counted
-// so often.
-constexpr std::uint64_t kTimedEvery = 16;
-
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double parameter(const robot::RobotProgram& program, std::string_view name, double otherwise) {
-  if (program.native) {
-    const wire::Port* port = program.native->find(name);
-    return port != nullptr && port->value().has_number() ? port->value().number() : otherwise;
-  }
-  if (!program.program) return otherwise;
-  const flow::Port* port = program.program->find(name);
-  if (port == nullptr) return otherwise;
-  return flow::Program::number(program.initial.data(), *port).value_or(otherwise);
-}
-
-}  // namespace
-
 std::string_view name(RobotLife life) {
   constexpr std::array<std::string_view, 5> kNames = {"not started", "running", "parked", "stopped", "fault"};
   return kNames[static_cast<std::size_t>(life)];
@@ -45,11 +19,12 @@ std::string_view name(RobotLife life) {
 Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
              const std::vector<sim::BodySpec>& bodies, sim::Simulator& simulator, std::uint64_t seed)
     : simulator_(simulator),
-      seed_(seed),
       workers_(static_cast<std::size_t>(simulator.workers().count())),
-      lock_step_(simulator.workers().count(), seed) {
-  for (const mission::Robot& declared : mission.robots)
+      runners_(seed, simulator.workers().count()) {
+  for (const mission::Robot& declared : mission.robots) {
     robots_.push_back(make_robot(mission, declared, programs, bodies));
+    enrol(robots_.back());
+  }
   std::sort(robots_.begin(), robots_.end(),
             [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });
   poses_.resize(robots_.size());
@@ -83,12 +58,16 @@ FleetRobot Fleet::make_robot(const mission::Mission& mission, const mission::Rob
   robot.body_spec = bodies[declared.type];
   robot.seen_as = percept::object_class_of_color(mission.types[declared.type].color)
                       .value_or(percept::ObjectClass::kUnknown);
-  if (robot.program->program) {
-    robot.frame = robot.program->initial;
-    if (robot.program->program->has_asynchronous() && !robot.program->hosted && !async_)
-      async_ = std::make_unique<flow::AsyncRunner>(1);
-  }
   return robot;
+}
+
+void Fleet::enrol(FleetRobot& robot) {
+  robot.runner = runners_.runner_of(*robot.program);
+  if (robot.runner != nullptr) robot.member = robot.runner->add(robot.id, *robot.program);
+}
+
+void Fleet::dismiss(const FleetRobot& robot) {
+  if (robot.runner != nullptr) robot.runner->remove(robot.member);
 }
 
 const FleetRobot* Fleet::find(base::RobotId id) const {
@@ -117,35 +96,15 @@ std::optional<sim::Placement> Fleet::start(base::RobotId id, geom::Pose pose) {
 }
 
 void Fleet::start_program(FleetRobot& robot) {
-  robot.life = robot.program->can_run() ? RobotLife::kRunning : RobotLife::kParked;
+  robot.life = robot.runner != nullptr ? RobotLife::kRunning : RobotLife::kParked;
   robot.fault.clear();
   robot.failure.clear();
   robot.notifications.clear();
-  if (const auto& native = robot.program->native) {
-    robot_host::Settings own;
-    for (const auto& [port, value] : robot.set_parameters)
-      own.emplace_back(native->description.ports(static_cast<int>(port)).path(), value);
-    auto member = lock_step_.start(robot.lock_step, robot.id.value, native, own);
-    if (member) {
-      robot.lock_step = *member;
-      return;
-    }
-    robot.failure = member.error();
-    robot.life = RobotLife::kFaulted;
-    new_faults_.push_back(robot.id);
-    return;
-  }
-  if (robot.program->is_described_only) {
-    robot.failure = "brings procedures that were only checked";
-    robot.life = RobotLife::kFaulted;
-    new_faults_.push_back(robot.id);
-    return;
-  }
-  if (robot.program->hosted)
-    robot.lock_step = lock_step_.host(robot.lock_step, robot.id.value, robot.program->hosted);
-  robot.frame = robot.program->initial;
-  for (const auto& [port, value] : robot.set_parameters)
-    robot.program->program->set(robot.frame.data(), robot.program->program->ports()[port], value);
+  const auto problem = robot.runner != nullptr ? robot.runner->start(robot.member) : std::nullopt;
+  if (!problem) return;
+  robot.failure = *problem;
+  robot.life = RobotLife::kFaulted;
+  new_faults_.push_back(robot.id);
 }
 
 void Fleet::leave_group(std::uint32_t index) {
@@ -185,9 +144,9 @@ void Fleet::order(const mission::effect::Order& effect) {
   } else {
     group.formation_heading = leader.start.heading;
   }
-  group.spacing = parameter(*leader.program, "formation_spacing", group.spacing);
-  group.slop = parameter(*leader.program, "formation_slop", group.slop);
-  group.heading_trigger = parameter(*leader.program, "formation_default_trigger", group.heading_trigger);
+  group.spacing = leader.program->number("formation_spacing").value_or(group.spacing);
+  group.slop = leader.program->number("formation_slop").value_or(group.slop);
+  group.heading_trigger = leader.program->number("formation_default_trigger").value_or(group.heading_trigger);
 
   // All members may come out of one group: dissolve it at once, not one by one.
   std::vector<std::uint32_t> touched;
@@ -263,37 +222,41 @@ void Fleet::update_poses() {
 void Fleet::step(double dt) {
   update_poses();
   for (Group& group : groups_) update_group(group, poses_);
-  lock_step_.begin();
-  for (const FleetRobot& robot : robots_) {
-    if (robot.life == RobotLife::kRunning && robot.program->has_process()) lock_step_.join(robot.lock_step);
-  }
-  lock_step_.open();
-  simulator_.workers().run(robots_.size(), kRobotsPerPiece,
-                           [&](std::size_t begin, std::size_t end, int worker) {
-                             for (std::size_t i = begin; i < end; ++i) {
-                               if (robots_[i].life == RobotLife::kRunning)
-                                 run_program(robots_[i], dt, workers_[static_cast<std::size_t>(worker)]);
-                             }
-                           });
-  run_lock_step();
+  run_programs(dt);
   for (percept::Action& action : actions_) action = {};
   for (FleetRobot& robot : robots_) {
-    if (robot.life == RobotLife::kFaulted && robot.action.drives) {
-      robot.action = {};
-      new_faults_.push_back(robot.id);
-    }
-    if (robot.life != RobotLife::kRunning) continue;
-    actions_[robot.body.value] = robot.action;
-    note_calls(robot);
+    if (robot.life == RobotLife::kRunning) collect(robot);
   }
   messages_.resolve(robots_, simulator_.time());
   simulator_.step(actions_, dt);
   update_poses();
-  times_ = {};
-  for (const Worker& worker : workers_) {
-    times_.sense += worker.sense;
-    times_.behave += worker.behave;
+}
+
+void Fleet::run_programs(double dt) {
+  for (const FleetRobot& robot : robots_) {
+    if (robot.life == RobotLife::kRunning) robot.runner->join(robot.member);
   }
+  for (const auto& runner : runners_) runner->open();
+  simulator_.workers().run(
+      robots_.size(), kRobotsAtOnce, [&](std::size_t begin, std::size_t end, int worker) {
+        for (std::size_t i = begin; i < end; i += kRobotsAtOnce) {
+          run_piece(i, std::min(end, i + kRobotsAtOnce), dt, workers_[static_cast<std::size_t>(worker)]);
+        }
+      });
+  for (const auto& runner : runners_) runner->ask();
+  for (const auto& runner : runners_) runner->wait(meanwhile_);
+}
+
+// Takes up what the robot's program answered.
+void Fleet::collect(FleetRobot& robot) {
+  if (!robot.failure.empty() || !robot::is_number(robot.action)) {
+    robot.life = RobotLife::kFaulted;
+    robot.action = {};
+    new_faults_.push_back(robot.id);
+    return;
+  }
+  actions_[robot.body.value] = robot.action;
+  note_calls(robot);
 }
 
 void Fleet::brake(double dt) {
@@ -322,25 +285,12 @@ std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_vi
   const FleetRobot* found = find(id);
   if (found == nullptr) return fmt::format("there is no robot {}", id.value);
   FleetRobot& robot = robots_[index_of(*found)];
-  if (robot.program->native) return set_native_parameter(robot, path, value);
-  if (!robot.program->program) return fmt::format("robot {} has no program", id.value);
-  const flow::Program& program = *robot.program->program;
-  const flow::Port* port = program.find(path);
-  if (port == nullptr) return fmt::format("the program of robot {} has no `{}`", id.value, path);
-  if (auto problem = program.set(robot.frame.data(), *port, value)) return problem;
-  robot.set_parameters[static_cast<std::uint32_t>(port - program.ports().data())] = value;
-  return std::nullopt;
+  if (robot.runner == nullptr) return fmt::format("robot {} has no program", id.value);
+  return robot.runner->set(robot.member, path, value);
 }
 
-void Fleet::perceive(const FleetRobot& robot, const flow::Needs& needs, double dt, Worker& worker,
-                     percept::Percepts& out) {
-  simulator_.sense(robot.body, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges}, worker.buffer,
-                   out);
-  add_told(robot, dt, out);
-}
-
-void Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose, const flow::Needs& needs, double dt,
-                        sim::SenseBuffer& buffer, percept::Percepts& out) const {
+void Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose, const percept::Needs& needs,
+                        double dt, sim::SenseBuffer& buffer, percept::Percepts& out) const {
   simulator_.sense_at(robot.body, pose, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges},
                       buffer, out);
   add_told(robot, dt, out);
@@ -362,48 +312,30 @@ void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out)
   out.claims = messages_.claims(robot.team);
 }
 
-// Its frame may hold anything, and what a stranger's program wants is no reason to look farther than there is
-// a world, or nowhere.
-flow::Needs Fleet::needs_of_hosted(const FleetRobot& robot) {
-  flow::Needs out = robot.program->program->needs(robot.frame.data());
-  for (double* range : {&out.obstacles, &out.robots, &out.objects})
-    *range = std::isfinite(*range) ? std::clamp(*range, 0.0, 1e9) : 0.0;
-  return out;
-}
-
-// An action that is no number stops the robot.
-void Fleet::check_action(FleetRobot& robot) {
-  const geom::Vector v = robot.action.velocity;
-  if (std::isfinite(v.x + v.y + v.z + robot.action.spin)) return;
-  if (robot.fault.empty()) robot.fault = "its action";
-  robot.life = RobotLife::kFaulted;
-  robot.action.drives = true;  // tells step() that this fault is new
-}
-
-void Fleet::run_program(FleetRobot& robot, double dt, Worker& worker) {
-  const bool is_timed = worker.steps++ % kTimedEvery == 0;
-  const double t0 = is_timed ? seconds() : 0.0;
-  percept::Percepts percepts;
-  if (robot.program->has_process()) {
-    const flow::Needs needs =
-        robot.program->hosted ? needs_of_hosted(robot) : lock_step_.needs(robot.lock_step);
-    perceive(robot, needs, dt, worker, percepts);
-    lock_step_.percepts(robot.lock_step, percepts, robot.frame);
-    if (is_timed) worker.sense += (seconds() - t0) * kTimedEvery;
-    return;
+// In pieces that stay in the cache: senses first, then programs; neighbours that are run at the same place
+// together.
+void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, Worker& worker) {
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (robots_[i].life == RobotLife::kRunning) worker.robots[count++] = static_cast<std::uint32_t>(i);
   }
-  const flow::Program& program = *robot.program->program;
-  perceive(robot, program.needs(robot.frame.data()), dt, worker, percepts);
-  const double t1 = is_timed ? seconds() : 0.0;
-  robot.action = {};
-  program.step(robot.frame.data(), percepts, robot.action, seed_, robot.id.value, async_.get());
-  check_action(robot);
-  if (robot.life == RobotLife::kFaulted) {
-    if (const flow::Port* port = program.find_fault(robot.frame.data())) robot.fault = port->path;
-  }
-  if (is_timed) {
-    worker.sense += (t1 - t0) * kTimedEvery;
-    worker.behave += (seconds() - t1) * kTimedEvery;
+  for (std::size_t first = 0, last = 0; first < count; first = last) {
+    robot::ProgramRunner& runner = *robots_[worker.robots[first]].runner;
+    for (last = first; last < count && robots_[worker.robots[last]].runner == &runner; ++last)
+      worker.members[last] = robots_[worker.robots[last]].member;
+    const std::size_t size = last - first;
+    runner.needs({&worker.members[first], size}, {&worker.needs[first], size});
+    for (std::size_t i = first; i < last; ++i) {
+      FleetRobot& robot = robots_[worker.robots[i]];
+      percept::Percepts& percepts = worker.percepts[i];
+      percepts = {};
+      const percept::Needs& needs = worker.needs[i];
+      simulator_.sense(robot.body, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges},
+                       worker.buffers[i], percepts);
+      add_told(robot, dt, percepts);
+      worker.turns[i] = {robot.member, &percepts, &robot.action, &robot.fault, &robot.failure};
+    }
+    runner.act({&worker.turns[first], size});
   }
 }
 

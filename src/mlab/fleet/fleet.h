@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,13 +11,13 @@
 #include <vector>
 
 #include "mlab/fleet/group.h"
-#include "mlab/fleet/lock_step.h"
 #include "mlab/fleet/messages.h"
-#include "mlab/flow/async_runner.h"
 #include "mlab/mission/effect.h"
 #include "mlab/mission/event.h"
 #include "mlab/mission/mission.h"
 #include "mlab/percept/action.h"
+#include "mlab/percept/needs.h"
+#include "mlab/robot/program_runners.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/sim/simulator.h"
 
@@ -54,7 +55,6 @@ struct FleetRobot {
   percept::ObjectClass seen_as = percept::ObjectClass::kFriendlyRobot;  ///< when it starts, by its colour
   RobotLife life = RobotLife::kNotStarted;
   sim::BodyIndex body;  ///< meaningful once started
-  flow::Frame frame;
   std::uint32_t group = kNoGroup;
   std::uint32_t rank = 0;
   percept::Action action;  ///< of the last cycle
@@ -64,9 +64,13 @@ struct FleetRobot {
   geom::Pose start;
   std::string fault;    ///< path of the port that went wrong; empty: none
   std::string failure;  ///< what the process of its program did instead of acting: `ended with exit status 3`
-  LockStep::Member lock_step = LockStep::kNone;  ///< where its program runs in a process of its own
-  /// Parameters that a person set, as written, by index of the program's ports; set again at every start.
-  std::map<std::uint32_t, std::string> set_parameters;
+  robot::ProgramRunner* runner = nullptr;   ///< of its program; null: nothing here answers to its name
+  robot::ProgramRunner::Member member = 0;  ///< among those of the runner
+
+  /// What its program computes with.
+  robot::Workings workings() const {
+    return runner != nullptr ? runner->workings(member) : robot::Workings{};
+  }
 
   static constexpr std::uint32_t kNoGroup = 0xffffffffU;
   static constexpr std::uint32_t kLeaving = 0xffffffffU;  ///< a rank while orders change hands
@@ -104,7 +108,7 @@ class Fleet {
 
   /// Asked again and again while `step` waits for a robot's own process; true: nobody has time for it any
   /// more, it is ended, and its robot stands.
-  void set_meanwhile(robot_host::Meanwhile meanwhile) { meanwhile_ = std::move(meanwhile); }
+  void set_meanwhile(robot::Meanwhile meanwhile) { meanwhile_ = std::move(meanwhile); }
 
   /// One control cycle of all robots [s].
   void step(double dt);
@@ -138,25 +142,22 @@ class Fleet {
   /// be called between cycles.
   /// @param needs   of its program, or of a part of it
   /// @param buffer  holds the lists of `out`
-  void perceive_at(const FleetRobot& robot, const geom::Pose& pose, const flow::Needs& needs, double dt,
+  void perceive_at(const FleetRobot& robot, const geom::Pose& pose, const percept::Needs& needs, double dt,
                    sim::SenseBuffer& buffer, percept::Percepts& out) const;
 
   /// Robots that faulted since the last call, to be told once.
   std::vector<base::RobotId> take_new_faults();
 
-  /// Seconds of wall clock spent so far, summed over all cycles.
-  struct Times {
-    double sense = 0.0;  ///< with one thread exactly; with several, by the first worker's share
-    double behave = 0.0;
-  };
-  Times times() const { return times_; }
-
  private:
+  static constexpr std::size_t kRobotsAtOnce = 32;
+  /// Some robots' part of the cycle.
   struct Worker {
-    sim::SenseBuffer buffer;
-    double sense = 0.0;
-    double behave = 0.0;
-    std::uint64_t steps = 0;
+    std::array<std::uint32_t, kRobotsAtOnce> robots{};  // indices of those that run
+    std::array<robot::ProgramRunner::Member, kRobotsAtOnce> members{};
+    std::array<percept::Needs, kRobotsAtOnce> needs;
+    std::array<percept::Percepts, kRobotsAtOnce> percepts;
+    std::array<robot::ProgramRunner::Turn, kRobotsAtOnce> turns;
+    std::array<sim::SenseBuffer, kRobotsAtOnce> buffers;
   };
   std::size_t index_of(const FleetRobot& robot) const {
     return static_cast<std::size_t>(&robot - robots_.data());
@@ -168,21 +169,17 @@ class Fleet {
   void note_calls(const FleetRobot& robot);
   void leave_group(std::uint32_t robot);
   void update_poses();
+  /// Gives the robot's program to who runs it, and takes it from there.
+  void enrol(FleetRobot& robot);
+  static void dismiss(const FleetRobot& robot);
   void start_program(FleetRobot& robot);
-  void perceive(const FleetRobot& robot, const flow::Needs& needs, double dt, Worker& worker,
-                percept::Percepts& out);
   /// All that is not sensed: orders, the unit, what people and robots say.
   void add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const;
-  void run_program(FleetRobot& robot, double dt, Worker& worker);
-  void run_lock_step();
-  static void check_action(FleetRobot& robot);
-  static flow::Needs needs_of_hosted(const FleetRobot& robot);
-  std::optional<std::string> set_native_parameter(FleetRobot& robot, std::string_view path,
-                                                  const std::string& value);
-  void take_over_native_parameters(FleetRobot& robot, const robot::NativeProgram& after);
+  void run_programs(double dt);
+  void run_piece(std::size_t begin, std::size_t end, double dt, Worker& worker);
+  void collect(FleetRobot& robot);
 
   sim::Simulator& simulator_;
-  std::uint64_t seed_;
   std::vector<FleetRobot> robots_;  // by id, ascending
   std::vector<geom::Pose> poses_;   // at the start of the cycle
   Messages messages_;
@@ -190,12 +187,10 @@ class Fleet {
   std::vector<std::uint32_t> free_groups_;
   std::vector<percept::Action> actions_;  // by body
   std::vector<Worker> workers_;
-  std::unique_ptr<flow::AsyncRunner> async_;
   std::vector<RobotCall> calls_;
-  LockStep lock_step_;
-  robot_host::Meanwhile meanwhile_;
+  robot::ProgramRunners runners_;
+  robot::Meanwhile meanwhile_;
   std::vector<base::RobotId> new_faults_;
-  Times times_;
 };
 
 }  // namespace mlab::fleet

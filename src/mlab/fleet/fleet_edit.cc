@@ -1,28 +1,10 @@
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <utility>
 
 #include "mlab/fleet/fleet.h"
 
 namespace mlab::fleet {
-namespace {
-
-// What the new version of the program sets to another value than the old one holds from now on; the rest of
-// the frame is the robot's own.
-void take_over_parameters(const robot::RobotProgram& before, const robot::RobotProgram& after,
-                          flow::Frame& frame) {
-  for (const flow::Port& port : after.program->ports()) {
-    if (port.role == flow::Port::Role::kOutput) continue;
-    const std::byte* const old_value = before.initial.data() + port.offset;
-    const std::byte* const new_value = after.initial.data() + port.offset;
-    if (std::memcmp(old_value, new_value, port.type->size) != 0)
-      std::memcpy(frame.data() + port.offset, new_value, port.type->size);
-  }
-}
-
-}  // namespace
-
 void Fleet::edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
                  const std::vector<sim::BodySpec>& bodies) {
   std::vector<FleetRobot> robots;
@@ -33,24 +15,26 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
     const auto at = places.find(declared.id);
     FleetRobot fresh = make_robot(mission, declared, programs, bodies);
     if (at == places.end()) {
+      enrol(fresh);
       robots.push_back(std::move(fresh));
       continue;
     }
     FleetRobot& known = robots_[at->second];
-    const bool same_native = fresh.program->native && known.program->native &&
-                             fresh.program->native->executable == known.program->native->executable;
-    const bool same_program =
-        same_native || (fresh.program->program && fresh.program->program == known.program->program);
+    const bool is_running = known.life == RobotLife::kRunning;
+    const bool keeps_program =
+        known.runner != nullptr && known.runner->take_over(known.member, *fresh.program, is_running);
     if (known.life == RobotLife::kNotStarted) {
-      if (same_program) fresh.set_parameters = known.set_parameters;
+      if (keeps_program) {
+        fresh.runner = known.runner;
+        fresh.member = known.member;
+      } else {
+        dismiss(known);
+        enrol(fresh);
+      }
       fresh.group = known.group;
       fresh.rank = known.rank;
       known = std::move(fresh);
-    } else if (same_native) {
-      take_over_native_parameters(known, *fresh.program->native);
-      known.program = fresh.program;
-    } else if (same_program) {
-      take_over_parameters(*known.program, *fresh.program, known.frame);
+    } else if (keeps_program) {
       known.program = fresh.program;
     }
   }
@@ -58,10 +42,12 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
   for (std::uint32_t i = 0; i < robots_.size(); ++i) {
     const bool is_planned =
         std::ranges::binary_search(mission.robots, robots_[i].id, {}, &mission::Robot::id);
-    if (is_planned || robots_[i].life != RobotLife::kNotStarted)
+    if (is_planned || robots_[i].life != RobotLife::kNotStarted) {
       robots.push_back(robots_[i]);
-    else
+    } else {
       leave_group(i);
+      dismiss(robots_[i]);
+    }
   }
   std::sort(robots.begin(), robots.end(),
             [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });

@@ -50,8 +50,10 @@ struct TestFleet {
     return all;
   }
   void set_speed(std::uint32_t robot, double speed) {
-    auto& frame = const_cast<FleetRobot&>(*fleet.find({robot})).frame;
+    const FleetRobot& changed = *fleet.find({robot});
+    flow::Frame frame = changed.runner->save(changed.member);
     std::memcpy(frame.data() + programs[0].program->find("speed")->offset, &speed, sizeof speed);
+    EXPECT_TRUE(changed.runner->restore(changed.member, frame));
   }
 };
 
@@ -165,7 +167,8 @@ TEST(Fleet, StepsTheSameWithOneThreadAndWithEight) {
   }
   for (const FleetRobot& robot : one.fleet.robots()) {
     EXPECT_EQ(one.fleet.pose(robot), eight.fleet.pose(*eight.fleet.find(robot.id)));
-    EXPECT_EQ(robot.frame, eight.fleet.find(robot.id)->frame);
+    const FleetRobot& same = *eight.fleet.find(robot.id);
+    EXPECT_EQ(robot.runner->save(robot.member), same.runner->save(same.member));
   }
 }
 

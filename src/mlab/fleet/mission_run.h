@@ -113,7 +113,7 @@ class MissionRun {
   }
 
   /// As Fleet::set_meanwhile. What it calls must leave the run as it is.
-  void set_meanwhile(robot_host::Meanwhile meanwhile) { fleet_->set_meanwhile(std::move(meanwhile)); }
+  void set_meanwhile(robot::Meanwhile meanwhile) { fleet_->set_meanwhile(std::move(meanwhile)); }
 
   /// The operator's stick for one robot.
   void set_joystick(base::RobotId robot, const percept::Joystick& joystick) {

@@ -53,13 +53,6 @@ std::int64_t integer_at(const std::byte* frame, std::uint32_t offset, std::uint3
 
 }  // namespace
 
-void Needs::add(const Needs& other) {
-  obstacles = std::max(obstacles, other.obstacles);
-  robots = std::max(robots, other.robots);
-  objects = std::max(objects, other.objects);
-  ranges = ranges || other.ranges;
-}
-
 const Port* Program::find(std::string_view path) const {
   const auto it = port_index_.find(path);
   return it == port_index_.end() ? nullptr : &ports_[it->second];
@@ -255,7 +248,8 @@ void Program::restart(const Block& block, std::byte* frame) const {
   }
 }
 
-void Program::add_needs(const Block& block, const std::byte* frame, bool starts_anew, Needs& needs) const {
+void Program::add_needs(const Block& block, const std::byte* frame, bool starts_anew,
+                        percept::Needs& needs) const {
   for (std::uint32_t n = block.first_need; n < block.first_need + block.need_count; ++n) {
     const NeedCode& need = needs_[n];
     const double range = need.range_offset == kNone ? need.range : at<double>(frame, need.range_offset);
@@ -293,8 +287,8 @@ void Program::add_needs(const Block& block, const std::byte* frame, bool starts_
   }
 }
 
-Needs Program::needs(const std::byte* frame) const {
-  Needs out;
+percept::Needs Program::needs(const std::byte* frame) const {
+  percept::Needs out;
   add_needs(root_, frame, false, out);
   return out;
 }

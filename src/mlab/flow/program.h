@@ -14,6 +14,7 @@
 #include "mlab/flow/frame.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/network.h"
+#include "mlab/percept/needs.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::flow {
@@ -34,16 +35,6 @@ struct Port {
   double min = -1e300;       ///< of what may be set, in `edge_unit`
   double max = 1e300;
   std::string edge_unit;  ///< in which people set and read it: `deg` where the author said so
-};
-
-/// What has to be sensed for the next cycle, and how far at most [m]; 0: not wanted.
-struct Needs {
-  double obstacles = 0.0;
-  double robots = 0.0;
-  double objects = 0.0;
-  bool ranges = false;
-
-  void add(const Needs& other);
 };
 
 /// What one member adds to a weighted sum in the cycle that ran last.
@@ -182,7 +173,7 @@ class Program {
             std::uint32_t robot, AsyncRunner* async = nullptr) const;
 
   /// What the next step may read, given the states in which the robot is.
-  Needs needs(const std::byte* frame) const;
+  percept::Needs needs(const std::byte* frame) const;
 
   /// The cycle that ran last; 0 before the first.
   static std::uint64_t cycle(const std::byte* frame);
@@ -277,7 +268,7 @@ class Program {
   void run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
                  AsyncRunner* async) const;
   void restart(const Block& block, std::byte* frame) const;
-  void add_needs(const Block& block, const std::byte* frame, bool starts_anew, Needs& needs) const;
+  void add_needs(const Block& block, const std::byte* frame, bool starts_anew, percept::Needs& needs) const;
 
   std::string name_;
   std::vector<Port> ports_;

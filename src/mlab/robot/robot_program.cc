@@ -76,6 +76,16 @@ void set_parameters(std::span<const Setting> settings, const std::vector<std::st
 
 }  // namespace
 
+std::optional<double> RobotProgram::number(std::string_view path) const {
+  if (native) {
+    const wire::Port* port = native->find(path);
+    return port != nullptr && port->value().has_number() ? std::optional(port->value().number())
+                                                         : std::nullopt;
+  }
+  const flow::Port* port = program ? program->find(path) : nullptr;
+  return port != nullptr ? flow::Program::number(initial.data(), *port) : std::nullopt;
+}
+
 const flow::Library& component_library() {
   static const flow::Library kLibrary = [] {
     flow::Library library;

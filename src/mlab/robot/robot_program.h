@@ -61,8 +61,9 @@ struct RobotProgram {
 
   /// Somebody answers to the name.
   bool can_run() const { return program != nullptr || native != nullptr; }
-  /// Its robots are not stepped in this process.
-  bool has_process() const { return hosted != nullptr || native != nullptr; }
+  /// What a parameter or constant holds before the first cycle, in SI units; nothing where there is none of
+  /// that path, or it is no number.
+  std::optional<double> number(std::string_view path) const;
 };
 
 /// What finding a program may use.

@@ -14,7 +14,7 @@ namespace {
 using flow::Port;
 using flow::Program;
 
-void put(const flow::Needs& needs, wire::Needs& out) {
+void put(const percept::Needs& needs, wire::Needs& out) {
   out.set_obstacles(needs.obstacles);
   out.set_robots(needs.robots);
   out.set_objects(needs.objects);
