@@ -42,7 +42,7 @@ add_custom_target(unit_tests)
 add_custom_target(threaded_tests)
 add_custom_target(fuzzers)
 # Whose tests run robots with procedures of their own, in the program that hosts those.
-set(MLAB_HOSTING_MODULES robot robot_build fleet language lsp console designer)
+set(MLAB_HOSTING_MODULES robot robot_build simulated language lsp console designer)
 
 # mlab_module(NAME [SOURCES file...] [TESTS file...] [THREADED_TESTS file...] [LINK target...] [TEST_LINK target...])
 #

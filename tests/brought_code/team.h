@@ -13,6 +13,7 @@
 #include "mlab/cell/permission.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/simulated/run.h"
 
 /// Missions whose robots bring procedures of their own.
 namespace mlab::brought_code {
@@ -81,7 +82,7 @@ struct Team {
     settings.seed = 5;
     settings.threads = threads;
     settings.executive.proceed_all = true;
-    run = fleet::MissionRun::create(plan, sources, settings, sink);
+    run = simulated::make_run(plan, sources, settings, sink);
     if (!run) return;
     run->set_observer([this](const mission::Effect& effect) {
       const auto* one = std::get_if<mission::effect::Tell>(&effect);

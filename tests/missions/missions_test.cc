@@ -20,6 +20,7 @@
 #include "mlab/fleet/report.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/configuration_file.h"
+#include "mlab/simulated/run.h"
 
 namespace mlab {
 namespace {
@@ -47,7 +48,7 @@ std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t s
   settings.seed = seed;
   settings.threads = threads;
   settings.executive.proceed_all = true;
-  auto run = fleet::MissionRun::create(mission, sources, settings, sink);
+  auto run = simulated::make_run(mission, sources, settings, sink);
   EXPECT_TRUE(run) << text::render(sink);
   return run;
 }
@@ -91,7 +92,7 @@ TEST_P(Mission, ArrivesWithAnySeedWithoutAContact) {
     EXPECT_EQ(run->state().steps.size(), expected["steps"].get<std::size_t>());
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       ASSERT_NE(robot.life, fleet::RobotLife::kNotStarted);
-      EXPECT_EQ(run->simulator().contacts(robot.body), 0U) << "robot " << robot.id.value;
+      EXPECT_EQ(run->world().body(robot.body).contacts, 0U) << "robot " << robot.id.value;
     }
     EXPECT_EQ(run->deliveries().size(), expected.value("deliveries", std::size_t{0}));
     for (const auto& [unit, place] : expected["units_end"].items()) {
@@ -226,7 +227,7 @@ TEST(DemoC, DifferentSeedsGiveDifferentRuns) {
   const auto path_of = [&](std::uint64_t seed) {
     const auto run = prepare(kMissions / "demo_c" / "demo_c.mdl", seed, 1);
     carry_out(*run, 3600.0);
-    return run->simulator().distance_driven(run->fleet().robots().front().body);
+    return run->world().body(run->fleet().robots().front().body).distance_driven;
   };
   EXPECT_NE(path_of(1), path_of(2));
 }

@@ -32,6 +32,12 @@ TEST(Layering, LanguagesDoNotKnowEachOtherUnlessAnArrowSaysSo) {
   EXPECT_EQ(findings[0].path, "src/mlab/lang/cnl/parser.cc");
 }
 
+TEST(Layering, WhatAModuleKeepsToItselfNobodyAboveItAndNoHeaderOfItKnows) {
+  const std::string line = "#include \"mlab/sim/simulator.h\"\n";
+  EXPECT_EQ(upward_includes({{"src/mlab/simulated/run.cc", line}}), Findings{});
+  EXPECT_EQ(upward_includes({{"src/mlab/simulated/run.h", line}, {"src/mlab/console/alarms.cc", line}}).size(), 2U);
+}
+
 TEST(Layering, TheCommandMayIncludeEverything) {
   EXPECT_EQ(upward_includes({{"src/mlab/cli/main.cc", "#include \"mlab/fleet/fleet.h\"\n"}}), Findings{});
 }

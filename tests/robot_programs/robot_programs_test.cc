@@ -18,6 +18,7 @@
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/network_file.h"
 #include "mlab/robot_build/executable.h"
+#include "mlab/simulated/run.h"
 
 namespace mlab {
 namespace {
@@ -98,7 +99,7 @@ class RobotProgramsTest : public testing::Test {
                                                  : cell::testing::code_permitted(),
                                   shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
     sources.limits.cycle_wall = 1.0;
-    auto run = fleet::MissionRun::create(mission, sources, settings, sink_);
+    auto run = simulated::make_run(mission, sources, settings, sink_);
     if (run) {
       run->set_observer([this](const mission::Effect& effect) {
         const auto* told = std::get_if<mission::effect::Tell>(&effect);
@@ -219,7 +220,7 @@ TEST_F(RobotProgramsTest, ForageTogetherAsTheEmbeddedProgramsDo) {
     settings.executive.proceed_all = true;
     robot::ProgramSources sources{cell::testing::all_permitted(), folder.string(),
                                   std::string(MLAB_SOURCE_DIR) + "/src", "test"};
-    const auto run = fleet::MissionRun::create(mission, sources, settings, sink);
+    const auto run = simulated::make_run(mission, sources, settings, sink);
     ASSERT_TRUE(run) << text::render(sink);
     Trace trace;
     trace.ways = ways(*run, 2500);

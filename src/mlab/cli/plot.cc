@@ -157,7 +157,7 @@ std::string Plot::svg(const fleet::MissionRun& run) const {
   for (const overlay::ControlMeasure& measure : run.mission().overlay.measures) {
     if (!measure.points.empty()) out += measure_svg(view, measure);
   }
-  for (const sim::Disc& disc : run.simulator().discs()) {
+  for (const binding::Disc& disc : run.world().discs()) {
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"rock\"/>\n",
                        view.x(disc.center), view.y(disc.center), std::max(1.0, disc.radius * view.scale));
   }

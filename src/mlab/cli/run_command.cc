@@ -31,6 +31,7 @@
 #include "mlab/fleet/report.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/simulated/run.h"
 
 namespace mlab::cli {
 namespace {
@@ -98,7 +99,7 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
         settings.environment =
             envchange::parse(*source, mission->overlay.origin, sink).value_or(overlay::EnvironmentChanges{});
     }
-    if (!sink.has_errors()) out.run = fleet::MissionRun::create(mission, sources, settings, sink);
+    if (!sink.has_errors()) out.run = simulated::make_run(mission, sources, settings, sink);
   }
   tell(sink);
   if (!out.run) return std::nullopt;

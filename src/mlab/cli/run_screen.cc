@@ -183,16 +183,16 @@ void RunScreen::show_summary(const fleet::MissionRun& run, const std::string& ou
   std::uint64_t contacts = 0;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     const bool was_started = robot.life != fleet::RobotLife::kNotStarted;
-    if (was_started) contacts += run.simulator().contacts(robot.body);
+    if (was_started) contacts += run.world().body(robot.body).contacts;
     if (shown_robots++ >= kMostRobots) continue;
     if (!was_started) {
       fmt::print("  robot {}: not started\n", robot.id.value);
       continue;
     }
     const geom::Point at = run.fleet().pose(robot).position;
+    const binding::BodyState body = run.world().body(robot.body);
     fmt::print("  robot {}: {:>8} at ({:.1f}, {:.1f}), drove {:.1f} m, {}\n", robot.id.value,
-               name(robot.life), at.x, at.y, run.simulator().distance_driven(robot.body),
-               base::counted(run.simulator().contacts(robot.body), "collision"));
+               name(robot.life), at.x, at.y, body.distance_driven, base::counted(body.contacts, "collision"));
   }
   if (shown_robots > kMostRobots)
     fmt::print("  ... and {} more; {} in all\n", shown_robots - kMostRobots,

@@ -87,7 +87,7 @@ void Alarms::look_at(const fleet::MissionRun& run, const FleetRobot& robot, Robo
 
 void Alarms::look_for_contact(const fleet::MissionRun& run, const FleetRobot& robot, Robot& known,
                               EventLog& log) {
-  const std::uint32_t contacts = run.simulator().contacts(robot.body);
+  const std::uint32_t contacts = run.world().body(robot.body).contacts;
   if (contacts == known.contacts) return;
   const bool is_new = contacts > known.contacts;
   known.contacts = contacts;

@@ -31,7 +31,7 @@ std::uint8_t flags_of(const fleet::MissionRun& run, const FleetRobot& robot, con
   // RobotLife counts as the flags do: running 1, parked 2, stopped 3, faulted 4.
   const auto life = static_cast<unsigned>(robot.life);
   const percept::OrderStatus& status = robot.action.status;
-  return static_cast<std::uint8_t>(life | bit(run.simulator().in_contact(robot.body), 3) |
+  return static_cast<std::uint8_t>(life | bit(run.world().body(robot.body).in_contact, 3) |
                                    bit(alarm != nullptr && alarm->is_stuck, 4) | bit(is_teleoperated, 5) |
                                    bit(status.sequence != 0 && status.done, 6) |
                                    bit(alarm != nullptr && alarm->is_lost, 7));
@@ -103,9 +103,9 @@ void encode_vectors(const fleet::MissionRun& run, std::string& out) {
 
 void encode_objects(const fleet::MissionRun& run, std::string& out) {
   const auto& planned = run.mission().overlay.objects;
-  const auto objects = run.simulator().objects();
+  const auto objects = run.world().objects();
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const sim::Object& object = objects[i];
+    const binding::Object& object = objects[i];
     const bool stays = object.carrier.value == 0 && i < planned.size() && planned[i].center == object.center;
     if (stays) continue;
     append(out, ObjectMark{object.id.value, static_cast<float>(object.center.x),

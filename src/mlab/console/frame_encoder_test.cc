@@ -64,7 +64,7 @@ TEST(Frames, TellWhereRobotsWillStartAsTheyThenDo) {
   ASSERT_EQ(planned.size(), 5U);
   EXPECT_FLOAT_EQ(planned[1].x, 15.0F);
   EXPECT_EQ(planned[0].flags, 0);
-  EXPECT_EQ(run->simulator().body_count(), 0U) << "nothing was started by asking";
+  EXPECT_EQ(run->robots_in_world(), 0U) << "nothing was started by asking";
   run->post(mission::event::Execute{});
   testing::step(*run, 1);
   run->post(mission::event::Pause{});

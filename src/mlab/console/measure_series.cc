@@ -23,12 +23,12 @@ const mission::Unit* find_unit(const mission::Mission& mission, const std::strin
 std::optional<double> nearest_obstacle(const fleet::MissionRun& run, const FleetRobot& robot) {
   double nearest = std::numeric_limits<double>::infinity();
   const geom::Point at = run.fleet().pose(robot).position;
-  for (const sim::Disc& disc : run.simulator().discs())
+  for (const binding::Disc& disc : run.world().discs())
     nearest = std::min(nearest, geom::distance(disc.center, at) - disc.radius);
-  for (const sim::Wall& wall : run.simulator().walls())
+  for (const binding::Wall& wall : run.world().walls())
     nearest = std::min(nearest, geom::distance(geom::nearest_point(wall.segment, at), at));
   if (nearest == std::numeric_limits<double>::infinity()) return std::nullopt;
-  return nearest - robot.body_spec.radius;
+  return nearest - robot.capabilities.radius;
 }
 
 std::optional<geom::Point> goal_of(const fleet::MissionRun& run, const FleetRobot& robot) {
@@ -62,11 +62,11 @@ std::optional<double> measure_robot(const fleet::MissionRun& run, const FleetRob
     case Series::FORMATION_ERROR:
       return run.fleet().station_error(robot);
     case Series::SPEED:
-      return geom::length(run.simulator().velocity(robot.body));
+      return geom::length(run.world().body(robot.body).velocity);
     case Series::DISTANCE_DRIVEN:
-      return run.simulator().distance_driven(robot.body);
+      return run.world().body(robot.body).distance_driven;
     case Series::CONTACTS:
-      return run.simulator().contacts(robot.body);
+      return run.world().body(robot.body).contacts;
     case Series::NEAREST_OBSTACLE:
       return nearest_obstacle(run, robot);
     case Series::HEADING:

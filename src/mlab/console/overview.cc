@@ -145,9 +145,9 @@ void encode_roster(const fleet::MissionRun& run, Roster& out) {
     told.set_type(clean(robot.type));
     const auto type = types.find(robot.type);
     told.set_color(rgb_of(type == types.end() ? "" : type->second->color));
-    told.set_radius(robot.body_spec.radius);
+    told.set_radius(robot.capabilities.radius);
     const double length = mission.options.robot_length;
-    told.set_length(length > 0.0 ? length : 2.0 * robot.body_spec.radius);
+    told.set_length(length > 0.0 ? length : 2.0 * robot.capabilities.radius);
     if (const auto unit = units.find(robot.id); unit != units.end())
       told.set_unit(clean(mission.units[unit->second].name));
     const flow::Program* const program = robot.workings().program;

@@ -95,12 +95,10 @@ void encode_ports(const FleetRobot& robot, const DetailWishes& wishes, RobotDeta
   }
 }
 
-void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim::SenseBuffer& buffer,
-                     RobotDetail& out) {
+void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, RobotDetail& out) {
   const percept::Needs needs = robot.workings().program->needs(robot.workings().frame);
-  percept::Percepts percepts;
-  run.simulator().sense(robot.body, {needs.obstacles, 0.0, 0.0, 0, robot.body_spec.ring.count > 0}, buffer,
-                        percepts);
+  const percept::Percepts percepts = run.world().sense(
+      robot.body, {.obstacles = needs.obstacles, .ranges = robot.capabilities.range_sensors > 0});
   for (const percept::RangeReading& beam : percepts.ranges)
     append(*out.mutable_ranges(), Beam{beam.angle, beam.distance, beam.hit ? 1.0F : 0.0F});
   for (const percept::Obstacle& obstacle : percepts.obstacles) {
@@ -111,7 +109,7 @@ void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, sim:
 }
 
 void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, const DetailWishes& wishes,
-                    sim::SenseBuffer& buffer, RobotDetail& out) {
+                    RobotDetail& out) {
   const flow::Program& program = *robot.workings().program;
   for (const std::string& state : program.active_states(robot.workings().frame)) out.add_states(clean(state));
   for (const flow::Contribution& part : program.contributions(robot.workings().frame)) {
@@ -122,7 +120,7 @@ void encode_program(const fleet::MissionRun& run, const FleetRobot& robot, const
     told.set_y(part.weighted.y);
   }
   if (wishes.ports) encode_ports(robot, wishes, out);
-  if (wishes.readings && robot.life == RobotLife::kRunning) encode_readings(run, robot, buffer, out);
+  if (wishes.readings && robot.life == RobotLife::kRunning) encode_readings(run, robot, out);
 }
 
 }  // namespace
@@ -172,11 +170,11 @@ std::vector<std::string> waits_for(const fleet::MissionRun& run, const FleetRobo
 }
 
 void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const FleetRobot& robot,
-                   const DetailWishes& wishes, sim::SenseBuffer& buffer, RobotDetail& out) {
+                   const DetailWishes& wishes, RobotDetail& out) {
   out.set_id(robot.id.value);
   out.set_life(std::string(name(robot.life)));
   out.set_fault(clean(robot.fault));
-  if (robot.workings().program) encode_program(run, robot, wishes, buffer, out);
+  if (robot.workings().program) encode_program(run, robot, wishes, out);
   if (robot.life == RobotLife::kNotStarted) {
     out.set_remaining(-1.0);
     out.set_arrival(-1.0);
@@ -186,10 +184,11 @@ void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, con
   out.set_x(pose.position.x);
   out.set_y(pose.position.y);
   out.set_heading(pose.heading);
-  out.set_speed(geom::length(run.simulator().velocity(robot.body)));
-  out.set_distance_driven(run.simulator().distance_driven(robot.body));
-  out.set_contacts(run.simulator().contacts(robot.body));
-  out.set_carried(run.simulator().carried(robot.body).value);
+  const binding::BodyState body = run.world().body(robot.body);
+  out.set_speed(geom::length(body.velocity));
+  out.set_distance_driven(body.distance_driven);
+  out.set_contacts(body.contacts);
+  out.set_carried(body.carried.value);
   encode_command(run, estimates, robot, out);
   if (const auto station = run.fleet().station_place(robot)) {
     out.mutable_station()->set_x(station->x);

@@ -9,7 +9,6 @@
 #include "mlab/console.pb.h"
 #include "mlab/console/estimates.h"
 #include "mlab/fleet/mission_run.h"
-#include "mlab/sim/sensing.h"
 
 namespace mlab::console {
 
@@ -27,7 +26,7 @@ struct DetailWishes {
 /// does.
 /// @param buffer  for sensing; used again and again
 void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const fleet::FleetRobot& robot,
-                   const DetailWishes& wishes, sim::SenseBuffer& buffer, RobotDetail& out);
+                   const DetailWishes& wishes, RobotDetail& out);
 
 /// Where the program has these ports, ascending; those that it does not have are left out.
 std::vector<std::uint32_t> port_indices(const flow::Program& program, std::span<const std::string> paths);

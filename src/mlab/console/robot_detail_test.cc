@@ -22,7 +22,7 @@ class Ports : public ::testing::Test {
 
   RobotDetail detail(const DetailWishes& wishes) {
     RobotDetail out;
-    encode_detail(*run_, estimates_, run_->fleet().robots().front(), wishes, buffer_, out);
+    encode_detail(*run_, estimates_, run_->fleet().robots().front(), wishes, out);
     return out;
   }
   const flow::Program& program() { return *run_->fleet().robots().front().workings().program; }
@@ -30,7 +30,6 @@ class Ports : public ::testing::Test {
  private:
   std::unique_ptr<fleet::MissionRun> run_ = testing::run_of(testing::kTravel);
   Estimates estimates_;
-  sim::SenseBuffer buffer_;
 };
 
 TEST_F(Ports, ThatAreWantedAloneHaveTheValuesThatTheyHaveAmongAll) {

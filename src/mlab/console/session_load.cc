@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "mlab/console/session_parts.h"
+#include "mlab/simulated/run.h"
 
 namespace mlab::console {
 namespace {
@@ -92,7 +93,7 @@ void Session::Parts::load(std::uint64_t seed, const std::shared_ptr<const fleet:
     const std::shared_ptr<const fleet::Crew> crew =
         fleet::make_crew(mission, sources, *problems, known.get());
     const auto run = std::make_shared<std::unique_ptr<fleet::MissionRun>>();
-    if (crew) *run = std::make_unique<fleet::MissionRun>(crew, run_settings);
+    if (crew) *run = simulated::make_run(crew, run_settings);
     inbox_.post([this, number, crew, run, problems] {
       if (number != loading_) return;
       report_problems(*problems);

@@ -228,7 +228,6 @@ class Session::Parts {
   std::size_t not_started_ = 0;     // robots, when the starts were told last
   std::uint64_t scene_extras_ = 0;  // how often obstacles came that no document has
   Teleoperations teleoperations_;
-  sim::SenseBuffer sense_buffer_;
   struct Sentences {
     double wall = -1e9;  ///< when they were made
     std::vector<std::string> lines;

@@ -17,9 +17,9 @@ std::uint64_t bits(double value) {
   return out;
 }
 
-std::uint64_t key_of(std::span<const sim::Disc> discs) {
+std::uint64_t key_of(std::span<const binding::Disc> discs) {
   std::uint64_t key = discs.size();
-  for (const sim::Disc& disc : discs) {
+  for (const binding::Disc& disc : discs) {
     key = base::combine_bits(key, bits(disc.center.x));
     key = base::combine_bits(key, bits(disc.center.y) ^ bits(disc.radius));
   }
@@ -49,7 +49,7 @@ void Session::Parts::update_watches() {
 
 void Session::Parts::look_at_world() {
   if (!live_) return;
-  const std::uint64_t key = key_of(live_->run().simulator().discs());
+  const std::uint64_t key = key_of(live_->run().world().discs());
   if (std::exchange(world_key_, key) == key) return;
   ++scene_extras_;
   changes_.scene = changes_.starts = true;
@@ -74,7 +74,7 @@ void Session::Parts::fill_scene(ToBrowser& out) const {
   for (const Obstacle& obstacle : scene.obstacles())
     shown.emplace_back(obstacle.x(), obstacle.y(), obstacle.radius());
   std::ranges::sort(shown);
-  for (const sim::Disc& disc : live_->run().simulator().discs()) {
+  for (const binding::Disc& disc : live_->run().world().discs()) {
     if (std::ranges::binary_search(shown, Round{disc.center.x, disc.center.y, disc.radius})) continue;
     Obstacle& extra = *scene.add_obstacles();
     extra.set_x(disc.center.x);
@@ -93,7 +93,7 @@ void Session::Parts::fill_details(const Watch& watch, Frame& out) {
     DetailWishes wishes = {watch.with_ports(), watch.with_readings(), live_->transitions().before(id)};
     if (watch.ports_size() > 0 && robot->workings().program)
       wishes.some_ports = port_indices(*robot->workings().program, paths);
-    encode_detail(run, live_->estimates(), *robot, wishes, sense_buffer_, told);
+    encode_detail(run, live_->estimates(), *robot, wishes, told);
     live_->transitions().encode(id, told);
     Sentences& sentences = sentences_[id];
     if (!time_runs_ || now() - sentences.wall > kSentencesEvery) sentences = {now(), waits_for(run, *robot)};

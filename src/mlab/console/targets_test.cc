@@ -75,9 +75,8 @@ TEST(RobotDetail, SaysWhatTheRobotFollowsAndWhatItWaitsFor) {
   const auto run = testing::run_of(testing::kTravel);
   run->post(mission::event::Execute{});
   testing::step(*run, 20);
-  sim::SenseBuffer buffer;
   RobotDetail detail;
-  encode_detail(*run, {}, *run->fleet().find({1}), {true, true}, buffer, detail);
+  encode_detail(*run, {}, *run->fleet().find({1}), {true, true}, detail);
   EXPECT_EQ(detail.unit(), "pair");
   EXPECT_EQ(detail.task(), "MOVETO");
   EXPECT_EQ(detail.life(), "running");
@@ -96,9 +95,8 @@ TEST(RobotDetail, SaysWhatTheRobotFollowsAndWhatItWaitsFor) {
 
 TEST(RobotDetail, OfARobotThatIsNotStartedSaysSo) {
   const auto run = testing::run_of(testing::kTravel);
-  sim::SenseBuffer buffer;
   RobotDetail detail;
-  encode_detail(*run, {}, *run->fleet().find({3}), {true, true}, buffer, detail);
+  encode_detail(*run, {}, *run->fleet().find({3}), {true, true}, detail);
   EXPECT_EQ(detail.life(), "not started");
   EXPECT_EQ(waits_for(*run, *run->fleet().find({3})).size(), 1U);
   EXPECT_LT(detail.remaining(), 0.0);

@@ -17,6 +17,7 @@
 #include "mlab/lang/cdl/lower.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/brought_code.h"
+#include "mlab/simulated/run.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -336,7 +337,8 @@ text::Result<std::string> Designer::Parts::field_alone(const OpenConfiguration& 
   sources.ends = jobs_end_.get_token();
   const auto crew = mission == nullptr ? nullptr : fleet::make_crew(mission, sources, sink);
   if (!crew) return not_known(sink.items().empty() ? "it can't run" : sink.items().front().message);
-  fleet::MissionRun run(crew, {});
+  const auto simulated = simulated::make_run(crew, {});
+  fleet::MissionRun& run = *simulated;
   run.post(mission::event::Execute{});
   const auto body = [&]() -> const fleet::FleetRobot& { return run.fleet().robots().front(); };
   const auto has_order = [&] {

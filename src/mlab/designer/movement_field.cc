@@ -92,11 +92,10 @@ bool FieldReading::read(const fleet::MissionRun& run, const fleet::FleetRobot& b
   return next_ == count;
 }
 
-geom::Pose FieldReading::perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body,
-                                  std::uint32_t place, percept::Percepts& out) {
+percept::Percepts FieldReading::perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body,
+                                         std::uint32_t place) const {
   const geom::Pose pose = grid_.pose(place % grid_.columns, place / grid_.columns);
-  run.fleet().perceive_at(body, pose, needs_, run.cycle_duration(), buffer_, out);
-  return pose;
+  return run.fleet().perceive_at(body, pose, needs_, run.cycle_duration());
 }
 
 void FieldReading::add_arrow(const geom::Pose& pose, const std::byte* frame) {
@@ -110,12 +109,11 @@ void FieldReading::add_arrow(const geom::Pose& pose, const std::byte* frame) {
 }
 
 void FieldReading::read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
-  percept::Percepts percepts;
+  const percept::Percepts percepts = perceive(run, body, next_);
   percept::Action unwanted;
-  const geom::Pose pose = perceive(run, body, next_, percepts);
   frame_ = start_;
   part_.program->step(frame_.data(), percepts, unwanted, run.seed(), body.id.value);
-  add_arrow(pose, frame_.data());
+  add_arrow(percepts.pose, frame_.data());
   ++next_;
 }
 
@@ -128,8 +126,8 @@ void FieldReading::read_hosted(const fleet::MissionRun& run, const fleet::FleetR
   for (std::uint32_t i = 0; i < count; ++i) hosted_->join(body.id.value, run.seed());
   hosted_->open();
   for (std::uint32_t i = 0; i < count; ++i) {
-    percept::Percepts percepts;
-    poses.push_back(perceive(run, body, next_ + i, percepts));
+    const percept::Percepts percepts = perceive(run, body, next_ + i);
+    poses.push_back(percepts.pose);
     hosted_->set(i, percepts, {start_.data(), start_.size()});
   }
   hosted_->ask();

@@ -8,7 +8,6 @@
 #include "mlab/flow/network.h"
 #include "mlab/flow/program.h"
 #include "mlab/robot_host/hosted_cycle.h"
-#include "mlab/sim/sensing.h"
 
 namespace mlab::designer {
 
@@ -57,8 +56,8 @@ class FieldReading {
 
  private:
   void begin(const fleet::FleetRobot& body);
-  geom::Pose perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body, std::uint32_t place,
-                      percept::Percepts& out);
+  percept::Percepts perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body,
+                             std::uint32_t place) const;
   void add_arrow(const geom::Pose& pose, const std::byte* frame);
   void read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body);
   void read_hosted(const fleet::MissionRun& run, const fleet::FleetRobot& body);
@@ -70,7 +69,6 @@ class FieldReading {
   flow::Frame start_;
   flow::Frame frame_;
   percept::Needs needs_;
-  sim::SenseBuffer buffer_;
   std::unique_ptr<robot_host::HostedCycle> hosted_;  ///< where the part has a process of its own
   std::uint32_t next_ = 0;                           ///< place; 0: not begun
   std::string arrows_;

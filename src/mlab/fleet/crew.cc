@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/fleet/order_check.h"
 #include "mlab/fleet/vehicle.h"
 
 namespace mlab::fleet {
@@ -98,6 +99,13 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
   }
   of_societies.report(sink);
   if (sink.error_count() > errors_before) return nullptr;
+  return crew;
+}
+
+std::shared_ptr<const Crew> check_crew(std::shared_ptr<const mission::Mission> mission,
+                                       const robot::ProgramSources& sources, text::Diagnostics& sink) {
+  auto crew = make_crew(std::move(mission), sources, sink);
+  if (crew) check_orders(*crew, sink);
   return crew;
 }
 

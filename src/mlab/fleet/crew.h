@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "mlab/binding/body.h"
 #include "mlab/mission/mission.h"
 #include "mlab/robot/robot_program.h"
-#include "mlab/sim/body.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::fleet {
@@ -15,7 +15,7 @@ namespace mlab::fleet {
 struct Crew {
   std::shared_ptr<const mission::Mission> mission;  ///< never null
   std::vector<robot::RobotProgram> programs;        ///< by index of Mission::types
-  std::vector<sim::BodySpec> bodies;                ///< likewise
+  std::vector<binding::BodySpec> bodies;            ///< likewise
 };
 
 /// @param before  a program that it has already is not built again; null: none
@@ -23,5 +23,10 @@ struct Crew {
 std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mission,
                                       const robot::ProgramSources& sources, text::Diagnostics& sink,
                                       const Crew* before = nullptr);
+
+/// The same, with warnings of orders that can't end as they stand (see order_check.h): all that can be said
+/// of a mission before it runs.
+std::shared_ptr<const Crew> check_crew(std::shared_ptr<const mission::Mission> mission,
+                                       const robot::ProgramSources& sources, text::Diagnostics& sink);
 
 }  // namespace mlab::fleet

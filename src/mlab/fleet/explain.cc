@@ -6,7 +6,6 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/fleet/mission_run.h"
-#include "mlab/sim/world.h"
 
 namespace mlab::fleet {
 namespace {
@@ -68,10 +67,10 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
   }
   out.push_back(fmt::format("{}: {}", who, motion));
 
-  const sim::Disc* nearest = nullptr;
+  const binding::Disc* nearest = nullptr;
   double nearest_gap = kNear;
-  for (const sim::Disc& disc : simulator_->discs()) {
-    const double gap = geom::distance(disc.center, pose.position) - disc.radius - robot.body_spec.radius;
+  for (const binding::Disc& disc : world().discs()) {
+    const double gap = geom::distance(disc.center, pose.position) - disc.radius - robot.capabilities.radius;
     if (gap < nearest_gap) {
       nearest_gap = gap;
       nearest = &disc;
@@ -84,7 +83,7 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
   }
   double wall_distance = kNear;
   geom::Point wall_point;
-  for (const sim::Wall& wall : simulator_->walls()) {
+  for (const binding::Wall& wall : world().walls()) {
     if (!wall.is_solid) continue;
     const geom::Point p = geom::nearest_point(wall.segment, pose.position);
     if (geom::distance(p, pose.position) < wall_distance) {
@@ -98,7 +97,7 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
   }
   // The edge holds whoever wants to go on through it.
   const auto at_edge = [&](double gap, const char* where) {
-    if (std::abs(gap - sim::kAreaMargin) < kAtEdge)
+    if (std::abs(gap - binding::kAreaMargin) < kAtEdge)
       out.push_back(fmt::format("  edge of the mission area to the {}", where));
   };
   const overlay::Area area = state_.mission->overlay.mission_area();
@@ -109,7 +108,7 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
   for (const FleetRobot& other : fleet_->robots()) {
     if (&other == &robot || other.life == RobotLife::kNotStarted) continue;
     const geom::Offset to = fleet_->pose(other).position - pose.position;
-    if (geom::length(to) < 5.0 * (robot.body_spec.radius + other.body_spec.radius)) {
+    if (geom::length(to) < 5.0 * (robot.capabilities.radius + other.capabilities.radius)) {
       out.push_back(fmt::format("  robot {} {:.1f} m away to the {}", other.id.value, geom::length(to),
                                 compass_word(to)));
     }

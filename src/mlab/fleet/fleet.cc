@@ -17,10 +17,10 @@ std::string_view name(RobotLife life) {
 }
 
 Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
-             const std::vector<sim::BodySpec>& bodies, sim::Simulator& simulator, std::uint64_t seed)
-    : simulator_(simulator),
-      workers_(static_cast<std::size_t>(simulator.workers().count())),
-      runners_(seed, simulator.workers().count()) {
+             const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed)
+    : binding_(binding),
+      workers_(static_cast<std::size_t>(binding.workers().count())),
+      runners_(seed, binding.workers().count()) {
   for (const mission::Robot& declared : mission.robots) {
     robots_.push_back(make_robot(mission, declared, programs, bodies));
     enrol(robots_.back());
@@ -28,6 +28,7 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
   std::sort(robots_.begin(), robots_.end(),
             [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });
   poses_.resize(robots_.size());
+  bodies_.resize(robots_.size(), binding::kNoBody);
   form_teams(mission);
 }
 
@@ -50,12 +51,13 @@ void Fleet::form_teams(const mission::Mission& mission) {
 
 FleetRobot Fleet::make_robot(const mission::Mission& mission, const mission::Robot& declared,
                              const std::vector<robot::RobotProgram>& programs,
-                             const std::vector<sim::BodySpec>& bodies) {
+                             const std::vector<binding::BodySpec>& bodies) {
   FleetRobot robot;
   robot.id = declared.id;
   robot.type = mission.types[declared.type].name;
   robot.program = &programs[declared.type];
   robot.body_spec = bodies[declared.type];
+  robot.capabilities = binding::capabilities_of(robot.body_spec);
   robot.seen_as = percept::object_class_of_color(mission.types[declared.type].color)
                       .value_or(percept::ObjectClass::kUnknown);
   return robot;
@@ -77,21 +79,23 @@ const FleetRobot* Fleet::find(base::RobotId id) const {
   return at != robots_.end() && at->id == id ? &*at : nullptr;
 }
 
-std::optional<sim::Placement> Fleet::start(base::RobotId id, geom::Pose pose) {
+std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, geom::Pose pose) {
   const FleetRobot* found = find(id);
-  if (found == nullptr || found->life == RobotLife::kRunning || found->life == RobotLife::kParked)
-    return std::nullopt;
+  if (found == nullptr) return std::unexpected("can't start: there is no such robot");
+  if (found->life == RobotLife::kRunning || found->life == RobotLife::kParked)
+    return std::unexpected("is started already");
   const std::size_t index = index_of(*found);
   FleetRobot& robot = robots_[index];
-  if (robot.life != RobotLife::kNotStarted) simulator_.remove_body(robot.body);  // started anew
-  const std::optional<sim::Placement> placement =
-      simulator_.add_body({robot.body_spec, pose, id, 0, robot.seen_as});
-  if (!placement) return std::nullopt;
-  robot.body = placement->body;
+  if (robot.life != RobotLife::kNotStarted) binding_.release(robot.body);  // started anew
+  const std::expected<binding::Placement, std::string> placement =
+      binding_.embody({robot.body_spec, pose, id, 0, robot.seen_as});
+  if (!placement) return std::unexpected(fmt::format("can't start: {}", placement.error()));
+  robot.body = bodies_[index] = placement->body;
+  robot.capabilities = binding_.capabilities(robot.body);
   robot.start = placement->pose;
   start_program(robot);
   poses_[index] = placement->pose;
-  actions_.resize(simulator_.body_count());
+  actions_.resize(std::max<std::size_t>(actions_.size(), robot.body.value + std::size_t{1}));
   return placement;
 }
 
@@ -181,7 +185,7 @@ void Fleet::order(const mission::effect::Order& effect) {
     robot.group = slot;
     robot.rank = static_cast<std::uint32_t>(rank);
     if (robot.life == RobotLife::kRunning || robot.life == RobotLife::kParked)
-      simulator_.set_unit(robot.body, slot + 1);
+      binding_.set_unit(robot.body, slot + 1);
   }
   groups_[slot] = std::move(group);
 }
@@ -214,22 +218,35 @@ std::optional<geom::Point> Fleet::station_place(const FleetRobot& robot) const {
 }
 
 void Fleet::update_poses() {
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (robots_[i].life != RobotLife::kNotStarted) poses_[i] = simulator_.pose(robots_[i].body);
-  }
+  binding_.poses(bodies_, poses_);
 }
 
 void Fleet::step(double dt) {
   update_poses();
   for (Group& group : groups_) update_group(group, poses_);
+  look_after_bodies();
   run_programs(dt);
   for (percept::Action& action : actions_) action = {};
   for (FleetRobot& robot : robots_) {
     if (robot.life == RobotLife::kRunning) collect(robot);
   }
-  messages_.resolve(robots_, simulator_.time());
-  simulator_.step(actions_, dt);
+  messages_.resolve(robots_, binding_.time());
+  binding_.carry_out(actions_, dt);
   update_poses();
+}
+
+// A robot whose body is gone stands; the others go on.
+void Fleet::look_after_bodies() {
+  ailments_.clear();
+  binding_.health(ailments_);
+  for (binding::Ailment& ailment : ailments_) {
+    const auto robot = std::ranges::find(robots_, ailment.body, &FleetRobot::body);
+    if (robot == robots_.end() || robot->life != RobotLife::kRunning) continue;
+    robot->life = RobotLife::kFaulted;
+    robot->action = {};
+    robot->failure = std::move(ailment.what);
+    new_faults_.push_back(robot->id);
+  }
 }
 
 void Fleet::run_programs(double dt) {
@@ -237,12 +254,11 @@ void Fleet::run_programs(double dt) {
     if (robot.life == RobotLife::kRunning) robot.runner->join(robot.member);
   }
   for (const auto& runner : runners_) runner->open();
-  simulator_.workers().run(
-      robots_.size(), kRobotsAtOnce, [&](std::size_t begin, std::size_t end, int worker) {
-        for (std::size_t i = begin; i < end; i += kRobotsAtOnce) {
-          run_piece(i, std::min(end, i + kRobotsAtOnce), dt, workers_[static_cast<std::size_t>(worker)]);
-        }
-      });
+  binding_.workers().run(robots_.size(), kRobotsAtOnce, [&](std::size_t begin, std::size_t end, int worker) {
+    for (std::size_t i = begin; i < end; i += kRobotsAtOnce) {
+      run_piece(i, std::min(end, i + kRobotsAtOnce), dt, worker);
+    }
+  });
   for (const auto& runner : runners_) runner->ask();
   for (const auto& runner : runners_) runner->wait(meanwhile_);
 }
@@ -266,7 +282,7 @@ void Fleet::brake(double dt) {
     robot.action = {};
     robot.action.status = status;
   }
-  simulator_.step(actions_, dt);
+  binding_.carry_out(actions_, dt);
   update_poses();
 }
 
@@ -275,7 +291,7 @@ Fleet::Bodies Fleet::bodies() const {
   for (const FleetRobot& robot : robots_) {
     if (robot.life == RobotLife::kNotStarted) continue;
     ++out.all;
-    if (geom::length(simulator_.velocity(robot.body)) > 0.0) ++out.moving;
+    if (geom::length(binding_.view().body(robot.body).velocity) > 0.0) ++out.moving;
   }
   return out;
 }
@@ -289,11 +305,11 @@ std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_vi
   return robot.runner->set(robot.member, path, value);
 }
 
-void Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose, const percept::Needs& needs,
-                        double dt, sim::SenseBuffer& buffer, percept::Percepts& out) const {
-  simulator_.sense_at(robot.body, pose, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges},
-                      buffer, out);
+percept::Percepts Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose,
+                                     const percept::Needs& needs, double dt) const {
+  percept::Percepts out = binding_.view().sense_at(robot.body, pose, needs);
   add_told(robot, dt, out);
+  return out;
 }
 
 void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const {
@@ -314,7 +330,8 @@ void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out)
 
 // In pieces that stay in the cache: senses first, then programs; neighbours that are run at the same place
 // together.
-void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, Worker& worker) {
+void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) {
+  Worker& worker = workers_[static_cast<std::size_t>(index)];
   std::size_t count = 0;
   for (std::size_t i = begin; i < end; ++i) {
     if (robots_[i].life == RobotLife::kRunning) worker.robots[count++] = static_cast<std::uint32_t>(i);
@@ -323,19 +340,22 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, Worker& wor
     robot::ProgramRunner& runner = *robots_[worker.robots[first]].runner;
     for (last = first; last < count && robots_[worker.robots[last]].runner == &runner; ++last)
       worker.members[last] = robots_[worker.robots[last]].member;
-    const std::size_t size = last - first;
-    runner.needs({&worker.members[first], size}, {&worker.needs[first], size});
-    for (std::size_t i = first; i < last; ++i) {
-      FleetRobot& robot = robots_[worker.robots[i]];
-      percept::Percepts& percepts = worker.percepts[i];
-      percepts = {};
-      const percept::Needs& needs = worker.needs[i];
-      simulator_.sense(robot.body, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges},
-                       worker.buffers[i], percepts);
-      add_told(robot, dt, percepts);
-      worker.turns[i] = {robot.member, &percepts, &robot.action, &robot.fault, &robot.failure};
-    }
-    runner.act({&worker.turns[first], size});
+    runner.needs({&worker.members[first], last - first}, {&worker.needs[first], last - first});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    worker.percepts[i] = {};
+    worker.senses[i] = {robots_[worker.robots[i]].body, &worker.needs[i], &worker.percepts[i]};
+  }
+  binding_.percepts({worker.senses.data(), count}, index);
+  for (std::size_t i = 0; i < count; ++i) {
+    FleetRobot& robot = robots_[worker.robots[i]];
+    add_told(robot, dt, worker.percepts[i]);
+    worker.turns[i] = {robot.member, &worker.percepts[i], &robot.action, &robot.fault, &robot.failure};
+  }
+  for (std::size_t first = 0, last = 0; first < count; first = last) {
+    robot::ProgramRunner& runner = *robots_[worker.robots[first]].runner;
+    while (last < count && robots_[worker.robots[last]].runner == &runner) ++last;
+    runner.act({&worker.turns[first], last - first});
   }
 }
 
@@ -347,7 +367,7 @@ void Fleet::report(std::vector<mission::RobotReport>& out) const {
     mission::RobotReport report;
     report.id = robot.id;
     report.pose = poses_[i];
-    report.radius = robot.body_spec.radius;
+    report.radius = robot.capabilities.radius;
     report.is_running = robot.life == RobotLife::kRunning || robot.life == RobotLife::kParked;
     report.sequence = robot.action.status.sequence;
     report.done = robot.action.status.done;

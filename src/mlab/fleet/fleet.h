@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <expected>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/binding/binding.h"
 #include "mlab/fleet/group.h"
 #include "mlab/fleet/messages.h"
 #include "mlab/mission/effect.h"
@@ -19,7 +21,6 @@
 #include "mlab/percept/needs.h"
 #include "mlab/robot/program_runners.h"
 #include "mlab/robot/robot_program.h"
-#include "mlab/sim/simulator.h"
 
 namespace mlab::fleet {
 
@@ -51,10 +52,11 @@ struct FleetRobot {
   base::RobotId id;
   std::string type;  ///< name of its robot type
   const robot::RobotProgram* program = nullptr;
-  sim::BodySpec body_spec;
+  binding::BodySpec body_spec;         ///< as the mission wants it
+  binding::Capabilities capabilities;  ///< as it is, once started; before, as the mission wants it
   percept::ObjectClass seen_as = percept::ObjectClass::kFriendlyRobot;  ///< when it starts, by its colour
   RobotLife life = RobotLife::kNotStarted;
-  sim::BodyIndex body;  ///< meaningful once started
+  binding::BodyIndex body = binding::kNoBody;  ///< once started
   std::uint32_t group = kNoGroup;
   std::uint32_t rank = 0;
   percept::Action action;  ///< of the last cycle
@@ -76,7 +78,8 @@ struct FleetRobot {
   static constexpr std::uint32_t kLeaving = 0xffffffffU;  ///< a rank while orders change hands
 };
 
-/// The robots of a run in this process: steps their programs against the simulator, all by the same seed.
+/// The robots of a run in this process: steps their programs against their bodies, all by the same seed.
+
 ///
 /// Per cycle: `step` computes what units have in common, senses, runs every program, moves all bodies, and
 /// passes on what robots tell each other. Results are the same for any number of threads.
@@ -84,11 +87,12 @@ class Fleet {
  public:
   /// @param programs  by index of the mission's robot types; outlive the fleet
   Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
-        const std::vector<sim::BodySpec>& bodies, sim::Simulator& simulator, std::uint64_t seed);
+        const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed);
 
-  /// Brings a robot into the world. @return where it stands; nothing where it is alive already, or no place
-  /// is free
-  std::optional<sim::Placement> start(base::RobotId robot, geom::Pose pose);
+  /// Brings a robot into the world.
+  /// @return  where it stands
+  /// @errors  a sentence about the robot: `is started already`
+  std::expected<binding::Placement, std::string> start(base::RobotId robot, geom::Pose pose);
   void order(const mission::effect::Order& order);
   /// Ends the robot's program; its body keeps standing.
   void stop(base::RobotId robot);
@@ -102,7 +106,7 @@ class Fleet {
   /// @param programs, bodies  as for the constructor; what it was made with before is needed as long as
   ///                          `uses` says so
   void edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
-            const std::vector<sim::BodySpec>& bodies);
+            const std::vector<binding::BodySpec>& bodies);
   /// True where a robot's program is one of these.
   bool uses(const std::vector<robot::RobotProgram>& programs) const;
 
@@ -139,17 +143,16 @@ class Fleet {
   void notify(base::RobotId id, std::string_view notification);
 
   /// What a robot would perceive in the next cycle if it stood elsewhere. Nothing has changed afterwards; to
-  /// be called between cycles.
-  /// @param needs   of its program, or of a part of it
-  /// @param buffer  holds the lists of `out`
-  void perceive_at(const FleetRobot& robot, const geom::Pose& pose, const percept::Needs& needs, double dt,
-                   sim::SenseBuffer& buffer, percept::Percepts& out) const;
+  /// be called between cycles. Its lists are valid until something is sensed again.
+  /// @param needs  of its program, or of a part of it
+  percept::Percepts perceive_at(const FleetRobot& robot, const geom::Pose& pose, const percept::Needs& needs,
+                                double dt) const;
 
   /// Robots that faulted since the last call, to be told once.
   std::vector<base::RobotId> take_new_faults();
 
  private:
-  static constexpr std::size_t kRobotsAtOnce = 32;
+  static constexpr std::size_t kRobotsAtOnce = binding::Binding::kMostAtOnce;
   /// Some robots' part of the cycle.
   struct Worker {
     std::array<std::uint32_t, kRobotsAtOnce> robots{};  // indices of those that run
@@ -157,18 +160,19 @@ class Fleet {
     std::array<percept::Needs, kRobotsAtOnce> needs;
     std::array<percept::Percepts, kRobotsAtOnce> percepts;
     std::array<robot::ProgramRunner::Turn, kRobotsAtOnce> turns;
-    std::array<sim::SenseBuffer, kRobotsAtOnce> buffers;
+    std::array<binding::Sensing, kRobotsAtOnce> senses;
   };
   std::size_t index_of(const FleetRobot& robot) const {
     return static_cast<std::size_t>(&robot - robots_.data());
   }
   FleetRobot make_robot(const mission::Mission& mission, const mission::Robot& declared,
                         const std::vector<robot::RobotProgram>& programs,
-                        const std::vector<sim::BodySpec>& bodies);
+                        const std::vector<binding::BodySpec>& bodies);
   void form_teams(const mission::Mission& mission);
   void note_calls(const FleetRobot& robot);
   void leave_group(std::uint32_t robot);
   void update_poses();
+  void look_after_bodies();
   /// Gives the robot's program to who runs it, and takes it from there.
   void enrol(FleetRobot& robot);
   static void dismiss(const FleetRobot& robot);
@@ -176,12 +180,13 @@ class Fleet {
   /// All that is not sensed: orders, the unit, what people and robots say.
   void add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const;
   void run_programs(double dt);
-  void run_piece(std::size_t begin, std::size_t end, double dt, Worker& worker);
+  void run_piece(std::size_t begin, std::size_t end, double dt, int worker);
   void collect(FleetRobot& robot);
 
-  sim::Simulator& simulator_;
-  std::vector<FleetRobot> robots_;  // by id, ascending
-  std::vector<geom::Pose> poses_;   // at the start of the cycle
+  binding::Binding& binding_;
+  std::vector<FleetRobot> robots_;          // by id, ascending
+  std::vector<binding::BodyIndex> bodies_;  // of robots_
+  std::vector<geom::Pose> poses_;           // at the start of the cycle
   Messages messages_;
   std::vector<Group> groups_;  // slots are used again
   std::vector<std::uint32_t> free_groups_;
@@ -191,6 +196,7 @@ class Fleet {
   robot::ProgramRunners runners_;
   robot::Meanwhile meanwhile_;
   std::vector<base::RobotId> new_faults_;
+  std::vector<binding::Ailment> ailments_;
 };
 
 }  // namespace mlab::fleet

@@ -6,7 +6,7 @@
 
 namespace mlab::fleet {
 void Fleet::edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
-                 const std::vector<sim::BodySpec>& bodies) {
+                 const std::vector<binding::BodySpec>& bodies) {
   std::vector<FleetRobot> robots;
   std::map<base::RobotId, std::uint32_t> places;  // of robots that stay, before
   for (std::uint32_t i = 0; i < robots_.size(); ++i) places[robots_[i].id] = i;
@@ -58,6 +58,8 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
     for (std::uint32_t& member : group.members) member = moved_to[member];
   }
   robots_ = std::move(robots);
+  bodies_.clear();
+  for (const FleetRobot& robot : robots_) bodies_.push_back(robot.body);
   poses_.assign(robots_.size(), {});
   update_poses();
   form_teams(mission);

@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include "mlab/fleet/order_check.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/wording.h"
 
@@ -24,24 +23,16 @@ constexpr const char* kMayProceed = "CONSOLE->ROBOT PROCEED MISSION";
 
 }  // namespace
 
-MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings)
-    : settings_(std::move(settings)), state_(mission::initial_state(crew->mission, settings_.executive)) {
+MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
+                       std::unique_ptr<binding::Binding> binding)
+    : settings_(std::move(settings)),
+      state_(mission::initial_state(crew->mission, settings_.executive)),
+      binding_(std::move(binding)) {
   const mission::Mission& plan = *state_.mission;
   dt_ = plan.options.cycle_duration.value_or(dt_);
   metrics_.resize(plan.units.size());
-  simulator_ = std::make_unique<sim::Simulator>(sim::world_of(plan.overlay),
-                                                sim::SimulatorSettings{settings_.seed, settings_.threads});
-  fleet_ = std::make_unique<Fleet>(plan, crew->programs, crew->bodies, *simulator_, settings_.seed);
+  fleet_ = std::make_unique<Fleet>(plan, crew->programs, crew->bodies, *binding_, settings_.seed);
   crews_.push_back(std::move(crew));
-}
-
-std::unique_ptr<MissionRun> MissionRun::create(std::shared_ptr<const mission::Mission> mission,
-                                               const robot::ProgramSources& sources,
-                                               const RunSettings& settings, text::Diagnostics& sink) {
-  std::shared_ptr<const Crew> crew = make_crew(std::move(mission), sources, sink);
-  if (!crew) return nullptr;
-  check_orders(*crew, sink);
-  return std::make_unique<MissionRun>(std::move(crew), settings);
 }
 
 void MissionRun::post(const mission::Event& event) {
@@ -78,14 +69,9 @@ void MissionRun::apply(const mission::Effect& effect) {
 }
 
 void MissionRun::start_robot(const mission::effect::Start& start) {
-  const FleetRobot* robot = fleet_->find(start.robot);
-  const bool is_alive =
-      robot != nullptr && (robot->life == RobotLife::kRunning || robot->life == RobotLife::kParked);
-  const std::optional<sim::Placement> placement = fleet_->start(start.robot, start.pose);
+  const std::expected<binding::Placement, std::string> placement = fleet_->start(start.robot, start.pose);
   if (!placement) {
-    tell(Tell::Kind::kWarning,
-         fmt::format("robot {} {}", start.robot.value,
-                     is_alive ? "is started already" : "can't start: there is no free place near"));
+    tell(Tell::Kind::kWarning, fmt::format("robot {} {}", start.robot.value, placement.error()));
   } else if (placement->moved && ++moved_at_start_ <= kMostMoved) {
     const geom::Point to = placement->pose.position;
     tell(Tell::Kind::kWarning,
@@ -96,8 +82,8 @@ void MissionRun::start_robot(const mission::effect::Start& start) {
 
 std::vector<PlannedStart> MissionRun::planned_starts() {
   std::vector<PlannedStart> starts;
+  std::vector<binding::BodySetup> setups;
   std::vector<bool> is_planned(fleet_->robots().size());
-  const std::shared_ptr<const sim::Simulator::State> before = simulator_->snapshot();
   const auto plan = [&](const mission::UnitCommand& command) {
     std::size_t rank = 0;
     for (const base::RobotId id : mission::members_of(mission(), command)) {
@@ -107,8 +93,7 @@ std::vector<PlannedStart> MissionRun::planned_starts() {
       const auto place = static_cast<std::size_t>(robot - fleet_->robots().data());
       if (robot->life != RobotLife::kNotStarted || is_planned[place]) continue;
       is_planned[place] = true;
-      if (const auto placement = simulator_->add_body({robot->body_spec, wanted, id, 0}))
-        starts.push_back({id, placement->pose});
+      setups.push_back({robot->body_spec, wanted, id, 0});
     }
   };
   for (const mission::Step& step : mission().steps) {
@@ -117,7 +102,10 @@ std::vector<PlannedStart> MissionRun::planned_starts() {
       if (command != nullptr && command->task == percept::Task::kStart) plan(*command);
     }
   }
-  simulator_->restore(*before);
+  const std::vector<std::optional<geom::Pose>> places = binding_->places_for(setups);
+  for (std::size_t i = 0; i < setups.size(); ++i) {
+    if (places[i]) starts.push_back({setups[i].robot, *places[i]});
+  }
   return starts;
 }
 
@@ -223,40 +211,35 @@ void MissionRun::change_environment() {
 
 void MissionRun::happen(const overlay::EnvironmentEvent& event, std::uint64_t execution) {
   std::vector<overlay::ObstacleDisc> before;
-  for (const sim::Disc& disc : simulator_->discs()) before.push_back({disc.center, disc.radius, 0.0, {}});
+  for (const binding::Disc& disc : world().discs()) before.push_back({disc.center, disc.radius, 0.0, {}});
   std::vector<overlay::ObstacleDisc> after = before;
   std::vector<overlay::ObstacleDisc> bodies;
   for (const FleetRobot& robot : fleet_->robots()) {
     if (robot.life != RobotLife::kNotStarted)
-      bodies.push_back({fleet_->pose(robot).position, robot.body_spec.radius, 0.0, {}});
+      bodies.push_back({fleet_->pose(robot).position, robot.capabilities.radius, 0.0, {}});
   }
   if (!overlay::apply(event, execution, settings_.seed, bodies, after)) {
     if (!std::exchange(is_full_, true))
       tell(Tell::Kind::kWarning, "the environment has no room for as many obstacles as its file wants");
   }
-  // Only what really comes or goes is touched, so that robots and grids are left alone otherwise.
   const auto less = [](const overlay::ObstacleDisc& a, const overlay::ObstacleDisc& b) {
     return std::tuple(a.center.x, a.center.y, a.radius) < std::tuple(b.center.x, b.center.y, b.radius);
   };
   std::sort(before.begin(), before.end(), less);
   std::sort(after.begin(), after.end(), less);
-  std::vector<sim::Disc> added;
-  for (const overlay::ObstacleDisc& disc : after) {
-    if (!std::binary_search(before.begin(), before.end(), disc, less))
-      added.push_back({disc.center, disc.radius});
-  }
-  simulator_->remove_obstacles([&](const sim::Disc& disc) {
-    return !std::binary_search(after.begin(), after.end(),
-                               overlay::ObstacleDisc{disc.center, disc.radius, 0.0, {}}, less);
-  });
-  for (const sim::Placement& moved : simulator_->add_obstacles(added)) {
-    tell(Tell::Kind::kWarning, fmt::format("robot {} was moved: an obstacle appeared where it stood",
-                                           simulator_->robot(moved.body).value));
-  }
+  const auto difference = [&](const auto& from, const auto& without) {
+    std::vector<binding::Disc> out;
+    for (const overlay::ObstacleDisc& disc : from) {
+      if (!std::binary_search(without.begin(), without.end(), disc, less))
+        out.push_back({disc.center, disc.radius});
+    }
+    return out;
+  };
+  tell_moved(binding_->change_obstacles(difference(before, after), difference(after, before)), "an obstacle");
 }
 
 void MissionRun::note_deliveries() {
-  for (const sim::Object& object : simulator_->objects()) {
+  for (const binding::Object& object : world().objects()) {
     if (object.id.value >= carriers_.size()) carriers_.resize(object.id.value + 1);
     base::RobotId& carrier = carriers_[object.id.value];
     if (object.basket.value != 0 && carrier.value != 0)

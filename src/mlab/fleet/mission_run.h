@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/binding/binding.h"
 #include "mlab/fleet/crew.h"
 #include "mlab/fleet/fleet.h"
 #include "mlab/mission/executive.h"
 #include "mlab/mission/mission.h"
 #include "mlab/overlay/environment_change.h"
 #include "mlab/robot/robot_program.h"
-#include "mlab/sim/simulator.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::fleet {
@@ -64,17 +64,14 @@ struct PlannedStart {
   geom::Pose pose;
 };
 
-/// A mission that is carried out in simulation: executive, robots and world, one control cycle at a time.
+/// A mission that is carried out: executive, robots and their bodies, one control cycle at a time. What
+/// bodies are, and where programs run, it does not know.
 class MissionRun {
  public:
-  /// Everything that the mission names is made ready: programs built, bodies and world set up; nothing is
-  /// started.
-  /// @return null where there were errors, all in `sink`
-  static std::unique_ptr<MissionRun> create(std::shared_ptr<const mission::Mission> mission,
-                                            const robot::ProgramSources& sources, const RunSettings& settings,
-                                            text::Diagnostics& sink);
-  /// The same with programs and bodies that are ready.
-  MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings);
+  /// Nothing is started.
+  /// @param binding  the robots' bodies, not null
+  MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
+             std::unique_ptr<binding::Binding> binding);
 
   /// Called for everything that the executive wants told, asked, shown or set, when it happens.
   using Observer = std::function<void(const mission::Effect&)>;
@@ -146,7 +143,8 @@ class MissionRun {
   const mission::Mission& mission() const { return *state_.mission; }
   const mission::State& state() const { return state_; }
   const Fleet& fleet() const { return *fleet_; }
-  const sim::Simulator& simulator() const { return *simulator_; }
+  /// The world, for who looks on.
+  const binding::WorldView& world() const { return binding_->view(); }
   /// What the operator answered so far.
   const std::vector<AnswerRecord>& answers() const { return answers_; }
   /// By unit of the mission.
@@ -165,7 +163,7 @@ class MissionRun {
  private:
   Progress brake();
   void change_world(const overlay::Overlay& before, const overlay::Overlay& after);
-  void tell_moved(const std::vector<sim::Placement>& moved, std::string_view by);
+  void tell_moved(const std::vector<base::RobotId>& moved, std::string_view by);
   void rename_metrics(const mission::Mission& before, const mission::Mission& after);
   void drop_unused_crews();
   void apply(const mission::Effect& effect);
@@ -184,7 +182,7 @@ class MissionRun {
   RunSettings settings_;
   mission::State state_;
   std::vector<std::shared_ptr<const Crew>> crews_;  // robots point into them; the last one is in force
-  std::unique_ptr<sim::Simulator> simulator_;
+  std::unique_ptr<binding::Binding> binding_;
   std::unique_ptr<Fleet> fleet_;
   Observer observer_;
   double dt_ = 0.1;                      // cycle duration [s],

@@ -71,8 +71,9 @@ Json robots_json(const MissionRun& run) {
     const bool was_started = robot.life != RobotLife::kNotStarted;
     out["start"] = was_started ? pose_json(robot.start) : Json(nullptr);
     out["end"] = was_started ? pose_json(run.fleet().pose(robot)) : Json(nullptr);
-    out["distance_m"] = was_started ? rounded(run.simulator().distance_driven(robot.body)) : 0.0;
-    out["collisions"] = was_started ? run.simulator().contacts(robot.body) : 0;
+    const binding::BodyState body = was_started ? run.world().body(robot.body) : binding::BodyState{};
+    out["distance_m"] = rounded(body.distance_driven);
+    out["collisions"] = body.contacts;
     out["fault"] = optional_text(robot.fault);
     out["failure"] = optional_text(robot.failure);
     robots.push_back(std::move(out));

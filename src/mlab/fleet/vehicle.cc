@@ -17,36 +17,39 @@ struct Quantity {
   std::string_view key;
   double min;
   double max;
-  void (*set)(sim::BodySpec& body, double value);  ///< in SI units
-  bool is_angle = false;                           ///< missions write it, and the bounds, in degrees
+  void (*set)(binding::BodySpec& body, double value);  ///< in SI units
+  bool is_angle = false;                               ///< missions write it, and the bounds, in degrees
 };
 
 constexpr double kLarge = 1e6;
 
 constexpr Quantity kQuantities[] = {
-    {"robot_radius", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.radius = v; }},
-    {"max_acceleration", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_acceleration = v; }},
-    {"max_turn_rate", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_turn_rate = v; }, true},
-    {"max_turn_acceleration", 0.0, kLarge,
-     [](sim::BodySpec& b, double v) { b.kinematics.max_turn_acceleration = v; }, true},
-    {"axle", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.kinematics.axle = v; }},
-    {"max_wheel_speed", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_wheel_speed = v; }},
-    {"wheelbase", 0.001, 1000.0, [](sim::BodySpec& b, double v) { b.kinematics.wheelbase = v; }},
-    {"max_steer", 0.1, 89.0, [](sim::BodySpec& b, double v) { b.kinematics.max_steer = v; }, true},
-    {"ring_count", 0.0, 720.0,
-     [](sim::BodySpec& b, double v) { b.ring.count = static_cast<std::uint16_t>(v); }},
-    {"ring_range", 0.0, 10'000.0, [](sim::BodySpec& b, double v) { b.ring.range = v; }},
-    {"ring_beam_width", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.ring.beam_width = v; }, true},
-    {"ring_arc", 0.0, 359.0, [](sim::BodySpec& b, double v) { b.ring.arc = v; }, true},
-    {"ring_obstacles", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.has_ring_obstacles = v != 0.0; }},
-    {"odometry_noise", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.odometry_noise = v; }},
-    {"max_speed", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.kinematics.max_speed = v; }},
-    {"ring_noise", 0.0, 1000.0, [](sim::BodySpec& b, double v) { b.ring.noise = v; }},
-    {"camera_field_of_view", 0.0, 360.0, [](sim::BodySpec& b, double v) { b.camera.field_of_view = v; },
+    {"robot_radius", 0.001, 1000.0, [](binding::BodySpec& b, double v) { b.radius = v; }},
+    {"max_acceleration", 0.0, kLarge,
+     [](binding::BodySpec& b, double v) { b.kinematics.max_acceleration = v; }},
+    {"max_turn_rate", 0.0, kLarge, [](binding::BodySpec& b, double v) { b.kinematics.max_turn_rate = v; },
      true},
-    {"camera_max_pan", 0.0, 180.0, [](sim::BodySpec& b, double v) { b.camera.max_pan = v; }, true},
-    {"camera_pan_rate", 0.0, kLarge, [](sim::BodySpec& b, double v) { b.camera.max_pan_rate = v; }, true},
-    {"ring_dropout", 0.0, 1.0, [](sim::BodySpec& b, double v) { b.ring.dropout = v; }},
+    {"max_turn_acceleration", 0.0, kLarge,
+     [](binding::BodySpec& b, double v) { b.kinematics.max_turn_acceleration = v; }, true},
+    {"axle", 0.001, 1000.0, [](binding::BodySpec& b, double v) { b.kinematics.axle = v; }},
+    {"max_wheel_speed", 0.0, kLarge,
+     [](binding::BodySpec& b, double v) { b.kinematics.max_wheel_speed = v; }},
+    {"wheelbase", 0.001, 1000.0, [](binding::BodySpec& b, double v) { b.kinematics.wheelbase = v; }},
+    {"max_steer", 0.1, 89.0, [](binding::BodySpec& b, double v) { b.kinematics.max_steer = v; }, true},
+    {"ring_count", 0.0, 720.0,
+     [](binding::BodySpec& b, double v) { b.ring.count = static_cast<std::uint16_t>(v); }},
+    {"ring_range", 0.0, 10'000.0, [](binding::BodySpec& b, double v) { b.ring.range = v; }},
+    {"ring_beam_width", 0.0, 180.0, [](binding::BodySpec& b, double v) { b.ring.beam_width = v; }, true},
+    {"ring_arc", 0.0, 359.0, [](binding::BodySpec& b, double v) { b.ring.arc = v; }, true},
+    {"ring_obstacles", 0.0, 1.0, [](binding::BodySpec& b, double v) { b.has_ring_obstacles = v != 0.0; }},
+    {"odometry_noise", 0.0, 1.0, [](binding::BodySpec& b, double v) { b.odometry_noise = v; }},
+    {"max_speed", 0.0, kLarge, [](binding::BodySpec& b, double v) { b.kinematics.max_speed = v; }},
+    {"ring_noise", 0.0, 1000.0, [](binding::BodySpec& b, double v) { b.ring.noise = v; }},
+    {"camera_field_of_view", 0.0, 360.0, [](binding::BodySpec& b, double v) { b.camera.field_of_view = v; },
+     true},
+    {"camera_max_pan", 0.0, 180.0, [](binding::BodySpec& b, double v) { b.camera.max_pan = v; }, true},
+    {"camera_pan_rate", 0.0, kLarge, [](binding::BodySpec& b, double v) { b.camera.max_pan_rate = v; }, true},
+    {"ring_dropout", 0.0, 1.0, [](binding::BodySpec& b, double v) { b.ring.dropout = v; }},
 };
 
 // Keys of the historic robots that name hardware or its connection. They mean nothing in simulation.
@@ -65,19 +68,19 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-sim::Drive drive_of(const mission::RobotParameter& parameter, text::Diagnostics& sink) {
+binding::Drive drive_of(const mission::RobotParameter& parameter, text::Diagnostics& sink) {
   std::string upper = parameter.value;
   std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
-  if (upper == "DIFFERENTIAL") return sim::Drive::kDifferential;
-  if (upper == "SYNCHRO") return sim::Drive::kSynchro;
-  if (upper == "CAR" || upper == "NO_HOLONOMIC") return sim::Drive::kCar;
+  if (upper == "DIFFERENTIAL") return binding::Drive::kDifferential;
+  if (upper == "SYNCHRO") return binding::Drive::kSynchro;
+  if (upper == "CAR" || upper == "NO_HOLONOMIC") return binding::Drive::kCar;
   constexpr std::string_view kHolonomic[] = {"HOLONOMIC", "SIMULATION", "HSERVER", "MRV2", "DRV1"};
   if (std::find(std::begin(kHolonomic), std::end(kHolonomic), upper) == std::end(kHolonomic)) {
     sink.warning("unknown-robot-type", parameter.place,
                  fmt::format("unknown robot_type `{}`", parameter.value))
         .hints = {"it is simulated as HOLONOMIC; the others are DIFFERENTIAL, SYNCHRO and CAR"};
   }
-  return sim::Drive::kHolonomic;
+  return binding::Drive::kHolonomic;
 }
 
 std::string_view key_of(std::string_view setting) {
@@ -85,10 +88,10 @@ std::string_view key_of(std::string_view setting) {
 }
 
 // A setting of the class in a configuration.
-void configure(sim::BodySpec& body, std::string_view name, double value, const mission::RobotType& type,
+void configure(binding::BodySpec& body, std::string_view name, double value, const mission::RobotType& type,
                text::Diagnostics& sink) {
   if (name == "drive") {
-    body.kinematics.drive = static_cast<sim::Drive>(std::clamp(static_cast<int>(value), 0, 3));
+    body.kinematics.drive = static_cast<binding::Drive>(std::clamp(static_cast<int>(value), 0, 3));
     return;
   }
   for (const Quantity& quantity : kQuantities) {
@@ -110,9 +113,9 @@ void configure(sim::BodySpec& body, std::string_view name, double value, const m
 
 }  // namespace
 
-sim::BodySpec body_of(const mission::RobotType& type, const std::map<std::string, double>& configured,
-                      text::Diagnostics& sink) {
-  sim::BodySpec body;
+binding::BodySpec body_of(const mission::RobotType& type, const std::map<std::string, double>& configured,
+                          text::Diagnostics& sink) {
+  binding::BodySpec body;
   body.kinematics.axle = 0.4;
   body.ring.range = 5.0;
   for (const auto& [name, value] : configured) configure(body, name, value, type, sink);

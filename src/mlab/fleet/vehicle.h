@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "mlab/binding/body.h"
 #include "mlab/mission/mission.h"
-#include "mlab/sim/body.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::fleet {
@@ -29,9 +29,9 @@ namespace mlab::fleet {
 ///
 /// @errors  a value of one of these keys that is no number or out of range
 /// @param configured  what the class of a configured robot says of its body, by the same keys, in SI units;
-///                    `radius` for robot_radius, `drive` as the number of a sim::Drive. Parameters win
-sim::BodySpec body_of(const mission::RobotType& type, const std::map<std::string, double>& configured,
-                      text::Diagnostics& sink);
+///                    `radius` for robot_radius, `drive` as the number of a binding::Drive. Parameters win
+binding::BodySpec body_of(const mission::RobotType& type, const std::map<std::string, double>& configured,
+                          text::Diagnostics& sink);
 
 /// All keys that are not the program's: those of `body_of`, and the historic ones of hardware that simulation
 /// ignores.

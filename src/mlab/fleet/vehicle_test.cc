@@ -15,22 +15,22 @@ mission::RobotType type_with(std::vector<mission::RobotParameter> parameters) {
 
 TEST(BodyOf, IsASmallHolonomicDiscWithoutParameters) {
   text::Diagnostics sink;
-  const sim::BodySpec body = body_of(type_with({}), {}, sink);
+  const binding::BodySpec body = body_of(type_with({}), {}, sink);
   EXPECT_EQ(body.radius, 0.2);
-  EXPECT_EQ(body.kinematics.drive, sim::Drive::kHolonomic);
+  EXPECT_EQ(body.kinematics.drive, binding::Drive::kHolonomic);
   EXPECT_EQ(body.ring.count, 0);
   EXPECT_TRUE(sink.items().empty());
 }
 
 TEST(BodyOf, TakesDriveLimitsAndRing) {
   text::Diagnostics sink;
-  const sim::BodySpec body = body_of(type_with({{"robot_type", "differential", {}},
-                                                {"robot_radius", "0.5", {}},
-                                                {"max_turn_rate", "90", {}},
-                                                {"ring_count", "24", {}},
-                                                {"ring_range", "3", {}}}),
-                                     {}, sink);
-  EXPECT_EQ(body.kinematics.drive, sim::Drive::kDifferential);
+  const binding::BodySpec body = body_of(type_with({{"robot_type", "differential", {}},
+                                                    {"robot_radius", "0.5", {}},
+                                                    {"max_turn_rate", "90", {}},
+                                                    {"ring_count", "24", {}},
+                                                    {"ring_range", "3", {}}}),
+                                         {}, sink);
+  EXPECT_EQ(body.kinematics.drive, binding::Drive::kDifferential);
   EXPECT_EQ(body.radius, 0.5);
   EXPECT_DOUBLE_EQ(body.kinematics.max_turn_rate, base::radians(90));
   EXPECT_EQ(body.ring.count, 24);
@@ -41,7 +41,7 @@ TEST(BodyOf, SimulatesHistoricRobotTypesAsHolonomicWithoutAWord) {
   text::Diagnostics sink;
   for (const char* historic : {"SIMULATION", "MRV2", "DRV1", "HSERVER"}) {
     EXPECT_EQ(body_of(type_with({{"robot_type", historic, {}}}), {}, sink).kinematics.drive,
-              sim::Drive::kHolonomic);
+              binding::Drive::kHolonomic);
   }
   EXPECT_TRUE(sink.items().empty());
   body_of(type_with({{"robot_type", "HUMMER", {}}}), {}, sink);
@@ -60,9 +60,9 @@ TEST(BodyOf, TakesWhatAConfigurationSaysUnlessTheMissionSaysOtherwise) {
   text::Diagnostics sink;
   const std::map<std::string, double> configured = {
       {"radius", 0.4}, {"drive", 3.0}, {"max_turn_rate", 1.5}, {"ring_arc", 3.0}, {"ring_obstacles", 1.0}};
-  const sim::BodySpec body = body_of(type_with({{"robot_radius", "0.6", {}}}), configured, sink);
+  const binding::BodySpec body = body_of(type_with({{"robot_radius", "0.6", {}}}), configured, sink);
   EXPECT_EQ(body.radius, 0.6);
-  EXPECT_EQ(body.kinematics.drive, sim::Drive::kSynchro);
+  EXPECT_EQ(body.kinematics.drive, binding::Drive::kSynchro);
   EXPECT_EQ(body.kinematics.max_turn_rate, 1.5);
   EXPECT_EQ(body.ring.arc, 3.0);
   EXPECT_EQ(body.ring.first_angle, -1.5);

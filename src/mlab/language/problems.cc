@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "mlab/fleet/mission_run.h"
+#include "mlab/fleet/crew.h"
 #include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cnl/format.h"
@@ -28,7 +28,7 @@ void check_mission(const Text& text, const robot::ProgramSources& sources, const
   const auto mission =
       mdl::check_mission(text.source, sources.folder, sink,
                          {1, around.overlay_folders, around.files, robot::society_reader(sources)});
-  if (mission) fleet::MissionRun::create(mission, sources, {}, sink);
+  if (mission) fleet::check_crew(mission, sources, sink);
 }
 
 }  // namespace

@@ -5,13 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "mlab/binding/workers.h"
 #include "mlab/sim/bodies.h"
 #include "mlab/sim/point_grid.h"
 #include "mlab/sim/slide.h"
 #include "mlab/sim/statics.h"
-#include "mlab/sim/workers.h"
 
 namespace mlab::sim {
+
+using binding::Workers;
 
 /// Moves bodies as far as what is in their way allows.
 ///

@@ -7,14 +7,16 @@
 #include <span>
 #include <vector>
 
+#include "mlab/binding/workers.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/sim/body.h"
 #include "mlab/sim/sensing.h"
-#include "mlab/sim/workers.h"
 #include "mlab/sim/world.h"
 
 namespace mlab::sim {
+
+using binding::Workers;
 
 struct SimulatorSettings {
   std::uint64_t seed = 1;  ///< of the sensors' noise

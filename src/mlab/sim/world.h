@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mlab/base/id.h"
+#include "mlab/binding/world_view.h"
 #include "mlab/geom/pose.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/percept/percepts.h"
@@ -12,32 +13,10 @@
 
 namespace mlab::sim {
 
-/// Something round and solid.
-struct Disc {
-  geom::Point center;   ///< [m]
-  double radius = 0.0;  ///< [m], >= 0
-};
-
-/// A straight piece of something solid without thickness. Pieces of the same group are one thing where
-/// contacts are counted: sliding from one to the next is no new contact.
-struct Wall {
-  geom::Segment segment;
-  std::uint32_t group = 0;
-  /// False: a piece of the closed edge of an area that robots sense and keep out of, though nothing stops
-  /// them. The group is the area.
-  bool is_solid = true;
-};
-
-/// Something that robots perceive and perhaps carry. Not solid.
-struct Object {
-  base::ObjectId id;  ///< unique, from 1
-  percept::ObjectClass object_class = percept::ObjectClass::kUnknown;
-  percept::ObjectStyle style = percept::ObjectStyle::kFixed;
-  geom::Point center;     ///< [m]; of a carried one its carrier's place, of one in a basket the basket's
-  double radius = 0.0;    ///< [m]
-  base::RobotId carrier;  ///< 0: nobody carries it
-  base::ObjectId basket;  ///< the container that it lies in; 0: none. It is out of sight and reach then
-};
+using binding::Disc;
+using binding::kAreaMargin;
+using binding::Object;
+using binding::Wall;
 
 /// What stands around, before any robot comes. A plain value.
 struct World {
@@ -53,8 +32,6 @@ struct World {
   /// No coordinate is ever farther from 0 than this: within it a micrometre still counts [m].
   static constexpr double kFarthest = 1e8;
 };
-/// How near to the edge of the mission area a robot's centre may come [m].
-inline constexpr double kAreaMargin = 0.5;
 
 /// The discs, walls and objects of an overlay as robots on the ground meet them: OBSTACLE, WALL, the edges of
 /// weather zones; MINEFIELD, which stops nobody; OBJECT, ATTRACTOR, BASKET with their class told by colour;

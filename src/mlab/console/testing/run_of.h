@@ -7,6 +7,7 @@
 
 #include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/simulated/run.h"
 
 namespace mlab::console::testing {
 
@@ -19,7 +20,7 @@ inline std::unique_ptr<fleet::MissionRun> run_of(const std::string& text, std::u
   if (!mission) return nullptr;
   fleet::RunSettings settings;
   settings.seed = seed;
-  auto run = fleet::MissionRun::create(mission, {}, settings, sink);
+  auto run = simulated::make_run(mission, {}, settings, sink);
   EXPECT_NE(run, nullptr) << text::render(sink);
   return run;
 }

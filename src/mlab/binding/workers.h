@@ -4,7 +4,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace mlab::sim {
+namespace mlab::binding {
 
 /// A fixed number of threads that share out loops. With one thread everything runs on the caller's.
 class Workers {
@@ -38,4 +38,4 @@ class Workers {
   std::unique_ptr<Arena> arena_;
 };
 
-}  // namespace mlab::sim
+}  // namespace mlab::binding

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/fleet/mission_run.h"
+#include "mlab/simulated/run.h"
 
 namespace mlab::fleet {
 namespace {
@@ -61,7 +62,7 @@ std::unique_ptr<MissionRun> made(const std::shared_ptr<const mission::Mission>& 
   static const text::Files kInMemory = in_memory();
   robot::ProgramSources sources;
   sources.files = &kInMemory;
-  return MissionRun::create(mission, sources, settings, sink);
+  return simulated::make_run(mission, sources, settings, sink);
 }
 
 std::string kinds_of(const std::string& program, bool has_order) {

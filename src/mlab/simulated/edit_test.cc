@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/fleet/mission_run.h"
+#include "mlab/simulated/run.h"
 
 namespace mlab::fleet {
 namespace {
@@ -30,7 +31,7 @@ std::shared_ptr<mission::Mission> two_robots() {
 
 std::unique_ptr<MissionRun> running(const std::shared_ptr<const mission::Mission>& mission) {
   text::Diagnostics sink;
-  auto run = MissionRun::create(mission, {}, {}, sink);
+  auto run = simulated::make_run(mission, {}, {}, sink);
   EXPECT_NE(run, nullptr) << text::render(sink);
   run->post(mission::event::Execute{});
   for (int i = 0; i < 50; ++i) run->step();
@@ -99,7 +100,8 @@ TEST(Edit, ARobotThatIsTakenOutOfThePlanStaysInTheWorld) {
 TEST(Edit, ChangesOfParametersReachRobotsThatAreUnderWay) {
   text::Diagnostics sink;
   const auto crew = make_crew(two_robots(), {}, sink);
-  MissionRun run(crew, {});
+  const auto simulated = simulated::make_run(crew, {});
+  MissionRun& run = *simulated;
   run.post(mission::event::Execute{});
   for (int i = 0; i < 5; ++i) run.step();
   auto slow = two_robots();
@@ -118,13 +120,13 @@ TEST(Edit, ObstaclesComeAndGoWithTheOverlay) {
   const auto mission = two_robots();
   mission->overlay.obstacles.push_back({{500.0, 500.0}, 3.0, 0.0, {}});
   const auto run = running(mission);
-  ASSERT_EQ(run->simulator().discs().size(), 1U);
+  ASSERT_EQ(run->world().discs().size(), 1U);
   auto other = two_robots();
   other->overlay.obstacles.push_back({{400.0, 500.0}, 3.0, 0.0, {}});
   other->overlay.obstacles.push_back({{600.0, 500.0}, 4.0, 0.0, {}});
   edit(*run, other);
-  ASSERT_EQ(run->simulator().discs().size(), 2U);
-  for (const sim::Disc& disc : run->simulator().discs()) EXPECT_NE(disc.center.x, 500.0);
+  ASSERT_EQ(run->world().discs().size(), 2U);
+  for (const binding::Disc& disc : run->world().discs()) EXPECT_NE(disc.center.x, 500.0);
 }
 
 TEST(Edit, WallsAndObjectsComeAndGoWithTheOverlay) {
@@ -139,14 +141,14 @@ TEST(Edit, WallsAndObjectsComeAndGoWithTheOverlay) {
   other->overlay.objects.push_back({{40.0, 30.0}, 0.5, overlay::ObjectStyle::kFixed, "white", {}});
   other->overlay.objects.push_back(mission->overlay.objects[0]);
   edit(*run, other);
-  EXPECT_EQ(run->simulator().walls().size(), 1U);
-  ASSERT_EQ(run->simulator().objects().size(), 2U);
-  EXPECT_EQ(run->simulator().objects()[1].center, (geom::Point{20.0, 30.0}));
+  EXPECT_EQ(run->world().walls().size(), 1U);
+  ASSERT_EQ(run->world().objects().size(), 2U);
+  EXPECT_EQ(run->world().objects()[1].center, (geom::Point{20.0, 30.0}));
   for (int i = 0; i < 600; ++i) run->step();
   EXPECT_LT(x_of(*run, 1), 200.0) << "nobody gets past the new wall";
   edit(*run, two_robots());
-  EXPECT_TRUE(run->simulator().walls().empty());
-  EXPECT_TRUE(run->simulator().objects().empty());
+  EXPECT_TRUE(run->world().walls().empty());
+  EXPECT_TRUE(run->world().objects().empty());
 }
 
 TEST(SetParameter, ChangesOneRobotAndOutlivesItsStart) {

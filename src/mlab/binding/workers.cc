@@ -1,4 +1,4 @@
-#include "mlab/sim/workers.h"
+#include "mlab/binding/workers.h"
 
 #include <algorithm>
 #include <optional>
@@ -15,7 +15,7 @@
 #include <oneapi/tbb/task_arena.h>
 #endif
 
-namespace mlab::sim {
+namespace mlab::binding {
 
 #ifdef __SANITIZE_THREAD__
 
@@ -82,4 +82,4 @@ void Workers::run_erased(std::size_t count, std::size_t piece, void* callee, Era
   }
 }
 
-}  // namespace mlab::sim
+}  // namespace mlab::binding

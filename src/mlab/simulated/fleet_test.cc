@@ -6,6 +6,7 @@
 
 #include "mlab/base/count_allocations.h"
 #include "mlab/flow/test_behaviors.h"
+#include "mlab/sim/simulated_binding.h"
 
 namespace mlab::fleet {
 namespace {
@@ -14,14 +15,14 @@ namespace {
 struct TestFleet {
   mission::Mission mission;
   std::vector<robot::RobotProgram> programs;
-  sim::Simulator simulator;
+  sim::SimulatedBinding bodies;
   Fleet fleet;
 
   explicit TestFleet(std::uint32_t count, int threads = 1)
       : mission(mission_of(count)),
         programs(program()),
-        simulator(sim::World{}, {1, threads}),
-        fleet(mission, programs, {sim::BodySpec{}}, simulator, 1) {
+        bodies(sim::World{}, {1, threads}),
+        fleet(mission, programs, {binding::BodySpec{}}, bodies, 1) {
     for (std::uint32_t i = 1; i <= count; ++i) fleet.start({i}, {{0.0, 10.0 * i}, 0.0});
   }
 
@@ -73,8 +74,8 @@ std::vector<RobotCall> calls_of(void (*acts)(flow::Call&)) {
   EXPECT_TRUE(programs[0].program) << text::render(sink);
   programs[0].initial = programs[0].program->make_frame();
   const mission::Mission mission = TestFleet::mission_of(1);
-  sim::Simulator simulator(sim::World{}, {});
-  Fleet fleet(mission, programs, {sim::BodySpec{}}, simulator, 1);
+  sim::SimulatedBinding bodies(sim::World{});
+  Fleet fleet(mission, programs, {binding::BodySpec{}}, bodies, 1);
   fleet.start({1}, {});
   fleet.step(0.1);
   return fleet.take_calls();

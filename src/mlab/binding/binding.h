@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mlab/base/id.h"
+#include "mlab/binding/body.h"
+#include "mlab/binding/workers.h"
+#include "mlab/binding/world_view.h"
+#include "mlab/geom/pose.h"
+#include "mlab/overlay/overlay.h"
+#include "mlab/percept/action.h"
+#include "mlab/percept/needs.h"
+#include "mlab/percept/percepts.h"
+
+namespace mlab::binding {
+
+/// One robot's senses in a cycle.
+struct Sensing {
+  BodyIndex body;
+  const percept::Needs* needs = nullptr;  ///< the rest may stay empty
+  percept::Percepts* out = nullptr;  ///< as it was made; what sensing gives is filled in, all else left alone
+};
+
+/// A body that can't be counted on.
+struct Ailment {
+  BodyIndex body;
+  std::string what;  ///< a sentence without its subject: `has no percepts any more`
+};
+
+/// What became of bodies when the map was changed under them.
+struct MapChange {
+  std::vector<base::RobotId> moved_by_obstacles;  ///< that stood where there is one now
+  std::vector<base::RobotId> moved_by_walls;
+  bool has_other_objects = false;  ///< their ids may mean others than before
+};
+
+/// Bodies of robots: senses come from there, actions go there. The simulator's is one, a recording's another.
+/// Who runs robots over it knows nothing of what is behind.
+///
+/// Per cycle: `health`; `percepts` for all robots that act, in batches, on any of the workers' threads;
+/// `carry_out`. Once its lists have grown, a cycle takes no heap.
+class Binding {
+ public:
+  /// So many robots in one batch, at most.
+  static constexpr std::size_t kMostAtOnce = 32;
+
+  Binding() = default;
+  Binding(const Binding&) = delete;
+  Binding& operator=(const Binding&) = delete;
+  virtual ~Binding() = default;
+
+  // ---- bodies
+
+  /// Gives a robot its body.
+  /// @return  where it stands
+  /// @errors  why it gets none, as a sentence: `there is no free place near`
+  virtual std::expected<Placement, std::string> embody(const BodySetup& setup) = 0;
+  /// The robot has that body no more; its number stays taken.
+  virtual void release(BodyIndex body) = 0;
+  /// Bodies of the same unit see each other as mates; 0: of no unit.
+  virtual void set_unit(BodyIndex body, std::uint32_t unit) = 0;
+  /// What the body really has and can do, whatever the mission says.
+  virtual Capabilities capabilities(BodyIndex body) const = 0;
+  /// Adds the bodies that can't take part in the coming cycle; none: all is well.
+  virtual void health(std::vector<Ailment>& out) = 0;
+
+  // ---- the cycle
+
+  /// Senses for a batch of bodies. Threads may do so at the same time, each as a worker of its own; sensing
+  /// twice gives the same. Lists in percepts are valid until the worker's next batch.
+  /// @param worker  below workers().count()
+  virtual void percepts(std::span<const Sensing> robots, int worker) = 0;
+  /// Bodies do what they can of this, and time goes by.
+  /// @param actions  by number of the body; who is released or beyond stands still
+  /// @param dt       cycle duration [s], > 0
+  virtual void carry_out(std::span<const percept::Action> actions, double dt) = 0;
+  /// Where bodies are, as well as it is known. Leaves out whose body is kNoBody.
+  virtual void poses(std::span<const BodyIndex> bodies, std::span<geom::Pose> out) const = 0;
+  /// Since the start of the run [s].
+  virtual double time() const = 0;
+  /// The threads that a cycle may be shared out to; the caller may run loops of its own on them between two
+  /// calls.
+  virtual Workers& workers() const = 0;
+
+  virtual const WorldView& view() const = 0;
+
+  // ---- what is made up can be changed; a world that is there as it is stays so
+
+  /// Where bodies would come to stand if they were given one after the other, and what nothing is free for.
+  /// Nothing is changed.
+  virtual std::vector<std::optional<geom::Pose>> places_for(std::span<const BodySetup> setups) = 0;
+  /// The mission has another map than before.
+  virtual MapChange change_map(const overlay::Overlay& /*before*/, const overlay::Overlay& /*after*/) {
+    return {};
+  }
+  /// Obstacles vanish and appear. @return  robots that stood where there is one now, and were moved
+  virtual std::vector<base::RobotId> change_obstacles(std::span<const Disc> /*gone*/,
+                                                      std::span<const Disc> /*come*/) {
+    return {};
+  }
+};
+
+}  // namespace mlab::binding
