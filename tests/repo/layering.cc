@@ -26,6 +26,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"mission", {"overlay", "percept"}},
     {"binding", {"percept", "overlay"}},
     {"sim", {"binding"}},
+    {"recording", {"binding", "robot_wire", "text"}},
     {"lang/odl", {"text", "overlay"}},
     {"lang/envchange", {"text", "overlay"}},
     {"lang/mdl", {"text", "mission", "lang/odl"}},

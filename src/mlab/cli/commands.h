@@ -29,6 +29,8 @@ struct RunOptions {
   int threads = 1;
   std::string report;              ///< file; empty: none
   std::string plot;                ///< SVG file; empty: none
+  std::string percepts;            ///< file that bodies are read from; empty: simulated ones
+  std::string save_percepts;       ///< file that percepts are written to; empty: none
   std::string environment;         ///< environment-change file; empty: none
   std::string start_time;          ///< of the mission clock; empty: now
   double patience = 600.0;         ///< [s]

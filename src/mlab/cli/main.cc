@@ -98,6 +98,12 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->type_name("FILE.json");
   c->add_option("--plot", o.plot, "draw the map and the robots' ways as an SVG picture")
       ->type_name("FILE.svg");
+  c->add_option("--save-percepts", o.save_percepts,
+                "write what the robots sense and do to a file (docs/percepts.md); with --headless")
+      ->type_name("FILE");
+  c->add_option("--percepts", o.percepts,
+                "let the robots' programs act on what such a file says, and compare what they do; with --headless")
+      ->type_name("FILE");
   c->add_option(
        "--environment", o.environment,
        "change the world while the mission runs, as this file says; -: standard input, with --headless")

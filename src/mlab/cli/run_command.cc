@@ -22,6 +22,7 @@
 #include "mlab/cli/output.h"
 #include "mlab/cli/permission.h"
 #include "mlab/cli/plot.h"
+#include "mlab/cli/run_bodies.h"
 #include "mlab/cli/run_screen.h"
 #include "mlab/cli/run_settings.h"
 #include "mlab/cli/terminal.h"
@@ -31,7 +32,6 @@
 #include "mlab/fleet/report.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/simulated/run.h"
 
 namespace mlab::cli {
 namespace {
@@ -60,6 +60,7 @@ void pass_time(double seconds) {
 }
 
 struct Prepared {
+  RunBodies bodies;
   std::unique_ptr<fleet::MissionRun> run;
   MissionClock clock;
   double speed = 0.0;
@@ -99,7 +100,7 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
         settings.environment =
             envchange::parse(*source, mission->overlay.origin, sink).value_or(overlay::EnvironmentChanges{});
     }
-    if (!sink.has_errors()) out.run = simulated::make_run(mission, sources, settings, sink);
+    if (!sink.has_errors()) out.run = out.bodies.make_run(mission, sources, options, settings, sink);
   }
   tell(sink);
   if (!out.run) return std::nullopt;
@@ -167,6 +168,8 @@ fleet::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen
 int run(const RunOptions& options) {
   if (const std::string why = other_language(options.mission, {language::Language::kMission}); !why.empty())
     return usage_error(why);
+  if (!options.headless && !(options.percepts + options.save_percepts).empty())
+    return usage_error("--percepts, --save-percepts: only with --headless");
   if (!options.headless) return run_console(options);
   if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
   int status = kDone;
@@ -204,7 +207,8 @@ int run(const RunOptions& options) {
       !deliver("report", options.report, fleet::report_json(run, performance, end)))
     return kFailed;
   if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
-  return outcome == "done" ? kDone : kFailed;
+  const bool is_as_recorded = prepared->bodies.conclude();
+  return outcome == "done" && is_as_recorded ? kDone : kFailed;
 }
 
 }  // namespace mlab::cli

@@ -1,0 +1,75 @@
+#include "mlab/cli/run_bodies.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/base/counted.h"
+#include "mlab/cli/terminal.h"
+#include "mlab/recording/recording_binding.h"
+#include "mlab/simulated/run.h"
+
+namespace mlab::cli {
+namespace {
+
+constexpr std::size_t kMostTold = 8;
+
+}  // namespace
+
+std::unique_ptr<fleet::MissionRun> RunBodies::make_run(const std::shared_ptr<const mission::Mission>& mission,
+                                                       const robot::ProgramSources& sources,
+                                                       const RunOptions& options,
+                                                       fleet::RunSettings& settings,
+                                                       text::Diagnostics& sink) {
+  std::shared_ptr<const fleet::Crew> crew = fleet::check_crew(mission, sources, sink);
+  if (!crew) return nullptr;
+  std::unique_ptr<binding::Binding> bodies;
+  if (!options.percepts.empty()) {
+    auto file = recording::PerceptsReader::open(options.percepts);
+    if (!file) {
+      sink.report(file.error());
+      return nullptr;
+    }
+    settings.seed = (*file)->head().seed();
+    auto recorded = std::make_unique<recording::RecordedBinding>(std::move(*file), settings.threads);
+    read_ = recorded.get();
+    bodies = std::move(recorded);
+  } else {
+    bodies = simulated::make_bodies(*mission, settings);
+  }
+  if (!options.save_percepts.empty()) {
+    auto file = recording::PerceptsWriter::create(options.save_percepts, settings.seed, mission->name);
+    if (!file) {
+      sink.report(file.error());
+      return nullptr;
+    }
+    written_ = std::move(*file);
+    bodies = std::make_unique<recording::RecordingBinding>(std::move(bodies), written_);
+  }
+  return std::make_unique<fleet::MissionRun>(std::move(crew), settings, std::move(bodies));
+}
+
+bool RunBodies::conclude() {
+  if (written_) {
+    if (const auto problem = written_->finish()) {
+      tell(*problem);
+      return false;
+    }
+  }
+  if (read_ == nullptr) return true;
+  const auto& differences = read_->differences();
+  if (differences.empty()) {
+    fmt::print("as recorded: {}\n", base::counted(read_->same_actions(), "action"));
+    return true;
+  }
+  for (std::size_t i = 0; i < differences.size() && i < kMostTold; ++i) {
+    const recording::Difference& one = differences[i];
+    fmt::print("not as recorded: robot {} in cycle {} ({:.1f} s) {}\n", one.robot.value, one.cycle, one.time,
+               one.what);
+  }
+  if (differences.size() > kMostTold)
+    fmt::print("not as recorded: {} more\n", base::counted(differences.size() - kMostTold, "robot"));
+  return false;
+}
+
+}  // namespace mlab::cli

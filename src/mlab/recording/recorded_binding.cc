@@ -1,0 +1,261 @@
+#include "mlab/recording/recorded_binding.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/recording/action_difference.h"
+#include "mlab/robot_wire/action_wire.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::recording {
+namespace {
+
+geom::Pose pose_of(const wire::Pose& pose) {
+  return {{pose.x(), pose.y()}, pose.heading()};
+}
+
+binding::Object object_of(const wire::RecordedObject& object) {
+  return {{object.id()},
+          static_cast<percept::ObjectClass>(object.object_class()),
+          static_cast<percept::ObjectStyle>(object.style()),
+          {object.x(), object.y()},
+          object.radius(),
+          {object.carrier()},
+          {object.basket()}};
+}
+
+std::vector<base::RobotId> robots_of(const google::protobuf::RepeatedField<std::uint32_t>& ids) {
+  std::vector<base::RobotId> out;
+  for (const std::uint32_t id : ids) out.push_back({id});
+  return out;
+}
+
+// What is wanted, and was not asked for when percepts were recorded.
+std::string lack_of(const percept::Needs& wanted, const wire::Needs& recorded) {
+  struct Device {
+    const char* name;
+    double wanted, recorded;
+  };
+  for (const Device& device : {Device{"obstacles", wanted.obstacles, recorded.obstacles()},
+                               Device{"robots", wanted.robots, recorded.robots()},
+                               Device{"objects", wanted.objects, recorded.objects()}}) {
+    if (device.wanted > device.recorded)
+      return fmt::format("wants to see {} {} m far; recorded are {} m", device.name, device.wanted,
+                         device.recorded);
+  }
+  return wanted.ranges && !recorded.ranges() ? "wants range sensors, which were not recorded" : "";
+}
+
+}  // namespace
+
+RecordedBinding::RecordedBinding(std::unique_ptr<PerceptsReader> file, int threads)
+    : file_(std::move(file)), workers_(std::make_unique<binding::Workers>(threads)) {
+  take_change();
+}
+
+const wire::RecordedBody* RecordedBinding::next_body(base::RobotId robot, std::size_t which) const {
+  for (const wire::RecordedBody& body : file_->bodies()) {
+    if (body.robot() == robot.value && which-- == 0) return &body;
+  }
+  return nullptr;
+}
+
+std::expected<binding::Placement, std::string> RecordedBinding::embody(const binding::BodySetup& setup) {
+  std::size_t& given = given_[setup.robot.value];
+  const wire::RecordedBody* made = next_body(setup.robot, given);
+  if (made == nullptr)
+    return std::unexpected(fmt::format("`{}` has no such start of it", text::shown(file_->path())));
+  ++given;
+  Body& body = bodies_.emplace_back();
+  body.made = *made;
+  body.pose = pose_of(made->pose());
+  const binding::BodyIndex index{static_cast<std::uint32_t>(bodies_.size() - 1)};
+  return binding::Placement{index, body.pose, made->moved()};
+}
+
+void RecordedBinding::release(binding::BodyIndex body) {
+  bodies_[body.value].is_present = false;
+}
+
+binding::Capabilities RecordedBinding::capabilities(binding::BodyIndex body) const {
+  const wire::RecordedBody& made = bodies_[body.value].made;
+  return {made.radius(), static_cast<std::uint16_t>(made.range_sensors()), made.max_speed(),
+          made.max_turn_rate()};
+}
+
+RecordedBinding::Body* RecordedBinding::find(std::uint32_t robot) {
+  const auto found = std::ranges::find_if(
+      bodies_, [&](const Body& body) { return body.is_present && body.made.robot() == robot; });
+  return found == bodies_.end() ? nullptr : &*found;
+}
+
+// The coming cycle.
+void RecordedBinding::load() {
+  while (cycle_ == nullptr) {
+    const wire::RecordedEntry* entry = file_->peek();
+    if (entry == nullptr || entry->has_end()) return;
+    if (entry->has_cycle()) {
+      cycle_ = &entry->cycle();
+      continue;
+    }
+    if (entry->has_world()) take_world(entry->world());
+    file_->take();
+  }
+  for (Body& body : bodies_) body.recorded = nullptr;
+  time_ = cycle_->time();
+  for (const wire::RecordedRobot& robot : cycle_->robots()) {
+    if (Body* body = find(robot.robot())) body->recorded = &robot;
+  }
+}
+
+void RecordedBinding::health(std::vector<binding::Ailment>& out) {
+  load();
+  for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
+    const Body& body = bodies_[i];
+    if (!body.is_present || (cycle_ != nullptr && body.recorded != nullptr)) continue;
+    out.push_back({{i},
+                   cycle_ == nullptr ? fmt::format("has no more percepts: `{}` ends after cycle {}",
+                                                   text::shown(file_->path()), cycles_done_)
+                                     : fmt::format("has no percepts in cycle {} of `{}`", cycles_done_ + 1,
+                                                   text::shown(file_->path()))});
+  }
+}
+
+void RecordedBinding::percepts(std::span<const binding::Sensing> robots, int /*worker*/) {
+  for (const binding::Sensing& sensing : robots) {
+    Body& body = bodies_[sensing.body.value];
+    body.has_acted = true;
+    if (body.recorded == nullptr) continue;
+    body.lack = lack_of(*sensing.needs, body.recorded->needs());
+    // What can't be decoded was refused when the file was opened.
+    if (!body.percepts.decode(body.recorded->percepts())) *sensing.out = body.percepts.percepts();
+  }
+}
+
+void RecordedBinding::carry_out(std::span<const percept::Action> actions, double dt) {
+  if (cycle_ == nullptr) {
+    time_ += dt;
+    return;
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    compare(bodies_[i], i < actions.size() ? actions[i] : percept::Action{});
+  take_states(*cycle_);
+  time_ += dt;
+  ++cycles_done_;
+  cycle_ = nullptr;
+  for (Body& body : bodies_) body.recorded = nullptr;
+  file_->take();
+}
+
+void RecordedBinding::compare(Body& body, const percept::Action& action) {
+  const bool has_acted = std::exchange(body.has_acted, false);
+  if (body.recorded == nullptr || !body.is_present) return;
+  if (!has_acted) {
+    tell(body, "does not act any more; it did when percepts were recorded");
+    return;
+  }
+  wire::Action is;
+  robot_wire::encode(action, is);
+  std::string what = body.lack.empty() ? difference(is, body.recorded->action()) : std::move(body.lack);
+  if (what.empty())
+    ++same_actions_;
+  else
+    tell(body, std::move(what));
+}
+
+void RecordedBinding::tell(Body& body, std::string what) {
+  if (std::exchange(body.is_told, true)) return;
+  differences_.push_back({{body.made.robot()}, cycles_done_ + 1, time_, std::move(what)});
+}
+
+void RecordedBinding::take_states(const wire::RecordedCycle& cycle) {
+  for (const wire::RecordedState& state : cycle.states()) {
+    Body* body = find(state.robot());
+    if (body == nullptr) continue;
+    body->pose = pose_of(state.pose());
+    body->state = {{state.velocity_x(), state.velocity_y()},
+                   state.distance_driven(),
+                   state.contacts(),
+                   state.in_contact(),
+                   {state.carried()}};
+  }
+  for (const wire::RecordedObject& object : cycle.objects()) {
+    const auto known = std::ranges::find(objects_, base::ObjectId{object.id()}, &binding::Object::id);
+    if (known != objects_.end()) *known = object_of(object);
+  }
+}
+
+void RecordedBinding::poses(std::span<const binding::BodyIndex> bodies, std::span<geom::Pose> out) const {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i] != binding::kNoBody) out[i] = bodies_[bodies[i].value].pose;
+  }
+}
+
+std::vector<std::optional<geom::Pose>> RecordedBinding::places_for(
+    std::span<const binding::BodySetup> setups) {
+  std::vector<std::optional<geom::Pose>> out;
+  for (const binding::BodySetup& setup : setups) {
+    const auto given = given_.find(setup.robot.value);
+    const wire::RecordedBody* made = next_body(setup.robot, given == given_.end() ? 0 : given->second);
+    out.push_back(made == nullptr ? std::nullopt : std::optional(pose_of(made->pose())));
+  }
+  return out;
+}
+
+// What was changed at this place when percepts were recorded.
+binding::MapChange RecordedBinding::take_change() {
+  for (const wire::RecordedEntry* entry = file_->peek(); entry != nullptr; entry = file_->peek()) {
+    if (!entry->has_embodied() && !entry->has_world()) break;
+    if (!entry->has_world()) {
+      file_->take();
+      continue;
+    }
+    const wire::RecordedWorld& world = entry->world();
+    binding::MapChange out{robots_of(world.moved_by_obstacles()), robots_of(world.moved_by_walls()),
+                           world.has_other_objects()};
+    take_world(world);
+    file_->take();
+    return out;
+  }
+  return {};
+}
+
+void RecordedBinding::take_world(const wire::RecordedWorld& world) {
+  discs_.clear();
+  walls_.clear();
+  objects_.clear();
+  for (int i = 0; i < world.disc_x_size(); ++i)
+    discs_.push_back({{world.disc_x(i), world.disc_y(i)}, world.disc_radius(i)});
+  for (int i = 0; i < world.wall_group_size(); ++i) {
+    walls_.push_back(
+        {{{world.wall_a().x(i), world.wall_a().y(i)}, {world.wall_b().x(i), world.wall_b().y(i)}},
+         world.wall_group(i)});
+  }
+  for (const wire::RecordedObject& object : world.objects()) objects_.push_back(object_of(object));
+}
+
+binding::MapChange RecordedBinding::change_map(const overlay::Overlay& /*before*/,
+                                               const overlay::Overlay& /*after*/) {
+  return take_change();
+}
+
+std::vector<base::RobotId> RecordedBinding::change_obstacles(std::span<const binding::Disc> /*gone*/,
+                                                             std::span<const binding::Disc> /*come*/) {
+  return take_change().moved_by_obstacles;
+}
+
+percept::Percepts RecordedBinding::sense(binding::BodyIndex body, const percept::Needs& /*needs*/) const {
+  return bodies_[body.value].percepts.percepts();
+}
+
+// What would have been seen elsewhere, nobody knows.
+percept::Percepts RecordedBinding::sense_at(binding::BodyIndex /*body*/, const geom::Pose& pose,
+                                            const percept::Needs& /*needs*/) const {
+  percept::Percepts out;
+  out.pose = pose;
+  return out;
+}
+
+}  // namespace mlab::recording
