@@ -43,13 +43,14 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"language", {"fleet", "lang/mdl", "lang/odl", "lang/envchange"}},
     {"lsp", {"language"}},
     {"console/server", {"base"}},
-    {"console", {"cell", "simulated", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
+    {"console",
+     {"cell", "simulated", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
     {"designer", {"console", "lang/cdl", "lang/cdl_historic"}},
     {"tables", {"overlay", "lang/odl"}},
 };
 
-/// What the sources of a module use besides, and keep to themselves: neither its headers nor who stands above it know of
-/// it.
+/// What the sources of a module use besides, and keep to themselves: neither its headers nor who stands above
+/// it know of it.
 const std::map<std::string, Modules, std::less<>> kKept = {
     {"simulated", {"sim"}},
 };

@@ -35,7 +35,8 @@ TEST(Layering, LanguagesDoNotKnowEachOtherUnlessAnArrowSaysSo) {
 TEST(Layering, WhatAModuleKeepsToItselfNobodyAboveItAndNoHeaderOfItKnows) {
   const std::string line = "#include \"mlab/sim/simulator.h\"\n";
   EXPECT_EQ(upward_includes({{"src/mlab/simulated/run.cc", line}}), Findings{});
-  EXPECT_EQ(upward_includes({{"src/mlab/simulated/run.h", line}, {"src/mlab/console/alarms.cc", line}}).size(), 2U);
+  EXPECT_EQ(
+      upward_includes({{"src/mlab/simulated/run.h", line}, {"src/mlab/console/alarms.cc", line}}).size(), 2U);
 }
 
 TEST(Layering, TheCommandMayIncludeEverything) {

@@ -101,8 +101,9 @@ void add_run(CLI::App& app, RunOptions& o) {
   c->add_option("--save-percepts", o.save_percepts,
                 "write what the robots sense and do to a file (docs/percepts.md); with --headless")
       ->type_name("FILE");
-  c->add_option("--percepts", o.percepts,
-                "let the robots' programs act on what such a file says, and compare what they do; with --headless")
+  c->add_option(
+       "--percepts", o.percepts,
+       "let the robots' programs act on what such a file says, and compare what they do; with --headless")
       ->type_name("FILE");
   c->add_option(
        "--environment", o.environment,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -343,7 +344,7 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
     runner.needs({&worker.members[first], last - first}, {&worker.needs[first], last - first});
   }
   for (std::size_t i = 0; i < count; ++i) {
-    worker.percepts[i] = {};
+    std::construct_at(&worker.percepts[i]);  // an assignment would copy what it makes
     worker.senses[i] = {robots_[worker.robots[i]].body, &worker.needs[i], &worker.percepts[i]};
   }
   binding_.percepts({worker.senses.data(), count}, index);
