@@ -1,6 +1,7 @@
 #include "mlab/designer/movement_field.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -60,20 +61,25 @@ text::Result<FieldProgram> field_program(flow::Network network, const flow::Libr
 }
 
 FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
-    : part_(std::move(part)),
+    : program_{.name = part.port, .program = std::move(part.program), .hosted = std::move(part.hosted)},
+      port_(program_.program->find(part.port)),
       grid_(grid),
       as_is_(as_is),
-      port_(part_.program->find(part_.port)),
-      start_(part_.program->make_frame()),
-      frame_(start_) {
-  if (part_.hosted) hosted_ = std::make_unique<robot_host::HostedCycle>(part_.hosted, true);
+      start_(program_.program->make_frame()) {
+  program_.initial = start_;
 }
 
-void FieldReading::begin(const fleet::FleetRobot& body) {
-  const flow::Program& program = *part_.program;
-  if (as_is_ && body.workings().program)
-    program.take_over(start_.data(), *body.workings().program, body.workings().frame);
+void FieldReading::begin(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
+  const flow::Program& program = *program_.program;
+  if (const robot::Workings robot = body.workings(); as_is_ && robot)
+    program.take_over(start_.data(), *robot.program, robot.frame);
   needs_ = program.needs(start_.data());
+  runners_.emplace(run.seed(), 1);
+  runner_ = runners_->runner_of(program_);
+  for (std::uint32_t i = 0; i < kPlacesAtOnce; ++i) {
+    robots_.push_back(runner_->add(body.id, program_));
+    static_cast<void>(runner_->start(robots_.back()));  // who does not start moves nobody
+  }
   arrows_.reserve(std::size_t{grid_.columns} * grid_.rows * sizeof(FieldArrow));
 }
 
@@ -81,63 +87,52 @@ bool FieldReading::read(const fleet::MissionRun& run, const fleet::FleetRobot& b
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(budget);
   const std::uint32_t count = grid_.columns * grid_.rows;
-  if (next_ == 0) begin(body);
+  if (!runners_) begin(run, body);
   while (next_ < count) {
-    if (hosted_)
-      read_hosted(run, body);
-    else
-      read_place(run, body);
-    if (next_ % kPlacesAtOnce == 0 && Clock::now() >= end) break;
+    read_places(run, body);
+    if (Clock::now() >= end) break;
   }
   return next_ == count;
 }
 
-percept::Percepts FieldReading::perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body,
-                                         std::uint32_t place) const {
-  const geom::Pose pose = grid_.pose(place % grid_.columns, place / grid_.columns);
-  return run.fleet().perceive_at(body, pose, needs_, run.cycle_duration());
+// Some places at once, as if a robot stood at each. Where the program ends its process, it moves nobody
+// there.
+void FieldReading::read_places(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
+  struct Outcome {
+    percept::Action action;
+    std::string fault;
+    std::string failure;
+  };
+  std::array<Outcome, kPlacesAtOnce> unwanted;
+  const std::uint32_t count = std::min(kPlacesAtOnce, grid_.columns * grid_.rows - next_);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    runner_->restore(robots_[i], start_);
+    runner_->join(robots_[i]);
+  }
+  runner_->open();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const percept::Percepts percepts =
+        run.fleet().perceive_at(body, pose_of(next_ + i), needs_, run.cycle_duration());
+    const robot::ProgramRunner::Turn turn{robots_[i], &percepts, &unwanted[i].action, &unwanted[i].fault,
+                                          &unwanted[i].failure};
+    runner_->act({&turn, 1});
+  }
+  runner_->ask();
+  runner_->wait({});
+  for (std::uint32_t i = 0; i < count; ++i) add_arrow(next_ + i);
+  next_ += count;
 }
 
-void FieldReading::add_arrow(const geom::Pose& pose, const std::byte* frame) {
-  geom::Vector v = flow::Program::vector(frame, *port_).value_or(geom::Vector{});
+void FieldReading::add_arrow(std::uint32_t place) {
+  const robot::Workings robot = runner_->workings(robots_[place % kPlacesAtOnce]);
+  geom::Vector v = flow::Program::vector(robot.frame, *port_).value_or(geom::Vector{});
   if (!std::isfinite(v.x + v.y)) v = {};
   const double c = std::cos(grid_.heading);
   const double s = std::sin(grid_.heading);
+  const geom::Point at = pose_of(place).position;
   console::append(arrows_,
-                  FieldArrow{static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),
+                  FieldArrow{static_cast<float>(at.x), static_cast<float>(at.y),
                              static_cast<float>(v.x * c - v.y * s), static_cast<float>(v.x * s + v.y * c)});
-}
-
-void FieldReading::read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
-  const percept::Percepts percepts = perceive(run, body, next_);
-  percept::Action unwanted;
-  frame_ = start_;
-  part_.program->step(frame_.data(), percepts, unwanted, run.seed(), body.id.value);
-  add_arrow(percepts.pose, frame_.data());
-  ++next_;
-}
-
-// Some places at once, as if a robot stood at each. Where the program ends its process, it moves nobody
-// there.
-void FieldReading::read_hosted(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
-  const std::uint32_t count = std::min(kPlacesAtOnce, grid_.columns * grid_.rows - next_);
-  std::vector<geom::Pose> poses;
-  hosted_->begin();
-  for (std::uint32_t i = 0; i < count; ++i) hosted_->join(body.id.value, run.seed());
-  hosted_->open();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const percept::Percepts percepts = perceive(run, body, next_ + i);
-    poses.push_back(percepts.pose);
-    hosted_->set(i, percepts, {start_.data(), start_.size()});
-  }
-  hosted_->ask();
-  hosted_->wait({});
-  for (std::uint32_t i = 0; i < count; ++i) {
-    percept::Action unwanted;
-    const robot_host::HostedCycle::Outcome outcome = hosted_->take(i, unwanted);
-    add_arrow(poses[i], outcome.failure.empty() ? outcome.frame.data() : start_.data());
-  }
-  next_ += count;
 }
 
 std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body, bool as_is,

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "mlab/fleet/mission_run.h"
 #include "mlab/flow/network.h"
 #include "mlab/flow/program.h"
-#include "mlab/robot_host/hosted_cycle.h"
+#include "mlab/robot/program_runners.h"
+#include "mlab/robot/robot_program.h"
 
 namespace mlab::designer {
 
@@ -47,7 +50,10 @@ class FieldReading {
   /// @param as_is   it has the robot's state, as when reading began; else it has just started
   FieldReading(FieldProgram part, FieldGrid grid, bool as_is);
 
-  /// Goes on for so long [s], at least one place.
+  FieldReading(const FieldReading&) = delete;  // runners know where the program is
+  FieldReading& operator=(const FieldReading&) = delete;
+
+  /// Goes on for so long [s], at least a few places.
   /// @param body    whose senses and orders it has
   /// @return  true: it is done
   bool read(const fleet::MissionRun& run, const fleet::FleetRobot& body, double budget);
@@ -55,22 +61,23 @@ class FieldReading {
   const std::string& arrows() const { return arrows_; }
 
  private:
-  void begin(const fleet::FleetRobot& body);
-  percept::Percepts perceive(const fleet::MissionRun& run, const fleet::FleetRobot& body,
-                             std::uint32_t place) const;
-  void add_arrow(const geom::Pose& pose, const std::byte* frame);
-  void read_place(const fleet::MissionRun& run, const fleet::FleetRobot& body);
-  void read_hosted(const fleet::MissionRun& run, const fleet::FleetRobot& body);
+  void begin(const fleet::MissionRun& run, const fleet::FleetRobot& body);
+  void read_places(const fleet::MissionRun& run, const fleet::FleetRobot& body);
+  geom::Pose pose_of(std::uint32_t place) const {
+    return grid_.pose(place % grid_.columns, place / grid_.columns);
+  }
+  void add_arrow(std::uint32_t place);
 
-  FieldProgram part_;
+  robot::RobotProgram program_;  ///< of the part
+  const flow::Port* port_;
   FieldGrid grid_;
   bool as_is_;
-  const flow::Port* port_;
-  flow::Frame start_;
-  flow::Frame frame_;
+  flow::Frame start_;  ///< a robot's values at each place
   percept::Needs needs_;
-  std::unique_ptr<robot_host::HostedCycle> hosted_;  ///< where the part has a process of its own
-  std::uint32_t next_ = 0;                           ///< place; 0: not begun
+  std::optional<robot::ProgramRunners> runners_;  ///< since reading began
+  robot::ProgramRunner* runner_ = nullptr;        ///< of the part
+  std::vector<robot::ProgramRunner::Member> robots_;
+  std::uint32_t next_ = 0;  ///< place
   std::string arrows_;
 };
 
