@@ -57,7 +57,7 @@ TEST(RecordedRun, RobotsWithoutPerceptsStandAndSayWhy) {
   carry_out(*replay.run, 60);
   const fleet::FleetRobot& robot = replay.run->fleet().robots().front();
   EXPECT_EQ(robot.life, fleet::RobotLife::kFaulted);
-  EXPECT_EQ(robot.failure, "has no more percepts: `" + file.path() + "` ends after cycle 50");
+  EXPECT_EQ(robot.ailment, "has no more percepts: `" + file.path() + "` ends after cycle 50");
 }
 
 TEST(RecordedRun, ShowsTheWorldThatWasThere) {

@@ -64,12 +64,12 @@ void Alarms::look_at(const fleet::MissionRun& run, const FleetRobot& robot, Robo
   if (robot.life == RobotLife::kNotStarted) return;
   if (robot.life != known.life) {
     if (robot.life == RobotLife::kFaulted) {
-      log.add(run.time(),
-              entry(Log::LOST,
-                    robot.failure.empty()
-                        ? fmt::format("robot {} stands: fault at `{}`", robot.id.value, robot.fault)
-                        : fmt::format("robot {} stands: its program {}", robot.id.value, robot.failure),
-                    robot, run.fleet().pose(robot).position, true));
+      const std::string failure = fleet::failure_of(robot);
+      log.add(run.time(), entry(Log::LOST,
+                                failure.empty() ? fmt::format("robot {} stands: fault at `{}`",
+                                                              robot.id.value, robot.fault)
+                                                : fmt::format("robot {} stands: {}", robot.id.value, failure),
+                                robot, run.fleet().pose(robot).position, true));
     }
     if (known.life == RobotLife::kNotStarted || known.life == RobotLife::kStopped) known.contacts = 0;
     known.life = robot.life;

@@ -24,7 +24,6 @@ struct DetailWishes {
 
 /// Everything about one robot but for what it waits for: where it is, what it follows, why it moves as it
 /// does.
-/// @param buffer  for sensing; used again and again
 void encode_detail(const fleet::MissionRun& run, const Estimates& estimates, const fleet::FleetRobot& robot,
                    const DetailWishes& wishes, RobotDetail& out);
 

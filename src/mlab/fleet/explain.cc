@@ -32,26 +32,12 @@ std::string compass_word(geom::Offset o) {
   return kWords[(sector + 8) % 8];
 }
 
-}  // namespace
-
-std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
-  std::vector<std::string> out;
-  const geom::Pose pose = fleet_->pose(robot);
-  const std::string who =
-      fmt::format("robot {} at ({:.1f}, {:.1f})", robot.id.value, pose.position.x, pose.position.y);
-  if (robot.life == RobotLife::kParked) {
-    return {
-        fmt::format("{} stands parked: nothing here answers to its program `{}`", who, robot.program->name)};
-  }
-  if (!robot.failure.empty())
-    return {fmt::format("{} stands: its program `{}` {}", who, robot.program->name, robot.failure)};
-  if (robot.life == RobotLife::kFaulted) return {fmt::format("{} stands: fault at `{}`", who, robot.fault)};
-  if (robot.life != RobotLife::kRunning) return {fmt::format("{} is {}", who, name(robot.life))};
-
+std::string what_moves(const FleetRobot& robot) {
   std::string motion;
   // What a process of its own sums up, it keeps to itself.
   std::vector<flow::Contribution> parts;
-  if (robot.workings().program) parts = robot.workings().program->contributions(robot.workings().frame);
+  if (const robot::Workings workings = robot.workings())
+    parts = workings.program->contributions(workings.frame);
   for (const flow::Contribution& part : parts) {
     const double strength = geom::length(part.weighted);
     if (strength < kWorthTelling) continue;
@@ -59,55 +45,78 @@ std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
     motion += fmt::format("{}{} {} {}", motion.empty() ? "" : ", ", part.member, size,
                           direction_word(part.weighted));
   }
-  if (motion.empty()) {
-    const geom::Vector v = robot.action.velocity;
-    const double speed = geom::length(v);
-    motion = speed > 0.0 ? fmt::format("its program drives it at {:.2f} m/s {}", speed, direction_word(v))
-                         : "nothing moves it";
-  }
-  out.push_back(fmt::format("{}: {}", who, motion));
+  if (!motion.empty()) return motion;
+  const geom::Vector v = robot.action.velocity;
+  const double speed = geom::length(v);
+  return speed > 0.0 ? fmt::format("its program drives it at {:.2f} m/s {}", speed, direction_word(v))
+                     : "nothing moves it";
+}
 
+void add_nearest_disc(const binding::WorldView& world, geom::Point at, double radius,
+                      std::vector<std::string>& out) {
   const binding::Disc* nearest = nullptr;
   double nearest_gap = kNear;
-  for (const binding::Disc& disc : world().discs()) {
-    const double gap = geom::distance(disc.center, pose.position) - disc.radius - robot.capabilities.radius;
+  for (const binding::Disc& disc : world.discs()) {
+    const double gap = geom::distance(disc.center, at) - disc.radius - radius;
     if (gap < nearest_gap) {
       nearest_gap = gap;
       nearest = &disc;
     }
   }
-  if (nearest != nullptr) {
-    out.push_back(fmt::format("  obstacle of radius {:.1f} m at ({:.1f}, {:.1f}), {:.1f} m away to the {}",
-                              nearest->radius, nearest->center.x, nearest->center.y, nearest_gap,
-                              compass_word(nearest->center - pose.position)));
-  }
-  double wall_distance = kNear;
-  geom::Point wall_point;
-  for (const binding::Wall& wall : world().walls()) {
+  if (nearest == nullptr) return;
+  out.push_back(fmt::format("  obstacle of radius {:.1f} m at ({:.1f}, {:.1f}), {:.1f} m away to the {}",
+                            nearest->radius, nearest->center.x, nearest->center.y, nearest_gap,
+                            compass_word(nearest->center - at)));
+}
+
+void add_nearest_wall(const binding::WorldView& world, geom::Point at, std::vector<std::string>& out) {
+  double nearest = kNear;
+  geom::Point place;
+  for (const binding::Wall& wall : world.walls()) {
     if (!wall.is_solid) continue;
-    const geom::Point p = geom::nearest_point(wall.segment, pose.position);
-    if (geom::distance(p, pose.position) < wall_distance) {
-      wall_distance = geom::distance(p, pose.position);
-      wall_point = p;
+    const geom::Point p = geom::nearest_point(wall.segment, at);
+    if (geom::distance(p, at) < nearest) {
+      nearest = geom::distance(p, at);
+      place = p;
     }
   }
-  if (wall_distance < kNear) {
-    out.push_back(fmt::format("  wall {:.1f} m away to the {}", wall_distance,
-                              compass_word(wall_point - pose.position)));
-  }
-  // The edge holds whoever wants to go on through it.
+  if (nearest < kNear)
+    out.push_back(fmt::format("  wall {:.1f} m away to the {}", nearest, compass_word(place - at)));
+}
+
+// The edge holds whoever wants to go on through it.
+void add_edges(const overlay::Area& area, geom::Point at, std::vector<std::string>& out) {
   const auto at_edge = [&](double gap, const char* where) {
     if (std::abs(gap - binding::kAreaMargin) < kAtEdge)
       out.push_back(fmt::format("  edge of the mission area to the {}", where));
   };
-  const overlay::Area area = state_.mission->overlay.mission_area();
-  at_edge(pose.position.x, "west");
-  at_edge(area.width - pose.position.x, "east");
-  at_edge(pose.position.y, "south");
-  at_edge(area.height - pose.position.y, "north");
+  at_edge(at.x, "west");
+  at_edge(area.width - at.x, "east");
+  at_edge(at.y, "south");
+  at_edge(area.height - at.y, "north");
+}
+
+}  // namespace
+
+std::vector<std::string> MissionRun::explain(const FleetRobot& robot) const {
+  const geom::Point at = fleet_->pose(robot).position;
+  const std::string who = fmt::format("robot {} at ({:.1f}, {:.1f})", robot.id.value, at.x, at.y);
+  if (robot.life == RobotLife::kParked) {
+    return {
+        fmt::format("{} stands parked: nothing here answers to its program `{}`", who, robot.program->name)};
+  }
+  if (const std::string failure = failure_of(robot); !failure.empty())
+    return {fmt::format("{} stands: {}", who, failure)};
+  if (robot.life == RobotLife::kFaulted) return {fmt::format("{} stands: fault at `{}`", who, robot.fault)};
+  if (robot.life != RobotLife::kRunning) return {fmt::format("{} is {}", who, name(robot.life))};
+
+  std::vector<std::string> out = {fmt::format("{}: {}", who, what_moves(robot))};
+  add_nearest_disc(world(), at, robot.capabilities.radius, out);
+  add_nearest_wall(world(), at, out);
+  add_edges(mission().overlay.mission_area(), at, out);
   for (const FleetRobot& other : fleet_->robots()) {
     if (&other == &robot || other.life == RobotLife::kNotStarted) continue;
-    const geom::Offset to = fleet_->pose(other).position - pose.position;
+    const geom::Offset to = fleet_->pose(other).position - at;
     if (geom::length(to) < 5.0 * (robot.capabilities.radius + other.capabilities.radius)) {
       out.push_back(fmt::format("  robot {} {:.1f} m away to the {}", other.id.value, geom::length(to),
                                 compass_word(to)));

@@ -12,9 +12,16 @@
 #include "mlab/percept/object_colors.h"
 
 namespace mlab::fleet {
+
 std::string_view name(RobotLife life) {
   constexpr std::array<std::string_view, 5> kNames = {"not started", "running", "parked", "stopped", "fault"};
   return kNames[static_cast<std::size_t>(life)];
+}
+
+std::string failure_of(const FleetRobot& robot) {
+  if (!robot.ailment.empty()) return fmt::format("its body {}", robot.ailment);
+  if (robot.failure.empty()) return "";
+  return fmt::format("its program `{}` {}", robot.program->name, robot.failure);
 }
 
 Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
@@ -104,6 +111,7 @@ void Fleet::start_program(FleetRobot& robot) {
   robot.life = robot.runner != nullptr ? RobotLife::kRunning : RobotLife::kParked;
   robot.fault.clear();
   robot.failure.clear();
+  robot.ailment.clear();
   robot.notifications.clear();
   const auto problem = robot.runner != nullptr ? robot.runner->start(robot.member) : std::nullopt;
   if (!problem) return;
@@ -112,20 +120,25 @@ void Fleet::start_program(FleetRobot& robot) {
   new_faults_.push_back(robot.id);
 }
 
-void Fleet::leave_group(std::uint32_t index) {
-  FleetRobot& robot = robots_[index];
-  if (robot.group == FleetRobot::kNoGroup) return;
-  Group& group = groups_[robot.group];
-  std::erase(group.members, index);
-  if (group.members.empty()) {
-    group = {};
-    free_groups_.push_back(robot.group);
-  } else {
-    for (std::size_t rank = 0; rank < group.members.size(); ++rank) {
-      robots_[group.members[rank]].rank = static_cast<std::uint32_t>(rank);
-    }
+// All members may come out of one group: it is told once, not by each.
+void Fleet::leave_groups(std::span<const std::uint32_t> members) {
+  std::vector<std::uint32_t> touched;
+  for (const std::uint32_t member : members) {
+    const std::uint32_t group = std::exchange(robots_[member].group, FleetRobot::kNoGroup);
+    if (group != FleetRobot::kNoGroup) touched.push_back(group);
   }
-  robot.group = FleetRobot::kNoGroup;
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const std::uint32_t left : touched) {
+    Group& group = groups_[left];
+    std::erase_if(group.members, [&](std::uint32_t member) { return robots_[member].group != left; });
+    if (group.members.empty()) {
+      group = {};
+      free_groups_.push_back(left);
+    }
+    for (std::size_t rank = 0; rank < group.members.size(); ++rank)
+      robots_[group.members[rank]].rank = static_cast<std::uint32_t>(rank);
+  }
 }
 
 void Fleet::order(const mission::effect::Order& effect) {
@@ -153,27 +166,7 @@ void Fleet::order(const mission::effect::Order& effect) {
   group.slop = leader.program->number("formation_slop").value_or(group.slop);
   group.heading_trigger = leader.program->number("formation_default_trigger").value_or(group.heading_trigger);
 
-  // All members may come out of one group: dissolve it at once, not one by one.
-  std::vector<std::uint32_t> touched;
-  for (const std::uint32_t member : group.members) {
-    FleetRobot& robot = robots_[member];
-    if (robot.group != FleetRobot::kNoGroup && (touched.empty() || touched.back() != robot.group))
-      touched.push_back(robot.group);
-    if (robot.group != FleetRobot::kNoGroup) robot.rank = FleetRobot::kLeaving;
-  }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  for (const std::uint32_t old : touched) {
-    std::erase_if(groups_[old].members,
-                  [&](std::uint32_t member) { return robots_[member].rank == FleetRobot::kLeaving; });
-    if (groups_[old].members.empty()) {
-      groups_[old] = {};
-      free_groups_.push_back(old);
-    }
-    for (std::size_t rank = 0; rank < groups_[old].members.size(); ++rank) {
-      robots_[groups_[old].members[rank]].rank = static_cast<std::uint32_t>(rank);
-    }
-  }
+  leave_groups(group.members);
   auto slot = static_cast<std::uint32_t>(groups_.size());
   if (!free_groups_.empty()) {
     slot = free_groups_.back();
@@ -195,7 +188,7 @@ void Fleet::stop(base::RobotId id) {
   const FleetRobot* found = find(id);
   if (found == nullptr || found->life == RobotLife::kNotStarted) return;
   const auto index = static_cast<std::uint32_t>(index_of(*found));
-  leave_group(index);
+  leave_groups({&index, 1});
   robots_[index].life = RobotLife::kStopped;
   robots_[index].action = {};
 }
@@ -240,13 +233,16 @@ void Fleet::step(double dt) {
 void Fleet::look_after_bodies() {
   ailments_.clear();
   binding_.health(ailments_);
-  for (binding::Ailment& ailment : ailments_) {
-    const auto robot = std::ranges::find(robots_, ailment.body, &FleetRobot::body);
-    if (robot == robots_.end() || robot->life != RobotLife::kRunning) continue;
-    robot->life = RobotLife::kFaulted;
-    robot->action = {};
-    robot->failure = std::move(ailment.what);
-    new_faults_.push_back(robot->id);
+  if (ailments_.empty()) return;
+  std::ranges::sort(ailments_, {}, &binding::Ailment::body);
+  for (FleetRobot& robot : robots_) {
+    if (robot.life != RobotLife::kRunning) continue;
+    const auto ailment = std::ranges::lower_bound(ailments_, robot.body, {}, &binding::Ailment::body);
+    if (ailment == ailments_.end() || ailment->body != robot.body) continue;
+    robot.life = RobotLife::kFaulted;
+    robot.action = {};
+    robot.ailment = std::move(ailment->what);
+    new_faults_.push_back(robot.id);
   }
 }
 

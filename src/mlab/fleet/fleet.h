@@ -6,6 +6,7 @@
 #include <expected>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -66,6 +67,7 @@ struct FleetRobot {
   geom::Pose start;
   std::string fault;    ///< path of the port that went wrong; empty: none
   std::string failure;  ///< what the process of its program did instead of acting: `ended with exit status 3`
+  std::string ailment;  ///< why its body could not be counted on any more: `has no more percepts`
   robot::ProgramRunner* runner = nullptr;   ///< of its program; null: nothing here answers to its name
   robot::ProgramRunner::Member member = 0;  ///< among those of the runner
 
@@ -75,11 +77,12 @@ struct FleetRobot {
   }
 
   static constexpr std::uint32_t kNoGroup = 0xffffffffU;
-  static constexpr std::uint32_t kLeaving = 0xffffffffU;  ///< a rank while orders change hands
 };
+/// What its program or its body did instead of going on, as a sentence: `its program `scout` ended with exit
+/// status 3`. Empty: nothing.
+std::string failure_of(const FleetRobot& robot);
 
 /// The robots of a run in this process: steps their programs against their bodies, all by the same seed.
-
 ///
 /// Per cycle: `step` computes what units have in common, senses, runs every program, moves all bodies, and
 /// passes on what robots tell each other. Results are the same for any number of threads.
@@ -170,7 +173,7 @@ class Fleet {
                         const std::vector<binding::BodySpec>& bodies);
   void form_teams(const mission::Mission& mission);
   void note_calls(const FleetRobot& robot);
-  void leave_group(std::uint32_t robot);
+  void leave_groups(std::span<const std::uint32_t> members);
   void update_poses();
   void look_after_bodies();
   /// Gives the robot's program to who runs it, and takes it from there.

@@ -5,6 +5,7 @@
 #include "mlab/fleet/fleet.h"
 
 namespace mlab::fleet {
+
 void Fleet::edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
                  const std::vector<binding::BodySpec>& bodies) {
   std::vector<FleetRobot> robots;
@@ -45,7 +46,7 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
     if (is_planned || robots_[i].life != RobotLife::kNotStarted) {
       robots.push_back(robots_[i]);
     } else {
-      leave_group(i);
+      leave_groups({&i, 1});
       dismiss(robots_[i]);
     }
   }

@@ -181,16 +181,15 @@ void MissionRun::tell_faults() {
   for (std::size_t i = 0; i < faults.size(); ++i) {
     const FleetRobot& robot = *fleet_->find(faults[i]);
     if (i == kMostMoved) {
-      tell(Tell::Kind::kWarning,
-           fmt::format("{} more robots stand, because of faults of their programs", faults.size() - i));
+      tell(Tell::Kind::kWarning, fmt::format("{} more robots stand, because of faults", faults.size() - i));
       break;
     }
+    const std::string failure = failure_of(robot);
     tell(Tell::Kind::kWarning,
-         robot.failure.empty()
+         failure.empty()
              ? fmt::format("robot {} stands: its program put out something that is no number, first at `{}`",
                            robot.id.value, robot.fault)
-             : fmt::format("robot {} stands: its program `{}` {}", robot.id.value, robot.program->name,
-                           robot.failure));
+             : fmt::format("robot {} stands: {}", robot.id.value, failure));
   }
 }
 

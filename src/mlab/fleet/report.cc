@@ -75,7 +75,7 @@ Json robots_json(const MissionRun& run) {
     out["distance_m"] = rounded(body.distance_driven);
     out["collisions"] = body.contacts;
     out["fault"] = optional_text(robot.fault);
-    out["failure"] = optional_text(robot.failure);
+    out["failure"] = optional_text(robot.failure.empty() ? robot.ailment : robot.failure);
     robots.push_back(std::move(out));
   }
   return robots;
@@ -130,7 +130,7 @@ Json performance_json(const MissionRun& run, const Performance& performance) {
 std::string outcome_name(const MissionRun& run, RunEnd end) {
   // The others may have done all that there was to do; the mission was theirs and that robot's.
   const bool is_broken = std::ranges::any_of(run.fleet().robots(), [](const FleetRobot& robot) {
-    return !robot.failure.empty() || !robot.fault.empty();
+    return !failure_of(robot).empty() || !robot.fault.empty();
   });
   const bool is_over = run.is_over() || end == RunEnd::kByItself;
   if (is_broken && (is_over ? run.state().outcome == mission::Outcome::kDone : end == RunEnd::kTimeIsUp))
