@@ -44,7 +44,7 @@ struct MapChange {
 /// Who runs robots over it knows nothing of what is behind.
 ///
 /// Per cycle: `health`; `percepts` for all robots that act, in batches, on any of the workers' threads;
-/// `carry_out`. Once its lists have grown, a cycle takes no heap.
+/// `carry_out`. All else is called by one thread. Once lists have grown, the simulator's takes no heap.
 class Binding {
  public:
   /// So many robots in one batch, at most.

@@ -17,7 +17,8 @@ bool is_before(const Disc& a, const Disc& b) {
 }
 
 bool is_same_wall(const Wall& a, const Wall& b) {
-  return a.segment.a == b.segment.a && a.segment.b == b.segment.b && a.group == b.group;
+  return a.segment.a == b.segment.a && a.segment.b == b.segment.b && a.group == b.group &&
+         a.is_solid == b.is_solid;
 }
 
 // What is in `from` and not in `without`; equal ones are told apart by their number.
