@@ -1,5 +1,7 @@
 // Files of percepts that are broken, cut or none give an error that says what was seen.
 
+#include <limits>
+
 #include "mlab/robot_wire/framing.h"
 #include "recorded.h"
 
@@ -32,8 +34,9 @@ TEST_F(BrokenFile, AsItWasWrittenIsSound) {
 TEST_F(BrokenFile, ThatIsCutSaysWhere) {
   for (const std::size_t length : {std::size_t{2}, bytes().size() / 3, bytes().size() - 1})
     EXPECT_NE(error_of(bytes().substr(0, length)).find("it was cut off"), std::string::npos) << length;
-  EXPECT_EQ(error_of(""),
-            prefix() + "at byte 0: the file ends with 0 of the 4 bytes of a length: it was cut off");
+  EXPECT_EQ(error_of("abc"),
+            prefix() + "at byte 0: the file ends with 3 of the 4 bytes of a length: it was cut off");
+  EXPECT_EQ(error_of(""), prefix() + "it is empty");
 }
 
 // The end is an entry of its own, so that what was cut between two entries is told, too.
@@ -75,25 +78,88 @@ TEST_F(BrokenFile, OfAnotherKindIsRefused) {
   EXPECT_EQ(error_of(other), prefix() + "at byte 0: format 7, and this program knows only format 1");
 }
 
-TEST_F(BrokenFile, WithPerceptsThatDoNotFitNamesTheRobot) {
+/// A head, and one entry behind it.
+std::string file_with(const wire::RecordedEntry& entry) {
   wire::RecordedEntry head;
   head.mutable_head()->set_magic("missionlab percepts");
   head.mutable_head()->set_format(1);
-  wire::RecordedEntry cycle;
-  cycle.mutable_cycle()->set_duration(0.1);
-  wire::RecordedRobot& robot = *cycle.mutable_cycle()->add_robots();
-  robot.set_robot(12);
-  robot.mutable_percepts()->mutable_obstacles()->add_x(1.0);
-  std::string made;
-  robot_wire::append_framed(head, made);
-  const std::size_t at = made.size();
-  robot_wire::append_framed(cycle, made);
-  EXPECT_EQ(error_of(made).find(prefix() + "at byte " + std::to_string(at) + ": of robot 12: "), 0U)
-      << error_of(made);
-  cycle.mutable_cycle()->set_duration(0.0);
-  made.resize(at);
-  robot_wire::append_framed(cycle, made);
-  EXPECT_EQ(error_of(made), prefix() + "at byte " + std::to_string(at) + ": a cycle lasts 0 s");
+  std::string out;
+  robot_wire::append_framed(head, out);
+  robot_wire::append_framed(entry, out);
+  return out;
+}
+
+TEST_F(BrokenFile, WithAnEntryThatStandsForNothingSaysWhere) {
+  using Entry = wire::RecordedEntry;
+  struct Case {
+    void (*write)(Entry&);
+    const char* error;
+  };
+  const Case cases[] = {
+      {[](Entry& entry) {
+         entry.mutable_cycle()->set_duration(0.1);
+         wire::RecordedRobot& robot = *entry.mutable_cycle()->add_robots();
+         robot.set_robot(12);
+         robot.mutable_percepts()->mutable_obstacles()->add_x(1.0);
+       },
+       "of robot 12: the columns of the obstacles are not equally long"},
+      {[](Entry& entry) { entry.mutable_cycle(); }, "a cycle lasts 0 s"},
+      {[](Entry& entry) {
+         entry.mutable_embodied()->mutable_pose()->set_x(std::numeric_limits<double>::quiet_NaN());
+       },
+       "embodied.pose.x is nan, where numbers from -1000000000 to 1000000000 can be"},
+      {[](Entry& entry) {
+         entry.mutable_cycle()->add_robots();
+         wire::Percepts& percepts = *entry.mutable_cycle()->add_robots()->mutable_percepts();
+         percepts.mutable_obstacles()->add_x(0.0);
+         percepts.mutable_obstacles()->add_x(-std::numeric_limits<double>::infinity());
+       },
+       "cycle.robots[1].percepts.obstacles.x[1] is -inf, where numbers from -1000000000 to 1000000000 can "
+       "be"},
+      {[](Entry& entry) { entry.mutable_world()->add_objects()->set_style(wire::ObjectStyle(17)); },
+       "world.objects[0].style is 17, which no ObjectStyle is"},
+      {[](Entry& entry) { entry.mutable_world()->add_objects(); },
+       "an object with the id 0, where 1 to 1048576 can be"},
+      {[](Entry& entry) { entry.mutable_world()->add_disc_x(1.0); }, "1 discs have 0 y and 0 radii"},
+      {[](Entry& entry) { entry.mutable_world()->add_wall_group(1); },
+       "1 walls have 0 and 0 ends, and 0 say whether they are solid"},
+      {[](Entry& entry) { entry.mutable_embodied()->set_range_sensors(70'000); },
+       "robot 0 has 70000 range sensors, where 65535 are the most"},
+      {[](Entry&) {}, "an entry of a kind that is not known"},
+      {[](Entry& entry) { entry.mutable_head(); }, "a second head"},
+  };
+  const std::size_t at = file_with({}).size() - 4;
+  for (const Case& one : cases) {
+    Entry entry;
+    one.write(entry);
+    EXPECT_EQ(error_of(file_with(entry)), prefix() + "at byte " + std::to_string(at) + ": " + one.error);
+  }
+}
+
+// Strangers' bytes ask for no more memory than they may have.
+TEST_F(BrokenFile, ThatIsEnormousIsRefusedBeforeItIsRead) {
+  EXPECT_EQ(error_of(std::string(8, '\xff')),
+            prefix() +
+                "at byte 0: an entry of 4294967295 bytes, where 33554432 are the most: this is no file of "
+                "percepts, or broken");
+  constexpr int kObjects = 1 << 20;
+  std::string objects;
+  for (int i = 0; i < kObjects; ++i) objects += std::string("\x42\x00", 2);  // field 8, with nothing in it
+  wire::RecordedEntry entry;
+  ASSERT_TRUE(entry.mutable_world()->MergeFromString(objects));
+  ASSERT_EQ(entry.world().objects_size(), kObjects);
+  EXPECT_NE(error_of(file_with(entry)).find("bytes with more than 1048576 parts"), std::string::npos);
+}
+
+TEST_F(BrokenFile, WithMoreStartsThanThereCanBeIsRefused) {
+  wire::RecordedEntry entry;
+  entry.mutable_embodied();
+  std::string body;
+  robot_wire::append_framed(entry, body);
+  std::string file = file_with(entry);
+  for (int i = 0; i < 100'000; ++i) file += body;
+  EXPECT_NE(error_of(file).find("the 100001st start of a robot, where 100000 are the most"),
+            std::string::npos);
 }
 
 // Whatever a byte is changed to, the file is refused or read, and what is read can be acted on.
@@ -115,9 +181,12 @@ TEST_F(BrokenFile, WithAnyByteChangedHarmsNobody) {
 }
 
 TEST(PerceptsReader, SaysThatThereIsNoFile) {
-  const auto opened = recording::PerceptsReader::open("/nowhere/at/all");
-  ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().message, "`/nowhere/at/all`: there is no such file, or it can't be read");
+  const auto error_of = [](const char* path) {
+    const auto opened = recording::PerceptsReader::open(path);
+    return opened ? "" : opened.error().message;
+  };
+  EXPECT_EQ(error_of("/nowhere/at/all"), "`/nowhere/at/all`: there is no such file");
+  EXPECT_EQ(error_of("/"), "`/`: it is no ordinary file");
 }
 
 }  // namespace

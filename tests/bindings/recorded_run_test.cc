@@ -1,5 +1,8 @@
 // A mission on the percepts of a run does what that run did, bit for bit.
 
+#include <algorithm>
+#include <variant>
+
 #include "recorded.h"
 
 namespace mlab::testing {
@@ -22,8 +25,9 @@ TEST_P(RecordedRun, DoesTheSameBitForBit) {
 }
 
 // One with formations and questions; one whose robots carry objects and look through cameras; one with range
-// sensors and a body that counts its wheels' turns.
-INSTANTIATE_TEST_SUITE_P(Missions, RecordedRun, ::testing::Values("demo_c", "forage", "rover", "mrv2"));
+// sensors and a body that counts its wheels' turns; one with an area that nobody enters.
+INSTANTIATE_TEST_SUITE_P(Missions, RecordedRun,
+                         ::testing::Values("demo_c", "forage", "rover", "mrv2", "minefield"));
 
 TEST(RecordedRun, IsTheSameAsTheRunThatIsNotRecorded) {
   const TemporaryFile file("percepts_plain");
@@ -78,6 +82,45 @@ TEST(RecordedRun, ShowsTheWorldThatWasThere) {
     EXPECT_EQ(is.objects()[i].center, was.objects()[i].center);
     EXPECT_EQ(is.objects()[i].carrier, was.objects()[i].carrier);
   }
+}
+
+TEST(RecordedRun, KeepsAreasThatStopNobodyApartFromWalls) {
+  const TemporaryFile file("percepts_walls");
+  const Plan plan("minefield");
+  record(plan, 2, file.path());
+  const Replay replay(plan, file.path());
+  ASSERT_TRUE(replay.run);
+  const auto simulated = simulated::make_run(plan.crew, plan.settings);
+  const auto was = simulated->world().walls();
+  const auto is = replay.run->world().walls();
+  ASSERT_EQ(is.size(), was.size());
+  ASSERT_FALSE(is.empty());
+  for (std::size_t i = 0; i < is.size(); ++i) EXPECT_EQ(is[i].is_solid, was[i].is_solid);
+  EXPECT_FALSE(is.front().is_solid);
+}
+
+TEST(RecordedRun, OfAnotherMissionTellsOfRobotsThatItDoesNotHave) {
+  const TemporaryFile file("percepts_other");
+  record(Plan("demo_c"), 20, file.path());  // four robots
+  const Replay fewer(Plan("forage"), file.path());
+  ASSERT_TRUE(fewer.run);
+  carry_out(*fewer.run, 20);
+  const auto& differences = fewer.bodies->differences();
+  const auto fourth = std::ranges::find(differences, base::RobotId{4}, &recording::Difference::robot);
+  ASSERT_NE(fourth, differences.end());
+  EXPECT_EQ(fourth->what, "does not act; it did when percepts were recorded");
+
+  record(Plan("forage"), 20, file.path());  // three
+  const Replay more(Plan("demo_c"), file.path());
+  ASSERT_TRUE(more.run);
+  std::string told;
+  more.run->set_observer([&](const mission::Effect& effect) {
+    if (const auto* tell = std::get_if<mission::effect::Tell>(&effect)) told += tell->text + "\n";
+  });
+  carry_out(*more.run, 20);
+  EXPECT_EQ(more.run->fleet().find({4})->life, fleet::RobotLife::kNotStarted);
+  EXPECT_NE(told.find("robot 4 can't start: `"), std::string::npos) << told;
+  EXPECT_NE(told.find("` has no percepts of it"), std::string::npos) << told;
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mlab/percepts_file.pb.h"
-#include "mlab/robot_wire/framing.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::recording {
@@ -30,22 +30,23 @@ class PerceptsWriter {
   std::string path_;
   std::ofstream out_;
   std::string bytes_;
+  bool is_too_large_ = false;  // an entry, for who reads it
   std::uint64_t cycles_ = 0;
 };
 
-/// Reads such a file.
+/// Reads such a file. It may come from a stranger: percepts_check.h says what is looked at.
 class PerceptsReader {
  public:
   /// Looks through the whole file first, so that who reads it afterwards meets no error.
   /// @errors  `no-percepts`: it can't be read, is another kind of file, is broken or cut; the sentence says
-  /// at which
-  ///          byte, what stands there, and what should
+  /// at
+  ///          which byte, what stands there, and what should
   static text::Result<std::unique_ptr<PerceptsReader>> open(const std::string& path);
 
   const std::string& path() const { return path_; }
   const wire::RecordedHead& head() const { return head_; }
   std::uint64_t cycles() const { return cycles_; }
-  /// How often each robot got a body, and where, in order.
+  /// Each start of a robot, in the order of time.
   const std::vector<wire::RecordedBody>& bodies() const { return bodies_; }
 
   /// The next entry behind the head; null behind the last one. Valid until `take`.

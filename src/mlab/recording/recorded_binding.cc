@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/counted.h"
 #include "mlab/recording/action_difference.h"
 #include "mlab/robot_wire/action_wire.h"
 #include "mlab/text/shown.h"
@@ -63,20 +64,27 @@ const wire::RecordedBody* RecordedBinding::next_body(base::RobotId robot, std::s
 }
 
 std::expected<binding::Placement, std::string> RecordedBinding::embody(const binding::BodySetup& setup) {
-  std::size_t& given = given_[setup.robot.value];
-  const wire::RecordedBody* made = next_body(setup.robot, given);
+  Robot& robot = robots_[setup.robot.value];
+  const wire::RecordedBody* made = next_body(setup.robot, robot.starts);
   if (made == nullptr)
-    return std::unexpected(fmt::format("`{}` has no such start of it", text::shown(file_->path())));
-  ++given;
+    return std::unexpected(robot.starts == 0
+                               ? fmt::format("`{}` has no percepts of it", text::shown(file_->path()))
+                               : fmt::format("`{}` has no more than {} of it", text::shown(file_->path()),
+                                             base::counted(robot.starts, "start")));
+  ++robot.starts;
   Body& body = bodies_.emplace_back();
+  body.number = {static_cast<std::uint32_t>(bodies_.size() - 1)};
   body.made = *made;
   body.pose = pose_of(made->pose());
-  const binding::BodyIndex index{static_cast<std::uint32_t>(bodies_.size() - 1)};
-  return binding::Placement{index, body.pose, made->moved()};
+  robot.body = &body;
+  return binding::Placement{body.number, body.pose, made->moved()};
 }
 
-void RecordedBinding::release(binding::BodyIndex body) {
-  bodies_[body.value].is_present = false;
+void RecordedBinding::release(binding::BodyIndex number) {
+  Body& body = bodies_[number.value];
+  body.is_present = false;
+  Robot& robot = robots_[body.made.robot()];
+  if (robot.body == &body) robot.body = nullptr;
 }
 
 binding::Capabilities RecordedBinding::capabilities(binding::BodyIndex body) const {
@@ -86,9 +94,8 @@ binding::Capabilities RecordedBinding::capabilities(binding::BodyIndex body) con
 }
 
 RecordedBinding::Body* RecordedBinding::find(std::uint32_t robot) {
-  const auto found = std::ranges::find_if(
-      bodies_, [&](const Body& body) { return body.is_present && body.made.robot() == robot; });
-  return found == bodies_.end() ? nullptr : &*found;
+  const auto found = robots_.find(robot);
+  return found == robots_.end() ? nullptr : found->second.body;
 }
 
 // The coming cycle.
@@ -139,35 +146,40 @@ void RecordedBinding::carry_out(std::span<const percept::Action> actions, double
     time_ += dt;
     return;
   }
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    compare(bodies_[i], i < actions.size() ? actions[i] : percept::Action{});
+  compare(actions, dt);
   take_states(*cycle_);
   time_ += dt;
   ++cycles_done_;
   cycle_ = nullptr;
-  for (Body& body : bodies_) body.recorded = nullptr;
+  for (Body& body : bodies_) {
+    body.recorded = nullptr;
+    body.has_acted = false;
+  }
   file_->take();
 }
 
-void RecordedBinding::compare(Body& body, const percept::Action& action) {
-  const bool has_acted = std::exchange(body.has_acted, false);
-  if (body.recorded == nullptr || !body.is_present) return;
-  if (!has_acted) {
-    tell(body, "does not act any more; it did when percepts were recorded");
-    return;
+void RecordedBinding::compare(std::span<const percept::Action> actions, double dt) {
+  for (const wire::RecordedRobot& recorded : cycle_->robots()) {
+    Robot& robot = robots_[recorded.robot()];
+    std::string what = "does not act; it did when percepts were recorded";
+    if (robot.body != nullptr && robot.body->has_acted) {
+      const std::size_t number = robot.body->number.value;
+      what = difference_of(*robot.body, number < actions.size() ? actions[number] : percept::Action{}, dt);
+    }
+    if (what.empty())
+      ++same_actions_;
+    else if (!std::exchange(robot.is_told, true))
+      differences_.push_back({{recorded.robot()}, cycles_done_ + 1, time_, std::move(what)});
   }
-  wire::Action is;
-  robot_wire::encode(action, is);
-  std::string what = body.lack.empty() ? difference(is, body.recorded->action()) : std::move(body.lack);
-  if (what.empty())
-    ++same_actions_;
-  else
-    tell(body, std::move(what));
 }
 
-void RecordedBinding::tell(Body& body, std::string what) {
-  if (std::exchange(body.is_told, true)) return;
-  differences_.push_back({{body.made.robot()}, cycles_done_ + 1, time_, std::move(what)});
+std::string RecordedBinding::difference_of(Body& body, const percept::Action& action, double dt) const {
+  if (dt != cycle_->duration())
+    return fmt::format("acts for {} s; recorded is a cycle of {} s", dt, cycle_->duration());
+  if (!body.lack.empty()) return std::move(body.lack);
+  wire::Action is;
+  robot_wire::encode(action, is);
+  return difference(is, body.recorded->action());
 }
 
 void RecordedBinding::take_states(const wire::RecordedCycle& cycle) {
@@ -197,8 +209,9 @@ std::vector<std::optional<geom::Pose>> RecordedBinding::places_for(
     std::span<const binding::BodySetup> setups) {
   std::vector<std::optional<geom::Pose>> out;
   for (const binding::BodySetup& setup : setups) {
-    const auto given = given_.find(setup.robot.value);
-    const wire::RecordedBody* made = next_body(setup.robot, given == given_.end() ? 0 : given->second);
+    const auto robot = robots_.find(setup.robot.value);
+    const wire::RecordedBody* made =
+        next_body(setup.robot, robot == robots_.end() ? 0 : robot->second.starts);
     out.push_back(made == nullptr ? std::nullopt : std::optional(pose_of(made->pose())));
   }
   return out;
@@ -231,7 +244,8 @@ void RecordedBinding::take_world(const wire::RecordedWorld& world) {
   for (int i = 0; i < world.wall_group_size(); ++i) {
     walls_.push_back(
         {{{world.wall_a().x(i), world.wall_a().y(i)}, {world.wall_b().x(i), world.wall_b().y(i)}},
-         world.wall_group(i)});
+         world.wall_group(i),
+         world.wall_is_solid(i)});
   }
   for (const wire::RecordedObject& object : world.objects()) objects_.push_back(object_of(object));
 }

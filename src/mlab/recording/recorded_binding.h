@@ -1,9 +1,9 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "mlab/binding/binding.h"
@@ -21,13 +21,14 @@ struct Difference {
 };
 
 /// Bodies out of a file of percepts: robots sense what was recorded, and go where they went then, whatever
-/// they do now. What they do is compared with what they did.
+/// they do now. What they do is compared with what they did. A robot that the file does not know gets no
+/// body; one that has no percepts any more is not well.
 class RecordedBinding final : public binding::Binding, private binding::WorldView {
  public:
   /// @param threads  that programs may run on
   RecordedBinding(std::unique_ptr<PerceptsReader> file, int threads);
 
-  /// The first of each robot, in the order of time.
+  /// The first of each robot, in the order of time; valid as long as the binding, which grows it.
   const std::vector<Difference>& differences() const { return differences_; }
   /// How many actions were the same.
   std::uint64_t same_actions() const { return same_actions_; }
@@ -50,6 +51,7 @@ class RecordedBinding final : public binding::Binding, private binding::WorldVie
 
  private:
   struct Body {
+    binding::BodyIndex number;
     wire::RecordedBody made;
     bool is_present = true;
     bool has_acted = false;                         // in this cycle
@@ -58,7 +60,11 @@ class RecordedBinding final : public binding::Binding, private binding::WorldVie
     std::string lack;  // of its percepts in this cycle
     geom::Pose pose;
     binding::BodyState state;
-    bool is_told = false;  // its first difference
+  };
+  struct Robot {
+    std::size_t starts = 0;  // bodies that it got
+    Body* body = nullptr;    // in bodies_; null: it has none now
+    bool is_told = false;    // its first difference
   };
   std::span<const binding::Disc> discs() const override { return discs_; }
   std::span<const binding::Wall> walls() const override { return walls_; }
@@ -73,14 +79,14 @@ class RecordedBinding final : public binding::Binding, private binding::WorldVie
   void load();
   binding::MapChange take_change();
   void take_world(const wire::RecordedWorld& world);
-  void compare(Body& body, const percept::Action& action);
-  void tell(Body& body, std::string what);
+  std::string difference_of(Body& body, const percept::Action& action, double dt) const;
+  void compare(std::span<const percept::Action> actions, double dt);
   void take_states(const wire::RecordedCycle& cycle);
 
   std::unique_ptr<PerceptsReader> file_;
   std::unique_ptr<binding::Workers> workers_;
-  std::deque<Body> bodies_;                     // by number
-  std::map<std::uint32_t, std::size_t> given_;  // how many bodies each robot got
+  std::deque<Body> bodies_;                          // by number
+  std::unordered_map<std::uint32_t, Robot> robots_;  // by id
   std::vector<binding::Disc> discs_;
   std::vector<binding::Wall> walls_;
   std::vector<binding::Object> objects_;

@@ -140,6 +140,7 @@ void RecordingBinding::write_world(const binding::MapChange& change) {
     put(wall.segment.a, *world.mutable_wall_a());
     put(wall.segment.b, *world.mutable_wall_b());
     world.add_wall_group(wall.group);
+    world.add_wall_is_solid(wall.is_solid);
   }
   objects_.assign(view.objects().begin(), view.objects().end());
   for (const binding::Object& object : objects_) put(object, *world.add_objects());
