@@ -320,6 +320,8 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
 int run_console(const RunOptions& options) {
   if (!options.plot.empty() || options.limit || options.duration || options.quiet)
     return usage_error("--plot, --limit, --for and --quiet go with --headless");
+  if (!options.percepts.empty() || !options.save_percepts.empty())
+    return usage_error("--percepts and --save-percepts go with --headless");
   if (is_standard_input(options.mission)) return usage_error("-, standard input, goes with --headless");
   if (const std::string reason = why_web_is_missing(); !reason.empty())
     return usage_error("there is no page to show; --headless carries a mission out without\n" + reason);

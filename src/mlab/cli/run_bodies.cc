@@ -8,6 +8,7 @@
 #include "mlab/cli/terminal.h"
 #include "mlab/recording/recording_binding.h"
 #include "mlab/simulated/run.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
@@ -16,29 +17,40 @@ constexpr std::size_t kMostTold = 8;
 
 }  // namespace
 
+bool RunBodies::open(RunOptions& options) {
+  save_path_ = options.save_percepts;
+  if (options.percepts.empty()) return true;
+  auto file = recording::PerceptsReader::open(options.percepts);
+  if (!file) {
+    tell(file.error());
+    return false;
+  }
+  file_ = std::move(*file);
+  options.seed = file_->head().seed();
+  return true;
+}
+
 std::unique_ptr<fleet::MissionRun> RunBodies::make_run(const std::shared_ptr<const mission::Mission>& mission,
                                                        const robot::ProgramSources& sources,
-                                                       const RunOptions& options,
-                                                       fleet::RunSettings& settings,
+                                                       const fleet::RunSettings& settings,
                                                        text::Diagnostics& sink) {
   std::shared_ptr<const fleet::Crew> crew = fleet::check_crew(mission, sources, sink);
   if (!crew) return nullptr;
   std::unique_ptr<binding::Binding> bodies;
-  if (!options.percepts.empty()) {
-    auto file = recording::PerceptsReader::open(options.percepts);
-    if (!file) {
-      sink.report(file.error());
-      return nullptr;
-    }
-    settings.seed = (*file)->head().seed();
-    auto recorded = std::make_unique<recording::RecordedBinding>(std::move(*file), settings.threads);
+  if (file_) {
+    if (file_->head().mission() != mission->name)
+      sink.warning("other-mission", {},
+                   fmt::format("`{}` has the percepts of mission `{}`, and this one is `{}`",
+                               text::shown(file_->path()), text::shown(file_->head().mission()),
+                               text::shown(mission->name)));
+    auto recorded = std::make_unique<recording::RecordedBinding>(std::move(file_), settings.threads);
     read_ = recorded.get();
     bodies = std::move(recorded);
   } else {
     bodies = simulated::make_bodies(*mission, settings);
   }
-  if (!options.save_percepts.empty()) {
-    auto file = recording::PerceptsWriter::create(options.save_percepts, settings.seed, mission->name);
+  if (!save_path_.empty()) {
+    auto file = recording::PerceptsWriter::create(save_path_, settings.seed, mission->name);
     if (!file) {
       sink.report(file.error());
       return nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "mlab/cli/commands.h"
 #include "mlab/fleet/mission_run.h"
@@ -15,11 +16,15 @@ namespace mlab::cli {
 /// file, or out of such a file.
 class RunBodies {
  public:
-  /// @param settings  of the run; the seed is the file's where bodies come out of one
+  /// Looks through the file of --percepts, where there is one; its seed is the run's from then on, of which
+  /// the mission is read.
+  /// @return  false: it can't be read, which is told
+  bool open(RunOptions& options);
+  /// Once, after `open`.
   /// @return null where there were errors, all in `sink`
   std::unique_ptr<fleet::MissionRun> make_run(const std::shared_ptr<const mission::Mission>& mission,
-                                              const robot::ProgramSources& sources, const RunOptions& options,
-                                              fleet::RunSettings& settings, text::Diagnostics& sink);
+                                              const robot::ProgramSources& sources,
+                                              const fleet::RunSettings& settings, text::Diagnostics& sink);
 
   /// After the run, which is still there: finishes the file that is written, and tells how robots acted
   /// otherwise than in the one that was read.
@@ -27,6 +32,8 @@ class RunBodies {
   bool conclude();
 
  private:
+  std::unique_ptr<recording::PerceptsReader> file_;  // until the run has it
+  std::string save_path_;                            // empty: percepts are not written
   std::shared_ptr<recording::PerceptsWriter> written_;
   const recording::RecordedBinding* read_ = nullptr;  // the run's
 };

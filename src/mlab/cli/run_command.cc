@@ -78,9 +78,10 @@ std::shared_ptr<const mission::Mission> load(const RunOptions& options, const ro
 }
 
 // Everything that can be wrong before the first cycle. Diagnostics are printed here.
-std::optional<Prepared> prepare(const RunOptions& options, int& status) {
+std::optional<Prepared> prepare(RunOptions options, int& status) {
   status = kBadInput;
   Prepared out;
+  if (!out.bodies.open(options)) return std::nullopt;
   std::optional<RunManner> manner = run_manner(options, 0.0);
   if (!manner) return std::nullopt;
   out.clock = manner->clock;
@@ -100,7 +101,7 @@ std::optional<Prepared> prepare(const RunOptions& options, int& status) {
         settings.environment =
             envchange::parse(*source, mission->overlay.origin, sink).value_or(overlay::EnvironmentChanges{});
     }
-    if (!sink.has_errors()) out.run = out.bodies.make_run(mission, sources, options, settings, sink);
+    if (!sink.has_errors()) out.run = out.bodies.make_run(mission, sources, settings, sink);
   }
   tell(sink);
   if (!out.run) return std::nullopt;
@@ -168,8 +169,6 @@ fleet::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen
 int run(const RunOptions& options) {
   if (const std::string why = other_language(options.mission, {language::Language::kMission}); !why.empty())
     return usage_error(why);
-  if (!options.headless && !(options.percepts + options.save_percepts).empty())
-    return usage_error("--percepts, --save-percepts: only with --headless");
   if (!options.headless) return run_console(options);
   if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
   int status = kDone;
@@ -203,11 +202,11 @@ int run(const RunOptions& options) {
   const std::string outcome = fleet::outcome_name(run, end);
   screen.show_summary(run, outcome, performance.wall_seconds);
   screen.show_warnings(prepared->warnings);
+  const bool is_as_recorded = prepared->bodies.conclude();
   if (!options.report.empty() &&
       !deliver("report", options.report, fleet::report_json(run, performance, end)))
     return kFailed;
   if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
-  const bool is_as_recorded = prepared->bodies.conclude();
   return outcome == "done" && is_as_recorded ? kDone : kFailed;
 }
 

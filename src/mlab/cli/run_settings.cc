@@ -28,11 +28,12 @@ std::optional<double> speed_of(const std::string& text, double default_speed) {
 
 // The files that the run leaves behind can be written, and nothing that it reads is among them.
 bool outputs_are_usable(const RunOptions& options) {
-  for (const auto& [option, file] :
-       {std::pair("--report", options.report), std::pair("--plot", options.plot)}) {
+  for (const auto& [option, file] : {std::pair("--report", options.report), std::pair("--plot", options.plot),
+                                     std::pair("--save-percepts", options.save_percepts)}) {
     if (file.empty()) continue;
     for (const auto& [what, input] :
-         {std::pair("mission", options.mission), std::pair("file of --environment", options.environment)}) {
+         {std::pair("mission", options.mission), std::pair("file of --environment", options.environment),
+          std::pair("file of --percepts", options.percepts)}) {
       std::error_code unreadable;
       if (input.empty() || !std::filesystem::equivalent(file, input, unreadable)) continue;
       usage_error(
