@@ -23,7 +23,7 @@ struct TestFleet {
         programs(program()),
         bodies(sim::World{}, {1, threads}),
         fleet(mission, programs, {binding::BodySpec{}}, bodies, 1) {
-    for (std::uint32_t i = 1; i <= count; ++i) fleet.start({i}, {{0.0, 10.0 * i}, 0.0});
+    for (std::uint32_t i = 1; i <= count; ++i) EXPECT_TRUE(fleet.start({i}, {{0.0, 10.0 * i}, 0.0}));
   }
 
   static mission::Mission mission_of(std::uint32_t count) {
@@ -76,7 +76,7 @@ std::vector<RobotCall> calls_of(void (*acts)(flow::Call&)) {
   const mission::Mission mission = TestFleet::mission_of(1);
   sim::SimulatedBinding bodies(sim::World{});
   Fleet fleet(mission, programs, {binding::BodySpec{}}, bodies, 1);
-  fleet.start({1}, {});
+  EXPECT_TRUE(fleet.start({1}, {}));
   fleet.step(0.1);
   return fleet.take_calls();
 }
