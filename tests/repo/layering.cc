@@ -46,7 +46,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"console",
      {"cell", "simulated", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
     {"designer", {"console", "lang/cdl", "lang/cdl_historic"}},
-    {"tables", {"overlay", "lang/odl"}},
+    {"tables", {"lang/mdl"}},
 };
 
 /// What the sources of a module use besides, and keep to themselves: neither its headers nor who stands above

@@ -1,8 +1,7 @@
 // The MDL text that a command made by mouse means.
 
-export type TaskName = "MOVETO" | "OCCUPY" | "SWEEPTO" | "FOLLOW" | "TELEOPERATE";
-
 export const kFormations = [
+  // [[table formation_names]]
   "Line",
   "Line-Left",
   "Line-Right",
@@ -13,28 +12,20 @@ export const kFormations = [
   "Column",
   "Sweep",
   "No-Formation",
+  // [[end]]
 ] as const;
 export type FormationName = (typeof kFormations)[number];
 
 export const kTechniques = ["Traveling", "Traveling-Overwatch", "Bounding-Overwatch"] as const;
 export type TechniqueName = (typeof kTechniques)[number];
 
-export interface TaskInfo {
-  readonly task: TaskName;
-  readonly label: string;
-  readonly help: string;
-  readonly takesHeading: boolean;
-  readonly takesTechnique: boolean;
-  readonly takesSpeed: boolean;
-  /** The place is a line, told by its name. */
-  readonly needsLine: boolean;
-}
-
-export const kTasks: readonly TaskInfo[] = [
+const kRows = [
+  // [[table task_rows]]
   {
     task: "MOVETO",
     label: "Move to",
     help: "Move the unit's centre there",
+    takesFormation: true,
     takesHeading: true,
     takesTechnique: true,
     takesSpeed: true,
@@ -44,6 +35,7 @@ export const kTasks: readonly TaskInfo[] = [
     task: "OCCUPY",
     label: "Occupy",
     help: "Take up the formation there, hold it, then ask to proceed",
+    takesFormation: true,
     takesHeading: true,
     takesTechnique: false,
     takesSpeed: false,
@@ -53,6 +45,7 @@ export const kTasks: readonly TaskInfo[] = [
     task: "SWEEPTO",
     label: "Sweep to",
     help: "Move there side by side",
+    takesFormation: true,
     takesHeading: false,
     takesTechnique: true,
     takesSpeed: true,
@@ -62,6 +55,7 @@ export const kTasks: readonly TaskInfo[] = [
     task: "FOLLOW",
     label: "Follow",
     help: "Move along a line, from its first point to its last",
+    takesFormation: true,
     takesHeading: false,
     takesTechnique: true,
     takesSpeed: true,
@@ -71,12 +65,31 @@ export const kTasks: readonly TaskInfo[] = [
     task: "TELEOPERATE",
     label: "Steer",
     help: "Steer the unit yourself, with the place as objective",
+    takesFormation: true,
     takesHeading: false,
     takesTechnique: false,
     takesSpeed: true,
     needsLine: false,
   },
-];
+  // [[end]]
+] as const;
+
+export type TaskName = (typeof kRows)[number]["task"];
+
+export interface TaskInfo {
+  readonly task: TaskName;
+  readonly label: string;
+  readonly help: string;
+  readonly takesFormation: boolean;
+  readonly takesHeading: boolean;
+  readonly takesTechnique: boolean;
+  readonly takesSpeed: boolean;
+  /** The place is a line, told by its name. */
+  readonly needsLine: boolean;
+}
+
+/** What units can be told with the mouse, in the order of menus; `tools/tables` writes it from src/mlab/mission/tasks.h. */
+export const kTasks: readonly TaskInfo[] = kRows;
 
 export function taskInfo(task: TaskName): TaskInfo {
   return kTasks.find((t) => t.task === task) as TaskInfo;
@@ -123,7 +136,7 @@ export function mdlText(command: MouseCommand): { text: string } | { error: stri
 
 function clauses(command: MouseCommand, info: TaskInfo): string {
   const parts: string[] = [];
-  if (command.formation !== "") parts.push(`FORMATION ${command.formation}`);
+  if (info.takesFormation && command.formation !== "") parts.push(`FORMATION ${command.formation}`);
   if (info.takesTechnique && command.technique !== "") parts.push(`TECHNIQUE ${command.technique}`);
   if (info.takesSpeed && command.speed > 0) parts.push(`SPEED ${mdlNumber(command.speed)}`);
   if (info.takesHeading && command.heading !== null) parts.push(`HEADING ${mdlNumber(command.heading, 1)}`);

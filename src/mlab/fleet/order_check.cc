@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "mlab/mission/command.h"
+#include "mlab/mission/tasks.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::fleet {
@@ -14,10 +15,6 @@ namespace {
 
 using mission::UnitCommand;
 using percept::Task;
-
-bool awaits_report(Task task) {
-  return task == Task::kMoveTo || task == Task::kSweepTo || task == Task::kFollow || task == Task::kOccupy;
-}
 
 class OrderCheck {
  public:
@@ -30,7 +27,7 @@ class OrderCheck {
       for (const mission::Command& command : step.commands) {
         const auto* one = std::get_if<UnitCommand>(&command);
         if (one == nullptr) continue;
-        if (awaits_report(one->task) && !one->until) check_reports(*one);
+        if (mission::info(one->task).awaits_report && !one->until) check_reports(*one);
         is_only_started &= one->task == Task::kStart || one->task == Task::kStop;
         if (one->task == Task::kStart && has_own_program(*one)) last_start = one;
       }

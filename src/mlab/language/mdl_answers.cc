@@ -390,7 +390,7 @@ std::optional<Hover> hover_mdl(const Text& text, std::uint32_t cursor, const Sur
   text::Diagnostics unsaid;
   for (const mdl::Token& token : mdl::lex(text.source, unsaid).tokens) {
     if (token.kind == mdl::TokenKind::kEnd || token.span.begin > cursor || cursor > token.span.end) continue;
-    const std::string_view help = mdl_word_help(text.source->text(token.span));
+    const std::string help = mdl_word_help(text.source->text(token.span));
     if (!help.empty()) return Hover{std::string(help), token.span};
   }
   return std::nullopt;

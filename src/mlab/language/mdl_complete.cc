@@ -5,28 +5,14 @@
 
 #include "mlab/lang/mdl/token.h"
 #include "mlab/language/statement_candidates.h"
-#include "mlab/percept/formation.h"
+#include "mlab/mission/tasks.h"
+#include "mlab/percept/formation_names.h"
 
 namespace mlab::language {
 namespace {
 
 using mdl::TokenKind;
 using mdl::Word;
-
-struct Known {
-  Word word;
-  const char* help;
-};
-
-constexpr auto kActions = std::to_array<Known>({
-    {Word::kMoveTo, "place: moves there"},
-    {Word::kOccupy, "place: moves there, holds it, asks to proceed"},
-    {Word::kFollow, "line: moves along it"},
-    {Word::kSweepTo, "place: moves there side by side"},
-    {Word::kTeleoperate, "place: you steer"},
-    {Word::kStart, "place [dx dy]: puts the robots on the map"},
-    {Word::kStop, "ends the robots"},
-});
 
 struct Option {
   Word word;
@@ -263,16 +249,18 @@ class MissionCompleter {
     }
     const mdl::Token& action = token(at);
     if (action.kind != TokenKind::kWord) return;
-    if (is(at, Word::kStop)) {
+    const percept::Task task = mdl::task_of(action.word);
+    if (task == percept::Task::kNone) return;
+    if (mission::info(task).place.empty()) {
       out_.add("AND", "keyword", "another command that begins together with this one");
       return;
     }
     if (count() == at + 1) {
-      places(is(at, Word::kFollow));
+      places(task == percept::Task::kFollow);
       return;
     }
     const std::size_t behind_place = at + (token(at + 1).kind == TokenKind::kNumber ? 3 : 2);
-    if (count() >= behind_place) clauses(action.word);
+    if (count() >= behind_place) clauses(task);
   }
 
   void units() {
@@ -286,8 +274,15 @@ class MissionCompleter {
   }
 
   void actions() {
-    for (const Known& action : kActions)
-      out_.add(std::string(mdl::spelling(action.word)), "keyword", action.help);
+    // What moves robots comes first.
+    for (const bool has_clauses : {true, false}) {
+      for (const mission::TaskInfo& task : mission::kTasks) {
+        if ((task.clauses != 0) != has_clauses) continue;
+        const std::string place(task.place);
+        out_.add(std::string(task.word), "keyword",
+                 place + (place.empty() ? "" : ": ") + std::string(task.help));
+      }
+    }
   }
 
   void places(bool only_lines) {
@@ -302,7 +297,7 @@ class MissionCompleter {
     }
   }
 
-  void clauses(Word action) {
+  void clauses(percept::Task task) {
     const Word last = token(count() - 1).kind == TokenKind::kWord ? token(count() - 1).word : Word::kNone;
     const bool is_behind_equals = token(count() - 1).kind == TokenKind::kEquals;
     const Word asked =
@@ -319,8 +314,8 @@ class MissionCompleter {
         return;
       case Word::kUntil:
         out_.add("TIMEOUT", "keyword",
-                 action == Word::kOccupy ? "seconds, from when the unit is in place"
-                                         : "seconds, from when the command begins");
+                 task == percept::Task::kOccupy ? "seconds, from when the unit is in place"
+                                                : "seconds, from when the command begins");
         return;
       case Word::kOnCompletion:
         out_.add("MESSAGE", "keyword", "text");
@@ -336,21 +331,15 @@ class MissionCompleter {
     if (is_behind_phase_line(1)) out_.add("ACKNOWLEDGE", "keyword", "text that you acknowledge");
     if (count() > 2 && is(count() - 2, Word::kAcknowledge))
       out_.add("WAIT", "keyword", "the unit halts until then");
-    const bool moves = action == Word::kMoveTo || action == Word::kSweepTo || action == Word::kFollow;
-    const bool holds = action == Word::kOccupy;
-    const bool steers = action == Word::kTeleoperate;
-    if (moves || holds || steers) out_.add("FORMATION", "keyword", "the shape of the unit");
-    if (moves) out_.add("TECHNIQUE", "keyword", "who moves and who watches");
-    if (moves || steers) out_.add("SPEED", "keyword", "metres per second");
-    if (action == Word::kMoveTo || holds)
-      out_.add("HEADING", "keyword", "degrees, counter-clockwise from east");
-    if (moves) out_.add("PHASE-LINE", "keyword", "line: its crossing is told");
-    if (moves || steers) out_.add("ON-COMPLETION", "keyword", "MESSAGE text");
-    if (holds) out_.add("UNTIL", "keyword", "when it goes on without your answer");
-    if (moves || steers) out_.add("UNTIL", "keyword", "when it is done, wherever the unit is then");
+    for (const mission::ClauseInfo& clause : mission::kClauses) {
+      if (!mission::takes(task, clause.kind)) continue;
+      const bool proceeds = clause.kind == mission::ClauseKind::kUntil && task == percept::Task::kOccupy;
+      out_.add(std::string(clause.word), "keyword",
+               proceeds ? "when it goes on without your answer" : std::string(clause.argument));
+    }
     out_.add("AND", "keyword", "another command that begins together with this one");
-    if (moves || holds || steers) formations();
-    if (moves) techniques();
+    if (mission::takes(task, mission::ClauseKind::kFormation)) formations();
+    if (mission::takes(task, mission::ClauseKind::kTechnique)) techniques();
   }
 
   bool is_behind_phase_line(std::size_t words) const {
@@ -358,8 +347,8 @@ class MissionCompleter {
   }
 
   void formations() {
-    for (int i = 0; i < percept::kFormationCount; ++i)
-      out_.add(std::string(percept::name(static_cast<percept::Formation>(i))), "formation", "");
+    for (const percept::FormationInfo& one : percept::kFormations)
+      out_.add(std::string(one.name), "formation", "");
   }
 
   void techniques() {

@@ -4,9 +4,12 @@
 #include <span>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "mlab/lang/mdl/token.h"
 #include "mlab/lang/odl/token.h"
 #include "mlab/language/words.h"
+#include "mlab/mission/tasks.h"
 
 namespace mlab::language {
 namespace {
@@ -67,21 +70,8 @@ constexpr Entry kMdl[] = {
     {"PRINT", "prints what is known of the map or of the robots"},
     {"COMMAND LIST:", "the steps follow"},
     {"QUIT", "ends the run"},
-    {"START", "`START place [dx dy]`: puts the robots on the map"},
-    {"MOVETO", "`MOVETO place`: moves there"},
-    {"OCCUPY", "`OCCUPY place`: moves there, holds it, asks to proceed"},
-    {"FOLLOW", "`FOLLOW line`: moves along it"},
-    {"SWEEPTO", "`SWEEPTO place`: moves there side by side"},
-    {"TELEOPERATE", "`TELEOPERATE place`: you steer"},
-    {"STOP", "ends the robots"},
     {"AND", "another command that begins together with this one"},
-    {"FORMATION", "the shape of the unit"},
-    {"TECHNIQUE", "who moves and who watches"},
-    {"SPEED", "metres per second"},
-    {"PHASE-LINE", "a line whose crossing is told"},
-    {"UNTIL", "when an OCCUPY proceeds by itself, or another command is done"},
     {"TIMEOUT", "seconds, from when the unit is in place"},
-    {"ON-COMPLETION", "`ON-COMPLETION MESSAGE text`: told when the command is done"},
     {"ACKNOWLEDGE", "a text that the operator acknowledges"},
     {"WAIT", "the unit halts until it is acknowledged"},
     {"ROBOT", "in the preamble the standard robot; in a step `ROBOT number action`: one robot by its number"},
@@ -100,8 +90,16 @@ std::string_view found(std::span<const Entry> words, std::string_view word, bool
 std::string_view cnl_word_help(std::string_view word) {
   return found(kCnl, word, true);
 }
-std::string_view mdl_word_help(std::string_view word) {
-  return found(kMdl, word, false);
+std::string mdl_word_help(std::string_view word) {
+  for (const mission::TaskInfo& task : mission::kTasks) {
+    if (!mdl::equal_without_case(task.word, word)) continue;
+    return task.place.empty() ? std::string(task.help)
+                              : fmt::format("`{} {}`: {}", task.word, task.place, task.help);
+  }
+  for (const mission::ClauseInfo& clause : mission::kClauses) {
+    if (mdl::equal_without_case(clause.word, word)) return std::string(clause.help);
+  }
+  return std::string(found(kMdl, word, false));
 }
 std::string_view odl_word_help(std::string_view word) {
   const odl::Keyword keyword = odl::find_keyword(word);

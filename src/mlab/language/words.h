@@ -9,7 +9,7 @@ namespace mlab::language {
 std::string_view cdl_word_help(std::string_view word);
 std::string_view cnl_word_help(std::string_view word);
 /// Letter case does not count.
-std::string_view mdl_word_help(std::string_view word);
+std::string mdl_word_help(std::string_view word);
 std::string_view odl_word_help(std::string_view word);
 
 }  // namespace mlab::language

@@ -12,6 +12,7 @@
 #include "mlab/geom/pose.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/lanes.h"
+#include "mlab/mission/tasks.h"
 
 namespace mlab::mission {
 namespace {
@@ -206,9 +207,8 @@ void plan_places(const State& state, Run& run, std::vector<PlannedPart>& parts) 
 }
 
 bool can_divide(const Run& run) {
-  const Task task = run.command->task;
-  const bool moves = task == Task::kMoveTo || task == Task::kSweepTo || task == Task::kFollow;
-  return moves && run.needed.size() >= 2 && run.command->technique != Technique::kTraveling;
+  return takes(run.command->task, ClauseKind::kTechnique) && run.needed.size() >= 2 &&
+         run.command->technique != Technique::kTraveling;
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "mlab/base/counted.h"
 #include "mlab/mission/clock.h"
 #include "mlab/mission/command.h"
+#include "mlab/mission/tasks.h"
 #include "mlab/mission/turn.h"
 
 namespace mlab::mission {
@@ -140,10 +140,7 @@ bool is_done(const State& state, const Run& run, const RobotState& robot) {
 }  // namespace
 
 std::string_view task_name(percept::Task task) {
-  constexpr std::array<std::string_view, 8> kNames = {"",        "START",  "MOVETO", "TELEOPERATE",
-                                                      "SWEEPTO", "FOLLOW", "OCCUPY", "STOP"};
-  const auto index = static_cast<std::size_t>(task);
-  return index < kNames.size() ? kNames[index] : "";
+  return task == percept::Task::kNone ? "" : info(task).word;
 }
 
 std::string unit_name(const Mission& mission, std::uint32_t unit) {

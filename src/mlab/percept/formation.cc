@@ -1,6 +1,5 @@
-#include "mlab/percept/formation.h"
+#include "mlab/percept/formation_names.h"
 
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
@@ -8,10 +7,6 @@
 
 namespace mlab::percept {
 namespace {
-
-constexpr std::array<std::string_view, kFormationCount> kNames = {
-    "No-Formation", "Line",        "Line-Left", "Line-Right", "Wedge",
-    "Wedge-Left",   "Wedge-Right", "Diamond",   "Column",     "Sweep"};
 
 // Places along a row that is symmetric about its middle: the first rank beside the middle on `first_side`
 // (+1 left, -1 right), the second outward on the same side, as the historic tables do for four robots.
@@ -123,7 +118,7 @@ geom::Vector station(Formation formation, int rank, int count, double spacing) {
 
 std::string_view name(Formation formation) {
   const auto index = static_cast<std::size_t>(formation);
-  return index < std::size(kNames) ? kNames[index] : "?";
+  return index < kFormations.size() ? kFormations[index].name : "?";
 }
 
 std::optional<Formation> formation_named(std::string_view wanted) {
@@ -135,8 +130,8 @@ std::optional<Formation> formation_named(std::string_view wanted) {
     }
     return true;
   };
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (same(kNames[i], wanted)) return static_cast<Formation>(i);
+  for (const FormationInfo& one : kFormations) {
+    if (same(one.name, wanted)) return one.formation;
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include "mlab/tables/measure_tables.h"
 #include "mlab/tables/regions.h"
+#include "mlab/tables/task_tables.h"
 
 namespace mlab::tables {
 
@@ -15,6 +16,22 @@ std::span<const Region> all_regions() {
       Region{"odl_feature_words", odl_feature_words},
       Region{"odl_feature_string", odl_feature_string},
       Region{"odl_dictionary", odl_dictionary},
+      Region{"task_rows", task_rows},
+      Region{"formation_names", formation_names},
+      Region{"task_documentation", task_documentation},
+      Region{"task_ends", task_ends},
+      Region{"task_grammar", task_grammar},
+      Region{"formation_documentation", formation_documentation},
+      Region{"mdl_placed_words", mdl_placed_words},
+      Region{"mdl_task_words", mdl_task_words},
+      Region{"mdl_task_string", mdl_task_string},
+      Region{"mdl_statement_words", mdl_statement_words},
+      Region{"mdl_clause_words", mdl_clause_words},
+      Region{"mdl_option_words", mdl_option_words},
+      Region{"mdl_word_string", mdl_word_string},
+      Region{"formation_words", formation_words},
+      Region{"formation_string", formation_string},
+      Region{"mdl_dictionary", mdl_dictionary},
   };
   return kAll;
 }

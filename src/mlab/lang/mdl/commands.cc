@@ -33,6 +33,16 @@ std::string reference(const overlay::ControlMeasure& measure, bool with_prefix) 
   return starts_with_letter && std::ranges::all_of(name, is_plain) ? name : "\"" + name + "\"";
 }
 
+// Those that FOLLOW takes, in the order of the alphabet.
+std::string words_of_lines() {
+  std::vector<std::string> words;
+  for (const overlay::MeasureInfo& measure : overlay::kMeasures) {
+    if (measure.is_line) words.emplace_back(measure.keyword);
+  }
+  std::ranges::sort(words);
+  return listed(words, " and ");
+}
+
 }  // namespace
 
 CommandReader::CommandReader(Scope scope, text::SourcePtr source, text::Diagnostics& diagnostics)
@@ -138,7 +148,7 @@ void CommandReader::read_route(const statement::UnitAction& action, const overla
       line.is_line()
           ? fmt::format("FOLLOW takes a line, {} has a single point", name)
           : fmt::format("FOLLOW takes a line, {} is of the kind {}", name, overlay::keyword(line.kind)));
-  error.hints.emplace_back("lines are AXIS, BOUNDARY, DOOR, GAP, HALLWAY, LDLC, PL, ROAD, ROOM and WALL");
+  error.hints.push_back("lines are " + words_of_lines());
   error.notes.push_back({fmt::format("{} is declared here", name), line.place});
 }
 

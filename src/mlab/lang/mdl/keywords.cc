@@ -4,6 +4,8 @@
 #include <iterator>
 
 #include "mlab/lang/mdl/token.h"
+#include "mlab/mission/tasks.h"
+#include "mlab/percept/formation_names.h"
 
 namespace mlab::mdl {
 namespace {
@@ -14,15 +16,12 @@ constexpr Keyword word(std::string_view text, Word which) {
 constexpr Keyword boolean(std::string_view text, std::uint8_t value) {
   return {text, TokenKind::kBoolean, Word::kNone, value};
 }
-constexpr Keyword formation(std::string_view text, std::uint8_t value) {
-  return {text, TokenKind::kFormation, Word::kNone, value};
-}
 constexpr Keyword technique(std::string_view text, std::uint8_t value) {
   return {text, TokenKind::kTechnique, Word::kNone, value};
 }
 
-// The first spelling of a word is the canonical one. Sorted by the compiler below.
-constexpr auto kWritten = std::to_array<Keyword>({
+// Besides commands of units and formations. The first spelling of a word is the canonical one.
+constexpr auto kOwn = std::to_array<Keyword>({
     word("SCENARIO", Word::kScenario),
     word("OVERLAY", Word::kOverlay),
     word("MISSION-AREA", Word::kMissionArea),
@@ -33,14 +32,6 @@ constexpr auto kWritten = std::to_array<Keyword>({
     word("NEW-ROBOT", Word::kNewRobot),
     word("CREATE-OBSTACLES", Word::kCreateObstacles),
     word("OBSTACLE", Word::kObstacle),
-    word("START", Word::kStart),
-    word("MOVETO", Word::kMoveTo),
-    word("TELEOPERATE", Word::kTeleoperate),
-    word("TELOP", Word::kTeleoperate),
-    word("SWEEPTO", Word::kSweepTo),
-    word("OCCUPY", Word::kOccupy),
-    word("FOLLOW", Word::kFollow),
-    word("STOP", Word::kStop),
     word("QUIT", Word::kQuit),
     word("SET", Word::kSet),
     word("PRINT", Word::kPrint),
@@ -90,21 +81,28 @@ constexpr auto kWritten = std::to_array<Keyword>({
     boolean("OFF", 0),
     boolean("FALSE", 0),
     boolean("NO", 0),
-    formation("NO-FORMATION", 0),
-    formation("LINE", 1),
-    formation("LINE-LEFT", 2),
-    formation("LINE-RIGHT", 3),
-    formation("WEDGE", 4),
-    formation("WEDGE-LEFT", 5),
-    formation("WEDGE-RIGHT", 6),
-    formation("DIAMOND", 7),
-    formation("COLUMN", 8),
-    formation("SWEEP", 9),
     technique("TRAVELING", 0),
     technique("TRAVELING-OVERWATCH", 1),
     technique("BOUNDING-OVERWATCH", 2),
 });
 
+constexpr std::size_t kSecondSpellings = static_cast<std::size_t>(
+    std::ranges::count_if(mission::kTasks, [](const mission::TaskInfo& task) { return !task.also.empty(); }));
+
+constexpr auto kWritten = [] {
+  std::array<Keyword, kOwn.size() + mission::kTasks.size() + kSecondSpellings + percept::kFormations.size()>
+      out;
+  auto next = std::ranges::copy(kOwn, out.begin()).out;
+  for (const mission::TaskInfo& task : mission::kTasks) {
+    *next++ = word(task.word, word_of(task.task));
+    if (!task.also.empty()) *next++ = word(task.also, word_of(task.task));
+  }
+  for (const percept::FormationInfo& one : percept::kFormations)
+    *next++ = {one.keyword, TokenKind::kFormation, Word::kNone, static_cast<std::uint8_t>(one.formation)};
+  return out;
+}();
+
+// For the search.
 constexpr auto kSorted = [] {
   auto sorted = kWritten;
   std::ranges::sort(sorted, {}, &Keyword::text);
@@ -122,6 +120,10 @@ constexpr char lower(char c) {
 }
 
 }  // namespace
+
+std::span<const Keyword> keywords() {
+  return kWritten;
+}
 
 const Keyword* find_keyword(std::string_view text) {
   if (text.size() > kLongest) return nullptr;

@@ -1,4 +1,3 @@
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,71 +6,19 @@
 
 #include "mlab/lang/mdl/parser.h"
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/mission/tasks.h"
+#include "mlab/percept/formation_names.h"
 
 namespace mlab::mdl {
 namespace {
 
 using percept::Task;
 
-// In the order of Clause::what.
-constexpr std::array<std::string_view, 7> kClauseNames = {"FORMATION",  "TECHNIQUE",     "SPEED", "HEADING",
-                                                          "PHASE-LINE", "ON-COMPLETION", "UNTIL"};
+using mission::ClauseKind;
+static_assert(mission::kClauses.size() == std::variant_size_v<decltype(Clause::what)>);
 
 std::string_view command_word(Task task) {
-  switch (task) {
-    case Task::kStart:
-      return "START";
-    case Task::kMoveTo:
-      return "MOVETO";
-    case Task::kTeleoperate:
-      return "TELEOPERATE";
-    case Task::kSweepTo:
-      return "SWEEPTO";
-    case Task::kFollow:
-      return "FOLLOW";
-    case Task::kOccupy:
-      return "OCCUPY";
-    default:
-      return "STOP";
-  }
-}
-
-bool takes_clause(Task task, std::size_t index) {
-  const std::string_view clause = kClauseNames[index];
-  switch (task) {
-    case Task::kMoveTo:
-      return true;
-    case Task::kSweepTo:
-    case Task::kFollow:
-      return clause != "HEADING";
-    case Task::kTeleoperate:
-      return clause == "FORMATION" || clause == "SPEED" || clause == "ON-COMPLETION" || clause == "UNTIL";
-    case Task::kOccupy:
-      return clause == "FORMATION" || clause == "HEADING" || clause == "UNTIL";
-    default:
-      return false;
-  }
-}
-
-Task task_of(Word word) {
-  switch (word) {
-    case Word::kStart:
-      return Task::kStart;
-    case Word::kMoveTo:
-      return Task::kMoveTo;
-    case Word::kTeleoperate:
-      return Task::kTeleoperate;
-    case Word::kSweepTo:
-      return Task::kSweepTo;
-    case Word::kFollow:
-      return Task::kFollow;
-    case Word::kOccupy:
-      return Task::kOccupy;
-    case Word::kStop:
-      return Task::kStop;
-    default:
-      return Task::kNone;
-  }
+  return mission::info(task).word;
 }
 
 }  // namespace
@@ -117,13 +64,13 @@ void Parser::robot_numbers(statement::UnitAction& action) {
 void Parser::action(statement::UnitAction& out, const std::string& whom) {
   out.task = at(TokenKind::kWord) ? task_of(token().word) : Task::kNone;
   if (out.task == Task::kNone) {
-    const std::vector<std::string> known = {"START",   "MOVETO",      "OCCUPY", "FOLLOW",
-                                            "SWEEPTO", "TELEOPERATE", "STOP"};
+    std::vector<std::string> known;
+    for (const mission::TaskInfo& each : mission::kTasks) known.emplace_back(each.word);
     fail_unknown("unknown-command", fmt::format("what {} shall do", whom), known);
     return;
   }
   advance();
-  if (out.task != Task::kStop) out.location = location(command_word(out.task));
+  if (!mission::info(out.task).place.empty()) out.location = location(command_word(out.task));
   if (out.task == Task::kStart) start_step(out);
   clauses(out);
 }
@@ -177,8 +124,8 @@ void Parser::clauses(statement::UnitAction& action) {
 
 void Parser::refuse_clause(Task task, text::Span span, std::string_view said) {
   std::vector<std::string> allowed;
-  for (std::size_t i = 0; i < kClauseNames.size(); ++i) {
-    if (takes_clause(task, i)) allowed.emplace_back(kClauseNames[i]);
+  for (const mission::ClauseInfo& clause : mission::kClauses) {
+    if (mission::takes(task, clause.kind)) allowed.emplace_back(clause.word);
   }
   complain("clause-not-allowed", span,
            fmt::format("{} does not take {}", command_word(task), in_backticks(said)))
@@ -190,44 +137,43 @@ void Parser::refuse_clause(Task task, text::Span span, std::string_view said) {
 std::optional<Clause> Parser::parsed_clause(Task task) {
   const Token t = token();
   Clause out;
-  const auto begin = [&](std::size_t index) {
-    if (!takes_clause(task, index)) refuse_clause(task, t.span, kClauseNames[index]);
+  const auto begin = [&](ClauseKind kind) {
+    if (!mission::takes(task, kind)) refuse_clause(task, t.span, mission::info(kind).word);
     if (t.kind != TokenKind::kFormation && t.kind != TokenKind::kTechnique) advance();
   };
   if (t.kind == TokenKind::kFormation || at(Word::kFormation)) {
-    begin(0);
+    begin(ClauseKind::kFormation);
     if (t.kind != TokenKind::kFormation) take(TokenKind::kEquals);
     if (!at(TokenKind::kFormation)) {
       std::vector<std::string> known;
-      for (int i = 0; i < percept::kFormationCount; ++i)
-        known.emplace_back(percept::name(static_cast<percept::Formation>(i)));
+      for (const percept::FormationInfo& one : percept::kFormations) known.emplace_back(one.name);
       fail_unknown("unknown-formation", "a formation", known);
     }
     out.what = clause::Formation{static_cast<percept::Formation>(token().value)};
     advance();
   } else if (t.kind == TokenKind::kTechnique || at(Word::kTechnique)) {
-    begin(1);
+    begin(ClauseKind::kTechnique);
     if (t.kind != TokenKind::kTechnique) take(TokenKind::kEquals);
     if (!at(TokenKind::kTechnique)) fail_expected("TRAVELING, TRAVELING-OVERWATCH or BOUNDING-OVERWATCH");
     out.what = clause::Technique{static_cast<mission::Technique>(token().value)};
     advance();
   } else if (at(Word::kSpeed)) {
-    begin(2);
+    begin(ClauseKind::kSpeed);
     take(TokenKind::kEquals);
     out.what = clause::Speed{number("a speed in metres per second")};
   } else if (t.kind == TokenKind::kName && equal_without_case(written(t), "HEADING")) {
-    begin(3);
+    begin(ClauseKind::kHeading);
     take(TokenKind::kEquals);
     out.what = clause::Heading{number("a heading in degrees")};
   } else if (at(Word::kPhaseLine)) {
-    begin(4);
+    begin(ClauseKind::kPhaseLine);
     out.what = phase_line();
   } else if (at(Word::kOnCompletion)) {
-    begin(5);
+    begin(ClauseKind::kOnCompletion);
     if (!take(Word::kMessage)) fail_expected("`MESSAGE` behind ON-COMPLETION");
     out.what = clause::OnCompletion{name("the message")};
   } else if (at(Word::kUntil)) {
-    begin(6);
+    begin(ClauseKind::kUntil);
     out.what = clause::Until{until()};
   } else if (t.kind == TokenKind::kName && equal_without_case(written(t), "FREEZE")) {
     fail("freeze", t.span, "`FREEZE` is no clause of this language")

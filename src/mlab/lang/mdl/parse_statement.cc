@@ -8,6 +8,7 @@
 
 #include "mlab/lang/mdl/parser.h"
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/lang/odl/token.h"
 
 namespace mlab::mdl {
 namespace {
@@ -38,34 +39,6 @@ constexpr auto kOptions = std::to_array<OptionWord>({
     {Word::kZoomFactor, NumberOption::kZoomFactor, false},
     {Word::kCycleDuration, NumberOption::kCycleDuration, true},
 });
-
-// What an author of an overlay may take for a statement of a mission.
-constexpr auto kOverlayWords = std::to_array<std::string_view>({"SITE",
-                                                                "ORIGIN",
-                                                                "GLOBAL_REF_POINT",
-                                                                "HEADING",
-                                                                "SCALE",
-                                                                "AA",
-                                                                "ATK",
-                                                                "AXIS",
-                                                                "BOUNDARY",
-                                                                "ATTRACTOR",
-                                                                "OBJECT",
-                                                                "BASKET",
-                                                                "BP",
-                                                                "GAP",
-                                                                "HEIGHTMAP",
-                                                                "LDLC",
-                                                                "OBJ",
-                                                                "PL",
-                                                                "PP",
-                                                                "WALL",
-                                                                "ROOM",
-                                                                "DOOR",
-                                                                "HALLWAY",
-                                                                "ROAD",
-                                                                "WAYPOINT-FILE",
-                                                                "CONTROL"});
 
 const std::vector<std::string>& statement_words(Section section) {
   static const std::vector<std::string> kPreamble = {
@@ -104,13 +77,16 @@ bool is_allowed(Word word, Section section) {
 }
 
 bool is_action(Word word) {
-  return word == Word::kStart || word == Word::kMoveTo || word == Word::kTeleoperate ||
-         word == Word::kSweepTo || word == Word::kOccupy || word == Word::kFollow || word == Word::kStop;
+  return task_of(word) != percept::Task::kNone;
 }
 
+// What an author of an overlay may take for a statement of a mission.
 bool is_overlay_word(std::string_view text) {
-  return std::ranges::any_of(kOverlayWords,
-                             [&](std::string_view word) { return equal_without_case(word, text); });
+  const odl::Keyword keyword = odl::find_keyword(text);
+  const bool begins_statement = odl::is_information(keyword) || odl::is_feature(keyword);
+  const Keyword* own = find_keyword(text);
+  const bool is_own = own != nullptr && own->word != Word::kHeightMap;
+  return (begins_statement && !is_own) || equal_without_case(text, "CONTROL");
 }
 
 bool has_program(const Statement& statement) {

@@ -8,6 +8,7 @@
 
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
+#include "mlab/mission/tasks.h"
 
 namespace mlab::mdl {
 namespace {
@@ -86,22 +87,7 @@ std::string_view text_of(mission::NumberOption option) {
 }
 
 std::string_view text_of(percept::Task task) {
-  switch (task) {
-    case percept::Task::kStart:
-      return "START";
-    case percept::Task::kMoveTo:
-      return "MOVETO";
-    case percept::Task::kTeleoperate:
-      return "TELEOPERATE";
-    case percept::Task::kSweepTo:
-      return "SWEEPTO";
-    case percept::Task::kFollow:
-      return "FOLLOW";
-    case percept::Task::kOccupy:
-      return "OCCUPY";
-    default:
-      return "STOP";
-  }
+  return mission::info(task).word;
 }
 
 struct ClausePrinter {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "mlab/percept/percepts.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/source.h"
 
@@ -28,14 +30,6 @@ enum class Word : std::uint8_t {
   kPrint,
   kQuit,
   kInjectTrack,
-  // what units do
-  kStart,
-  kMoveTo,
-  kTeleoperate,
-  kSweepTo,
-  kOccupy,
-  kFollow,
-  kStop,
   // clauses
   kAnd,
   kFormation,
@@ -70,8 +64,28 @@ enum class Word : std::uint8_t {
   kRobotInfo,
   kRed,
   kYellow,
-  kRobot
+  kRobot,
+  kFirstTask  ///< from here on what units do, by the numbers of percept::Task
 };
+/// The word of a command of a unit.
+constexpr Word word_of(percept::Task task) {
+  return static_cast<Word>(static_cast<std::uint8_t>(Word::kFirstTask) + static_cast<std::uint8_t>(task));
+}
+/// The command of a unit that begins with it; Task::kNone where none does.
+constexpr percept::Task task_of(Word word) {
+  if (word < Word::kFirstTask) return percept::Task::kNone;
+  return static_cast<percept::Task>(static_cast<std::uint8_t>(word) -
+                                    static_cast<std::uint8_t>(Word::kFirstTask));
+}
+constexpr bool is_statement(Word word) {
+  return word >= Word::kScenario && word <= Word::kInjectTrack;
+}
+constexpr bool is_clause(Word word) {
+  return word >= Word::kAnd && word <= Word::kWait;
+}
+constexpr bool is_option(Word word) {
+  return word >= Word::kSeed && word <= Word::kDebugScheduler;
+}
 
 enum class TokenKind : std::uint8_t {
   kEnd,
@@ -130,6 +144,8 @@ struct Keyword {
   Word word = Word::kNone;
   std::uint8_t value = 0;
 };
+/// All of them; of several spellings of a word the canonical one comes first.
+std::span<const Keyword> keywords();
 /// Null where the text is no reserved word. Letter case does not count.
 const Keyword* find_keyword(std::string_view text);
 /// How the canonical layout writes the word.

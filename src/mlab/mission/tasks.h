@@ -1,0 +1,173 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "mlab/base/table.h"
+#include "mlab/percept/percepts.h"
+
+namespace mlab::mission {
+
+/// What may stand behind a command, by the numbers of `mdl::Clause::what`.
+enum class ClauseKind : std::uint8_t {
+  kFormation,
+  kTechnique,
+  kSpeed,
+  kHeading,
+  kPhaseLine,
+  kOnCompletion,
+  kUntil
+};
+/// Several of them: a bit for each.
+using Clauses = std::uint32_t;
+constexpr Clauses operator|(ClauseKind a, ClauseKind b) {
+  return 1U << static_cast<unsigned>(a) | 1U << static_cast<unsigned>(b);
+}
+constexpr Clauses operator|(Clauses a, ClauseKind b) {
+  return a | 1U << static_cast<unsigned>(b);
+}
+
+/// All that is to be known of a clause but how it is parsed.
+struct ClauseInfo {
+  ClauseKind kind;
+  std::string_view word;      ///< `FORMATION`
+  std::string_view argument;  ///< what editors say where it may come next
+  std::string_view help;      ///< what they say of the word
+};
+inline constexpr std::array kClauses = {
+    ClauseInfo{ClauseKind::kFormation, "FORMATION", "the shape of the unit", "the shape of the unit"},
+    ClauseInfo{ClauseKind::kTechnique, "TECHNIQUE", "who moves and who watches", "who moves and who watches"},
+    ClauseInfo{ClauseKind::kSpeed, "SPEED", "metres per second", "metres per second"},
+    ClauseInfo{ClauseKind::kHeading, "HEADING", "degrees, counter-clockwise from east", ""},
+    ClauseInfo{ClauseKind::kPhaseLine, "PHASE-LINE", "line: its crossing is told",
+               "a line whose crossing is told"},
+    ClauseInfo{ClauseKind::kOnCompletion, "ON-COMPLETION", "MESSAGE text",
+               "`ON-COMPLETION MESSAGE text`: told when the command is done"},
+    ClauseInfo{ClauseKind::kUntil, "UNTIL", "when it is done, wherever the unit is then",
+               "when an OCCUPY proceeds by itself, or another command is done"},
+};
+static_assert(base::has_a_row_for_each<kClauses, &ClauseInfo::kind>());
+
+/// All that is to be known of a command of a unit. Parsers, printers, checks, completion, help, the console's
+/// menu, editors' grammars and the documentation take it from here; `tools/tables` writes what is not C++.
+struct TaskInfo {
+  percept::Task task;
+  std::string_view word;       ///< `MOVETO`
+  std::string_view also = {};  ///< a second spelling; empty: none
+  std::string_view place;      ///< what stands behind the word; empty: nothing
+  std::string_view help;       ///< what editors say of the word
+  std::string_view meaning;    ///< what the documentation says
+  std::string_view done;       ///< when it is done, for the documentation
+  Clauses clauses = 0;
+  bool awaits_report = false;     ///< it is done when the programs of its robots say so
+  std::string_view label = {};    ///< in the console's menu; empty: it isn't there
+  std::string_view purpose = {};  ///< a line for that menu
+  int menu = 0;                   ///< its place in that menu
+};
+
+/// In the order of messages and of the documentation.
+inline constexpr std::array kTasks = {
+    TaskInfo{
+        .task = percept::Task::kStart,
+        .word = "START",
+        .place = "place [dx dy]",
+        .help = "puts the robots on the map",
+        .meaning =
+            "puts the unit's robots on the map and starts them. Robot k (from 0) stands k times (dx, dy) "
+            "from the place; without offsets all are put where there is room around it",
+        .done =
+            "every robot of the unit runs. Robot k stands k offsets from the place. One that runs already "
+            "stays where it is, with a warning"},
+    TaskInfo{.task = percept::Task::kMoveTo,
+             .word = "MOVETO",
+             .place = "place",
+             .help = "moves there",
+             .meaning = "moves the unit's centre to the place",
+             .done = "every robot says that it is done: the centre of the unit is near enough to the goal",
+             .clauses = ClauseKind::kFormation | ClauseKind::kTechnique | ClauseKind::kSpeed |
+                        ClauseKind::kHeading | ClauseKind::kPhaseLine | ClauseKind::kOnCompletion |
+                        ClauseKind::kUntil,
+             .awaits_report = true,
+             .label = "Move to",
+             .purpose = "Move the unit's centre there",
+             .menu = 1},
+    TaskInfo{
+        .task = percept::Task::kOccupy,
+        .word = "OCCUPY",
+        .place = "place",
+        .help = "moves there, holds it, asks to proceed",
+        .meaning =
+            "the same, takes up the formation there and holds it; then asks whether the unit may proceed",
+        .done = "every robot is done (centre at the goal, robot in its place in the formation), then the "
+                "operator "
+                "clears it",
+        .clauses = ClauseKind::kFormation | ClauseKind::kHeading | ClauseKind::kUntil,
+        .awaits_report = true,
+        .label = "Occupy",
+        .purpose = "Take up the formation there, hold it, then ask to proceed",
+        .menu = 2},
+    TaskInfo{.task = percept::Task::kFollow,
+             .word = "FOLLOW",
+             .place = "line",
+             .help = "moves along it",
+             .meaning = "moves along the points of a line, from its first to its last",
+             .done = "every robot says that it is done: the centre came to the end of the line",
+             .clauses = ClauseKind::kFormation | ClauseKind::kTechnique | ClauseKind::kSpeed |
+                        ClauseKind::kPhaseLine | ClauseKind::kOnCompletion | ClauseKind::kUntil,
+             .awaits_report = true,
+             .label = "Follow",
+             .purpose = "Move along a line, from its first point to its last",
+             .menu = 4},
+    TaskInfo{.task = percept::Task::kSweepTo,
+             .word = "SWEEPTO",
+             .place = "place",
+             .help = "moves there side by side",
+             .meaning = "moves to the place side by side",
+             .done = "as MOVETO. It takes the formation Sweep where no FORMATION is given",
+             .clauses = ClauseKind::kFormation | ClauseKind::kTechnique | ClauseKind::kSpeed |
+                        ClauseKind::kPhaseLine | ClauseKind::kOnCompletion | ClauseKind::kUntil,
+             .awaits_report = true,
+             .label = "Sweep to",
+             .purpose = "Move there side by side",
+             .menu = 3},
+    TaskInfo{.task = percept::Task::kTeleoperate,
+             .word = "TELEOPERATE",
+             .also = "TELOP",
+             .place = "place",
+             .help = "you steer",
+             .meaning = "lets you steer the unit",
+             .done = "the operator ends the teleoperation, or the robots report that he did",
+             .clauses =
+                 ClauseKind::kFormation | ClauseKind::kSpeed | ClauseKind::kOnCompletion | ClauseKind::kUntil,
+             .label = "Steer",
+             .purpose = "Steer the unit yourself, with the place as objective",
+             .menu = 5},
+    TaskInfo{.task = percept::Task::kStop,
+             .word = "STOP",
+             .place = "",
+             .help = "ends the robots",
+             .meaning = "ends the unit's robots",
+             .done = "no robot of the unit runs"},
+};
+/// Whether each task but kNone has one row.
+consteval bool has_all_tasks() {
+  std::uint32_t seen = 1U << static_cast<unsigned>(percept::Task::kNone);
+  for (const TaskInfo& one : kTasks) seen |= 1U << static_cast<unsigned>(one.task);
+  return seen == (1U << (kTasks.size() + 1)) - 1 &&
+         !base::is_enumerator<static_cast<percept::Task>(kTasks.size() + 1)>();
+}
+static_assert(has_all_tasks());
+
+/// Of kNone, which nothing commands, that of START.
+constexpr const TaskInfo& info(percept::Task task) {
+  return base::row_of(kTasks, &TaskInfo::task, task);
+}
+constexpr const ClauseInfo& info(ClauseKind clause) {
+  return base::row_of(kClauses, &ClauseInfo::kind, clause);
+}
+constexpr bool takes(percept::Task task, ClauseKind clause) {
+  return (info(task).clauses >> static_cast<unsigned>(clause) & 1U) != 0;
+}
+
+}  // namespace mlab::mission
