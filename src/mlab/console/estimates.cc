@@ -17,7 +17,7 @@ bool is_of(const mission::State& state, const mission::Run& run, const mission::
 
 // By hand: where to, only the hand knows.
 bool is_steered(const mission::Run& run) {
-  return run.command->task == percept::Task::kTeleoperate;
+  return run.command->task == mission::Task::kTeleoperate;
 }
 
 double farthest(const mission::State& state, const mission::Run& run) {

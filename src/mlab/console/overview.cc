@@ -23,7 +23,7 @@ constexpr std::uint32_t kNoProgram = 0xffffffffU;
 
 std::string clauses_of(const mission::UnitCommand& c) {
   std::string text;
-  if (c.task == percept::Task::kStart && c.start_step != geom::Offset{})
+  if (c.task == mission::Task::kStart && c.start_step != geom::Offset{})
     text += fmt::format(" {} {}", c.start_step.x, c.start_step.y);
   if (c.has_formation && c.formation != percept::Formation::kNone)
     text += fmt::format(" FORMATION {}", percept::name(c.formation));
@@ -57,7 +57,7 @@ void encode_command(const mission::Mission& mission, const mission::Command& com
   out.set_place(clean(record.place));
   out.set_formation(record.formation);
   const auto* unit_command = std::get_if<mission::UnitCommand>(&command);
-  if (unit_command == nullptr || unit_command->task == percept::Task::kStop) return;
+  if (unit_command == nullptr || unit_command->task == mission::Task::kStop) return;
   const geom::Point goal = mission::goal_of(*unit_command);
   out.mutable_goal()->set_x(goal.x);
   out.mutable_goal()->set_y(goal.y);

@@ -40,7 +40,7 @@ void encode_command(const fleet::MissionRun& run, const Estimates& estimates, co
   if (group != nullptr && group->command) {
     const mission::Mission& mission = *state.mission;
     out.set_command(clean(mission::command_text(mission, *group->command)));
-    out.set_task(std::string(mission::task_name(group->order.task)));
+    out.set_task(std::string(mission::task_name(group->command->task)));
     out.set_unit(clean(mission::addressee(mission, *group->command)));
     const bool follows = group->order.task == percept::Task::kFollow && !group->order.route.empty();
     const geom::Point goal = follows ? group->order.route.back() : group->order.goal;

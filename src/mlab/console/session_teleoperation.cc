@@ -12,7 +12,7 @@ namespace {
 
 // Where they are is where the stick takes over.
 void teleoperate(const fleet::MissionRun& run, mission::UnitCommand& command) {
-  command.task = percept::Task::kTeleoperate;
+  command.task = mission::Task::kTeleoperate;
   const auto& members = mission::members_of(run.mission(), command);
   const fleet::FleetRobot* leader = members.empty() ? nullptr : run.fleet().find(members.front());
   if (leader != nullptr) command.goal = run.fleet().pose(*leader).position;

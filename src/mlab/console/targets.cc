@@ -24,7 +24,7 @@ using mission::UnitCommand;
 std::optional<std::string> why_skipped(const fleet::MissionRun& run, const UnitCommand& command,
                                        base::RobotId id) {
   const FleetRobot* robot = run.fleet().find(id);
-  const bool starts = command.task == percept::Task::kStart;
+  const bool starts = command.task == mission::Task::kStart;
   if (robot == nullptr || robot->life == RobotLife::kNotStarted)
     return starts ? std::nullopt : std::optional<std::string>("not started");
   switch (robot->life) {
@@ -32,7 +32,7 @@ std::optional<std::string> why_skipped(const fleet::MissionRun& run, const UnitC
       return starts ? std::optional<std::string>("runs already") : std::nullopt;
     case RobotLife::kParked:
       if (starts) return "stands parked already";
-      if (command.task == percept::Task::kStop) return std::nullopt;
+      if (command.task == mission::Task::kStop) return std::nullopt;
       return fmt::format("parked: nothing here answers to its program `{}`", robot->program->name);
     case RobotLife::kStopped:
       return starts ? std::nullopt : std::optional<std::string>("stopped");

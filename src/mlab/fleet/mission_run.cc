@@ -99,7 +99,7 @@ std::vector<PlannedStart> MissionRun::planned_starts() {
   for (const mission::Step& step : mission().steps) {
     for (const mission::Command& one : step.commands) {
       const auto* command = std::get_if<mission::UnitCommand>(&one);
-      if (command != nullptr && command->task == percept::Task::kStart) plan(*command);
+      if (command != nullptr && command->task == mission::Task::kStart) plan(*command);
     }
   }
   const std::vector<std::optional<geom::Pose>> places = binding_->places_for(setups);

@@ -13,8 +13,8 @@
 namespace mlab::fleet {
 namespace {
 
+using mission::Task;
 using mission::UnitCommand;
-using percept::Task;
 
 class OrderCheck {
  public:

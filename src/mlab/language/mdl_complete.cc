@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "mlab/lang/mdl/token.h"
@@ -249,18 +250,18 @@ class MissionCompleter {
     }
     const mdl::Token& action = token(at);
     if (action.kind != TokenKind::kWord) return;
-    const percept::Task task = mdl::task_of(action.word);
-    if (task == percept::Task::kNone) return;
-    if (mission::info(task).place.empty()) {
+    const std::optional<mission::Task> task = mdl::task_of(action.word);
+    if (!task) return;
+    if (mission::info(*task).place.empty()) {
       out_.add("AND", "keyword", "another command that begins together with this one");
       return;
     }
     if (count() == at + 1) {
-      places(task == percept::Task::kFollow);
+      places(*task == mission::Task::kFollow);
       return;
     }
     const std::size_t behind_place = at + (token(at + 1).kind == TokenKind::kNumber ? 3 : 2);
-    if (count() >= behind_place) clauses(task);
+    if (count() >= behind_place) clauses(*task);
   }
 
   void units() {
@@ -297,7 +298,7 @@ class MissionCompleter {
     }
   }
 
-  void clauses(percept::Task task) {
+  void clauses(mission::Task task) {
     const Word last = token(count() - 1).kind == TokenKind::kWord ? token(count() - 1).word : Word::kNone;
     const bool is_behind_equals = token(count() - 1).kind == TokenKind::kEquals;
     const Word asked =
@@ -314,7 +315,7 @@ class MissionCompleter {
         return;
       case Word::kUntil:
         out_.add("TIMEOUT", "keyword",
-                 task == percept::Task::kOccupy ? "seconds, from when the unit is in place"
+                 task == mission::Task::kOccupy ? "seconds, from when the unit is in place"
                                                 : "seconds, from when the command begins");
         return;
       case Word::kOnCompletion:
@@ -333,7 +334,7 @@ class MissionCompleter {
       out_.add("WAIT", "keyword", "the unit halts until then");
     for (const mission::ClauseInfo& clause : mission::kClauses) {
       if (!mission::takes(task, clause.kind)) continue;
-      const bool proceeds = clause.kind == mission::ClauseKind::kUntil && task == percept::Task::kOccupy;
+      const bool proceeds = clause.kind == mission::ClauseKind::kUntil && task == mission::Task::kOccupy;
       out_.add(std::string(clause.word), "keyword",
                proceeds ? "when it goes on without your answer" : std::string(clause.argument));
     }

@@ -13,8 +13,6 @@
 namespace mlab::mission {
 namespace {
 
-using percept::Task;
-
 // Those robots of the run for which the predicate holds leave it. @return  them
 template <class Predicate>
 std::vector<base::RobotId> let_go(Run& run, const Predicate& leaves) {

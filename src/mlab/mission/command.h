@@ -19,13 +19,13 @@ inline const std::vector<base::RobotId>& members_of(const Mission& mission, cons
 
 /// The formation that the command gives: SWEEPTO sweeps unless a clause says otherwise.
 inline percept::Formation formation_of(const UnitCommand& command) {
-  if (command.task == percept::Task::kSweepTo && !command.has_formation) return percept::Formation::kSweep;
+  if (command.task == Task::kSweepTo && !command.has_formation) return percept::Formation::kSweep;
   return command.formation;
 }
 
 /// Where the unit is sent: for FOLLOW the end of the route [m, world].
 inline geom::Point goal_of(const UnitCommand& command) {
-  const bool follows = command.task == percept::Task::kFollow && !command.route.empty();
+  const bool follows = command.task == Task::kFollow && !command.route.empty();
   return follows ? command.route.back() : command.goal;
 }
 

@@ -12,12 +12,11 @@
 #include "mlab/mission/parts.h"
 #include "mlab/mission/question.h"
 #include "mlab/mission/step.h"
+#include "mlab/mission/tasks.h"
 #include "mlab/mission/wording.h"
 
 namespace mlab::mission {
 namespace {
-
-using percept::Task;
 
 void leave_order(Turn& turn, RobotState& robot) {
   if (robot.sequence == 0) return;
@@ -63,7 +62,7 @@ void order_robots(Turn& turn, Run& run) {
     part.sequence = give_order(turn, {.sequence = 0,
                                       .members = std::move(planned.members),
                                       .command = planned.command,
-                                      .task = run.command->task,
+                                      .task = info(run.command->task).told,
                                       .goal = planned.goal,
                                       .halted = planned.halted});
     run.parts.push_back(part);
@@ -189,7 +188,7 @@ effect::Order order_of(const Group& group) {
   order.sequence = group.sequence;
   order.task = group.task;
   order.goal = group.goal;
-  if (group.task == Task::kFollow) order.route = c.route;
+  if (group.task == percept::Task::kFollow) order.route = c.route;
   order.formation = formation_of(c);
   order.heading = c.heading.value_or(0.0);
   order.has_heading = c.heading.has_value();

@@ -14,8 +14,6 @@ namespace mlab::mission {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the test's own vocabulary
-using percept::Task;
-
 // Some robots, in any order; few of them, robot 7 among them, may not exist.
 void name_robots(base::Random& random, UnitCommand& c) {
   c.unit = kNoUnit;
@@ -30,7 +28,7 @@ void name_robots(base::Random& random, UnitCommand& c) {
 UnitCommand any_command(base::Random& random, std::uint32_t units) {
   const geom::Point goal{random.uniform(0, 1000), random.uniform(0, 1000)};
   UnitCommand c = command(static_cast<std::uint32_t>(random.below(units)),
-                          static_cast<Task>(1 + random.below(7)), "P", goal);
+                          static_cast<Task>(random.below(kTasks.size())), "P", goal);
   if (random.below(4) == 0) name_robots(random, c);
   c.technique = static_cast<Technique>(random.below(3));
   c.formation = static_cast<percept::Formation>(random.below(percept::kFormationCount));

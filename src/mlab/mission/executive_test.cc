@@ -11,8 +11,6 @@ namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the test's own vocabulary
 using percept::Formation;
-using percept::Task;
-
 // All orders that were given, without those that only repeat a sequence.
 std::vector<effect::Order> new_orders(const ToyFleet& fleet) {
   std::vector<effect::Order> orders;
@@ -154,7 +152,7 @@ TEST(Executive, OrdersSayWhatTheCommandSays) {
   const auto orders = new_orders(fleet);
   ASSERT_EQ(orders.size(), 1U);
   EXPECT_EQ(orders[0].members, (std::vector<base::RobotId>{{1}, {2}}));
-  EXPECT_EQ(orders[0].order.task, Task::kMoveTo);
+  EXPECT_EQ(orders[0].order.task, percept::Task::kMoveTo);
   EXPECT_EQ(orders[0].order.formation, Formation::kWedge);
   EXPECT_EQ(orders[0].order.speed, 3.0);
   EXPECT_TRUE(orders[0].order.has_heading);

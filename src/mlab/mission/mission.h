@@ -10,8 +10,9 @@
 
 #include "mlab/base/id.h"
 #include "mlab/geom/pose.h"
+#include "mlab/mission/tasks.h"
 #include "mlab/overlay/overlay.h"
-#include "mlab/percept/percepts.h"
+#include "mlab/percept/formation.h"
 #include "mlab/text/source.h"
 
 namespace mlab::mission {
@@ -93,7 +94,7 @@ inline constexpr std::uint32_t kNoUnit = std::numeric_limits<std::uint32_t>::max
 struct UnitCommand {
   std::uint32_t unit = 0;             ///< index into Mission::units; kNoUnit: `robots` are meant
   std::vector<base::RobotId> robots;  ///< a unit without a name as long as the command lasts, in rank order
-  percept::Task task = percept::Task::kMoveTo;
+  Task task = Task::kMoveTo;
   std::string place_name;          ///< as written; `310 205` for coordinates; empty for STOP
   geom::Point goal;                ///< [m, world]
   std::vector<geom::Point> route;  ///< FOLLOW [m, world]

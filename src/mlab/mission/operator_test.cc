@@ -242,7 +242,7 @@ TEST_F(Operator, ATypedCommandForAnUnknownUnitIsRefused) {
 TEST_F(Operator, ATypedRouteOutlivesTheEvent) {
   start_and_reach(1);
   {
-    UnitCommand follow = command(both_, percept::Task::kFollow, "R");
+    UnitCommand follow = command(both_, Task::kFollow, "R");
     follow.route = {{0, 10}, {60, 60}};
     fleet_->send(event::Typed{{follow}});
   }

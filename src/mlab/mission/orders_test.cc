@@ -9,8 +9,6 @@ namespace mlab::mission {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the test's own vocabulary
-using percept::Task;
-
 UnitCommand for_robots(std::vector<base::RobotId> robots, UnitCommand c) {
   c.unit = kNoUnit;
   c.robots = std::move(robots);

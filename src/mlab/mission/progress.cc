@@ -16,8 +16,6 @@
 namespace mlab::mission {
 namespace {
 
-using percept::Task;
-
 // Nearer to done by less than this is no progress [m].
 constexpr double kProgress = 0.01;
 

@@ -142,7 +142,7 @@ TEST(Question, ThatNobodyAskedIsIgnored) {
 TEST(Teleoperation, LastsUntilTheOperatorEndsIt) {
   MissionMaker m;
   const auto a = m.unit("a", 1);
-  m.step({start(a)}).step({command(a, percept::Task::kTeleoperate, "X", {50, 0})}).step({stop(a)});
+  m.step({start(a)}).step({command(a, Task::kTeleoperate, "X", {50, 0})}).step({stop(a)});
   ToyFleet fleet(m.make(), {.patience = 5.0});
   fleet.send(event::Execute{});
   fleet.run_cycles(200);
@@ -159,7 +159,7 @@ TEST(Teleoperation, LastsUntilTheOperatorEndsIt) {
 TEST(Teleoperation, EndsWhenTheRobotsSaySo) {
   MissionMaker m;
   const auto a = m.unit("a", 1);
-  m.step({start(a)}).step({command(a, percept::Task::kTeleoperate, "X", {50, 0})});
+  m.step({start(a)}).step({command(a, Task::kTeleoperate, "X", {50, 0})});
   ToyFleet fleet(m.make());
   fleet.send(event::Execute{});
   fleet.run_cycles(5);
@@ -170,7 +170,7 @@ TEST(Teleoperation, EndsWhenTheRobotsSaySo) {
 TEST(Teleoperation, IsTakenAsCompleteWhereNobodyIsAsked) {
   MissionMaker m;
   const auto a = m.unit("a", 1);
-  m.step({start(a)}).step({command(a, percept::Task::kTeleoperate, "X", {50, 0})});
+  m.step({start(a)}).step({command(a, Task::kTeleoperate, "X", {50, 0})});
   ToyFleet fleet(m.make(), {.proceed_all = true});
   fleet.send(event::Execute{});
   ASSERT_TRUE(fleet.run(1.0));

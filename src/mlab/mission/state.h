@@ -99,7 +99,7 @@ struct Group {
   std::uint32_t sequence = 0;
   std::vector<base::RobotId> members;  ///< in rank order
   CommandRef command;
-  percept::Task task = percept::Task::kNone;  ///< the command's, unless a technique wants another
+  percept::Task task = percept::Task::kNone;  ///< what its command has them told, or a technique instead
   geom::Point goal;                           ///< [m, world]
   bool halted = false;
 

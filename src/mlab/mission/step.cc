@@ -50,7 +50,7 @@ bool settle(Turn& turn, Run& run) {
               run.owner);
     complete(turn, run);
   } else if (!steers && robots_done && !holds_at_line(run)) {
-    if (run.command->task == percept::Task::kOccupy)
+    if (run.command->task == Task::kOccupy)
       ask_to_proceed(turn, run);
     else
       complete(turn, run);

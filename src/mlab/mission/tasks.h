@@ -9,6 +9,9 @@
 
 namespace mlab::mission {
 
+/// What a unit is commanded to do. Its robots are told a percept::Task.
+enum class Task : std::uint8_t { kStart, kMoveTo, kOccupy, kFollow, kSweepTo, kTeleoperate, kStop };
+
 /// What may stand behind a command, by the numbers of `mdl::Clause::what`.
 enum class ClauseKind : std::uint8_t {
   kFormation,
@@ -52,7 +55,8 @@ static_assert(base::has_a_row_for_each<kClauses, &ClauseInfo::kind>());
 /// All that is to be known of a command of a unit. Parsers, printers, checks, completion, help, the console's
 /// menu, editors' grammars and the documentation take it from here; `tools/tables` writes what is not C++.
 struct TaskInfo {
-  percept::Task task;
+  Task task;
+  percept::Task told;          ///< what each of its robots is told
   std::string_view word;       ///< `MOVETO`
   std::string_view also = {};  ///< a second spelling; empty: none
   std::string_view place;      ///< what stands behind the word; empty: nothing
@@ -69,7 +73,8 @@ struct TaskInfo {
 /// In the order of messages and of the documentation.
 inline constexpr std::array kTasks = {
     TaskInfo{
-        .task = percept::Task::kStart,
+        .task = Task::kStart,
+        .told = percept::Task::kStart,
         .word = "START",
         .place = "place [dx dy]",
         .help = "puts the robots on the map",
@@ -79,7 +84,8 @@ inline constexpr std::array kTasks = {
         .done =
             "every robot of the unit runs. Robot k stands k offsets from the place. One that runs already "
             "stays where it is, with a warning"},
-    TaskInfo{.task = percept::Task::kMoveTo,
+    TaskInfo{.task = Task::kMoveTo,
+             .told = percept::Task::kMoveTo,
              .word = "MOVETO",
              .place = "place",
              .help = "moves there",
@@ -93,7 +99,8 @@ inline constexpr std::array kTasks = {
              .purpose = "Move the unit's centre there",
              .menu = 1},
     TaskInfo{
-        .task = percept::Task::kOccupy,
+        .task = Task::kOccupy,
+        .told = percept::Task::kOccupy,
         .word = "OCCUPY",
         .place = "place",
         .help = "moves there, holds it, asks to proceed",
@@ -107,7 +114,8 @@ inline constexpr std::array kTasks = {
         .label = "Occupy",
         .purpose = "Take up the formation there, hold it, then ask to proceed",
         .menu = 2},
-    TaskInfo{.task = percept::Task::kFollow,
+    TaskInfo{.task = Task::kFollow,
+             .told = percept::Task::kFollow,
              .word = "FOLLOW",
              .place = "line",
              .help = "moves along it",
@@ -119,7 +127,8 @@ inline constexpr std::array kTasks = {
              .label = "Follow",
              .purpose = "Move along a line, from its first point to its last",
              .menu = 4},
-    TaskInfo{.task = percept::Task::kSweepTo,
+    TaskInfo{.task = Task::kSweepTo,
+             .told = percept::Task::kSweepTo,
              .word = "SWEEPTO",
              .place = "place",
              .help = "moves there side by side",
@@ -131,7 +140,8 @@ inline constexpr std::array kTasks = {
              .label = "Sweep to",
              .purpose = "Move there side by side",
              .menu = 3},
-    TaskInfo{.task = percept::Task::kTeleoperate,
+    TaskInfo{.task = Task::kTeleoperate,
+             .told = percept::Task::kTeleoperate,
              .word = "TELEOPERATE",
              .also = "TELOP",
              .place = "place",
@@ -143,30 +153,23 @@ inline constexpr std::array kTasks = {
              .label = "Steer",
              .purpose = "Steer the unit yourself, with the place as objective",
              .menu = 5},
-    TaskInfo{.task = percept::Task::kStop,
+    TaskInfo{.task = Task::kStop,
+             .told = percept::Task::kStop,
              .word = "STOP",
              .place = "",
              .help = "ends the robots",
              .meaning = "ends the unit's robots",
              .done = "no robot of the unit runs"},
 };
-/// Whether each task but kNone has one row.
-consteval bool has_all_tasks() {
-  std::uint32_t seen = 1U << static_cast<unsigned>(percept::Task::kNone);
-  for (const TaskInfo& one : kTasks) seen |= 1U << static_cast<unsigned>(one.task);
-  return seen == (1U << (kTasks.size() + 1)) - 1 &&
-         !base::is_enumerator<static_cast<percept::Task>(kTasks.size() + 1)>();
-}
-static_assert(has_all_tasks());
+static_assert(base::has_a_row_for_each<kTasks, &TaskInfo::task>());
 
-/// Of kNone, which nothing commands, that of START.
-constexpr const TaskInfo& info(percept::Task task) {
+constexpr const TaskInfo& info(Task task) {
   return base::row_of(kTasks, &TaskInfo::task, task);
 }
 constexpr const ClauseInfo& info(ClauseKind clause) {
   return base::row_of(kClauses, &ClauseInfo::kind, clause);
 }
-constexpr bool takes(percept::Task task, ClauseKind clause) {
+constexpr bool takes(Task task, ClauseKind clause) {
   return (info(task).clauses >> static_cast<unsigned>(clause) & 1U) != 0;
 }
 

@@ -15,8 +15,6 @@
 namespace mlab::mission {
 namespace {
 
-using percept::Task;
-
 constexpr double kRestSpeed = 0.05;  ///< slower is at rest [m/s]
 constexpr double kMaxSettling =
     5.0;  ///< after so long a halted part counts as at rest, whatever it reports [s]
@@ -53,7 +51,7 @@ void measure(const State& state, const Run& run, Part& part) {
     const RobotState& robot = *find_robot(state, id);
     return robot.done || robot.run != run_index;
   });
-  if (group->task == Task::kFollow) {
+  if (group->task == percept::Task::kFollow) {
     part.behind = reported_remaining(state, *group);
     part.remaining = part.behind + part.ahead;
   } else if (const auto at = centre(state, group->members)) {
@@ -65,13 +63,13 @@ void measure(const State& state, const Run& run, Part& part) {
 // The end of a route belongs to all parts: shortly before it each of them makes for its own place.
 void turn_in(Turn& turn, Part& part) {
   const Group* group = find_group(turn.state, part.sequence);
-  if (group == nullptr || group->task != Task::kFollow || part.done) return;
+  if (group == nullptr || group->task != percept::Task::kFollow || part.done) return;
   const double aside = geom::distance(part.goal, goal_of(*group->command));
   if (aside <= 0.0 || part.behind > kTurnIn * aside) return;
   const auto done = [&](base::RobotId id) { return find_robot(turn.state, id)->done; };
   if (std::ranges::any_of(group->members, done)) return;
   Group next = *group;
-  next.task = Task::kMoveTo;
+  next.task = percept::Task::kMoveTo;
   next.goal = part.goal;
   part.sequence = give_order(turn, std::move(next));
 }

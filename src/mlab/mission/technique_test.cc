@@ -209,7 +209,7 @@ TEST(Technique, AppliesToARouteToo) {
   for (const Technique technique : {Technique::kBoundingOverwatch, Technique::kTravelingOverwatch}) {
     MissionMaker m;
     const auto unit = m.unit("unit", 4);
-    UnitCommand follow = command(unit, percept::Task::kFollow, "AXIS-Blue");
+    UnitCommand follow = command(unit, Task::kFollow, "AXIS-Blue");
     follow.route = {{100, 200}, {400, 200}, {400, 500}};
     follow.technique = technique;
     m.step({start(unit, {50, 180}, {0, 10})}).step({follow});
@@ -276,7 +276,7 @@ TEST(BoundingOverwatch, GoesInFileWhereAnObstacleOrAWallLeavesNoRoomToPass) {
 TEST(BoundingOverwatch, FollowsARouteInLanes) {
   MissionMaker m;
   const auto unit = m.unit("unit", {m.unit("left", 1), m.unit("right", 1)});
-  UnitCommand follow = command(unit, percept::Task::kFollow, "AXIS-Blue");
+  UnitCommand follow = command(unit, Task::kFollow, "AXIS-Blue");
   follow.route = {{100, 300}, {400, 300}, {400, 600}};
   follow.technique = Technique::kBoundingOverwatch;
   m.step({start(unit, {100, 325}, {0, -50})}).step({follow});

@@ -42,7 +42,7 @@ MissionMaker& MissionMaker::step(std::string label, std::vector<Command> command
   return *this;
 }
 
-UnitCommand command(std::uint32_t unit, percept::Task task, std::string place, geom::Point goal) {
+UnitCommand command(std::uint32_t unit, Task task, std::string place, geom::Point goal) {
   UnitCommand c;
   c.unit = unit;
   c.task = task;
@@ -52,18 +52,18 @@ UnitCommand command(std::uint32_t unit, percept::Task task, std::string place, g
 }
 
 UnitCommand start(std::uint32_t unit, geom::Point at, geom::Offset step) {
-  UnitCommand c = command(unit, percept::Task::kStart, "StartPlace", at);
+  UnitCommand c = command(unit, Task::kStart, "StartPlace", at);
   c.start_step = step;
   return c;
 }
 UnitCommand stop(std::uint32_t unit) {
-  return command(unit, percept::Task::kStop);
+  return command(unit, Task::kStop);
 }
 UnitCommand move_to(std::uint32_t unit, std::string place, geom::Point goal) {
-  return command(unit, percept::Task::kMoveTo, std::move(place), goal);
+  return command(unit, Task::kMoveTo, std::move(place), goal);
 }
 UnitCommand occupy(std::uint32_t unit, std::string place, geom::Point goal) {
-  return command(unit, percept::Task::kOccupy, std::move(place), goal);
+  return command(unit, Task::kOccupy, std::move(place), goal);
 }
 
 ToyFleet::ToyFleet(std::shared_ptr<const Mission> mission, const ExecutiveOptions& options)

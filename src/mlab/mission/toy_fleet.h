@@ -31,7 +31,7 @@ class MissionMaker {
   Mission mission_;
 };
 
-UnitCommand command(std::uint32_t unit, percept::Task task, std::string place = {}, geom::Point goal = {});
+UnitCommand command(std::uint32_t unit, Task task, std::string place = {}, geom::Point goal = {});
 UnitCommand start(std::uint32_t unit, geom::Point at = {}, geom::Offset step = {0.0, 20.0});
 UnitCommand stop(std::uint32_t unit);
 UnitCommand move_to(std::uint32_t unit, std::string place, geom::Point goal);

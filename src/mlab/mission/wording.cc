@@ -103,8 +103,8 @@ struct TextOf {
 
 // Why a robot is not done with the run's command.
 std::string reason(const State& state, const Run& run, const RobotState& robot) {
-  const bool starts = run.command->task == percept::Task::kStart;
-  if (run.command->task == percept::Task::kStop) return "does not stop";
+  const bool starts = run.command->task == Task::kStart;
+  if (run.command->task == Task::kStop) return "does not stop";
   if (robot.life == RobotState::Life::kStopped) return "stopped";
   if (robot.seen == 0) return starts ? "does not start" : "not started";
   if (!in_sight(state, robot)) return "lost, it no longer reports";
@@ -139,8 +139,8 @@ bool is_done(const State& state, const Run& run, const RobotState& robot) {
 
 }  // namespace
 
-std::string_view task_name(percept::Task task) {
-  return task == percept::Task::kNone ? "" : info(task).word;
+std::string_view task_name(Task task) {
+  return info(task).word;
 }
 
 std::string unit_name(const Mission& mission, std::uint32_t unit) {

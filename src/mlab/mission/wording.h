@@ -9,7 +9,7 @@
 namespace mlab::mission {
 
 /// `MOVETO`, as missions write it.
-std::string_view task_name(percept::Task task);
+std::string_view task_name(Task task);
 /// The unit's name, or `unit of robots 1, 2` where it has none.
 std::string unit_name(const Mission& mission, std::uint32_t unit);
 

@@ -18,7 +18,7 @@ std::shared_ptr<mission::Mission> two_robots() {
   out->robots = {{{1}, 0, {}}, {{2}, 0, {}}};
   out->units.push_back({"pair", {{1}, {2}}, {}, {}});
   UnitCommand start;
-  start.task = percept::Task::kStart;
+  start.task = mission::Task::kStart;
   start.goal = {100.0, 100.0};
   start.start_step = {0.0, 50.0};
   UnitCommand go;
@@ -79,7 +79,7 @@ TEST(Edit, ARobotThatIsAddedCanBeStartedAndTheOthersGoOn) {
   EXPECT_GT(x_of(*run, 2), x) << "its order still stands";
   UnitCommand start;
   start.unit = 1;
-  start.task = percept::Task::kStart;
+  start.task = mission::Task::kStart;
   start.goal = {10.0, 20.0};
   run->post(mission::event::Typed{{start}});
   for (int i = 0; i < 5; ++i) run->step();

@@ -45,7 +45,7 @@ std::shared_ptr<mission::Mission> mission_of(const std::string& program, bool ha
   out->robots = {{{1}, 0, {}}};
   out->units.push_back({"u", {{1}}, {}, {}});
   UnitCommand start;
-  start.task = percept::Task::kStart;
+  start.task = mission::Task::kStart;
   start.goal = {100.0, 100.0};
   start.place = {source, {14, 20}};
   out->steps.push_back({"0", {start}, {}});

@@ -1,6 +1,7 @@
 #include "mlab/tables/task_tables.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -35,12 +36,12 @@ std::vector<std::string_view> keywords(Fits fits) {
 
 std::vector<std::string_view> task_keywords(bool only_with_place) {
   return keywords([&](mdl::Word word) {
-    const percept::Task task = mdl::task_of(word);
-    return task != percept::Task::kNone && !(only_with_place && mission::info(task).place.empty());
+    const std::optional<mission::Task> task = mdl::task_of(word);
+    return task && !(only_with_place && mission::info(*task).place.empty());
   });
 }
 
-std::vector<std::string_view> clauses_of(percept::Task task) {
+std::vector<std::string_view> clauses_of(mission::Task task) {
   std::vector<std::string_view> out;
   for (const mission::ClauseInfo& clause : mission::kClauses) {
     if (mission::takes(task, clause.kind)) out.push_back(clause.word);

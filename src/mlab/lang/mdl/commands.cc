@@ -113,7 +113,7 @@ bool CommandReader::read_addressee(const statement::UnitAction& action, mission:
 
 void CommandReader::read_location(const statement::UnitAction& action, mission::UnitCommand& out) {
   const Location& location = *action.location;
-  const bool follows = action.task == percept::Task::kFollow;
+  const bool follows = action.task == mission::Task::kFollow;
   out.goal_place = place(location.span);
   if (!location.name) {
     check_lengths({&location.x, &location.y}, "a coordinate", source_, diagnostics_);

@@ -157,7 +157,7 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
 // a spacing that was written is the author's doing.
 void FormationCheck::check_room(const mission::UnitCommand& command) {
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
-  if (command.task != percept::Task::kOccupy || members.size() < 4) return;
+  if (command.task != mission::Task::kOccupy || members.size() < 4) return;
   const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
   const double spacing = number_parameter(type, "formation_spacing", kDefaultSpacing);
   const double sphere = number_parameter(type, "occupy_avoid_robot_sphere", kDefaultRobotSphere);

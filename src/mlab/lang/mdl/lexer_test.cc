@@ -71,7 +71,7 @@ TEST(MdlLexer, KnowsKeywordsInAnyLetterCase) {
 
 TEST(MdlLexer, FoldsSynonyms) {
   const auto word = [](const char* text) { return find_keyword(text)->word; };
-  EXPECT_EQ(word("TELOP"), word_of(percept::Task::kTeleoperate));
+  EXPECT_EQ(word("TELOP"), word_of(mission::Task::kTeleoperate));
   EXPECT_EQ(word("console-db"), Word::kConsoleDatabase);
   EXPECT_EQ(word("ACK"), Word::kAcknowledge);
   EXPECT_EQ(word("MSG"), Word::kMessage);

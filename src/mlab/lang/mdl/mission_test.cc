@@ -97,8 +97,8 @@ TEST(MdlCommands, TakePlacesByNameAndByCoordinates) {
   const UnitCommand by_numbers = command("SWEEPTO 310 205");
   EXPECT_EQ(by_numbers.goal, (geom::Point{310, 205}));
   EXPECT_EQ(by_numbers.place_name, "310 205");
-  EXPECT_EQ(by_numbers.task, percept::Task::kSweepTo);
-  EXPECT_EQ(command("TELEOPERATE 10 20").task, percept::Task::kTeleoperate);
+  EXPECT_EQ(by_numbers.task, mission::Task::kSweepTo);
+  EXPECT_EQ(command("TELEOPERATE 10 20").task, mission::Task::kTeleoperate);
 }
 
 TEST(MdlCommands, TakeCoordinatesInTheSystemOfTheOverlay) {

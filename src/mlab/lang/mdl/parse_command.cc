@@ -1,3 +1,4 @@
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +13,7 @@
 namespace mlab::mdl {
 namespace {
 
-using percept::Task;
+using mission::Task;
 
 using mission::ClauseKind;
 static_assert(mission::kClauses.size() == std::variant_size_v<decltype(Clause::what)>);
@@ -62,13 +63,14 @@ void Parser::robot_numbers(statement::UnitAction& action) {
 
 // What they shall do. `whom`: in words
 void Parser::action(statement::UnitAction& out, const std::string& whom) {
-  out.task = at(TokenKind::kWord) ? task_of(token().word) : Task::kNone;
-  if (out.task == Task::kNone) {
+  const std::optional<Task> task = at(TokenKind::kWord) ? task_of(token().word) : std::nullopt;
+  if (!task) {
     std::vector<std::string> known;
     for (const mission::TaskInfo& each : mission::kTasks) known.emplace_back(each.word);
     fail_unknown("unknown-command", fmt::format("what {} shall do", whom), known);
     return;
   }
+  out.task = *task;
   advance();
   if (!mission::info(out.task).place.empty()) out.location = location(command_word(out.task));
   if (out.task == Task::kStart) start_step(out);

@@ -77,7 +77,7 @@ bool is_allowed(Word word, Section section) {
 }
 
 bool is_action(Word word) {
-  return task_of(word) != percept::Task::kNone;
+  return task_of(word).has_value();
 }
 
 // What an author of an overlay may take for a statement of a mission.

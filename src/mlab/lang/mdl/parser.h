@@ -111,8 +111,8 @@ class Parser {
   void start_step(statement::UnitAction& action);
   Location location(std::string_view command);
   void clauses(statement::UnitAction& action);
-  std::optional<Clause> parsed_clause(percept::Task task);
-  void refuse_clause(percept::Task task, text::Span span, std::string_view said);
+  std::optional<Clause> parsed_clause(mission::Task task);
+  void refuse_clause(mission::Task task, text::Span span, std::string_view said);
   clause::PhaseLine phase_line();
   Moment until();
   std::optional<Moment> time_and_date();

@@ -21,8 +21,8 @@
 namespace mlab::mdl {
 namespace {
 
+using mission::Task;
 using mission::UnitCommand;
-using percept::Task;
 
 // Robots looked at over the whole mission: some tenths of a second.
 constexpr std::uint64_t kMaxRobotVisits = 5'000'000;

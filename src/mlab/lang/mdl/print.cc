@@ -86,7 +86,7 @@ std::string_view text_of(mission::NumberOption option) {
   }
 }
 
-std::string_view text_of(percept::Task task) {
+std::string_view text_of(mission::Task task) {
   return mission::info(task).word;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "mlab/percept/percepts.h"
+#include "mlab/mission/tasks.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/source.h"
 
@@ -65,16 +66,16 @@ enum class Word : std::uint8_t {
   kRed,
   kYellow,
   kRobot,
-  kFirstTask  ///< from here on what units do, by the numbers of percept::Task
+  kFirstTask  ///< from here on what units do, by the numbers of mission::Task
 };
 /// The word of a command of a unit.
-constexpr Word word_of(percept::Task task) {
+constexpr Word word_of(mission::Task task) {
   return static_cast<Word>(static_cast<std::uint8_t>(Word::kFirstTask) + static_cast<std::uint8_t>(task));
 }
-/// The command of a unit that begins with it; Task::kNone where none does.
-constexpr percept::Task task_of(Word word) {
-  if (word < Word::kFirstTask) return percept::Task::kNone;
-  return static_cast<percept::Task>(static_cast<std::uint8_t>(word) -
+/// The command of a unit that begins with it, where one does.
+constexpr std::optional<mission::Task> task_of(Word word) {
+  if (word < Word::kFirstTask) return std::nullopt;
+  return static_cast<mission::Task>(static_cast<std::uint8_t>(word) -
                                     static_cast<std::uint8_t>(Word::kFirstTask));
 }
 constexpr bool is_statement(Word word) {

@@ -8,7 +8,6 @@
 
 #include "mlab/mission/mission.h"
 #include "mlab/percept/formation.h"
-#include "mlab/percept/percepts.h"
 #include "mlab/text/source.h"
 
 namespace mlab::mdl {
@@ -164,7 +163,7 @@ struct UnitAction {
   Name unit;                   ///< meaningless where robots are named
   std::vector<Number> robots;  ///< `ROBOT 3`, `ROBOTS 2 5 7`
   bool says_robots = false;    ///< ROBOTS, not ROBOT
-  percept::Task task = percept::Task::kMoveTo;
+  mission::Task task = mission::Task::kMoveTo;
   std::optional<Location> location;  ///< none for STOP
   std::optional<StartStep> step;     ///< START
   std::vector<Clause> clauses;
