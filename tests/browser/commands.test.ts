@@ -82,6 +82,26 @@ test("a unit is sent to a place by mouse, with its formation, as the MDL that it
     .waitFor();
 });
 
+test("a unit is told by mouse to rally, which takes no formation", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  await console.select("scouts");
+  await console.panel("Mission");
+  await page.keyboard.press("o");
+  await page.getByText(/For scouts: click the goal/).waitFor();
+  await console.clickMap([360, 330]);
+  const order = page.getByRole("dialog", { name: "Command" });
+  await order.getByText("Rally", { exact: true }).click();
+  await order.getByText(/^UNIT scouts RALLY 360 330/).waitFor();
+  expect(await order.getByText("Formation").count()).toBe(0);
+  await order.getByText("Speed [m/s]").waitFor();
+  await order.getByRole("button", { name: "Send" }).click();
+  await order.waitFor({ state: "detached" });
+  const typed = console.steps.getByRole("listitem").filter({ hasText: "typed" });
+  await typed.filter({ hasText: "RALLY" }).waitFor();
+});
+
 test("every command is found by its name", async () => {
   const { console } = await begin({ mission: "demo_c" });
   const { page } = console;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -120,7 +121,8 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
                          testing::Values("demo_c", "forage", "robot_lab", "formations", "minefield", "mrv2",
-                                         "patrol", "rover", "squeeze", "split_rejoin", "survey", "ugv"),
+                                         "patrol", "rally", "rover", "squeeze", "split_rejoin", "survey",
+                                         "ugv"),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {
@@ -129,9 +131,9 @@ TEST(Missions, EveryFolderIsTried) {
     if (entry.is_directory()) folders.push_back(entry.path().filename().string());
   }
   std::sort(folders.begin(), folders.end());
-  EXPECT_EQ(folders,
-            (std::vector<std::string>{"demo_c", "forage", "formations", "minefield", "mrv2", "patrol",
-                                      "robot_lab", "rover", "split_rejoin", "squeeze", "survey", "ugv"}));
+  EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "forage", "formations", "minefield", "mrv2",
+                                               "patrol", "rally", "robot_lab", "rover", "split_rejoin",
+                                               "squeeze", "survey", "ugv"}));
 }
 
 // What the foragers that are after an attractor go for, by object.
@@ -204,6 +206,29 @@ TEST(Minefield, NoRobotIsEverInside) {
     }
   }
   EXPECT_LT(nearest, 100.0) << "it lies on the way";
+}
+
+TEST(Rally, IsDoneWhenAllAreThereAndFromThenOnTheyAreAUnitAgain) {
+  const auto run = prepare(kMissions / "rally" / "rally.mdl", 1, 1);
+  ASSERT_TRUE(run);
+  const overlay::ControlMeasure* place = overlay::find_measure(run->mission().overlay, "OBJ-Tango");
+  ASSERT_NE(place, nullptr);
+  std::set<std::size_t> sizes;
+  double at_rally = 0.0;
+  run->set_observer([&](const mission::Effect& effect) {
+    if (const auto* order = std::get_if<mission::effect::Order>(&effect)) sizes.insert(order->members.size());
+    const auto* told = std::get_if<mission::effect::Tell>(&effect);
+    if (told == nullptr || told->kind != mission::effect::Tell::Kind::kCommandEnded) return;
+    if (told->text.find("RALLY") == std::string::npos) return;
+    EXPECT_EQ(sizes, (std::set<std::size_t>{1, 3})) << "in line together, then each by itself";
+    sizes.clear();
+    at_rally = run->time();
+    for (const fleet::FleetRobot& robot : run->fleet().robots())
+      EXPECT_LE(geom::distance(run->fleet().pose(robot).position, place->center()), place->size / 2.0);
+  });
+  carry_out(*run, 900.0);
+  EXPECT_GT(at_rally, 0.0);
+  EXPECT_EQ(sizes, std::set<std::size_t>{3});
 }
 
 TEST(DemoC, RunsItsStepsInTheOrderOfTheReport) {

@@ -27,6 +27,7 @@ describe("mdlText", () => {
 
   it("leaves out clauses that the task does not take", () => {
     const all = { technique: "Traveling", speed: 3 } as const;
+    expect(textOf({ ...all, task: "RALLY" })).toEqual({ text: "UNIT scouts RALLY 310 205 SPEED 3" });
     expect(textOf({ ...all, task: "OCCUPY" })).toEqual({
       text: "UNIT scouts OCCUPY 310 205 FORMATION Wedge HEADING 45",
     });

@@ -71,6 +71,16 @@ const kRows = [
     takesSpeed: true,
     needsLine: false,
   },
+  {
+    task: "RALLY",
+    label: "Rally",
+    help: "Each robot goes there by itself",
+    takesFormation: false,
+    takesHeading: false,
+    takesTechnique: false,
+    takesSpeed: true,
+    needsLine: false,
+  },
   // [[end]]
 ] as const;
 

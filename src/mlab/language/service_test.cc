@@ -13,6 +13,7 @@
 
 #include "mlab/base/processor_time.h"
 #include "mlab/language/testing/ask_everything.h"
+#include "mlab/mission/tasks.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab::language {
@@ -181,6 +182,23 @@ TEST_F(ServiceTest, CompletesMissionsWithWhatOverlaysAndConfigurationsDeclare) {
   EXPECT_TRUE(contains(keys, "top"));
   EXPECT_TRUE(contains(keys, "robot_radius"));
   EXPECT_EQ(offered("n.mdl", "NEW-ROBOT scout \"robots.cdl\" (urge = 1, t|")[0], "top");
+}
+
+TEST_F(ServiceTest, KnowsEveryCommandOfMissionsAndItsClauses) {
+  const std::string head = "UNIT <pair> ROBOT ROBOT\nCOMMAND LIST:\n 1. UNIT pair ";
+  const Strings commands = offered("n.mdl", head + "|");
+  for (const mission::TaskInfo& task : mission::kTasks) {
+    const std::string word(task.word);
+    SCOPED_TRACE(word);
+    EXPECT_TRUE(contains(commands, word));
+    folder_.put("commands.mdl", head + word + " 10 20\n");
+    EXPECT_NE(hovered("commands.mdl", word).find(task.help), std::string::npos);
+    if (task.place.empty()) continue;
+    const Strings clauses = offered("n.mdl", head + word + " 10 20 |");
+    for (const mission::ClauseInfo& clause : mission::kClauses)
+      EXPECT_EQ(contains(clauses, std::string(clause.word)), mission::takes(task.task, clause.kind))
+          << clause.word;
+  }
 }
 
 TEST_F(ServiceTest, CompletesNetworks) {

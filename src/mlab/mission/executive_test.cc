@@ -94,6 +94,130 @@ TEST(Executive, StartsStoppedRobotsAgain) {
   EXPECT_EQ(fleet.position(1), (geom::Point{50, 50}));
 }
 
+UnitCommand rally(std::uint32_t unit, geom::Point goal, double radius) {
+  UnitCommand c = command(unit, Task::kRally, "Camp", goal);
+  c.radius = radius;
+  return c;
+}
+
+TEST(Rally, SendsEachRobotByItselfToThePlace) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 3);
+  m.step({start(unit)}).step({rally(unit, {100, 0}, 5.0)});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  EXPECT_TRUE(fleet.has_told("unit u RALLY Camp"));
+  for (std::uint32_t id = 1; id <= 3; ++id) {
+    EXPECT_LE(geom::distance(fleet.position(id), {100, 0}), 5.0) << "as a unit they would stay 20 m apart";
+    EXPECT_EQ(fleet.robot(id).order.members.size(), 1U);
+    EXPECT_EQ(fleet.robot(id).order.order.task, percept::Task::kMoveTo);
+    EXPECT_EQ(fleet.robot(id).order.order.formation, percept::Formation::kNone);
+  }
+}
+
+TEST(Rally, IsDoneWhenAllAreWithinTheRadiusAndNotBefore) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  m.step({start(unit)}).step({rally(unit, {100, 0}, 30.0)});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  fleet.run_cycles(5);
+  fleet.robot(2).is_stuck = true;
+  EXPECT_FALSE(fleet.run(60.0)) << "robot 2 is not there";
+  EXPECT_LE(geom::distance(fleet.position(1), {100, 0}), 30.0);
+  fleet.robot(1).report.pose.position = {300, 0};
+  fleet.robot(1).is_stuck = true;
+  fleet.robot(2).is_stuck = false;
+  EXPECT_FALSE(fleet.run(60.0)) << "robot 1 has left again";
+  fleet.robot(1).is_stuck = false;
+  EXPECT_TRUE(fleet.run(120.0));
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+}
+
+TEST(Rally, OfOneRobotAndOfRobotsByTheirNumbersIsTheSame) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 3);
+  const auto single = m.unit("single", 1);
+  UnitCommand of_two = rally(kNoUnit, {0, 90}, 5.0);
+  of_two.robots = {{3}, {1}};
+  m.step({start(unit), start(single, {50, 60})}).step({of_two, rally(single, {50, 0}, 2.0)});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run());
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  for (const std::uint32_t id : {1U, 3U}) EXPECT_LE(geom::distance(fleet.position(id), {0, 90}), 5.0);
+  EXPECT_LE(geom::distance(fleet.position(4), {50, 0}), 2.0);
+  EXPECT_EQ(fleet.position(2), (geom::Point{0, 20})) << "it was not asked";
+}
+
+TEST(Rally, LeavesAFormationAndTakesItUpAgain) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 3);
+  UnitCommand wedge = move_to(unit, "A", {50, 0});
+  wedge.formation = percept::Formation::kWedge;
+  UnitCommand back = wedge;
+  back.goal = {0, 0};
+  m.step({start(unit)}).step({wedge}).step({rally(unit, {100, 0}, 10.0)}).step({back});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run_until([&] { return fleet.state().step == 2; }));
+  EXPECT_EQ(fleet.state().groups.size(), 3U);
+  ASSERT_TRUE(fleet.run());
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  ASSERT_EQ(fleet.state().groups.size(), 1U) << "one unit again";
+  EXPECT_EQ(fleet.robot(3).order.members.size(), 3U);
+  EXPECT_EQ(fleet.robot(3).order.order.formation, percept::Formation::kWedge);
+}
+
+TEST(Rally, WaitsForARobotThatIsLostOnTheWayAndCountsOneThatWasThere) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  m.step({start(unit)}).step({rally(unit, {100, 0}, 30.0)});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  fleet.run_cycles(5);
+  fleet.robot(2).reports = false;
+  fleet.robot(2).is_stuck = true;
+  EXPECT_FALSE(fleet.run(60.0));
+  EXPECT_TRUE(fleet.has_told("robot 2 is not running, but `unit u RALLY Camp` waits for it"))
+      << fleet.transcript();
+  fleet.robot(1).reports = false;
+  fleet.robot(2).reports = true;
+  fleet.robot(2).is_stuck = false;
+  EXPECT_TRUE(fleet.run(60.0)) << "robot 1 was there when it was last seen";
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+}
+
+TEST(Rally, EndsAtATimeWhoeverIsThere) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  UnitCommand until = rally(unit, {1000, 0}, 5.0);
+  until.until = MissionTime{MissionTime::Kind::kSinceReached, 20.0};
+  m.step({start(unit)}).step({until});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run(30.0));
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone);
+  for (std::uint32_t id = 1; id <= 2; ++id) EXPECT_TRUE(fleet.robot(id).order.order.halted);
+}
+
+TEST(Rally, FailsWithThoseThatAreNotThereWhenNobodyComesNearer) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  m.step({start(unit)}).step({rally(unit, {100, 0}, 5.0)});
+  ExecutiveOptions options;
+  options.patience = 30.0;
+  ToyFleet fleet(m.make(), options);
+  fleet.send(event::Execute{});
+  fleet.run_cycles(5);
+  fleet.robot(2).is_stuck = true;
+  ASSERT_TRUE(fleet.run(600.0));
+  EXPECT_EQ(fleet.state().outcome, Outcome::kFailed);
+  EXPECT_TRUE(fleet.has_told("robot 2 at")) << fleet.transcript();
+}
+
 TEST(Executive, DoesSetAndPrintAtOnceAndGoesOn) {
   MissionMaker m;
   m.step({SetBoolean{BooleanOption::kShowTrails, true}, Print{true}})

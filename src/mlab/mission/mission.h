@@ -97,6 +97,7 @@ struct UnitCommand {
   Task task = Task::kMoveTo;
   std::string place_name;          ///< as written; `310 205` for coordinates; empty for STOP
   geom::Point goal;                ///< [m, world]
+  double radius = 0.0;             ///< RALLY: who is so near to the goal has arrived [m]
   std::vector<geom::Point> route;  ///< FOLLOW [m, world]
   geom::Offset start_step;         ///< START: from one robot to the next [m]
   percept::Formation formation = percept::Formation::kNone;

@@ -227,6 +227,12 @@ std::optional<geom::Point> centre(const State& state, const std::vector<base::Ro
 std::vector<PlannedPart> plan_parts(const State& state, Run& run) {
   if (run.needed.empty()) return {};
   const geom::Point goal = goal_of(*run.command);
+  if (run.command->task == Task::kRally) {
+    std::vector<PlannedPart> alone;
+    for (const base::RobotId id : run.needed)
+      alone.push_back({.members = {id}, .command = run.command, .goal = goal, .end = goal});
+    return alone;
+  }
   if (!can_divide(run)) return {{.members = run.needed, .command = run.command, .goal = goal, .end = goal}};
   run.technique = run.command->technique;
   std::vector<PlannedPart> parts;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -36,6 +37,24 @@ void take_order_report(State& state, RobotState& robot, const RobotReport& repor
   if (report.done) mark_done(state, robot);
 }
 
+// Whether a robot is at the place of a RALLY, which it may leave again as long as others are under way.
+void take_arrival(Run& run, RobotState& robot) {
+  if (run.phase != Run::Phase::kRobots) return;
+  const double to_go = geom::distance(robot.pose.position, run.command->goal) - run.command->radius;
+  robot.remaining = std::max(0.0, to_go);
+  if (to_go < robot.best - kProgress) {
+    robot.best = to_go;
+    run.stalled = 0.0;
+  }
+  if (to_go <= 0.0 && !robot.done) {
+    robot.done = true;
+    --run.missing;
+  } else if (to_go > 0.0 && robot.done) {
+    robot.done = false;
+    ++run.missing;
+  }
+}
+
 // A pose that is no number leaves the robot where it was.
 void take_pose(const State& state, RobotState& robot, const geom::Pose& pose) {
   const bool was_in_sight = robot.seen != 0 && robot.seen + 1 == state.cycle;
@@ -54,15 +73,24 @@ void take_report(State& state, const RobotReport& report) {
   robot->is_running = report.is_running;
   robot->reported = report.sequence;
   robot->seen = state.cycle;
-  if (robot->run == kNoRun || robot->done) return;
-  switch (state.runs[robot->run].command->task) {
+  if (robot->run == kNoRun) return;
+  const Task task = state.runs[robot->run].command->task;
+  if (robot->done && task != Task::kRally) return;
+  switch (task) {
     case Task::kStart:
       if (report.is_running) mark_done(state, *robot);
       break;
     case Task::kStop:
       if (!report.is_running) mark_done(state, *robot);
       break;
-    default:
+    case Task::kRally:
+      if (report.is_running) take_arrival(state.runs[robot->run], *robot);
+      break;
+    case Task::kMoveTo:
+    case Task::kOccupy:
+    case Task::kFollow:
+    case Task::kSweepTo:
+    case Task::kTeleoperate:
       if (report.is_running) take_order_report(state, *robot, report);
   }
 }

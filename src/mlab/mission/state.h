@@ -77,9 +77,9 @@ struct RobotState {
 
   base::RobotId id;
   Life life = Life::kNotStarted;
-  bool is_running = false;     ///< as it last reported
-  bool done = false;           ///< with what `run` waits for; never retracted
-  bool warned = false;         ///< that it doesn't run, once per command
+  bool is_running = false;  ///< as it last reported
+  bool done = false;        ///< with what `run` waits for; retracted only where a RALLY's robot leaves again
+  bool warned = false;      ///< that it doesn't run, once per command
   std::uint32_t sequence = 0;  ///< of its order; 0: none
   std::uint32_t reported = 0;  ///< the sequence that it last spoke of
   std::uint32_t run = kNoRun;  ///< index into State::runs: who waits for it

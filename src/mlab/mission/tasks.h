@@ -10,7 +10,7 @@
 namespace mlab::mission {
 
 /// What a unit is commanded to do. Its robots are told a percept::Task.
-enum class Task : std::uint8_t { kStart, kMoveTo, kOccupy, kFollow, kSweepTo, kTeleoperate, kStop };
+enum class Task : std::uint8_t { kStart, kMoveTo, kOccupy, kFollow, kSweepTo, kTeleoperate, kStop, kRally };
 
 /// What may stand behind a command, by the numbers of `mdl::Clause::what`.
 enum class ClauseKind : std::uint8_t {
@@ -140,6 +140,23 @@ inline constexpr std::array kTasks = {
              .label = "Sweep to",
              .purpose = "Move there side by side",
              .menu = 3},
+    TaskInfo{
+        .task = Task::kRally,
+        .told = percept::Task::kMoveTo,
+        .word = "RALLY",
+        .place = "place",
+        .help = "each robot goes there by itself",
+        .meaning =
+            "each robot goes to the place by itself, without formation. The radius of the place is half its "
+            "diameter; that of an outline reaches from its centre to its farthest corner; coordinates and "
+            "lines "
+            "have 25 m",
+        .done = "all robots that it is for are within the radius of the place at the same time, whatever "
+                "they say",
+        .clauses = ClauseKind::kSpeed | ClauseKind::kOnCompletion | ClauseKind::kUntil,
+        .label = "Rally",
+        .purpose = "Each robot goes there by itself",
+        .menu = 6},
     TaskInfo{.task = Task::kTeleoperate,
              .told = percept::Task::kTeleoperate,
              .word = "TELEOPERATE",

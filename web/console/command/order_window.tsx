@@ -162,12 +162,14 @@ function OrderFields({ line, place, onPlace }: OrderFieldsProps) {
         ) : (
           <PlaceEntry place={place} onPlace={onPlace} />
         )}
-        <SelectEntry<FormationName | "">
-          label="Formation"
-          value={order.formation}
-          choices={[["", "as it is"], ...kFormations.map((f) => [f, f] as const)]}
-          onChange={(formation) => orderStore.setState({ formation })}
-        />
+        {info.takesFormation && (
+          <SelectEntry<FormationName | "">
+            label="Formation"
+            value={order.formation}
+            choices={[["", "as it is"], ...kFormations.map((f) => [f, f] as const)]}
+            onChange={(formation) => orderStore.setState({ formation })}
+          />
+        )}
         {info.takesTechnique && (
           <SelectEntry<TechniqueName | "">
             label="Technique"

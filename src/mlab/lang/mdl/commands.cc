@@ -17,6 +17,7 @@ namespace mlab::mdl {
 namespace {
 
 constexpr double kMinutesOfDay = 24.0 * 60.0;
+constexpr double kRadiusOfAPoint = 25.0;    // where no place says another [m]
 constexpr std::size_t kMaxPhaseLines = 50;  // of one command
 // Of all FOLLOW commands and phase lines together; each has points of its own.
 constexpr std::size_t kMaxPoints = 4'000'000;
@@ -31,6 +32,19 @@ std::string reference(const overlay::ControlMeasure& measure, bool with_prefix) 
   const bool starts_with_letter =
       !name.empty() && !(name[0] >= '0' && name[0] <= '9') && name[0] != '-' && name[0] != '_';
   return starts_with_letter && std::ranges::all_of(name, is_plain) ? name : "\"" + name + "\"";
+}
+
+// How far from the centre of a place one still is there [m].
+double radius_of(const overlay::ControlMeasure& measure) {
+  const overlay::MeasureInfo& kind = overlay::info(measure.kind);
+  const geom::Point center = measure.center();
+  double radius = 0.0;
+  if (measure.points.size() == 1 && kind.size == overlay::MeasureSize::kDiameter) radius = measure.size / 2.0;
+  for (const geom::Point corner : measure.points) {
+    if (kind.shape == overlay::MeasureShape::kRegion)
+      radius = std::max(radius, geom::distance(corner, center));
+  }
+  return radius > 0.0 ? radius : kRadiusOfAPoint;
 }
 
 // Those that FOLLOW takes, in the order of the alphabet.
@@ -115,6 +129,7 @@ void CommandReader::read_location(const statement::UnitAction& action, mission::
   const Location& location = *action.location;
   const bool follows = action.task == mission::Task::kFollow;
   out.goal_place = place(location.span);
+  if (action.task == mission::Task::kRally) out.radius = kRadiusOfAPoint;
   if (!location.name) {
     check_lengths({&location.x, &location.y}, "a coordinate", source_, diagnostics_);
     out.place_name = location.x.text + " " + location.y.text;
@@ -129,6 +144,7 @@ void CommandReader::read_location(const statement::UnitAction& action, mission::
   const overlay::ControlMeasure* found = find_place(*location.name);
   if (found == nullptr) return;
   out.goal = found->center();
+  if (action.task == mission::Task::kRally) out.radius = radius_of(*found);
   if (follows) read_route(action, *found, out);
 }
 

@@ -18,7 +18,8 @@ namespace {
 constexpr int kRobotsLookedAt = 200;
 constexpr std::uint64_t kMaxGapVisits = 10'000'000;  // legs times gaps of the whole mission
 constexpr double kDefaultSpacing = 50.0;             // formation_spacing [m]
-constexpr double kDefaultRobotSphere = 30.0;         // occupy_avoid_robot_sphere [m]
+constexpr double kDefaultRobotSphere = 30.0;         // occupy_ and navigation_avoid_robot_sphere [m]
+constexpr double kDensest = 0.9069;                  // equal discs cover no larger share of a plane
 constexpr double kShortestLeg = 1e-6;                // below it there is no direction [m]
 
 bool has_stations(percept::Formation formation) {
@@ -127,6 +128,7 @@ Extent FormationCheck::extent(const mission::UnitCommand& command, double headin
 
 void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segment leg) {
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
+  if (command.task == mission::Task::kRally) check_meeting(command);
   if (!has_stations(command.formation) || members.size() < 2) return;
   check_room(command);
   const geom::Offset way = leg.b - leg.a;
@@ -173,6 +175,27 @@ void FormationCheck::check_room(const mission::UnitCommand& command) {
           fmt::format("set `occupy_avoid_robot_sphere` and `navigation_avoid_robot_sphere` below {:.6g} "
                       "too, and both `..._min_range` below them",
                       spacing));
+}
+
+// Standard robots keep their distance also where they meet.
+void FormationCheck::check_meeting(const mission::UnitCommand& command) {
+  const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
+  if (members.size() < 2) return;
+  const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
+  if (type.program != "robot") return;
+  const double sphere = number_parameter(type, "navigation_avoid_robot_sphere", kDefaultRobotSphere);
+  const double spheres_across = 2.0 * command.radius / sphere + 1.0;
+  if (sphere <= 0.0 || static_cast<double>(members.size()) <= kDensest * spheres_across * spheres_across)
+    return;
+  diagnostics_
+      .warning(
+          "rally-too-narrow", command.goal_place,
+          fmt::format("{} robots push each other away within {:.6g} m: there may be no room for all of them "
+                      "within {:.6g} m of {}",
+                      members.size(), sphere, command.radius, in_backticks(command.place_name)))
+      .hints.emplace_back(
+          "give the place a larger diameter, or set `navigation_avoid_robot_sphere` and "
+          "`navigation_avoid_robot_min_range` lower in NEW-ROBOT");
 }
 
 void FormationCheck::check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,

@@ -39,6 +39,7 @@ class FormationCheck {
   void check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,
                  const overlay::ControlMeasure& gap);
   void check_room(const mission::UnitCommand& command);
+  void check_meeting(const mission::UnitCommand& command);
 
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;

@@ -101,6 +101,28 @@ TEST(MdlCommands, TakePlacesByNameAndByCoordinates) {
   EXPECT_EQ(command("TELEOPERATE 10 20").task, mission::Task::kTeleoperate);
 }
 
+TEST(MdlCommands, RallyAtAPlaceWithARadius) {
+  const UnitCommand at_name = command("RALLY PP-Charlie SPEED 2");
+  EXPECT_EQ(at_name.task, mission::Task::kRally);
+  EXPECT_EQ(at_name.goal, (geom::Point{300, 200}));
+  EXPECT_EQ(at_name.radius, 5.0) << "half the diameter";
+  EXPECT_EQ(command("RALLY 310 205").radius, 25.0);
+  EXPECT_EQ(command("MOVETO PP-Charlie").radius, 0.0) << "only RALLY has one";
+}
+
+TEST(MdlCommands, RallyAtAnOutlineWithinItsFarthestCornerAndAtALineAroundItsMiddle) {
+  const auto mission = checked(
+      "OVERLAY rally.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START 1 2\n1. UNIT u RALLY Meadow\n"
+      "2. UNIT u RALLY Fence\n3. UNIT u RALLY Dot\n");
+  ASSERT_EQ(mission->steps.size(), 4U);
+  const auto radius = [&](std::size_t step) {
+    return std::get<UnitCommand>(mission->steps[step].commands[0]).radius;
+  };
+  EXPECT_DOUBLE_EQ(radius(1), 50.0) << "of 60 by 80 m";
+  EXPECT_EQ(radius(2), 25.0);
+  EXPECT_EQ(radius(3), 25.0) << "its diameter is 0";
+}
+
 TEST(MdlCommands, TakeCoordinatesInTheSystemOfTheOverlay) {
   const auto mission =
       checked("OVERLAY origin.odl\nUNIT <u> ROBOT\nOBSTACLE 500 500 3\nCOMMAND LIST:\n0. UNIT u START 1 2\n");

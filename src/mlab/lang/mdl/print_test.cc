@@ -231,7 +231,7 @@ class Author {
 
   void unit_command() {
     word("UNIT"), name();
-    switch (up_to(5)) {
+    switch (up_to(6)) {
       case 0:
         word("START"), location();
         if (chance(2)) number(), number();
@@ -246,6 +246,10 @@ class Author {
       case 3:
         word("telop"), name();
         formation();
+        break;
+      case 4:
+        word("Rally"), location();
+        if (chance(2)) word("SPEED"), number();
         break;
       default:
         word(one_of({"MOVETO", "SWEEPTO"})), location();
