@@ -12,6 +12,15 @@
 #include "mlab/percept/object_colors.h"
 
 namespace mlab::fleet {
+namespace {
+
+// Robots of a team see each other as mates, whatever each is ordered to do.
+std::uint32_t unit_of_team(const FleetRobot& robot) {
+  return robot.team + 1;
+}
+
+}  // namespace
+
 
 std::string_view name(RobotLife life) {
   constexpr std::array<std::string_view, 5> kNames = {"not started", "running", "parked", "stopped", "fault"};
@@ -55,6 +64,9 @@ void Fleet::form_teams(const mission::Mission& mission) {
       if (member != nullptr && member->team >= kAlone) robots_[index_of(*member)].team = i;
     }
   }
+  for (const FleetRobot& robot : robots_) {
+    if (robot.life != RobotLife::kNotStarted) binding_.set_unit(robot.body, unit_of_team(robot));
+  }
 }
 
 FleetRobot Fleet::make_robot(const mission::Mission& mission, const mission::Robot& declared,
@@ -96,7 +108,7 @@ std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, ge
   FleetRobot& robot = robots_[index];
   if (robot.life != RobotLife::kNotStarted) binding_.release(robot.body);  // started anew
   const std::expected<binding::Placement, std::string> placement =
-      binding_.embody({robot.body_spec, pose, id, 0, robot.seen_as});
+      binding_.embody({robot.body_spec, pose, id, unit_of_team(robot), robot.seen_as});
   if (!placement) return std::unexpected(fmt::format("can't start: {}", placement.error()));
   robot.body = bodies_[index] = placement->body;
   robot.capabilities = binding_.capabilities(robot.body);
@@ -178,8 +190,6 @@ void Fleet::order(const mission::effect::Order& effect) {
     FleetRobot& robot = robots_[group.members[rank]];
     robot.group = slot;
     robot.rank = static_cast<std::uint32_t>(rank);
-    if (robot.life == RobotLife::kRunning || robot.life == RobotLife::kParked)
-      binding_.set_unit(robot.body, slot + 1);
   }
   groups_[slot] = std::move(group);
 }

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +86,44 @@ TEST(Edit, ARobotThatIsAddedCanBeStartedAndTheOthersGoOn) {
   run->post(mission::event::Typed{{start}});
   for (int i = 0; i < 5; ++i) run->step();
   EXPECT_EQ(run->fleet().find({3})->life, RobotLife::kRunning);
+}
+
+std::vector<std::uint32_t> mates_of(const MissionRun& run, std::uint32_t id) {
+  sim::SenseBuffer buffer;
+  percept::Percepts percepts;
+  run.simulator().sense(run.fleet().find({id})->body, {.robot_range = 1000.0}, buffer, percepts);
+  std::vector<std::uint32_t> out;
+  for (const percept::RobotReading& robot : percepts.robots) {
+    if (robot.is_unit_mate) out.push_back(robot.id.value);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+TEST(UnitMates, AreTheRobotsOfTheOutermostUnitWhateverEachOfThemIsToldToDo) {
+  auto mission = two_robots();
+  mission->robots.push_back({{3}, 0, {}});
+  mission->units.push_back({"third", {{3}}, {}, {}});
+  mission->units.push_back({"all", {{1}, {2}}, {0}, {}});
+  UnitCommand other;
+  other.unit = 1;
+  other.task = mission::Task::kStart;
+  other.goal = {100.0, 200.0};
+  mission->steps[0].commands.emplace_back(other);
+  const auto run = running(mission);
+  EXPECT_EQ(mates_of(*run, 1), (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(mates_of(*run, 3), std::vector<std::uint32_t>{});
+  UnitCommand alone;
+  alone.unit = mission::kNoUnit;
+  alone.robots = {{1}};
+  alone.goal = {500.0, 100.0};
+  run->post(mission::event::Typed{{alone}});
+  for (int i = 0; i < 5; ++i) run->step();
+  EXPECT_EQ(mates_of(*run, 1), (std::vector<std::uint32_t>{2})) << "under an order of its own";
+  auto joined = std::make_shared<mission::Mission>(*mission);
+  joined->units.push_back({"everybody", {{1}, {2}, {3}}, {1, 2}, {}});
+  edit(*run, joined);
+  EXPECT_EQ(mates_of(*run, 3), (std::vector<std::uint32_t>{1, 2}));
 }
 
 TEST(Edit, ARobotThatIsTakenOutOfThePlanStaysInTheWorld) {
