@@ -120,9 +120,9 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
-                         testing::Values("demo_c", "forage", "robot_lab", "formations", "minefield", "mrv2",
-                                         "patrol", "rally", "rover", "squeeze", "split_rejoin", "survey",
-                                         "ugv"),
+                         testing::Values("demo_c", "forage", "robot_lab", "formations", "herd", "minefield",
+                                         "mrv2", "patrol", "rally", "rover", "squeeze", "split_rejoin",
+                                         "survey", "ugv"),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {
@@ -131,7 +131,7 @@ TEST(Missions, EveryFolderIsTried) {
     if (entry.is_directory()) folders.push_back(entry.path().filename().string());
   }
   std::sort(folders.begin(), folders.end());
-  EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "forage", "formations", "minefield", "mrv2",
+  EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "forage", "formations", "herd", "minefield", "mrv2",
                                                "patrol", "rally", "robot_lab", "rover", "split_rejoin",
                                                "squeeze", "survey", "ugv"}));
 }
@@ -229,6 +229,32 @@ TEST(Rally, IsDoneWhenAllAreThereAndFromThenOnTheyAreAUnitAgain) {
   carry_out(*run, 900.0);
   EXPECT_GT(at_rally, 0.0);
   EXPECT_EQ(sizes, std::set<std::size_t>{3});
+}
+
+TEST(Herd, RunsFromTheWolfAndKeepsTogether) {
+  const auto run = prepare(kMissions / "herd" / "herd.mdl", 1, 1);
+  ASSERT_TRUE(run);
+  const fleet::FleetRobot* wolf = run->fleet().find({5});
+  ASSERT_NE(wolf, nullptr);
+  std::set<std::string> seen;
+  double nearest = std::numeric_limits<double>::infinity();
+  run->post(mission::event::Execute{});
+  while (run->time() < 900.0 && run->step() == fleet::MissionRun::Progress::kStepped) {
+    for (const fleet::FleetRobot& robot : run->fleet().robots()) {
+      if (robot.id == wolf->id || robot.life != fleet::RobotLife::kRunning) continue;
+      for (const std::string& state : robot.program->program->active_states(robot.frame.data()))
+        seen.insert(state);
+      if (wolf->life == fleet::RobotLife::kRunning)
+        nearest = std::min(
+            nearest, geom::distance(run->fleet().pose(robot).position, run->fleet().pose(*wolf).position));
+    }
+  }
+  EXPECT_EQ(seen, (std::set<std::string>{"movement.Fleeing", "movement.Grazing"}));
+  EXPECT_LT(nearest, 20.0) << "they let it come so near";
+  EXPECT_GT(nearest, 8.0) << "and no nearer";
+  const geom::Point center = center_of(*run, "herd");
+  for (std::uint32_t id = 1; id <= 4; ++id)
+    EXPECT_LT(geom::distance(run->fleet().pose(*run->fleet().find({id})).position, center), 40.0);
 }
 
 TEST(DemoC, RunsItsStepsInTheOrderOfTheReport) {

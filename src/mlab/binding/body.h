@@ -96,7 +96,7 @@ struct BodySetup {
   base::RobotId robot;     ///< tells the robot's requests and random streams apart; unique
   std::uint32_t unit = 0;  ///< bodies of the same unit see each other as mates; 0: of no unit
   percept::ObjectClass seen_as =
-      percept::ObjectClass::kFriendlyRobot;  ///< in lists of objects, by its colour
+      percept::ObjectClass::kFriendlyRobot;  ///< in lists of robots and of objects, by its colour
 };
 
 /// A body that pushes against a thing again within this time after it last did so is still in the same

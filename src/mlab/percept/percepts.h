@@ -18,15 +18,6 @@ struct Obstacle {
   double radius = 0.0;  ///< [m]
 };
 
-/// Another robot in sight.
-struct RobotReading {
-  base::RobotId id;
-  geom::Vector center;   ///< [m, robot frame]
-  double heading = 0.0;  ///< relative to this robot's heading [rad]
-  double radius = 0.2;   ///< of its body [m]
-  bool is_unit_mate = false;
-};
-
 /// The kinds of things that a robot tells apart by colour. A value is a bit number of an ObjectClasses mask.
 /// @source  the historic table of object classes
 enum class ObjectClass : std::uint8_t {
@@ -44,6 +35,16 @@ enum class ObjectClass : std::uint8_t {
 };
 /// The last one, for who checks numbers from outside.
 inline constexpr ObjectClass kLastObjectClass = ObjectClass::kFriendlyRobot;
+/// Another robot in sight.
+struct RobotReading {
+  base::RobotId id;
+  geom::Vector center;   ///< [m, robot frame]
+  double heading = 0.0;  ///< relative to this robot's heading [rad]
+  double radius = 0.2;   ///< of its body [m]
+  bool is_unit_mate = false;
+  ObjectClass object_class = ObjectClass::kFriendlyRobot;  ///< told by its colour
+};
+
 /// What may be done with an object.
 enum class ObjectStyle : std::uint8_t { kFixed, kMovable, kContainer };
 

@@ -35,7 +35,7 @@ void encode(std::span<const percept::Obstacle> obstacles, wire::Obstacles& out) 
 }
 
 void encode(std::span<const percept::RobotReading> robots, wire::Robots& out) {
-  for (const auto& [id, center, heading, radius, is_unit_mate] : robots) {
+  for (const auto& [id, center, heading, radius, is_unit_mate, object_class] : robots) {
     out.add_id(id.value);
     out.add_x(center.x);
     out.add_y(center.y);
@@ -43,6 +43,7 @@ void encode(std::span<const percept::RobotReading> robots, wire::Robots& out) {
     out.add_heading(heading);
     out.add_radius(radius);
     out.add_is_unit_mate(is_unit_mate);
+    out.add_object_class(static_cast<wire::ObjectClass>(object_class));
   }
 }
 
@@ -206,15 +207,18 @@ std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts
 
   const wire::Robots& robots = message.robots();
   if (!are(robots.x_size(), robots.y_size(), robots.z_size(), robots.id_size(), robots.heading_size(),
-           robots.radius_size(), robots.is_unit_mate_size()))
+           robots.radius_size(), robots.is_unit_mate_size(), robots.object_class_size()))
     return "the columns of the robots are not equally long";
   robots_.clear();
   for (int i = 0; i < robots.x_size(); ++i) {
+    if (!fits(robots.object_class(i), percept::kLastObjectClass))
+      return "a robot is of a class that there is not";
     robots_.push_back({{robots.id(i)},
                        {robots.x(i), robots.y(i), robots.z(i)},
                        robots.heading(i),
                        robots.radius(i),
-                       robots.is_unit_mate(i)});
+                       robots.is_unit_mate(i),
+                       static_cast<percept::ObjectClass>(robots.object_class(i))});
   }
 
   const wire::Objects& objects = message.objects();

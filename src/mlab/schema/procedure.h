@@ -32,6 +32,7 @@
 #include "mlab/schema/objects.h"
 #include "mlab/schema/ranges.h"
 #include "mlab/schema/requests.h"
+#include "mlab/schema/robots.h"
 #include "mlab/schema/route.h"
 #include "mlab/schema/sectors.h"
 #include "mlab/schema/stick.h"

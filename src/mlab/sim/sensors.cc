@@ -206,7 +206,8 @@ void Sensors::sense_robots(double range, std::uint32_t most, percept::Percepts& 
          .center = {seen.x, seen.y, 0.0},
          .heading = base::wrap_angle(bodies.heading[seen.id] - bodies.heading[body_]),
          .radius = seen.radius,
-         .is_unit_mate = bodies.unit[body_] != 0 && bodies.unit[body_] == bodies.unit[seen.id]});
+         .is_unit_mate = bodies.unit[body_] != 0 && bodies.unit[body_] == bodies.unit[seen.id],
+         .object_class = bodies.seen_as[seen.id]});
   }
   out.robots = buffer_.robots_;
 }

@@ -135,6 +135,19 @@ TEST(Robots, AreSensedNearestFirstButNotThroughWalls) {
   EXPECT_NEAR(length(sensed.percepts.robots[1].center), 8.0, 1e-12);
 }
 
+TEST(Robots, HaveTheClassOfTheirColour) {
+  Simulator simulator(World{});
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0});
+  const BodySetup enemy{
+      .spec = {}, .pose = {{5, 0}, 0.0}, .robot = {2}, .seen_as = percept::ObjectClass::kEnemyRobot};
+  ASSERT_TRUE(simulator.add_body(enemy));
+  add(simulator, {{9, 0}, 0.0});
+  const Sensed sensed(simulator, body, {.robot_range = 20.0});
+  ASSERT_EQ(sensed.percepts.robots.size(), 2U);
+  EXPECT_EQ(sensed.percepts.robots[0].object_class, percept::ObjectClass::kEnemyRobot);
+  EXPECT_EQ(sensed.percepts.robots[1].object_class, percept::ObjectClass::kFriendlyRobot);
+}
+
 TEST(Robots, OnlyTheNearestAreSensedWhereTheirNumberIsLimited) {
   Simulator simulator({});
   base::Random random(1);

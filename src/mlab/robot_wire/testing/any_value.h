@@ -67,7 +67,12 @@ struct AnyPercepts {
     const auto count = [] { return *rc::gen::inRange(0, 5); };
     for (int n = count(); n > 0; --n) obstacles.push_back({any_vector(), any_double()});
     for (int n = count(); n > 0; --n)
-      robots.push_back({{any_id()}, any_vector(), any_double(), any_double(), any_bool()});
+      robots.push_back({{any_id()},
+                        any_vector(),
+                        any_double(),
+                        any_double(),
+                        any_bool(),
+                        any_of(percept::kLastObjectClass)});
     for (int n = count(); n > 0; --n) {
       objects.push_back({{any_id()},
                          any_of(percept::ObjectClass::kFriendlyRobot),

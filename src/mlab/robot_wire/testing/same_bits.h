@@ -30,7 +30,7 @@ inline bool same(const percept::Obstacle& a, const percept::Obstacle& b) {
 }
 inline bool same(const percept::RobotReading& a, const percept::RobotReading& b) {
   return a.id == b.id && same(a.center, b.center) && same(a.heading, b.heading) && same(a.radius, b.radius) &&
-         a.is_unit_mate == b.is_unit_mate;
+         a.is_unit_mate == b.is_unit_mate && a.object_class == b.object_class;
 }
 inline bool same(const percept::ObjectReading& a, const percept::ObjectReading& b) {
   return a.id == b.id && a.object_class == b.object_class && a.style == b.style && same(a.center, b.center) &&
