@@ -11,12 +11,15 @@
 
 #include "mlab/base/counted.h"
 #include "mlab/flow/library.h"
+#include "mlab/percept/object_classes.h"
 
 namespace mlab::flow {
 namespace {
 
 using percept::Formation;
 using percept::FormationReference;
+using percept::kObjectClasses;
+using percept::ObjectClass;
 using percept::ObjectReading;
 using percept::Task;
 
@@ -123,34 +126,42 @@ bool parse_text(std::string_view text, void* out) {
 constexpr std::string_view kReferences[] = {"unit-center", "leader", "neighbor"};
 constexpr std::string_view kTasks[] = {"none",    "start",  "moveto", "teleoperate",
                                        "sweepto", "follow", "occupy", "stop"};
-constexpr std::string_view kClasses[] = {"Mine",        "EnemyRobot",   "Flag",         "Basket",
-                                         "Rock",        "Tree",         "HomeBase",     "Unknown",
-                                         "HidingPlace", "YellowMarker", "FriendlyRobot"};
 
-// Other words for a class: its colour, and what historic configurations call it.
+// Other words for a class than its name and its colour: what historic configurations call it.
 constexpr struct {
   std::string_view word;
-  std::size_t index;
-} kOtherClassWords[] = {{"Orange", 0},          {"Mines", 0},       {"Biohazard", 0},
-                        {"Victim", 0},          {"Attractor", 0},   {"Red", 1},
-                        {"Enemy", 1},           {"Enemies", 1},     {"Enemy_Robot", 1},
-                        {"Enemy_Robots", 1},    {"Purple", 2},      {"Flags", 2},
-                        {"Green", 3},           {"EOD_Area", 3},    {"EOD_Areas", 3},
-                        {"Baskets", 3},         {"Black", 4},       {"Rocks", 4},
-                        {"DarkSeaGreen", 5},    {"Trees", 5},       {"White", 6},
-                        {"Home_Base", 6},       {"Brown", 7},       {"Possible_Biohazard", 7},
-                        {"Unknowns", 7},        {"LightBlue", 8},   {"Hiding_Place", 8},
-                        {"Hiding_Places", 8},   {"Radioactive", 8}, {"Yellow", 9},
-                        {"Yellow_Marker", 9},   {"Blue", 10},       {"Friendly_Robot", 10},
-                        {"Friendly_Robots", 10}};
+  ObjectClass object_class;
+} kOtherClassWords[] = {{"Mines", ObjectClass::kMine},
+                        {"Biohazard", ObjectClass::kMine},
+                        {"Victim", ObjectClass::kMine},
+                        {"Attractor", ObjectClass::kMine},
+                        {"Enemy", ObjectClass::kEnemyRobot},
+                        {"Enemies", ObjectClass::kEnemyRobot},
+                        {"Enemy_Robot", ObjectClass::kEnemyRobot},
+                        {"Enemy_Robots", ObjectClass::kEnemyRobot},
+                        {"Flags", ObjectClass::kFlag},
+                        {"EOD_Area", ObjectClass::kBasket},
+                        {"EOD_Areas", ObjectClass::kBasket},
+                        {"Baskets", ObjectClass::kBasket},
+                        {"Rocks", ObjectClass::kRock},
+                        {"Trees", ObjectClass::kTree},
+                        {"Home_Base", ObjectClass::kHomeBase},
+                        {"Possible_Biohazard", ObjectClass::kUnknown},
+                        {"Unknowns", ObjectClass::kUnknown},
+                        {"Hiding_Place", ObjectClass::kHidingPlace},
+                        {"Hiding_Places", ObjectClass::kHidingPlace},
+                        {"Radioactive", ObjectClass::kHidingPlace},
+                        {"Yellow_Marker", ObjectClass::kYellowMarker},
+                        {"Friendly_Robot", ObjectClass::kFriendlyRobot},
+                        {"Friendly_Robots", ObjectClass::kFriendlyRobot}};
 
 // The bit of a class; none for a word that is none.
 std::optional<std::size_t> class_index(std::string_view word) {
-  for (std::size_t i = 0; i < std::size(kClasses); ++i) {
-    if (same_word(kClasses[i], word)) return i;
+  for (std::size_t i = 0; i < kObjectClasses.size(); ++i) {
+    if (same_word(kObjectClasses[i].name, word) || same_word(kObjectClasses[i].color_word, word)) return i;
   }
   for (const auto& other : kOtherClassWords) {
-    if (same_word(other.word, word)) return other.index;
+    if (same_word(other.word, word)) return static_cast<std::size_t>(other.object_class);
   }
   return std::nullopt;
 }
@@ -191,10 +202,10 @@ bool parse_classes(std::string_view text, void* out) {
   text = without_brackets(text);
   ObjectClasses mask;
   if (same_word(text, "AnyObject")) {
-    mask.bits = (1U << std::size(kClasses)) - 1U;
+    mask.bits = (1U << kObjectClasses.size()) - 1U;
   } else if (const std::optional<double> value = number(text)) {
     if (*value < -1.0 || *value > 4294967295.0 || *value != std::floor(*value)) return false;
-    mask.bits = *value < 0 ? (1U << std::size(kClasses)) - 1U : static_cast<std::uint32_t>(*value);
+    mask.bits = *value < 0 ? (1U << kObjectClasses.size()) - 1U : static_cast<std::uint32_t>(*value);
   } else {
     while (true) {
       const std::size_t bar = text.find('|');
@@ -212,9 +223,9 @@ bool parse_classes(std::string_view text, void* out) {
 
 std::string print_classes(const void* value) {
   std::string out;
-  for (std::size_t i = 0; i < std::size(kClasses); ++i) {
+  for (std::size_t i = 0; i < kObjectClasses.size(); ++i) {
     if ((as<ObjectClasses>(value).bits >> i & 1U) != 0)
-      out += (out.empty() ? "" : "|") + std::string(kClasses[i]);
+      out += (out.empty() ? "" : "|") + std::string(kObjectClasses[i].name);
   }
   return out.empty() ? "0" : out;
 }

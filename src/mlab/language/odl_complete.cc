@@ -6,6 +6,7 @@
 #include "mlab/lang/odl/grammar.h"
 #include "mlab/lang/odl/lexer.h"
 #include "mlab/language/statement_candidates.h"
+#include "mlab/percept/object_classes.h"
 
 namespace mlab::language {
 namespace {
@@ -120,9 +121,8 @@ class OverlayCompleter {
     const Keyword last = tokens_.back().keyword;
     const bool has_style = has(Keyword::kMovable) || has(Keyword::kFixed) || has(Keyword::kContainer);
     if (last == Keyword::kMovable || last == Keyword::kFixed || last == Keyword::kContainer) {
-      for (const char* color : {"orange", "red", "purple", "green", "black", "DarkSeaGreen", "white", "brown",
-                                "LightBlue", "yellow", "blue"})
-        out_.add(color, "color", "");
+      for (const percept::ObjectClassInfo& one : percept::kObjectClasses)
+        out_.add(std::string(one.color_word), "color", "");
     } else if (!has_style) {
       out_.add("MOVABLE", "keyword", "can be carried");
       out_.add("FIXED", "keyword", "stays where it is");

@@ -1,16 +1,11 @@
 #include "mlab/percept/object_colors.h"
 
-#include <array>
 #include <cstddef>
+
+#include "mlab/percept/object_classes.h"
 
 namespace mlab::percept {
 namespace {
-
-/// In the order of ObjectClass.
-/// @source  the historic table of object classes by colour
-constexpr std::array<std::string_view, 11> kColors = {
-    "orange", "red",   "purple",     "green",  "black", "dark sea green",
-    "white",  "brown", "light blue", "yellow", "blue"};
 
 bool is_blank(char c) {
   return c == ' ' || c == '-' || c == '_';
@@ -32,18 +27,23 @@ bool is_same_color(std::string_view a, std::string_view b) {
 
 std::string_view color_of(ObjectClass object_class) {
   const auto i = static_cast<std::size_t>(object_class);
-  return i < kColors.size() ? kColors[i] : std::string_view{};
+  return i < kObjectClasses.size() ? kObjectClasses[i].color : std::string_view{};
 }
 
 std::optional<ObjectClass> object_class_of_color(std::string_view color) {
-  for (std::size_t i = 0; i < kColors.size(); ++i) {
-    if (is_same_color(kColors[i], color)) return static_cast<ObjectClass>(i);
+  for (const ObjectClassInfo& one : kObjectClasses) {
+    if (is_same_color(one.color, color)) return one.object_class;
   }
   return std::nullopt;
 }
 
-std::string_view colors_of_classes() {
-  return "orange, red, purple, green, black, dark sea green, white, brown, light blue, yellow, blue";
+std::string colors_of_classes() {
+  std::string out;
+  for (const ObjectClassInfo& one : kObjectClasses) {
+    if (!out.empty()) out += ", ";
+    out += one.color;
+  }
+  return out;
 }
 
 }  // namespace mlab::percept

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "mlab/percept/percepts.h"
@@ -14,6 +15,6 @@ std::string_view color_of(ObjectClass object_class);
 std::optional<ObjectClass> object_class_of_color(std::string_view color);
 
 /// All of them, for people: `orange, red, ...`.
-std::string_view colors_of_classes();
+std::string colors_of_classes();
 
 }  // namespace mlab::percept

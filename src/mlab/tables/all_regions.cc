@@ -1,5 +1,6 @@
 #include <array>
 
+#include "mlab/tables/class_tables.h"
 #include "mlab/tables/measure_tables.h"
 #include "mlab/tables/regions.h"
 #include "mlab/tables/task_tables.h"
@@ -32,6 +33,8 @@ std::span<const Region> all_regions() {
       Region{"formation_words", formation_words},
       Region{"formation_string", formation_string},
       Region{"mdl_dictionary", mdl_dictionary},
+      Region{"object_class_enum", object_class_enum},
+      Region{"object_class_documentation", object_class_documentation},
   };
   return kAll;
 }

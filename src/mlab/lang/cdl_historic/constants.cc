@@ -1,13 +1,14 @@
 #include "mlab/lang/cdl_historic/constants.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "mlab/percept/object_classes.h"
 
 namespace mlab::cdl_historic {
 namespace {
@@ -111,11 +112,6 @@ class Arithmetic {
   bool failed_ = false;
 };
 
-// Our classes in the order of their bits.
-constexpr std::array<std::string_view, 11> kClasses = {
-    "Mine",     "EnemyRobot", "Flag",        "Basket",       "Rock",         "Tree",
-    "HomeBase", "Unknown",    "HidingPlace", "YellowMarker", "FriendlyRobot"};
-
 struct ClassName {
   std::string_view historic;
   std::string_view ours;
@@ -160,9 +156,9 @@ Draft classes(std::string_view text, const text::Place& place) {
     if (*mask == -1.0) return name("AnyObject", place);
     if (*mask < 0.0 || *mask >= 4294967296.0 || *mask != std::floor(*mask)) return nullptr;
     std::string out;
-    for (std::size_t i = 0; i < kClasses.size(); ++i) {
+    for (std::size_t i = 0; i < percept::kObjectClasses.size(); ++i) {
       if ((static_cast<std::uint32_t>(*mask) >> i & 1U) != 0)
-        out += (out.empty() ? "" : "|") + std::string(kClasses[i]);
+        out += (out.empty() ? "" : "|") + std::string(percept::kObjectClasses[i].name);
     }
     if (out.empty()) return quoted("0", place);
     return out.find('|') == std::string::npos ? name(out, place) : quoted(out, place);
@@ -275,8 +271,8 @@ std::string_view object_class(std::string_view historic) {
   for (const ClassName& known : kClassNames) {
     if (known.historic == word) return known.ours;
   }
-  for (const std::string_view ours : kClasses) {
-    if (folded(ours) == word) return ours;
+  for (const percept::ObjectClassInfo& ours : percept::kObjectClasses) {
+    if (folded(ours.name) == word) return ours.name;
   }
   return {};
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace mlab::tables {
+
+/// The numbers of ObjectClass in robot.proto.
+std::string object_class_enum();
+/// Documentation: which colour marks which class.
+std::string object_class_documentation();
+
+}  // namespace mlab::tables
