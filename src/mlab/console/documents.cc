@@ -58,6 +58,7 @@ const OpenDocument* OpenDocuments::find_source(const text::SourcePtr& source) co
 }
 
 OpenDocuments::Key OpenDocuments::add(OpenDocument document) {
+  ++files_revision_;
   open_.emplace(++last_key_, std::move(document));
   return last_key_;
 }
@@ -434,12 +435,14 @@ text::Result<bool> OpenDocuments::create_obstacles(const CreateObstacles& reques
 
 bool OpenDocuments::undo() {
   if (!log_.undo()) return false;
+  ++files_revision_;
   check();
   return true;
 }
 
 bool OpenDocuments::redo() {
   if (!log_.redo()) return false;
+  ++files_revision_;
   check();
   return true;
 }

@@ -123,6 +123,8 @@ class OpenDocuments {
   const Scene& scene() const { return scene_; }
   /// Grows whenever a text, its diagnostics, or what is saved changes: then Documents is to be sent again.
   std::uint64_t revision() const { return revision_; }
+  /// Grows whenever a file is opened, made, written or taken back: then Project is to be sent again.
+  std::uint64_t files_revision() const { return files_revision_; }
 
   Documents documents_message() const;
   EditState edit_state() const;
@@ -204,6 +206,7 @@ class OpenDocuments {
   std::shared_ptr<const overlay::Overlay> map_;
   Scene scene_;
   std::uint64_t revision_ = 0;
+  std::uint64_t files_revision_ = 1;
   bool has_errors_ = false;
   std::vector<std::string> notices_;
 };

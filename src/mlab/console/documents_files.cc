@@ -57,6 +57,7 @@ text::Result<bool> OpenDocuments::save_one(OpenDocument& document) {
 
 text::Result<bool> OpenDocuments::save(const SaveDocuments& request) {
   ++revision_;
+  ++files_revision_;
   log_.separate();
   std::vector<OpenDocument*> wanted;
   for (const std::string& path : request.documents()) {

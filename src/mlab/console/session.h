@@ -14,6 +14,7 @@
 
 namespace mlab::console {
 
+class SessionCore;
 class ToServer;
 
 /// What a session is started with.
@@ -76,8 +77,7 @@ class Session {
   bool has_ended() const;
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<SessionCore> core_;
 };
 
 }  // namespace mlab::console

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "mlab/console/documents.h"
+#include "mlab/console/event_log.h"
+#include "mlab/console/inbox.h"
+#include "mlab/console/project_folder.h"
+#include "mlab/console/session.h"
+#include "mlab/console/session/document_orders.h"
+#include "mlab/console/session/frames.h"
+#include "mlab/console/session/map_picture.h"
+#include "mlab/console/session/people.h"
+#include "mlab/console/session/publisher.h"
+#include "mlab/console/session/robot_parameters.h"
+#include "mlab/console/session/run_control.h"
+#include "mlab/console/session/run_maker.h"
+#include "mlab/console/session/run_orders.h"
+
+namespace mlab::console {
+
+/// The session's thread, and what stands on it. A member knows only those that stand above it; where one has
+/// to call down, the core hands it a function.
+class SessionCore {
+ public:
+  SessionCore(SessionSettings settings, Session::Send send);
+  ~SessionCore();
+  SessionCore(const SessionCore&) = delete;
+  SessionCore& operator=(const SessionCore&) = delete;
+
+  // ---- from any thread, as Session
+
+  void receive(ConnectionId from, std::unique_ptr<ToServer> message);
+  void closed(ConnectionId connection);
+  void emergency_stop();
+  void try_out(Trial trial, TrialDone done);
+  void look_at_run(RunLook look);
+  Session::Picture picture(std::uint64_t revision) const { return picture_.find(revision); }
+  std::string report();
+  std::vector<std::string> end();
+  bool has_ended() const { return has_ended_; }
+
+ private:
+  friend struct Order;  // which of these takes a message
+
+  void work();
+  void open_first_mission();
+  void take(ConnectionId from, const ToServer& message);
+  Answered hello(ConnectionId from, const ToServer& message);
+  void do_tasks(const std::vector<Inbox::Task>& tasks);
+  /// Within a cycle, while a robot's own process computes. @return  true: the cycle is not to be waited for
+  bool attend_during_cycle();
+  /// When the loop has to look around again [s].
+  double next_wake();
+  mdl::LoadOptions load_options() const;
+
+  // What takes more than one of those below.
+  Answered control(const Sender& sender, const Control& control);
+  Answered take_operator(const Sender& sender);
+  Answered pass_operator(const Sender& sender, const PassOperator& pass);
+
+  const SessionSettings settings_;
+  const double began_;
+  const std::string started_at_;
+  std::atomic<bool> ends_ = false;
+  std::atomic<bool> has_ended_ = false;
+  double published_during_cycle_ = 0.0;
+
+  Inbox inbox_;
+  EventLog log_;
+  ProjectFolder project_;
+  OpenDocuments documents_;
+  MapPicture picture_;
+  People people_;
+  RunControl run_;
+  RobotParameters parameters_;
+  RunMaker maker_;
+  DocumentOrders document_orders_;
+  RunOrders run_orders_;
+  Frames frames_;
+  Publisher publisher_;
+  std::thread thread_;
+};
+
+}  // namespace mlab::console

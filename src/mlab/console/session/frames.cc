@@ -1,0 +1,152 @@
+#include "mlab/console/session/frames.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "mlab/console/measure_series.h"
+#include "mlab/console/robot_detail.h"
+
+namespace mlab::console {
+namespace {
+
+// What people read need not be made for every frame [s].
+constexpr double kSentencesEvery = 0.2;
+
+}  // namespace
+
+// ---- what is asked
+
+void Frames::watch(const Sender& sender, const Watch& watch) {
+  sender.channel.watch(watch);
+  update_watches();
+  const LiveRun* live = run_.live();
+  for (const Series& series : sender.channel.watched().series()) {
+    if (live != nullptr)
+      sender.channel.series_seen.try_emplace(series.id(), live->series().last_time(series, -1.0));
+  }
+}
+
+Answered Frames::read_series(const ReadSeries& read, Reply& reply) {
+  const LiveRun* live = run_.live();
+  SeriesData& out = *reply.mutable_series();
+  int count = 0;
+  for (const Series& series : read.series()) {
+    if (++count > static_cast<int>(Channel::kMostSeries)) break;
+    SeriesData::Samples& told = *out.add_samples();
+    told.set_id(series.id());
+    if (live == nullptr) {
+      told.set_error("there is no run");
+      continue;
+    }
+    live->series().encode_since(series, -1.0, *told.mutable_samples());
+    if (!told.samples().empty()) continue;
+    told.set_error(problem_of(live->run(), series));
+    if (told.error().empty() && !live->series().is_recorded(series))
+      told.set_error("it has not been watched, so it was not recorded");
+  }
+  return std::nullopt;
+}
+
+// ---- what is recorded
+
+void Frames::follow_run() {
+  if (known_run_ == run_.run_number()) return;
+  known_run_ = run_.run_number();
+  rows_.clear();
+  sentences_.clear();
+  for (auto& [id, channel] : people_.channels()) channel.series_seen.clear();
+  update_watches();
+}
+
+void Frames::update_watches() {
+  LiveRun* live = run_.live();
+  if (live == nullptr) return;
+  std::vector<std::uint32_t> details;
+  std::vector<Series> series;
+  for (const auto& [id, channel] : people_.channels()) {
+    const Watch& watch = channel.watched();
+    details.insert(details.end(), watch.details().begin(), watch.details().end());
+    series.insert(series.end(), watch.series().begin(), watch.series().end());
+  }
+  live->transitions().watch(details);
+  live->alarms().watch_states(std::move(details));
+  live->series().watch(series, wall_time());
+}
+
+// ---- frames
+
+double Frames::next_frame() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto& [id, channel] : people_.channels()) {
+    if (channel.seen != run_.world_version()) next = std::min(next, channel.next_frame());
+  }
+  return next;
+}
+
+void Frames::publish() {
+  const double wall = wall_time();
+  for (auto& [id, channel] : people_.channels()) {
+    if (channel.seen == run_.world_version() || !channel.wants_frame(wall)) continue;
+    ToBrowser out;
+    fill(channel, *out.mutable_frame());
+    out.mutable_frame()->set_number(channel.begin_frame(wall));
+    channel.seen = run_.world_version();
+    people_.send(id, out);
+  }
+}
+
+void Frames::fill(Channel& channel, Frame& out) {
+  out.set_time(run_.sim_time());
+  if (run_.live() == nullptr) return;
+  const LiveRun& live = *run_.live();
+  if (rows_version_ != run_.world_version()) {
+    rows_.gather(live.run(), live.alarms().robots(), run_.teleoperations().robots());
+    rows_version_ = run_.world_version();
+  }
+  const Watch& watch = channel.watched();
+  const auto view = watch.has_view() ? std::optional<Box>(watch.view()) : std::nullopt;
+  out.set_cycle(live.run().cycle());
+  out.set_robots_elsewhere(rows_.encode(view, *out.mutable_robots()));
+  if (watch.with_stations()) encode_stations(live.run(), *out.mutable_stations());
+  if (watch.with_vectors()) encode_vectors(live.run(), *out.mutable_vectors());
+  encode_objects(live.run(), *out.mutable_objects());
+  fill_details(watch, out);
+  fill_series(channel, *out.mutable_series());
+}
+
+void Frames::fill_details(const Watch& watch, Frame& out) {
+  const LiveRun& live = *run_.live();
+  const fleet::MissionRun& run = live.run();
+  const std::vector<std::string> paths(watch.ports().begin(), watch.ports().end());
+  for (const std::uint32_t id : watch.details()) {
+    const fleet::FleetRobot* robot = run.fleet().find({id});
+    if (robot == nullptr) continue;
+    RobotDetail& told = *out.add_details();
+    DetailWishes wishes = {watch.with_ports(), watch.with_readings(), live.transitions().before(id)};
+    if (watch.ports_size() > 0 && robot->workings().program)
+      wishes.some_ports = port_indices(*robot->workings().program, paths);
+    encode_detail(run, live.estimates(), *robot, wishes, told);
+    live.transitions().encode(id, told);
+    Sentences& sentences = sentences_[id];
+    if (!run_.time_runs() || wall_time() - sentences.wall > kSentencesEvery)
+      sentences = {wall_time(), waits_for(run, *robot)};
+    for (const std::string& line : sentences.lines) told.add_waits_for(line);
+  }
+}
+
+void Frames::fill_series(Channel& channel, SeriesData& out) {
+  const LiveRun& live = *run_.live();
+  for (const Series& series : channel.watched().series()) {
+    double& seen = channel.series_seen.try_emplace(series.id(), -1.0).first->second;
+    SeriesData::Samples told;
+    told.set_id(series.id());
+    live.series().encode_since(series, seen, *told.mutable_samples());
+    if (told.samples().empty()) told.set_error(problem_of(live.run(), series));
+    if (told.samples().empty() && told.error().empty()) continue;
+    seen = live.series().last_time(series, seen);
+    *out.add_samples() = std::move(told);
+  }
+}
+
+}  // namespace mlab::console

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "mlab/console.pb.h"
+#include "mlab/console/inbox.h"
+#include "mlab/console/session/core.h"
+#include "mlab/console/session/request.h"
+
+namespace mlab::console {
+
+/// Who may send a message, when it is done, and what does it.
+struct Order {
+  enum class From { kAnybody, kOperator };
+  using Take = Answered (*)(SessionCore& core, const Sender& sender, const ToServer& message, Reply& reply);
+
+  From from = From::kAnybody;
+  Inbox::Kind when = Inbox::Kind::kAfterCycle;
+  Take take = nullptr;  ///< null: it is no request of somebody who has been taken in
+
+  /// The one table of all messages.
+  static Order of(ToServer::BodyCase body);
+  /// Of this message: what it holds may make a difference.
+  static Inbox::Kind kind_of(const ToServer& message);
+  static bool is_for_operator(const ToServer& message);
+};
+
+}  // namespace mlab::console

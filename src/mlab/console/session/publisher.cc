@@ -1,0 +1,219 @@
+#include "mlab/console/session/publisher.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "mlab/base/hash.h"
+#include "mlab/console/overview.h"
+#include "mlab/console/status_encoder.h"
+
+namespace mlab::console {
+namespace {
+
+constexpr double kStatusApart = 0.05;  // two that tell of something that happened [s]
+constexpr double kStatusEvery = 0.25;  // while time passes [s]
+
+using Round = std::tuple<double, double, double>;
+
+std::uint32_t count_of(std::size_t size) {
+  return static_cast<std::uint32_t>(size);
+}
+
+std::uint64_t bits(double value) {
+  std::uint64_t out = 0;
+  std::memcpy(&out, &value, sizeof out);
+  return out;
+}
+
+std::uint64_t key_of(std::span<const binding::Disc> discs) {
+  std::uint64_t key = discs.size();
+  for (const binding::Disc& disc : discs) {
+    key = base::combine_bits(key, bits(disc.center.x));
+    key = base::combine_bits(key, bits(disc.center.y) ^ bits(disc.radius));
+  }
+  return key;
+}
+
+}  // namespace
+
+Publisher::Publisher(const Parts& parts)
+    : people_(parts.people),
+      documents_(parts.documents),
+      run_(parts.run),
+      maker_(parts.maker),
+      frames_(parts.frames),
+      log_(parts.log),
+      topics_(topics()) {}
+
+// In the order in which whoever comes is told of them.
+std::vector<Publisher::Topic> Publisher::topics() {
+  const auto plan_revision = [this] { return run_.plan_revision(); };
+  const auto live = [this] { return std::as_const(run_).live(); };
+  return {
+      {[this](ToBrowser& out) { *out.mutable_project() = documents_.project_message(); },
+       [this] { return documents_.files_revision(); }},
+      {[this](ToBrowser& out) { *out.mutable_documents() = documents_.documents_message(); },
+       [this] { return documents_.revision(); }},
+      {[this](ToBrowser& out) { tell_scene(out); }, [this] { return scene_revision(); }},
+      {[live](ToBrowser& out) {
+         Roster& roster = *out.mutable_roster();
+         if (live() != nullptr) encode_roster(live()->run(), roster);
+       },
+       plan_revision},
+      {[this](ToBrowser& out) {
+         Starts& starts = *out.mutable_starts();
+         if (run_.live() != nullptr) encode_starts(run_.live()->run(), *starts.mutable_robots());
+       },
+       [this] {
+         return base::combine_bits(base::combine_bits(run_.plan_revision(), world_changes_),
+                                   count_not_started());
+       }},
+      {[this, live](ToBrowser& out) {
+         out.mutable_plan()->set_revision(run_.plan_revision());
+         if (live() == nullptr) return;
+         encode_plan(
+             live()->run().mission(), run_.plan_revision(),
+             [this](const text::Place& place) { return documents_.place(place); }, *out.mutable_plan());
+       },
+       plan_revision},
+      {[this](ToBrowser& out) { tell_status(out); }, [this] { return status_revision(); }},
+      {[live](ToBrowser& out) {
+         Questions& questions = *out.mutable_questions();
+         if (live() != nullptr)
+           encode_questions(live()->run().state(), live()->asked(), live()->question_texts(), questions);
+       },
+       {}},
+      {[this](ToBrowser& out) { people_.roles().encode(*out.mutable_clients()); }, {}},
+      {[this](ToBrowser& out) { *out.mutable_edits() = documents_.edit_state(); }, {}},
+      {[live](ToBrowser& out) {
+         Trails& trails = *out.mutable_trails();
+         if (live() != nullptr) live()->trails().encode(trails);
+       },
+       [this] { return run_.trails_revision(); }},
+      {[this](ToBrowser& out) { std::as_const(run_).breakpoints().encode(*out.mutable_breakpoints()); }, {}},
+      {[this](ToBrowser& out) { *out.mutable_halted() = run_.halted(); }, {}},
+  };
+}
+
+void Publisher::greet(ConnectionId to) {
+  people_.welcome(to);
+  people_.send_log(people_.channels().at(to), log_);
+  for (const Topic& topic : topics_) {
+    ToBrowser out;
+    topic.tell(out);
+    people_.send(to, out);
+  }
+}
+
+void Publisher::publish() {
+  for (Topic& topic : topics_) publish(topic);
+  for (auto& [id, channel] : people_.channels()) people_.send_log(channel, log_);
+  frames_.publish();
+  people_.send_beats();
+}
+
+void Publisher::publish(Topic& topic) {
+  ToBrowser out;
+  if (topic.revision) {
+    const std::uint64_t revision = topic.revision();
+    if (topic.told == revision) return;
+    topic.told = revision;
+    if (people_.channels().empty()) return;
+    topic.tell(out);
+  } else {
+    if (people_.channels().empty()) return;
+    topic.tell(out);
+    std::string bytes = out.SerializeAsString();
+    if (topic.told_bytes == bytes) return;
+    topic.told_bytes = std::move(bytes);
+  }
+  people_.broadcast(out);
+}
+
+double Publisher::next() const {
+  const bool is_held_back = run_.state_revision() != told_state_;
+  return is_held_back ? last_status_ + kStatusApart : std::numeric_limits<double>::infinity();
+}
+
+// ---- the status
+
+std::uint64_t Publisher::status_revision() {
+  const double wall = wall_time();
+  const std::uint64_t state = run_.state_revision();
+  const bool is_due = (state != told_state_ && wall >= last_status_ + kStatusApart) ||
+                      (run_.time_runs() && wall >= last_status_ + kStatusEvery);
+  if (!is_due) return status_number_;
+  told_state_ = state;
+  last_status_ = wall;
+  look_at_world();
+  frames_.update_watches();
+  return ++status_number_;
+}
+
+void Publisher::tell_status(ToBrowser& out) const {
+  Status& status = *out.mutable_status();
+  const double wall = wall_time();
+  if (const LiveRun* live = run_.live()) {
+    encode_run(live->run(), live->estimates(), status);
+    for (const std::string& option : options_on(live->options())) status.add_options(option);
+    status.set_zoom_percent(live->options().zoom_percent);
+  } else {
+    status.set_seed(maker_.seed());
+  }
+  run_.teleoperations().encode(status);
+  if (run_.is_stopped()) {
+    const LiveRun* live = run_.live();
+    status.set_mode(Status::STOPPED);
+    status.mutable_stop()->set_robots(live != nullptr ? count_of(live->run().robots_in_world()) : 0);
+    status.mutable_stop()->set_standing(live != nullptr ? count_of(live->run().robots_stopped()) : 0);
+  }
+  status.set_speed(run_.pace().speed());
+  status.set_speed_reached(run_.meter().speed(wall));
+  if (run_.time_runs()) status.set_behind(run_.pace().behind(wall, run_.sim_time()));
+}
+
+// ---- the scene
+
+void Publisher::look_at_world() {
+  const LiveRun* live = run_.live();
+  const std::uint64_t key = live == nullptr ? 0 : key_of(live->run().world().discs());
+  if (key == world_key_) return;
+  world_key_ = key;
+  ++world_changes_;
+}
+
+// Who has been started is no longer shown where it will be.
+std::uint64_t Publisher::count_not_started() {
+  if (run_.live() == nullptr) return 0;
+  return static_cast<std::uint64_t>(std::ranges::count(
+      run_.live()->run().fleet().robots(), fleet::RobotLife::kNotStarted, &fleet::FleetRobot::life));
+}
+
+std::uint64_t Publisher::scene_revision() const {
+  constexpr std::uint64_t kRoom = 1U << 20U;
+  return documents_.scene().revision() * kRoom + world_changes_ % kRoom;
+}
+
+// What came into the world without standing in a text is shown after the rest.
+void Publisher::tell_scene(ToBrowser& out) const {
+  Scene& scene = *out.mutable_scene();
+  scene = documents_.scene();
+  scene.set_revision(scene_revision());
+  if (run_.live() == nullptr) return;
+  std::vector<Round> shown;
+  for (const Obstacle& obstacle : scene.obstacles())
+    shown.emplace_back(obstacle.x(), obstacle.y(), obstacle.radius());
+  std::ranges::sort(shown);
+  for (const binding::Disc& disc : run_.live()->run().world().discs()) {
+    if (std::ranges::binary_search(shown, Round{disc.center.x, disc.center.y, disc.radius})) continue;
+    Obstacle& extra = *scene.add_obstacles();
+    extra.set_x(disc.center.x);
+    extra.set_y(disc.center.y);
+    extra.set_radius(disc.radius);
+  }
+}
+
+}  // namespace mlab::console

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mlab/console/documents.h"
+#include "mlab/console/event_log.h"
+#include "mlab/console/session/frames.h"
+#include "mlab/console/session/people.h"
+#include "mlab/console/session/run_control.h"
+#include "mlab/console/session/run_maker.h"
+
+namespace mlab::console {
+
+/// What people are told without asking: everything when they come, and from then on what has changed. Nobody
+/// has to say that something has: each topic is asked for its revision, or its message is compared with the
+/// last one.
+class Publisher {
+ public:
+  struct Parts {
+    People& people;
+    const OpenDocuments& documents;
+    RunControl& run;
+    const RunMaker& maker;
+    Frames& frames;
+    const EventLog& log;
+  };
+  explicit Publisher(const Parts& parts);
+
+  /// Tells one who has just come.
+  void greet(ConnectionId to);
+  /// Tells everybody what has changed.
+  void publish();
+  /// When there will be something to tell that is held back until then [s].
+  double next() const;
+
+ private:
+  struct Topic {
+    std::function<void(ToBrowser&)> tell;
+    std::function<std::uint64_t()> revision;  ///< empty: the message is made, and compared
+    std::optional<std::uint64_t> told = std::nullopt;
+    std::string told_bytes = {};
+  };
+
+  std::vector<Topic> topics();
+  void publish(Topic& topic);
+  /// Grows when the status is to be told again: soon after something happened, now and then while time
+  /// passes.
+  std::uint64_t status_revision();
+  /// Obstacles may come and go by themselves.
+  void look_at_world();
+  std::uint64_t count_not_started();
+  std::uint64_t scene_revision() const;
+  void tell_scene(ToBrowser& out) const;
+  void tell_status(ToBrowser& out) const;
+
+  People& people_;
+  const OpenDocuments& documents_;
+  RunControl& run_;
+  const RunMaker& maker_;
+  Frames& frames_;
+  const EventLog& log_;
+
+  std::uint64_t world_key_ = 0;      // of the obstacles that the scene has
+  std::uint64_t world_changes_ = 0;  // how often obstacles came or went that no document has
+  std::uint64_t told_state_ = 0;     // RunControl::state_revision of the last status
+  std::uint64_t status_number_ = 0;
+  double last_status_ = -1e9;
+  std::vector<Topic> topics_;
+};
+
+}  // namespace mlab::console

@@ -1,0 +1,185 @@
+#include "mlab/console/session/run_control.h"
+
+#include <limits>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace mlab::console {
+namespace {
+
+// Cycles are run for so long before the session looks around again [s].
+constexpr double kSlice = 0.008;
+
+}  // namespace
+
+// ---- which run
+
+void RunControl::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run) {
+  is_expected_ = false;
+  breakpoints_.begin(nullptr);
+  live_.reset();
+  if (run) {
+    live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_);
+    live_->run().set_stands_still_for_operator(pace_.speed() == 0.0);
+    live_->run().set_emergency_stop(is_stopped_);
+  }
+  breakpoints_.begin(live_ ? &live_->run() : nullptr);
+  halted_.Clear();
+  has_nothing_to_do_ = time_runs_ = false;
+  teleoperations_ = {};
+  ++run_number_;
+  ++plan_revision_;
+  ++trails_revision_;
+  ++world_version_;
+  ++state_revision_;
+}
+
+void RunControl::exchange(std::shared_ptr<const fleet::Crew> crew) {
+  live_->edit(std::move(crew));
+  breakpoints_.change(&live_->run());
+  has_nothing_to_do_ = false;
+  ++plan_revision_;
+  ++world_version_;
+  ++state_revision_;
+}
+
+void RunControl::forget_earlier_run() {
+  log_.begin_run();
+  live_->trails().clear();
+  ++trails_revision_;
+}
+
+// ---- what is asked of it
+
+Answered RunControl::why_not_now() const {
+  if (is_expected_) return "the mission is still being made ready";
+  if (!live_) return "there is no mission that could run";
+  if (is_stopped_) return "an emergency stop holds all robots: release it first";
+  if (live_->run().state().mode == mission::State::Mode::kQuit) return "the mission has quit: restart it";
+  return std::nullopt;
+}
+
+void RunControl::post(const mission::Event& event) {
+  live_->run().post(event);
+  has_nothing_to_do_ = false;
+  ++state_revision_;
+  ++world_version_;
+}
+
+void RunControl::note(const std::string& who, const std::string& what) {
+  log_.add(sim_time(), {Log::OPERATOR, fmt::format("{}: {}", who, what), 0, "", {}, false});
+}
+
+void RunControl::pause() {
+  const mission::State& state = live_->run().state();
+  if (state.mode == mission::State::Mode::kRunning && !state.paused) post(mission::event::Pause{});
+}
+
+// ---- time
+
+bool RunControl::is_active() const {
+  if (!live_ || is_expected_) return false;
+  const mission::State& state = live_->run().state();
+  return is_stopped_ || (state.mode == mission::State::Mode::kRunning && !state.paused);
+}
+
+double RunControl::next_cycle() const {
+  if (!is_active() || has_nothing_to_do_) return std::numeric_limits<double>::infinity();
+  return pace_.due(sim_time());
+}
+
+void RunControl::advance() {
+  if (!is_active() || has_nothing_to_do_) {
+    time_runs_ = false;
+    return;
+  }
+  const double began = wall_time();
+  if (!std::exchange(time_runs_, true)) pace_.start(began, sim_time());
+  double wall = began;
+  while (wall - began < kSlice && pace_.due(sim_time()) <= wall) {
+    heed_stop();
+    if (!step_once()) {
+      has_nothing_to_do_ = true;
+      if (is_stopped_) ++state_revision_;  // all stand
+      break;
+    }
+    wall = wall_time();
+    if (!is_active()) break;
+  }
+  meter_.note(wall, sim_time());
+  pace_.forgive(wall, sim_time());
+}
+
+bool RunControl::step_once() {
+  halted_.Clear();
+  if (live_->step() != fleet::MissionRun::Progress::kStepped) return false;
+  ++world_version_;
+  if (breakpoints_.are_on()) look_at_breakpoints();
+  return true;
+}
+
+void RunControl::set_speed(double speed) {
+  pace_.set_speed(speed, wall_time(), sim_time());
+  if (live_) live_->run().set_stands_still_for_operator(speed == 0.0);
+  ++state_revision_;
+}
+
+// ---- the emergency stop
+
+void RunControl::heed_stop() {
+  if (stop_wanted_.exchange(false)) engage_stop();
+}
+
+void RunControl::engage_stop() {
+  if (is_stopped_) return;
+  is_stopped_ = true;
+  if (live_) {
+    live_->run().set_emergency_stop(true);
+    teleoperations_.let_go(live_->run());
+  }
+  has_nothing_to_do_ = false;
+  time_runs_ = false;
+  log_.add(sim_time(), {Log::OPERATOR, "emergency stop: all robots stand", 0, "", {}, true});
+  ++state_revision_;
+  ++world_version_;
+}
+
+void RunControl::release_stop(const std::string& who) {
+  is_stopped_ = false;
+  note(who, "release the emergency stop");
+  ++state_revision_;
+  if (!live_) return;
+  pause();
+  live_->run().set_emergency_stop(false);
+}
+
+// ---- sticks and breakpoints
+
+void RunControl::update_teleoperations() {
+  if (!live_) return;
+  const bool has_changed = teleoperations_.update(live_->run());
+  if (teleoperations_.relax(live_->run(), wall_time()) || has_changed) ++world_version_;
+  if (has_changed) ++state_revision_;
+}
+
+void RunControl::look_at_breakpoints() {
+  breakpoints_.look(live_->run(), halted_);
+  if (halted_.hits().empty()) return;
+  for (const Halted::Hit& hit : halted_.hits())
+    log_.add(sim_time(), {Log::BREAKPOINT, hit.text(), hit.robot(), "", {}, false});
+  pause();
+}
+
+const Halted& RunControl::halted() {
+  const bool stands = live_ && live_->run().state().paused;
+  if (!stands) halted_.Clear();
+  return halted_;
+}
+
+std::uint64_t RunControl::state_revision() {
+  if (live_ && live_->take_news()) ++state_revision_;
+  return state_revision_;
+}
+
+}  // namespace mlab::console

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "mlab/console/breakpoints.h"
+#include "mlab/console/event_log.h"
+#include "mlab/console/live_run.h"
+#include "mlab/console/pace.h"
+#include "mlab/console/session/request.h"
+#include "mlab/console/teleoperations.h"
+
+namespace mlab::console {
+
+/// The run, and its time: whether it passes and how fast, what it halts at, the emergency stop, sticks.
+/// Belongs to the session's thread, but for what is marked.
+class RunControl {
+ public:
+  /// @param log    outlives it
+  /// @param speed  simulated seconds per second; 0: as fast as it goes
+  RunControl(EventLog& log, double speed) : log_(log), pace_(speed) {}
+
+  // ---- which run
+
+  /// Null where there is none.
+  LiveRun* live() { return live_.get(); }
+  const LiveRun* live() const { return live_.get(); }
+  double sim_time() const { return live_ ? live_->run().time() : 0.0; }
+  /// One is being made, and no command can be given until `adopt`.
+  void expect() { is_expected_ = true; }
+  bool is_expected() const { return is_expected_; }
+  /// Takes the place of the run before; null: there is none any more.
+  void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
+  /// The run goes on with other robots or another plan.
+  void exchange(std::shared_ptr<const fleet::Crew> crew);
+  /// The mission has ended, and begins anew: trails and alerts are of before.
+  void forget_earlier_run();
+
+  // ---- what is asked of it
+
+  /// Why no command can be given now.
+  Answered why_not_now() const;
+  void post(const mission::Event& event);
+  void note(const std::string& who, const std::string& what);
+
+  // ---- time
+
+  /// Lets as much time pass as is due, but not for longer than a person would notice.
+  void advance();
+  /// One control cycle. False where no time passed.
+  bool step_once();
+  /// When the next cycle is due [s]; far away where time stands still.
+  double next_cycle() const;
+  /// Something was asked: the run may have something to do again.
+  void look_again() { has_nothing_to_do_ = false; }
+  bool time_runs() const { return time_runs_; }
+  void set_speed(double speed);
+  const Pace& pace() const { return pace_; }
+  const SpeedMeter& meter() const { return meter_; }
+
+  // ---- the emergency stop
+
+  /// From any thread: all robots stand from the next cycle on.
+  void want_stop() { stop_wanted_ = true; }
+  void heed_stop();
+  bool is_stopped() const { return is_stopped_; }
+  void release_stop(const std::string& who);
+
+  // ---- sticks and breakpoints
+
+  Teleoperations& teleoperations() { return teleoperations_; }
+  const Teleoperations& teleoperations() const { return teleoperations_; }
+  void update_teleoperations();
+  BreakpointTable& breakpoints() { return breakpoints_; }
+  const BreakpointTable& breakpoints() const { return breakpoints_; }
+  /// At these hits; without any: at none. Whatever makes the run go on ends the halt.
+  const Halted& halted();
+
+  // ---- what has changed; each number grows where something of it does
+
+  std::uint64_t world_version() const { return world_version_; }      ///< what a frame shows
+  std::uint64_t plan_revision() const { return plan_revision_; }      ///< its mission and robots
+  std::uint64_t trails_revision() const { return trails_revision_; }  ///< trails that are of before
+  std::uint64_t run_number() const { return run_number_; }            ///< another run
+  /// Where it stands: mode, steps, speed, what it waits for.
+  std::uint64_t state_revision();
+  void world_changed() { ++world_version_; }
+
+ private:
+  bool is_active() const;
+  void engage_stop();
+  void look_at_breakpoints();
+  void pause();
+
+  EventLog& log_;
+  std::unique_ptr<LiveRun> live_;
+  bool is_expected_ = false;
+  Pace pace_;
+  SpeedMeter meter_;
+  std::atomic<bool> stop_wanted_ = false;
+  bool is_stopped_ = false;         // emergency stop
+  bool time_runs_ = false;          // cycles are being run, paced from when this began
+  bool has_nothing_to_do_ = false;  // the run waits for a person; nothing but a message changes that
+  Teleoperations teleoperations_;
+  BreakpointTable breakpoints_;
+  Halted halted_;
+  std::uint64_t world_version_ = 1;
+  std::uint64_t plan_revision_ = 0;
+  std::uint64_t trails_revision_ = 0;
+  std::uint64_t run_number_ = 0;
+  std::uint64_t state_revision_ = 1;
+};
+
+}  // namespace mlab::console

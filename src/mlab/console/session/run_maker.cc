@@ -1,0 +1,265 @@
+#include "mlab/console/session/run_maker.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "mlab/console/overview.h"
+#include "mlab/console/targets.h"
+#include "mlab/simulated/run.h"
+
+namespace mlab::console {
+namespace {
+
+bool is_in(const std::filesystem::path& path, const std::string& folder) {
+  if (folder.empty()) return false;
+  std::error_code failure;
+  const std::filesystem::path root = std::filesystem::weakly_canonical(folder, failure);
+  return !failure && std::ranges::mismatch(root, path).in1 == root.end();
+}
+
+// The folder that a mission's programs come from: the project, or the examples; of a mission that the command
+// line named elsewhere, its own.
+std::string root_of(const std::string& mission_folder, const SessionSettings& settings) {
+  std::error_code failure;
+  const std::filesystem::path folder = std::filesystem::weakly_canonical(mission_folder, failure);
+  for (const std::string& root : {settings.project_folder, settings.example_folder}) {
+    if (is_in(folder, root)) return root;
+  }
+  return mission_folder;
+}
+
+bool is_value_of_option(const std::vector<mission::Command>& commands) {
+  return commands.size() == 1 && (std::holds_alternative<mission::SetBoolean>(commands[0]) ||
+                                  std::holds_alternative<mission::SetNumber>(commands[0]));
+}
+
+}  // namespace
+
+RunMaker::RunMaker(const Parts& parts, std::function<bool()> meanwhile)
+    : settings_(parts.settings),
+      documents_(parts.documents),
+      run_(parts.run),
+      parameters_(parts.parameters),
+      log_(parts.log),
+      inbox_(parts.inbox),
+      meanwhile_(std::move(meanwhile)),
+      seed_(parts.settings.run.seed),
+      workshop_(std::make_unique<Workshop>()) {}
+
+RunMaker::~RunMaker() {
+  end();
+}
+
+void RunMaker::end() {
+  jobs_end_.request_stop();
+  workshop_.reset();
+}
+
+robot::ProgramSources RunMaker::program_sources() const {
+  robot::ProgramSources out = {settings_.permission, documents_.mission_folder(), settings_.include_root,
+                               settings_.version, documents_.is_trial() ? trial_files_.get() : nullptr};
+  // What is tried reads through the project by itself.
+  if (out.files == nullptr) out.project = root_of(documents_.mission_folder(), settings_);
+  out.limits = settings_.limits;
+  out.ends = jobs_end_.get_token();
+  return out;
+}
+
+// ---- another run
+
+Answered RunMaker::restart(const Sender& sender, const Control& control) {
+  if (!documents_.mission()) return "there is no mission that could run";
+  run_.note(sender.client.name, "restart");
+  load(control.has_seed() ? control.seed() : seed_);
+  return std::nullopt;
+}
+
+void RunMaker::follow_other_mission() {
+  parameters_.clear();
+  from_documents_.reset();
+  take_notices();
+  load(seed_);
+}
+
+void RunMaker::start_trial(const Trial& trial, TrialDone done) {
+  const auto files_before = std::exchange(trial_files_, trial.files);  // the text names programs among them
+  if (const text::Result<bool> opened = documents_.open_trial(trial, wall_time()); !opened) {
+    trial_files_ = files_before;
+    done({opened.error().message, {}});
+    return;
+  }
+  run_.note(trial.who, fmt::format("try {}", trial.path));
+  follow_other_mission();
+  trial_done_ = std::move(done);
+  executes_trial_ = trial.execute;
+  if (!run_.is_expected()) answer_trial("the mission of the trial has errors", documents_.problems());
+}
+
+// At most once.
+void RunMaker::answer_trial(const std::string& error, const text::Diagnostics& problems) {
+  const TrialDone done = std::exchange(trial_done_, nullptr);
+  if (done) done({error, problems});
+}
+
+void RunMaker::load(std::uint64_t seed, const CrewPtr& known) {
+  const std::uint64_t number = ++number_;
+  answer_trial("another run has taken its place", {});
+  seed_ = seed;
+  log_.begin_run();
+  from_documents_ = plain_ = documents_.mission();
+  typed_edits_.clear();
+  if (!plain_) {
+    run_.adopt(nullptr, nullptr);
+    return;
+  }
+  run_.expect();
+  fleet::RunSettings run_settings = settings_.run;
+  run_settings.seed = seed;
+  if (documents_.is_trial()) run_settings.executive.patience = 0.0;  // what is tried need not get anywhere
+  workshop_->start([this, number, mission = plain_, run_settings, known, sources = program_sources(),
+                    files = trial_files_] {
+    if (number != number_) return;
+    const auto problems = std::make_shared<text::Diagnostics>();
+    const CrewPtr crew = fleet::make_crew(mission, sources, *problems, known.get());
+    const auto run = std::make_shared<std::unique_ptr<fleet::MissionRun>>();
+    if (crew) *run = simulated::make_run(crew, run_settings);
+    inbox_.post([this, number, crew, run, problems] {
+      if (number == number_) adopt(crew, std::move(*run), *problems);
+    });
+  });
+}
+
+void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<fleet::MissionRun> run,
+                     const text::Diagnostics& problems) {
+  report_problems(problems);
+  if (run) run->set_meanwhile(meanwhile_);
+  run_.adopt(crew, std::move(run));
+  parameters_.apply_all();
+  if (trial_done_ && executes_trial_ && !run_.why_not_now()) run_.post(mission::event::Execute{});
+  answer_trial(run_.live() != nullptr ? "" : "it can't run: it has errors", problems);
+}
+
+void RunMaker::report_problems(const text::Diagnostics& problems) {
+  for (const text::Diagnostic& problem : problems.items()) {
+    const bool is_error = problem.severity == text::Severity::kError;
+    const DocumentPlace place = documents_.place(problem.place);
+    const std::string where =
+        place.document.empty() ? "" : fmt::format("{}:{}: ", place.document, place.line);
+    log_.add(run_.sim_time(), {Log::WARNING, where + problem.message, 0, "", {}, is_error});
+  }
+}
+
+// ---- the same run, of a mission that has changed
+
+void RunMaker::take_notices() {
+  for (std::string& notice : documents_.take_notices())
+    log_.add(run_.sim_time(), {Log::EDIT, std::move(notice), 0, "", {}, false});
+}
+
+void RunMaker::follow_documents() {
+  take_notices();
+  const LiveRun* live = run_.live();
+  const bool is_same = documents_.mission() == from_documents_;
+  if (is_same && (live != nullptr || run_.is_expected() || !from_documents_)) return;
+  if (run_.is_expected() || live == nullptr || !live->was_started())
+    load(seed_, live != nullptr ? live->crew() : nullptr);
+  else
+    follow_edited_mission();
+}
+
+void RunMaker::follow_edited_mission() {
+  from_documents_ = documents_.mission();
+  MissionPtr plain = from_documents_;
+  std::erase_if(typed_edits_, [&](const std::string& line) {
+    text::Diagnostics problems;
+    const auto read = mdl::parse_immediate(line, *plain, problems, documents_.load_options());
+    if (read && read->edited) {
+      plain = read->edited;
+      return false;
+    }
+    log_.add(run_.sim_time(), {Log::WARNING, fmt::format("no longer in force: {}", line), 0, "", {}, true});
+    return true;
+  });
+  change_mission(std::move(plain));
+}
+
+bool RunMaker::change_mission(MissionPtr plain) {
+  plain_ = std::move(plain);
+  const std::uint64_t number = ++number_;
+  const CrewPtr before = run_.live()->crew();
+  const bool is_quick = std::ranges::all_of(plain_->types, [&](const mission::RobotType& type) {
+    return std::ranges::find(before->programs, type.program, &robot::RobotProgram::name) !=
+           before->programs.end();
+  });
+  if (is_quick) {
+    text::Diagnostics problems;
+    const CrewPtr crew = fleet::make_crew(plain_, program_sources(), problems, before.get());
+    exchange(number, crew, problems);
+    return true;
+  }
+  // Something has to be built, perhaps compiled: the run goes on meanwhile as it was.
+  workshop_->start(
+      [this, number, mission = plain_, before, sources = program_sources(), files = trial_files_] {
+        if (number != number_) return;
+        const auto problems = std::make_shared<text::Diagnostics>();
+        const CrewPtr crew = fleet::make_crew(mission, sources, *problems, before.get());
+        inbox_.post([this, number, crew, problems] { exchange(number, crew, *problems); });
+      });
+  return false;
+}
+
+void RunMaker::exchange(std::uint64_t number, const CrewPtr& crew, const text::Diagnostics& problems) {
+  if (number != number_ || run_.live() == nullptr) return;
+  if (crew)
+    run_.exchange(crew);
+  else
+    report_problems(problems);
+}
+
+// ---- what is typed
+
+Answered RunMaker::typed(const Sender& sender, const Typed& typed, Reply& reply) {
+  if (run_.live() == nullptr) return run_.why_not_now();
+  text::Diagnostics problems;
+  const auto read = mdl::parse_immediate(typed.line(), *plain_, problems, documents_.load_options());
+  for (const text::Diagnostic& problem : problems.items())
+    *reply.add_diagnostics() = documents_.message(problem);
+  if (!read)
+    return problems.items().empty() ? "this can't be understood" : clean(problems.items().front().message);
+  const mission::Mission& mission = read->edited ? *read->edited : *plain_;
+  encode_targets(run_.live()->run(), mission, read->commands, *reply.mutable_targets());
+  if (typed.preview()) return std::nullopt;
+  if (auto refused = run_.why_not_now()) return refused;
+  log_.add(run_.sim_time(),
+           {Log::OPERATOR, fmt::format("{} typed: {}", sender.client.name, typed.line()), 0, "", {}, false});
+  if (read->edited) {
+    if (!change_mission(read->edited)) return "the mission is still being made ready";
+    typed_edits_.push_back(typed.line());
+  }
+  if (!read->commands.empty()) run_.post(mission::event::Typed{read->commands});
+  return std::nullopt;
+}
+
+Answered RunMaker::set_option(const Sender& sender, const SetOption& option) {
+  if (run_.live() == nullptr) return run_.why_not_now();
+  const std::string line = fmt::format("SET {} {}", option.option(), option.value());
+  text::Diagnostics problems;
+  const auto read = mdl::parse_immediate(line, *plain_, problems, documents_.load_options());
+  if (!read && !problems.items().empty()) return clean(problems.items().front().message);
+  if (!read || !is_value_of_option(read->commands))
+    return fmt::format("`{}` is no option with a value", clean(line));
+  if (read->edited) {
+    if (!change_mission(read->edited)) return "the mission is still being made ready";
+    typed_edits_.push_back(line);
+  }
+  run_.post(mission::event::Typed{read->commands});
+  run_.note(sender.client.name, line);
+  return std::nullopt;
+}
+
+}  // namespace mlab::console

@@ -1,0 +1,255 @@
+#include "mlab/console/session/run_orders.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/core.h>
+
+#include "mlab/console/overview.h"
+#include "mlab/console/status_encoder.h"
+#include "mlab/mission/command.h"
+#include "mlab/mission/wording.h"
+
+namespace mlab::console {
+namespace {
+
+namespace event = mission::event;
+
+std::string name_of(Control::Action action) {
+  std::string name = Control::Action_Name(action);
+  std::ranges::replace(name, '_', ' ');
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name;
+}
+
+bool is_running(const mission::State& state) {
+  return state.mode == mission::State::Mode::kRunning;
+}
+
+// Where they are is where the stick takes over.
+void teleoperate(const fleet::MissionRun& run, mission::UnitCommand& command) {
+  command.task = mission::Task::kTeleoperate;
+  const auto& members = mission::members_of(run.mission(), command);
+  const fleet::FleetRobot* leader = members.empty() ? nullptr : run.fleet().find(members.front());
+  if (leader != nullptr) command.goal = run.fleet().pose(*leader).position;
+}
+
+bool has_running_robot(const fleet::MissionRun& run, const mission::UnitCommand& command) {
+  return std::ranges::any_of(mission::members_of(run.mission(), command), [&](base::RobotId id) {
+    const fleet::FleetRobot* robot = run.fleet().find(id);
+    return robot != nullptr && robot->life == fleet::RobotLife::kRunning;
+  });
+}
+
+}  // namespace
+
+// ---- what it does next
+
+Answered RunOrders::why_not(const Control& control) const {
+  if (auto refused = run_.why_not_now()) return refused;
+  const fleet::MissionRun& run = run_.live()->run();
+  const mission::State& state = run.state();
+  const std::size_t steps = state.mission->steps.size();
+  switch (control.action()) {
+    case Control::JUMP:
+      if (control.step() >= steps) return fmt::format("there is no step {} in this mission", control.step());
+      if (mode_of(run) == Status::ENDED) return "the mission has ended: restart it first";
+      return std::nullopt;
+    case Control::PAUSE:
+      if (!is_running(state)) return "nothing runs";
+      return std::nullopt;
+    case Control::SKIP_STEP:
+      if (!state.in_step && state.step + 1 >= steps) return "there is no step after this one";
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+Answered RunOrders::control(const Sender& sender, const Control& control) {
+  const std::string& who = sender.client.name;
+  if (!Control::Action_IsValid(control.action())) return "this control is not known here";
+  if (control.action() == Control::RELEASE_STOP) {
+    if (!run_.is_stopped()) return "there is no emergency stop";
+    run_.release_stop(who);
+    return std::nullopt;
+  }
+  if (auto refused = why_not(control)) return refused;
+  const fleet::MissionRun& run = run_.live()->run();
+  const bool has_ended = mode_of(run) == Status::ENDED;
+  if (has_ended && control.action() != Control::ABORT) run_.forget_earlier_run();
+  run_.note(who, control.action() == Control::JUMP
+                     ? fmt::format("jump to step {}", clean(run.state().mission->steps[control.step()].label))
+                     : name_of(control.action()));
+  carry_out(control);
+  return std::nullopt;
+}
+
+void RunOrders::carry_out(const Control& control) {
+  switch (control.action()) {
+    case Control::EXECUTE:
+      before_execute_();
+      run_.post(event::Execute{});
+      break;
+    case Control::PAUSE:
+      run_.post(event::Pause{});
+      break;
+    case Control::RESUME:
+      resume();
+      break;
+    case Control::SINGLE_STEP:
+      single_step();
+      break;
+    case Control::SKIP_STEP:
+      skip_step();
+      break;
+    case Control::SINGLE_CYCLE:
+      single_cycle();
+      break;
+    case Control::JUMP:
+      run_.post(event::Jump{control.step()});
+      break;
+    case Control::REWIND:
+      run_.post(event::Rewind{});
+      break;
+    case Control::ABORT:
+      run_.post(event::Abort{});
+      break;
+    default:
+      break;
+  }
+}
+
+void RunOrders::resume() {
+  if (is_running(run_.live()->run().state()))
+    run_.post(event::Resume{});
+  else
+    run_.post(event::Execute{});
+}
+
+// What runs is finished, and then nothing goes on by itself.
+void RunOrders::single_step() {
+  const mission::State& state = run_.live()->run().state();
+  if (!state.in_step) {
+    run_.post(event::SingleStep{});
+    return;
+  }
+  run_.post(event::StopAfterStep{});
+  if (state.paused) run_.post(event::Resume{});
+}
+
+void RunOrders::skip_step() {
+  const mission::State& state = run_.live()->run().state();
+  if (!state.in_step)
+    run_.post(event::Jump{state.step + 1});
+  else
+    run_.post(event::SingleStep{});
+}
+
+// One cycle, whatever the run was doing before; afterwards it is paused.
+void RunOrders::single_cycle() {
+  const mission::State& state = run_.live()->run().state();
+  if (!is_running(state))
+    run_.post(event::Execute{});
+  else if (state.paused)
+    run_.post(event::Resume{});
+  run_.step_once();
+  if (is_running(state) && !state.paused) run_.post(event::Pause{});
+  run_.world_changed();
+}
+
+Answered RunOrders::set_speed(const Sender& sender, const SetSpeed& set) {
+  const double speed = set.speed();
+  const bool is_allowed = speed == 0.0 || (speed >= Pace::kSlowest && speed <= Pace::kFastest);
+  if (!is_allowed) return "the speed is a number from 0.1 to 1000, or 0 for as fast as it goes";
+  run_.set_speed(speed);
+  run_.note(sender.client.name, speed == 0.0 ? "speed max" : fmt::format("speed {}", speed));
+  return std::nullopt;
+}
+
+Answered RunOrders::answer(const Sender& sender, const Answer& answer) {
+  const LiveRun* live = run_.live();
+  if (live == nullptr || run_.is_stopped()) return run_.why_not_now();
+  const auto& questions = live->run().state().questions;
+  const auto open = std::ranges::find(questions, answer.question(), &mission::Question::id);
+  if (open == questions.end()) return "this question is no longer open";
+  const auto text = live->question_texts().find(answer.question());
+  log_.add(run_.sim_time(),
+           {Log::ANSWER,
+            fmt::format("{}: {} to `{}`", sender.client.name, answer.proceed() ? "yes" : "no",
+                        text == live->question_texts().end() ? "" : text->second),
+            0,
+            "",
+            {},
+            false});
+  run_.post(event::Answer{answer.question(), answer.proceed()});
+  return std::nullopt;
+}
+
+// ---- sticks
+
+Answered RunOrders::start_teleoperation(const Sender& sender, const StartTeleoperation& start) {
+  if (auto refused = run_.why_not_now()) return refused;
+  const fleet::MissionRun& run = run_.live()->run();
+  mission::UnitCommand command;
+  if (start.robot() != 0) {
+    if (run.fleet().find({start.robot()}) == nullptr)
+      return fmt::format("there is no robot {}", start.robot());
+    command.unit = mission::kNoUnit;
+    command.robots = {{start.robot()}};
+  } else {
+    const auto& units = run.mission().units;
+    const auto at = std::ranges::find(units, start.unit(), &mission::Unit::name);
+    if (start.unit().empty() || at == units.end())
+      return fmt::format("there is no unit `{}`", clean(start.unit()));
+    command.unit = static_cast<std::uint32_t>(at - units.begin());
+  }
+  const std::string name = mission::addressee(run.mission(), command);
+  if (run_.teleoperations().is_open(name)) return std::nullopt;
+  if (!has_running_robot(run, command)) return fmt::format("no robot of {} runs", clean(name));
+  teleoperate(run, command);
+  run_.note(sender.client.name, fmt::format("teleoperate {}", clean(name)));
+  run_.post(event::Typed{{std::move(command)}});
+  if (run.state().paused) run_.post(event::Resume{});
+  run_.update_teleoperations();
+  return std::nullopt;
+}
+
+Answered RunOrders::stick(const Stick& stick) {
+  if (run_.live() == nullptr || run_.is_stopped()) return "nothing can be steered now";
+  return run_.teleoperations().push(run_.live()->run(), stick, wall_time());
+}
+
+Answered RunOrders::end_teleoperation(const Sender& sender, const EndTeleoperation& end) {
+  if (run_.live() == nullptr) return run_.why_not_now();
+  const mission::State& state = run_.live()->run().state();
+  for (const mission::Run& command : state.runs) {
+    if (command.phase != mission::Run::Phase::kTeleoperation) continue;
+    if (state.commands[command.record].unit != end.unit()) continue;
+    run_.note(sender.client.name, fmt::format("end the teleoperation of {}", clean(end.unit())));
+    run_.post(event::TeleoperationComplete{command.record});
+    run_.update_teleoperations();
+    return std::nullopt;
+  }
+  return fmt::format("{} is not under teleoperation", clean(end.unit()));
+}
+
+// ---- breakpoints
+
+Answered RunOrders::set_breakpoint(const Sender& sender, const SetBreakpoint& set, Reply& reply) {
+  std::string error;
+  const std::uint32_t id = run_.breakpoints().set(set.breakpoint(), error);
+  if (id == 0) return error;
+  reply.set_breakpoint(id);
+  if (set.breakpoint().id() == 0) run_.note(sender.client.name, fmt::format("breakpoint {}", id));
+  return std::nullopt;
+}
+
+Answered RunOrders::remove_breakpoint(const Sender& sender, const RemoveBreakpoint& remove) {
+  if (!run_.breakpoints().remove(remove.id())) return fmt::format("there is no breakpoint {}", remove.id());
+  run_.note(sender.client.name,
+            remove.id() == 0 ? "remove all breakpoints" : fmt::format("remove breakpoint {}", remove.id()));
+  return std::nullopt;
+}
+
+}  // namespace mlab::console
