@@ -27,8 +27,8 @@ constexpr std::array<std::string_view, 6> kMachineTraces = {
 };
 
 bool is_source(const File& file) {
-  constexpr std::array<std::string_view, 12> kSuffixes = {".h",   ".cc",  ".cnl", ".sh",  ".cmake", ".mdl",
-                                                          ".odl", ".txt", ".ts",  ".tsx", ".css",   ".mjs"};
+  constexpr std::array<std::string_view, 13> kSuffixes = {
+      ".h", ".cc", ".cnl", ".sh", ".cmake", ".mdl", ".odl", ".txt", ".ts", ".tsx", ".css", ".mjs", ".proto"};
   return std::ranges::any_of(kSuffixes, [&](std::string_view suffix) { return file.ends_with(suffix); });
 }
 

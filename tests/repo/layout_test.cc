@@ -30,7 +30,8 @@ TEST(Layout, ASourcePast600LinesIsFound) {
   std::string text;
   for (int i = 0; i < 600; ++i) text += "int x;\n";
   EXPECT_EQ(long_files({{"src/mlab/a/a.cc", text}}), Findings{});
-  EXPECT_EQ(long_files({{"src/mlab/a/a.cc", text + "int y;\n"}}).size(), 1U);
+  for (const char* path : {"src/mlab/a/a.cc", "proto/mlab/a.proto", "web/ui/a.css", "web/ui/a.tsx"})
+    EXPECT_EQ(long_files({{path, text + "int y;\n"}}).size(), 1U) << path;
 }
 
 TEST(Layout, EveryTypeInAHeaderHasAComment) {

@@ -1,8 +1,11 @@
-// The messages between browser and server, as generated from proto/mlab/console.proto, and how they become bytes.
+// The messages between browser and server, as generated from proto/mlab/console*.proto, and how they become bytes.
 import { create, fromBinary, type MessageInitShape, toBinary } from "@bufbuild/protobuf";
 import { type ToBrowser, ToBrowserSchema, ToServerSchema } from "../generated/mlab/console_pb.ts";
 
+export * from "../generated/mlab/console_map_pb.ts";
+export * from "../generated/mlab/console_orders_pb.ts";
 export * from "../generated/mlab/console_pb.ts";
+export * from "../generated/mlab/console_state_pb.ts";
 
 /** The version that Hello announces. */
 export const kProtocol = 1;

@@ -1,6 +1,6 @@
 // Writes the TypeScript of the protocol into generated/, where that is older than the definition.
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, statSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, statSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -8,7 +8,8 @@ const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const definitions = join(web, "..", "proto");
 const generated = join(web, "generated");
 
-for (const name of ["console", "designer"]) {
+const messages = readdirSync(join(definitions, "mlab")).filter((file) => /^(console|designer)/.test(file));
+for (const name of messages.map((file) => file.replace(/\.proto$/, ""))) {
   const definition = join(definitions, "mlab", `${name}.proto`);
   const result = join(generated, "mlab", `${name}_pb.ts`);
   if (existsSync(result) && statSync(result).mtimeMs >= statSync(definition).mtimeMs) continue;

@@ -4,7 +4,7 @@
 
 namespace mlab::tables {
 
-/// The numbers of `Measure.Kind` in console.proto.
+/// The numbers of `Measure.Kind` in console_map.proto.
 std::string measure_enum();
 /// TypeScript: a row for each kind.
 std::string measure_rows();

@@ -20,7 +20,7 @@ export interface SeriesSpec {
 
 export interface QuantityInfo {
   readonly name: QuantityName;
-  /** Series.Quantity of console.proto. */
+  /** Series.Quantity of console_orders.proto. */
   readonly wire: number;
   readonly label: string;
   /** As shown on the axis. */

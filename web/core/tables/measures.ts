@@ -389,7 +389,7 @@ export type Shape = "point" | "region" | "line" | "hallway";
 
 export interface KindInfo {
   readonly kind: MeasureKind;
-  /** Measure.Kind of console.proto. */
+  /** Measure.Kind of console_map.proto. */
   readonly wire: number;
   readonly keyword: string;
   readonly label: string;

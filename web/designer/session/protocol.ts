@@ -1,12 +1,10 @@
-// The messages between browser and designer, as generated from proto/mlab/designer.proto, and how they become bytes.
+// The messages between browser and designer, as generated from proto/mlab/designer*.proto, and how they become bytes.
 import { create, fromBinary, type MessageInitShape, toBinary } from "@bufbuild/protobuf";
-import {
-  type ChangeSchema,
-  type FromDesigner,
-  FromDesignerSchema,
-  ToDesignerSchema,
-} from "../../generated/mlab/designer_pb.ts";
+import type { ChangeSchema } from "../../generated/mlab/designer_changes_pb.ts";
+import { type FromDesigner, FromDesignerSchema, ToDesignerSchema } from "../../generated/mlab/designer_pb.ts";
 
+export * from "../../generated/mlab/designer_changes_pb.ts";
+export * from "../../generated/mlab/designer_drawing_pb.ts";
 export * from "../../generated/mlab/designer_pb.ts";
 
 /** The version that Greeting announces. */
