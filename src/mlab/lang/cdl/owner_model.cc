@@ -409,6 +409,14 @@ int ModelPage::find(std::string_view name) const {
   return found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
 }
 
+const std::vector<Let>& OwnerModel::lets() const {
+  return assemblage != nullptr ? assemblage->lets : robot->lets;
+}
+
+const std::vector<Parameter>& OwnerModel::parameters() const {
+  return assemblage != nullptr ? assemblage->parameters : robot->parameters;
+}
+
 int OwnerModel::find_page(std::string_view path) const {
   const auto found = std::ranges::find(pages, path, &ModelPage::path);
   return found == pages.end() ? -1 : static_cast<int>(found - pages.begin());

@@ -90,17 +90,15 @@ struct ModelPage {
 /// All levels of an assemblage or robot. Points into the tree and the elaboration, which must outlive it.
 struct OwnerModel {
   std::string name;
-  const Assemblage* assemblage = nullptr;
-  const Robot* robot = nullptr;
+  const Assemblage* assemblage = nullptr;  ///< either this
+  const Robot* robot = nullptr;            ///< or this
   const Elaboration* elaboration = nullptr;
   std::vector<ModelPage> pages;  ///< the first is the owner's own
   /// What is not drawn, triggers of transitions above all: where its values are, as `ModelNode::path`.
   std::map<const Expression*, std::string> hidden;
 
-  const std::vector<Let>& lets() const { return assemblage != nullptr ? assemblage->lets : robot->lets; }
-  const std::vector<Parameter>& parameters() const {
-    return assemblage != nullptr ? assemblage->parameters : robot->parameters;
-  }
+  const std::vector<Let>& lets() const;
+  const std::vector<Parameter>& parameters() const;
   /// -1 where there is none.
   int find_page(std::string_view path) const;
   /// What a node gives; without a type where it can't be told, or it gives nothing.
