@@ -90,7 +90,7 @@ test("a unit is told by mouse to rally, which takes no formation", async () => {
   await console.panel("Mission");
   await page.keyboard.press("o");
   await page.getByText(/For scouts: click the goal/).waitFor();
-  await console.clickMap([360, 330]);
+  await console.clickMap(360, 330);
   const order = page.getByRole("dialog", { name: "Command" });
   await order.getByText("Rally", { exact: true }).click();
   await order.getByText(/^UNIT scouts RALLY 360 330/).waitFor();

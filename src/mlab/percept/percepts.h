@@ -35,13 +35,14 @@ enum class ObjectClass : std::uint8_t {
 };
 /// The last one, for who checks numbers from outside.
 inline constexpr ObjectClass kLastObjectClass = ObjectClass::kFriendlyRobot;
+
 /// Another robot in sight.
 struct RobotReading {
   base::RobotId id;
-  geom::Vector center;   ///< [m, robot frame]
-  double heading = 0.0;  ///< relative to this robot's heading [rad]
-  double radius = 0.2;   ///< of its body [m]
-  bool is_unit_mate = false;
+  geom::Vector center;                                     ///< [m, robot frame]
+  double heading = 0.0;                                    ///< relative to this robot's heading [rad]
+  double radius = 0.2;                                     ///< of its body [m]
+  bool is_unit_mate = false;                               ///< of the same outermost unit
   ObjectClass object_class = ObjectClass::kFriendlyRobot;  ///< told by its colour
 };
 
