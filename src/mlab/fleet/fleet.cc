@@ -21,7 +21,6 @@ std::uint32_t unit_of_team(const FleetRobot& robot) {
 
 }  // namespace
 
-
 std::string_view name(RobotLife life) {
   constexpr std::array<std::string_view, 5> kNames = {"not started", "running", "parked", "stopped", "fault"};
   return kNames[static_cast<std::size_t>(life)];
