@@ -242,8 +242,8 @@ TEST(Herd, RunsFromTheWolfAndKeepsTogether) {
   while (run->time() < 900.0 && run->step() == fleet::MissionRun::Progress::kStepped) {
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       if (robot.id == wolf->id || robot.life != fleet::RobotLife::kRunning) continue;
-      for (const std::string& state : robot.program->program->active_states(robot.frame.data()))
-        seen.insert(state);
+      const robot::Workings workings = robot.workings();
+      for (const std::string& state : workings.program->active_states(workings.frame)) seen.insert(state);
       if (wolf->life == fleet::RobotLife::kRunning)
         nearest = std::min(
             nearest, geom::distance(run->fleet().pose(robot).position, run->fleet().pose(*wolf).position));
