@@ -230,7 +230,10 @@ Json Server::code_actions(const Json& params) {
     return word != nullptr && (word->empty() || *word == "quickfix");
   });
   if (!is_wanted) return Json::array();
-  if (in.is_unchecked) publish(in, false);
+  if (in.is_unchecked || in.known != in.text.source) {
+    const Check check = check_of(in, false);
+    tell(check, language::problems(check.text, check.around));
+  }
   const language::Surroundings around = surroundings();
   Json out = Json::array();
   for (const text::Diagnostic& problem : in.problems.items()) {

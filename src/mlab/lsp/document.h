@@ -20,6 +20,7 @@ struct Server::Document {
   language::Text text;
   std::unique_ptr<LineIndex> lines;
   text::Diagnostics problems;      ///< as they were told last
+  text::SourcePtr known;           ///< the text that has them; null: none was told yet
   bool is_unchecked = true;        ///< it changed since
   bool has_unchecked_code = true;  ///< its C++ was not given to the compiler since it was opened or saved
 

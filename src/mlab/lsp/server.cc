@@ -283,15 +283,16 @@ std::uint32_t Server::cursor(const Document& in, const Json& params) const {
   return in.lines->offset(position_of(params.at("position")));
 }
 
+// The open texts as they stand now, above the files on disk: they may be read from any thread.
 language::Surroundings Server::surroundings() const {
   language::Surroundings out = options_.around;
   const text::Files under = options_.around.files;
-  const auto open = [this](const std::string& path) -> text::SourcePtr {
-    const std::string wanted = normal(path);
-    for (const auto& [uri, one] : documents_) {
-      if (normal(one->text.source->name()) == wanted) return one->text.source;
-    }
-    return nullptr;
+  const auto texts = std::make_shared<std::map<std::string, text::SourcePtr>>();
+  for (const auto& [uri, one] : documents_)
+    texts->try_emplace(normal(one->text.source->name()), one->text.source);
+  const auto open = [texts](const std::string& path) -> text::SourcePtr {
+    const auto found = texts->find(normal(path));
+    return found == texts->end() ? nullptr : found->second;
   };
   out.files.is_file = [open, under](const std::string& path) {
     return open(path) != nullptr || under.is_file(path);
@@ -300,10 +301,10 @@ language::Surroundings Server::surroundings() const {
     if (text::SourcePtr source = open(path)) return source;
     return under.read(path);
   };
-  out.list = [this](const std::string& folder) {
+  out.list = [texts](const std::string& folder) {
     std::vector<std::string> names = files_in(folder);
-    for (const auto& [uri, one] : documents_) {
-      const fs::path path = one->text.source->name();
+    for (const auto& [name, source] : *texts) {
+      const fs::path path = source->name();
       if (normal(path.parent_path().string()) == normal(folder)) names.push_back(path.filename().string());
     }
     std::ranges::sort(names);
@@ -347,23 +348,30 @@ bool Server::has_work() const {
       documents_, [](const auto& one) { return one.second->is_unchecked || one.second->has_unchecked_code; });
 }
 
-void Server::work() {
+std::optional<Server::Check> Server::next_check() {
   // First what shows at once for all texts, then what takes the compiler.
   for (const bool checks_code : {false, true}) {
     for (const auto& [uri, one] : documents_) {
-      if (checks_code ? !one->has_unchecked_code : !one->is_unchecked) continue;
-      publish(*one, checks_code);
-      return;
+      if (checks_code ? one->has_unchecked_code : one->is_unchecked) return check_of(*one, checks_code);
     }
   }
+  return std::nullopt;
 }
 
-void Server::publish(Document& one, bool checks_code) {
-  language::Surroundings around = surroundings();
-  around.checks_code = checks_code;
+Server::Check Server::check_of(Document& one, bool checks_code) const {
   one.is_unchecked = false;
   if (checks_code) one.has_unchecked_code = false;
-  one.problems = language::problems(one.text, around);
+  Check out{one.uri, one.text, surroundings()};
+  out.around.checks_code = checks_code;
+  return out;
+}
+
+void Server::tell(const Check& check, text::Diagnostics problems) {
+  const auto found = documents_.find(check.uri);
+  if (found == documents_.end() || found->second->text.source != check.text.source) return;
+  Document& one = *found->second;
+  one.problems = std::move(problems);
+  one.known = check.text.source;
   Json diagnostics = Json::array();
   for (const text::Diagnostic& problem : one.problems.items())
     diagnostics.push_back(diagnostic_json(one, problem));

@@ -41,10 +41,19 @@ class Server {
   /// Something that came was no message.
   void refuse(const std::string& why);
 
-  /// Something is left to be done when nothing more is to be read just now.
+  /// A text whose faults are to be found, with all that it is read with, as it stands now.
+  struct Check {
+    std::string uri;
+    language::Text text;
+    language::Surroundings around;
+  };
+  /// Some text has changed since its faults were told.
   bool has_work() const;
-  /// Does a piece of it: what is wrong with one text is told.
-  void work();
+  /// One of those texts; nothing where there is none.
+  std::optional<Check> next_check();
+  /// What `language::problems` found of it, on whatever thread. Nobody is told where the text has changed
+  /// meanwhile.
+  void tell(const Check& check, text::Diagnostics problems);
 
   bool is_over() const { return is_over_; }
   /// As the protocol says: 0 where `shutdown` came before `exit`.
@@ -79,12 +88,12 @@ class Server {
   Json semantic_tokens(const Json& params);
 
   Document& document(const Json& params);
+  Check check_of(Document& document, bool checks_code) const;
   std::uint32_t cursor(const Document& document, const Json& params) const;
   Json location(const text::Place& place) const;
   std::string file_of(const text::SourcePtr& source) const;
   std::vector<language::Text> all_texts() const;
   language::Surroundings surroundings() const;
-  void publish(Document& document, bool checks_code);
   Json diagnostic_json(const Document& document, const text::Diagnostic& diagnostic) const;
   void send(const Json& message);
   void respond_error(const Json& id, int code, const std::string& message);
