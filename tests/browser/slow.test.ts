@@ -1,8 +1,13 @@
 // A client that never says it has drawn a frame, as one on a very slow line or a stuck computer.
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { decodeToBrowser, encodeToServer, kProtocol } from "../../web/core/protocol.ts";
-import { HelloSchema, WatchSchema } from "../../web/generated/mlab/console_pb.ts";
+import {
+  decodeToBrowser,
+  encodeToServer,
+  HelloSchema,
+  kProtocol,
+  WatchSchema,
+} from "../../web/core/protocol.ts";
 import { begin, look } from "./begin.ts";
 import type { Console } from "./console.ts";
 
