@@ -1,13 +1,7 @@
 // A client that never says it has drawn a frame, as one on a very slow line or a stuck computer.
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import {
-  decodeToBrowser,
-  encodeToServer,
-  HelloSchema,
-  kProtocol,
-  WatchSchema,
-} from "../../web/core/protocol.ts";
+import { decodeToBrowser, encodeToServer, HelloSchema, kProtocol, WatchSchema } from "../../web/core/protocol.ts";
 import { begin, look } from "./begin.ts";
 import type { Console } from "./console.ts";
 
