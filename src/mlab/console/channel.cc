@@ -27,7 +27,7 @@ void Channel::watch(const Watch& wanted) {
 
 double Channel::next_frame() const {
   constexpr double kFar = 1e18;
-  return under_way_.size() < kMostUnderWay ? next_ : kFar;
+  return has_room() ? next_ : kFar;
 }
 
 std::uint64_t Channel::begin_frame(double wall) {

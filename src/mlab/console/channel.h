@@ -26,8 +26,10 @@ class Channel {
   /// Replaces what it watched. Lists that are too long are cut.
   void watch(const Watch& wanted);
 
-  /// A frame may be sent: it has drawn all but one, and its time has come.
-  bool wants_frame(double wall) const { return under_way_.size() < kMostUnderWay && wall >= next_; }
+  /// It has drawn all frames but one.
+  bool has_room() const { return under_way_.size() < kMostUnderWay; }
+  /// A frame may be sent: there is room, and its time has come.
+  bool wants_frame(double wall) const { return has_room() && wall >= next_; }
   /// When it will want one [s]; a far moment where it has to acknowledge first.
   double next_frame() const;
   /// The number of the frame that is sent now.
@@ -36,6 +38,7 @@ class Channel {
 
   std::uint64_t beat = 0;         ///< number of the browser's last one
   std::uint64_t seen = 0;         ///< version of the world in its last frame
+  std::uint64_t status_seen = 0;  ///< number of the last status that it was told
   std::uint64_t alerts_seen = 0;  ///< EventLog::alerts_after that it was told
   std::uint64_t log_seen = 0;     ///< number of the last log entry that it has
   std::map<std::uint32_t, double>

@@ -401,6 +401,23 @@ TEST(Session, ASlowBrowserGetsFewerFramesButEveryQuestion) {
   EXPECT_GT(fast.frame_count(), 3U);
 }
 
+TEST(Session, ASlowBrowserIsToldThatTimePassesOnceItHasDrawn) {
+  TestSession session(kDemo, 20.0);
+  Browser slow(session, "Slow");
+  ASSERT_TRUE(wait_for(slow, Status::READY));
+  slow.acknowledge_frames(false);
+  Browser fast(session, "Fast");
+  ASSERT_EQ(slow.control(Control::EXECUTE), "");
+  ASSERT_TRUE(slow.wait([&] { return slow.questions().questions_size() == 1; }));
+  slow.watch_for(0.3);  // the robots stand, and wait for the answer
+  const double known = slow.status().time();
+  ASSERT_TRUE(fast.wait([&] { return fast.status().time() > known + 20.0; }));
+  slow.watch_for(0.1);
+  EXPECT_EQ(slow.status().time(), known);
+  slow.acknowledge_frames(true);
+  EXPECT_TRUE(slow.wait([&] { return slow.status().time() > known + 20.0; }));
+}
+
 TEST(Session, AnAnswerOfNoAbortsTheMission) {
   TestSession session(kDemo, 0.0);
   Browser anna(session, "Anna");

@@ -79,7 +79,7 @@ std::vector<Publisher::Topic> Publisher::topics() {
              [this](const text::Place& place) { return documents_.place(place); }, *out.mutable_plan());
        },
        plan_revision},
-      {[this](ToBrowser& out) { tell_status(out); }, [this] { return status_revision(); }},
+      {[this](ToBrowser& out) { tell_status(out); }, [this] { return news_revision(); }},
       {[live](ToBrowser& out) {
          Questions& questions = *out.mutable_questions();
          if (live() != nullptr)
@@ -100,7 +100,9 @@ std::vector<Publisher::Topic> Publisher::topics() {
 
 void Publisher::greet(ConnectionId to) {
   people_.welcome(to);
-  people_.send_log(people_.channels().at(to), log_);
+  Channel& channel = people_.channels().at(to);
+  people_.send_log(channel, log_);
+  channel.status_seen = status_number_;
   for (const Topic& topic : topics_) {
     ToBrowser out;
     topic.tell(out);
@@ -110,6 +112,7 @@ void Publisher::greet(ConnectionId to) {
 
 void Publisher::publish() {
   for (Topic& topic : topics_) publish(topic);
+  publish_time();
   for (auto& [id, channel] : people_.channels()) people_.send_log(channel, log_);
   frames_.publish();
   people_.send_beats();
@@ -140,17 +143,33 @@ double Publisher::next() const {
 
 // ---- the status
 
-std::uint64_t Publisher::status_revision() {
+std::uint64_t Publisher::news_revision() {
   const double wall = wall_time();
   const std::uint64_t state = run_.state_revision();
-  const bool is_due = (state != told_state_ && wall >= last_status_ + kStatusApart) ||
-                      (run_.time_runs() && wall >= last_status_ + kStatusEvery);
-  if (!is_due) return status_number_;
+  if (state == told_state_ || wall < last_status_ + kStatusApart) return told_state_;
   told_state_ = state;
+  begin_status(wall);
+  for (auto& [id, channel] : people_.channels()) channel.status_seen = status_number_;
+  return told_state_;
+}
+
+void Publisher::publish_time() {
+  const double wall = wall_time();
+  if (run_.time_runs() && wall >= last_status_ + kStatusEvery) begin_status(wall);
+  ToBrowser out;
+  for (auto& [id, channel] : people_.channels()) {
+    if (channel.status_seen == status_number_ || !channel.has_room()) continue;
+    channel.status_seen = status_number_;
+    if (!out.has_status()) tell_status(out);
+    people_.send(id, out);
+  }
+}
+
+void Publisher::begin_status(double wall) {
+  ++status_number_;
   last_status_ = wall;
   look_at_world();
   frames_.update_watches();
-  return ++status_number_;
 }
 
 void Publisher::tell_status(ToBrowser& out) const {

@@ -47,9 +47,12 @@ class Publisher {
 
   std::vector<Topic> topics();
   void publish(Topic& topic);
-  /// Grows when the status is to be told again: soon after something happened, now and then while time
-  /// passes.
-  std::uint64_t status_revision();
+  /// Changes when the status is to be told to everybody: soon after something happened.
+  std::uint64_t news_revision();
+  /// Tells the status now and then while time passes: to a slow browser once it has drawn what it was told,
+  /// so that nothing piles up before it.
+  void publish_time();
+  void begin_status(double wall);
   /// Obstacles may come and go by themselves.
   void look_at_world();
   std::uint64_t count_not_started();
@@ -67,7 +70,7 @@ class Publisher {
   std::uint64_t world_key_ = 0;      // of the obstacles that the scene has
   std::uint64_t world_changes_ = 0;  // how often obstacles came or went that no document has
   std::uint64_t told_state_ = 0;     // RunControl::state_revision of the last status
-  std::uint64_t status_number_ = 0;
+  std::uint64_t status_number_ = 0;  // Channel::status_seen
   double last_status_ = -1e9;
   std::vector<Topic> topics_;
 };

@@ -150,7 +150,11 @@ class Browser {
   std::uint64_t beat_count() const { return beat_count_; }
   /// What was asked is not looked at again until the session tells of it again.
   void forget_questions() { questions_.Clear(); }
-  void acknowledge_frames(bool does) { acknowledges_ = does; }
+  /// From now on; the last one, too.
+  void acknowledge_frames(bool does) {
+    acknowledges_ = does;
+    acknowledge();
+  }
   bool has_log(const std::string& text) const {
     for (const Log::Entry& entry : log_) {
       if (entry.text().find(text) != std::string::npos) return true;
@@ -228,9 +232,12 @@ class Browser {
   void take_frame(const Frame& frame) {
     frame_ = frame;
     ++frame_count_;
+    acknowledge();
+  }
+  void acknowledge() {
     if (!acknowledges_) return;
     auto message = std::make_unique<ToServer>();
-    message->mutable_acknowledge()->set_frame(frame.number());
+    message->mutable_acknowledge()->set_frame(frame_.number());
     send(std::move(message));
   }
 
