@@ -31,7 +31,7 @@ enum class RobotLife : std::uint8_t {
   kRunning,
   kParked,   ///< stands in the world, but nothing here answers to its program's name
   kStopped,  ///< by STOP or abort; it keeps standing
-  kFaulted,  ///< its program put out something that is no number; it stands, the others go on
+  kFaulted,  ///< its program failed or put out what is no number, or its body is gone; the others go on
 };
 std::string_view name(RobotLife life);
 

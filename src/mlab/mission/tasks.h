@@ -107,8 +107,7 @@ inline constexpr std::array kTasks = {
         .meaning =
             "the same, takes up the formation there and holds it; then asks whether the unit may proceed",
         .done = "every robot is done (centre at the goal, robot in its place in the formation), then the "
-                "operator "
-                "clears it",
+                "operator clears it",
         .clauses = ClauseKind::kFormation | ClauseKind::kHeading | ClauseKind::kUntil,
         .awaits_report = true,
         .label = "Occupy",
@@ -149,8 +148,7 @@ inline constexpr std::array kTasks = {
         .meaning =
             "each robot goes to the place by itself, without formation. The radius of the place is half its "
             "diameter; that of an outline reaches from its centre to its farthest corner; coordinates and "
-            "lines "
-            "have 25 m",
+            "lines have 25 m",
         .done = "all robots that it is for are within the radius of the place at the same time, whatever "
                 "they say",
         .clauses = ClauseKind::kSpeed | ClauseKind::kOnCompletion | ClauseKind::kUntil,

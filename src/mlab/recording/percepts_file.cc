@@ -131,8 +131,7 @@ std::optional<std::string> PerceptsReader::look_at_entry(bool& has_ended) {
   if (entry_.has_cycle()) ++cycles_;
   if (entry_.has_embodied()) {
     bodies_.push_back(entry_.embodied());
-    if (bodies_.size() > kMostBodies)
-      return fmt::format("the {}st start of a robot, where {} are the most", bodies_.size(), kMostBodies);
+    if (bodies_.size() > kMostBodies) return fmt::format("more than {} starts of robots", kMostBodies);
   }
   has_ended = entry_.has_end();
   if (!has_ended || entry_.end().cycles() == cycles_) return std::nullopt;
