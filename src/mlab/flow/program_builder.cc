@@ -193,8 +193,27 @@ std::vector<std::string> ProgramBuilder::input_names(const Op& op) const {
 void ProgramBuilder::link_behavior(std::uint32_t index) {
   const Node& node = *ops_[index].node;
   const Behavior& behavior = *ops_[index].behavior;
-  std::vector<std::vector<Ref>> inputs(behavior.inputs.size());
-  std::vector<const Link*> first(behavior.inputs.size(), nullptr);
+  const std::size_t count = behavior.inputs.size();
+  InputLinks links = {std::vector<std::vector<Ref>>(count), std::vector<const Link*>(count, nullptr)};
+  link_given(node, index, links);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_given = !links.refs[i].empty() || links.first[i] != nullptr;
+    if (!is_given && !behavior.inputs[i].is_list) link_default(node, index, i, links);
+  }
+  ops_[index].inputs = std::move(links.refs);
+  check_lists(ops_[index]);
+  if (behavior.latency_cycles == 0) return;
+  for (const Input& input : behavior.inputs) {
+    if (!input.is_list && input.type->kind != TypeKind::kList) continue;
+    sink_.error(
+        "asynchronous-readings", node.place,
+        fmt::format("`{}` is asynchronous, so its input `{}` can't be a list: readings last one cycle",
+                    node.behavior, input.name));
+  }
+}
+
+void ProgramBuilder::link_given(const Node& node, std::uint32_t index, InputLinks& links) {
+  const Behavior& behavior = *ops_[index].behavior;
   for (const Link& link : node.links) {
     std::string seen_unit;
     const int i = input_named(ops_[index], link.input, seen_unit);
@@ -210,46 +229,39 @@ void ProgramBuilder::link_behavior(std::uint32_t index) {
     }
     const auto at = static_cast<std::size_t>(i);
     const Input& input = behavior.inputs[at];
-    if (!input.is_list && first[at] != nullptr) {
+    const Link*& first = links.first[at];
+    if (!input.is_list && first != nullptr) {
       text::Diagnostic& d =
           sink_.error("double-link", link.place, fmt::format("input `{}` is linked twice", link.input));
-      d.notes.push_back({"the first link is here", first[at]->place});
+      d.notes.push_back({"the first link is here", first->place});
       continue;
     }
-    first[at] = first[at] == nullptr ? &link : first[at];
+    if (first == nullptr) first = &link;
+    std::vector<Ref>& refs = links.refs[at];
     std::string path = node.name + "." + link.input;
-    if (input.is_list) path += fmt::format("[{}]", inputs[at].size());
-    inputs[at].push_back(resolve(link.source, *input.type, std::string(input.unit), seen_unit, path, &input));
+    if (input.is_list) path += fmt::format("[{}]", refs.size());
+    refs.push_back(resolve(link.source, *input.type, std::string(input.unit), seen_unit, path, &input));
   }
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const Input& input = behavior.inputs[i];
-    if (!inputs[i].empty() || first[i] != nullptr || input.is_list) continue;
-    const bool is_renamed = ops_[index].alias != nullptr && i < ops_[index].alias->inputs.size();
-    const std::string_view renamed = is_renamed ? ops_[index].alias->inputs[i].name : input.name;
-    const std::string visible(renamed.empty() ? input.name : renamed.substr(0, renamed.find('|')));
-    if (input.default_text.empty()) {
-      text::Diagnostic& d = sink_.error("missing-input", node.place,
-                                        fmt::format("input `{}` of `{}` is not linked", visible, node.name));
-      hint(d, fmt::format("it takes {} {}{}{}{}", input.type->name, visible, unit_suffix(input.unit),
-                          input.help.empty() ? "" : ": ", input.help));
-      inputs[i].push_back({});
-      continue;
-    }
-    const Source source{Source::Kind::kConstant, std::string(input.default_text), node.place};
-    inputs[i].push_back(constant(source, *input.type, std::string(input.unit), std::string(input.unit),
-                                 node.name + "." + visible, &input));
+}
+
+void ProgramBuilder::link_default(const Node& node, std::uint32_t index, std::size_t which,
+                                  InputLinks& links) {
+  const Input& input = ops_[index].behavior->inputs[which];
+  const Alias* alias = ops_[index].alias;
+  const bool is_renamed = alias != nullptr && which < alias->inputs.size();
+  const std::string_view renamed = is_renamed ? alias->inputs[which].name : input.name;
+  const std::string visible(renamed.empty() ? input.name : renamed.substr(0, renamed.find('|')));
+  if (input.default_text.empty()) {
+    text::Diagnostic& d = sink_.error("missing-input", node.place,
+                                      fmt::format("input `{}` of `{}` is not linked", visible, node.name));
+    hint(d, fmt::format("it takes {} {}{}{}{}", input.type->name, visible, unit_suffix(input.unit),
+                        input.help.empty() ? "" : ": ", input.help));
+    links.refs[which].push_back({});
+    return;
   }
-  ops_[index].inputs = std::move(inputs);
-  check_lists(ops_[index]);
-  if (behavior.latency_cycles > 0) {
-    for (const Input& input : behavior.inputs) {
-      if (!input.is_list && input.type->kind != TypeKind::kList) continue;
-      sink_.error(
-          "asynchronous-readings", node.place,
-          fmt::format("`{}` is asynchronous, so its input `{}` can't be a list: readings last one cycle",
-                      node.behavior, input.name));
-    }
-  }
+  const Source source{Source::Kind::kConstant, std::string(input.default_text), node.place};
+  links.refs[which].push_back(constant(source, *input.type, std::string(input.unit), std::string(input.unit),
+                                       node.name + "." + visible, &input));
 }
 
 void ProgramBuilder::check_lists(const Op& op) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "mlab/flow/program.h"
@@ -48,6 +49,16 @@ class ProgramBuilder {
     std::vector<std::uint32_t> targets;
     Ref member;
   };
+  // The states of one sequence.
+  struct StateNames {
+    std::vector<std::string> names;                              // in their order
+    std::unordered_map<std::string_view, std::uint32_t> places;  // the first of each name
+  };
+  // What a behavior's inputs are linked with, by its input.
+  struct InputLinks {
+    std::vector<std::vector<Ref>> refs;
+    std::vector<const Link*> first;  // as written; null: it was not
+  };
   // One operation to evaluate: a node of the network, or a conversion between two.
   struct Op {
     Program::Instruction::Kind kind = Program::Instruction::Kind::kFire;
@@ -88,7 +99,12 @@ class ProgramBuilder {
   void declare_behavior(const Node& node, Op& op);
   void link_node(std::uint32_t op);
   void link_behavior(std::uint32_t index);
+  void link_given(const Node& node, std::uint32_t index, InputLinks& links);
+  void link_default(const Node& node, std::uint32_t index, std::size_t input, InputLinks& links);
   void link_sequence(std::uint32_t index);
+  std::uint32_t start_of(const Node& node);
+  StateRefs link_state(const Node& node, const TypeInfo* type, const State& state, const StateNames& names);
+  void tell_unreached(const Node& node, const std::vector<StateRefs>& states, std::uint32_t start);
   void link_select(std::uint32_t index);
   void link_delay(std::uint32_t index);
   int input_named(const Op& op, std::string_view name, std::string& unit) const;
@@ -111,6 +127,10 @@ class ProgramBuilder {
 
   // program_layout.cc: from references to offsets and instructions
   void lay_out();
+  void place_values();
+  void list_kept();
+  void add_fresh_ports();
+  void write_initial_frame();
   std::uint32_t allocate(std::size_t size, std::size_t alignment);
   std::uint32_t offset_of(const Ref& ref) const;
   std::uint32_t canonical(std::uint32_t op) const;

@@ -79,19 +79,7 @@ std::vector<std::uint32_t> ProgramBuilder::order(const std::vector<std::uint32_t
 }
 
 void ProgramBuilder::lay_out() {
-  for (Slot& slot : slots_) {
-    const TypeInfo& type = *program_->ports_[slot.port].type;
-    slot.offset = allocate(type.size, type.alignment);
-    program_->ports_[slot.port].offset = slot.offset;
-  }
-  std::vector<std::uint32_t> all(ops_.size());
-  for (std::uint32_t i = 0; i < ops_.size(); ++i) all[i] = i;
-  for (const std::uint32_t i : order(all)) {
-    Op& op = ops_[i];
-    if (op.type != nullptr) op.output = allocate(op.type->size, op.type->alignment);
-    if (op.behavior != nullptr) op.state = allocate(op.behavior->state_size, op.behavior->state_alignment);
-    if (op.kind == Instruction::Kind::kStartAsync) op.fresh = allocate(1, 1);
-  }
+  place_values();
   std::vector<std::uint32_t> roots;
   for (std::uint32_t i = 0; i < ops_.size(); ++i) {
     const bool is_sink = ops_[i].behavior != nullptr && ops_[i].type == nullptr;
@@ -106,21 +94,49 @@ void ProgramBuilder::lay_out() {
     if (op_ports_[i] != kNone)
       program_->ports_[op_ports_[i]].offset = offset_of({Ref::Kind::kOp, i, nullptr, "", ""});
   }
-  for (const Op& op : ops_) {
-    if (op.blocks > 0 && op.behavior != nullptr && op.behavior->state_size > 0)
-      program_->kept_.push_back(
-          {base::hash_text(op.path), op.state, static_cast<std::uint32_t>(op.behavior->state_size)});
-  }
-  for (std::uint32_t i = 0; i < ops_.size(); ++i) {
-    if (ops_[i].kind != Instruction::Kind::kStartAsync) continue;
-    program_->ports_.push_back({ops_[i].path + ".fresh", Port::Role::kOutput, &type_info<bool>(), "", "",
-                                ops_[i].fresh, -1e300, 1e300, ""});
-  }
+  list_kept();
+  add_fresh_ports();
   for (std::uint32_t i = 0; i < program_->ports_.size(); ++i)
     program_->port_index_.emplace(program_->ports_[i].path, i);
   for (const auto& [name, entry] : names_) {  // a parameter's other names
     if (entry.ref.kind == Ref::Kind::kSlot) program_->port_index_.emplace(name, slots_[entry.ref.index].port);
   }
+  write_initial_frame();
+}
+
+void ProgramBuilder::place_values() {
+  for (Slot& slot : slots_) {
+    const TypeInfo& type = *program_->ports_[slot.port].type;
+    slot.offset = allocate(type.size, type.alignment);
+    program_->ports_[slot.port].offset = slot.offset;
+  }
+  std::vector<std::uint32_t> all(ops_.size());
+  for (std::uint32_t i = 0; i < ops_.size(); ++i) all[i] = i;
+  for (const std::uint32_t i : order(all)) {
+    Op& op = ops_[i];
+    if (op.type != nullptr) op.output = allocate(op.type->size, op.type->alignment);
+    if (op.behavior != nullptr) op.state = allocate(op.behavior->state_size, op.behavior->state_alignment);
+    if (op.kind == Instruction::Kind::kStartAsync) op.fresh = allocate(1, 1);
+  }
+}
+
+void ProgramBuilder::list_kept() {
+  for (const Op& op : ops_) {
+    if (op.blocks == 0 || op.behavior == nullptr || op.behavior->state_size == 0) continue;
+    program_->kept_.push_back(
+        {base::hash_text(op.path), op.state, static_cast<std::uint32_t>(op.behavior->state_size)});
+  }
+}
+
+void ProgramBuilder::add_fresh_ports() {
+  for (const Op& op : ops_) {
+    if (op.kind != Instruction::Kind::kStartAsync) continue;
+    program_->ports_.push_back(
+        {op.path + ".fresh", Port::Role::kOutput, &type_info<bool>(), "", "", op.fresh, -1e300, 1e300, ""});
+  }
+}
+
+void ProgramBuilder::write_initial_frame() {
   program_->initial_ = Frame((frame_size_ + Frame::kAlignment - 1) / Frame::kAlignment * Frame::kAlignment);
   std::byte* frame = program_->initial_.data();
   for (const Slot& slot : slots_)

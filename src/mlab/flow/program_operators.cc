@@ -15,56 +15,69 @@ namespace mlab::flow {
 
 void ProgramBuilder::link_sequence(std::uint32_t index) {
   const Node& node = *ops_[index].node;
-  const TypeInfo* type = ops_[index].type;
-  std::vector<StateRefs> states;
-  std::vector<std::string> names;
-  std::unordered_map<std::string_view, std::uint32_t> places;
+  StateNames names;
   for (const State& state : node.states) {
-    if (!places.try_emplace(state.name, static_cast<std::uint32_t>(names.size())).second)
+    if (!names.places.try_emplace(state.name, static_cast<std::uint32_t>(names.names.size())).second)
       sink_.error("duplicate-state", state.place, fmt::format("state `{}` is declared twice", state.name));
-    names.push_back(state.name);
+    names.names.push_back(state.name);
   }
-  int start = -1;
-  for (std::size_t i = 0; i < node.states.size(); ++i) {
-    const State& state = node.states[i];
-    if (state.is_start && start >= 0) {
-      text::Diagnostic& d =
-          sink_.error("two-start-states", state.place,
-                      fmt::format("`{}` has a second start state `{}`", node.name, state.name));
-      d.notes.push_back({"the first is here", node.states[static_cast<std::size_t>(start)].place});
+  const std::uint32_t start = start_of(node);
+  std::vector<StateRefs> states;
+  for (const State& state : node.states) states.push_back(link_state(node, ops_[index].type, state, names));
+  tell_unreached(node, states, start);
+  ops_[index].states = std::move(states);
+  ops_[index].start = start;
+}
+
+std::uint32_t ProgramBuilder::start_of(const Node& node) {
+  const State* start = nullptr;
+  for (const State& state : node.states) {
+    if (!state.is_start) continue;
+    if (start == nullptr) {
+      start = &state;
+      continue;
     }
-    if (state.is_start && start < 0) start = static_cast<int>(i);
-    StateRefs refs;
-    if (type != nullptr)
-      refs.member = resolve(state.member, *type, "", "", node.name + "." + state.name, nullptr);
-    for (const Transition& transition : state.transitions) {
-      refs.triggers.push_back(resolve(transition.trigger, type_info<bool>(), "", "",
-                                      node.name + "." + state.name + "." + transition.target, nullptr));
-      const auto target = places.find(transition.target);
-      if (target == places.end()) {
-        text::Diagnostic& d =
-            sink_.error("unknown-state", transition.place,
-                        fmt::format("`{}` has no state `{}`", node.name, transition.target));
-        if (sink_.error_count() <= text::Diagnostics::kMaxErrors)
-          hint(d, did_you_mean(transition.target, names));
-      }
-      refs.targets.push_back(target == places.end() ? 0 : target->second);
-    }
-    if (state.transitions.empty() && !state.is_final) {
-      text::Diagnostic& d = sink_.warning("no-way-out", state.place,
-                                          fmt::format("no transition leaves state `{}`", state.name));
-      hint(d, "mark it `final state` if that is meant");
-    }
-    states.push_back(std::move(refs));
-  }
-  if (start < 0) {
     text::Diagnostic& d =
-        sink_.error("no-start-state", node.place, fmt::format("sequence `{}` has no start state", node.name));
-    hint(d, "write `start state` before one of its states");
-    start = 0;
+        sink_.error("two-start-states", state.place,
+                    fmt::format("`{}` has a second start state `{}`", node.name, state.name));
+    d.notes.push_back({"the first is here", start->place});
   }
+  if (start != nullptr) return static_cast<std::uint32_t>(start - node.states.data());
+  text::Diagnostic& d =
+      sink_.error("no-start-state", node.place, fmt::format("sequence `{}` has no start state", node.name));
+  hint(d, "write `start state` before one of its states");
+  return 0;
+}
+
+ProgramBuilder::StateRefs ProgramBuilder::link_state(const Node& node, const TypeInfo* type,
+                                                     const State& state, const StateNames& names) {
+  StateRefs refs;
+  const std::string path = node.name + "." + state.name;
+  if (type != nullptr) refs.member = resolve(state.member, *type, "", "", path, nullptr);
+  for (const Transition& transition : state.transitions) {
+    refs.triggers.push_back(
+        resolve(transition.trigger, type_info<bool>(), "", "", path + "." + transition.target, nullptr));
+    const auto target = names.places.find(transition.target);
+    if (target == names.places.end()) {
+      text::Diagnostic& d = sink_.error("unknown-state", transition.place,
+                                        fmt::format("`{}` has no state `{}`", node.name, transition.target));
+      if (sink_.error_count() <= text::Diagnostics::kMaxErrors)
+        hint(d, did_you_mean(transition.target, names.names));
+    }
+    refs.targets.push_back(target == names.places.end() ? 0 : target->second);
+  }
+  if (state.transitions.empty() && !state.is_final) {
+    text::Diagnostic& d =
+        sink_.warning("no-way-out", state.place, fmt::format("no transition leaves state `{}`", state.name));
+    hint(d, "mark it `final state` if that is meant");
+  }
+  return refs;
+}
+
+void ProgramBuilder::tell_unreached(const Node& node, const std::vector<StateRefs>& states,
+                                    std::uint32_t start) {
   std::vector<bool> reached(states.size(), false);
-  std::vector<std::uint32_t> waiting = {static_cast<std::uint32_t>(start)};
+  std::vector<std::uint32_t> waiting = {start};
   while (!waiting.empty()) {
     const std::uint32_t at = waiting.back();
     waiting.pop_back();
@@ -75,10 +88,8 @@ void ProgramBuilder::link_sequence(std::uint32_t index) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!reached[i])
       sink_.warning("unreachable-state", node.states[i].place,
-                    fmt::format("no transition leads to state `{}`", names[i]));
+                    fmt::format("no transition leads to state `{}`", node.states[i].name));
   }
-  ops_[index].states = std::move(states);
-  ops_[index].start = static_cast<std::uint32_t>(start);
 }
 
 void ProgramBuilder::link_select(std::uint32_t index) {

@@ -10,7 +10,6 @@ namespace {
 using geom::Point;
 
 constexpr int kSize = LocalMap::kSize;
-constexpr int kCells = kSize * kSize;
 /// No world is larger, counted in cells: keeps the arithmetic of integers whole.
 constexpr double kFarthest = 1e15;
 
@@ -111,55 +110,25 @@ bool LocalMap::sees(Point from, Point to, double cell) const {
   return true;
 }
 
+Point LocalMap::middle(int x, int y, double cell) const {
+  return {(static_cast<double>(x0_ + x) + 0.5) * cell, (static_cast<double>(y0_ + y) + 0.5) * cell};
+}
+
+// Between two cells that touch at a corner lies free room only where both of their neighbours are free.
+bool LocalMap::cuts_corner(int x, int y, int dx, int dy) const {
+  return dx != 0 && dy != 0 && (!is_free(x + dx, y) || !is_free(x, y + dy));
+}
+
 Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
-  const auto middle = [&](int x, int y) {
-    return Point{(static_cast<double>(x0_ + x) + 0.5) * cell, (static_cast<double>(y0_ + y) + 0.5) * cell};
-  };
   const auto inside = [](std::int64_t v) {
     return static_cast<int>(std::clamp<std::int64_t>(v, 0, kSize - 1));
   };
   const int goal_x = inside(index_of(goal.x, cell) - x0_);
   const int goal_y = inside(index_of(goal.y, cell) - y0_);
-  const bool is_far = distance(middle(goal_x, goal_y), goal) > cell;
-  const Point wanted = is_far ? middle(goal_x, goal_y) : goal;
+  const bool is_far = distance(middle(goal_x, goal_y, cell), goal) > cell;
+  const Point wanted = is_far ? middle(goal_x, goal_y, cell) : goal;
   if (sees(robot, wanted, cell)) return wanted;
-
-  // Between two cells that touch at a corner lies free room only where both of their neighbours are free.
-  const auto cuts_corner = [&](int from_x, int from_y, const Step& step) {
-    return step.dx != 0 && step.dy != 0 &&
-           (!is_free(from_x + step.dx, from_y) || !is_free(from_x, from_y + step.dy));
-  };
-  // Ways from the goal outwards, until no cell gets a shorter one.
-  constexpr int kNoWay = std::numeric_limits<int>::max();
-  std::array<int, kCells> ways;
-  ways.fill(kNoWay);
-  std::array<std::uint16_t, kCells> queue;
-  std::array<bool, kCells> is_queued{};
-  std::size_t head = 0;
-  std::size_t count = 1;
-  const int start = goal_y * kSize + goal_x;
-  ways[static_cast<std::size_t>(start)] = 0;
-  queue[0] = static_cast<std::uint16_t>(start);
-  while (count > 0) {
-    const int at = queue[head];
-    head = (head + 1) % kCells;
-    --count;
-    is_queued[static_cast<std::size_t>(at)] = false;
-    for (const Step& step : kSteps) {
-      const int x = at % kSize + step.dx;
-      const int y = at / kSize + step.dy;
-      if (x < 0 || y < 0 || x >= kSize || y >= kSize || !is_free(x, y)) continue;
-      if (cuts_corner(at % kSize, at / kSize, step)) continue;
-      const auto next = index_in(x, y);
-      const int way = ways[static_cast<std::size_t>(at)] + step.cost;
-      if (way >= ways[next]) continue;
-      ways[next] = way;
-      if (is_queued[next]) continue;
-      is_queued[next] = true;
-      queue[(head + count) % kCells] = static_cast<std::uint16_t>(next);
-      ++count;
-    }
-  }
+  const Ways ways = ways_to(goal_x, goal_y);
 
   // Down the shortest way, as far as the robot sees.
   int x = inside(index_of(robot.x, cell) - x0_);
@@ -172,7 +141,8 @@ Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
     for (const Step& step : kSteps) {
       const int nx = here_x + step.dx;
       const int ny = here_y + step.dy;
-      if (nx < 0 || ny < 0 || nx >= kSize || ny >= kSize || cuts_corner(here_x, here_y, step)) continue;
+      if (nx < 0 || ny < 0 || nx >= kSize || ny >= kSize || cuts_corner(here_x, here_y, step.dx, step.dy))
+        continue;
       const int way = ways[index_in(nx, ny)];
       if (way == kNoWay || way >= best) continue;
       best = way;
@@ -180,10 +150,44 @@ Point LocalMap::first_stop(Point robot, Point goal, double cell) const {
       y = ny;
     }
     if (x == here_x && y == here_y) break;
-    if (i > 0 && !sees(robot, middle(x, y), cell)) break;
-    stop = middle(x, y);
+    if (i > 0 && !sees(robot, middle(x, y, cell), cell)) break;
+    stop = middle(x, y, cell);
   }
   return stop;
+}
+
+// From the goal outwards, until no cell gets a shorter one.
+LocalMap::Ways LocalMap::ways_to(int goal_x, int goal_y) const {
+  Ways ways;
+  ways.fill(kNoWay);
+  std::array<std::uint16_t, kCells> queue;
+  std::array<bool, kCells> is_queued{};
+  std::size_t head = 0;
+  std::size_t count = 1;
+  const std::size_t start = index_in(goal_x, goal_y);
+  ways[start] = 0;
+  queue[0] = static_cast<std::uint16_t>(start);
+  while (count > 0) {
+    const int at = queue[head];
+    head = (head + 1) % kCells;
+    --count;
+    is_queued[static_cast<std::size_t>(at)] = false;
+    for (const Step& step : kSteps) {
+      const int x = at % kSize + step.dx;
+      const int y = at / kSize + step.dy;
+      if (x < 0 || y < 0 || x >= kSize || y >= kSize || !is_free(x, y)) continue;
+      if (cuts_corner(at % kSize, at / kSize, step.dx, step.dy)) continue;
+      const auto next = index_in(x, y);
+      const int way = ways[static_cast<std::size_t>(at)] + step.cost;
+      if (way >= ways[next]) continue;
+      ways[next] = way;
+      if (is_queued[next]) continue;
+      is_queued[next] = true;
+      queue[(head + count) % kCells] = static_cast<std::uint16_t>(next);
+      ++count;
+    }
+  }
+  return ways;
 }
 
 }  // namespace mlab::schema

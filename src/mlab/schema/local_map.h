@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "mlab/geom/pose.h"
 
@@ -23,13 +25,19 @@ class LocalMap {
   /// Where to go first on a shortest way round what is blocked: the farthest cell of that way that is in
   /// sight.
   /// @return  the goal itself, or the place of the square that is nearest to it, where nothing is in the way;
-  /// the robot's
-  ///          own place where there is no way
+  ///          the robot's own place where there is no way
   geom::Point first_stop(geom::Point robot, geom::Point goal, double cell) const;
 
  private:
   bool is_free(int x, int y) const { return (rows_[static_cast<std::size_t>(y)] >> x & 1U) == 0; }
   bool sees(geom::Point from, geom::Point to, double cell) const;
+  geom::Point middle(int x, int y, double cell) const;
+  bool cuts_corner(int x, int y, int dx, int dy) const;
+  static constexpr std::size_t kCells = std::size_t{kSize} * kSize;
+  // How long the way to a cell is, from each cell [tenths of a cell]; kNoWay where there is none.
+  using Ways = std::array<int, kCells>;
+  static constexpr int kNoWay = std::numeric_limits<int>::max();
+  Ways ways_to(int x, int y) const;
 
   std::int64_t x0_ = 0;  ///< of the lower left cell, counted in cells from the world's origin
   std::int64_t y0_ = 0;
