@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cdl/help.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cdl {
@@ -22,13 +22,6 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-// Lines of help are one text; an empty line starts a paragraph.
-void append_line(std::string& out, std::string_view line) {
-  if (line.empty() && !out.empty()) out += '\n';
-  if (!out.empty() && !line.empty() && out.back() != '\n') out += ' ';
-  out += line;
 }
 
 }  // namespace
@@ -363,29 +356,28 @@ std::string Cursor::help_above() const {
     const std::size_t last = before.find_last_not_of(" \t");
     const bool own_line = last == std::string_view::npos || before[last] == '\n';
     if (!comment.starts_with("///") || comment.starts_with("///<") || !touches || !own_line) break;
-    lines.push_back(trimmed(comment.substr(3)));
+    lines.push_back(comment);
     below = span.begin;
   }
-  std::string help;
-  for (const std::string_view line : std::views::reverse(lines)) append_line(help, line);
-  return help;
+  std::ranges::reverse(lines);
+  return help_of(lines);
 }
 
 std::string Cursor::help_behind() const {
   // Behind the comma where one follows.
   const Token& next = is(",") ? tokens_[at_ + 1] : token();
   std::uint32_t end = is(",") ? token().span.end : last_end();
-  std::string help;
+  std::vector<std::string_view> lines;
   const std::uint32_t first = is(",") ? token().comments : (at_ == 0 ? 0 : tokens_[at_ - 1].comments);
   for (std::uint32_t i = first; i < next.comments; ++i) {
     const text::Span span = comments_[i].span;
     const std::string_view between = source_->text({end, span.begin});
     const std::string_view comment = source_->text(span);
     if (!comment.starts_with("///<") || std::ranges::count(between, '\n') > (i == first ? 0 : 1)) break;
-    append_line(help, trimmed(comment.substr(4)));
+    lines.push_back(comment);
     end = span.end;
   }
-  return help;
+  return help_of(lines);
 }
 
 }  // namespace mlab::cdl

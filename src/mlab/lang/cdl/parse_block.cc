@@ -57,9 +57,9 @@ bool parse_by(Cursor& cursor, const char* what, Expression& into) {
   cursor.advance_word();
   Operator& op = into.what.emplace<Operator>();
   if (!cursor.expect("by", "and the operator")) return false;
-  const bool is_read = cursor.is_before("{")  // without arguments the parentheses may be left out
-                           ? cursor.read_name(op.by.callee, "the operator")
-                           : parse_call(cursor, "the operator", op.by);
+  op.by.has_parentheses = !cursor.is_before("{");  // without arguments they may be left out
+  const bool is_read = op.by.has_parentheses ? parse_call(cursor, "the operator", op.by)
+                                             : cursor.read_name(op.by.callee, "the operator");
   return is_read && parse_members(cursor, what, op.members);
 }
 

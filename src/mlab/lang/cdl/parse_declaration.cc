@@ -81,6 +81,7 @@ bool parse_body(Cursor& cursor, Assemblage& into) {
 
 bool parse_assemblage_body(Cursor& cursor, Assemblage& into) {
   if (!cursor.open("the assemblage")) return false;
+  into.has_braces = true;
   while (!cursor.at_close()) {
     const bool is_let = cursor.could_be({"let"}) && !cursor.is_before("(");
     const bool is_alias = !into.body && cursor.could_be({"alias"}) && !cursor.is_before("(");
@@ -118,6 +119,7 @@ bool parse_binding(Cursor& cursor, Tree& tree, const std::string& help) {
 }
 
 bool parse_use(Cursor& cursor, Tree& tree) {
+  const std::uint32_t begin = cursor.begin();
   cursor.advance_word();
   Use out;
   out.path.place = cursor.here();
@@ -126,11 +128,12 @@ bool parse_use(Cursor& cursor, Tree& tree) {
   if (!path) return false;
   out.path.text = std::move(*path);
   const bool is_whole = cursor.expect_semicolon("behind the file");
-  tree.items.emplace_back(std::move(out));
+  put(cursor, begin, std::move(out), true, tree);
   return is_whole;
 }
 
 bool parse_architecture(Cursor& cursor, Tree& tree) {
+  const std::uint32_t begin = cursor.begin();
   cursor.advance_word();
   Architecture out;
   if (!cursor.read_name(out.name, "the name of the architecture")) {
@@ -138,7 +141,7 @@ bool parse_architecture(Cursor& cursor, Tree& tree) {
     return false;
   }
   const bool is_whole = cursor.expect_semicolon("behind the architecture");
-  tree.items.emplace_back(std::move(out));
+  put(cursor, begin, std::move(out), true, tree);
   return is_whole;
 }
 
@@ -171,8 +174,10 @@ bool parse_note(Cursor& cursor, LayoutNote note, std::uint32_t begin, Layout& la
     note.lines.push_back(std::move(*line));
   }
   note.place = cursor.since(begin);
+  const bool is_whole = cursor.expect_semicolon("behind the note");
+  note.whole = cursor.span_since(begin);
   layout.notes.push_back(std::move(note));
-  return cursor.expect_semicolon("behind the note");
+  return is_whole;
 }
 
 // A node's place, or a note: `note` and `frame` may be names of nodes as well.
@@ -198,14 +203,17 @@ bool parse_layout_entry(Cursor& cursor, Layout& layout) {
   }
   entry.x = *x;
   entry.y = *y;
+  const bool is_whole = cursor.expect_semicolon("behind the place of the node");
+  entry.whole = cursor.span_since(begin);
   layout.entries.push_back(std::move(entry));
-  return cursor.expect_semicolon("behind the place of the node");
+  return is_whole;
 }
 
 bool parse_layout(Cursor& cursor, Tree& tree) {
   Layout out;
   const std::uint32_t begin = cursor.begin();
   cursor.advance_word();
+  out.owner.place = cursor.place({cursor.begin(), cursor.begin()});
   const bool is_whole = (cursor.is("{") || read_path(cursor, out.owner, "the name of what is laid out")) &&
                         cursor.open("the layout");
   if (is_whole) {

@@ -22,6 +22,7 @@ std::shared_ptr<Expression> made(const Cursor& cursor, std::uint32_t begin, What
   auto out = std::make_shared<Expression>();
   out->what = std::move(what);
   out->place = cursor.since(begin);
+  out->whole = out->place.span;
   return out;
 }
 
@@ -120,10 +121,12 @@ Read parse_delay(Cursor& cursor) {
 }
 
 Read parse_parenthesis(Cursor& cursor) {
+  const std::uint32_t begin = cursor.begin();
   cursor.advance();
   Read inner = parse_or(cursor);
   if (inner.is_whole && !cursor.expect(")", "behind the expression") && !cursor.is(";"))
     inner.is_whole = false;
+  inner.value->whole = cursor.span_since(begin);
   return inner;
 }
 
@@ -134,6 +137,7 @@ Read parse_named(Cursor& cursor) {
     auto out = std::make_shared<Expression>();
     const bool is_whole = parse_block(cursor, *out);
     out->place = cursor.since(begin);
+    out->whole = out->place.span;
     return {std::move(out), is_whole};
   }
   if (cursor.is_before("(")) {
@@ -198,6 +202,7 @@ Read parse_suffixed(Cursor& cursor) {
     out.is_whole =
         cursor.is("as") ? parse_name_of_node(cursor, *out.value) : parse_active(cursor, *out.value);
     out.value->place = cursor.since(begin);
+    out.value->whole = out.value->place.span;
   }
   cursor.leave();
   return out;
@@ -239,15 +244,18 @@ Read parse_or(Cursor& cursor) {
 
 std::optional<Number> parse_quantity(Cursor& cursor) {
   Number number;
+  const std::uint32_t start = cursor.begin();
   const std::optional<double> value = cursor.read_number();
   if (!value) return std::nullopt;
   number.value = *value;
+  number.whole = cursor.span_since(start);
   if (!is_unit(cursor)) {
     if (cursor.keeps_parts() && cursor.at_end()) number.unit.place = cursor.here();
     return number;
   }
   const std::uint32_t begin = cursor.begin();
   cursor.read_name(number.unit, "a unit");
+  number.whole = cursor.span_since(start);
   if (!cursor.is("/")) return number;
   cursor.advance();
   Word per;
@@ -257,6 +265,7 @@ std::optional<Number> parse_quantity(Cursor& cursor) {
   }
   number.unit.text += "/" + per.text;
   number.unit.place = cursor.since(begin);
+  number.whole = cursor.span_since(start);
   return number;
 }
 

@@ -136,7 +136,8 @@ bool parse_class_body(Cursor& cursor, RobotClass& into) {
 
 bool parse_robot_head(Cursor& cursor, Robot& into) {
   if (!cursor.read_name(into.name, "the name of the robot")) return false;
-  if (cursor.is("(") && !parse_parameters(cursor, into.parameters) && !cursor.skip_to({"is", "{"}))
+  into.has_parentheses = cursor.is("(");
+  if (into.has_parentheses && !parse_parameters(cursor, into.parameters) && !cursor.skip_to({"is", "{"}))
     return false;
   if (cursor.is("{")) return true;
   if (!cursor.expect("is", "and the class of the robot")) return false;
@@ -172,9 +173,11 @@ bool parse_class(Cursor& cursor, Tree& tree, const std::string& help) {
   const std::uint32_t begin = cursor.begin();
   out.help = help;
   cursor.advance_word();
+  const bool has_name = cursor.read_name(out.name, "the name of the class of robots");
+  out.has_parentheses = cursor.is("(");
   const bool is_whole =
-      cursor.read_name(out.name, "the name of the class of robots") &&
-      (!cursor.is("(") || parse_parameters(cursor, out.parameters) || cursor.skip_to({"{"})) &&
+      has_name &&
+      (!out.has_parentheses || parse_parameters(cursor, out.parameters) || cursor.skip_to({"{"})) &&
       parse_class_body(cursor, out);
   return put(cursor, begin, std::move(out), is_whole, tree);
 }

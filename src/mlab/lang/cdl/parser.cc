@@ -25,6 +25,14 @@ Tree parse(const text::SourcePtr& source, text::Diagnostics& sink) {
   return parse(cursor);
 }
 
+ExpressionPtr parse_value(const text::SourcePtr& source) {
+  text::Diagnostics sink;
+  Cursor cursor(source, sink);
+  ExpressionPtr out;
+  const bool is_whole = parse_expression(cursor, out) && cursor.at_end() && !sink.has_errors();
+  return is_whole ? out : nullptr;
+}
+
 Written read_as_written(const text::SourcePtr& source) {
   Written out;
   text::Diagnostics unsaid;

@@ -16,6 +16,9 @@ namespace mlab::cdl {
 ///          `number-out-of-range`; one for each slip, then reading goes on at the next statement
 Tree parse(const text::SourcePtr& source, text::Diagnostics& sink);
 
+/// One expression, and nothing behind it; null where it is none.
+ExpressionPtr parse_value(const text::SourcePtr& source);
+
 /// A file as far as it is written, for whoever answers while somebody types.
 struct Written {
   /// With what is incomplete, too: where a value is missing stands a `Hole`, where a name is missing a word

@@ -22,11 +22,15 @@ using ExpressionPtr = std::shared_ptr<const Expression>;
 /// Where a value should stand and none does: only in what is read as it is written (`read_as_written`).
 struct Hole {};
 
+// Of what stands in a file a `whole` says from where to where. What was changed since has none: it is printed
+// from its parts, while what has one is taken over as it stands there (`reprint`).
+
 /// `2 m`, `-0.5`, `30 deg`
 struct Number {
   double value = 0.0;  ///< in the unit as written
   /// Empty: none said; with a place, then one could stand there, where the text ends.
   Word unit;
+  text::Span whole = {};
 };
 
 /// `"Flag|Basket"`, without its quotes, escapes resolved.
@@ -54,7 +58,8 @@ struct Argument {
 struct Call {
   Word callee;
   std::vector<Argument> arguments;
-  bool is_closed = true;  ///< its `)` stands there
+  bool is_closed = true;        ///< its `)` stands there
+  bool has_parentheses = true;  ///< `coordinate by Operator { ... }` has none
 };
 
 enum class Connective { kNot, kAnd, kOr };
@@ -149,8 +154,9 @@ struct Expression {
                Select, Delay>
       what;
   Word as;
-  ExpressionPtr active;  ///< `... active LookAt(...)`: the part that moves a sensor; null: none
-  text::Place place;     ///< of the whole expression
+  ExpressionPtr active;   ///< `... active LookAt(...)`: the part that moves a sensor; null: none
+  text::Place place;      ///< of the whole expression
+  text::Span whole = {};  ///< with the parentheses around it
 };
 
 /// `sphere: double [m] = 1 m in 0 .. 100`
@@ -182,6 +188,7 @@ struct Assemblage {
   ExpressionPtr body;  ///< null: declared and empty (an import that knew no more); stands still
   std::string help;
   std::vector<Word> historic_names;  ///< `alias "MOVE_TO";`
+  bool has_braces = false;           ///< though nothing may stand between them
   text::Span whole = {};             ///< from its first word to its end, without its help
 };
 
@@ -216,6 +223,7 @@ struct BodySetting {
 struct RobotClass {
   Word name;
   std::vector<Parameter> parameters;
+  bool has_parentheses = false;  ///< though nothing may stand between them
   std::vector<BodySetting> body;
   std::vector<Device> devices;
   std::string help;
@@ -239,7 +247,8 @@ struct Choice {
 struct Robot {
   Word name;
   std::vector<Parameter> parameters;
-  Word class_name;  ///< empty: abstract
+  bool has_parentheses = false;  ///< though nothing may stand between them
+  Word class_name;               ///< empty: abstract
   std::vector<Let> lets;
   std::vector<Choice> choices;
   std::vector<Drive> drives;
@@ -278,11 +287,13 @@ struct SocietyOperator {
 /// `use "skills.cdl";`
 struct Use {
   Word path;
+  text::Span whole = {};
 };
 
 /// `architecture UGV;`
 struct Architecture {
   Word name;
+  text::Span whole = {};
 };
 
 /// Where a node of a drawing stands, by its name inside of its owner.
@@ -290,6 +301,7 @@ struct LayoutEntry {
   Word node;
   double x = 0.0;
   double y = 0.0;
+  text::Span whole = {};
 };
 
 /// A comment on the canvas (`note 40 200 "words";`, perhaps `note 40 200 120 60 "words";`), or a frame around
@@ -302,11 +314,12 @@ struct LayoutNote {
   double height = 0.0;
   std::vector<std::string> lines;
   text::Place place;  ///< of the statement, without its `;`
+  text::Span whole = {};
 };
 
 /// `layout Wander { Noise 120 40; Probe 120 160; }` at the end of the file.
 struct Layout {
-  Word owner;  ///< empty: the file, whose declarations are laid out
+  Word owner;  ///< empty: the file, whose declarations are laid out; its place is where it would stand
   std::vector<LayoutEntry> entries;
   std::vector<LayoutNote> notes;
   text::Span whole = {};  ///< from its first word to its end, without its help
