@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -10,26 +11,45 @@
 
 #include "mlab/designer/drawing.h"
 #include "mlab/designer/edit.h"
-#include "mlab/designer/edit_words.h"
 #include "mlab/designer/editor.h"
 #include "mlab/designer/spread.h"
+#include "mlab/designer/values.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
 namespace {
 
-// The `layout` behind copied nodes, which is taken off the text.
-std::vector<cdl::LayoutEntry> take_layout(std::string& text) {
-  const std::size_t at = text.rfind("\nlayout {");
-  if (at == std::string::npos) return {};
+// What was copied of a page: nodes as `let`s, or states, and where they stood.
+struct Clipboard {
+  std::vector<cdl::Let> lets;
+  std::vector<cdl::State> states;
+  std::vector<cdl::LayoutEntry> places;
+};
+
+// Nothing where it holds something else.
+std::optional<Clipboard> clipboard_of(std::string text) {
+  Clipboard out;
+  const std::size_t layout_at = text.rfind("\nlayout {");
+  if (layout_at != std::string::npos) {
+    const std::vector<cdl::Item> items = items_of(text.substr(layout_at + 1));
+    const auto* layout = items.size() == 1 ? std::get_if<cdl::Layout>(&items.front()) : nullptr;
+    if (layout != nullptr) {
+      out.places = layout->entries;
+      text.erase(layout_at + 1);
+    }
+  }
+  const bool has_states = !text.starts_with("let ");
+  const std::string wrapped = has_states ? fmt::format("assemblage A() {{ sequence {{\n{}\n}} }}", text)
+                                         : fmt::format("assemblage A() {{\n{}\n}}", text);
   text::Diagnostics sink;
-  const auto source = std::make_shared<const text::Source>("clipboard", text.substr(at + 1));
-  const cdl::Tree tree = cdl::parse(source, sink);
-  const auto* layout = tree.items.size() == 1 ? std::get_if<cdl::Layout>(&tree.items.front()) : nullptr;
-  if (sink.has_errors() || layout == nullptr) return {};
-  text.erase(at + 1);
-  return layout->entries;
+  const cdl::Tree tree = cdl::parse(std::make_shared<const text::Source>("clipboard", wrapped), sink);
+  const auto* holder = tree.items.size() == 1 ? std::get_if<cdl::Assemblage>(&tree.items.front()) : nullptr;
+  if (sink.has_errors() || holder == nullptr) return std::nullopt;
+  if (!has_states && !holder->body) out.lets = holder->lets;
+  const auto* sequence = holder->body ? std::get_if<cdl::Sequence>(&holder->body->what) : nullptr;
+  if (has_states && sequence != nullptr) out.states = sequence->states;
+  return out;
 }
 
 }  // namespace
@@ -37,135 +57,129 @@ std::vector<cdl::LayoutEntry> take_layout(std::string& text) {
 Done Editor::paste(const Paste& change) {
   if (change.text().find_first_not_of(" \t\r\n") == std::string::npos)
     return refusal("there is nothing to paste");
-  if (change.page().empty()) {
-    // Declarations, each under a free name.
-    text::Diagnostics sink;
-    const auto source = std::make_shared<const text::Source>("clipboard", change.text());
-    const auto tree = std::make_shared<const Model>(
-        source, cdl::Environment{work_.model().configuration().built_in, nullptr});
-    if (!tree->is_readable() || tree->tree().items.empty())
-      return refusal("the clipboard holds no declarations");
-    const std::map<std::string, Anchor> all = anchors_of(*tree, "", TokenMap(source->text()));
-    std::string words(change.text());
-    std::set<std::string> taken;
-    for (const auto& [name, at] : anchors_of(work_.model(), "", work_.tokens())) taken.insert(name);
-    std::vector<std::pair<Anchor, std::string>> order;
-    for (const auto& [name, at] : all) order.emplace_back(at, name);
-    std::ranges::sort(order, std::greater<>());
-    for (const auto& [at, name] : order) {
-      const std::string free = unique(name, taken);
-      taken.insert(free);
-      words.replace(at, name.size(), free);
-    }
-    while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
-    if (const Done done = add_text(words); !done) return done;
-    return work_.commit();
-  }
-  const text::Result<PageView> found = page(change.page());
-  if (!found) return std::unexpected(found.error());
-  // Nodes come as `let`s, states as they stand in a sequence.
-  std::string copy = change.text();
-  const std::vector<cdl::LayoutEntry> layout = take_layout(copy);
-  const bool is_states = !copy.starts_with("let ");
-  const std::string wrapped = is_states ? fmt::format("assemblage A() {{ sequence {{\n{}\n}} }}", copy)
-                                        : fmt::format("assemblage A() {{\n{}\n}}", copy);
-  text::Diagnostics sink;
-  const auto source = std::make_shared<const text::Source>("clipboard", wrapped);
-  const cdl::Tree tree = cdl::parse(source, sink);
-  const auto* holder = tree.items.size() == 1 ? std::get_if<cdl::Assemblage>(&tree.items.front()) : nullptr;
-  if (sink.has_errors() || holder == nullptr)
-    return refusal("the clipboard holds nothing that can stand here");
-  const PageView view = *found;
-  std::vector<Swap> swaps;
-  std::set<std::string> taken;
-  std::vector<std::string> names;
-  std::map<std::string, std::string> renamed;
-  if (is_states) {
-    const auto* pasted = holder->body ? std::get_if<cdl::Sequence>(&holder->body->what) : nullptr;
-    if (pasted == nullptr || view.page->sequence == nullptr || view.page->sequence->states.empty())
-      return refusal("states can only be pasted between states");
-    for (const cdl::State& state : view.page->sequence->states) taken.insert(state.name.text);
-    const TokenMap tokens(source->text());
-    for (const cdl::State& state : pasted->states) {
-      renamed[state.name.text] = unique(state.name.text, taken);
-      taken.insert(renamed[state.name.text]);
-      names.push_back(renamed[state.name.text]);
-      std::size_t first = tokens.at(state.name.place.span.begin);
-      while (tokens.word(first - 1) == "start" || tokens.word(first - 1) == "final") --first;
-      swaps.push_back({{tokens.tokens()[first].span.begin, state.name.place.span.end},
-                       (state.is_final ? "final " : "") + renamed[state.name.text]});
-    }
-    for (const cdl::State& state : pasted->states) {
-      for (const cdl::Transition& transition : state.transitions) {
-        const auto target = renamed.find(transition.target.text);
-        if (target != renamed.end()) {
-          swaps.push_back({transition.target.place.span, target->second});
-        } else if (!taken.contains(transition.target.text)) {
-          const std::size_t semicolon = tokens.at(transition.place.span.end);
-          swaps.push_back({{transition.place.span.begin, tokens.tokens()[semicolon].span.end}, ""});
-        }
-      }
-    }
-    const auto begin = static_cast<std::uint32_t>(wrapped.find('\n') + 1);
-    const std::string words =
-        swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(copy.size())}, swaps);
-    const cdl::State& last = view.page->sequence->states.back();
-    const std::uint32_t end =
-        last.transitions.empty() ? last.member->place.span.end : last.transitions.back().place.span.end;
-    work_.insert_statement_behind(work_.tokens().statement_end(end), words);
-  } else {
-    if (holder->body || holder->lets.empty()) return refusal("the clipboard holds no nodes");
-    for (const cdl::Let& let : view.graph->lets()) taken.insert(let.name.text);
-    for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
-    for (const GraphNode& one : view.graph->pages.front().nodes) taken.insert(one.name);
-    for (const cdl::Let& let : holder->lets) {
-      renamed[let.name.text] = unique(let.name.text, taken);
-      taken.insert(renamed[let.name.text]);
-      names.push_back(renamed[let.name.text]);
-      swaps.push_back({let.name.place.span, renamed[let.name.text]});
-    }
-    for (const cdl::Let& let : holder->lets) {
-      for_each_name(*let.value, [&](const cdl::Name& name, const cdl::Expression&) {
-        const auto known = renamed.find(name.name.text);
-        if (known != renamed.end()) swaps.push_back({name.name.place.span, known->second});
-      });
-    }
-    const auto begin = static_cast<std::uint32_t>(wrapped.find('\n') + 1);
-    std::string words = swapped(wrapped, {begin, begin + static_cast<std::uint32_t>(copy.size())}, swaps);
-    // Its first words are `let NAME = `, its last `;`: what stands between is what add_let puts there.
-    while (!words.empty() && (words.back() == '\n' || words.back() == ' ' || words.back() == ';'))
-      words.pop_back();
-    const std::size_t first = words.find('=');
-    add_let(view, names.front(), words.substr(first + 2));
-  }
+  if (change.page().empty()) return paste_declarations(change.text());
+  const text::Result<PageView> view = page(change.page());
+  if (!view) return std::unexpected(view.error());
+  const std::optional<Clipboard> clipboard = clipboard_of(change.text());
+  if (!clipboard) return refusal("the clipboard holds nothing that can stand here");
+  const bool has_lets = change.text().starts_with("let ");
+  if (has_lets && clipboard->lets.empty()) return refusal("the clipboard holds no nodes");
+  const text::Result<Renamed> renamed =
+      has_lets ? paste_lets(*view, clipboard->lets) : paste_states(*view, clipboard->states);
+  if (!renamed) return std::unexpected(renamed.error());
   if (const Done done = work_.commit(); !done) return done;
+  return arrange_pasted(change, *renamed, clipboard->places);
+}
+
+// Each under a free name.
+Done Editor::paste_declarations(const std::string& text) {
+  const Model clipboard(std::make_shared<const text::Source>("clipboard", text),
+                        cdl::Environment{work_.model().configuration().built_in, nullptr});
+  if (!clipboard.is_readable() || clipboard.tree().items.empty())
+    return refusal("the clipboard holds no declarations");
+  std::set<std::string> taken;
+  for (const auto& [name, at] : anchors_of(work_.model(), "", work_.tokens())) taken.insert(name);
+  for (cdl::Item item : clipboard.tree().items) {
+    std::visit(
+        [&](auto& one) {
+          if constexpr (requires { one.name; }) {
+            const std::string free = unique(one.name.text, taken);
+            taken.insert(free);
+            if (free != one.name.text) one.whole = {};
+            one.name.text = free;
+          }
+        },
+        item);
+    work_.add(std::move(item));
+  }
+  return work_.commit();
+}
+
+text::Result<Editor::Renamed> Editor::paste_states(const PageView& view, std::vector<cdl::State> states) {
+  if (states.empty() || view.page->sequence == nullptr || view.page->sequence->states.empty())
+    return refusal("states can only be pasted between states");
+  std::set<std::string> taken;
+  for (const cdl::State& state : view.page->sequence->states) taken.insert(state.name.text);
+  Renamed out;
+  for (const cdl::State& state : states) {
+    out.emplace_back(state.name.text, unique(state.name.text, taken));
+    taken.insert(out.back().second);
+  }
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    cdl::State& state = states[i];
+    state.name.text = out[i].second;
+    state.is_start = false;
+    state.whole = {};
+    for (cdl::Transition& transition : state.transitions) {
+      const auto known = std::ranges::find(out, transition.target.text, &Renamed::value_type::first);
+      if (known != out.end()) transition.target.text = known->second;
+    }
+    std::erase_if(state.transitions,
+                  [&](const cdl::Transition& one) { return !taken.contains(one.target.text); });
+  }
+  work_.changes().change<cdl::Sequence>(*view.page->sequence, [states](cdl::Sequence& now) {
+    now.states.insert(now.states.end(), states.begin(), states.end());
+  });
+  return out;
+}
+
+text::Result<Editor::Renamed> Editor::paste_lets(const PageView& view, std::vector<cdl::Let> lets) {
+  std::set<std::string> taken;
+  for (const cdl::Let& let : view.lets()) taken.insert(let.name.text);
+  for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
+  for (const GraphNode& one : view.graph->pages.front().nodes) taken.insert(one.name);
+  Renamed out;
+  for (const cdl::Let& let : lets) {
+    out.emplace_back(let.name.text, unique(let.name.text, taken));
+    taken.insert(out.back().second);
+  }
+  static const cdl::Tree kNoTree;
+  cdl::Changes renamed(kNoTree);
+  for (const cdl::Let& let : lets) {
+    cdl::for_each_construct(let, [&]<class X>(const X& one) {
+      if constexpr (std::same_as<X, cdl::Name>) {
+        const auto known = std::ranges::find(out, one.name.text, &Renamed::value_type::first);
+        if (known != out.end() && known->second != known->first) renamed.rename(one.name, known->second);
+      }
+    });
+  }
+  for (std::size_t i = 0; i < lets.size(); ++i) {
+    const cdl::ExpressionPtr value = renamed.of(lets[i].value);
+    if (value != lets[i].value || out[i].second != out[i].first) lets[i].whole = {};
+    lets[i].value = value;
+    lets[i].name.text = out[i].second;
+  }
+  change_owner(view, [lets](auto& now) { now.lets.insert(now.lets.end(), lets.begin(), lets.end()); });
+  return out;
+}
+
+// As they stood; the leftmost and the topmost of them where the pointer is. Others one below the other.
+Done Editor::arrange_pasted(const Paste& change, const Renamed& renamed,
+                            const std::vector<cdl::LayoutEntry>& places) {
   Arrange where;
   where.set_page(change.page());
-  // As they stood; the leftmost and the topmost of them where the pointer is.
+  const auto add = [&](const std::string& node, double x, double y) {
+    Arrange::At& at = *where.add_nodes();
+    at.set_node(node);
+    at.set_x(change.x() + x);
+    at.set_y(change.y() + y);
+  };
   double left = std::numeric_limits<double>::infinity();
   double top = left;
-  for (const cdl::LayoutEntry& entry : layout) {
+  for (const cdl::LayoutEntry& entry : places) {
     left = std::min(left, entry.x);
     top = std::min(top, entry.y);
   }
-  for (const cdl::LayoutEntry& entry : layout) {
+  for (const cdl::LayoutEntry& entry : places) {
     const std::string& path = entry.node.text;
     const std::string first = path.substr(0, path.find('.'));
-    const auto known = renamed.find(first);
-    if (known == renamed.end()) continue;
-    Arrange::At& at = *where.add_nodes();
-    at.set_node(known->second + path.substr(first.size()));
-    at.set_x(change.x() + entry.x - left);
-    at.set_y(change.y() + entry.y - top);
+    const auto known = std::ranges::find(renamed, first, &Renamed::value_type::first);
+    if (known != renamed.end()) add(known->second + path.substr(first.size()), entry.x - left, entry.y - top);
   }
-  // Others one below the other.
   constexpr double kStep = 40.0;  // [px]
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (place_of(where.nodes(), names[i]) != nullptr) continue;
-    Arrange::At& at = *where.add_nodes();
-    at.set_node(names[i]);
-    at.set_x(change.x() + kStep * static_cast<double>(i));
-    at.set_y(change.y() + kStep * static_cast<double>(i));
+  for (std::size_t i = 0; i < renamed.size(); ++i) {
+    const double step = kStep * static_cast<double>(i);
+    if (place_of(where.nodes(), renamed[i].second) == nullptr) add(renamed[i].second, step, step);
   }
   if (const Done done = arrange(where); !done || change.taken().empty()) return done;
   const DrawingContext context{"pasted.cdl", 1, false, [](std::string_view) { return std::string(); }};
@@ -209,11 +223,7 @@ text::Result<std::string> copied(const Model& model, const Copy& request) {
          page.sequence == nullptr ? std::vector<cdl::State>{} : page.sequence->states) {
       if (state.name.text != name) continue;
       is_state = true;
-      std::size_t first = tokens.at(state.name.place.span.begin);
-      while (first > 0 && (tokens.word(first - 1) == "start" || tokens.word(first - 1) == "final")) --first;
-      const std::uint32_t last =
-          state.transitions.empty() ? state.member->place.span.end : state.transitions.back().place.span.end;
-      states.push_back(words({tokens.tokens()[first].span.begin, tokens.statement_end(last)}));
+      states.push_back(words(state.whole));
     }
     if (is_state) continue;
     const int at = page.find(name);

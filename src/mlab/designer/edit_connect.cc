@@ -7,6 +7,7 @@
 
 #include "mlab/designer/editor.h"
 #include "mlab/designer/shapes.h"
+#include "mlab/designer/values.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -70,34 +71,14 @@ Done Editor::connect(const Connect& change) {
         fmt::format("`{}` is made from `{}`: a loop needs a delay", source.name, view->node(to->node).name));
 
   if (source.parameter != nullptr) {
-    const Done done = write(*to, source.parameter->name.text);
+    const Done done = write(*to, named(source.parameter->name.text));
     return done ? work_.commit() : done;
   }
-  if (source.kind == Kind::kOuter || source.let != nullptr) {
-    const cdl::Let& let = *source.let;
-    const bool is_alone = count_uses(*view->graph, let.name.text) == 0;
-    const bool has_help = !let.help.empty() && (input == nullptr || input->role != Role::kMember);
-    const bool makes_itself = to->node >= 0 && reaches(*view, *from, to->node);
-    const bool is_inlined = is_alone && !has_help && !makes_itself && takes(*to, *let.value) &&
-                            source.kind != Kind::kValue && view->node(*from).kind != Kind::kOuter;
-    if (!is_inlined) {
-      const Done done = write(*to, let.name.text);
-      return done ? work_.commit() : done;
-    }
-    Fragment what = value_as(*let.value, let.name.text);
-    const bool is_logic = std::holds_alternative<cdl::Logic>(let.value->what) && !let.value->active;
-    if (input != nullptr && input->role == Role::kOperand && is_logic && what.text().front() != '(')
-      what = Fragment("(").add(what).add(")");
-    erase_let(let);
-    const Done done = write(*to, what);
-    return done ? work_.commit() : done;
-  }
+  if (source.kind == Kind::kOuter || source.let != nullptr) return connect_let(*view, *from, *to);
   // It is written where it is read first: from now on both read a name.
   const std::string owner = view->graph->name;
   const int target = to->node < 0 ? -1 : follow(*view, to->node);
-  const Spot first{*view, source.reader, source.reader_input, ""};
-  const std::string name = save_inline(first);
-  work_.replace(written(first)->place.span, name);
+  const std::string name = make_let(Spot{*view, source.reader, source.reader_input, ""});
   if (const Done done = work_.commit(); !done) return done;
   Connect again = change;
   again.set_from_node(name);
@@ -108,6 +89,20 @@ Done Editor::connect(const Connect& change) {
     again.set_to_node(found->first.node(found->second).name);
   }
   return connect(again);
+}
+
+// What nobody reads yet is written where it is read now, if it can stand there.
+Done Editor::connect_let(const PageView& view, int from, const Spot& to) {
+  const GraphNode& source = view.node(from);
+  const cdl::Let& let = *source.let;
+  const bool is_alone = count_uses(*view.graph, let.name.text) == 0;
+  const bool has_help = !let.help.empty() && (to.at() == nullptr || to.at()->role != Role::kMember);
+  const bool makes_itself = to.node >= 0 && reaches(view, from, to.node);
+  const bool is_inlined = is_alone && !has_help && !makes_itself && takes(to, *let.value) &&
+                          source.kind != Kind::kValue && source.kind != Kind::kOuter;
+  if (is_inlined) work_.changes().remove(let);
+  const Done done = write(to, is_inlined ? bare_as(*let.value, let.name.text) : named(let.name.text));
+  return done ? work_.commit() : done;
 }
 
 Done Editor::disconnect(const Disconnect& change) {
@@ -131,9 +126,9 @@ Done Editor::set_value(const SetValue& change) {
     const Done done = clear(*to);
     return done ? work_.commit() : done;
   }
-  if (!is_expression(change.value()))
-    return refusal(fmt::format("`{}` is no value", text::shown(change.value())));
-  const Done done = write(*to, change.value());
+  const cdl::ExpressionPtr value = typed_value(change.value());
+  if (!value) return refusal(fmt::format("`{}` is no value", text::shown(change.value())));
+  const Done done = write(*to, value);
   return done ? work_.commit() : done;
 }
 
@@ -152,17 +147,9 @@ Done Editor::place(const Place& change) {
     return refusal(fmt::format("`{}` is no free name", text::shown(change.name())));
   const std::string name =
       !change.name().empty() ? change.name() : free_name(*view, base_of(change.component()));
-  add_let(*view, name, *words);
+  add_let(*view, name, value_of(*words));
   if (const Done done = work_.commit(); !done) return done;
-  if (change.x() != 0.0 || change.y() != 0.0) {
-    Arrange where;
-    where.set_page(change.page());
-    Arrange::At& at = *where.add_nodes();
-    at.set_node(name);
-    at.set_x(change.x());
-    at.set_y(change.y());
-    if (const Done done = arrange(where); !done) return done;
-  }
+  if (const Done done = arrange_one(change.page(), name, change); !done) return done;
   if (change.to_node().empty()) return true;
   Connect wire;
   wire.set_page(change.page());
@@ -250,38 +237,20 @@ Done Editor::remove_node(const std::string& owner, int handle, const std::vector
   }
   if (node.let == nullptr) {
     // The node itself is lost with what stands at its reader's input.
-    Spot spot{view, node.reader, node.reader_input, ""};
-    const std::string name = save_inline(spot);
-    work_.replace(written(spot)->place.span, name);
+    make_let(Spot{view, node.reader, node.reader_input, ""});
     if (const Done done = work_.commit(); !done) return done;
     return remove_node(owner, handle, others);
   }
   // Readers of the name lose it, one after the other.
   const std::string name = node.let->name.text;
-  for (const GraphPage& page : view.graph->pages) {
-    for (std::size_t i = 0; i < page.nodes.size(); ++i) {
-      for (std::size_t k = 0; k < page.nodes[i].inputs.size(); ++k) {
-        const auto* reads = page.nodes[i].inputs[k].written == nullptr
-                                ? nullptr
-                                : std::get_if<cdl::Name>(&page.nodes[i].inputs[k].written->what);
-        if (reads == nullptr || reads->name.text != name) continue;
-        if (const Done done = clear(Spot{{view.graph, &page}, static_cast<int>(i), static_cast<int>(k), ""});
-            !done)
-          return done;
-        if (const Done done = work_.commit(); !done) return done;
-        return remove_node(owner, handle, others);
-      }
-    }
-    const auto* gives = page.root == nullptr ? nullptr : std::get_if<cdl::Name>(&page.root->what);
-    if (gives != nullptr && gives->name.text == name) {
-      if (const Done done = clear(Spot{{view.graph, &page}, -1, -1, ""}); !done) return done;
-      if (const Done done = work_.commit(); !done) return done;
-      return remove_node(owner, handle, others);
-    }
+  if (const std::optional<Spot> reader = reader_of(*view.graph, name)) {
+    if (const Done done = clear(*reader); !done) return done;
+    if (const Done done = work_.commit(); !done) return done;
+    return remove_node(owner, handle, others);
   }
   if (count_uses(*view.graph, name) > 0)
     return refusal(fmt::format("a trigger needs `{}`: change the transition first", name));
-  erase_let(*node.let);
+  work_.changes().remove(*node.let);
   return work_.commit();
 }
 
@@ -315,93 +284,85 @@ Done Editor::set_active(const SetActive& change) {
   const bool moves = type.type != nullptr &&
                      (type.type->kind == flow::TypeKind::kVector || type.type->kind == flow::TypeKind::kBool);
   if (!moves) return refusal("an active part gives a bool or a Vector");
-  const std::string words = fmt::format(" active {}()", change.component());
-  const bool is_logic = std::holds_alternative<cdl::Logic>(expression->what) && expression->as.text.empty();
-  if (is_logic) {
-    work_.insert(expression->place.span.begin, "(");
-    work_.insert(expression->place.span.end, ")" + words);
-  } else {
-    work_.insert(expression->place.span.end, words);
-  }
+  work_.changes().change<cdl::Expression>(
+      *expression, [part = called(change.component())](cdl::Expression& now) { now.active = part; });
   return work_.commit();
 }
 
 // Another component in its place: inputs of the same name and a fitting type stay.
 Done Editor::replace(const Replace& change) {
-  const text::Result<PageView> first = page(change.page());
-  if (!first) return std::unexpected(first.error());
-  const text::Result<int> which = node(*first, change.node());
-  if (!which) return std::unexpected(which.error());
-  const GraphNode& old = first->node(*which);
-  if (old.expression == nullptr) return refusal("only a component has something in its place");
-  const std::string owner = first->graph->name;
-  const int handle = follow(*first, *which);
-  const auto* call = std::get_if<cdl::Call>(&old.expression->what);
-  const auto is_members = [](Kind kind) {
-    return kind == Kind::kCooperate || kind == Kind::kCompete || kind == Kind::kCoordinate ||
-           kind == Kind::kFuse;
-  };
+  const text::Result<PageView> view = page(change.page());
+  if (!view) return std::unexpected(view.error());
+  const text::Result<int> at = node(*view, change.node());
+  if (!at) return std::unexpected(at.error());
+  const cdl::Expression* old = view->node(*at).expression;
+  if (old == nullptr) return refusal("only a component has something in its place");
   const Components& components = work_.model().components();
   const std::optional<std::string> words = words_of(change.component(), components);
   if (!words) return refusal(fmt::format("nothing answers to `{}`", text::shown(change.component())));
-  if (call == nullptr) {
-    const bool is_block = words->ends_with("{}");
-    if (!is_members(old.kind) || !is_block)
-      return refusal("an operator is replaced by another operator only");
-    const TokenMap& tokens = work_.tokens();
-    std::size_t open = tokens.at(old.expression->place.span.begin);
-    while (tokens.word(open) != "{") ++open;
-    const std::size_t begin = tokens.at(old.expression->place.span.begin);
-    if (change.component() == "compete by priority") {  // its members have no weights
-      for (std::size_t i = 0; i < old.inputs.size(); ++i) {
-        const GraphInput& input = old.inputs[i];
-        if (input.role != Role::kWeight || !input.written) continue;
-        if (const Done done = clear(Spot{*first, *which, static_cast<int>(i), ""}); !done) return done;
-      }
-    }
-    work_.rename(
-        {tokens.tokens()[begin].span.begin, tokens.tokens()[open - 1].span.end},
-        change.component().find(" by ") != std::string::npos && words->find("()") != std::string::npos
-            ? words->substr(0, words->size() - 3)
-            : change.component());
-    return work_.commit();
-  }
+  if (!std::holds_alternative<cdl::Call>(old->what)) return replace_operator(*view, *at, *value_of(*words));
   const std::optional<Callable> other = components.find(change.component());
   if (!other) return refusal("a call is replaced by another call only");
-  // What the other does not take loses its place, one after the other.
-  for (;;) {
-    const auto found = followed(owner, handle);
-    if (!found) return refusal("the node has gone");
-    const PageView view = found->first;
-    const GraphNode& there = view.node(found->second);
-    int misfits = -1;
-    for (std::size_t i = 0; i < there.inputs.size() && misfits < 0; ++i) {
-      const GraphInput& input = there.inputs[i];
-      if (!input.written || input.role == Role::kActive) continue;
-      const auto socket = std::ranges::find(other->inputs, input.port, &Socket::name);
-      const bool is_taken =
-          socket != other->inputs.end() &&
-          (input.from < 0 || why_not(given(view, input.from), socket->type).empty()) &&
-          (input.from >= 0 ||
-           why_not(wanted(Spot{view, found->second, static_cast<int>(i), ""}), socket->type).empty());
-      if (!is_taken) misfits = static_cast<int>(i);
+  return replace_call(view->graph->name, follow(*view, *at), *other);
+}
+
+Done Editor::replace_operator(const PageView& view, int at, const cdl::Expression& other) {
+  const GraphNode& old = view.node(at);
+  if (members_of(*old.expression) == nullptr || members_of(other) == nullptr)
+    return refusal("an operator is replaced by another operator only");
+  const auto* compete = std::get_if<cdl::Compete>(&other.what);
+  if (compete != nullptr &&
+      compete->rule == cdl::CompetitionRule::kPriority) {  // its members have no weights
+    for (std::size_t i = 0; i < old.inputs.size(); ++i) {
+      if (old.inputs[i].role != Role::kWeight || !old.inputs[i].written) continue;
+      if (const Done done = clear(Spot{view, at, static_cast<int>(i), ""}); !done) return done;
     }
-    if (misfits >= 0) {
-      if (const Done done = clear(Spot{view, found->second, misfits, ""}); !done) return done;
-      if (const Done done = work_.commit(); !done) return done;
-      continue;
-    }
-    const auto& now = std::get<cdl::Call>(there.expression->what);
-    for (std::size_t i = 0; i < now.arguments.size(); ++i) {  // by position means another input now
-      if (!now.arguments[i].name.text.empty()) continue;
-      for (const GraphInput& input : there.inputs) {
-        if (input.at != static_cast<int>(i) || input.role != Role::kArgument || input.item > 0) continue;
-        work_.insert(now.arguments[i].value->place.span.begin, input.port + " = ");
-      }
-    }
-    work_.rename(now.callee.place.span, change.component());
-    return work_.commit();
   }
+  // The word by which it is known stays the same one.
+  const Anchor byte = *anchor_of(old, work_.tokens());
+  const text::Place known{work_.model().source(), {byte, byte + 1}};
+  work_.changes().change<cdl::Expression>(*old.expression, [what = other.what, known](cdl::Expression& now) {
+    const std::vector<cdl::Member> members = *members_of(now);
+    now.what = what;
+    now.place = known;
+    std::visit(
+        [&](auto& operation) {
+          if constexpr (requires { operation.members; }) operation.members = members;
+          if constexpr (requires { operation.by.callee; })
+            operation.by.callee.place = std::exchange(now.place, {});
+        },
+        now.what);
+  });
+  return work_.commit();
+}
+
+// What the other does not take loses its place, one after the other.
+Done Editor::replace_call(const std::string& owner, int handle, const Callable& other) {
+  const auto found = followed(owner, handle);
+  if (!found) return refusal("the node has gone");
+  const auto& [view, at] = *found;
+  const GraphNode& there = view.node(at);
+  for (std::size_t i = 0; i < there.inputs.size(); ++i) {
+    const GraphInput& input = there.inputs[i];
+    if (!input.written || input.role == Role::kActive) continue;
+    const Spot spot{view, at, static_cast<int>(i), ""};
+    const auto socket = std::ranges::find(other.inputs, input.port, &Socket::name);
+    const bool is_taken =
+        socket != other.inputs.end() &&
+        why_not(input.from < 0 ? wanted(spot) : given(view, input.from), socket->type).empty();
+    if (is_taken) continue;
+    if (const Done done = clear(spot); !done) return done;
+    if (const Done done = work_.commit(); !done) return done;
+    return replace_call(owner, handle, other);
+  }
+  const auto& call = std::get<cdl::Call>(there.expression->what);
+  for (const GraphInput& input : there.inputs) {  // by position means another input now
+    if (input.at < 0 || input.role != Role::kArgument || input.item > 0) continue;
+    const cdl::Argument& argument = call.arguments[static_cast<std::size_t>(input.at)];
+    if (argument.name.text.empty()) work_.changes().rename(argument.name, input.port);
+  }
+  work_.changes().rename(call.callee, other.name);
+  return work_.commit();
 }
 
 Done Editor::expose(const Expose& change) {
@@ -425,7 +386,7 @@ Done Editor::expose(const Expose& change) {
   if (known != parameters.end() && !change.parameter().empty()) {
     const std::string reason = why_not(work_.model().components().types().of(*known), socket->type);
     if (!reason.empty()) return refusal(fmt::format("`{}` does not fit: {}", name, reason));
-    const Done done = write(*to, name);
+    const Done done = write(*to, named(name));
     return done ? work_.commit() : done;
   }
   if (is_taken(*view, name)) name = free_name(*view, name);
@@ -441,7 +402,7 @@ Done Editor::expose(const Expose& change) {
   if (!initial.empty() && !has_unit && !socket->type.unit.empty()) initial += " " + socket->type.unit;
   if (input.role == Role::kWeight && initial.empty()) initial = "1";
   const std::string owner = view->graph->name;
-  if (const Done done = write(*to, name); !done) return done;
+  if (const Done done = write(*to, named(name)); !done) return done;
   SetParameter parameter;
   parameter.set_owner(owner);
   parameter.set_name(name);

@@ -9,26 +9,10 @@
 #include "mlab/designer/edit.h"
 #include "mlab/designer/editor.h"
 #include "mlab/designer/shapes.h"
-#include "mlab/lang/cdl/lexer.h"
-#include "mlab/lang/cdl/parser.h"
+#include "mlab/designer/values.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
-
-bool is_cdl_name(std::string_view text) {
-  return cdl::is_name(text);
-}
-
-bool is_expression(std::string_view text) {
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos || text.find(';') != std::string_view::npos)
-    return false;
-  const std::string whole = fmt::format("assemblage A() {{\nlet a =\n{}\n;\n}}\n", text);
-  text::Diagnostics sink;
-  const cdl::Tree tree = cdl::parse(std::make_shared<const text::Source>("", whole), sink);
-  if (sink.has_errors() || tree.items.size() != 1) return false;
-  const auto* assemblage = std::get_if<cdl::Assemblage>(&tree.items.front());
-  return assemblage != nullptr && assemblage->lets.size() == 1 && !assemblage->body;
-}
 
 text::Result<PageView> Editor::page(const std::string& path) const {
   const Model::Found found = work_.model().page(path);
@@ -101,6 +85,23 @@ int Editor::inline_node(const Spot& spot) const {
   return input != nullptr && input->is_inline ? input->from : -1;
 }
 
+std::optional<Spot> Editor::reader_of(const OwnerGraph& graph, std::string_view name) {
+  const auto reads = [&](const cdl::Expression* written) {
+    const auto* one = written == nullptr ? nullptr : std::get_if<cdl::Name>(&written->what);
+    return one != nullptr && one->name.text == name;
+  };
+  for (const GraphPage& page : graph.pages) {
+    for (std::size_t i = 0; i < page.nodes.size(); ++i) {
+      for (std::size_t k = 0; k < page.nodes[i].inputs.size(); ++k) {
+        if (reads(page.nodes[i].inputs[k].written.get()))
+          return Spot{{&graph, &page}, static_cast<int>(i), static_cast<int>(k), ""};
+      }
+    }
+    if (reads(page.root)) return Spot{{&graph, &page}, -1, -1, ""};
+  }
+  return std::nullopt;
+}
+
 cdl::PortType Editor::wanted(const Spot& spot) const {
   const Components& components = work_.model().components();
   if (spot.is_result()) {
@@ -148,9 +149,7 @@ std::string Editor::free_name(const PageView& view, const std::string& wanted) c
   if (own.sequence != nullptr) {
     for (const cdl::State& state : own.sequence->states) taken.insert(state.name.text);
   }
-  std::string out = wanted;
-  for (int number = 2; taken.contains(out); ++number) out = fmt::format("{}_{}", wanted, number);
-  return out;
+  return unique(wanted, taken);
 }
 
 bool Editor::reaches(const PageView& view, int from, int to) const {

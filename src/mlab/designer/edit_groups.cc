@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -9,11 +10,210 @@
 #include <fmt/ranges.h>
 
 #include "mlab/designer/edit.h"
-#include "mlab/designer/edit_words.h"
 #include "mlab/designer/editor.h"
+#include "mlab/designer/values.h"
+#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl/walk.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
+namespace {
+
+/// @param visit  a Name and the expression that it is
+void for_each_name(const cdl::Expression& expression, const auto& visit) {
+  cdl::for_each_expression(expression, [&](const cdl::Expression& one) {
+    if (const auto* name = std::get_if<cdl::Name>(&one.what)) visit(*name, one);
+  });
+}
+
+bool has_block(const cdl::Expression& expression) {
+  bool out = false;
+  cdl::for_each_expression(expression, [&](const cdl::Expression& one) { out |= is_block(one); });
+  return out;
+}
+
+bool is_inside(text::Span inner, text::Span outer) {
+  return outer.begin <= inner.begin && inner.end <= outer.end;
+}
+
+// Whether something outside of the chosen nodes reads one of them, or nothing at all.
+bool is_output(const PageView& view, const std::set<int>& chosen, int at) {
+  bool is_read_inside = false;
+  bool is_read_outside = view.page->result == at;
+  const cdl::Let* let = view.node(at).let;
+  int inside = 0;
+  for (std::size_t k = 0; k < view.page->nodes.size(); ++k) {
+    const bool is_chosen = chosen.contains(static_cast<int>(k));
+    for (const GraphInput& input : view.page->nodes[k].inputs) {
+      if (input.from == at) (is_chosen ? is_read_inside : is_read_outside) = true;
+      const auto* reads = input.written ? std::get_if<cdl::Name>(&input.written->what) : nullptr;
+      if (is_chosen && let != nullptr && reads != nullptr && reads->name.text == let->name.text) ++inside;
+    }
+  }
+  if (let != nullptr && count_uses(*view.graph, let->name.text) > inside) is_read_outside = true;
+  return is_read_outside || !is_read_inside;
+}
+
+/// The assemblage that nodes of a page become: what drives them from outside becomes its parameters.
+class GroupDraft {
+ public:
+  GroupDraft(const Model& model, const PageView& view, const std::set<int>& chosen)
+      : model_(model), view_(view), chosen_(chosen), inside_(model.tree()) {
+    for (const int at : chosen) {
+      if (view.node(at).let != nullptr) lets_.insert(view.node(at).let->name.text);
+    }
+    taken_ = lets_;
+  }
+
+  /// @errors  where a type is not known
+  Done gather(int top) {
+    for (const int at : chosen_) {
+      for (const GraphInput& input : view_.node(at).inputs) {
+        const bool stays_outside = input.written && input.is_inline && !chosen_.contains(input.from);
+        if (!stays_outside) continue;
+        if (const Done done = hoist(input); !done) return done;
+      }
+    }
+    if (const Done done = look(*view_.node(top).expression); !done) return done;
+    for (const int at : chosen_) {
+      const cdl::Let* let = view_.node(at).let;
+      if (let == nullptr || at == top) continue;
+      if (const Done done = look(*let->value); !done) return done;
+    }
+    // Parameters with a default come behind those without.
+    std::ranges::stable_partition(given_, [](const Given& one) { return !one.parameter.initial; });
+    return true;
+  }
+
+  cdl::Assemblage assemblage(const std::string& name, int top) const {
+    cdl::Assemblage out;
+    out.name.text = name;
+    for (const Given& one : given_) out.parameters.push_back(one.parameter);
+    for (const cdl::Let& let : view_.lets()) {
+      const bool comes =
+          std::ranges::any_of(chosen_, [&](int at) { return at != top && view_.node(at).let == &let; });
+      if (!comes) continue;
+      cdl::Let& copy = out.lets.emplace_back(let);
+      copy.value = inside_.of(let.value);
+      if (copy.value != let.value) copy.whole = {};
+    }
+    const cdl::ExpressionPtr body = inside_.of(*view_.node(top).expression);
+    out.body = body->active ? body : bare(*body);
+    return out;
+  }
+
+  cdl::ExpressionPtr call(const std::string& name, const cdl::Expression& body) const {
+    auto out = std::make_shared<cdl::Expression>();
+    cdl::Call& call = out->what.emplace<cdl::Call>();
+    call.callee.text = name;
+    for (const Given& one : given_) call.arguments.push_back({{one.parameter.name.text, {}}, one.outside});
+    if (!body.active) out->as = body.as;
+    return out;
+  }
+
+ private:
+  struct Given {
+    cdl::Parameter parameter;
+    std::string words;           // what the caller gives
+    cdl::ExpressionPtr outside;  // the same
+  };
+
+  // The name of the parameter that stands for it inside.
+  const std::string& add(const std::string& wanted, cdl::Parameter parameter, const std::string& words,
+                         const cdl::ExpressionPtr& outside) {
+    for (const Given& one : given_) {
+      if (one.words == words) return one.parameter.name.text;
+    }
+    parameter.name = {unique(wanted, taken_), {}};
+    taken_.insert(parameter.name.text);
+    return given_.emplace_back(std::move(parameter), words, outside).parameter.name.text;
+  }
+
+  // Written here, and stays outside.
+  Done hoist(const GraphInput& input) {
+    const GraphNode& node = view_.node(input.from);
+    const cdl::PortType type = view_.graph->type_of(*node.expression);
+    if (type.type == nullptr) return refusal(fmt::format("what type `{}` has can't be told", node.name));
+    cdl::Parameter parameter;
+    set_type(parameter, type);
+    const text::Span span = input.written->place.span;
+    const std::string wanted = input.port == "members" ? default_name(*input.written) : input.port;
+    inside_.replace(*input.written,
+                    named(add(wanted, parameter, std::string(model_.source()->text(span)), input.written)));
+    hoisted_.push_back(span);
+    return true;
+  }
+
+  Done look(const cdl::Expression& expression) {
+    Done out = true;
+    for_each_name(expression, [&](const cdl::Name& one, const cdl::Expression& whole) {
+      const bool is_known =
+          lets_.contains(one.name.text) ||
+          std::ranges::any_of(hoisted_, [&](text::Span span) { return is_inside(whole.place.span, span); });
+      if (!is_known && out) out = give(one.name);
+    });
+    return out;
+  }
+
+  // A name that the owner has.
+  Done give(const cdl::Word& word) {
+    const auto is_it = [&](const auto& one) { return one.name.text == word.text; };
+    const auto parameter = std::ranges::find_if(view_.graph->parameters(), is_it);
+    const auto let = std::ranges::find_if(view_.lets(), is_it);
+    cdl::Parameter made;
+    if (parameter != view_.graph->parameters().end()) {
+      made = copy_of(*parameter);
+    } else if (let != view_.lets().end()) {
+      const cdl::PortType type = view_.graph->type_of(*let->value);
+      if (type.type == nullptr) return refusal(fmt::format("what type `{}` has can't be told", word.text));
+      set_type(made, type);
+    } else {
+      return true;
+    }
+    const std::string& name = add(word.text, made, word.text, named(word.text));
+    if (name != word.text) inside_.rename(word, name);
+    return true;
+  }
+
+  // A text of its own: the parameter stays where it is, too.
+  cdl::Parameter copy_of(const cdl::Parameter& parameter) const {
+    const std::string words = fmt::format("assemblage A({});", model_.source()->text(parameter.whole));
+    cdl::Parameter out = std::get<cdl::Assemblage>(items_of(words).front()).parameters.front();
+    out.whole = {};
+    return out;
+  }
+
+  const Model& model_;
+  const PageView& view_;
+  const std::set<int>& chosen_;
+  cdl::Changes inside_;
+  std::vector<Given> given_;
+  std::vector<text::Span> hoisted_;
+  std::set<std::string> lets_;
+  std::set<std::string> taken_;
+};
+
+// What stands for the names of an assemblage put into it.
+cdl::Changes put_in(const cdl::Assemblage& assemblage,
+                    const std::map<std::string, cdl::ExpressionPtr>& names) {
+  static const cdl::Tree kNoTree;
+  cdl::Changes out(kNoTree);
+  cdl::for_each_construct(assemblage, [&]<class X>(const X& one) {
+    if constexpr (std::same_as<X, cdl::Expression>) {
+      const auto* name = std::get_if<cdl::Name>(&one.what);
+      const auto known = name == nullptr ? names.end() : names.find(name->name.text);
+      if (known == names.end()) return;
+      if (one.as.text.empty() && !one.active) {
+        out.replace(one, known->second);
+      } else {
+        out.change<X>(one, [value = known->second](X& now) { now.what = value->what; });
+      }
+    }
+  });
+  return out;
+}
+
+}  // namespace
 
 // The nodes have one value that others take: it is what the new assemblage gives.
 Done Editor::group(const Group& change) {
@@ -22,9 +222,8 @@ Done Editor::group(const Group& change) {
   const PageView view = *found;
   const std::string& name = change.name();
   if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
-  const bool is_known = anchors_of(work_.model(), "", work_.tokens()).contains(name) ||
-                        work_.model().components().find(name).has_value();
-  if (is_known) return refusal(fmt::format("there is a `{}` already", name));
+  if (is_declared(name) || work_.model().components().find(name))
+    return refusal(fmt::format("there is a `{}` already", name));
   std::set<int> chosen;
   for (const std::string& one : change.nodes()) {
     const text::Result<int> at = node(view, one);
@@ -32,154 +231,40 @@ Done Editor::group(const Group& change) {
     if (view.node(*at).expression != nullptr) chosen.insert(*at);
   }
   if (chosen.empty()) return refusal("no node is chosen that could be a part of an assemblage");
-
-  // Which of them others read: inline elsewhere, by name elsewhere, as the page's result.
-  const auto is_inside = [&](int at) { return chosen.contains(at); };
-  std::set<int> outputs;
-  for (const int at : chosen) {
-    const GraphNode& one = view.node(at);
-    bool is_read_inside = false;
-    bool is_read_outside = view.page->result == at;
-    for (std::size_t k = 0; k < view.page->nodes.size(); ++k) {
-      for (const GraphInput& input : view.page->nodes[k].inputs) {
-        if (input.from != at) continue;
-        (is_inside(static_cast<int>(k)) ? is_read_inside : is_read_outside) = true;
-      }
-    }
-    if (one.let != nullptr) {
-      int inside = 0;
-      for (const int other : chosen) {
-        for (const GraphInput& input : view.node(other).inputs) {
-          const auto* reads = input.written ? std::get_if<cdl::Name>(&input.written->what) : nullptr;
-          if (reads != nullptr && reads->name.text == one.let->name.text) ++inside;
-        }
-      }
-      if (count_uses(*view.graph, one.let->name.text) > inside) is_read_outside = true;
-    }
-    if (is_read_outside || !is_read_inside) outputs.insert(at);
-  }
-  if (outputs.size() != 1) {
-    std::vector<std::string> names;
-    for (const int at : outputs) names.push_back(fmt::format("`{}`", view.node(at).name));
-    return refusal(
-        fmt::format("an assemblage gives one value, and these give several: {}; choose what they lead to "
-                    "as well, so that one is left",
-                    fmt::join(names, ", ")));
-  }
-  const int top = *outputs.begin();
-  const GraphNode& output = view.node(top);
-
-  // What drives them from outside becomes parameters.
-  struct Given {
-    std::string name;
-    std::string words;    // type and default
-    std::string outside;  // what the caller gives
-  };
-  std::vector<Given> given;
-  std::set<std::string> taken;
-  for (const int at : chosen) {
-    if (view.node(at).let != nullptr) taken.insert(view.node(at).let->name.text);
-  }
-  std::vector<Swap> swaps;
-  std::vector<text::Span> hoisted;  // expressions that go to the caller
-  const auto text_of = [&](text::Span span) {
-    return std::string(work_.text().substr(span.begin, span.end - span.begin));
-  };
-  const auto add = [&](const std::string& wanted, const std::string& words, const std::string& outside) {
-    for (const Given& one : given) {
-      if (one.outside == outside) return one.name;
-    }
-    const std::string free = unique(wanted, taken);
-    taken.insert(free);
-    given.push_back({free, words, outside});
-    return free;
-  };
-  const auto is_chosen_let = [&](std::string_view let) {
-    return std::ranges::any_of(
-        chosen, [&](int at) { return view.node(at).let != nullptr && view.node(at).let->name.text == let; });
-  };
-  for (const int at : chosen) {
-    for (const GraphInput& input : view.node(at).inputs) {
-      if (!input.written || (input.is_inline && is_inside(input.from))) continue;
-      if (input.is_inline) {  // written here, and stays outside
-        const cdl::PortType type = this->given(view, input.from);
-        if (type.type == nullptr)
-          return refusal(fmt::format("what type `{}` has can't be told", view.node(input.from).name));
-        const std::string param = add(input.port == "members" ? default_name(*input.written) : input.port,
-                                      type_words(type), text_of(input.written->place.span));
-        swaps.push_back({input.written->place.span, param});
-        hoisted.push_back(input.written->place.span);
-      }
-    }
-  }
-  const auto is_hoisted = [&](text::Span span) {
-    return std::ranges::any_of(
-        hoisted, [&](text::Span one) { return one.begin <= span.begin && span.end <= one.end; });
-  };
-  std::string trouble;
-  const auto look = [&](const cdl::Expression& expression) {
-    for_each_name(expression, [&](const cdl::Name& one, const cdl::Expression& whole) {
-      const std::string& word = one.name.text;
-      if (is_hoisted(whole.place.span) || is_chosen_let(word)) return;
-      for (const cdl::Parameter& parameter : view.graph->parameters()) {
-        if (parameter.name.text != word) continue;
-        const text::Span span = parameter.whole;
-        const std::string words = text_of({parameter.type.place.span.begin, span.end});
-        const std::string param = add(word, words, word);
-        if (param != word) swaps.push_back({one.name.place.span, param});
-      }
-      for (const cdl::Let& let : view.graph->lets()) {
-        if (let.name.text != word) continue;
-        const cdl::PortType type = view.graph->type_of(*let.value);
-        if (type.type == nullptr) trouble = word;
-        const std::string param = add(word, type.type == nullptr ? "" : type_words(type), word);
-        if (param != word) swaps.push_back({one.name.place.span, param});
-      }
-    });
-  };
-  look(*output.expression);
-  for (const int at : chosen) {
-    if (view.node(at).let != nullptr && at != top) look(*view.node(at).let->value);
-  }
-  if (!trouble.empty()) return refusal(fmt::format("what type `{}` has can't be told", trouble));
-  // Parameters with a default come behind those without.
-  std::ranges::stable_partition(given,
-                                [](const Given& one) { return one.words.find('=') == std::string::npos; });
-
-  Fragment declaration(fmt::format("assemblage {}(", name));
-  for (std::size_t i = 0; i < given.size(); ++i)
-    declaration.add(fmt::format("{}{}: {}", i == 0 ? "" : ", ", given[i].name, given[i].words));
-  declaration.add(") {\n");
-  for (const cdl::Let& let : view.graph->lets()) {
-    for (const int at : chosen) {
-      if (view.node(at).let != &let || at == top) continue;
-      declaration.add(fmt::format("let {} = ", let.name.text))
-          .add(swapped(work_, let.value->place.span, swaps))
-          .add(";\n");
-    }
-  }
-  const cdl::Expression& body = *output.expression;
-  text::Span words = body.place.span;
-  const bool has_name = !body.as.text.empty() && !body.active;
-  if (has_name) words.end = work_.tokens().tokens()[work_.tokens().at(body.as.place.span.begin) - 2].span.end;
-  const Fragment made = swapped(work_, words, swaps);
-  declaration.add(made).add(made.text().ends_with('}') ? "\n}\n\n" : ";\n}\n\n");
-
-  std::string call = name + "(";
-  for (std::size_t i = 0; i < given.size(); ++i)
-    call += fmt::format("{}{} = {}", i == 0 ? "" : ", ", given[i].name, given[i].outside);
-  call += ")";
-  if (has_name) call += " as " + body.as.text;
+  const text::Result<int> top = output_of(view, chosen);
+  if (!top) return std::unexpected(top.error());
+  GroupDraft draft(work_.model(), view, chosen);
+  if (const Done done = draft.gather(*top); !done) return done;
   // Before the declaration that they come from.
-  const text::Span owner = declaration_span(work_.model(), view.graph->name);
-  work_.insert(owner.begin, declaration);
-  work_.replace_all(body.place.span, call);
+  const cdl::Expression& body = *view.node(*top).expression;
+  for (const cdl::Item& item : work_.model().tree().items) {
+    const void* const one = std::visit([](const auto& what) -> const void* { return &what; }, item);
+    if (one == view.graph->assemblage || one == view.graph->robot)
+      work_.changes().add(draft.assemblage(name, *top), &item);
+  }
+  work_.changes().replace(body, draft.call(name, body));
   for (const int at : chosen) {
-    if (view.node(at).let != nullptr && at != top) erase_let(*view.node(at).let);
+    if (view.node(at).let != nullptr && at != *top) work_.changes().remove(*view.node(at).let);
   }
   const std::vector<Stood> stood = places(view, change.page(), chosen);
   if (const Done done = work_.commit(); !done) return done;
   return arrange_group(change, stood);
+}
+
+// Which of them others read: inline elsewhere, by name elsewhere, as the page's result.
+text::Result<int> Editor::output_of(const PageView& view, const std::set<int>& chosen) const {
+  std::vector<int> outputs;
+  std::vector<std::string> names;
+  for (const int at : chosen) {
+    if (!is_output(view, chosen, at)) continue;
+    outputs.push_back(at);
+    names.push_back(fmt::format("`{}`", view.node(at).name));
+  }
+  if (outputs.size() == 1) return outputs.front();
+  return refusal(
+      fmt::format("an assemblage gives one value, and these give several: {}; choose what they lead to "
+                  "as well, so that one is left",
+                  fmt::join(names, ", ")));
 }
 
 // Where the layout has these nodes, and by what they are found again.
@@ -240,91 +325,71 @@ Done Editor::ungroup(const Ungroup& change) {
   const auto& assemblages = work_.model().configuration().assemblages;
   if (call == nullptr || !assemblages.contains(call->callee.text))
     return refusal("only an assemblage is made of something");
-  const cdl::Assemblage& assemblage = *assemblages.find(call->callee.text)->second;
-  if (!assemblage.body) return refusal("the assemblage is empty");
-  const std::string_view source = assemblage.name.place.source->text();
+  const cdl::Assemblage& declared = *assemblages.find(call->callee.text)->second;
+  if (!declared.body) return refusal("the assemblage is empty");
+  // A text of its own: the assemblage stays where it is, too.
+  const std::vector<cdl::Item> copy = items_of(std::string(declared.name.place.source->text(declared.whole)));
+  const auto& assemblage = std::get<cdl::Assemblage>(copy.front());
 
-  std::map<std::string, std::string> values;
-  for (std::size_t i = 0; i < call->arguments.size(); ++i) {
-    const cdl::Argument& argument = call->arguments[i];
-    std::string name = argument.name.text;
-    if (name.empty() && i < assemblage.parameters.size()) name = assemblage.parameters[i].name.text;
-    const text::Span span = argument.value->place.span;
-    values[name] = work_.text().substr(span.begin, span.end - span.begin);
-  }
   std::set<std::string> taken;
-  for (const cdl::Let& let : view.graph->lets()) taken.insert(let.name.text);
+  for (const cdl::Let& let : view.lets()) taken.insert(let.name.text);
   for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
-  std::vector<std::string> statements;
-  std::map<std::string, std::string> names;
-  std::map<std::string, int> uses;
-  const auto count = [&](const cdl::ExpressionPtr& expression) {
-    for_each_name(*expression,
-                  [&](const cdl::Name& name, const cdl::Expression&) { ++uses[name.name.text]; });
+  std::vector<cdl::Let> lets;
+  const auto add = [&](const std::string& wanted, const cdl::ExpressionPtr& value) {
+    const std::string own = unique(wanted, taken);
+    taken.insert(own);
+    lets.push_back({{own, {}}, value, ""});
+    return named(own);
   };
-  count(assemblage.body);
-  for (const cdl::Let& let : assemblage.lets) count(let.value);
+  const text::Result<std::map<std::string, cdl::ExpressionPtr>> values = values_of(*call, assemblage);
+  if (!values) return std::unexpected(values.error());
+  std::map<std::string, cdl::ExpressionPtr> names;
   for (const cdl::Parameter& parameter : assemblage.parameters) {
     const std::string& name = parameter.name.text;
-    const auto value = values.find(name);
-    if (value == values.end() && !parameter.initial)
-      return refusal(fmt::format("`{}` has no value here", name));
-    std::string words = value != values.end()
-                            ? value->second
-                            : std::string(source.substr(
-                                  parameter.initial->place.span.begin,
-                                  parameter.initial->place.span.end - parameter.initial->place.span.begin));
+    const cdl::ExpressionPtr& value = values->at(name);
     // A node that several of its parts read stays one node.
-    const bool is_node = words.find('(') != std::string::npos || words.find('{') != std::string::npos;
-    if (is_node && uses[name] > 1) {
-      const std::string own = unique(name, taken);
-      taken.insert(own);
-      statements.push_back(fmt::format("let {} = {};", own, words));
-      words = own;
-    }
-    names[name] = words;
-  }
-  for (const cdl::Let& let : assemblage.lets) {
-    names[let.name.text] = unique(let.name.text, taken);
-    taken.insert(names[let.name.text]);
-  }
-  const auto words_of = [&](const cdl::Expression& expression) {
-    std::vector<Swap> swaps;
-    for_each_name(expression, [&](const cdl::Name& name, const cdl::Expression&) {
-      const auto known = names.find(name.name.text);
-      if (known != names.end() && known->second != name.name.text)
-        swaps.push_back({name.name.place.span, known->second});
+    int uses = 0;
+    cdl::for_each_construct(assemblage, [&]<class X>(const X& one) {
+      if constexpr (std::same_as<X, cdl::Name>) uses += one.name.text == name ? 1 : 0;
     });
-    return swapped(source, expression.place.span, std::move(swaps));
-  };
-  for (const cdl::Let& let : assemblage.lets)
-    statements.push_back(fmt::format("let {} = {};", names[let.name.text], words_of(*let.value)));
-  std::string body = words_of(*assemblage.body);
-  if (!there.expression->as.text.empty() && assemblage.body->as.text.empty() && !assemblage.body->active &&
-      !default_name(*assemblage.body).empty())
-    body += " as " + there.expression->as.text;
-  const bool is_line = there.reader < 0 || there.let != nullptr;
+    names[name] = has_node(*value) && uses > 1 ? add(name, value) : value;
+  }
+  for (const cdl::Let& let : assemblage.lets) names[let.name.text] = add(let.name.text, let.value);
+  const cdl::Changes inside = put_in(assemblage, names);
+  for (cdl::Let& let : lets) let.value = inside.of(let.value);
+  cdl::ExpressionPtr body = inside.of(assemblage.body);
+  if (!there.expression->as.text.empty() && body->as.text.empty() && !body->active &&
+      !default_name(*body).empty()) {
+    auto called_so = std::make_shared<cdl::Expression>(*body);
+    called_so->as = there.expression->as;
+    called_so->whole = {};
+    body = called_so;
+  }
   const GraphInput* input =
       there.reader < 0 ? nullptr
                        : &view.node(there.reader).inputs[static_cast<std::size_t>(there.reader_input)];
-  const bool takes_block =
-      is_line || (input != nullptr && (input->role == Role::kMember || input->role == Role::kCase ||
-                                       input->role == Role::kDrive));
-  if (!takes_block && body.find('{') != std::string::npos) {
-    const std::string own = unique(default_name(*assemblage.body), taken);
-    statements.push_back(fmt::format("let {} = {};", own, body));
-    body = own;
-  }
-  if (!statements.empty()) {
-    std::string all;
-    for (const std::string& one : statements) all += (all.empty() ? "" : "\n") + one;
-    // One statement after the other behind the last `let`.
-    const std::size_t first = all.find(" = ");
-    const std::string name = all.substr(4, first - 4);
-    add_let(view, name, all.substr(first + 3, all.size() - first - 4));
-  }
-  work_.replace(there.expression->place.span, body);
+  const bool takes_block = input == nullptr || there.let != nullptr || input->role == Role::kMember ||
+                           input->role == Role::kCase || input->role == Role::kDrive;
+  if (!takes_block && has_block(*body)) body = add(default_name(*body), body);
+  change_owner(view, [lets](auto& now) { now.lets.insert(now.lets.end(), lets.begin(), lets.end()); });
+  work_.changes().replace(*there.expression, body);
   return work_.commit();
+}
+
+// What a call gives each parameter.
+text::Result<std::map<std::string, cdl::ExpressionPtr>> Editor::values_of(
+    const cdl::Call& call, const cdl::Assemblage& assemblage) const {
+  std::map<std::string, cdl::ExpressionPtr> out;
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const cdl::Argument& argument = call.arguments[i];
+    const bool is_placed = argument.name.text.empty() && i < assemblage.parameters.size();
+    out[is_placed ? assemblage.parameters[i].name.text : argument.name.text] = argument.value;
+  }
+  for (const cdl::Parameter& parameter : assemblage.parameters) {
+    const auto [value, is_new] = out.try_emplace(parameter.name.text, parameter.initial);
+    if (!value->second) return refusal(fmt::format("`{}` has no value here", parameter.name.text));
+  }
+  return out;
 }
 
 }  // namespace mlab::designer

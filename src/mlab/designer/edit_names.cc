@@ -8,7 +8,8 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/editor.h"
-#include "mlab/lang/cdl/walk.h"
+#include "mlab/designer/values.h"
+#include "mlab/lang/cdl/parts.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -35,12 +36,13 @@ bool is_layout_name(std::string_view name) {
   return false;
 }
 
-std::string quoted(std::string line) {
+// As a text may stand in a file.
+std::string quotable(std::string line) {
   for (char& c : line) {
     if (c == '"') c = '\'';
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
-  return '"' + line + '"';
+  return line;
 }
 
 std::vector<std::string> split_lines(std::string_view text) {
@@ -57,45 +59,41 @@ std::vector<std::string> split_lines(std::string_view text) {
 
 // ---- where things stand
 
-Done Editor::set_layout(const std::string& page,
-                        const std::vector<std::pair<std::string, std::string>>& entries) {
-  if (entries.empty()) return true;
-  const TokenMap& tokens = work_.tokens();
-  const cdl::Layout* layout = work_.model().layout(page);
-  if (layout == nullptr) {
-    std::string block = page.empty() ? "layout {\n" : fmt::format("layout {} {{\n", page);
-    for (const auto& [name, words] : entries) block += words + "\n";
-    return add_text(block + "}");
+Done Editor::change_layout(const std::string& page, const std::function<void(cdl::Layout&)>& how) {
+  if (!page.empty() && work_.model().society(page) == nullptr) {
+    const text::Result<PageView> view = this->page(page);
+    if (!view) return std::unexpected(view.error());
   }
-  // Behind the last of its words before its `}`.
-  const std::uint32_t last = tokens.tokens()[tokens.at(layout->whole.end - 1) - 1].span.end;
-  for (const auto& [name, words] : entries) {
-    const auto known =
-        std::ranges::find_if(layout->entries, [&](const cdl::LayoutEntry& e) { return e.node.text == name; });
-    if (name.empty() || known == layout->entries.end()) {
-      work_.insert_statement_behind(last, words);
-      continue;
-    }
-    const std::uint32_t begin = known->node.place.span.begin;
-    work_.replace({begin, tokens.statement_end(begin)}, words);
+  if (const cdl::Layout* layout = work_.model().layout(page)) {
+    work_.changes().change<cdl::Layout>(*layout, how);
+  } else {
+    cdl::Layout fresh;
+    fresh.owner.text = page;
+    how(fresh);
+    if (!fresh.entries.empty() || !fresh.notes.empty()) work_.add(std::move(fresh));
   }
-  return true;
+  return work_.commit();
 }
 
 Done Editor::arrange(const Arrange& change) {
-  if (!change.page().empty() && work_.model().society(change.page()) == nullptr) {
-    const text::Result<PageView> view = page(change.page());
-    if (!view) return std::unexpected(view.error());
-  }
-  std::vector<std::pair<std::string, std::string>> entries;
+  std::vector<cdl::LayoutEntry> entries;
   std::set<std::string> seen;
   for (const Arrange::At& at : change.nodes()) {
     const std::string name = layout_name(at.node());
-    if (!is_layout_name(name) || !seen.insert(name).second) continue;
-    entries.emplace_back(name, fmt::format("{} {} {};", name, rounded(at.x()), rounded(at.y())));
+    if (is_layout_name(name) && seen.insert(name).second)
+      entries.push_back({{name, {}}, rounded(at.x()), rounded(at.y())});
   }
-  const Done done = set_layout(change.page(), entries);
-  return done ? work_.commit() : done;
+  if (entries.empty()) return true;
+  return change_layout(change.page(), [entries](cdl::Layout& now) {
+    for (const cdl::LayoutEntry& one : entries) {
+      const auto known = std::ranges::find_if(
+          now.entries, [&](const cdl::LayoutEntry& entry) { return entry.node.text == one.node.text; });
+      if (known == now.entries.end())
+        now.entries.push_back(one);
+      else
+        *known = {known->node, one.x, one.y};
+    }
+  });
 }
 
 Done Editor::set_note(const SetNote& change) {
@@ -107,106 +105,71 @@ Done Editor::set_note(const SetNote& change) {
   }
   if (!change.id().empty() && old == nullptr) return refusal("the note has gone");
   if (is_gone) {
-    if (old != nullptr) work_.erase_statement(old->place.span.begin);
+    if (old != nullptr) work_.changes().remove(*old);
     return work_.commit();
   }
-  std::string words =
-      fmt::format("{} {} {}", change.is_frame() ? "frame" : "note", rounded(change.x()), rounded(change.y()));
-  const std::vector<std::string> lines = split_lines(change.text());
-  if (change.is_frame() || change.width() != 0.0 || change.height() != 0.0 || lines.empty())
-    words += fmt::format(" {} {}", rounded(change.width()), rounded(change.height()));
-  for (const std::string& line : lines) words += " " + quoted(line);
-  words += ";";
-  if (old != nullptr) {
-    work_.replace({old->place.span.begin, work_.tokens().statement_end(old->place.span.begin)}, words);
-    return work_.commit();
-  }
-  if (!change.page().empty() && work_.model().society(change.page()) == nullptr) {
-    const text::Result<PageView> view = page(change.page());
-    if (!view) return std::unexpected(view.error());
-  }
-  const Done done = set_layout(change.page(), {{"", words}});
-  return done ? work_.commit() : done;
+  cdl::LayoutNote note;
+  note.is_frame = change.is_frame();
+  note.x = rounded(change.x());
+  note.y = rounded(change.y());
+  note.width = rounded(change.width());
+  note.height = rounded(change.height());
+  for (const std::string& line : split_lines(change.text())) note.lines.push_back(quotable(line));
+  if (old == nullptr)
+    return change_layout(change.page(), [note](cdl::Layout& now) { now.notes.push_back(note); });
+  work_.changes().change<cdl::LayoutNote>(*old, [note](cdl::LayoutNote& now) {
+    const text::Place place = now.place;
+    now = note;
+    now.place = place;
+  });
+  return work_.commit();
 }
 
 // ---- help
 
-void Editor::write_help(std::uint32_t statement, const std::string& help) {
-  const std::uint32_t begin = work_.tokens().help_begin(statement);
-  std::string lines;
-  for (const std::string& line : split_lines(help))
-    lines += line.empty() ? "///\n" : fmt::format("/// {}\n", line);
-  if (begin == statement) {
-    work_.insert(statement, lines);
-    return;
-  }
-  // The comments that stood there are what is replaced.
-  Fragment what(lines);
-  if (lines.empty()) {
-    std::uint32_t to = statement;
-    while (to > begin && (work_.text()[to - 1] == ' ' || work_.text()[to - 1] == '\t')) --to;
-    work_.replace_all({begin, to}, "");
-  } else {
-    work_.replace_all({begin, statement}, lines);
-  }
+template <class X>
+Done Editor::write_help(const X& what, const std::string& help) {
+  work_.changes().change<X>(what, [help](X& now) { now.help = help; });
+  return work_.commit();
+}
+
+Done Editor::set_declaration_help(const std::string& name, const std::string& help) {
+  const auto note = [&]<class X>(const X& one) {
+    work_.changes().change<X>(one, [help](X& now) { now.help = help; });
+  };
+  if (!visit_declaration(work_.model().tree(), name, note))
+    return refusal(fmt::format("there is no `{}`", text::shown(name)));
+  return work_.commit();
 }
 
 Done Editor::set_help(const SetHelp& change) {
-  const TokenMap& tokens = work_.tokens();
-  const auto declaration = [&](const text::Span& name) {
-    write_help(tokens.tokens()[tokens.at(name.begin) - 1].span.begin, change.text());
-    return work_.commit();
-  };
-  const auto of_declaration = [&](const std::string& name) -> Done {
-    const std::map<std::string, Anchor> all = anchors_of(work_.model(), "", tokens);
-    const auto found = all.find(name);
-    if (found == all.end()) return refusal(fmt::format("there is no `{}`", text::shown(name)));
-    return declaration({found->second, found->second});
-  };
-  if (change.page().empty()) return of_declaration(change.node());
+  if (change.page().empty()) return set_declaration_help(change.node(), change.text());
   if (change.node().empty() && change.page().find('.') == std::string::npos)
-    return of_declaration(change.page());
+    return set_declaration_help(change.page(), change.text());
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
-  const auto of_state = [&](const cdl::State& state) {
-    std::size_t at = tokens.at(state.name.place.span.begin);
-    while (at > 0 && (tokens.word(at - 1) == "start" || tokens.word(at - 1) == "final")) --at;
-    write_help(tokens.tokens()[at].span.begin, change.text());
-    return work_.commit();
-  };
   if (change.node().empty()) {
-    if (view->page->state != nullptr) return of_state(*view->page->state);
+    if (view->page->state != nullptr) return write_help(*view->page->state, change.text());
     return refusal("this page has no help of its own");
   }
   if (view->page->sequence != nullptr) {
     for (const cdl::State& state : view->page->sequence->states) {
-      if (state.name.text == change.node()) return of_state(state);
+      if (state.name.text == change.node()) return write_help(state, change.text());
     }
   }
   const text::Result<int> at = node(*view, change.node());
   if (!at) return std::unexpected(at.error());
   const GraphNode& there = view->node(*at);
-  if (there.parameter != nullptr) {
-    SetParameter parameter;
-    parameter.set_owner(view->graph->name);
-    parameter.set_name(there.parameter->name.text);
-    parameter.set_help(change.text());
-    return set_parameter(parameter);
-  }
-  if (there.let != nullptr) return declaration(there.let->name.place.span);
+  if (there.parameter != nullptr) return write_help(*there.parameter, change.text());
+  if (there.let != nullptr) return write_help(*there.let, change.text());
   // A member of an operator has its line.
-  if (there.reader >= 0) {
-    const GraphInput& input = view->node(there.reader).inputs[static_cast<std::size_t>(there.reader_input)];
-    if (input.role == Role::kMember) {
-      const GraphInput& weight =
-          view->node(there.reader).inputs[static_cast<std::size_t>(there.reader_input) + 1];
-      const cdl::Expression& first =
-          weight.role == Role::kWeight && weight.written ? *weight.written : *input.written;
-      write_help(first.place.span.begin, change.text());
-      return work_.commit();
-    }
-  }
-  return refusal("only what has a line of its own can have help: a name, a member, a state");
+  const GraphInput* input =
+      there.reader < 0 ? nullptr
+                       : &view->node(there.reader).inputs[static_cast<std::size_t>(there.reader_input)];
+  if (input == nullptr || input->role != Role::kMember)
+    return refusal("only what has a line of its own can have help: a name, a member, a state");
+  const auto& members = *members_of(*view->node(there.reader).expression);
+  return write_help(members[static_cast<std::size_t>(input->at)], change.text());
 }
 
 // ---- names
@@ -239,18 +202,10 @@ Done Editor::rename(const Rename& change) {
     return rename_local(*view, from, to);
   }
   if (there.expression == nullptr) return refusal("an actuator is called as its robot's class says");
-  const cdl::Expression& expression = *there.expression;
-  const TokenMap& tokens = work_.tokens();
-  const bool is_own = to == default_name(expression);
-  if (!expression.as.text.empty()) {
-    const text::Span name = expression.as.place.span;
-    if (is_own)
-      work_.erase({tokens.tokens()[tokens.at(name.begin) - 2].span.end, name.end});
-    else
-      work_.replace(name, to);
-  } else if (!is_own) {
-    work_.replace(expression.place.span, value_as(expression, to));
-  }
+  // What would be called so by itself needs no name.
+  const std::string as = to == default_name(*there.expression) ? "" : to;
+  work_.changes().change<cdl::Expression>(*there.expression,
+                                          [as](cdl::Expression& now) { now.as.text = as; });
   return work_.commit();
 }
 
@@ -258,50 +213,34 @@ Done Editor::rename(const Rename& change) {
 Done Editor::rename_local(const PageView& view, const std::string& from, const std::string& to) {
   if (is_taken(view, to)) return refusal(fmt::format("`{}` is taken already", to));
   const OwnerGraph& graph = *view.graph;
-  const auto rename_in = [&](const cdl::ExpressionPtr& expression) {
-    if (!expression) return;
-    cdl::for_each_expression(*expression, [&](const cdl::Expression& one) {
-      const auto* name = std::get_if<cdl::Name>(&one.what);
-      if (name != nullptr && name->name.text == from) work_.rename(name->name.place.span, to);
-    });
+  const auto rename = [&](const cdl::Word& word) {
+    if (word.text == from) work_.changes().rename(word, to);
   };
-  for (const cdl::Let& let : graph.lets()) {
-    if (let.name.text == from) work_.rename(let.name.place.span, to);
-    rename_in(let.value);
-  }
   bool is_parameter = false;
-  for (const cdl::Parameter& parameter : graph.parameters()) {
-    if (parameter.name.text == from) {
-      work_.rename(parameter.name.place.span, to);
-      is_parameter = true;
+  const auto rename_in = [&]<class X>(const X& one) {
+    if constexpr (std::same_as<X, cdl::Name> || std::same_as<X, cdl::Let>) rename(one.name);
+    if constexpr (std::same_as<X, cdl::Parameter>) {
+      rename(one.name);
+      is_parameter |= one.name.text == from;
     }
-    rename_in(parameter.initial);
-  }
-  if (graph.assemblage != nullptr) rename_in(graph.assemblage->body);
-  if (graph.robot != nullptr) {
-    for (const cdl::Drive& drive : graph.robot->drives) rename_in(drive.value);
-  }
-  if (!is_parameter || graph.assemblage == nullptr) return work_.commit();
-  const auto rename_given = [&](const cdl::ExpressionPtr& expression) {
-    if (!expression) return;
-    cdl::for_each_expression(*expression, [&](const cdl::Expression& one) {
-      const auto* call = std::get_if<cdl::Call>(&one.what);
-      if (call == nullptr || call->callee.text != graph.name) return;
-      for (const cdl::Argument& argument : call->arguments) {
-        if (argument.name.text == from) work_.rename(argument.name.place.span, to);
-      }
-    });
   };
-  for (const cdl::Item& item : work_.model().tree().items) {
-    if (const auto* assemblage = std::get_if<cdl::Assemblage>(&item)) {
-      for (const cdl::Let& let : assemblage->lets) rename_given(let.value);
-      rename_given(assemblage->body);
-    } else if (const auto* robot = std::get_if<cdl::Robot>(&item)) {
-      for (const cdl::Let& let : robot->lets) rename_given(let.value);
-      for (const cdl::Drive& drive : robot->drives) rename_given(drive.value);
-    }
-  }
+  if (graph.assemblage != nullptr) cdl::for_each_construct(*graph.assemblage, rename_in);
+  if (graph.robot != nullptr) cdl::for_each_construct(*graph.robot, rename_in);
+  if (!is_parameter || graph.assemblage == nullptr) return work_.commit();
+  for_each_call(graph.name, [&](const cdl::Call& call) {
+    for (const cdl::Argument& argument : call.arguments) rename(argument.name);
+  });
   return work_.commit();
+}
+
+void Editor::for_each_call(std::string_view callee,
+                           const std::function<void(const cdl::Call&)>& visit) const {
+  const auto look = [&]<class X>(const X& one) {
+    if constexpr (std::same_as<X, cdl::Call>) {
+      if (one.callee.text == callee) visit(one);
+    }
+  };
+  for (const cdl::Item& item : work_.model().tree().items) cdl::for_each_construct(item, look);
 }
 
 Done Editor::rename_state(const PageView& view, const std::string& from, const std::string& to) {
@@ -309,9 +248,9 @@ Done Editor::rename_state(const PageView& view, const std::string& from, const s
     if (state.name.text == to) return refusal(fmt::format("there is a state `{}` already", to));
   }
   for (const cdl::State& state : view.page->sequence->states) {
-    if (state.name.text == from) work_.rename(state.name.place.span, to);
+    if (state.name.text == from) work_.changes().rename(state.name, to);
     for (const cdl::Transition& transition : state.transitions) {
-      if (transition.target.text == from) work_.rename(transition.target.place.span, to);
+      if (transition.target.text == from) work_.changes().rename(transition.target, to);
     }
   }
   return work_.commit();
@@ -319,64 +258,28 @@ Done Editor::rename_state(const PageView& view, const std::string& from, const s
 
 // A declaration, and every word of the file that means it.
 Done Editor::rename_declaration(const std::string& from, const std::string& to) {
-  const Model& model = work_.model();
-  const std::map<std::string, Anchor> all = anchors_of(model, "", work_.tokens());
-  if (!all.contains(from)) return refusal(fmt::format("there is no `{}`", text::shown(from)));
-  if (all.contains(to)) return refusal(fmt::format("there is a `{}` already", to));
-  const auto word = [&](const cdl::Word& one) {
-    if (one.text == from) work_.rename(one.place.span, to);
+  if (!is_declared(from)) return refusal(fmt::format("there is no `{}`", text::shown(from)));
+  if (is_declared(to)) return refusal(fmt::format("there is a `{}` already", to));
+  const auto rename = [&](const cdl::Word& word) {
+    if (word.text == from) work_.changes().rename(word, to);
   };
-  const auto calls = [&](const cdl::ExpressionPtr& expression) {
-    if (!expression) return;
-    cdl::for_each_expression(*expression, [&](const cdl::Expression& one) {
-      if (const auto* call = std::get_if<cdl::Call>(&one.what)) word(call->callee);
-      if (const auto* by = std::get_if<cdl::Coordinate>(&one.what)) word(by->by.callee);
-      if (const auto* by = std::get_if<cdl::Fuse>(&one.what)) word(by->by.callee);
-    });
-  };
-  const auto devices = [&](const std::vector<cdl::Device>& all_devices) {
-    for (const cdl::Device& device : all_devices) {
-      word(device.by.callee);
-      word(device.binds);
-      for (const cdl::Argument& argument : device.by.arguments) calls(argument.value);
+  const auto look = [&]<class X>(const X& one) {
+    if constexpr (requires { one.callee; }) rename(one.callee);
+    if constexpr (requires { one.binds; }) rename(one.binds);
+    if constexpr (requires { one.class_name; }) rename(one.class_name);
+    if constexpr (std::same_as<X, cdl::Choice> || std::same_as<X, cdl::Drive>) rename(one.binding);
+    if constexpr (std::same_as<X, cdl::SocietyMember>) {
+      rename(one.name);
+      rename(one.by);
     }
   };
-  const auto parameters_of = [&](const std::vector<cdl::Parameter>& parameters) {
-    for (const cdl::Parameter& parameter : parameters) calls(parameter.initial);
-  };
-  const auto member = [&](const auto& self, const cdl::SocietyMember& one) -> void {
-    word(one.name);
-    word(one.by);
-    for (const cdl::SocietyMember& inner : one.members) self(self, inner);
-  };
-  for (const cdl::Item& item : model.tree().items) {
-    if (const auto* assemblage = std::get_if<cdl::Assemblage>(&item)) {
-      word(assemblage->name);
-      parameters_of(assemblage->parameters);
-      for (const cdl::Let& let : assemblage->lets) calls(let.value);
-      calls(assemblage->body);
-    } else if (const auto* robot = std::get_if<cdl::Robot>(&item)) {
-      word(robot->name);
-      word(robot->class_name);
-      parameters_of(robot->parameters);
-      for (const cdl::Let& let : robot->lets) calls(let.value);
-      for (const cdl::Choice& choice : robot->choices) word(choice.binding);
-      for (const cdl::Drive& drive : robot->drives) {
-        word(drive.binding);
-        calls(drive.value);
-      }
-    } else if (const auto* robot_class = std::get_if<cdl::RobotClass>(&item)) {
-      word(robot_class->name);
-      devices(robot_class->devices);
-    } else if (const auto* society = std::get_if<cdl::Society>(&item)) {
-      word(society->name);
-      member(member, society->what);
-    } else if (const auto* op = std::get_if<cdl::SocietyOperator>(&item)) {
-      word(op->name);
-      devices(op->devices);
-    } else if (const auto* binding = std::get_if<cdl::Binding>(&item)) {
-      word(binding->name);
-    }
+  for (const cdl::Item& item : work_.model().tree().items) {
+    std::visit(
+        [&]<class X>(const X& one) {
+          if constexpr (requires { one.name; } && !std::same_as<X, cdl::Architecture>) rename(one.name);
+        },
+        item);
+    cdl::for_each_construct(item, look);
   }
   return work_.commit();
 }

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/editor.h"
+#include "mlab/designer/values.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -17,10 +18,6 @@ const cdl::State* state_named(const cdl::Sequence& sequence, std::string_view na
   const auto found =
       std::ranges::find_if(sequence.states, [&](const cdl::State& state) { return state.name.text == name; });
   return found == sequence.states.end() ? nullptr : &*found;
-}
-
-std::string transition_words(const std::string& trigger, const std::string& to, bool restarts) {
-  return fmt::format("when {} goto {}{};", trigger, to, restarts ? " restart" : "");
 }
 
 }  // namespace
@@ -45,41 +42,15 @@ Done Editor::add_state(const AddState& change) {
   }
   if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
   if (taken.contains(name)) return refusal(fmt::format("there is a state `{}` already", name));
-  std::string member = "Stand()";
-  if (!change.component().empty()) {
-    if (!work_.model().components().find(change.component()))
-      return refusal(fmt::format("nothing answers to `{}`", text::shown(change.component())));
-    member = change.component() + "()";
-  }
-  const std::string words = fmt::format("{}{}: {};", states.empty() ? "start " : "", name, member);
-  const TokenMap& tokens = work_.tokens();
-  if (states.empty()) {
-    const text::Result<PageView> view = page(change.page());
-    std::size_t open = tokens.at(view->page->root != nullptr ? view->page->root->place.span.begin : 0);
-    const GraphPage* here = view->page;
-    if (here->root == nullptr) {
-      for (const GraphPage& other : view->graph->pages) {
-        for (const GraphNode& node : other.nodes) {
-          if (node.inner >= 0 && &view->graph->pages[static_cast<std::size_t>(node.inner)] == here)
-            open = tokens.at(node.expression->place.span.begin);
-        }
-      }
-    }
-    while (open + 1 < tokens.tokens().size() && tokens.word(open) != "{") ++open;
-    const text::Span brace = tokens.tokens()[open].span;
-    work_.insert(brace.end, "\n" + words + "\n");
-  } else {
-    work_.insert_statement_behind(states.back().whole.end, words);
-  }
+  if (!change.component().empty() && !work_.model().components().find(change.component()))
+    return refusal(fmt::format("nothing answers to `{}`", text::shown(change.component())));
+  cdl::State state;
+  state.name.text = name;
+  state.is_start = states.empty();
+  state.member = called(change.component().empty() ? "Stand" : change.component());
+  work_.changes().change<cdl::Sequence>(**all, [state](cdl::Sequence& now) { now.states.push_back(state); });
   if (const Done done = work_.commit(); !done) return done;
-  if (change.x() == 0.0 && change.y() == 0.0) return true;
-  Arrange where;
-  where.set_page(change.page());
-  Arrange::At& at = *where.add_nodes();
-  at.set_node(name);
-  at.set_x(change.x());
-  at.set_y(change.y());
-  return arrange(where);
+  return arrange_one(change.page(), name, change);
 }
 
 Done Editor::set_state(const SetState& change) {
@@ -87,23 +58,18 @@ Done Editor::set_state(const SetState& change) {
   if (!all) return std::unexpected(all.error());
   const cdl::State* state = state_named(**all, change.state());
   if (state == nullptr) return refusal(fmt::format("there is no state `{}`", text::shown(change.state())));
-  const auto mark = [&](const cdl::State& one, bool is_start, bool is_final) {
-    const std::string words = fmt::format("{}{}", is_start ? "start " : "", is_final ? "final " : "");
-    work_.replace({one.whole.begin, one.name.place.span.begin}, words);
-  };
   const bool becomes_start = change.has_is_start() ? change.is_start() : state->is_start;
   const bool becomes_final = change.has_is_final() ? change.is_final() : state->is_final;
-  if (becomes_start != state->is_start || becomes_final != state->is_final)
-    mark(*state, becomes_start, becomes_final);
-  if (becomes_start && !state->is_start) {  // there is one of them
-    for (const cdl::State& other : (*all)->states) {
-      if (&other != state && other.is_start) mark(other, false, other.is_final);
-    }
-  }
-  if (change.has_member()) {
-    if (!is_expression(change.member()))
-      return refusal(fmt::format("`{}` is no value", text::shown(change.member())));
-    work_.replace(state->member->place.span, change.member());
+  const cdl::ExpressionPtr member = change.has_member() ? typed_value(change.member()) : state->member;
+  if (!member) return refusal(fmt::format("`{}` is no value", text::shown(change.member())));
+  work_.changes().change<cdl::State>(*state, [=](cdl::State& now) {
+    now.is_start = becomes_start;
+    now.is_final = becomes_final;
+    now.member = member;
+  });
+  for (const cdl::State& other : (*all)->states) {  // there is one start
+    if (&other != state && other.is_start && becomes_start && !state->is_start)
+      work_.changes().change<cdl::State>(other, [](cdl::State& now) { now.is_start = false; });
   }
   return work_.commit();
 }
@@ -117,9 +83,13 @@ Done Editor::add_transition(const AddTransition& change) {
     return refusal(
         fmt::format("there is no state `{}`", text::shown(from == nullptr ? change.from() : change.to())));
   // A trigger that is never true, which the checker marks: it is to be filled in.
-  const std::string trigger = change.trigger().empty() ? "Constant(value = false)" : change.trigger();
-  if (!is_expression(trigger)) return refusal(fmt::format("`{}` is no trigger", text::shown(trigger)));
-  work_.insert_statement_behind(from->whole.end, transition_words(trigger, change.to(), false));
+  cdl::Transition transition;
+  transition.trigger =
+      change.trigger().empty() ? value_of("Constant(value = false)") : typed_value(change.trigger());
+  if (!transition.trigger) return refusal(fmt::format("`{}` is no trigger", text::shown(change.trigger())));
+  transition.target.text = change.to();
+  work_.changes().change<cdl::State>(
+      *from, [transition](cdl::State& now) { now.transitions.push_back(transition); });
   return work_.commit();
 }
 
@@ -129,47 +99,27 @@ Done Editor::set_transition(const SetTransition& change) {
   const cdl::State* from = state_named(**all, change.from());
   if (from == nullptr) return refusal(fmt::format("there is no state `{}`", text::shown(change.from())));
   if (change.index() >= from->transitions.size()) return refusal("the transition has gone");
-  const cdl::Transition& transition = from->transitions[change.index()];
-  if (change.has_trigger()) {
-    if (!is_expression(change.trigger()))
-      return refusal(fmt::format("`{}` is no trigger", text::shown(change.trigger())));
-    const TokenMap& tokens = work_.tokens();
-    const std::uint32_t begin = tokens.tokens()[tokens.at(transition.place.span.begin) + 1].span.begin;
-    std::size_t go = tokens.at(transition.target.place.span.begin) - 1;
-    work_.replace({begin, tokens.tokens()[go - 1].span.end}, change.trigger());
+  const cdl::Transition& old = from->transitions[change.index()];
+  const cdl::ExpressionPtr trigger = change.has_trigger() ? typed_value(change.trigger()) : old.trigger;
+  if (!trigger) return refusal(fmt::format("`{}` is no trigger", text::shown(change.trigger())));
+  if (change.has_to() && change.to() != old.target.text && state_named(**all, change.to()) == nullptr)
+    return refusal(fmt::format("there is no state `{}`", text::shown(change.to())));
+  const std::string to = change.has_to() ? change.to() : old.target.text;
+  const bool restarts = change.has_restarts() ? change.restarts() : old.restarts;
+  work_.changes().change<cdl::Transition>(old, [=](cdl::Transition& now) {
+    now.trigger = trigger;
+    now.target.text = to;
+    now.restarts = restarts;
+  });
+  if (change.has_new_index()) {
+    work_.changes().change<cdl::State>(
+        *from, [from_index = change.index(), index = change.new_index()](cdl::State& now) {
+          const std::size_t last = std::min<std::size_t>(index, now.transitions.size() - 1);
+          const cdl::Transition moved = now.transitions[from_index];
+          now.transitions.erase(now.transitions.begin() + from_index);
+          now.transitions.insert(now.transitions.begin() + static_cast<std::ptrdiff_t>(last), moved);
+        });
   }
-  if (change.has_to() && change.to() != transition.target.text) {
-    if (state_named(**all, change.to()) == nullptr)
-      return refusal(fmt::format("there is no state `{}`", text::shown(change.to())));
-    work_.replace(transition.target.place.span, change.to());
-  }
-  if (change.has_restarts() && change.restarts() != transition.restarts) {
-    if (change.restarts())
-      work_.insert(transition.target.place.span.end, " restart");
-    else
-      work_.erase({transition.target.place.span.end, transition.place.span.end});
-  }
-  if (const Done done = work_.commit(); !done) return done;
-  if (!change.has_new_index() || change.new_index() == change.index()) return true;
-  // Another place in the order: the lines change places.
-  const text::Result<const cdl::Sequence*> now = sequence(change.page());
-  const std::vector<cdl::Transition>& transitions = state_named(**now, change.from())->transitions;
-  const std::size_t to = std::min<std::size_t>(change.new_index(), transitions.size() - 1);
-  if (to == change.index()) return true;
-  const TokenMap& tokens = work_.tokens();
-  const auto whole = [&](const cdl::Transition& one) {
-    return text::Span{tokens.help_begin(one.place.span.begin), tokens.statement_end(one.place.span.end)};
-  };
-  const text::Span moved = whole(transitions[change.index()]);
-  const std::string words(work_.text().substr(moved.begin, moved.end - moved.begin));
-  const Fragment line = words.starts_with("///") ? Fragment(words) : work_.moved(moved);
-  const std::size_t behind = to < change.index() ? to : to + 1;
-  if (behind == 0)
-    work_.insert_statement_behind(
-        tokens.statement_end(state_named(**now, change.from())->member->place.span.end), line);
-  else
-    work_.insert_statement_behind(whole(transitions[behind - 1]).end, line);
-  work_.erase_statement(transitions[change.index()].place.span.begin);
   return work_.commit();
 }
 
@@ -179,7 +129,7 @@ Done Editor::remove_transition(const RemoveTransition& change) {
   const cdl::State* from = state_named(**all, change.from());
   if (from == nullptr || change.index() >= from->transitions.size())
     return refusal("the transition has gone");
-  work_.erase_statement(from->transitions[change.index()].place.span.begin);
+  work_.changes().remove(from->transitions[change.index()]);
   return work_.commit();
 }
 
@@ -194,16 +144,14 @@ Done Editor::remove_states(const PageView& view, const Remove& change) {
   // Where it began has gone: it begins in the first that stays.
   if (std::ranges::any_of(all.states, is_start) &&
       std::ranges::none_of(all.states | std::views::filter(stays), is_start)) {
-    work_.insert(first_left->whole.begin, "start ");
+    work_.changes().change<cdl::State>(*first_left, [](cdl::State& now) { now.is_start = true; });
   }
   for (const cdl::State& state : all.states) {
     const bool is_gone = gone.contains(state.name.text);
     for (const cdl::Transition& transition : state.transitions) {
-      if (is_gone || gone.contains(transition.target.text))
-        work_.erase_statement(transition.place.span.begin);
+      if (gone.contains(transition.target.text)) work_.changes().remove(transition);
     }
-    if (!is_gone) continue;
-    work_.erase_statement(state.whole.begin);
+    if (is_gone) work_.changes().remove(state);
   }
   return work_.commit();
 }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mlab/designer.pb.h"
@@ -59,32 +62,43 @@ class Editor {
   /// would close a loop.
   bool reaches(const PageView& view, int from, int to) const;
 
-  // ---- edit_wires.cc: primitives and wires
-  /// The words of an expression without its `as`.
-  Fragment value(const cdl::Expression& expression) const;
-  /// The same with a name, where it needs one.
-  Fragment value_as(const cdl::Expression& expression, const std::string& name) const;
-  /// From the first to the last of its words, parentheses around it included where they are only its own.
-  text::Span outer(const cdl::Expression& expression) const;
+  /// An input that a name drives, or a page that it gives.
+  static std::optional<Spot> reader_of(const OwnerGraph& graph, std::string_view name);
+
+  // ---- edit_wires.cc: primitives and wires. They note what is to change; who calls them commits.
   /// What stands at the spot afterwards. What stood there before is lost, unless it is a node: then it gets a
   /// `let`.
-  Done write(const Spot& spot, const Fragment& what);
-  Done write_argument(const Spot& spot, const Fragment& what);
-  Done write_new(const Spot& spot, const Fragment& what);
+  Done write(const Spot& spot, const cdl::ExpressionPtr& what);
+  Done write_new(const Spot& spot, const cdl::ExpressionPtr& what);
+  Done write_argument(const Spot& spot, const cdl::ExpressionPtr& what);
+  void write_member(const cdl::Expression& expression, const cdl::ExpressionPtr& what);
   Done clear(const Spot& spot);
   void clear_argument(const Spot& spot);
   void clear_operand(const Spot& spot);
   void clear_member(const Spot& spot);
-  /// A `let` for the node that is written at a spot, with its help. Splices only.
+  /// A `let` for the node that is written at a spot, with its help. @return its name
   std::string save_inline(const Spot& spot);
-  std::string add_let(const PageView& view, const std::string& name, const Fragment& value,
+  /// The same, and the spot reads it from then on.
+  std::string make_let(const Spot& spot);
+  std::string add_let(const PageView& view, const std::string& name, cdl::ExpressionPtr value,
                       const std::string& help = "");
-  void erase_let(const cdl::Let& let);
+  /// @param how  takes an Assemblage& or a Robot&
+  void change_owner(const PageView& view, const auto& how) {
+    if (view.graph->assemblage != nullptr)
+      work_.changes().change<cdl::Assemblage>(*view.graph->assemblage, how);
+    else
+      work_.changes().change<cdl::Robot>(*view.graph->robot, how);
+  }
   /// Whether a block or a big call may stand there.
   bool takes(const Spot& spot, const cdl::Expression& expression) const;
-  std::string neutral(const cdl::PortType& type) const;
+  cdl::ExpressionPtr neutral(const cdl::PortType& type) const;
+  int follow(const PageView& view, int node);
+  /// Where it is now: its page and its place there.
+  std::optional<std::pair<PageView, int>> followed(const std::string& owner, int handle) const;
 
+  // ---- edit_connect.cc
   Done connect(const Connect& change);
+  Done connect_let(const PageView& view, int from, const Spot& to);
   Done disconnect(const Disconnect& change);
   Done set_value(const SetValue& change);
   Done place(const Place& change);
@@ -92,31 +106,47 @@ class Editor {
   Done remove_node(const std::string& page, int handle, const std::vector<int>& others);
   Done set_active(const SetActive& change);
   Done replace(const Replace& change);
+  Done replace_operator(const PageView& view, int at, const cdl::Expression& other);
+  Done replace_call(const std::string& owner, int handle, const Callable& other);
   Done expose(const Expose& change);
-  int follow(const PageView& view, int node);
-  /// Where it is now: its page and its place there.
-  std::optional<std::pair<PageView, int>> followed(const std::string& owner, int handle) const;
 
   // ---- edit_names.cc
   Done rename(const Rename& change);
   Done rename_declaration(const std::string& from, const std::string& to);
   Done rename_local(const PageView& view, const std::string& from, const std::string& to);
   Done rename_state(const PageView& view, const std::string& from, const std::string& to);
+  void for_each_call(std::string_view callee, const std::function<void(const cdl::Call&)>& visit) const;
   Done arrange(const Arrange& change);
+  /// @param where  has x and y; both 0: nobody said where
+  Done arrange_one(const std::string& page, const std::string& node, const auto& where) {
+    if (where.x() == 0.0 && where.y() == 0.0) return true;
+    Arrange change;
+    change.set_page(page);
+    Arrange::At& at = *change.add_nodes();
+    at.set_node(node);
+    at.set_x(where.x());
+    at.set_y(where.y());
+    return arrange(change);
+  }
   Done set_note(const SetNote& change);
+  Done change_layout(const std::string& page, const std::function<void(cdl::Layout&)>& how);
   Done set_help(const SetHelp& change);
-  void write_help(std::uint32_t statement, const std::string& help);
-  Done set_layout(const std::string& page, const std::vector<std::pair<std::string, std::string>>& entries);
+  Done set_declaration_help(const std::string& name, const std::string& help);
+  template <class X>
+  Done write_help(const X& what, const std::string& help);
 
   // ---- edit_declarations.cc
+  bool is_declared(const std::string& name) const;
   Done add_declaration(const AddDeclaration& change);
-  Done add_text(const std::string& text);
   Done set_parameter(const SetParameter& change);
+  text::Result<cdl::Parameter> parameter_of(const SetParameter& change) const;
+  void change_parameter(const cdl::Parameter& old, const cdl::Parameter& said, bool stays);
   Done remove_parameter(const RemoveParameter& change);
   Done copy_component(const CopyComponent& change);
   Done remove_declarations(const Remove& change);
-  /// The parameters of a declaration, and the name behind which they stand.
-  const std::vector<cdl::Parameter>* parameters(std::string_view owner, text::Span& name) const;
+  /// Of an assemblage, a robot, a class; null: there is none.
+  const std::vector<cdl::Parameter>* parameters(std::string_view owner) const;
+  void visit_owner(std::string_view name, const auto& visit) const;
 
   // ---- edit_states.cc
   text::Result<const cdl::Sequence*> sequence(const std::string& page) const;
@@ -131,6 +161,7 @@ class Editor {
   Done set_class(const SetClass& change);
   Done use_device(const UseDevice& change);
   Done set_member(const SetMember& change);
+  Done put_member(const cdl::Society& society, const SetMember& change);
   Done set_coordinator(const cdl::SocietyMember& caste, const std::string& by);
   Done remove_member(const RemoveMember& change);
 
@@ -142,20 +173,40 @@ class Editor {
     double y = 0.0;
   };
   Done group(const Group& change);
+  text::Result<int> output_of(const PageView& view, const std::set<int>& chosen) const;
   std::vector<Stood> places(const PageView& view, const std::string& page, const std::set<int>& nodes);
   Done arrange_group(const Group& change, const std::vector<Stood>& stood);
   Done ungroup(const Ungroup& change);
+  text::Result<std::map<std::string, cdl::ExpressionPtr>> values_of(const cdl::Call& call,
+                                                                    const cdl::Assemblage& assemblage) const;
 
   // ---- edit_clipboard.cc
+  using Renamed = std::vector<std::pair<std::string, std::string>>;  // what they were called, and are
   Done paste(const Paste& change);
+  Done paste_declarations(const std::string& text);
+  text::Result<Renamed> paste_states(const PageView& view, std::vector<cdl::State> states);
+  text::Result<Renamed> paste_lets(const PageView& view, std::vector<cdl::Let> lets);
+  Done arrange_pasted(const Paste& change, const Renamed& renamed,
+                      const std::vector<cdl::LayoutEntry>& places);
 
   Workspace& work_;
 };
 
-/// Whether a text can stand as a value: it is one expression and nothing behind it.
-bool is_expression(std::string_view text);
-bool is_cdl_name(std::string_view text);
-/// A type as a parameter's is written: `length`, `double [kg]`.
-std::string type_words(const cdl::PortType& type);
+/// Calls `visit` with the declaration of a name. @return whether there is one
+bool visit_declaration(const cdl::Tree& tree, std::string_view name, const auto& visit) {
+  for (const cdl::Item& item : tree.items) {
+    const bool is_it = std::visit(
+        [&](const auto& one) {
+          if constexpr (requires { one.name.text, one.help; }) {
+            if (one.name.text == name) visit(one);
+            return one.name.text == name;
+          }
+          return false;
+        },
+        item);
+    if (is_it) return true;
+  }
+  return false;
+}
 
 }  // namespace mlab::designer

@@ -105,17 +105,11 @@ std::vector<std::string> files_needed(const Edit& edit, const Model& model, cons
 }
 
 Done add_use(Workspace& work, const std::string& file) {
-  const std::string words = fmt::format("use \"{}\";", file);
-  const cdl::Use* last = nullptr;
-  for (const cdl::Item& item : work.model().tree().items) {
-    if (const auto* use = std::get_if<cdl::Use>(&item)) last = use;
-  }
-  if (last != nullptr) {
-    work.insert_statement_behind(work.tokens().statement_end(last->path.place.span.begin), words);
-  } else {
-    const std::uint32_t first = work.tokens().tokens().front().span.begin;
-    work.insert(work.tokens().help_begin(first), words + "\n\n");
-  }
+  const auto& items = work.model().tree().items;
+  const auto is_use = [](const cdl::Item& item) { return std::holds_alternative<cdl::Use>(item); };
+  const auto last = std::ranges::find_if(items.rbegin(), items.rend(), is_use);
+  const auto behind = static_cast<std::size_t>(items.rend() - last);  // the first where there is none
+  work.changes().add(cdl::Use{{file, {}}}, behind < items.size() ? &items[behind] : nullptr);
   return work.commit();
 }
 

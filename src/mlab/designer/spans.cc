@@ -25,36 +25,6 @@ std::size_t TokenMap::at(std::uint32_t byte) const {
   return static_cast<std::size_t>(std::min(found, lexed_.tokens.end() - 1) - lexed_.tokens.begin());
 }
 
-std::optional<std::size_t> TokenMap::before(std::uint32_t byte) const {
-  std::optional<std::size_t> out;
-  for (std::size_t i = at(byte) + 1; i-- > 0;) {
-    if (lexed_.tokens[i].kind != cdl::Token::Kind::kEnd && lexed_.tokens[i].span.end <= byte) return i;
-  }
-  return out;
-}
-
-std::uint32_t TokenMap::statement_end(std::uint32_t byte) const {
-  int depth = 0;
-  for (std::size_t i = at(byte); i < lexed_.tokens.size(); ++i) {
-    const std::string_view here = word(i);
-    if (here == "{" || here == "(" || here == "[") ++depth;
-    if (here == "}" || here == ")" || here == "]") --depth;
-    if (depth < 0) return i == 0 ? byte : lexed_.tokens[i - 1].span.end;
-    if (depth == 0 && here == ";") return lexed_.tokens[i].span.end;
-  }
-  return static_cast<std::uint32_t>(text_.size());
-}
-
-std::size_t TokenMap::closer(std::size_t opener) const {
-  int depth = 0;
-  for (std::size_t i = opener; i < lexed_.tokens.size(); ++i) {
-    const std::string_view here = word(i);
-    if (here == "{" || here == "(" || here == "[") ++depth;
-    if ((here == "}" || here == ")" || here == "]") && --depth == 0) return i;
-  }
-  return lexed_.tokens.size() - 1;
-}
-
 std::uint32_t TokenMap::help_begin(std::uint32_t statement) const {
   const std::size_t token = at(statement);
   const std::uint32_t last = lexed_.tokens[token].comments;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,19 +17,12 @@ class TokenMap {
   explicit TokenMap(std::string_view text) : text_(text), lexed_(cdl::lex(text)) {}
 
   const std::vector<cdl::Token>& tokens() const { return lexed_.tokens; }
-  const std::vector<cdl::Comment>& comments() const { return lexed_.comments; }
   std::string_view word(std::size_t i) const {
     const text::Span span = lexed_.tokens[i].span;
     return text_.substr(span.begin, span.end - span.begin);
   }
   /// The first token that begins at or behind a byte; the end where there is none.
   std::size_t at(std::uint32_t byte) const;
-  /// The token that ends at or before a byte; nothing where there is none.
-  std::optional<std::size_t> before(std::uint32_t byte) const;
-  /// The first `;` at or behind a byte that is in no bracket that opens behind it: its end.
-  std::uint32_t statement_end(std::uint32_t byte) const;
-  /// The `}` (or `)`, `]`) that closes the bracket at this token.
-  std::size_t closer(std::size_t opener) const;
 
   /// Where the `///` lines begin that stand right above a statement that begins at a byte; the byte itself
   /// where there are none.
