@@ -142,39 +142,40 @@ class Assembly {
   void put_before(std::size_t at) {
     const NewWord& word = words_.all()[at];
     const NewWord* owner = owner_of_comments(at);
-    std::vector<std::size_t> help;
-    if (owner != nullptr) {
-      const Pieces& from = *owner->from;
-      help = from.help_before(owner->token);
-      std::vector<std::size_t> others = from.comments_before(owner->token);
-      others.resize(others.size() - help.size());
-      const auto adopted = &from == &old_ ? adopted_.find(owner->token) : adopted_.end();
-      if (adopted != adopted_.end()) put_comments(old_, adopted->second, word.lines);
-      // Of another text comes what stands between the words that come, and their help.
-      const bool is_continued = at > 0 && owner->follows(words_.all()[at - 1]);
-      if (&from == &old_ || is_continued) put_comments(from, others, word.lines);
-      if (word.help < 0) put_comments(from, help, word.lines);
-    }
-    if (word.help >= 0) put_help(word, owner, help);
-  }
-
-  void put_help(const NewWord& word, const NewWord* owner, const std::vector<std::size_t>& old_help) {
-    const Help& help = words_.help(word.help);
-    if (!old_help.empty() && help_of(*owner->from, old_help) == help.text) {
-      if (help.is_of_parameter) said_helps_.insert(word.help);
-      put_comments(*owner->from, old_help, word.lines);
+    if (owner == nullptr) {
+      if (word.help >= 0) put_new_help(word, 0);
       return;
     }
-    if (!old_help.empty()) forget(*owner->from, old_help);
+    const Pieces& from = *owner->from;
+    const std::vector<std::size_t> help = from.help_before(owner->token);
+    std::vector<std::size_t> others = from.comments_before(owner->token);
+    others.resize(others.size() - help.size());
+    const auto adopted = &from == &old_ ? adopted_.find(owner->token) : adopted_.end();
+    if (adopted != adopted_.end()) put_comments(old_, adopted->second, word.lines);
+    // Of another text comes what stands between the words that come, and their help.
+    const bool is_continued = at > 0 && owner->follows(words_.all()[at - 1]);
+    if (&from == &old_ || is_continued) put_comments(from, others, word.lines);
+    const bool is_same =
+        !help.empty() && word.help >= 0 && help_of(from, help) == words_.help(word.help).text;
+    if (is_same && words_.help(word.help).is_of_parameter) said_helps_.insert(word.help);
+    if (word.help < 0 || is_same) {
+      put_comments(from, help, word.lines);
+      return;
+    }
+    forget(from, help);
+    put_new_help(word, from.lines_before(from.token(owner->token)));
+  }
+
+  /// @param lines  that ended before what it describes
+  void put_new_help(const NewWord& word, int lines) {
+    const Help& help = words_.help(word.help);
     if (help.is_of_parameter || help.text.empty()) return;
     for (const std::vector<std::size_t>& lost : lost_helps_) {
       if (put_.contains({&old_, lost.front()}) || help_of(old_, lost) != help.text) continue;
       put_comments(old_, lost, word.lines);
       return;
     }
-    int lines = std::max(word.lines, 1);
-    if (owner != nullptr)
-      lines = std::max(lines, owner->from->lines_before(owner->from->token(owner->token)));
+    lines = std::max({lines, word.lines, 1});
     for (const std::string& line : help_lines(help.text)) put_new_comment(line, std::exchange(lines, 1));
   }
 
@@ -206,15 +207,17 @@ class Assembly {
 
   void change_help_behind(const NewWord& word) {
     const Help& help = words_.help(word.help_behind);
-    std::vector<std::size_t> old;
-    for (const auto& [from, one] : behind_) {
-      if (from == word.from && is_behind_help(from->text(from->comment(one)))) old.push_back(one);
+    if (word.from != nullptr) {
+      std::vector<std::size_t> old;
+      for (const auto& [from, one] : behind_) {
+        if (from == word.from && is_behind_help(from->text(from->comment(one)))) old.push_back(one);
+      }
+      if (!old.empty() && help_of(*word.from, old) == help.text) return;
+      std::erase_if(behind_, [&](const std::pair<const Pieces*, std::size_t>& one) {
+        return one.first == word.from && std::ranges::find(old, one.second) != old.end();
+      });
+      forget(*word.from, old);
     }
-    if (!old.empty() && help_of(*word.from, old) == help.text) return;
-    std::erase_if(behind_, [&](const std::pair<const Pieces*, std::size_t>& one) {
-      return one.first == word.from && std::ranges::find(old, one.second) != old.end();
-    });
-    if (!old.empty()) forget(*word.from, old);
     if (!help.text.empty() && !said_helps_.contains(word.help_behind)) new_behind_ = help_behind(help.text);
   }
 

@@ -62,8 +62,8 @@ std::vector<std::string> all_files() {
 }
 
 const std::vector<std::string>& files() {
-  static const std::vector<std::string> all = all_files();
-  return all;
+  static const std::vector<std::string> kAll = all_files();
+  return kAll;
 }
 
 TEST(Reprint, GivesTheTextOfATreeThatNobodyChanged) {
@@ -81,9 +81,9 @@ TEST(Reprint, GivesTheTextAgainWhereEverythingIsTakenApart) {
     for (const Item& item : tree.items) {
       for_each_construct(item, [&]<class X>(const X& one) {
         // What has no parts has only its numbers to be known by.
-        constexpr bool is_number =
+        constexpr bool kIsNumber =
             std::same_as<X, Number> || std::same_as<X, LayoutEntry> || std::same_as<X, LayoutNote>;
-        if constexpr (!is_number && requires { parts(one); }) changes.change<X>(one, [](X&) {});
+        if constexpr (!kIsNumber && requires { parts(one); }) changes.change<X>(one, [](X&) {});
       });
     }
     EXPECT_EQ(changes.done().text, text);
