@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/editor.h"
-#include "mlab/designer/shapes.h"
 
 namespace mlab::designer {
 namespace {
@@ -17,6 +16,7 @@ std::string several(int count, const std::string& one, const char* what) {
 }
 
 // For undo, where the browser says nothing.
+// NOLINTNEXTLINE(readability-function-size): a sentence for each change
 std::string name_of(const Change& change) {
   switch (change.change_case()) {
     case Change::kPlace:
@@ -84,9 +84,10 @@ std::string name_of(const Change& change) {
       return "change a member";
     case Change::kRemoveMember:
       return "remove a member";
-    default:
-      return "edit";
+    case Change::CHANGE_NOT_SET:
+      break;
   }
+  return "edit";
 }
 
 }  // namespace
@@ -106,121 +107,6 @@ text::Result<Edited> edited(std::shared_ptr<const Model> model, const cdl::Envir
     if (const Done done = editor.apply(change); !done) return std::unexpected(done.error());
   }
   return Edited{std::string(work.text()), edit.name().empty() ? name_of(edit.changes(0)) : edit.name()};
-}
-
-// ---- what fits where
-
-FitList fitting(const Model& model, const Fits& request, const std::vector<Offered>& offered) {
-  FitList out;
-  const Model::Found found = model.page(request.page());
-  if (found.graph == nullptr) return out;
-  const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
-  const Components& components = model.components();
-  const auto reads = [&](int start, int wanted) {  // directly or not, without a delay
-    std::vector<int> open{start};
-    std::vector<bool> seen(page.nodes.size(), false);
-    while (!open.empty()) {
-      const auto at = static_cast<std::size_t>(open.back());
-      open.pop_back();
-      if (static_cast<int>(at) == wanted) return true;
-      if (seen[at]) continue;
-      seen[at] = true;
-      for (const GraphInput& input : page.nodes[at].inputs) {
-        if (input.from >= 0 && input.role != Role::kDelayed) open.push_back(input.from);
-      }
-    }
-    return false;
-  };
-  const auto wants = [&](const GraphNode& node, const GraphInput& input) -> cdl::PortType {
-    const bool is_any = input.role == Role::kDelayed || input.role == Role::kInitial ||
-                        input.role == Role::kSelector || input.role == Role::kCase ||
-                        input.role == Role::kValue;
-    if (is_any) return {};
-    for (const Socket& socket : sockets(node, components, *found.graph)) {
-      if (socket.name == input.port) return socket.type;
-    }
-    return {};
-  };
-  const auto result_type = [&]() -> cdl::PortType {
-    const bool is_owner = page.parent < 0 && found.graph->assemblage != nullptr;
-    return is_owner ? components.types().named(found.graph->assemblage->result_type.text) : cdl::PortType{};
-  };
-  const auto add = [&](const std::string& node, const std::string& port, std::optional<std::uint32_t> index,
-                       const std::string& reason) {
-    FitList::Fit& fit = *out.add_fits();
-    fit.set_node(node);
-    fit.set_port(port);
-    if (index) fit.set_index(*index);
-    fit.set_reason(reason);
-  };
-
-  if (!request.to_node().empty()) {
-    cdl::PortType type;
-    int target = -1;
-    if (request.to_node() == "$result") {
-      type = result_type();
-    } else {
-      target = page.find(request.to_node());
-      if (target < 0) return out;
-      const GraphNode& node = page.nodes[static_cast<std::size_t>(target)];
-      for (const GraphInput& input : node.inputs) {
-        if (input.port == request.to_port()) type = wants(node, input);
-      }
-    }
-    for (std::size_t i = 0; i < page.nodes.size(); ++i) {
-      const GraphNode& node = page.nodes[i];
-      if (node.kind == GraphNode::Kind::kActuator) continue;
-      std::string reason = why_not(found.graph->type_of(node), type);
-      if (reason.empty() && target >= 0 && reads(static_cast<int>(i), target))
-        reason = "that would be a loop without a delay";
-      add(node.name, "", {}, reason);
-    }
-    const auto add_component = [&](const Callable& component) {
-      if (component.gives_nothing) return;
-      add(component.name, "component", {}, why_not(component.output, type));
-    };
-    for (const auto& [name, assemblage] : model.configuration().assemblages)
-      add_component(components.of(*assemblage));
-    for (const auto& [name, binding] : model.configuration().bindings) add_component(components.of(*binding));
-    for (const flow::Behavior* behavior : model.library().behaviors())
-      add_component(components.of(flow::Library::Entry{behavior, nullptr}));
-    for (const Offered& file : offered) {
-      for (const Callable& component : callables_of(*file.model)) add_component(component);
-    }
-    return out;
-  }
-
-  cdl::PortType type;
-  int from = -1;
-  if (!request.component().empty()) {
-    std::optional<Callable> component = components.find(request.component());
-    if (const Offered* file = find_offered(offered, model, request.component()))
-      component = *find_callable(callables_of(*file->model), request.component());
-    if (component) type = component->output;
-    if (!component && request.component() != "delay" && request.component() != "select") {
-      const bool is_logic =
-          request.component() == "not" || request.component() == "and" || request.component() == "or";
-      type = components.types().named(is_logic ? "bool" : "Vector");
-    }
-  } else {
-    from = page.find(request.from_node());
-    if (from < 0) return out;
-    type = found.graph->type_of(page.nodes[static_cast<std::size_t>(from)]);
-  }
-  for (std::size_t i = 0; i < page.nodes.size(); ++i) {
-    const GraphNode& node = page.nodes[i];
-    for (const GraphInput& input : node.inputs) {
-      if (input.role == Role::kValue || input.role == Role::kActive) continue;
-      std::string reason = why_not(type, wants(node, input));
-      const bool is_loop =
-          reason.empty() && from >= 0 && input.role != Role::kDelayed && reads(from, static_cast<int>(i));
-      if (is_loop) reason = "that would be a loop without a delay";
-      add(node.name, input.port, input.index, reason);
-    }
-  }
-  if (page.sequence == nullptr && !(found.graph->robot != nullptr && page.parent < 0))
-    add("$result", "", {}, why_not(type, result_type()));
-  return out;
 }
 
 }  // namespace mlab::designer

@@ -412,6 +412,7 @@ Done Editor::expose(const Expose& change) {
   return set_parameter(parameter);
 }
 
+// NOLINTNEXTLINE(readability-function-size): a row for each change
 Done Editor::apply(const Change& change) {
   switch (change.change_case()) {
     case Change::kPlace:
@@ -470,9 +471,10 @@ Done Editor::apply(const Change& change) {
       return set_member(change.set_member());
     case Change::kRemoveMember:
       return remove_member(change.remove_member());
-    default:
-      return refusal("nothing is to be changed");
+    case Change::CHANGE_NOT_SET:
+      break;
   }
+  return refusal("nothing is to be changed");
 }
 
 }  // namespace mlab::designer

@@ -213,6 +213,15 @@ cdl::Changes put_in(const cdl::Assemblage& assemblage,
   return out;
 }
 
+// The same by a name that somebody gave, where it may have one and has none of its own.
+cdl::ExpressionPtr called_as(const cdl::ExpressionPtr& what, const cdl::Word& name) {
+  if (name.text.empty() || !what->as.text.empty() || what->active || default_name(*what).empty()) return what;
+  auto out = std::make_shared<cdl::Expression>(*what);
+  out->as = name;
+  out->whole = {};
+  return out;
+}
+
 }  // namespace
 
 // The nodes have one value that others take: it is what the new assemblage gives.
@@ -357,14 +366,7 @@ Done Editor::ungroup(const Ungroup& change) {
   for (const cdl::Let& let : assemblage.lets) names[let.name.text] = add(let.name.text, let.value);
   const cdl::Changes inside = put_in(assemblage, names);
   for (cdl::Let& let : lets) let.value = inside.of(let.value);
-  cdl::ExpressionPtr body = inside.of(assemblage.body);
-  if (!there.expression->as.text.empty() && body->as.text.empty() && !body->active &&
-      !default_name(*body).empty()) {
-    auto called_so = std::make_shared<cdl::Expression>(*body);
-    called_so->as = there.expression->as;
-    called_so->whole = {};
-    body = called_so;
-  }
+  cdl::ExpressionPtr body = called_as(inside.of(assemblage.body), there.expression->as);
   const GraphInput* input =
       there.reader < 0 ? nullptr
                        : &view.node(there.reader).inputs[static_cast<std::size_t>(there.reader_input)];
