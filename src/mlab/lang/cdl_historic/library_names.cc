@@ -22,6 +22,7 @@ unsigned architecture_named(std::string_view name) {
   return 0;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const std::vector<LibraryName>& library_names() {
   static const std::vector<LibraryName> kNames = {
       {"AboutFace", kUrban, "AboutFace", {}, "Vector", {}},

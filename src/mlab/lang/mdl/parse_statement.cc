@@ -114,6 +114,7 @@ std::optional<Statement> Parser::parsed_statement(Section section, Damage& damag
   return !stuck_ || has_program(out) ? std::optional(std::move(out)) : std::nullopt;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a row for each word
 void Parser::statement_by_word(Section section, Statement& out, Damage& damage) {
   const Word word = token().word;
   advance();

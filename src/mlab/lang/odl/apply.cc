@@ -34,6 +34,7 @@ class Applier {
   }
 
  private:
+  // NOLINTNEXTLINE(readability-function-size): a row for each keyword
   void apply(const Statement& s) {
     if (const auto kind = measure_of(s.keyword)) {
       add_measure(s, overlay::info(*kind));
