@@ -44,11 +44,14 @@ void send(int client, std::string_view bytes) {
 
 ServerHandlers handlers(Desk& desk, int& done) {
   ServerHandlers out;
-  out.receive = [&](ConnectionId from, std::unique_ptr<ToServer> message) {
+  out.session.receive = [&](ConnectionId from, std::string_view bytes) {
+    ToServer message;
+    if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
     ++done;
-    desk.sessions.at(from)->send(std::make_shared<const std::string>(message->SerializeAsString()));
+    desk.sessions.at(from)->send(std::make_shared<const std::string>(message.SerializeAsString()));
+    return true;
   };
-  out.closed = [](ConnectionId) {};
+  out.session.closed = [](ConnectionId) {};
   out.emergency_stop = [&] { ++done; };
   out.picture = [](std::uint64_t revision) {
     return revision == 1 ? Content{"image/png", std::make_shared<const std::string>("PNG")} : Content{};

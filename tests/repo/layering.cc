@@ -1,8 +1,10 @@
 #include "layering.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace mlab::repo {
 namespace {
@@ -55,11 +57,25 @@ const std::map<std::string, Modules, std::less<>> kKept = {
     {"simulated", {"sim"}},
 };
 
-/// The module of a path such as `mlab/lang/odl/parser.h`; empty where it is none of ours.
+/// Whose messages a file of proto/mlab holds, by how its name begins.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMessages = {{
+    {"robot", "robot_wire"},
+    {"percepts_file", "recording"},
+    {"console", "console"},
+    {"designer", "designer"},
+}};
+
+/// The module of a path such as `mlab/lang/odl/parser.h`; empty where it is none of ours. Messages belong to
+/// who speaks by them: `mlab/console_map.pb.h`.
 std::string module_of(std::string_view path) {
   constexpr std::string_view kRoot = "mlab/";
   if (!path.starts_with(kRoot)) return {};
   path.remove_prefix(kRoot.size());
+  if (path.ends_with(".pb.h")) {
+    const auto found =
+        std::ranges::find_if(kMessages, [&](const auto& one) { return path.starts_with(one.first); });
+    return found == kMessages.end() ? std::string(path) : std::string(found->second);
+  }
   std::size_t end = path.find('/');
   if (path.starts_with("lang/") || path.starts_with("console/server/")) end = path.find('/', end + 1);
   return end == std::string_view::npos ? std::string{} : std::string(path.substr(0, end));

@@ -39,6 +39,16 @@ TEST(Layering, WhatAModuleKeepsToItselfNobodyAboveItAndNoHeaderOfItKnows) {
       upward_includes({{"src/mlab/simulated/run.h", line}, {"src/mlab/console/alarms.cc", line}}).size(), 2U);
 }
 
+TEST(Layering, MessagesBelongToTheModuleThatSpeaksByThem) {
+  const Tree tree = {{"src/mlab/console/server/server.cc", "#include \"mlab/console_map.pb.h\"\n"},
+                     {"src/mlab/console/session.cc", "#include \"mlab/console_map.pb.h\"\n"},
+                     {"src/mlab/designer/desk.cc", "#include \"mlab/misc.pb.h\"\n"}};
+  const Findings findings = upward_includes(tree);
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].message, "`console/server` must not include `console`, which stands above it");
+  EXPECT_EQ(findings[1].message, "`designer` must not include `misc.pb.h`, which stands above it");
+}
+
 TEST(Layering, TheCommandMayIncludeEverything) {
   EXPECT_EQ(upward_includes({{"src/mlab/cli/main.cc", "#include \"mlab/fleet/fleet.h\"\n"}}), Findings{});
 }

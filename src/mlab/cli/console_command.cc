@@ -50,6 +50,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What comes by a socket of the server goes to the one who is spoken to by it.
+template <class Message>
+console::SocketHandlers socket_of(auto& listener) {
+  return {[&listener](console::ConnectionId from, std::string_view bytes) {
+            auto message = std::make_unique<Message>();
+            if (!message->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
+            listener.receive(from, std::move(message));
+            return true;
+          },
+          [&listener](console::ConnectionId connection) { listener.closed(connection); }};
+}
+
 constexpr double kConsoleSpeed = 10.0;
 constexpr std::uint16_t kUsualPort = 8642;
 
@@ -282,8 +294,8 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   std::unique_ptr<designer::Designer> designer;  // ends first: it asks the session
   if (options.edits) designer = std::make_unique<designer::Designer>(std::move(drawing), send);
   console::ServerHandlers handlers = {
-      [&](console::ConnectionId from, auto message) { session.receive(from, std::move(message)); },
-      [&](console::ConnectionId connection) { session.closed(connection); },
+      socket_of<console::ToServer>(session),
+      designer ? socket_of<designer::ToDesigner>(*designer) : console::SocketHandlers{},
       [&] { session.emergency_stop(); },
       [&](std::uint64_t revision) {
         console::Session::Picture picture = session.picture(revision);
@@ -291,12 +303,6 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
       },
       [&] { return session.report(); },
   };
-  if (designer) {
-    handlers.receive_design = [&](console::ConnectionId from, auto message) {
-      designer->receive(from, std::move(message));
-    };
-    handlers.closed_design = [&](console::ConnectionId connection) { designer->closed(connection); };
-  }
   server.start(std::move(handlers));
   Browser browser;
   const std::string page = options.edits ? "designer.html" : "";

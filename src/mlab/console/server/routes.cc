@@ -109,7 +109,7 @@ HttpResponse Routes::choose(const HttpRequest& request, const ServerHandlers& ha
     if (path == "/report") return say("application/json", handlers.report());
     if (path == "/health") return say("application/json", "{\"ok\": true}\n");
     if (path.starts_with(kPicture)) return picture(handlers, path.substr(kPicture.size()));
-    if (path == "/designer" && !handlers.receive_design)
+    if (path == "/designer" && !handlers.designer.receive)
       return refusal(404, "the designer is not open here; start it with `mlab edit`");
     HttpResponse out = refusal(426, "this address is a WebSocket");
     if (request.is_upgrade && request.method == Method::kGet)

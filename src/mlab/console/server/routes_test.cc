@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/console.pb.h"
-
 namespace mlab::console {
 namespace {
 

@@ -149,7 +149,8 @@ asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
     if (answer.status == 101) {
       visit.set_socket(nullptr);
       const auto session = std::make_shared<SessionSocket>(
-          std::move(stream), desk, request.path() == "/designer" ? Party::kDesigner : Party::kSession);
+          std::move(stream), desk,
+          request.path() == "/designer" ? desk.handlers.designer : desk.handlers.session);
       co_await session->run(asked);
       co_return;
     }

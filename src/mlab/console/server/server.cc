@@ -17,7 +17,6 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 
-#include "mlab/console.pb.h"
 #include "mlab/console/server/desk.h"
 #include "mlab/console/server/token.h"
 

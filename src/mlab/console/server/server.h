@@ -4,17 +4,12 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mlab/console/server/connection_id.h"
 
-namespace mlab::designer {
-class ToDesigner;
-}
-
 namespace mlab::console {
-
-class ToServer;
 
 /// Where a server listens, and what it serves.
 struct ServerSettings {
@@ -33,23 +28,28 @@ struct Content {
   std::shared_ptr<const std::string> bytes;  ///< none: there is no such thing
 };
 
+/// What the server calls for one of its WebSockets.
+struct SocketHandlers {
+  /// Takes a message of a connection, in order of arrival. False: the bytes are none, and the connection
+  /// ends.
+  std::function<bool(ConnectionId, std::string_view bytes)> receive;
+  /// Nothing comes from this connection any more.
+  std::function<void(ConnectionId)> closed;
+};
+
 /// What the server calls. The first three come from its network thread and must not block; the others come
 /// from a thread of their own, and may wait.
 struct ServerHandlers {
-  /// A message of a connection, in order of arrival.
-  std::function<void(ConnectionId, std::unique_ptr<ToServer>)> receive;
-  /// Nothing comes from this connection any more.
-  std::function<void(ConnectionId)> closed;
+  SocketHandlers session;
+  SocketHandlers designer;  ///< of `/designer`; none: there is no designer
   std::function<void()> emergency_stop;
   std::function<Content(std::uint64_t revision)> picture;
   std::function<std::string()> report;  ///< JSON
-  /// As `receive` and `closed`, of the designer's socket (`/designer`). None: there is no designer.
-  std::function<void(ConnectionId, std::unique_ptr<designer::ToDesigner>)> receive_design = {};
-  std::function<void(ConnectionId)> closed_design = {};
 };
 
 /// HTTP and WebSocket for the operator console, on one thread. Knows browsers, tokens and files, and nothing
-/// of missions. Whatever a stranger sends, the worst that happens is that his own connection ends.
+/// of missions or messages. Whatever a stranger sends, the worst that happens is that his own connection
+/// ends.
 class Server {
  public:
   /// Reads the web files and the certificate, and takes its port; nobody is answered before `start`.
@@ -64,7 +64,7 @@ class Server {
   /// Ends all connections and the thread. Afterwards no handler is called, and `send` does nothing.
   void stop();
 
-  /// Hands a serialised ToBrowser (or FromDesigner) to a connection; from any thread, at once. Who does not
+  /// Hands a message to a connection; from any thread, at once. Who does not
   /// take what is sent is disconnected; for a connection that is gone nothing happens.
   void send(ConnectionId to, std::shared_ptr<const std::string> bytes);
 

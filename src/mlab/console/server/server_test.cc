@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -12,7 +13,11 @@
 #include <fstream>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <boost/asio/connect.hpp>
@@ -26,9 +31,6 @@
 #include <boost/beast/ssl.hpp>
 #include <boost/beast/websocket.hpp>
 #include <boost/beast/websocket/ssl.hpp>
-
-#include "mlab/console.pb.h"
-#include "mlab/designer.pb.h"
 
 namespace mlab::console {
 namespace {
@@ -48,16 +50,8 @@ class Told {
  public:
   ServerHandlers handlers() {
     ServerHandlers out;
-    out.receive = [this](ConnectionId from, std::unique_ptr<ToServer> message) {
-      note([&] { received.emplace_back(from, message->request()); });
-    };
-    out.closed = [this](ConnectionId connection) { note([&] { closed.push_back(connection); }); };
-    out.receive_design = [this](ConnectionId from, std::unique_ptr<designer::ToDesigner> message) {
-      note([&] { designs.emplace_back(from, message->request()); });
-    };
-    out.closed_design = [this](ConnectionId connection) {
-      note([&] { closed_designs.push_back(connection); });
-    };
+    out.session = handlers_of(received, closed);
+    out.designer = handlers_of(designs, closed_designs);
     out.emergency_stop = [this] { note([&] { ++stops; }); };
     out.picture = [](std::uint64_t) { return Content{}; };
     out.report = [this] {
@@ -80,14 +74,29 @@ class Told {
     changed.notify_all();
   }
 
+  using Requests = std::vector<std::pair<ConnectionId, std::uint32_t>>;
+
   std::mutex mutex;
   std::condition_variable changed;
-  std::vector<std::pair<ConnectionId, std::uint32_t>> received;
+  Requests received;
   std::vector<ConnectionId> closed;
-  std::vector<std::pair<ConnectionId, std::uint32_t>> designs;
+  Requests designs;
   std::vector<ConnectionId> closed_designs;
   int stops = 0;
   bool report_is_slow = false;
+
+ private:
+  // A message is a number, in digits.
+  SocketHandlers handlers_of(Requests& requests, std::vector<ConnectionId>& ended) {
+    return {[this, &requests](ConnectionId from, std::string_view bytes) {
+              std::uint32_t request = 0;
+              if (std::from_chars(bytes.data(), bytes.data() + bytes.size(), request).ec != std::errc{})
+                return false;
+              note([&] { requests.emplace_back(from, request); });
+              return true;
+            },
+            [this, &ended](ConnectionId connection) { note([&] { ended.push_back(connection); }); }};
+  }
 };
 
 class RunningServer : public testing::Test {
@@ -151,10 +160,7 @@ class RunningServer : public testing::Test {
     return socket;
   }
   static void say(Socket& socket, std::uint32_t request) {
-    ToServer message;
-    message.set_request(request);
-    message.mutable_hello()->set_protocol(1);
-    socket.write(asio::buffer(message.SerializeAsString()));
+    socket.write(asio::buffer(std::to_string(request)));
   }
   // Reads until the connection ends, and tells how.
   static websocket::close_reason end_of(Socket& socket) {
@@ -282,9 +288,7 @@ TEST_F(RunningServer, ADesignerHasASocketOfItsOwn) {
   EXPECT_EQ(status, 403U);
   auto socket = open_session(kToken, "", nullptr, "", "/designer");
   ASSERT_TRUE(socket);
-  designer::ToDesigner message;
-  message.set_request(12);
-  socket->write(asio::buffer(message.SerializeAsString()));
+  say(*socket, 12);
   ASSERT_TRUE(told_.wait_for([&] { return told_.designs.size() == 1; }));
   EXPECT_EQ(told_.designs.front().second, 12U);
   socket->write(asio::buffer(std::string("\xff\xff\xff\xff\xff")));
@@ -406,9 +410,7 @@ TEST_F(RunningServer, OneHundredSessionsAreNotAllLetIn) {
   }
   for (Socket& session : sessions) {
     beast::error_code ignored;
-    ToServer message;
-    message.set_request(5);
-    session.write(asio::buffer(message.SerializeAsString()), ignored);
+    session.write(asio::buffer(std::string("5")), ignored);
   }
   EXPECT_TRUE(told_.wait_for([&] { return told_.received.size() == 64; }));
   EXPECT_EQ(end_of(sessions.back()).code, 1013);
@@ -502,9 +504,7 @@ TEST_F(EncryptedServer, SpeaksHttpAndSessionsOverTls) {
   session.next_layer().handshake(asio::ssl::stream_base::client);
   session.handshake(host(), std::string("/session?token=") + kToken);
   session.binary(true);
-  ToServer message;
-  message.set_request(3);
-  session.write(asio::buffer(message.SerializeAsString()));
+  session.write(asio::buffer(std::string("3")));
   ASSERT_TRUE(told_.wait_for([&] { return told_.received.size() == 1; }));
   server_->send(told_.received[0].first, std::make_shared<const std::string>(1U << 20U, 'x'));
   beast::flat_buffer buffer;

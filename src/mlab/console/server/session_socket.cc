@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <exception>
+#include <string_view>
 #include <utility>
 
 #include <boost/asio/bind_cancellation_slot.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/beast/websocket.hpp>
-
-#include "mlab/console.pb.h"
-#include "mlab/designer.pb.h"
 
 namespace mlab::console {
 
@@ -41,7 +39,7 @@ asio::awaitable<void> SessionSocket::run(const Request& request) {
       asio::bind_cancellation_slot(stop_reading_.slot(), [self](const std::exception_ptr&) { self->end(); }));
   while (!is_over_) co_await end_.async_wait(kReturned);
   desk_.sessions.erase(id_);
-  (party_ == Party::kDesigner ? desk_.handlers.closed_design : desk_.handlers.closed)(id_);
+  handlers_.closed(id_);
 }
 
 asio::awaitable<void> SessionSocket::read() {
@@ -50,28 +48,15 @@ asio::awaitable<void> SessionSocket::read() {
     if (error) co_return;
     // Who is leaving is heard no more; what he still sends only has to be read.
     if (!is_leaving_) {
+      const std::string_view bytes(static_cast<const char*>(incoming_.cdata().data()), size);
       if (!socket_.got_binary()) {
         leave(Goodbye::kUnknownData, "messages are binary");
-      } else if (!take(id_)) {
+      } else if (!handlers_.receive(id_, bytes)) {
         leave(Goodbye::kBadMessage, "this is no message of the console's protocol");
       }
     }
     incoming_.consume(incoming_.size());
   }
-}
-
-bool SessionSocket::take(ConnectionId id) {
-  const auto bytes = incoming_.cdata();
-  if (party_ == Party::kDesigner) {
-    auto design = std::make_unique<designer::ToDesigner>();
-    if (!design->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
-    desk_.handlers.receive_design(id, std::move(design));
-    return true;
-  }
-  auto message = std::make_unique<ToServer>();
-  if (!message->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
-  desk_.handlers.receive(id, std::move(message));
-  return true;
 }
 
 asio::awaitable<void> SessionSocket::write() {

@@ -24,15 +24,13 @@ namespace mlab::console {
 inline constexpr auto kReturned = asio::as_tuple(asio::use_awaitable);
 using Request = beast::http::request<beast::http::string_body>;
 
-/// Whose messages a socket carries.
-enum class Party : std::uint8_t { kSession, kDesigner };
-
 /// A browser's WebSocket: hands on what comes, and sends what waits, one message after the other.
 class SessionSocket final : public Recipient, public std::enable_shared_from_this<SessionSocket> {
  public:
-  SessionSocket(Stream stream, Desk& desk, Party party)
+  /// @param handlers  the desk's for this socket
+  SessionSocket(Stream stream, Desk& desk, const SocketHandlers& handlers)
       : desk_(desk),
-        party_(party),
+        handlers_(handlers),
         socket_(std::move(stream)),
         wake_(desk.io),
         deadline_(desk.io),
@@ -49,8 +47,6 @@ class SessionSocket final : public Recipient, public std::enable_shared_from_thi
 
   asio::awaitable<void> read();
   asio::awaitable<void> write();
-  // Hands on one message. False where it is none.
-  bool take(ConnectionId id);
   bool is_stuck() const {
     return waiting_bytes_ > limits::kWaitingBytes ||
            (waiting_bytes_ > limits::kStuckBytes && Clock::now() - last_taken_ > limits::kStuck);
@@ -73,7 +69,7 @@ class SessionSocket final : public Recipient, public std::enable_shared_from_thi
   }
 
   Desk& desk_;
-  Party party_;
+  const SocketHandlers& handlers_;
   beast::websocket::stream<Stream> socket_;
   beast::flat_buffer incoming_;
   std::deque<std::shared_ptr<const std::string>> waiting_;
