@@ -136,6 +136,7 @@ class Drawer {
       default:
         break;
     }
+    if (node.expression == nullptr) return;
     describe_expression(*node.expression, out);
     const bool is_auto = given.empty() || given == default_name(*node.expression);
     out.set_title(is_auto ? out.component() : given);

@@ -130,7 +130,7 @@ Done Editor::put_member(const cdl::Society& society, const SetMember& change) {
   const auto depth = static_cast<std::size_t>(change.path_size());
   const Member* group = depth == 0 ? nullptr : member_at(society.what, change.path(), depth - 1);
   const Member* old = member_at(society.what, change.path(), depth);
-  if (depth > 0 && group == nullptr) return refusal("the member has gone");
+  if (old == nullptr && group == nullptr) return refusal("the member has gone");
   if (old != nullptr) {
     work_.changes().change<Member>(*old, [member](Member& now) { now = member; });
   } else if (group->kind == Member::Kind::kCaste) {

@@ -107,7 +107,8 @@ std::optional<std::string> Workspace::page_at(Anchor anchor) const {
 void Workspace::mend_layouts(const std::map<std::string, Named>& before, const cdl::Reprinted& went) {
   for (const cdl::Item& item : model_->tree().items) {
     const auto* layout = std::get_if<cdl::Layout>(&item);
-    const auto known = layout == nullptr ? before.end() : before.find(layout->owner.text);
+    if (layout == nullptr) continue;
+    const auto known = before.find(layout->owner.text);
     if (known != before.end()) mend_layout(*layout, known->second, went);
   }
 }
