@@ -195,6 +195,7 @@ void Designer::Parts::settle() {
   }
 }
 
+// NOLINTNEXTLINE(readability-function-size): a row for each message
 void Designer::Parts::answer(console::ConnectionId from, Client& client, const ToDesigner& message,
                              Answer& out) {
   switch (message.body_case()) {

@@ -121,6 +121,38 @@ text::SourcePtr read_program(const std::string& path, const text::Place& place, 
   return nullptr;
 }
 
+namespace {
+
+// What was built for another robot of the type.
+void take_built(const RobotProgram& built, RobotProgram& robot) {
+  robot.program = built.program;
+  robot.hosted = built.hosted;
+  robot.is_described_only = built.is_described_only;
+  robot.body = built.body;
+  robot.is_own = built.is_own;
+  robot.reports = built.reports;
+}
+
+// An executable outside of the project is started for nobody.
+bool refuse_outside(const std::string& name, const text::Place& place, const ProgramSources& sources,
+                    text::Diagnostics& sink) {
+  if (sources.project.empty() ||
+      lies_in((std::filesystem::path(sources.folder) / name).string(), sources.project))
+    return false;
+  sink.error("outside-project", place,
+             fmt::format("`{}` lies outside of the project folder `{}`", text::shown(name), sources.project));
+  return true;
+}
+
+void warn_of_parked(std::string_view code, const text::Place& place, std::string message, std::string hint,
+                    text::Diagnostics& sink) {
+  text::Diagnostic& d = sink.warning(std::string(code), place, std::move(message));
+  d.label = "robots of this type stand parked";
+  d.hints.push_back(std::move(hint));
+}
+
+}  // namespace
+
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
                                          std::span<const Setting> settings, const ProgramSources& sources,
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
@@ -135,12 +167,7 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     robot.is_described_only = program.is_described_only;
   };
   if (built != nullptr) {
-    robot.program = built->program;
-    robot.hosted = built->hosted;
-    robot.is_described_only = built->is_described_only;
-    robot.body = built->body;
-    robot.is_own = built->is_own;
-    robot.reports = built->reports;
+    take_built(*built, robot);
   } else if (const std::string_view known = library::find_robot(last_part(name)); !known.empty()) {
     if (auto configured = library_robot(known, sink)) {
       take(std::move(configured->built));
@@ -160,18 +187,10 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
       robot.body = std::move(configured->lowered.body);
     }
   } else if (is_executable(name, sources)) {
-    if (!sources.project.empty() &&
-        !lies_in((std::filesystem::path(sources.folder) / name).string(), sources.project)) {
-      sink.error(
-          "outside-project", place,
-          fmt::format("`{}` lies outside of the project folder `{}`", text::shown(name), sources.project));
-      return std::nullopt;
-    }
+    if (refuse_outside(name, place, sources, sink)) return std::nullopt;
     const auto wall = sources.permission.to_start(name);
     if (!wall) {
-      text::Diagnostic& d = sink.warning("native-program", place, wall.error());
-      d.label = "robots of this type stand parked";
-      d.hints.emplace_back("where you trust it, say `--allow-native`");
+      warn_of_parked("native-program", place, wall.error(), "where you trust it, say `--allow-native`", sink);
       return robot;
     }
     auto revealed = load_revealed_program(name, *wall, sources);
@@ -185,12 +204,11 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     take(std::move((*revealed)->built));
     robot.body = std::move((*revealed)->body);
   } else {
-    text::Diagnostic& d = sink.warning("unknown-program", place,
-                                       fmt::format("nothing here answers to the robot program `{}`", name));
-    d.label = "robots of this type stand parked";
-    d.hints.emplace_back(
-        "`robot` is the standard robot; a network or a configuration is named by its file: `mine.cnl`, "
-        "`mine.cdl`");
+    warn_of_parked("unknown-program", place,
+                   fmt::format("nothing here answers to the robot program `{}`", name),
+                   "`robot` is the standard robot; a network or a configuration is named by its file: "
+                   "`mine.cnl`, `mine.cdl`",
+                   sink);
     return robot;
   }
   if (!robot.program) return std::nullopt;

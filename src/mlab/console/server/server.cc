@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <fmt/core.h>
-#include <google/protobuf/stubs/logging.h>
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
@@ -208,8 +207,6 @@ class Server::Network {
 };
 
 std::unique_ptr<Server> Server::open(const ServerSettings& settings, std::string& error) {
-  // What is wrong with a stranger's message is nothing for this terminal.
-  google::protobuf::SetLogHandler(nullptr);
   std::shared_ptr<asio::ssl::context> tls;
   if (!settings.certificate.empty()) {
     tls = read_certificate(settings, error);

@@ -105,6 +105,7 @@ class RandomEdit {
   static void set_port(SetValue& change, const std::string& port) { change.set_port(port); }
   static void set_port(Expose& change, const std::string& port) { change.set_port(port); }
 
+  // NOLINTNEXTLINE(readability-function-size): a row for each change
   void fill(Change& change) {
     look_at_page();
     switch (below(26)) {

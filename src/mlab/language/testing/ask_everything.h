@@ -37,6 +37,7 @@ inline bool are_within(const std::vector<Symbol>& symbols, const text::SourcePtr
 
 /// Asks everything at a place.
 /// @return  what is wrong with an answer; empty: nothing
+// NOLINTNEXTLINE(readability-function-size): a line for each question
 inline std::string ask_everything(const Text& text, std::uint32_t cursor, const Surroundings& around) {
   const text::SourcePtr& source = text.source;
   const Completions offered = complete(text, cursor, around);

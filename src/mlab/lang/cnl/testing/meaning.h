@@ -10,6 +10,7 @@ namespace mlab::cnl::testing {
 
 /// Everything that a file says, without its places: two files with the same meaning differ in their layout
 /// alone.
+// NOLINTNEXTLINE(readability-function-size): a line for each part of a network
 inline std::string meaning(const text::SourcePtr& source) {
   text::Diagnostics sink;
   const Tree tree = parse(source, sink);
