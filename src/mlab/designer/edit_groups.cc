@@ -114,19 +114,15 @@ class GroupDraft {
  private:
   struct Given {
     cdl::Parameter parameter;
-    std::string words;           // what the caller gives
-    cdl::ExpressionPtr outside;  // the same
+    cdl::ExpressionPtr outside;  // what the caller gives
   };
 
   // The name of the parameter that stands for it inside.
-  const std::string& add(const std::string& wanted, cdl::Parameter parameter, const std::string& words,
+  const std::string& add(const std::string& wanted, cdl::Parameter parameter,
                          const cdl::ExpressionPtr& outside) {
-    for (const Given& one : given_) {
-      if (one.words == words) return one.parameter.name.text;
-    }
     parameter.name = {unique(wanted, taken_), {}};
     taken_.insert(parameter.name.text);
-    return given_.emplace_back(std::move(parameter), words, outside).parameter.name.text;
+    return given_.emplace_back(std::move(parameter), outside).parameter.name.text;
   }
 
   // Written here, and stays outside.
@@ -138,8 +134,7 @@ class GroupDraft {
     set_type(parameter, type);
     const text::Span span = input.written->place.span;
     const std::string wanted = input.port == "members" ? default_name(*input.written) : input.port;
-    inside_.replace(*input.written,
-                    named(add(wanted, parameter, std::string(model_.source()->text(span)), input.written)));
+    inside_.replace(*input.written, named(add(wanted, parameter, input.written)));
     hoisted_.push_back(span);
     return true;
   }
@@ -157,6 +152,7 @@ class GroupDraft {
 
   // A name that the owner has.
   Done give(const cdl::Word& word) {
+    if (names_.contains(word.text)) return call_so(word);
     const auto is_it = [&](const auto& one) { return one.name.text == word.text; };
     const auto parameter = std::ranges::find_if(view_.graph->parameters(), is_it);
     const auto let = std::ranges::find_if(view_.lets(), is_it);
@@ -170,7 +166,12 @@ class GroupDraft {
     } else {
       return true;
     }
-    const std::string& name = add(word.text, made, word.text, named(word.text));
+    names_[word.text] = add(word.text, made, named(word.text));
+    return call_so(word);
+  }
+
+  Done call_so(const cdl::Word& word) {
+    const std::string& name = names_.at(word.text);
     if (name != word.text) inside_.rename(word, name);
     return true;
   }
@@ -188,6 +189,7 @@ class GroupDraft {
   const std::set<int>& chosen_;
   cdl::Changes inside_;
   std::vector<Given> given_;
+  std::map<std::string, std::string> names_;  // of the owner, and what they are called inside
   std::vector<text::Span> hoisted_;
   std::set<std::string> lets_;
   std::set<std::string> taken_;

@@ -359,6 +359,17 @@ layout Drift {
 )") << text.text();
 }
 
+TEST(Edit, NodesThatAreWrittenAlikeStayTwoWhereAGroupLeavesThemOutside) {
+  DrawnText text("assemblage A() {\n  cooperate {\n    1: Noise();\n    1: Noise();\n  }\n}\n");
+  text.change([](Change& change) {
+    change.mutable_group()->set_page("A");
+    change.mutable_group()->add_nodes("cooperate");
+    change.mutable_group()->set_name("Drift");
+  });
+  EXPECT_EQ(text.errors(), "");
+  EXPECT_NE(text.text().find("Drift(Noise = Noise(), Noise_2 = Noise())"), std::string::npos) << text.text();
+}
+
 TEST(Edit, SaysWhatToChooseWhereAnAssemblageWouldGiveSeveralValues) {
   DrawnText text("assemblage A() {\n  cooperate {\n    1: Noise();\n    1: MoveAhead();\n  }\n}\n");
   const std::string refusal = text.refused([](Edit& edit) {
