@@ -30,7 +30,7 @@ Problem problem_of(const text::Diagnostic& diagnostic, const Model& model, const
 /// Where a byte of the text is drawn: the page and the node; empty where nowhere.
 struct DrawnAt {
   std::string page;
-  std::string node;
+  std::string node;  ///< or the state, or its first transition: `Searching/0`
   std::string port;
 };
 DrawnAt drawn_at(const Model& model, std::uint32_t byte);

@@ -73,6 +73,8 @@ std::string name_of(const Change& change) {
                          change.add_transition().to());
     case Change::kSetTransition:
       return "change a transition of " + change.set_transition().from();
+    case Change::kChangeTrigger:
+      return "change a trigger of " + change.change_trigger().from();
     case Change::kRemoveTransition:
       return "remove a transition of " + change.remove_transition().from();
     case Change::kSetClass:

@@ -138,6 +138,7 @@ Done Editor::place(const Place& change) {
   const Components& components = work_.model().components();
   const std::optional<std::string> words = words_of(change.component(), components);
   if (!words) return refusal(fmt::format("nothing answers to `{}`", text::shown(change.component())));
+  if (view->page->asks != nullptr) return place_in_trigger(*view, change);
   if (const std::optional<Callable> callable = components.find(change.component())) {
     if (callable->gives_nothing) return refusal("an actuator is driven by a robot, and stands on no page");
     const bool is_itself = callable->assemblage != nullptr && callable->assemblage == view->graph->assemblage;
@@ -463,6 +464,8 @@ Done Editor::apply(const Change& change) {
       return set_transition(change.set_transition());
     case Change::kRemoveTransition:
       return remove_transition(change.remove_transition());
+    case Change::kChangeTrigger:
+      return change_trigger(change.change_trigger());
     case Change::kSetClass:
       return set_class(change.set_class());
     case Change::kUseDevice:

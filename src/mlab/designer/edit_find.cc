@@ -106,6 +106,7 @@ cdl::PortType Editor::wanted(const Spot& spot) const {
   const Components& components = work_.model().components();
   if (spot.is_result()) {
     const OwnerGraph& graph = *spot.view.graph;
+    if (spot.view.page->asks != nullptr) return components.types().named("bool");
     if (spot.view.page->parent < 0 && graph.assemblage != nullptr &&
         !graph.assemblage->result_type.text.empty())
       return components.types().named(graph.assemblage->result_type.text);

@@ -119,6 +119,7 @@ class Fitting {
   }
 
   cdl::PortType result_type() const {
+    if (page_.asks != nullptr) return model_.components().types().named("bool");
     const bool is_owner = page_.parent < 0 && graph_.assemblage != nullptr;
     return is_owner ? model_.components().types().named(graph_.assemblage->result_type.text)
                     : cdl::PortType{};

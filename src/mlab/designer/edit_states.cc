@@ -84,8 +84,7 @@ Done Editor::add_transition(const AddTransition& change) {
         fmt::format("there is no state `{}`", text::shown(from == nullptr ? change.from() : change.to())));
   // A trigger that is never true, which the checker marks: it is to be filled in.
   cdl::Transition transition;
-  transition.trigger =
-      change.trigger().empty() ? value_of("Constant(value = false)") : typed_value(change.trigger());
+  transition.trigger = change.trigger().empty() ? no_trigger() : typed_value(change.trigger());
   if (!transition.trigger) return refusal(fmt::format("`{}` is no trigger", text::shown(change.trigger())));
   transition.target.text = change.to();
   work_.changes().change<cdl::State>(
@@ -93,13 +92,22 @@ Done Editor::add_transition(const AddTransition& change) {
   return work_.commit();
 }
 
-Done Editor::set_transition(const SetTransition& change) {
-  const text::Result<const cdl::Sequence*> all = sequence(change.page());
+text::Result<const cdl::Transition*> Editor::transition(const std::string& page, const std::string& from,
+                                                        std::uint32_t index) const {
+  const text::Result<const cdl::Sequence*> all = sequence(page);
   if (!all) return std::unexpected(all.error());
+  const cdl::State* state = state_named(**all, from);
+  if (state == nullptr) return refusal(fmt::format("there is no state `{}`", text::shown(from)));
+  if (index >= state->transitions.size()) return refusal("the transition has gone");
+  return &state->transitions[index];
+}
+
+Done Editor::set_transition(const SetTransition& change) {
+  const text::Result<const cdl::Transition*> found = transition(change.page(), change.from(), change.index());
+  if (!found) return std::unexpected(found.error());
+  const cdl::Transition& old = **found;
+  const text::Result<const cdl::Sequence*> all = sequence(change.page());
   const cdl::State* from = state_named(**all, change.from());
-  if (from == nullptr) return refusal(fmt::format("there is no state `{}`", text::shown(change.from())));
-  if (change.index() >= from->transitions.size()) return refusal("the transition has gone");
-  const cdl::Transition& old = from->transitions[change.index()];
   const cdl::ExpressionPtr trigger = change.has_trigger() ? typed_value(change.trigger()) : old.trigger;
   if (!trigger) return refusal(fmt::format("`{}` is no trigger", text::shown(change.trigger())));
   if (change.has_to() && change.to() != old.target.text && state_named(**all, change.to()) == nullptr)
@@ -124,12 +132,9 @@ Done Editor::set_transition(const SetTransition& change) {
 }
 
 Done Editor::remove_transition(const RemoveTransition& change) {
-  const text::Result<const cdl::Sequence*> all = sequence(change.page());
-  if (!all) return std::unexpected(all.error());
-  const cdl::State* from = state_named(**all, change.from());
-  if (from == nullptr || change.index() >= from->transitions.size())
-    return refusal("the transition has gone");
-  work_.changes().remove(from->transitions[change.index()]);
+  const text::Result<const cdl::Transition*> gone = transition(change.page(), change.from(), change.index());
+  if (!gone) return std::unexpected(gone.error());
+  work_.changes().remove(**gone);
   return work_.commit();
 }
 

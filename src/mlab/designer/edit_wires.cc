@@ -88,7 +88,7 @@ std::string Editor::make_let(const Spot& spot) {
 Done Editor::write(const Spot& spot, const cdl::ExpressionPtr& what) {
   const cdl::Expression* there = written(spot);
   if (there == nullptr) return write_new(spot, what);
-  if (inline_node(spot) >= 0) save_inline(spot);
+  if (is_kept(spot)) save_inline(spot);
   work_.changes().replace(*there, what);
   return true;
 }
@@ -180,7 +180,7 @@ Done Editor::write_argument(const Spot& spot, const cdl::ExpressionPtr& what) {
 Done Editor::clear(const Spot& spot) {
   const cdl::Expression* there = written(spot);
   if (there == nullptr) return true;
-  if (inline_node(spot) >= 0) save_inline(spot);
+  if (is_kept(spot)) save_inline(spot);
   cdl::Changes& changes = work_.changes();
   if (spot.is_result()) {
     const bool is_inner = spot.view.page->parent >= 0 || spot.view.graph->assemblage == nullptr;

@@ -54,6 +54,8 @@ class Editor {
   const cdl::Expression* written(const Spot& spot) const;
   /// The node that drives it and is written there; -1: none.
   int inline_node(const Spot& spot) const;
+  /// Of a node that is written there, and would be lost.
+  bool is_kept(const Spot& spot) const { return inline_node(spot) >= 0 && spot.view.page->asks == nullptr; }
   cdl::PortType wanted(const Spot& spot) const;
   cdl::PortType given(const PageView& view, int node) const;
   std::string free_name(const PageView& view, const std::string& wanted) const;
@@ -66,8 +68,8 @@ class Editor {
   static std::optional<Spot> reader_of(const OwnerGraph& graph, std::string_view name);
 
   // ---- edit_wires.cc: primitives and wires. They note what is to change; who calls them commits.
-  /// What stands at the spot afterwards. What stood there before is lost, unless it is a node: then it gets a
-  /// `let`.
+  /// What stands at the spot afterwards. What stood there before is lost, unless it is a node that can be
+  /// drawn alone: then it gets a `let`.
   Done write(const Spot& spot, const cdl::ExpressionPtr& what);
   Done write_new(const Spot& spot, const cdl::ExpressionPtr& what);
   Done write_argument(const Spot& spot, const cdl::ExpressionPtr& what);
@@ -155,7 +157,16 @@ class Editor {
   Done add_transition(const AddTransition& change);
   Done set_transition(const SetTransition& change);
   Done remove_transition(const RemoveTransition& change);
+  text::Result<const cdl::Transition*> transition(const std::string& page, const std::string& from,
+                                                  std::uint32_t index) const;
   Done remove_states(const PageView& view, const Remove& change);
+
+  // ---- edit_triggers.cc
+  Done change_trigger(const ChangeTrigger& change);
+  text::Result<cdl::ExpressionPtr> condition(const std::string& component) const;
+  cdl::ExpressionPtr chosen(const cdl::Expression& old, const Callable& component,
+                            const OwnerGraph& graph) const;
+  Done place_in_trigger(const PageView& view, const Place& change);
 
   // ---- edit_robots.cc
   Done set_class(const SetClass& change);

@@ -1,6 +1,7 @@
 #include "mlab/designer/model.h"
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "mlab/lang/cdl/formula.h"
@@ -22,7 +23,18 @@ const Kind* declared(const cdl::Tree& tree, std::string_view name) {
 }  // namespace
 
 std::string_view owner_of(std::string_view page) {
-  return page.substr(0, page.find('.'));
+  return page.substr(0, page.find_first_of("./"));
+}
+
+std::optional<TriggerPath> trigger_path(std::string_view path) {
+  const std::size_t last = path.rfind('/');
+  const std::size_t first = path.find('/');
+  if (last == std::string_view::npos || first == last) return std::nullopt;
+  TriggerPath out{path.substr(0, first), path.substr(first + 1, last - first - 1), 0};
+  const char* const end = path.data() + path.size();
+  const auto [read, error] = std::from_chars(path.data() + last + 1, end, out.index);
+  if (error != std::errc{} || read != end) return std::nullopt;
+  return out;
 }
 
 Model::Model(text::SourcePtr source, const cdl::Environment& environment)
@@ -94,7 +106,27 @@ const OwnerGraph* Model::graph(std::string_view owner) const {
   return graphs_.emplace(owner, std::move(made)).first->second.get();
 }
 
+const OwnerGraph* Model::trigger(std::string_view path) const {
+  if (const auto found = triggers_.find(path); found != triggers_.end()) return found->second.get();
+  const std::optional<TriggerPath> parts = trigger_path(path);
+  const Found states = parts ? page(parts->page) : Found{};
+  if (states.graph == nullptr) return nullptr;
+  const GraphPage& page = states.graph->pages[static_cast<std::size_t>(states.page)];
+  if (page.sequence == nullptr) return nullptr;
+  for (const cdl::State& state : page.sequence->states) {
+    if (state.name.text != parts->state || parts->index >= state.transitions.size()) continue;
+    auto made = std::make_unique<OwnerGraph>(
+        cdl::trigger_model(*states.graph, page, state.transitions[parts->index], std::string(path)));
+    return triggers_.emplace(path, std::move(made)).first->second.get();
+  }
+  return nullptr;
+}
+
 Model::Found Model::page(std::string_view path) const {
+  if (path.find('/') != std::string_view::npos) {
+    const OwnerGraph* asked = trigger(path);
+    return asked == nullptr ? Found{} : Found{asked, static_cast<int>(asked->pages.size()) - 1};
+  }
   const OwnerGraph* graph = this->graph(owner_of(path));
   if (graph == nullptr) return {};
   const int page = graph->find_page(path);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -54,6 +55,7 @@ class Model {
     const OwnerGraph* graph = nullptr;
     int page = -1;
   };
+  /// @param path  also of a trigger: `Forage/Searching/0`, the first that the state asks
   Found page(std::string_view path) const;
   /// Where things stand on a page; null: nothing is said.
   const cdl::Layout* layout(std::string_view page) const;
@@ -67,10 +69,21 @@ class Model {
   Components components_;
   bool is_readable_ = true;
   bool is_loaded_ = true;
+  const OwnerGraph* trigger(std::string_view path) const;
+
   mutable std::map<std::string, std::unique_ptr<OwnerGraph>, std::less<>> graphs_;
+  mutable std::map<std::string, std::unique_ptr<OwnerGraph>, std::less<>> triggers_;
 };
 
-/// The first part of a page's path: `Forage` of `Forage.Searching`.
+/// The first part of a page's path: `Forage` of `Forage.Searching`, `Forage/Searching/0`.
 std::string_view owner_of(std::string_view page);
+
+/// The path of a trigger's page in its parts; nothing where it is the path of no trigger.
+struct TriggerPath {
+  std::string_view page;  ///< of the states
+  std::string_view state;
+  std::size_t index = 0;  ///< among the transitions of the state
+};
+std::optional<TriggerPath> trigger_path(std::string_view path);
 
 }  // namespace mlab::designer

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/core.h>
+
 #include "mlab/designer/drawing.h"
 
 namespace mlab::designer {
@@ -39,8 +41,8 @@ class Finder {
       text::Span span = state.place.span;
       if (state.member) span.end = state.member->place.span.end;
       look(span, {page.path, state.name.text, ""});
-      for (const cdl::Transition& transition : state.transitions)
-        look(transition.place.span, {page.path, state.name.text, ""});
+      for (std::size_t i = 0; i < state.transitions.size(); ++i)
+        look(state.transitions[i].place.span, {page.path, fmt::format("{}/{}", state.name.text, i), ""});
     }
   }
 

@@ -34,6 +34,10 @@ cdl::ExpressionPtr typed_value(const std::string& text) {
   return text.find(';') == std::string::npos ? value_of(text) : nullptr;
 }
 
+cdl::ExpressionPtr no_trigger() {
+  return value_of("Constant(value = false)");
+}
+
 cdl::ExpressionPtr bare(const cdl::Expression& expression) {
   auto out = std::make_shared<cdl::Expression>(expression);
   out->whole = out->as.text.empty() ? out->place.span : text::Span{};

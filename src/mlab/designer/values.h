@@ -23,6 +23,9 @@ cdl::ExpressionPtr value_of(const std::string& words);
 /// What somebody typed; null where it can't stand as a value: it is not one expression and nothing behind it.
 cdl::ExpressionPtr typed_value(const std::string& text);
 
+/// Of a transition that waits for one: it is never made, which the checker marks.
+cdl::ExpressionPtr no_trigger();
+
 /// The same without a name, and without parentheses around it.
 cdl::ExpressionPtr bare(const cdl::Expression& expression);
 /// The same with a name, where it needs one to be called so.

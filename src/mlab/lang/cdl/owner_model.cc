@@ -45,6 +45,17 @@ class Builder {
     for (ModelPage& page : model_.pages) name_result(page);
   }
 
+  void run_trigger(const ModelPage& states, const Transition& transition, const std::string& path) {
+    new_page("", -1);
+    const int on = new_page(states.base, 0);
+    page(on).path = path;
+    page(on).asks = &transition;
+    page(on).root = transition.trigger.get();
+    page(on).result = walk(transition.trigger, on).node;
+    std::swap(page(on), model_.pages.back());  // `let`s may have made pages behind it
+    name_result(model_.pages.back());
+  }
+
  private:
   ModelPage& page(int at) { return model_.pages[static_cast<std::size_t>(at)]; }
   ModelNode& node(int on, int at) { return page(on).nodes[static_cast<std::size_t>(at)]; }
@@ -445,6 +456,16 @@ OwnerModel model_of(const Robot& robot, const Elaboration& elaboration,
                     const std::multimap<std::string, std::string>& shown) {
   OwnerModel out{robot.name.text, nullptr, &robot, &elaboration, {}, {}};
   Builder(out, elaboration.names(robot), shown).run();
+  return out;
+}
+
+OwnerModel trigger_model(const OwnerModel& owner, const ModelPage& states, const Transition& transition,
+                         const std::string& path) {
+  OwnerModel out{owner.name, owner.assemblage, owner.robot, owner.elaboration, {}, {}};
+  const NodeNames& names = owner.assemblage != nullptr ? owner.elaboration->names(*owner.assemblage)
+                                                       : owner.elaboration->names(*owner.robot);
+  const std::multimap<std::string, std::string> nothing_more;
+  Builder(out, names, nothing_more).run_trigger(states, transition, path);
   return out;
 }
 

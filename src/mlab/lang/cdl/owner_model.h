@@ -80,6 +80,7 @@ struct ModelPage {
   const Expression* root = nullptr;    ///< what the page gives; null: nothing, or drives
   const Sequence* sequence = nullptr;  ///< of a page of states
   const State* state = nullptr;        ///< whose member the page shows
+  const Transition* asks = nullptr;    ///< whose trigger the page shows
   std::vector<int> states;             ///< pages of the sequence's states, in their order
   std::vector<ModelNode> nodes;
   int result = -1;  ///< the node that gives the page's value
@@ -113,6 +114,13 @@ OwnerModel model_of(const Assemblage& assemblage, const Elaboration& elaboration
                     const std::multimap<std::string, std::string>& shown = {});
 OwnerModel model_of(const Robot& robot, const Elaboration& elaboration,
                     const std::multimap<std::string, std::string>& shown = {});
+
+/// What a transition asks, as the last page of a model of its own: triggers are not drawn where their states
+/// are. The pages before it mean nothing.
+/// @param states  page of the owner with the states
+/// @param path    of the new page
+OwnerModel trigger_model(const OwnerModel& owner, const ModelPage& states, const Transition& transition,
+                         const std::string& path);
 
 /// How often the name of a `let` or parameter is used inside of its owner.
 int count_uses(const OwnerModel& model, std::string_view name);
