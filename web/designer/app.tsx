@@ -21,6 +21,7 @@ import { TopBar } from "./files/top_bar.tsx";
 import { ConnectChooser } from "./palette/connect_chooser.tsx";
 import { PalettePanel } from "./palette/palette_panel.tsx";
 import { SearchPalette } from "./palette/search_palette.tsx";
+import { TriggerChooser } from "./palette/trigger_chooser.tsx";
 import { ProblemsPanel } from "./problems/problems_panel.tsx";
 import { type Designer, nameOf } from "./session/designer.ts";
 import { lastPart, pageKey } from "./session/pages.ts";
@@ -276,6 +277,8 @@ function Dialogs() {
       return <SearchPalette />;
     case "connect":
       return <ConnectChooser />;
+    case "trigger":
+      return <TriggerChooser />;
     case "commands":
       return <Commands />;
     case "shortcuts":

@@ -30,7 +30,7 @@ async function stateDoes(designer: DesignerPage, state: string, member: string):
   await expect.poll(() => field.inputValue()).toBe(member);
 }
 
-/** By keyboard: the state is selected, C, the other state, and then its trigger. */
+/** By keyboard: the state is selected, C, the other state, and then its trigger, typed. */
 async function transition(designer: DesignerPage, from: string, to: string, trigger: string): Promise<void> {
   const { page } = designer;
   const before = await page.locator(".transition-label").count();
@@ -39,6 +39,7 @@ async function transition(designer: DesignerPage, from: string, to: string, trig
   const field = page.getByRole("combobox", { name: `Transition from ${from} to` });
   await field.fill(to);
   await field.press("Enter");
+  await page.getByRole("combobox", { name: `When does ${from} end?` }).press("Escape");
   await expect.poll(() => page.locator(".transition-label").count()).toBe(before + 1);
   await page
     .getByRole("button", { name: new RegExp(`^Transition \\d of ${from}: .*, to ${to}$`) })

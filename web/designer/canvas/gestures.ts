@@ -9,6 +9,7 @@ import { innerOf } from "../session/inside.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { forgetMoved, isArranged, keepMoved } from "../sight/use_places.ts";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "../sight/wiring.ts";
+import { addTransition } from "../states/trigger.ts";
 
 /** What nodes that were moved by hand mean. */
 export function moveNodes(designer: Designer, drawing: Drawing, moved: readonly FlowNode[], places: Places): void {
@@ -26,13 +27,8 @@ export function connecting(designer: Designer, drawing: Drawing, flow: ReactFlow
 }
 
 function transitionGestures(designer: Designer, drawing: Drawing) {
-  const page = drawing.page?.path ?? "";
   return {
-    onConnect: ({ source, target }: Connection) =>
-      void designer.edit(`transition from ${source} to ${target}`, {
-        case: "addTransition",
-        value: { page, from: source, to: target, trigger: "" },
-      }),
+    onConnect: ({ source, target }: Connection) => void addTransition(designer, source, target),
     onEdgeClick: cutByClick(designer, drawing),
   };
 }

@@ -1,17 +1,15 @@
 import type { ReactNode } from "react";
-import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 import { ungroup } from "../actions/editing.ts";
 import { ownCopy } from "../actions/place_actions.ts";
-import { wiredOf } from "../drawing/flow.ts";
-import { kindOf, rowId, rowLabel } from "../drawing/form.ts";
+import { kindOf } from "../drawing/form.ts";
 import { typeWords } from "../drawing/value_words.ts";
 import type { Designer } from "../session/designer.ts";
 import type { FieldOf } from "../session/extensions.ts";
 import { lastPart } from "../session/pages.ts";
-import { type Drawing, type Node, Node_Shape, type Port } from "../session/protocol.ts";
+import { type Drawing, type Node, Node_Shape } from "../session/protocol.ts";
 import { useDesigner, useIsReadOnly, usePart } from "../session/use.ts";
-import { disconnectChange } from "../sight/wiring.ts";
-import { ValueField } from "../views/value_editor.tsx";
+import { InputList } from "./input_list.tsx";
 import { Heading, Section, SentField } from "./parts.tsx";
 
 export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node }) {
@@ -48,11 +46,7 @@ function Inputs({ drawing, node }: { drawing: Drawing; node: Node }) {
   const list = (fieldOf: FieldOf, chooser: ReactNode) => (
     <Section title="Inputs">
       {chooser}
-      <ul className="inputs">
-        {node.inputs.map((port) => (
-          <Input key={rowId(port.name, port.index)} drawing={drawing} node={node} port={port} fieldOf={fieldOf} />
-        ))}
-      </ul>
+      <InputList drawing={drawing} node={node} fieldOf={fieldOf} />
     </Section>
   );
   return Live ? <Live node={node}>{list}</Live> : list(() => undefined, null);
@@ -112,70 +106,4 @@ function NodeButtons({ designer, node, isReadOnly }: { designer: Designer; node:
       )}
     </div>
   );
-}
-
-interface InputProps {
-  drawing: Drawing;
-  node: Node;
-  port: Port;
-  fieldOf: FieldOf;
-}
-
-function Input({ drawing, node, port, fieldOf }: InputProps) {
-  const designer = useDesigner();
-  const isReadOnly = useIsReadOnly();
-  const page = drawing.page?.path ?? "";
-  const row = rowId(port.name, port.index);
-  const wires = drawing.wires.filter((wire) => wire.to === node.name && rowId(wire.port, wire.index) === row);
-  const isWired = (wiredOf(drawing).get(node.name)?.has(row) ?? false) && !port.isExposed;
-  const label = rowLabel(port);
-  const drive = () =>
-    designer.store.setState({
-      dialog: "place",
-      placing: {
-        ...leftOf(node),
-        to: { node: node.name, port: port.name, ...(port.index === undefined ? {} : { index: port.index }) },
-      },
-    });
-  if (isWired || (port.isList && port.index === undefined) || (port.isMember && port.value === "")) {
-    return (
-      <li className="input-row">
-        <div className="columns spread" style={{ flexWrap: "nowrap" }}>
-          <span className="small ellipsis">
-            <b>{label}</b>{" "}
-            <span className="muted">
-              {wires.length > 0
-                ? `from ${wires.map((wire) => lastPart(wire.from)).join(", ")}`
-                : typeWords(port.type, port.unit)}
-            </span>
-          </span>
-          {!isReadOnly &&
-            (isWired ? (
-              <IconButton
-                icon="close"
-                label={`Disconnect ${label}`}
-                onPress={() => void designer.edit("", disconnectChange(page, node.name, row))}
-              />
-            ) : (
-              <IconButton icon="plus" label={`Place something for ${label}`} onPress={drive} />
-            ))}
-        </div>
-        {port.isMember &&
-          isWired &&
-          (fieldOf(port, "weight") ?? <ValueField node={node} port={port} what="weight" isCompact onDone={() => {}} />)}
-      </li>
-    );
-  }
-  return (
-    <li className="input-row">
-      {fieldOf(port, "value") ?? <ValueField node={node} port={port} what="value" isCompact onDone={() => {}} />}
-      {!isReadOnly && (
-        <IconButton className="input-drive" icon="plus" label={`Place something for ${label}`} onPress={drive} />
-      )}
-    </li>
-  );
-}
-
-function leftOf(node: Node): { x: number; y: number } {
-  return { x: (node.x ?? 0) - 280, y: node.y ?? 0 };
 }

@@ -41,12 +41,14 @@ export function SentText({
   send,
   rows = 3,
   isCode = false,
+  placeholder,
 }: {
   label: string;
   value: string;
   send: (value: string) => void;
   rows?: number;
   isCode?: boolean;
+  placeholder?: string;
 }) {
   const isReadOnly = useIsReadOnly();
   const id = useId();
@@ -60,6 +62,7 @@ export function SentText({
         className={`input area ${isCode ? "mono" : ""}`}
         rows={Math.max(rows, Math.min(10, typed.split("\n").length))}
         value={typed}
+        placeholder={placeholder}
         disabled={isReadOnly}
         onChange={(event) => setTyped(event.target.value)}
         onBlur={() => typed.trim() !== value && send(typed.trim())}

@@ -2,8 +2,9 @@ import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
 import type { Drawing, Transition } from "../session/protocol.ts";
 import { useDesigner, useIsReadOnly } from "../session/use.ts";
-import { triggerText, triggerWords } from "../states/trigger_words.ts";
+import { isNoTrigger, kNoTrigger, triggerText, triggerWords } from "../states/trigger_words.ts";
 import { Heading, SentText } from "./parts.tsx";
+import { TriggerDetails } from "./trigger_details.tsx";
 
 export function TransitionDetails({ drawing, transition }: { drawing: Drawing; transition: Transition }) {
   const designer = useDesigner();
@@ -20,9 +21,11 @@ export function TransitionDetails({ drawing, transition }: { drawing: Drawing; t
   return (
     <div className="details">
       <Heading name={`${from} → ${transition.to}`} kind="transition" help={transition.help} />
+      <TriggerDetails transition={transition} />
       <SentText
         label="When"
-        value={triggerWords(transition.trigger)}
+        value={isNoTrigger(transition.trigger) ? "" : triggerWords(transition.trigger)}
+        placeholder={kNoTrigger}
         isCode
         rows={2}
         send={(typed) => void set(`trigger of ${from}`, { trigger: triggerText(typed) })}

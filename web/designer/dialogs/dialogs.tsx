@@ -8,7 +8,7 @@ import { lastPart } from "../session/pages.ts";
 import type { Drawing } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { transitionOf } from "../states/flow.ts";
-import { triggerText, triggerWords } from "../states/trigger_words.ts";
+import { isNoTrigger, triggerText, triggerWords } from "../states/trigger_words.ts";
 import { cdlName } from "./names.ts";
 
 interface AskProps {
@@ -88,7 +88,7 @@ export function RenameDialog() {
       <Ask
         title={`Transition from ${transition.from} to ${transition.to}`}
         label="When"
-        first={triggerWords(transition.trigger)}
+        first={isNoTrigger(transition.trigger) ? "" : triggerWords(transition.trigger)}
         button="Set"
         isFree
         done={async (typed) => {

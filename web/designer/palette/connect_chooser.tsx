@@ -8,6 +8,7 @@ import { lastPart } from "../session/pages.ts";
 import { Drawing_Kind, type FitList_Fit } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { connectChange } from "../sight/wiring.ts";
+import { addTransition } from "../states/trigger.ts";
 
 export function ConnectChooser() {
   const designer = useDesigner();
@@ -45,10 +46,7 @@ export function ConnectChooser() {
   const connect = (id: string) => {
     const { page } = designer.state;
     if (isStates) {
-      void designer.edit(`transition from ${node} to ${id}`, {
-        case: "addTransition",
-        value: { page, from: node, to: id, trigger: "" },
-      });
+      void addTransition(designer, node, id);
       return;
     }
     const at = id.indexOf("/");

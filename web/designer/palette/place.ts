@@ -57,6 +57,7 @@ export async function place(designer: Designer, component: string, placing: Plac
   const { page } = designer.state;
   const drawing = designer.drawing;
   if (!drawing) return false;
+  if (placing?.page !== undefined && placing.page !== page) return placeBeside(designer, component, placing);
   const { x, y } = placing ?? freePlace(designer, component);
   if (drawing.kind === Drawing_Kind.STATES) return placeState(designer, component, placing?.replace ?? "", { x, y });
   if (placing?.replace) {
@@ -76,6 +77,14 @@ export async function place(designer: Designer, component: string, placing: Plac
     if (placing?.from) await connectFrom(designer, placing.from, made);
   }
   return true;
+}
+
+/** On a page that is not shown: what drives an input there. */
+async function placeBeside(designer: Designer, component: string, { page = "", to }: Placing): Promise<boolean> {
+  const end = to ? { toNode: to.node, toPort: to.port } : {};
+  const answer = await designer.edit(`place ${component}`, { case: "place", value: { page, component, ...end } });
+  if (answer.ok) designer.say(`Placed ${component}`);
+  return answer.ok;
 }
 
 /** Moves the canvas to a node that is not wholly in sight. */

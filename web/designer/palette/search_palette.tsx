@@ -2,6 +2,7 @@
 import { useEffect, useMemo, useState } from "react";
 import { Chooser } from "../../ui/commands/chooser.tsx";
 import { toneOf } from "../drawing/form.ts";
+import { lastPart } from "../session/pages.ts";
 import { type Component, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { NodeIcon } from "../views/icons.tsx";
@@ -16,7 +17,8 @@ export function SearchPalette() {
   const placing = usePart((state) => state.placing);
   const drawing = useDrawing();
   const fits = useFitting();
-  const isStates = drawing?.kind === Drawing_Kind.STATES;
+  const isElsewhere = placing?.page !== undefined && placing.page !== drawing?.page?.path;
+  const isStates = !isElsewhere && drawing?.kind === Drawing_Kind.STATES;
   const usable = useMemo(
     () => components.filter((one) => isForPage(one, isStates) && (fits === null || fits.has(one.name))),
     [components, isStates, fits],
@@ -24,7 +26,7 @@ export function SearchPalette() {
   const title = placing?.replace
     ? `Replace ${placing.replace} by`
     : placing?.to
-      ? `What drives ${placing.to.port} of ${placing.to.node}?`
+      ? `What drives ${placing.to.port} of ${isElsewhere ? lastPart(placing.to.node) : placing.to.node}?`
       : placing?.from
         ? `Where does ${placing.from} lead?`
         : "Place a component";
@@ -56,12 +58,13 @@ export function SearchPalette() {
 function useFitting(): ReadonlySet<string> | null {
   const designer = useDesigner();
   const to = usePart((state) => state.placing?.to);
+  const on = usePart((state) => state.placing?.page);
   const [names, setNames] = useState<ReadonlySet<string> | null>(null);
   useEffect(() => {
     if (!to) return;
     let isCurrent = true;
     const { document, page } = designer.state;
-    const asked = { document, page, toNode: to.node, toPort: to.port };
+    const asked = { document, page: on ?? page, toNode: to.node, toPort: to.port };
     void designer.link.ask({ case: "fits", value: asked }).then((answer) => {
       if (!isCurrent || answer.result.case !== "fits") return;
       setNames(new Set(answer.result.value.fits.filter((fit) => fit.reason === "").map((fit) => fit.node)));
@@ -69,6 +72,6 @@ function useFitting(): ReadonlySet<string> | null {
     return () => {
       isCurrent = false;
     };
-  }, [designer, to]);
+  }, [designer, to, on]);
   return names;
 }

@@ -9,7 +9,7 @@ export function OwnProblems({ node }: { node: string }) {
   const own = (document?.problems ?? []).filter((problem) => problem.node === node && problem.page === page);
   if (own.length === 0) return null;
   return (
-    <ul className="own-problems" aria-label={`What is wrong with ${node}`}>
+    <ul className="own-problems" aria-label={`What is wrong with ${node.includes("/") ? "the transition" : node}`}>
       {own.map((problem) => (
         <li
           key={`${problem.diagnostic?.begin} ${problem.diagnostic?.message}`}

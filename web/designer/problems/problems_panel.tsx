@@ -35,6 +35,12 @@ function keyOf({ diagnostic, page, node }: Problem): string {
   return `${diagnostic?.begin} ${diagnostic?.message} ${page} ${node}`;
 }
 
+/** `Searching/0`: the first transition of the state. */
+function spokenPart(node: string): string {
+  const [from = "", index] = node.split("/");
+  return index === undefined ? lastPart(node) : `transition ${Number(index) + 1} of ${from}`;
+}
+
 function Entry({ problem }: { problem: Problem }) {
   const designer = useDesigner();
   const document = useDocument()!;
@@ -47,7 +53,7 @@ function Entry({ problem }: { problem: Problem }) {
     designer.store.setState({ reveal: { begin: diagnostic.begin, end: diagnostic.end, focus: false } });
     if (page === "" && node === "") designer.show({ text: true });
   };
-  const where = node ? `${lastPart(page)} · ${lastPart(node)}` : page;
+  const where = node ? `${lastPart(page)} · ${spokenPart(node)}` : page;
   return (
     <li className={diagnostic.isWarning ? "warning" : "error"}>
       <Icon name="warning" />

@@ -27,6 +27,8 @@ const kMends: ReadonlySet<Request["case"]> = new Set(["edit", "undo", "redo", "s
 export class Designer {
   readonly link: Link;
   private pendingNode = "";
+  /** Path of the page that is looked at besides the one that is shown: of a trigger. */
+  private beside = "";
   /** Documents by the names that they had: steps of the browser still lead to those. */
   private readonly movedTo = new Map<string, string>();
   /** The way of a page that is being gone into: a component of the library has to be opened first. */
@@ -217,9 +219,17 @@ export class Designer {
     });
   }
 
+  /** Asks for the drawing of one more page, which is not shown on the canvas; empty: of none. */
+  lookBeside(path: string): void {
+    if (this.beside === path) return;
+    this.beside = path;
+    this.look();
+  }
+
   private look(): void {
     const { document, page } = this.state;
-    this.link.tell({ case: "look", value: { pages: document ? [{ document, path: page }] : [] } });
+    const paths = this.beside === "" ? [page] : [page, this.beside];
+    this.link.tell({ case: "look", value: { pages: document ? paths.map((path) => ({ document, path })) : [] } });
   }
 
   private receive(message: FromDesigner): void {
@@ -299,7 +309,9 @@ export class Designer {
 
   private hasNode(document: string, page: string, node: string): boolean {
     const drawing = this.state.drawings[pageKey(document, page)];
-    return [...(drawing?.nodes ?? []), ...(drawing?.states ?? [])].some((one) => one.name === node);
+    const names = [...(drawing?.nodes ?? []), ...(drawing?.states ?? [])].map((one) => one.name);
+    const transitions = (drawing?.transitions ?? []).map(({ from, index }) => `${from}/${index}`);
+    return [...names, ...transitions].includes(node);
   }
 
   /** A file with one declaration that can be drawn opens on it. */

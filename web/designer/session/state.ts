@@ -12,6 +12,7 @@ export type DialogName =
   | ""
   | "place" // search palette
   | "connect"
+  | "trigger"
   | "commands"
   | "shortcuts"
   | "open"
@@ -52,12 +53,23 @@ export interface Notice {
 export interface Placing {
   x: number;
   y: number;
+  /** Not the one that is shown: that of a trigger. */
+  page?: string;
   /** Connected to this input at once. */
   to?: { node: string; port: string; index?: number | undefined };
   /** An output that the new one is to take. */
   from?: string;
   /** Puts it in this node's place. */
   replace?: string;
+}
+
+/** What a component is chosen for: the part itself, or something beside it. */
+export interface TriggerChoice {
+  from: string;
+  index: number;
+  /** Which operand of which operand; empty: the whole trigger. */
+  part: readonly number[];
+  how: "choose" | "and" | "or";
 }
 
 /** Where the text editor shall go; a new object each time. */
@@ -90,6 +102,7 @@ export interface State {
   selection: readonly string[];
   dialog: DialogName;
   placing: Placing | null;
+  triggerChoice: TriggerChoice | null;
   /** What a dialog is about: the node that is renamed, say. */
   subject: string;
   shown: ShownPanes;
@@ -143,6 +156,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
     selection: [],
     dialog: "",
     placing: null,
+    triggerChoice: null,
     subject: "",
     shown: readShown(stored.shown, firstShown(windowWidth)),
     theme: stored.theme === "light" || stored.theme === "dark" ? stored.theme : "auto",

@@ -26,6 +26,16 @@ export function useDrawing(): Drawing | undefined {
   return usePart(drawingOf);
 }
 
+/** Errors and warnings that are about a node, a state or a transition of the page that is shown. */
+export function useTrouble(name: string): "has-error" | "has-warning" | "" {
+  return usePart(({ documents, document, page }) => {
+    const problems = documents[document]?.problems ?? [];
+    const own = problems.filter((problem) => problem.node === name && problem.page === page);
+    if (own.length === 0) return "";
+    return own.some((problem) => !problem.diagnostic?.isWarning) ? "has-error" : "has-warning";
+  });
+}
+
 /** Whether the page that is shown can't be changed. */
 export function useIsReadOnly(): boolean {
   return usePart((state) => drawingOf(state)?.isReadOnly || state.documents[state.document]?.isReadOnly || false);

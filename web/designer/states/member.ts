@@ -26,7 +26,13 @@ const kMoving: readonly Node_Shape[] = [
   Node_Shape.COMPETITION,
 ];
 
+/** Whether a transition can ask it; the language's own `and`, `or` and `not` are not placed: they have buttons. */
+export function isTrigger({ name, type }: Component): boolean {
+  return type === "bool" && !["and", "or", "not"].includes(name);
+}
+
 /** Whether a state can do it. */
 export function canBeDone(component: Component): boolean {
+  if (isTrigger(component)) return false;
   return kMoving.includes(component.shape) || component.name.startsWith("coordinate by ");
 }

@@ -1,7 +1,9 @@
 // Triggers that ask nothing, in words: CDL writes them as a constant.
+export const kNoTrigger = "no trigger yet";
+
 const kWords = {
   "at once": /^(?:true|Constant\(\s*(?:(?:value\s*=\s*)?true)?\s*\))$/,
-  never: /^(?:false|Constant\(\s*(?:value\s*=\s*)?false\s*\))$/,
+  [kNoTrigger]: /^(?:false|Constant\(\s*(?:value\s*=\s*)?false\s*\))$/,
 } as const;
 const kTexts: Readonly<Record<string, string>> = {
   "at once": "Constant()",
@@ -9,9 +11,16 @@ const kTexts: Readonly<Record<string, string>> = {
   immediately: "Constant()",
   always: "Constant()",
   never: "Constant(value = false)",
+  [kNoTrigger]: "Constant(value = false)",
+  "": "Constant(value = false)",
 };
 
-/** As it is read: `at once`, `never`, or the text. */
+/** Whether it is the one that a new transition has: never made, until something better is said. */
+export function isNoTrigger(trigger: string): boolean {
+  return kWords[kNoTrigger].test(trigger.trim());
+}
+
+/** As it is read: `at once`, `no trigger yet`, or the text. */
 export function triggerWords(trigger: string): string {
   const text = trigger.trim();
   for (const [words, constant] of Object.entries(kWords)) if (constant.test(text)) return words;

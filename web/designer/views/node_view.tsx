@@ -11,7 +11,7 @@ import { LiveBadge } from "../running/badge.tsx";
 import { BreakDot } from "../running/break_dot.tsx";
 import { useLive } from "../running/use_live.ts";
 import type { Node } from "../session/protocol.ts";
-import { useDesigner, usePart } from "../session/use.ts";
+import { useDesigner, useTrouble } from "../session/use.ts";
 import { canvasStore, useCanvas } from "../sight/canvas_store.ts";
 import { NodeIcon } from "./icons.tsx";
 
@@ -89,20 +89,6 @@ function Parts({ node, form, page }: { node: Node; form: Form; page: string }) {
       {node.isLoose && <LiveBadge page={page} live={node.live} y={form.outputY} />}
     </>
   );
-}
-
-/** Errors and warnings that are about the node. */
-function useTrouble(name: string): string {
-  return usePart((state) => {
-    const problems = state.documents[state.document]?.problems ?? [];
-    let worst = "";
-    for (const problem of problems) {
-      if (problem.node !== name || problem.page !== state.page) continue;
-      if (!problem.diagnostic?.isWarning) return "has-error";
-      worst = "has-warning";
-    }
-    return worst;
-  });
 }
 
 function EnterButton({ node }: { node: Node }) {

@@ -4,7 +4,7 @@ import { type CSSProperties, Fragment, memo } from "react";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { BreakDot } from "../running/break_dot.tsx";
 import { useLive } from "../running/use_live.ts";
-import { useDesigner, usePart } from "../session/use.ts";
+import { useDesigner, useTrouble } from "../session/use.ts";
 import type { StateNode } from "../states/flow.ts";
 import { farNameSize, nameParts, stateSize } from "../states/form.ts";
 
@@ -12,13 +12,7 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
   const { state, page } = data;
   const designer = useDesigner();
   const isActive = useLive(page, state.live)?.isActive ?? false;
-  const trouble = usePart((all) => {
-    const own = (all.documents[all.document]?.problems ?? []).filter(
-      (problem) => problem.node === state.name && problem.page === all.page,
-    );
-    if (own.length === 0) return "";
-    return own.some((problem) => !problem.diagnostic?.isWarning) ? "has-error" : "has-warning";
-  });
+  const trouble = useTrouble(state.name);
   const classes = [
     "state",
     selected ? "selected" : "",

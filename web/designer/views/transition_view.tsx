@@ -3,9 +3,9 @@ import { EdgeLabelRenderer, type EdgeProps, useInternalNode } from "@xyflow/reac
 import { memo, useEffect, useRef, useState } from "react";
 import { BreakDot, useBreaks } from "../running/break_dot.tsx";
 import { useLive } from "../running/use_live.ts";
-import { useDesigner, usePart } from "../session/use.ts";
+import { useDesigner, usePart, useTrouble } from "../session/use.ts";
 import { curveOf, type TransitionEdge, transitionId } from "../states/flow.ts";
-import { triggerWords } from "../states/trigger_words.ts";
+import { isNoTrigger, triggerWords } from "../states/trigger_words.ts";
 
 type TransitionData = NonNullable<TransitionEdge["data"]>;
 
@@ -51,10 +51,17 @@ function TransitionLabel({
   const id = transitionId(transition);
   const breaks = useBreaks(data.page, id);
   const isSelected = usePart((state) => state.selection.includes(id));
+  const trouble = useTrouble(id);
+  const classes = [
+    "transition-label nodrag nopan",
+    className,
+    isSelected ? "selected" : "",
+    isNoTrigger(transition.trigger) ? "unset" : trouble,
+  ];
   return (
     <button
       type="button"
-      className={`transition-label nodrag nopan ${className} ${isSelected ? "selected" : ""}`}
+      className={classes.filter((one) => one !== "").join(" ")}
       style={{ transform: `translate(-50%, -50%) translate(${at.x}px, ${at.y}px) scale(${scale})` }}
       title={[triggerWords(transition.trigger), transition.help].filter((one) => one !== "").join("\n\n") || undefined}
       data-transition={id}
@@ -73,7 +80,12 @@ function TransitionLabel({
 
 /** With all that is written on the label, and in its words. */
 function spokenTransition({ index, from, to, trigger, restarts }: TransitionData["transition"]): string {
-  return `Transition ${index + 1} of ${from}: ${trigger ? `when ${triggerWords(trigger)}` : "when?"}, to ${to}${restarts ? ", anew" : ""}`;
+  return `Transition ${index + 1} of ${from}: ${spokenTrigger(trigger)}, to ${to}${restarts ? ", anew" : ""}`;
+}
+
+function spokenTrigger(trigger: string): string {
+  if (isNoTrigger(trigger)) return triggerWords(trigger);
+  return trigger ? `when ${triggerWords(trigger)}` : "when?";
 }
 
 /** True for a moment after the transition was made. */

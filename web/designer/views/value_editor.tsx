@@ -23,6 +23,7 @@ export function ValueEditor() {
   return (
     <Editor
       key={`${editing.node}/${editing.row}/${editing.what}`}
+      page={drawing?.page?.path ?? ""}
       node={node}
       port={port}
       what={editing.what}
@@ -31,7 +32,15 @@ export function ValueEditor() {
   );
 }
 
-function Editor({ node, port, what, row }: { node: Node; port: Port; what: "value" | "weight"; row: Element }) {
+interface EditorProps {
+  page: string;
+  node: Node;
+  port: Port;
+  what: "value" | "weight";
+  row: Element;
+}
+
+function Editor({ page, node, port, what, row }: EditorProps) {
   const close = () => canvasStore.setState({ editing: null });
   const label = what === "weight" ? `Weight of ${rowLabel(port)}` : nameOf(port);
   return (
@@ -46,7 +55,7 @@ function Editor({ node, port, what, row }: { node: Node; port: Port; what: "valu
       <Dialog aria-label={label} className="content">
         {/* The field keeps Escape to itself. */}
         <div onKeyDownCapture={(event) => event.key === "Escape" && close()}>
-          <ValueField node={node} port={port} what={what} onDone={close} />
+          <ValueField page={page} node={node} port={port} what={what} onDone={close} />
         </div>
       </Dialog>
     </Popover>
@@ -62,6 +71,8 @@ function helpOf(port: Port, what: "value" | "weight", isCompact: boolean): strin
 }
 
 interface ValueFieldProps {
+  /** Where the node is. */
+  page: string;
   node: Node;
   port: Port;
   what: "value" | "weight";
@@ -71,7 +82,7 @@ interface ValueFieldProps {
 }
 
 /** Also in the details, where it stays. */
-export function ValueField({ node, port, what, onDone, isCompact = false }: ValueFieldProps) {
+export function ValueField({ page, node, port, what, onDone, isCompact = false }: ValueFieldProps) {
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const given = what === "weight" ? port.weight : port.value;
@@ -88,7 +99,7 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
         document: designer.state.document,
         revision: designer.drawing?.revision ?? 0n,
         name: value === "" ? `default of ${label}` : `set ${label} of ${node.name}`,
-        changes: [{ change: setValue(designer.state.page, node.name, port, what, value) }],
+        changes: [{ change: setValue(page, node.name, port, what, value) }],
       },
     });
     if (answer.ok) onDone();
@@ -128,7 +139,14 @@ export function ValueField({ node, port, what, onDone, isCompact = false }: Valu
       )}
       {choices.length > 0 && <ValueChoices choices={choices} typed={typed} onChoose={(next) => void send(next)} />}
       {what === "value" && !isReadOnly && (
-        <ValueTools node={node} port={port} isCompact={isCompact} onDefault={() => void send("")} onDone={onDone} />
+        <ValueTools
+          page={page}
+          node={node}
+          port={port}
+          isCompact={isCompact}
+          onDefault={() => void send("")}
+          onDone={onDone}
+        />
       )}
     </div>
   );
@@ -159,6 +177,7 @@ function ValueChoices({ choices, typed, onChoose }: ValueChoicesProps) {
 }
 
 interface ValueToolsProps {
+  page: string;
   node: Node;
   port: Port;
   isCompact: boolean;
@@ -166,10 +185,10 @@ interface ValueToolsProps {
   onDone: () => void;
 }
 
-function ValueTools({ node, port, isCompact, onDefault, onDone }: ValueToolsProps) {
+function ValueTools({ page, node, port, isCompact, onDefault, onDone }: ValueToolsProps) {
   const designer = useDesigner();
   const expose = () => {
-    const value = { page: designer.state.page, node: node.name, port: port.name, ...indexOf(port) };
+    const value = { page, node: node.name, port: port.name, ...indexOf(port) };
     void designer.edit(`make ${nameOf(port)} a parameter`, { case: "expose", value });
     onDone();
   };

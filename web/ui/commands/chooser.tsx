@@ -1,5 +1,5 @@
 // A list to be searched by a few letters, in the middle of the page: components to place, inputs to connect, commands.
-import { type ReactNode, useRef, useState } from "react";
+import { Fragment, type ReactNode, useRef, useState } from "react";
 import { Dialog, Modal, ModalOverlay } from "react-aria-components";
 import { Icon } from "../controls/icons.tsx";
 import "./commands.css";
@@ -12,6 +12,8 @@ export interface Choice {
   /** The keys that do the same. */
   keys?: string | undefined;
   icon?: ReactNode;
+  /** Said above the first of each. */
+  group?: string | undefined;
   /** Why it can't be chosen. */
   blocked?: string | undefined;
 }
@@ -50,7 +52,7 @@ export function Chooser({
   const go = (place: number) => {
     const next = Math.max(0, Math.min(choices.length - 1, place));
     setAt(next);
-    list.current?.children[next]?.scrollIntoView({ block: "nearest" });
+    list.current?.querySelector(`#choice-${next}`)?.scrollIntoView({ block: "nearest" });
   };
   const keys: Record<string, () => void> = {
     ArrowDown: () => go(at + 1),
@@ -89,14 +91,20 @@ export function Chooser({
           </div>
           <div className="palette-list" id="chooser-list" role="listbox" aria-label={title} ref={list} tabIndex={-1}>
             {choices.map((choice, place) => (
-              <ChoiceRow
-                key={choice.id}
-                choice={choice}
-                place={place}
-                isMarked={place === at}
-                onChoose={() => choose(place)}
-                onPoint={() => setAt(place)}
-              />
+              <Fragment key={choice.id}>
+                {choice.group && choice.group !== choices[place - 1]?.group && (
+                  <div className="palette-heading" role="presentation">
+                    {choice.group}
+                  </div>
+                )}
+                <ChoiceRow
+                  choice={choice}
+                  place={place}
+                  isMarked={place === at}
+                  onChoose={() => choose(place)}
+                  onPoint={() => setAt(place)}
+                />
+              </Fragment>
             ))}
             {choices.length === 0 && <p className="empty">{empty}</p>}
           </div>
