@@ -133,6 +133,22 @@ test("who knows no name draws two states and what leads from one to the other, w
   await page.getByRole("button", { name: /^Transition 1 of Waiting: when Near\(/ }).waitFor();
 });
 
+test("a trigger is dropped on an arrow, or goes to the one that is selected", async () => {
+  const { designer } = await patrol(
+    kTwoStates.replace("Wander();", "Wander();\n      when Constant(value = false) goto Resting;"),
+  );
+  const { page, palette } = designer;
+  const label = page.getByRole("button", { name: /^Transition 1 of Going/ });
+  const entry = palette.locator("[data-component=Near]");
+  await entry.dragTo(page.locator(".react-flow__pane"), { targetPosition: { x: 200, y: 80 } });
+  await page.getByText("Near says when a transition is made: drop it on an arrow, or select one before.").waitFor();
+  await entry.dragTo(label);
+  await expect.poll(() => written(designer).inputValue()).toBe("Near()");
+  await expect.poll(() => page.locator(".transition-label.aimed-at").count()).toBe(0);
+  await palette.locator("[data-component=IsAtGoal]").click();
+  await expect.poll(() => written(designer).inputValue()).toBe("Near() and IsAtGoal()");
+});
+
 test("what is wrong with a trigger is said at its transition", async () => {
   const { designer } = await patrol(
     kTwoStates.replace("Wander();", "Wander();\n      when Near(distance = 2 s) goto Resting;"),

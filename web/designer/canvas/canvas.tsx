@@ -13,12 +13,15 @@ import {
 import { type CSSProperties, type ReactNode, type RefObject, useEffect, useMemo, useRef } from "react";
 import { kPitch } from "../arrange/elk.ts";
 import { dropAt, kDragged } from "../palette/touch_drag.ts";
+import type { Designer } from "../session/designer.ts";
 import { isTabbed, offerFocus } from "../session/panes.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { canvasStore, useCanvas } from "../sight/canvas_store.ts";
 import { usePlaces } from "../sight/use_places.ts";
 import { kFarthest, nodeElement } from "../sight/view.ts";
+import { isTriggerHere, transitionAt } from "../states/drop_trigger.ts";
+import { transitionId } from "../states/flow.ts";
 import { NodeView } from "../views/node_view.tsx";
 import { NoteView, ResultView } from "../views/small_views.tsx";
 import { StateView } from "../views/state_view.tsx";
@@ -157,11 +160,13 @@ function Frame({ drawing, ids, isInSight, children }: FrameProps) {
         if (!event.dataTransfer.types.includes(kDragged) || isReadOnly) return;
         event.preventDefault();
         event.dataTransfer.dropEffect = "copy";
+        aim(designer, event.clientX, event.clientY);
       }}
       onDrop={(event) => {
         const component = event.dataTransfer.getData(kDragged);
         if (!component || isReadOnly) return;
         event.preventDefault();
+        canvasStore.setState({ dragged: "", aimedAt: "" });
         dropAt(designer, component, event.clientX, event.clientY);
       }}
       onMouseMove={(event) =>
@@ -175,6 +180,14 @@ function Frame({ drawing, ids, isInSight, children }: FrameProps) {
       <ContextMenu />
     </section>
   );
+}
+
+/** Shows which transition takes the trigger that is dragged over it. */
+function aim(designer: Designer, x: number, y: number): void {
+  const { dragged, aimedAt } = canvasStore.getState();
+  const over = isTriggerHere(designer, dragged) ? transitionAt(designer, x, y) : undefined;
+  const id = over ? transitionId(over) : "";
+  if (id !== aimedAt) canvasStore.setState({ aimedAt: id });
 }
 
 /** Who works with keys has the focus on what is selected, or on the drawing; else it would be lost with each dialog. */

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { ComponentSchema, Node_Shape } from "../session/protocol.ts";
-import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
+import { firstSentence, found, groupsOf, isForPage, isInPalette, isOpenAtFirst } from "./groups.ts";
 
 const all = [
   create(ComponentSchema, {
@@ -49,6 +49,15 @@ test("what a first skill is made of is unfolded, what comes later is not", () =>
   expect(["Motor schemas", "Sensors", "Operators", "Mine"].every((one) => isOpenAtFirst(one, false))).toBe(true);
   expect(["Assemblages", "Logic"].some((one) => isOpenAtFirst(one, false))).toBe(false);
   expect(isOpenAtFirst("Assemblages", true)).toBe(true);
+});
+
+test("the palette of states has triggers, which are no states", () => {
+  const near = create(ComponentSchema, { name: "Near", type: "bool", shape: Node_Shape.ASSEMBLAGE });
+  const and = create(ComponentSchema, { name: "and", type: "bool", shape: Node_Shape.LOGIC });
+  expect([near, and].map((one) => [isForPage(one, true), isInPalette(one, true)])).toEqual([
+    [false, true],
+    [false, false],
+  ]);
 });
 
 test("a few letters find a component, by its historic name too, or by what it is said to do", () => {

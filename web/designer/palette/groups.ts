@@ -1,7 +1,7 @@
 // The palette's components in groups, and found by a few letters.
 import { ranked } from "../../ui/commands/search.ts";
 import type { Component } from "../session/protocol.ts";
-import { canBeDone } from "../states/member.ts";
+import { canBeDone, isTrigger } from "../states/member.ts";
 
 export interface Group {
   name: string;
@@ -64,6 +64,11 @@ export function found(query: string, components: readonly Component[]): Componen
 /** What a state can do, or a node of dataflow can be. */
 export function isForPage(component: Component, isStates: boolean): boolean {
   return !isStates || canBeDone(component);
+}
+
+/** The same, and what can be dropped on a transition. */
+export function isInPalette(component: Component, isStates: boolean): boolean {
+  return isForPage(component, isStates) || isTrigger(component);
 }
 
 /** The first sentence of a component's documentation. */

@@ -6,8 +6,9 @@ import { toneOf } from "../drawing/form.ts";
 import { declarationOf } from "../session/pages.ts";
 import { type Component, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../session/use.ts";
+import { canvasStore } from "../sight/canvas_store.ts";
 import { NodeIcon } from "../views/icons.tsx";
-import { firstSentence, found, groupsOf, isForPage, isOpenAtFirst } from "./groups.ts";
+import { firstSentence, found, groupsOf, isInPalette, isOpenAtFirst } from "./groups.ts";
 import { place } from "./place.ts";
 import { dragByTouch, kDragged } from "./touch_drag.ts";
 import { keepUnfolded, readUnfolded } from "./unfolded.ts";
@@ -23,7 +24,7 @@ export function PalettePanel() {
   const owner = usePart((state) => declarationOf(state.page));
   const isStates = drawing?.kind === Drawing_Kind.STATES;
   const groups = useMemo(() => {
-    const usable = components.filter((one) => one.name !== owner && isForPage(one, isStates));
+    const usable = components.filter((one) => one.name !== owner && isInPalette(one, isStates));
     return groupsOf(query ? found(query, usable) : usable);
   }, [components, query, isStates, owner]);
   const kind = drawing?.kind ?? Drawing_Kind.FILE;
@@ -84,10 +85,12 @@ function Entry({ component }: { component: Component }) {
         disabled={isReadOnly}
         title={[title, component.help].filter((one) => one !== "").join("\n\n")}
         onDragStart={(event) => {
+          canvasStore.setState({ dragged: component.name });
           event.dataTransfer.setData(kDragged, component.name);
           event.dataTransfer.setData("text/plain", component.name);
           event.dataTransfer.effectAllowed = "copy";
         }}
+        onDragEnd={() => canvasStore.setState({ dragged: "", aimedAt: "" })}
         onPointerDown={(event) => {
           if (!isReadOnly) dragByTouch(designer, component.name, title, event);
         }}

@@ -10,6 +10,7 @@ import { canvasStore } from "../sight/canvas_store.ts";
 import { placesOf, sizesOf } from "../sight/use_places.ts";
 import { camera } from "../sight/view.ts";
 import { connectChange } from "../sight/wiring.ts";
+import { dropTrigger, isTriggerHere, selectedTransition } from "../states/drop_trigger.ts";
 import { memberOf, stateName } from "../states/member.ts";
 
 /** As large as most nodes; how large a new one is shows only when it is there. */
@@ -59,6 +60,7 @@ export async function place(designer: Designer, component: string, placing: Plac
   if (!drawing) return false;
   if (placing?.page !== undefined && placing.page !== page) return placeBeside(designer, component, placing);
   const { x, y } = placing ?? freePlace(designer, component);
+  if (isTriggerHere(designer, component)) return dropTrigger(designer, component, selectedTransition(designer));
   if (drawing.kind === Drawing_Kind.STATES) return placeState(designer, component, placing?.replace ?? "", { x, y });
   if (placing?.replace) {
     return (await designer.edit("", { case: "replace", value: { page, node: placing.replace, component } })).ok;

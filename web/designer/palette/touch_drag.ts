@@ -4,6 +4,7 @@ import { onPitch } from "../arrange/elk.ts";
 import type { Designer } from "../session/designer.ts";
 import { Drawing_Kind } from "../session/protocol.ts";
 import { camera } from "../sight/view.ts";
+import { dropTrigger, isTriggerHere, transitionAt } from "../states/drop_trigger.ts";
 import { placeState } from "./place.ts";
 
 /** What the browser drags out of the palette. */
@@ -23,7 +24,8 @@ export function dropAt(designer: Designer, component: string, x: number, y: numb
   const at = camera()?.screenToFlowPosition({ x, y });
   if (!drawing || drawing.isReadOnly || !at) return;
   const where = { x: onPitch(at.x - 80), y: onPitch(at.y - 20) };
-  if (drawing.kind === Drawing_Kind.STATES) void placeState(designer, component, "", where);
+  if (isTriggerHere(designer, component)) void dropTrigger(designer, component, transitionAt(designer, x, y));
+  else if (drawing.kind === Drawing_Kind.STATES) void placeState(designer, component, "", where);
   else {
     const page = drawing.page?.path ?? "";
     void designer.edit(`place ${component}`, { case: "place", value: { page, component, ...where } });

@@ -14,6 +14,10 @@ export interface CanvasState {
   editing: { node: string; row: string; what: "value" | "weight" } | null;
   /** The comment or frame that has just been made: its words are typed at once. */
   writing: string;
+  /** The component that is dragged out of the palette; empty: none. */
+  dragged: string;
+  /** The transition that a dragged trigger would be dropped on. */
+  aimedAt: string;
   /** Where the pointer last was on the canvas, in its coordinates. */
   pointer: { x: number; y: number };
   /** Grows whenever something has another place than the drawing says. */
@@ -28,6 +32,8 @@ export const canvasStore = createStore<CanvasState>(() => ({
   fits: null,
   editing: null,
   writing: "",
+  dragged: "",
+  aimedAt: "",
   pointer: { x: 0, y: 0 },
   moves: 0,
   view: { x: 0, y: 0, width: 800, height: 600 },

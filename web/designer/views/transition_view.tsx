@@ -4,6 +4,7 @@ import { memo, useEffect, useRef, useState } from "react";
 import { BreakDot, useBreaks } from "../running/break_dot.tsx";
 import { useLive } from "../running/use_live.ts";
 import { useDesigner, usePart, useTrouble } from "../session/use.ts";
+import { useCanvas } from "../sight/canvas_store.ts";
 import { curveOf, type TransitionEdge, transitionId } from "../states/flow.ts";
 import { isNoTrigger, triggerWords } from "../states/trigger_words.ts";
 
@@ -51,11 +52,13 @@ function TransitionLabel({
   const id = transitionId(transition);
   const breaks = useBreaks(data.page, id);
   const isSelected = usePart((state) => state.selection.includes(id));
+  const isAimedAt = useCanvas((state) => state.aimedAt === id);
   const trouble = useTrouble(id);
   const classes = [
     "transition-label nodrag nopan",
     className,
     isSelected ? "selected" : "",
+    isAimedAt ? "aimed-at" : "",
     isNoTrigger(transition.trigger) ? "unset" : trouble,
   ];
   return (
