@@ -90,7 +90,7 @@ test("triggers are joined, negated and taken away by buttons", async () => {
   const isWritten = (trigger: string) => expect.poll(() => written(designer).inputValue()).toBe(trigger);
   await join(designer, "And another trigger", "And when?", "IsAtGoal");
   await isWritten("Near(distance = 2 m) and IsAtGoal()");
-  await details.getByRole("button", { name: "Negate IsAtGoal" }).click();
+  await details.getByRole("button", { name: "not IsAtGoal" }).click();
   await isWritten("Near(distance = 2 m) and not IsAtGoal()");
   await details.getByRole("button", { name: "all of these: change to or" }).click();
   await isWritten("Near(distance = 2 m) or not IsAtGoal()");

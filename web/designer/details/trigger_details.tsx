@@ -161,7 +161,7 @@ function TermButtons({ transition, term, name }: { transition: Transition; term:
           </Button>
         ))}
       {!isNot && (
-        <Button tone="quiet" aria-label={`Negate ${name}`} onPress={() => void changeTrigger(designer, part, "not")}>
+        <Button tone="quiet" aria-label={`not ${name}`} onPress={() => void changeTrigger(designer, part, "not")}>
           not
         </Button>
       )}

@@ -78,7 +78,7 @@ async function choose(designer: Designer, choice: TriggerChoice, component: stri
 function focusTerm(part: readonly number[]): void {
   const isWanted = (term: HTMLElement) => term.dataset.part === part.join(".");
   const term = [...window.document.querySelectorAll<HTMLElement>(".trigger-term")].find(isWanted);
-  term?.querySelector<HTMLElement>(".inputs input, .trigger-name")?.focus();
+  (term?.querySelector<HTMLElement>(".inputs input") ?? term?.querySelector<HTMLElement>(".trigger-name"))?.focus();
 }
 
 /** Names of what may be asked; null: not known yet. */

@@ -5,6 +5,7 @@ import type { Designer } from "../../designer/session/designer.ts";
 import { isOfLibrary } from "../../designer/session/pages.ts";
 import type { Drawing, Mark } from "../../designer/session/protocol.ts";
 import { transitionOf } from "../../designer/states/flow.ts";
+import { isNoTrigger } from "../../designer/states/trigger_words.ts";
 import { atCondition, atTransition } from "../run/break_points.ts";
 import { knownLive, type Live } from "../run/live.ts";
 import { breakAtTransition, breaksWhen, isOnSame, markAt, marksOfPage } from "../run/marks.ts";
@@ -92,7 +93,8 @@ function conditionBreaks(live: Live, drawing: Drawing, id: string): Action[] {
       .map(({ path }) => path),
   );
   const transition = { ...markAt(drawing, id) };
-  return (transitionOf(drawing, id)?.conditions ?? []).map(({ text, live: below, isNegated }) => {
+  const conditions = (transitionOf(drawing, id)?.conditions ?? []).filter(({ text }) => !isNoTrigger(text));
+  return conditions.map(({ text, live: below, isNegated }) => {
     const value = isNegated ? "false" : "true";
     const known = marksHere(live).find(
       (mark) => isOnSame(mark, { ...transition, trigger: below }) && breaksWhen(mark, value),
