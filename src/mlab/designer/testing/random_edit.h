@@ -105,10 +105,19 @@ class RandomEdit {
   static void set_port(SetValue& change, const std::string& port) { change.set_port(port); }
   static void set_port(Expose& change, const std::string& port) { change.set_port(port); }
 
+  void change_trigger(ChangeTrigger& change) {
+    change.set_page(page_);
+    change.set_from(state());
+    change.set_index(static_cast<std::uint32_t>(below(2)));
+    while (below(2) == 0) change.add_part(static_cast<std::uint32_t>(below(2)));
+    change.set_how(static_cast<ChangeTrigger::How>(below(6)));
+    change.set_component(word({"Near", "IsAtGoal", "Detect", "Wander"}));
+  }
+
   // NOLINTNEXTLINE(readability-function-size): a row for each change
   void fill(Change& change) {
     look_at_page();
-    switch (below(26)) {
+    switch (below(27)) {
       case 0:
       case 1:
       case 2: {
@@ -231,6 +240,9 @@ class RandomEdit {
           if (below(2) == 0) one.set_restarts(below(2) == 0);
           if (below(2) == 0) one.set_new_index(static_cast<std::uint32_t>(below(3)));
         }
+        return;
+      case 25:
+        change_trigger(*change.mutable_change_trigger());
         return;
       default:
         change.mutable_remove_transition()->set_page(page_);
