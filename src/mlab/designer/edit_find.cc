@@ -138,13 +138,17 @@ cdl::PortType Editor::given(const PageView& view, int at) const {
 bool Editor::is_taken(const PageView& view, std::string_view name) const {
   const auto is_it = [&](const auto& one) { return one.name.text == name; };
   return std::ranges::any_of(view.graph->lets(), is_it) ||
-         std::ranges::any_of(view.graph->parameters(), is_it);
+         std::ranges::any_of(view.graph->parameters(), is_it) ||
+         given_names_.contains({view.graph->name, std::string(name)});
 }
 
 std::string Editor::free_name(const PageView& view, const std::string& wanted) const {
   std::set<std::string> taken;
   for (const cdl::Let& let : view.graph->lets()) taken.insert(let.name.text);
   for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
+  for (const auto& [owner, name] : given_names_) {
+    if (owner == view.graph->name) taken.insert(name);
+  }
   const GraphPage& own = view.graph->pages.front();
   for (const GraphNode& node : own.nodes) taken.insert(node.name);
   if (own.sequence != nullptr) {

@@ -370,6 +370,22 @@ TEST(Edit, NodesThatAreWrittenAlikeStayTwoWhereAGroupLeavesThemOutside) {
   EXPECT_NE(text.text().find("Drift(Noise = Noise(), Noise_2 = Noise())"), std::string::npos) << text.text();
 }
 
+TEST(Edit, NodesThatAreKeptAtOnceHaveNamesOfTheirOwn) {
+  DrawnText text(R"(assemblage A() {
+  let Noise = Noise();
+  let Noise_2 = Noise();
+  sequence {
+    start Going: cooperate {
+      Noise(): Noise();
+    };
+  }
+}
+)");
+  text.disconnect("A.Going", "cooperate", "members", 0);
+  EXPECT_NE(text.text().find("let Noise_3 = Noise();"), std::string::npos) << text.text();
+  EXPECT_NE(text.text().find("let Noise_4 = Noise();"), std::string::npos) << text.text();
+}
+
 TEST(Edit, SaysWhatToChooseWhereAnAssemblageWouldGiveSeveralValues) {
   DrawnText text("assemblage A() {\n  cooperate {\n    1: Noise();\n    1: MoveAhead();\n  }\n}\n");
   const std::string refusal = text.refused([](Edit& edit) {

@@ -56,6 +56,7 @@ cdl::ExpressionPtr Editor::neutral(const cdl::PortType& type) const {
 
 std::string Editor::add_let(const PageView& view, const std::string& name, cdl::ExpressionPtr value,
                             const std::string& help) {
+  given_names_.emplace(view.graph->name, name);
   change_owner(view, [name, value = std::move(value), help](auto& now) {
     now.lets.push_back({{name, {}}, value, help});
   });

@@ -201,6 +201,8 @@ class Editor {
                       const std::vector<cdl::LayoutEntry>& places);
 
   Workspace& work_;
+  /// Owners and names of `let`s that this edit made: those of one commit are not in the model yet.
+  std::set<std::pair<std::string, std::string>> given_names_;
 };
 
 /// Calls `visit` with the declaration of a name. @return whether there is one
