@@ -16,6 +16,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/load.h"
 #include "mlab/robot/configuration_file.h"
@@ -100,7 +101,7 @@ bool time_compilation(const char* what, const std::string& text, int rounds) {
 }
 
 std::shared_ptr<const Program> written_by_hand(mlab::text::Diagnostics& sink) {
-  const auto source = mlab::text::read_source(MLAB_SOURCE_DIR "/bench/schemas.cnl");
+  const auto source = mlab::text::read_source(mlab::base::source_folder() + "/bench/schemas.cnl");
   if (!source) {
     sink.report(source.error());
     return nullptr;
@@ -110,7 +111,7 @@ std::shared_ptr<const Program> written_by_hand(mlab::text::Diagnostics& sink) {
 }
 
 std::shared_ptr<const Program> from_configuration(mlab::text::Diagnostics& sink) {
-  const auto source = mlab::text::read_source(MLAB_SOURCE_DIR "/bench/schemas.cdl");
+  const auto source = mlab::text::read_source(mlab::base::source_folder() + "/bench/schemas.cdl");
   if (!source) {
     sink.report(source.error());
     return nullptr;

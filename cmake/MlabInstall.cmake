@@ -58,5 +58,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_STRIP_FILES ON)
 # What compiles the procedures that a mission brings along, and what the headers of the modules include.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, libfmt-dev")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bubblewrap, cmake, nlohmann-json3-dev, libtbb-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bubblewrap, cmake, git, nlohmann-json3-dev, libtbb-dev")
 include(CPack)

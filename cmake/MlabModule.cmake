@@ -83,7 +83,8 @@ function(mlab_module name)
   set_target_properties(mlab_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS mlab_${name} EXPORT mlabTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} FILES_MATCHING PATTERN "*.h"
+    PATTERN testing EXCLUDE)
 
   set(tests ${arg_THREADED_TESTS})
   if(NOT MLAB_SANITIZE STREQUAL thread)
@@ -114,9 +115,8 @@ function(mlab_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   # It replaces operators new and delete, which a compiler that sees them beside their callers takes for mismatched.
-  set_source_files_properties(../base/count_allocations.cc PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  target_link_libraries(${name} PRIVATE ${arg_LINK} mlab_options GTest::gtest GTest::gtest_main)
-  target_compile_definitions(${name} PRIVATE MLAB_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  set_source_files_properties(../base/testing/count_allocations.cc PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  target_link_libraries(${name} PRIVATE ${arg_LINK} mlab_source_folder mlab_options GTest::gtest GTest::gtest_main)
   # What is tested is compiled as in the product; what asks, in less time.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   set(properties "")

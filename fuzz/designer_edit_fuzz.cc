@@ -10,10 +10,10 @@
 #include <string>
 
 #include "mlab/base/random.h"
-#include "mlab/console/utf8.h"
 #include "mlab/designer/edit.h"
 #include "mlab/designer/testing/random_edit.h"
 #include "mlab/robot/configuration_file.h"
+#include "mlab/text/utf8.h"
 
 namespace {
 
@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   Edit edit;
   const bool is_edit = edit.ParseFromArray(data + 10, static_cast<int>(message));
   std::string text =
-      mlab::console::as_utf8({reinterpret_cast<const char*>(data) + 10 + message, size - 10 - message});
+      mlab::text::as_utf8({reinterpret_cast<const char*>(data) + 10 + message, size - 10 - message});
   std::shared_ptr<const Model> model = model_of(std::move(text));
   if (!model->is_readable()) return 0;
   if (is_edit) check(model, edit, model);

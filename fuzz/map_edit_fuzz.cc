@@ -11,7 +11,7 @@
 #include "mlab/base/random.h"
 #include "mlab/console/testing/map_of_texts.h"
 #include "mlab/console/testing/random_change.h"
-#include "mlab/console/utf8.h"
+#include "mlab/text/utf8.h"
 
 namespace {
 
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   std::uint64_t seed = 0;
   std::memcpy(&seed, data, sizeof seed);
   // A document is UTF-8 from the moment it is opened.
-  const std::string text = mlab::console::as_utf8({reinterpret_cast<const char*>(data) + 8, size - 8});
+  const std::string text = mlab::text::as_utf8({reinterpret_cast<const char*>(data) + 8, size - 8});
   mlab::console::testing::MapOfTexts texts(text);
   mlab::base::Random random(seed);
   for (int i = 0; i < kChanges; ++i) {

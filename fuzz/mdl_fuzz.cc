@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "mlab/lang/mdl/check_print.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/lang/mdl/testing/check_print.h"
 #include "mlab/text/diagnostic.h"
 
 namespace {

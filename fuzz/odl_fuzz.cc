@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "mlab/lang/odl/check_print.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/lang/odl/testing/check_print.h"
 #include "mlab/text/diagnostic.h"
 
 // libFuzzer's name, not ours.

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/processor_time.h"
 
 // libFuzzer's name, not ours.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

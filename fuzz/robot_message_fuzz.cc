@@ -13,7 +13,7 @@
 
 #include <google/protobuf/stubs/logging.h>
 
-#include "mlab/flow/test_behaviors.h"
+#include "mlab/flow/testing/behaviors.h"
 #include "mlab/robot_process/conversation.h"
 #include "mlab/robot_wire/action_wire.h"
 #include "mlab/robot_wire/framing.h"

@@ -5,8 +5,8 @@
 
 #include "mlab/library/library.h"
 
-#include "../procedures/library_probe.h"
-#include "trial.h"
+#include "../testing/library_probe.h"
+#include "../testing/trial.h"
 
 namespace mlab::library_test {
 namespace {

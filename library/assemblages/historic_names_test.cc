@@ -11,9 +11,10 @@
 #include <string>
 #include <string_view>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl_historic/library_names.h"
 
-#include "trial.h"
+#include "../testing/trial.h"
 
 namespace mlab::library_test {
 namespace {
@@ -167,7 +168,7 @@ bool has_test(const std::string& tests, const std::string& component) {
 
 TEST(HistoricNames, HaveCounterpartsThatHaveTestsOfTheirOwn) {
   std::string tests;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(MLAB_SOURCE_DIR) / "library")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(base::source_folder()) / "library")) {
     const std::string name = entry.path().filename().string();
     if (name.ends_with("_test.cc") && name != "historic_names_test.cc") tests += read(entry.path());
   }
@@ -188,7 +189,7 @@ TEST(HistoricNames, AreImportedAsTheirCounterparts) {
 }
 
 TEST(HistoricNames, AreDocumented) {
-  const std::string page = read(fs::path(MLAB_SOURCE_DIR) / "docs/assemblages.md");
+  const std::string page = read(fs::path(base::source_folder()) / "docs/assemblages.md");
   const auto says = [&](std::string_view name) { return page.find(name) != std::string::npos; };
   for (const cdl_historic::LibraryName& row : cdl_historic::library_names()) {
     std::string name(row.historic);
@@ -214,7 +215,7 @@ std::set<std::string> names_in_catalog(const std::string& catalog) {
 }
 
 TEST(HistoricNames, AreAllThatTheCatalogHas) {
-  const fs::path path = fs::path(MLAB_SOURCE_DIR) / "../shared/reference/library_catalog.md";
+  const fs::path path = fs::path(base::source_folder()) / "../shared/reference/library_catalog.md";
   if (!fs::exists(path)) GTEST_SKIP() << "the catalog is not beside the project";
   std::set<std::string> known;
   for (const cdl_historic::LibraryName& row : cdl_historic::library_names())

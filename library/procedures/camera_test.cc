@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "library_probe.h"
+#include "../testing/library_probe.h"
 #include "mlab/base/angle.h"
 
 namespace mlab::library_test {

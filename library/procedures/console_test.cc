@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "library_probe.h"
+#include "../testing/library_probe.h"
 #include "mlab/base/hash.h"
 #include "mlab/schema/requests.h"
 

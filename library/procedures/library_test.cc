@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "library_probe.h"
+#include "../testing/library_probe.h"
 #include "mlab/base/random.h"
 
 namespace mlab::library_test {
@@ -274,6 +274,8 @@ bool is_output_finite(const Behavior& b, const flow::BehaviorProbe& p) {
 
 TEST(Library, NeverMakesANumberThatIsNone) {
   for (const Behavior* b : mlab_library_behaviors()) {
+    // What is divided by zero is none: that is told, and the robot stops (not_a_number_test.cc).
+    if (b->name == "DivideNumbers" || b->name == "DivideVector") continue;
     AnyValue any(base::hash_text(b->name));
     flow::BehaviorProbe p(*b);
     for (int i = 0; i < 500; ++i) {

@@ -13,7 +13,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "library_probe.h"
+#include "../testing/library_probe.h"
 #include "mlab/robot/configuration_file.h"
 
 namespace mlab::library_test {
@@ -75,10 +75,16 @@ TEST(NotANumber, IsToldThroughEveryOperatorWithTheNodeThatMadeIt) {
                                "MoveTo(goal = bad)",
                                "MoveToGuarded(goal = bad)",
                                "MaintainFormation(offset = bad)",
+                               "large + MoveAhead()",
+                               "-(bad * 2) / 3",
+                               "normalized(bad)",
+                               "cooperate { length(large) / 2: MoveAhead(); Stand(); }",
                                "cooperate { Length(large): MoveAhead(); Stand(); }"}) {
     EXPECT_EQ(fault_of(movement), "large") << movement;
   }
   EXPECT_EQ(fault_of("cooperate { MoveAhead(); Stand(); }"), "nothing is told");
+  EXPECT_EQ(fault_of("cooperate { 1 / (CountObjects(NoObjects()) * 2) as share: MoveAhead(); }"),
+            "movement.gain");
 }
 
 bool is_number(const Behavior& behavior, flow::BehaviorProbe& probe) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "library_probe.h"
+#include "../testing/library_probe.h"
 #include "mlab/base/hash.h"
 
 namespace mlab::library_test {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "library_probe.h"
+#include "../testing/library_probe.h"
 
 namespace mlab::library_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "network.h"
+#include "../testing/network.h"
 
 namespace mlab::library_test {
 namespace {

@@ -9,13 +9,15 @@
 
 #include <gtest/gtest.h>
 
-#include "network.h"
+#include "../testing/network.h"
+
+#include "mlab/base/testing/source_folder.h"
 
 namespace mlab::library_test {
 namespace {
 
 std::shared_ptr<const flow::Program> robot(const std::string& name) {
-  const std::ifstream file(std::string(MLAB_SOURCE_DIR) + "/bench/" + name);
+  const std::ifstream file(base::source_folder() + "/bench/" + name);
   std::stringstream text;
   text << file.rdbuf();
   return program_of(name, text.str());

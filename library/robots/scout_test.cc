@@ -11,7 +11,7 @@
 #include "mlab/base/random.h"
 #include "mlab/robot/configuration_file.h"
 
-#include "network.h"
+#include "../testing/network.h"
 
 namespace mlab::library_test {
 namespace {

@@ -8,10 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/program.h"
 #include "mlab/robot/configuration_file.h"
 
-#include "network.h"
+#include "../testing/network.h"
 
 namespace mlab::library_test {
 namespace {
@@ -391,7 +392,7 @@ TEST(StandardTeam, OfOneIsAsGoodAsAlone) {
 
 // | `name` | default | unit | meaning |, one for each parameter, in the order of the network.
 TEST(StandardRobotPage, ListsEveryParameterAsItIs) {
-  std::ifstream file(std::string(MLAB_SOURCE_DIR) + "/docs/standard_robot.md");
+  std::ifstream file(base::source_folder() + "/docs/standard_robot.md");
   ASSERT_TRUE(file.good());
   std::string page;
   std::string line;

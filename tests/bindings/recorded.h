@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/fleet/crew.h"
 #include "mlab/fleet/mission_run.h"
@@ -51,7 +52,8 @@ struct Plan {
   fleet::RunSettings settings;
 
   explicit Plan(const std::string& mission, std::uint64_t seed = 3, int threads = 1) {
-    const auto file = std::filesystem::path(MLAB_SOURCE_DIR) / "missions" / mission / (mission + ".mdl");
+    const auto file =
+        std::filesystem::path(base::source_folder()) / "missions" / mission / (mission + ".mdl");
     text::Diagnostics sink;
     const robot::ProgramSources sources = {cell::testing::code_permitted(), file.parent_path().string()};
     mdl::LoadOptions options;

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "team.h"
 #include "world.h"
@@ -54,7 +55,7 @@ iend
 std::string with_constructor(const World& world) {
   std::string text = kConstructor;
   text.replace(text.find("WORLD"), 5, world.in_code());
-  fs::copy_file(std::string(MLAB_SOURCE_DIR) + "/tests/brought_code/hostile/attacks.h",
+  fs::copy_file(base::source_folder() + "/tests/brought_code/hostile/attacks.h",
                 world.path("project/attacks.h"));
   return text + network_that("");
 }

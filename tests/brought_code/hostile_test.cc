@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "hostile/attacks.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "team.h"
 #include "world.h"
@@ -112,7 +113,7 @@ TEST(Hostile, EveryAttackHasItsExpectation) {
     EXPECT_STREQ(kExpected[i].name, hostile::kAttacks[i].name);
 }
 
-const std::string kPrograms = std::string(MLAB_SOURCE_DIR) + "/tests/brought_code/hostile/";
+const std::string kPrograms = base::source_folder() + "/tests/brought_code/hostile/";
 constexpr const char* kMap =
     "MISSION-AREA 1000 1000\nCONTROL MEASURES:\nAA Here 0 0 100 0 100 100 0 100\nPP There 900 50\n";
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/flow/module_file.h"
 #include "mlab/lang/cnl/check.h"
@@ -69,7 +70,7 @@ std::shared_ptr<const flow::Program> embedded(const Folder& folder, text::Diagno
   const cnl::Tree tree = cnl::load(*text::read_source(folder.path("mine.cnl")), sink);
   cnl::check_declarations(tree, sink);
   cnl::NativeOptions options;
-  options.include_folders = {std::string(MLAB_SOURCE_DIR) + "/src"};
+  options.include_folders = {base::source_folder() + "/src"};
   options.version = "test";
   const auto module = cnl::compile_native(tree, options, sink);
   if (!module) return nullptr;

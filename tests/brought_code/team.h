@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/permission.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
@@ -58,7 +59,7 @@ inline void write_mission(const Folder& folder, const std::string& network, int 
 
 /// What a mission in this folder may use.
 inline robot::ProgramSources sources_in(const std::string& folder, const cell::Permission& permission) {
-  return {permission, folder, std::string(MLAB_SOURCE_DIR) + "/src", "test"};
+  return {permission, folder, base::source_folder() + "/src", "test"};
 }
 
 /// A run, and what it says.

@@ -53,7 +53,7 @@ for (const colours of ["Light", "Dark"] as const) {
       found.push(...(await violations(console, tab)));
     }
     await console.page.keyboard.press("Control+k");
-    await console.page.getByRole("dialog", { name: "All commands" }).waitFor();
+    await console.page.getByRole("dialog", { name: "Search everything" }).waitFor();
     found.push(...(await violations(console, "palette")));
     await console.page.keyboard.press("Escape");
     await console.page.keyboard.press("Control+.");

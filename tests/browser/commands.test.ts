@@ -107,8 +107,27 @@ test("every command is found by its name", async () => {
   const { page } = console;
   await console.reaches("Ready");
   await page.keyboard.press("Control+k");
-  await page.getByRole("combobox", { name: "All commands" }).fill("emerg");
+  await page.getByRole("combobox", { name: "Search everything" }).fill("emerg");
   await page.getByRole("option", { name: /Emergency stop/ }).waitFor();
   await page.keyboard.press("Enter");
   await console.reaches("Emergency stop");
+});
+
+test("the same box finds units, places, steps and files", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  const find = async (query: string, option: RegExp) => {
+    await page.keyboard.press("Control+k");
+    const field = page.getByRole("combobox", { name: "Search everything" });
+    await field.fill(query);
+    await page.getByRole("option", { name: option }).first().waitFor();
+    return field;
+  };
+  const unit = await find("scouts-1", /^scouts-1.*unit/);
+  await unit.press("Enter");
+  await expect.poll(() => page.getByRole("heading", { name: /scouts-1/ }).count()).toBeGreaterThan(0);
+  await (await find("tango", /Tango.*place/)).press("Escape");
+  await (await find("step 1", /^Step 1/)).press("Escape");
+  await (await find("democ.odl", /democ\.odl.*open text/)).press("Escape");
 });

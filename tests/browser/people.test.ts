@@ -55,7 +55,7 @@ test("of two browsers one is the operator, until the place is handed over", asyn
   await first.main.click();
   await second.reaches("Running");
   await expectWithin(second.button(/^Operator: /));
-  await expectWithin(second.page.getByRole("button", { name: /^All commands/ }));
+  await expectWithin(second.page.getByRole("button", { name: /^Search everything/ }));
   expect(await second.button("Step").isDisabled()).toBe(true);
   await second.panel("World");
   expect(await second.button("Random obstacles…").isDisabled()).toBe(true);

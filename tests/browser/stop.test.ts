@@ -36,7 +36,7 @@ test("the emergency stop works over every dialog, by mouse and by key", async ()
   await console.main.click();
   await console.reaches("Running");
   await page.keyboard.press("Control+k");
-  await page.getByRole("dialog", { name: "All commands" }).waitFor();
+  await page.getByRole("dialog", { name: "Search everything" }).waitFor();
   await page.keyboard.press("Control+.");
   await console.reaches("Emergency stop");
   await page.keyboard.press("Escape");

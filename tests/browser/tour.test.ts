@@ -260,7 +260,7 @@ test("the emergency stop is one button and one key, from anywhere", async () => 
 test("every command is found by its name", async () => {
   await tour.page.keyboard.press("Escape");
   await tour.page.keyboard.press("Control+k");
-  await tour.page.getByRole("dialog", { name: "All commands" }).waitFor();
+  await tour.page.getByRole("dialog", { name: "Search everything" }).waitFor();
   await picture(tour.page, "commands");
   await tour.page.keyboard.press("Escape");
 });

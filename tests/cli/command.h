@@ -10,11 +10,13 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
+
 namespace mlab {
 
 namespace fs = std::filesystem;
 
-inline const std::string kMissions = std::string(MLAB_SOURCE_DIR) + "/missions/";
+inline const std::string kMissions = base::source_folder() + "/missions/";
 
 inline std::string text_of(const fs::path& file) {
   std::ifstream stream(file);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/designer/spread.h"
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/robot/configuration_file.h"
@@ -16,7 +17,7 @@
 // All configurations that there are to be looked at, by names such as `missions/rover/ranger.cdl`.
 namespace mlab::configurations {
 
-inline const std::filesystem::path kSource = MLAB_SOURCE_DIR;
+inline const std::filesystem::path kSource = base::source_folder();
 
 /// Historic configurations, which lie beside the project and may be missing.
 inline std::filesystem::path corpus() {

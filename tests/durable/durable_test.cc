@@ -13,7 +13,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -116,6 +118,8 @@ class Typist {
   }
   // Why what is not saved would be lost, as the page is told.
   const std::string& not_kept() const { return not_kept_; }
+  // Of the overlay.
+  const std::string& text() const { return text_; }
   bool wait(const std::function<bool()>& is_true) {
     while (!is_true()) {
       const auto message = socket_.receive(60.0);
@@ -124,7 +128,7 @@ class Typist {
       is_answered_ = is_answered_ || (heard.request != 0 && heard.request == request_);
       if (heard.request != 0) error_ = heard.error;
       if (heard.texts.contains("m.odl")) {
-        revision_ = heard.texts.at("m.odl").second;
+        std::tie(text_, revision_) = heard.texts.at("m.odl");
         has_state_ = false;  // it follows
       }
       console::ToBrowser in;
@@ -139,6 +143,7 @@ class Typist {
   std::unique_ptr<Speech> speech_;
   Socket socket_;
   std::uint32_t request_ = 0;
+  std::string text_;
   std::uint64_t revision_ = 0;
   bool is_answered_ = false;
   bool has_state_ = false;
@@ -201,6 +206,30 @@ TEST_F(Durable, WhatWasToldNotToBeKeptIsKeptOnceItIsSaved) {
   EXPECT_NE(typist.not_kept(), "");
   EXPECT_EQ(typist.save(), "");
   EXPECT_EQ(server.end(), 0) << "nothing is lost\n" << server.printed();
+}
+
+TEST_F(Durable, NeitherWhatIsTypedNorWhatSomebodyElseWritesIsLost) {
+  const std::string theirs = std::string(kOverlay) + "-- theirs\n";
+  const auto on_disk = [&] {
+    std::ifstream file(folder_ / "project/m.odl");
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  {
+    Server server(setup({"run", "m.mdl"}));
+    ASSERT_NE(server.port(), 0) << server.printed();
+    Typist typist(server);
+    typist.type("-- mine\n");
+    write("m.odl", theirs);
+    EXPECT_NE(typist.save().find("changed by somebody else"), std::string::npos);
+    server.kill();
+  }
+  Server server(setup({"run", "m.mdl"}));
+  ASSERT_NE(server.port(), 0) << server.printed();
+  Typist typist(server);
+  EXPECT_NE(typist.text().find("-- mine"), std::string::npos) << typist.text();
+  EXPECT_NE(typist.save().find("changed by somebody else"), std::string::npos)
+      << "the next server knows, too";
+  EXPECT_EQ(on_disk(), theirs);
 }
 
 TEST_F(Durable, AStateFolderThatCanNotBeMadeIsToldAtOnce) {

@@ -25,6 +25,7 @@
 
 #include "author.h"
 #include "mlab/base/hash.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/export/format.h"
 #include "mlab/flow/program.h"
 #include "mlab/robot/brought_code.h"
@@ -38,7 +39,7 @@ namespace fs = std::filesystem;
 namespace golden = text::testing;
 using Json = nlohmann::json;
 
-const fs::path kFolder = fs::path(MLAB_SOURCE_DIR) / "tests/exports";
+const fs::path kFolder = fs::path(base::source_folder()) / "tests/exports";
 constexpr int kCycles = 40;
 
 struct Robot {
@@ -408,7 +409,7 @@ TEST(ExportGoldens, ShowEveryKindOfDiagnostic) {
   auto shown = golden::kinds_expected_in(golden::golden_files(kFolder / "testdata", ".cdl"));
   shown.insert("nested-too-deep");  // takes a file 200 sequences deep
   for (const std::string& kind :
-       golden::kinds_said_in(fs::path(MLAB_SOURCE_DIR) / "src/mlab/export", {"error(", "warning("}))
+       golden::kinds_said_in(fs::path(base::source_folder()) / "src/mlab/export", {"error(", "warning("}))
     EXPECT_TRUE(shown.contains(kind)) << kind;
 }
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cdl/parser.h"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 fs::path corpus() {
   const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
-  return (named != nullptr ? fs::path(named) : fs::path(MLAB_SOURCE_DIR) / "../shared/corpus") /
+  return (named != nullptr ? fs::path(named) : fs::path(base::source_folder()) / "../shared/corpus") /
          "configurations";
 }
 
@@ -77,7 +78,7 @@ TEST(Import, EveryFileOfTheCorpusChecksAndItsRobotsRun) {
 
 // The importer's own examples hold every construct of the historic language, and every slip.
 TEST(Import, WhateverTheImporterReadsChecks) {
-  const fs::path folder = fs::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl_historic/testdata";
+  const fs::path folder = fs::path(base::source_folder()) / "src/mlab/lang/cdl_historic/testdata";
   int files = 0;
   for (const fs::path& path : text::testing::golden_files(folder, ".cdl")) {
     const auto whole = text::read_source(path.string());

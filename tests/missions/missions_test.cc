@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/fleet/report.h"
@@ -30,8 +31,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr std::uint64_t kSeeds = 20;
-const fs::path kMissions = fs::path(MLAB_SOURCE_DIR) / "missions";
-const fs::path kCorpus = fs::path(MLAB_SOURCE_DIR) / ".." / "shared" / "corpus" / "missions";
+const fs::path kMissions = fs::path(base::source_folder()) / "missions";
+const fs::path kCorpus = fs::path(base::source_folder()) / ".." / "shared" / "corpus" / "missions";
 
 // With the standard clock, all questions answered with yes.
 std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads) {

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
+
 namespace mlab::repo {
 namespace {
 
 TEST(Documentation, EveryLinkLeadsSomewhere) {
-  EXPECT_EQ(dead_links(read_tree(MLAB_SOURCE_DIR)), Findings{});
+  EXPECT_EQ(dead_links(read_tree(base::source_folder())), Findings{});
 }
 
 TEST(Documentation, ALinkToAMissingFileIsFoundAtItsLine) {
@@ -27,7 +29,7 @@ TEST(Documentation, CodeAndOtherSitesAreNoLinksOfOurs) {
 }
 
 TEST(Documentation, EveryExampleStandsInAFile) {
-  EXPECT_EQ(stale_examples(read_tree(MLAB_SOURCE_DIR)), Findings{});
+  EXPECT_EQ(stale_examples(read_tree(base::source_folder())), Findings{});
 }
 
 TEST(Documentation, AnExampleMayBeAPieceOfItsFile) {

@@ -17,6 +17,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"base", {}},
     {"geom", {"base"}},
     {"text", {"base"}},
+    {"documents", {"base", "text"}},
     {"cell", {"base", "text"}},
     {"percept", {"geom"}},
     {"flow", {"percept", "text"}},
@@ -35,6 +36,8 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"lang/cnl", {"cell", "text", "flow"}},
     {"lang/cdl", {"text", "flow", "lang/cnl"}},
     {"lang/cdl_historic", {"text", "flow", "lang/cdl"}},
+    {"difference", {"text", "flow", "lang/cdl"}},
+    {"git", {"text"}},
     {"export", {"flow", "lang/cdl"}},
     {"library", {"schema"}},
     {"robot", {"cell", "percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
@@ -43,11 +46,12 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"fleet", {"robot", "mission", "binding"}},
     {"simulated", {"fleet"}},
     {"language", {"fleet", "lang/mdl", "lang/odl", "lang/envchange"}},
-    {"lsp", {"language"}},
+    {"lsp", {"documents", "language"}},
     {"console/server", {"base"}},
     {"console",
-     {"cell", "simulated", "language", "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
-    {"designer", {"console", "lang/cdl", "lang/cdl_historic"}},
+     {"cell", "documents", "simulated", "language", "lang/mdl", "lang/odl", "lang/envchange",
+      "console/server"}},
+    {"designer", {"console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
     {"tables", {"lang/mdl"}},
 };
 
@@ -105,6 +109,20 @@ Modules allowed_in(const File& file, const std::string& module) {
   return allowed;
 }
 
+/// Code that only tests and fuzzers see: they put together what nobody else may.
+bool is_for_tests(const File& file) {
+  return file.path.ends_with("_test.cc") || file.path.find("/testing/") != std::string::npos ||
+         file.path.starts_with("tests/") || file.path.starts_with("fuzz/") || file.path.starts_with("bench/");
+}
+
+/// The module that a source belongs to; empty where it belongs to none.
+std::string module_with(const File& file) {
+  constexpr std::string_view kSources = "src/";
+  if (file.path.starts_with(kSources)) return module_of(std::string_view(file.path).substr(kSources.size()));
+  // Its tests run robots in the simulator.
+  return file.path.starts_with("library/") && !is_for_tests(file) ? "library" : "";
+}
+
 /// What stands between the quotes of an `#include "..."`; empty on every other line.
 std::string_view included(std::string_view line) {
   constexpr std::string_view kInclude = "#include \"";
@@ -119,8 +137,7 @@ Findings foreign_permissions(const Tree& tree) {
   constexpr std::string_view kMakes = "Permission::decide(";
   Findings findings;
   for (const File& file : tree) {
-    const bool is_allowed = file.path == "src/mlab/cli/permission.cc" || file.path.ends_with("_test.cc") ||
-                            file.path.find("/testing/") != std::string::npos;
+    const bool is_allowed = file.path == "src/mlab/cli/permission.cc" || is_for_tests(file);
     if (!file.is_cpp() || !file.path.starts_with("src/") || is_allowed) continue;
     const auto lines = file.lines();
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -132,11 +149,10 @@ Findings foreign_permissions(const Tree& tree) {
 }
 
 Findings upward_includes(const Tree& tree) {
-  constexpr std::string_view kSources = "src/";
   Findings findings;
   for (const File& file : tree) {
-    if (!file.is_cpp() || !file.path.starts_with(kSources)) continue;
-    const std::string module = module_of(std::string_view(file.path).substr(kSources.size()));
+    if (!file.is_cpp()) continue;
+    const std::string module = module_with(file);
     if (module.empty() || module == "cli") continue;
     if (!kArrows.contains(module)) {
       findings.push_back(
@@ -150,6 +166,19 @@ Findings upward_includes(const Tree& tree) {
       if (target.empty() || allowed.contains(target)) continue;
       findings.push_back(
           {file.path, i + 1, "`" + module + "` must not include `" + target + "`, which stands above it"});
+    }
+  }
+  return findings;
+}
+
+Findings tests_in_the_product(const Tree& tree) {
+  Findings findings;
+  for (const File& file : tree) {
+    if (!file.is_cpp() || is_for_tests(file)) continue;
+    const auto lines = file.lines();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (included(lines[i]).find("testing/") == std::string_view::npos) continue;
+      findings.push_back({file.path, i + 1, "what lies in `testing/` is for tests alone"});
     }
   }
   return findings;

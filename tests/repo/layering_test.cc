@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
+
 namespace mlab::repo {
 namespace {
 
 TEST(Layering, NoModuleIncludesOneAboveIt) {
-  EXPECT_EQ(upward_includes(read_tree(MLAB_SOURCE_DIR)), Findings{});
+  EXPECT_EQ(upward_includes(read_tree(base::source_folder())), Findings{});
 }
 
 TEST(Layering, AnUpwardIncludeIsFoundAtItsLine) {
@@ -54,7 +56,7 @@ TEST(Layering, TheCommandMayIncludeEverything) {
 }
 
 TEST(Gate, OnlyTheCommandDecidesWhatCodeMayDo) {
-  EXPECT_EQ(foreign_permissions(read_tree(MLAB_SOURCE_DIR)), Findings{});
+  EXPECT_EQ(foreign_permissions(read_tree(base::source_folder())), Findings{});
 }
 
 TEST(Gate, ADecisionElsewhereIsFoundAtItsLine) {
@@ -63,6 +65,28 @@ TEST(Gate, ADecisionElsewhereIsFoundAtItsLine) {
   const Findings findings = foreign_permissions(tree);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].path, "src/mlab/console/session.cc");
+}
+
+TEST(Layering, TheLibraryKnowsWhatProceduresAreWrittenAgainstAndItsTestsMore) {
+  const std::string line = "#include \"mlab/robot/configuration_file.h\"\n";
+  const Tree tree = {{"library/robots/robots.cc", line},
+                     {"library/robots/standard_test.cc", line},
+                     {"library/testing/network.h", line}};
+  const Findings findings = upward_includes(tree);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].path, "library/robots/robots.cc");
+}
+
+TEST(Layering, CodeForTestsIsUsedByTestsAlone) {
+  EXPECT_EQ(tests_in_the_product(read_tree(base::source_folder())), Findings{});
+  const std::string line = "#include \"mlab/text/testing/golden.h\"\n";
+  const Tree tree = {{"src/mlab/text/source.cc", line},
+                     {"src/mlab/text/source_test.cc", line},
+                     {"src/mlab/flow/testing/behaviors.h", line},
+                     {"fuzz/odl_fuzz.cc", line}};
+  const Findings findings = tests_in_the_product(tree);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].path, "src/mlab/text/source.cc");
 }
 
 TEST(Layering, AModuleWithoutAPlaceIsFound) {

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
+
 namespace mlab::repo {
 namespace {
 
 const Tree& project() {
-  static const Tree kTree = read_tree(MLAB_SOURCE_DIR);
+  static const Tree kTree = read_tree(base::source_folder());
   return kTree;
 }
 

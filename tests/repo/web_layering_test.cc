@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mlab/base/testing/source_folder.h"
+
 namespace mlab::repo {
 namespace {
 
@@ -14,7 +16,7 @@ Findings found(std::string path, std::string text) {
 }
 
 TEST(WebLayering, NoFolderImportsOneThatItMustNotKnow) {
-  EXPECT_EQ(web_imports(read_tree(MLAB_SOURCE_DIR)), Findings{});
+  EXPECT_EQ(web_imports(read_tree(base::source_folder())), Findings{});
 }
 
 TEST(WebLayering, TheTableHasNoCircle) {
@@ -22,7 +24,7 @@ TEST(WebLayering, TheTableHasNoCircle) {
 }
 
 TEST(WebLayering, EveryFolderOfTheTableIsThere) {
-  const Tree tree = read_tree(MLAB_SOURCE_DIR);
+  const Tree tree = read_tree(base::source_folder());
   for (const auto& [folder, known] : web_arrows()) {
     if (folder == "generated") continue;  // made by a build
     const std::string path = "web/" + folder + "/";

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
@@ -59,7 +60,7 @@ class RobotProgramsTest : public testing::Test {
     source.name = "walker";
     source.network = read->network;
     robot_build::Toolchain toolchain;
-    toolchain.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+    toolchain.include_root = base::source_folder() + "/src";
     toolchain.link_file = MLAB_LINK_FILE;
     toolchain.cache_folder = (shared_folder / "cache").string();
     for (const char* name : {"walker", "closed"}) {
@@ -97,7 +98,7 @@ class RobotProgramsTest : public testing::Test {
     robot::ProgramSources sources{!in_cell       ? cell::testing::permitted_without_cell()
                                   : allow_native ? cell::testing::all_permitted()
                                                  : cell::testing::code_permitted(),
-                                  shared_folder.string(), std::string(MLAB_SOURCE_DIR) + "/src", "test"};
+                                  shared_folder.string(), base::source_folder() + "/src", "test"};
     sources.limits.cycle_wall = 1.0;
     auto run = simulated::make_run(mission, sources, settings, sink_);
     if (run) {
@@ -191,7 +192,7 @@ TEST_F(RobotProgramsTest, ThatAreClosedShowNothing) {
 
 // Three foragers tell each other what they claim, look around with cameras that turn, pick up and deliver.
 TEST_F(RobotProgramsTest, ForageTogetherAsTheEmbeddedProgramsDo) {
-  const fs::path missions = fs::path(MLAB_SOURCE_DIR) / "missions/forage";
+  const fs::path missions = fs::path(base::source_folder()) / "missions/forage";
   const fs::path folder = shared_folder / "forage";
   fs::create_directories(folder);
   for (const char* file : {"forager.cdl", "forage.odl"}) {
@@ -219,7 +220,7 @@ TEST_F(RobotProgramsTest, ForageTogetherAsTheEmbeddedProgramsDo) {
     settings.seed = 4;
     settings.executive.proceed_all = true;
     robot::ProgramSources sources{cell::testing::all_permitted(), folder.string(),
-                                  std::string(MLAB_SOURCE_DIR) + "/src", "test"};
+                                  base::source_folder() + "/src", "test"};
     const auto run = simulated::make_run(mission, sources, settings, sink);
     ASSERT_TRUE(run) << text::render(sink);
     Trace trace;

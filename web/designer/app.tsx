@@ -11,13 +11,20 @@ import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { Canvas } from "./canvas/canvas.tsx";
 import { CanvasTools } from "./canvas/canvas_tools.tsx";
 import { EmptyHint } from "./canvas/empty_hint.tsx";
+import { FindBar } from "./canvas/find_bar.tsx";
+import { comparedWith } from "./compare/compared.ts";
 import Details from "./details/details.tsx";
 import { DeclarationDialog, ParameterDialog, RenameDialog } from "./dialogs/dialogs.tsx";
 import { GroupDialog } from "./dialogs/group_dialog.tsx";
+import { cdlName } from "./dialogs/names.ts";
+import { CompareDialog } from "./differences/dialog.tsx";
+import { DifferencesHeader, DifferencesPanel } from "./differences/panel.tsx";
 import { Banners, FloatingBanners } from "./files/banners.tsx";
 import { LibraryDialog, OpenDialog, SaveAsDialog } from "./files/dialogs.tsx";
 import { StartPage } from "./files/start_page.tsx";
 import { TopBar } from "./files/top_bar.tsx";
+import { RenameNameDialog } from "./names/name_dialog.tsx";
+import { UsesPanel } from "./names/uses_panel.tsx";
 import { ConnectChooser } from "./palette/connect_chooser.tsx";
 import { PalettePanel } from "./palette/palette_panel.tsx";
 import { SearchPalette } from "./palette/search_palette.tsx";
@@ -41,6 +48,7 @@ import "./styles/tokens.css";
 import "./styles/designer.css";
 import "./styles/canvas.css";
 import "./styles/states.css";
+import "./styles/compare.css";
 import "./styles/narrow.css";
 
 const TextPane = lazy(() => import("./text/text_pane.tsx"));
@@ -84,6 +92,7 @@ function Page() {
 
 function Work() {
   const shown = usePart((state) => state.shown);
+  const isCompared = usePart((state) => comparedWith(state) !== undefined);
   const Live = useDesigner().extensions.live;
   return (
     <>
@@ -117,7 +126,9 @@ function Work() {
           </SidePane>
         )}
       </div>
-      {shown.problems && <Problems height={shown.problemsHeight} />}
+      <UsesPanel />
+      {isCompared && <BottomPane name="Differences" header={<DifferencesHeader />} panel={<DifferencesPanel />} />}
+      {shown.problems && <Problems />}
       <Strip />
     </>
   );
@@ -131,6 +142,7 @@ function Centre() {
     <ReactFlowProvider key={key}>
       <Canvas drawing={drawing} />
       <CanvasTools />
+      <FindBar drawing={drawing} />
       <EmptyHint drawing={drawing} />
       <Tour />
     </ReactFlowProvider>
@@ -170,25 +182,35 @@ function SidePane({ name, title, width, side, children }: SideProps) {
   );
 }
 
-function Problems({ height }: { height: number }) {
+function Problems() {
   const designer = useDesigner();
+  const header = (
+    <>
+      <h2>Problems</h2>
+      <IconButton icon="close" label="Hide Problems" onPress={() => designer.show({ problems: false })} />
+    </>
+  );
+  return <BottomPane name="Problems" header={header} panel={<ProblemsPanel />} />;
+}
+
+/** Below the drawing; all are of the same height. */
+function BottomPane({ name, header, panel }: { name: string; header: ReactNode; panel: ReactNode }) {
+  const designer = useDesigner();
+  const height = usePart((state) => state.shown.problemsHeight);
   return (
-    <section className="dock bottom" style={{ height }} aria-label="Problems">
+    <section className="dock bottom" style={{ height }} aria-label={name}>
       <Splitter
         side="bottom"
-        label="Height of Problems"
+        label={`Height of ${name}`}
         size={height}
         least={100}
         most={window.innerHeight - 240}
         onSize={(next) => designer.show({ problemsHeight: next })}
       />
-      <header>
-        <h2>Problems</h2>
-        <IconButton icon="close" label="Hide Problems" onPress={() => designer.show({ problems: false })} />
-      </header>
+      <header>{header}</header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
-      <section className="panel" tabIndex={0} aria-label="Problems content">
-        <ProblemsPanel />
+      <section className="panel" tabIndex={0} aria-label={`${name} content`}>
+        {panel}
       </section>
     </section>
   );
@@ -293,8 +315,12 @@ function Dialogs() {
       return <GroupDialog />;
     case "rename":
       return <RenameDialog />;
+    case "rename-name":
+      return <RenameNameDialog wrong={cdlName} />;
     case "declaration":
       return <DeclarationDialog />;
+    case "compare":
+      return <CompareDialog />;
     case "parameter":
       return <ParameterDialog />;
     default:

@@ -8,7 +8,7 @@ const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const definitions = join(web, "..", "proto");
 const generated = join(web, "generated");
 
-const messages = readdirSync(join(definitions, "mlab")).filter((file) => /^(console|designer)/.test(file));
+const messages = readdirSync(join(definitions, "mlab")).filter((file) => /^(console|designer|names)/.test(file));
 for (const name of messages.map((file) => file.replace(/\.proto$/, ""))) {
   const definition = join(definitions, "mlab", `${name}.proto`);
   const result = join(generated, "mlab", `${name}_pb.ts`);

@@ -100,6 +100,9 @@ describe("the extension", () => {
       "registerDocumentFormattingEditProvider",
       "registerCodeActionsProvider",
       "registerDocumentSemanticTokensProvider",
+      "registerWorkspaceSymbolProvider",
+      "registerFoldingRangeProvider",
+      "registerInlayHintsProvider",
     ])
       expect([...vscode.providers.keys()]).toContain(name);
   });

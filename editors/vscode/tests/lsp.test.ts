@@ -3,7 +3,7 @@ import { tmpdir } from "node:os";
 import * as path from "node:path";
 import { pathToFileURL } from "node:url";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import type { MessageConnection } from "vscode-jsonrpc/node";
+import { CancellationTokenSource, type MessageConnection, type ResponseError } from "vscode-jsonrpc/node";
 import {
   CodeActionRequest,
   CompletionRequest,
@@ -14,14 +14,18 @@ import {
   DocumentFormattingRequest,
   DocumentSymbolRequest,
   ExitNotification,
+  FoldingRangeRequest,
   HoverRequest,
   InitializedNotification,
   InitializeRequest,
+  InlayHintRequest,
+  LSPErrorCodes,
   PublishDiagnosticsNotification,
   ReferencesRequest,
   RenameRequest,
   SemanticTokensRequest,
   ShutdownRequest,
+  WorkspaceSymbolRequest,
 } from "vscode-languageserver-protocol";
 import { root, startServer } from "./server";
 
@@ -130,6 +134,33 @@ describe("mlab lsp, asked by an independent client", () => {
       options: { tabSize: 2, insertSpaces: true },
     });
     expect(edits?.length).toBeLessThanOrEqual(1);
+  });
+
+  it("renames and finds in files that are not open, folds, hints, and lets go of what is cancelled", async () => {
+    writeFileSync(path.join(folder, "robots.cdl"), "robot Scout(urge: gain = 0.5) {\n  movement = Noise(6);\n}\n");
+    writeFileSync(path.join(folder, "s.mdl"), 'NEW-ROBOT scout "robots.cdl" (urge = 0.7)\nUNIT <b> scout\n');
+    await open("robots.cdl", readFileSync(path.join(folder, "robots.cdl"), "utf8"));
+    const textDocument = { uri: uri("robots.cdl") };
+    const uses = await connection.sendRequest(ReferencesRequest.type, {
+      ...at("robots.cdl", 0, 13),
+      context: { includeDeclaration: false },
+    });
+    expect(uses?.map((one) => one.uri)).toEqual([uri("s.mdl")]);
+    const edit = await connection.sendRequest(RenameRequest.type, { ...at("robots.cdl", 0, 13), newName: "need" });
+    expect(Object.keys(edit?.changes ?? {}).sort()).toEqual([uri("robots.cdl"), uri("s.mdl")]);
+    const found = await connection.sendRequest(WorkspaceSymbolRequest.type, { query: "scout" });
+    expect(found?.map((one) => one.name)).toEqual(expect.arrayContaining(["Scout", "scout"]));
+    const folds = await connection.sendRequest(FoldingRangeRequest.type, { textDocument });
+    expect(folds).toEqual([{ startLine: 0, endLine: 1 }]);
+    const range = { start: { line: 0, character: 0 }, end: { line: 3, character: 0 } };
+    const hints = await connection.sendRequest(InlayHintRequest.type, { textDocument, range });
+    expect(hints?.map((one) => one.label)).toEqual(["persistence:", "s"]);
+    // It is answered, by what was found or by the refusal that the protocol has for it.
+    const stop = new CancellationTokenSource();
+    const asked = connection.sendRequest(WorkspaceSymbolRequest.type, { query: "a" }, stop.token);
+    stop.cancel();
+    const answer = await asked.catch((error: ResponseError<void>) => error.code);
+    expect(answer === LSPErrorCodes.RequestCancelled || Array.isArray(answer)).toBe(true);
   });
 
   it("renames a place in the overlay and in all missions, open or not", async () => {

@@ -70,6 +70,17 @@ struct FormatOptions {
 };
 int format(const FormatOptions& options);
 
+struct DiffOptions {
+  std::string file;      ///< before; after, where it is alone
+  std::string after;     ///< empty: the other one is of git
+  std::string revision;  ///< of git: `REV` or `A..B`; empty: HEAD, where one file is named
+  bool json = false;
+  bool layout = false;  ///< what was only moved counts as well
+};
+/// What differs between two versions of a configuration.
+/// @return kDone: nothing; kFailed: something; kBadInput: one of them can't be read, or not whole
+int diff(const DiffOptions& options);
+
 struct DescribeOptions {
   std::string name;  ///< empty: all
   std::string format = "text";

@@ -36,12 +36,12 @@
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/console.pb.h"
-#include "mlab/console/project_folder.h"
 #include "mlab/console/server/server.h"
 #include "mlab/console/session.h"
-#include "mlab/console/state_folder.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
+#include "mlab/documents/project_folder.h"
+#include "mlab/documents/state_folder.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
 
@@ -145,10 +145,10 @@ std::optional<console::ServerSettings> server_settings(const RunOptions& options
 // What an open page knows of the last server is good for this one, where it gets the same port. Whoever has
 // that port by now may have been told the token, so on another one there is a new one.
 void take_over(const KeptAddress& kept, const RunOptions& options, console::ServerSettings& out) {
-  if (kept.found() == KeptAddress::Found::kUnsafe)
+  if (kept.found() == KeptAddress::Lookup::kUnsafe)
     fmt::print(stderr, "mlab: warning: the address of the last start is not used again: {}\n",
                kept.problem());
-  if (kept.found() != KeptAddress::Found::kAddress || kept.address().host != out.address) return;
+  if (kept.found() != KeptAddress::Lookup::kAddress || kept.address().host != out.address) return;
   const bool may_choose = out.ports.size() > 1;
   if (may_choose) out.ports.insert(out.ports.begin(), kept.address().port);
   if (options.new_token) return;
@@ -281,8 +281,8 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   KeepingTold keeping(settings.state_folder);
   settings.tell_not_kept = [&](const std::string& why) { keeping.tell("console", why); };
   const std::string& kept_in = settings.state_folder;
-  const std::string project = console::ProjectFolder({settings.project_folder, ""}).folder();
-  const bool is_kept = console::StateFolder(kept_in, project).problem().empty();
+  const std::string project = documents::ProjectFolder({settings.project_folder, ""}).folder();
+  const bool is_kept = documents::StateFolder(kept_in, project).problem().empty();
   const auto send = [&server](console::ConnectionId to, auto bytes) { server.send(to, std::move(bytes)); };
   designer::DesignerSettings drawing = designer_settings(options, settings);
   console::Session session(std::move(settings), send);
@@ -338,7 +338,7 @@ int run_console(const RunOptions& options) {
   if (!look.is_readable || !look.is_usable) return kBadInput;
   console::SessionSettings settings = session_settings(options, std::move(*manner));
   const KeptAddress kept(settings.state_folder,
-                         console::ProjectFolder({settings.project_folder, ""}).folder(),
+                         documents::ProjectFolder({settings.project_folder, ""}).folder(),
                          options.edits ? "edit" : "run");
   take_over(kept, options, *where);
   std::string error;

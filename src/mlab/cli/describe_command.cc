@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "mlab/base/counted.h"
@@ -14,6 +15,7 @@
 #include "mlab/cli/terminal.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
+#include "mlab/lang/cdl/arithmetic.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/robot/robot_program.h"
 #include "mlab/text/diagnostic.h"
@@ -174,6 +176,14 @@ int describe_robot(const std::string& format) {
 // @return the name of what was shown; empty: there is nothing of that name
 std::string describe_component(const DescribeOptions& options) {
   const Behavior* behavior = robot::component_library().find(options.name).behavior;
+  const cdl::Function* function = behavior == nullptr ? cdl::function_named(options.name) : nullptr;
+  if (function != nullptr) {
+    behavior = robot::component_library().find(function->behavior).behavior;
+    const std::string says = fmt::format("{}({}): in formulas of configurations, {}", function->name,
+                                         fmt::join(function->inputs, ", "), function->help);
+    if (options.format == "text") fmt::print("{}\n{}", says, behavior == nullptr ? "" : "\ncomputed by ");
+    if (behavior == nullptr) return std::string(function->name);
+  }
   if (behavior == nullptr) return describe_declaration(options);
   if (options.format == "json")
     fmt::print("{}\n", behavior_json(*behavior).dump(2));

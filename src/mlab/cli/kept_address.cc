@@ -40,7 +40,7 @@ KeptAddress::KeptAddress(const std::string& folder, const std::string& project, 
     : folder_(folder, project), project_(project), name_(std::move(kind) + ".address") {
   if (folder_.path().empty()) return;
   if (!lock()) {
-    found_ = Found::kTaken;
+    found_ = Lookup::kTaken;
     return;
   }
   read();
@@ -61,7 +61,7 @@ void KeptAddress::read() {
   const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (file < 0) {
     if (errno == ENOENT) return;
-    found_ = Found::kUnsafe;
+    found_ = Lookup::kUnsafe;
     problem_ = "it can't be opened, or is a link";
     return;
   }
@@ -70,7 +70,7 @@ void KeptAddress::read() {
   const bool is_known = ::fstat(file, &status) == 0;
   const ssize_t size = is_known && S_ISREG(status.st_mode) ? ::read(file, text, sizeof text) : -1;
   ::close(file);
-  found_ = Found::kUnsafe;
+  found_ = Lookup::kUnsafe;
   if (size < 0)
     problem_ = "it is no file that can be read";
   else if (status.st_uid != ::geteuid())
@@ -78,7 +78,7 @@ void KeptAddress::read() {
   else if ((status.st_mode & 077U) != 0 || status.st_nlink != 1)
     problem_ = "others could have read it";
   else
-    found_ = parse({text, static_cast<std::size_t>(size)}) ? Found::kAddress : Found::kNone;
+    found_ = parse({text, static_cast<std::size_t>(size)}) ? Lookup::kAddress : Lookup::kNone;
 }
 
 bool KeptAddress::parse(std::string_view text) {
@@ -93,7 +93,7 @@ bool KeptAddress::parse(std::string_view text) {
 }
 
 std::string KeptAddress::keep(const Address& address) const {
-  if (found_ == Found::kTaken) return "";
+  if (found_ == Lookup::kTaken) return "";
   if (project_.find('\n') != std::string::npos) return "the project's name has more than one line";
   return folder_.write(name_, fmt::format("{}\n{}\n{}\n{}\n{}\n", kFirstLine, project_, address.host,
                                           address.port, address.token));

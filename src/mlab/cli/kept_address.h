@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mlab/console/state_folder.h"
+#include "mlab/documents/state_folder.h"
 
 namespace mlab::cli {
 
@@ -18,7 +18,7 @@ class KeptAddress {
     std::uint16_t port = 0;
     std::string token;
   };
-  enum class Found {
+  enum class Lookup {
     kNone,
     kAddress,
     kTaken,   ///< another server of this project serves there now
@@ -33,7 +33,7 @@ class KeptAddress {
   KeptAddress(const KeptAddress&) = delete;
   KeptAddress& operator=(const KeptAddress&) = delete;
 
-  Found found() const { return found_; }
+  Lookup found() const { return found_; }
   /// Of the last server; empty parts where there was none.
   const Address& address() const { return address_; }
   const std::string& problem() const { return problem_; }
@@ -47,11 +47,11 @@ class KeptAddress {
   void read();
   bool parse(std::string_view text);
 
-  console::StateFolder folder_;
+  documents::StateFolder folder_;
   std::string project_;
   std::string name_;
   int lock_ = -1;
-  Found found_ = Found::kNone;
+  Lookup found_ = Lookup::kNone;
   Address address_;
   std::string problem_;
 };

@@ -197,6 +197,24 @@ void add_fmt(CLI::App& app, FormatOptions& o) {
               "change nothing; exit status 1 where a file is not in the canonical layout");
 }
 
+void add_diff(CLI::App& app, DiffOptions& o) {
+  CLI::App* c = app.add_subcommand(
+      "diff",
+      "Show what differs between two versions of a configuration: nodes, wires, values, states, devices.\n"
+      "With one file, what has changed since git's last revision of it. What was only moved in the drawing,\n"
+      "comments and blanks are no differences. Exit status 0: none, 1: some, 2: something can't be read.");
+  c->add_option("file", o.file, "the version before; alone: the one after; -: standard input")
+      ->required()
+      ->type_name("FILE.cdl");
+  c->add_option("after", o.after, "the version after")->type_name("FILE.cdl");
+  c->add_option("--rev", o.revision,
+                "compare the file with a revision of git (default: HEAD), or two revisions of it: A..B")
+      ->type_name("REV");
+  c->add_flag("--layout", o.layout,
+              "what was moved in the drawing, and notes on it, are differences as well");
+  c->add_flag("--json", o.json, "for programs (docs/diff.md)");
+}
+
 void add_describe(CLI::App& app, DescribeOptions& o) {
   CLI::App* c = app.add_subcommand("describe", "Show the component library, or one component of it.");
   c->add_option(
@@ -406,6 +424,8 @@ int parse_and_run(int argc, char** argv) {
   add_edit(app, edit_options);
   add_check(app, check_options);
   add_fmt(app, format_options);
+  DiffOptions diff_options;
+  add_diff(app, diff_options);
   add_describe(app, describe_options);
   add_build(app, build_options);
   add_import(app, import_options);
@@ -429,6 +449,7 @@ int parse_and_run(int argc, char** argv) {
   if (app.got_subcommand("edit")) return edit(edit_options);
   if (app.got_subcommand("check")) return check(check_options);
   if (app.got_subcommand("fmt")) return format(format_options);
+  if (app.got_subcommand("diff")) return diff(diff_options);
   if (app.got_subcommand("describe")) return describe(describe_options);
   if (app.got_subcommand("build")) return build(build_options);
   if (app.got_subcommand("import")) return import(import_options);

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "mlab/console/utf8.h"
+#include "mlab/text/utf8.h"
 
 namespace mlab::console {
 
@@ -16,9 +16,9 @@ Completions complete(const Complete& request, const KnownNames& names) {
   out.set_begin(found.replaced.begin);
   for (const language::Candidate& one : found.candidates) {
     Completions::Item& item = *out.add_items();
-    item.set_text(as_utf8(one.text));
+    item.set_text(text::as_utf8(one.text));
     item.set_kind(one.kind);
-    item.set_help(as_utf8(one.help));
+    item.set_help(text::as_utf8(one.help));
   }
   return out;
 }

@@ -12,13 +12,12 @@
 
 #include "mlab/console.pb.h"
 #include "mlab/console/completion.h"
-#include "mlab/console/draft_keeper.h"
-#include "mlab/console/drafts.h"
-#include "mlab/console/edit_log.h"
 #include "mlab/console/overlay_edit.h"
-#include "mlab/console/project_folder.h"
 #include "mlab/console/scene_encoder.h"
 #include "mlab/console/trial.h"
+#include "mlab/documents/edit_log.h"
+#include "mlab/documents/project_folder.h"
+#include "mlab/documents/store.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/mission/mission.h"
 #include "mlab/overlay/overlay.h"
@@ -26,21 +25,7 @@
 
 namespace mlab::console {
 
-/// A text that is open.
-struct OpenDocument {
-  std::string path;  ///< as ProjectFolder names it
-  bool is_mission = false;
-  text::SourcePtr source;            ///< as it stands now; its name is the file's path on the machine
-  std::uint64_t revision = 1;        ///< grows with every change, undone ones as well
-  std::optional<std::string> saved;  ///< as it stands on disk; nothing: not saved yet
-  bool is_writable = true;
-  bool is_trial = false;  ///< of a Trial: there is nothing to save, unless under another name
-  DraftState draft;
-
-  /// What an undone edit leaves of a file that it had made.
-  bool is_nothing() const { return !saved && source->text().empty(); }
-  bool is_dirty() const { return !is_trial && (!saved || *saved != source->text()); }
-};
+using OpenDocument = documents::Document;
 
 /// The mission that is open: its file and all overlays that it names, as texts, and what they mean. Every
 /// edit is a change of these texts (what comes from the map, too), can be undone, and is followed by a check
@@ -52,7 +37,7 @@ class OpenDocuments {
  public:
   /// @param options       for missions; its `files` are replaced
   /// @param state_folder  where drafts are kept; empty: they are not
-  OpenDocuments(ProjectFolder& project, mdl::LoadOptions options, const std::string& state_folder);
+  OpenDocuments(documents::ProjectFolder& project, mdl::LoadOptions options, const std::string& state_folder);
   ~OpenDocuments();
   OpenDocuments(const OpenDocuments&) = delete;
   OpenDocuments& operator=(const OpenDocuments&) = delete;
@@ -71,8 +56,8 @@ class OpenDocuments {
   /// @errors `no-folder`: its paths are none; `not-kept`
   text::Result<bool> open_trial(const Trial& trial, double now);
   /// The mission that is open is one.
-  bool is_trial() const { return is_open() && mission_document().is_trial; }
-  bool is_open() const { return mission_file_ != 0; }
+  bool is_trial() const { return is_open() && mission_file_->is_detached; }
+  bool is_open() const { return mission_file_ != nullptr; }
 
   /// A file that is not on disk yet. A MISSION is opened in place of what was open, with an empty overlay
   /// beside it; an OVERLAY comes to the mission that is open, which then names it.
@@ -86,7 +71,7 @@ class OpenDocuments {
   /// @param seed  in place of one that is 0
   text::Result<bool> create_obstacles(const CreateObstacles& request, std::uint32_t seed, double now);
   /// An edit of another kind (a robot's parameter) that has been done already.
-  void add_edit(EditLog::Edit edit, double now) { log_.add(std::move(edit), now); }
+  void add_edit(documents::EditLog::Edit edit, double now) { log_->add(std::move(edit), now); }
   /// False where there is nothing to undo.
   bool undo();
   bool redo();
@@ -97,12 +82,14 @@ class OpenDocuments {
   /// `read-only`.
   ///         What could be saved before the error is saved.
   text::Result<bool> save(const SaveDocuments& request);
-  /// Writes drafts of what is not saved, so that what ends this process takes nothing. To be called after
-  /// edits, before they are answered, and now and then: what could not be written is tried again after a
-  /// second.
-  void keep_drafts(double now, DraftKeeper::When when = DraftKeeper::When::kNowAndThen);
-  /// Waits until they are on the disk.
-  void sync_drafts(double now);
+  /// Takes what is on disk in place of a text, or together with what was changed here.
+  /// @errors `no-document`; as Store::reload
+  text::Result<bool> reload(const ReloadDocument& request, double now);
+  /// Looks at the files. What was changed there is taken over where nothing is unsaved here.
+  /// @return  whether anything has changed
+  bool look_at_disk(double now);
+  /// What is not saved, to be kept.
+  documents::Store& store() { return store_; }
   /// Why what is not saved would be lost with this process; empty: it would not.
   std::string not_kept() const;
   /// What would be lost: ``a.mdl`: No space left on device`.
@@ -148,25 +135,18 @@ class OpenDocuments {
   std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
 
  private:
-  using Key = std::uint32_t;  // of a document; stays when its path changes
-  struct TextChange {
-    Key document = 0;
-    std::uint32_t begin = 0;
-    std::string removed;
-    std::string inserted;
-  };
+  using Change = documents::Store::Change;
+  using Found = text::Result<OpenDocument*>;
 
-  OpenDocument* find(std::string_view path);
   const OpenDocument* find_source(const text::SourcePtr& source) const;
-  const OpenDocument& mission_document() const { return open_.at(mission_file_); }
   /// Opens a file, as it stands on disk or, where it does not, as a draft of it says.
-  text::Result<Key> open_file(const std::string& path, bool is_mission);
-  Key add_trial(const std::string& path, const std::string& text, bool is_mission);
-  Key add(OpenDocument document);
+  Found open_file(const std::string& path);
+  /// A document without a file.
+  OpenDocument& add(const std::string& path, std::string text);
+  void add_trial(const std::string& path, const std::string& text);
   void close();
   void open_overlays();
   void restore_drafts(double now);
-  text::Files files();
   void update_shown();
   /// Everything anew that follows from the texts.
   void check();
@@ -176,31 +156,28 @@ class OpenDocuments {
   using MakeEdits = std::function<text::Result<std::vector<TextEdit>>(const MapTexts&)>;
   text::Result<bool> change_map(const std::string& name, bool needs_overlay, const MakeEdits& make,
                                 double now);
-  std::vector<TextChange> first_overlay();
-  Key new_document(const std::string& path);
-  bool is_taken(const std::string& path);
-  void replace(const TextChange& change, bool undone);
+  std::vector<Change> first_overlay();
+  OpenDocument& new_document(const std::string& path);
+  /// There is a text of that name: a file, or one that was never saved.
+  bool is_taken(const std::string& path) const;
   /// Does the changes, enters them as one edit, and checks.
-  void commit(std::string name, std::vector<TextChange> changes, double now);
+  void commit(std::string name, const std::vector<Change>& changes, double now);
   /// For what is about to leave: what is not saved stays as drafts, or an error says what can't.
   text::Result<bool> keep_what_leaves(double now);
-  text::Result<bool> save_one(OpenDocument& document);
   text::Result<bool> save_as(OpenDocument& document, const std::string& path);
-  void take_along(const std::string& from_folder, const std::string& to_folder);
+  void take_along(const std::vector<OpenDocument*>& overlays, const std::string& from_folder,
+                  const std::string& to_folder);
   text::Result<bool> create_mission(const std::string& path, double now);
   text::Result<bool> create_overlay(const std::string& path, double now);
 
-  ProjectFolder& project_;
+  documents::ProjectFolder& project_;
   mdl::LoadOptions options_;
-  Drafts drafts_;
-  DraftKeeper keeper_;
-  std::map<Key, OpenDocument> open_;
-  Key last_key_ = 0;
-  Key mission_file_ = 0;                      // 0: none
-  std::vector<Key> overlays_;                 // as the mission names them, each once
-  std::vector<Key> shown_;                    // what `documents` gives
+  documents::Store store_;
+  std::shared_ptr<documents::EditLog> log_;   // of all of them
+  OpenDocument* mission_file_ = nullptr;      // null: none
+  std::vector<OpenDocument*> overlays_;       // as the mission names them, each once
+  std::vector<OpenDocument*> shown_;          // what `documents` gives
   std::vector<std::uint32_t> overlay_order_;  // as MapTexts::order
-  EditLog log_;
   text::Diagnostics diagnostics_;
   std::shared_ptr<const mission::Mission> mission_;
   std::shared_ptr<const overlay::Overlay> map_;

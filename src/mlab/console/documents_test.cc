@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "mlab/console/testing/scratch_project.h"
+#include "mlab/documents/testing/scratch_project.h"
+#include "mlab/lang/cnl/compiler_room.h"
 #include "mlab/text/line_ends.h"
 
 namespace mlab::console {
@@ -30,8 +31,8 @@ class DocumentsOfAMission : public ::testing::Test {
     scratch.write("project/m.odl", kOverlay);
   }
 
-  ProjectFolder folder() const {
-    return ProjectFolder({scratch.path("project").string(), scratch.path("examples").string()});
+  documents::ProjectFolder folder() const {
+    return documents::ProjectFolder({scratch.path("project").string(), scratch.path("examples").string()});
   }
   std::string state() const { return scratch.path("state").string(); }
 
@@ -44,9 +45,9 @@ class DocumentsOfAMission : public ::testing::Test {
     edit.set_name(name);
     for (const OpenDocument* document : open.documents()) {
       if (document->path != path) continue;
-      const std::size_t at = document->source->text().find(what);
+      const std::size_t at = document->text.text().find(what);
       EXPECT_NE(at, std::string_view::npos) << what;
-      edit.set_revision(document->revision);
+      edit.set_revision(document->text.revision());
       edit.set_begin(static_cast<std::uint32_t>(at));
       edit.set_end(static_cast<std::uint32_t>(at + what.size()));
     }
@@ -54,16 +55,23 @@ class DocumentsOfAMission : public ::testing::Test {
   }
   static std::string text(const OpenDocuments& open, const std::string& path) {
     for (const OpenDocument* document : open.documents()) {
-      if (document->path == path) return std::string(document->source->text());
+      if (document->path == path) return std::string(document->text.text());
     }
     return "not open";
   }
 
-  testing::ScratchProject scratch;
+  documents::testing::ScratchProject scratch;
 };
 
+TEST_F(DocumentsOfAMission, AreNothingThatCodeOfTheProjectMayInclude) {
+  for (const char* file : {"a.mdl", "sub/b.odl", "c.ovl", "d.MDL"}) {
+    EXPECT_TRUE(folder().is_writable(file)) << file;
+    EXPECT_FALSE(cnl::is_source(file)) << file;
+  }
+}
+
 TEST_F(DocumentsOfAMission, OpensTheMissionWithItsOverlays) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   ASSERT_NE(open.mission(), nullptr);
@@ -84,7 +92,7 @@ TEST_F(DocumentsOfAMission, OpensTheMissionWithItsOverlays) {
 }
 
 TEST_F(DocumentsOfAMission, RunTheEditedTextAndNotTheFile) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   ASSERT_TRUE(change(open, "m.odl", "200 100", "210 100"));
@@ -94,7 +102,7 @@ TEST_F(DocumentsOfAMission, RunTheEditedTextAndNotTheFile) {
 }
 
 TEST_F(DocumentsOfAMission, KeepTheLastGoodMissionWhileTheTextsHaveErrors) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   const auto good = open.mission();
@@ -115,7 +123,7 @@ TEST_F(DocumentsOfAMission, KeepTheLastGoodMissionWhileTheTextsHaveErrors) {
 }
 
 TEST_F(DocumentsOfAMission, RefuseAnEditOfAnOlderText) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   EditText edit;
@@ -151,7 +159,7 @@ EditMap edit_of(const std::vector<MapChange>& changes, const std::string& name =
 }
 
 TEST_F(DocumentsOfAMission, ChangeWithTheMapAndBackAgain) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   const std::uint64_t revision = open.scene().revision();
@@ -176,7 +184,7 @@ TEST_F(DocumentsOfAMission, GetAnOverlayWhenSomethingIsDrawnAndThereIsNone) {
   scratch.write("project/bare.mdl",
                 "-- bare\nMISSION NAME \"x\" -- title\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. QUIT\n");
   scratch.write("project/bare.odl", "somebody else's");
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("bare.mdl", 0.0));
   for (int round = 0; round < 2; ++round) {
@@ -198,7 +206,7 @@ TEST_F(DocumentsOfAMission, GetAnOverlayWhenSomethingIsDrawnAndThereIsNone) {
 }
 
 TEST_F(DocumentsOfAMission, CreateObstaclesAsOneEdit) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   CreateObstacles request;
@@ -218,7 +226,7 @@ TEST_F(DocumentsOfAMission, CreateObstaclesAsOneEdit) {
 // ---- undo
 
 RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited, ()) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, "");
   RC_ASSERT(open.open("m.mdl", 0.0).has_value());
   double now = 0.0;
@@ -245,8 +253,8 @@ RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited,
       const OpenDocument& document = *documents[*rc::gen::inRange<std::size_t>(0, documents.size())];
       EditText edit;
       edit.set_document(document.path);
-      edit.set_revision(document.revision);
-      const auto size = static_cast<std::uint32_t>(document.source->text().size());
+      edit.set_revision(document.text.revision());
+      const auto size = static_cast<std::uint32_t>(document.text.text().size());
       edit.set_begin(*rc::gen::inRange(0U, size + 1));
       edit.set_end(std::min(size, edit.begin() + *rc::gen::inRange(0U, 30U)));
       edit.set_text(*rc::gen::elementOf(
@@ -256,12 +264,12 @@ RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited,
     }
   }
   std::vector<std::string> end;
-  for (const OpenDocument* document : open.documents()) end.emplace_back(document->source->text());
+  for (const OpenDocument* document : open.documents()) end.emplace_back(document->text.text());
   const int other_end = other;
   while (open.redo()) {
   }
   std::vector<std::string> last;
-  for (const OpenDocument* document : open.documents()) last.emplace_back(document->source->text());
+  for (const OpenDocument* document : open.documents()) last.emplace_back(document->text.text());
   const int other_last = other;
   while (open.undo()) {
   }
@@ -272,7 +280,7 @@ RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited,
   while (open.redo()) {
   }
   std::vector<std::string> again;
-  for (const OpenDocument* document : open.documents()) again.emplace_back(document->source->text());
+  for (const OpenDocument* document : open.documents()) again.emplace_back(document->text.text());
   RC_ASSERT(again == last);
   RC_ASSERT(other == other_last);
   RC_ASSERT(open.edit_state().redo().empty());
@@ -282,7 +290,7 @@ RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited,
 // ---- saving
 
 TEST_F(DocumentsOfAMission, AreSavedAsTheyStand) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   ASSERT_TRUE(change(open, "m.odl", "here", "there"));
@@ -295,9 +303,72 @@ TEST_F(DocumentsOfAMission, AreSavedAsTheyStand) {
   EXPECT_EQ(scratch.read("project/m.odl"), kOverlay);
 }
 
+TEST_F(DocumentsOfAMission, TakeOverWhatChangedOnDiskWhereNothingIsUnsaved) {
+  documents::ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  EXPECT_FALSE(open.look_at_disk(0.0));
+  scratch.write("project/m.odl", "CONTROL MEASURES:\nAA AA1 50 50\nPP Charlie 300 100\n");
+  const std::uint64_t before = open.revision();
+  EXPECT_TRUE(open.look_at_disk(1.0));
+  EXPECT_GT(open.revision(), before);
+  EXPECT_EQ(open.mission()->overlay.measures[1].points[0].x, 300.0) << "the run can follow";
+  EXPECT_EQ(open.documents_message().documents(1).taken_over(), 1U);
+  EXPECT_FALSE(open.edit_state().is_dirty());
+  EXPECT_EQ(open.edit_state().undo(), "take over the changed file");
+  EXPECT_EQ(open.take_notices().size(), 1U);
+  ASSERT_TRUE(open.undo());
+  EXPECT_EQ(text(open, "m.odl"), kOverlay);
+  EXPECT_TRUE(open.edit_state().is_dirty());
+  EXPECT_FALSE(open.look_at_disk(2.0)) << "nobody has changed it again";
+}
+
+TEST_F(DocumentsOfAMission, AskWhereAFileChangedUnderUnsavedEdits) {
+  documents::ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  ASSERT_TRUE(change(open, "m.odl", "here", "mine"));
+  scratch.write("project/m.odl", std::string(kOverlay) + "PP Delta 1 1\n");
+  EXPECT_TRUE(open.look_at_disk(1.0));
+  EXPECT_EQ(open.documents_message().documents(1).disk(), Documents::CHANGED);
+  EXPECT_FALSE(text(open, "m.odl").contains("Delta"));
+  ReloadDocument reload;
+  reload.set_document("m.odl");
+  reload.set_merge(true);
+  ASSERT_TRUE(open.reload(reload, 2.0));
+  EXPECT_TRUE(text(open, "m.odl").contains("-- mine"));
+  EXPECT_TRUE(text(open, "m.odl").contains("Delta"));
+  EXPECT_EQ(open.scene().measures_size(), 3);
+  EXPECT_EQ(open.documents_message().documents(1).disk(), Documents::SAME);
+  ASSERT_TRUE(open.undo());
+  EXPECT_FALSE(text(open, "m.odl").contains("Delta"));
+  reload.set_document("other.odl");
+  EXPECT_EQ(open.reload(reload, 3.0).error().kind, "no-document");
+}
+
+TEST_F(DocumentsOfAMission, AreWrittenOverTheDiskOnlyWhereThatIsWanted) {
+  documents::ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("m.mdl", 0.0));
+  ASSERT_TRUE(change(open, "m.odl", "here", "mine"));
+  scratch.write("project/m.odl", "theirs");
+  SaveDocuments save;
+  save.add_documents("m.odl");
+  EXPECT_EQ(open.save(save).error().kind, "changed-on-disk");
+  EXPECT_EQ(open.documents_message().documents(1).disk(), Documents::CHANGED) << "the page asks";
+  save.set_overwrite(true);
+  ASSERT_TRUE(open.save(save));
+  EXPECT_TRUE(scratch.read("project/m.odl").contains("mine"));
+  std::filesystem::remove(scratch.path("project/m.odl"));
+  EXPECT_TRUE(open.look_at_disk(1.0));
+  EXPECT_EQ(open.documents_message().documents(1).disk(), Documents::GONE);
+  ASSERT_TRUE(open.save({}));
+  EXPECT_TRUE(scratch.read("project/m.odl").contains("mine"));
+}
+
 TEST_F(DocumentsOfAMission, KeepTheLineEndsOfTheirFiles) {
   scratch.write("project/m.mdl", mlab::text::lines_as_in("\r\n", kMission));
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   EXPECT_EQ(text(open, "m.mdl"), kMission);
@@ -309,7 +380,7 @@ TEST_F(DocumentsOfAMission, KeepTheLineEndsOfTheirFiles) {
 }
 
 TEST_F(DocumentsOfAMission, NeverOverwriteWhatSomebodyElseWrote) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   ASSERT_TRUE(change(open, "m.odl", "here", "mine"));
@@ -328,7 +399,7 @@ TEST_F(DocumentsOfAMission, NeverOverwriteWhatSomebodyElseWrote) {
 TEST_F(DocumentsOfAMission, OfAnExampleAreSavedIntoTheProjectWithTheirOverlay) {
   scratch.write("examples/demo/d.mdl", kMission);
   scratch.write("examples/demo/m.odl", kOverlay);
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("examples:demo/d.mdl", 0.0));
   EXPECT_TRUE(open.documents_message().documents(0).is_read_only());
@@ -351,7 +422,7 @@ TEST_F(DocumentsOfAMission, OfAnExampleAreSavedIntoTheProjectWithTheirOverlay) {
 }
 
 TEST_F(DocumentsOfAMission, AreMadeAnewAndRunAtOnce) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   NewDocument request;
   request.set_path("new/scouts.mdl");
@@ -378,14 +449,14 @@ TEST_F(DocumentsOfAMission, AreMadeAnewAndRunAtOnce) {
 // ---- drafts
 
 TEST_F(DocumentsOfAMission, SurviveTheDeathOfTheServer) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   {
     OpenDocuments killed(project, {}, state());
     ASSERT_TRUE(killed.open("m.mdl", 0.0));
     ASSERT_TRUE(change(killed, "m.odl", "here", "draft"));
-    killed.keep_drafts(10.0);
+    killed.store().keep_drafts(10.0);
     ASSERT_TRUE(change(killed, "m.odl", "draft", "later draft"));
-    killed.keep_drafts(10.001);
+    killed.store().keep_drafts(10.001);
     OpenDocuments open(project, {}, state());
     ASSERT_TRUE(open.open("m.mdl", 0.0));
     EXPECT_TRUE(text(open, "m.odl").contains("-- later draft"));
@@ -405,7 +476,7 @@ TEST_F(DocumentsOfAMission, SurviveTheDeathOfTheServer) {
 }
 
 TEST_F(DocumentsOfAMission, SayWhenADraftIsOlderThanItsFile) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   {
     OpenDocuments first(project, {}, state());
     ASSERT_TRUE(first.open("m.mdl", 0.0));
@@ -422,7 +493,7 @@ TEST_F(DocumentsOfAMission, SayWhenADraftIsOlderThanItsFile) {
 }
 
 TEST_F(DocumentsOfAMission, ThatWereNeverSavedAreFoundAgain) {
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   {
     OpenDocuments first(project, {}, state());
     NewDocument request;
@@ -444,7 +515,7 @@ TEST_F(DocumentsOfAMission, FromTheCommandLineReadOverlaysOutsideButNoOthers) {
   scratch.write("elsewhere/far.odl", kOverlay);
   scratch.write("project/c.mdl",
                 "OVERLAY \"" + scratch.path("elsewhere/far.odl").string() + "\"\nCOMMAND LIST:\n0. QUIT\n");
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("c.mdl", 0.0));
   EXPECT_TRUE(open.has_errors()) << "a browser can't open it";
@@ -466,18 +537,20 @@ TEST_F(DocumentsOfAMission, InLatin1AreReadAndSavedAsUtf8) {
   scratch.write("project/m.odl", std::string(kOverlay) +
                                      "-- Stra\xdf"
                                      "e\n");
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   EXPECT_TRUE(text(open, "m.odl").contains("Stra\u00dfe"));
   EXPECT_EQ(open.take_notices().size(), 1U);
+  EXPECT_FALSE(open.edit_state().is_dirty()) << "nobody has changed anything";
+  ASSERT_TRUE(change(open, "m.odl", "200 100", "210 100"));
   ASSERT_TRUE(open.save({}));
   EXPECT_TRUE(scratch.read("project/m.odl").contains("Stra\u00dfe"));
 }
 
 TEST_F(DocumentsOfAMission, TellRecentOnesAndExamples) {
   scratch.write("examples/demo/d.mdl", kMission);
-  ProjectFolder project = folder();
+  documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
   const Project message = open.project_message();

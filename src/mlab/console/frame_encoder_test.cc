@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/count_allocations.h"
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/count_allocations.h"
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/console/testing/run_of.h"
 
 namespace mlab::console {

@@ -2,15 +2,15 @@
 
 #include <vector>
 
-#include <fmt/core.h>
-
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/token.h"
 #include "mlab/lang/mdl/tree.h"
+#include "mlab/text/word_changes.h"
 
 namespace mlab::console {
-Splice overlay_statement(const text::SourcePtr& mission, const std::string& name) {
-  const std::string statement = fmt::format("OVERLAY {}", written_name(name));
+text::Splice overlay_statement(const text::SourcePtr& mission, const std::string& name) {
+  const bool is_quoted = written_name(name).starts_with('"');
+  const std::string statement = mdl::print({{}, {}, mdl::statement::OverlayFile{{name, is_quoted, {}}}});
   text::Diagnostics unsaid;
   const mdl::Tree tree = mdl::parse(mission, unsaid);
   std::vector<text::Span> words;
@@ -23,15 +23,15 @@ Splice overlay_statement(const text::SourcePtr& mission, const std::string& name
     if (const auto* title = std::get_if<mdl::statement::Scenario>(&each.what)) last = &title->name;
     if (const auto* overlay = std::get_if<mdl::statement::OverlayFile>(&each.what)) last = &overlay->file;
   }
-  Splices splices(mission, words);
+  text::WordChanges changes(mission, words);
   if (last != nullptr) {
-    splices.add_line_behind(last->span, statement);
+    changes.add_line_behind(last->span, statement);
   } else if (!words.empty()) {
-    splices.add_line_before(words.front(), statement);
+    changes.add_line_before(words.front(), statement);
   } else {
-    splices.add_line_at_end(statement);
+    changes.add_line_at_end(statement);
   }
-  return splices.joined().value_or(Splice{});
+  return changes.joined().value_or(text::Splice{});
 }
 
 }  // namespace mlab::console

@@ -14,10 +14,13 @@
 #include "mlab/console/mission_text.h"
 #include "mlab/console/odl_statement.h"
 #include "mlab/console/scene_encoder.h"
+#include "mlab/documents/refused.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/token.h"
 #include "mlab/lang/mdl/tree.h"
+#include "mlab/lang/mdl/words.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/lang/odl/write.h"
 #include "mlab/overlay/random_obstacles.h"
 #include "mlab/text/shown.h"
 
@@ -25,18 +28,6 @@ namespace mlab::console {
 namespace {
 
 using overlay::MeasureKind;
-
-// What keeps an edit from being made; unwinds to the public functions.
-struct Refusal {
-  std::string why;
-};
-[[noreturn]] void refuse(std::string why) {
-  throw Refusal{std::move(why)};
-}
-
-void refuse_if(const std::string& problem) {
-  if (!problem.empty()) refuse(problem);
-}
 
 std::vector<text::Span> spans(const auto& tokens) {
   std::vector<text::Span> out;
@@ -63,7 +54,7 @@ std::vector<mdl::Token> mission_tokens(const text::SourcePtr& source) {
 
 struct OverlayDocument {
   explicit OverlayDocument(const text::SourcePtr& source)
-      : tree(parse_overlay(source)), splices(source, spans(tree.tokens)) {
+      : tree(parse_overlay(source)), words(source, spans(tree.tokens)) {
     for (std::size_t i = 0; i < tree.statements.size(); ++i) {
       const odl::Statement& statement = tree.statements[i];
       by_place.emplace(statement.span.begin, i);
@@ -72,7 +63,7 @@ struct OverlayDocument {
   }
 
   odl::Tree tree;
-  Splices splices;
+  text::WordChanges words;
   std::optional<geom::Offset> origin;  // once it was asked for
   std::unordered_map<std::uint32_t, std::size_t>
       by_place;  // statements by what map features say of their place
@@ -80,11 +71,11 @@ struct OverlayDocument {
 
 struct MissionDocument {
   explicit MissionDocument(const text::SourcePtr& source)
-      : tree(parse_mission(source)), tokens(mission_tokens(source)), splices(source, spans(tokens)) {}
+      : tree(parse_mission(source)), tokens(mission_tokens(source)), words(source, spans(tokens)) {}
 
   mdl::Tree tree;
   std::vector<mdl::Token> tokens;
-  Splices splices;
+  text::WordChanges words;
 };
 
 class MapEdit {
@@ -141,7 +132,8 @@ class MapEdit {
   }
 
   bool create(const CreateObstacles& request, std::uint32_t seed);
-  std::vector<TextEdit> finish();
+  /// All changes as one for each text.
+  text::Result<std::vector<TextEdit>> finish();
 
  private:
   // ---- finding what is to be changed
@@ -154,51 +146,77 @@ class MapEdit {
     return static_cast<std::size_t>(found - texts_.overlays.begin());
   }
 
-  // The statement of an overlay that a feature of the map stands in; null where that is in the mission.
-  const odl::Statement* statement_of(const text::Place& place, OverlayDocument*& document) {
+  /// Where a feature of the map is said.
+  struct Written {
+    OverlayDocument* overlay = nullptr;
+    const odl::Statement* in_overlay = nullptr;
+    const mdl::Statement* in_mission = nullptr;
+  };
+
+  // Two changes of one thing would be about texts that are no longer there, so each is found once.
+  Written find(const text::Place& place) {
+    if (!touched_.emplace(place.source.get(), place.span.begin).second) {
+      refuse("one thing is changed twice in one edit");
+      return {};
+    }
+    if (place.source == texts_.mission) return find_in_mission(place.span.begin);
     const std::size_t i = find_overlay(place.source);
     if (i == overlays_.size()) {
-      if (place.source == texts_.mission) return nullptr;
       refuse("it stands in a file that is not open, so it can't be edited here");
+      return {};
     }
-    document = &overlays_[i];
-    const auto found = document->by_place.find(place.span.begin);
-    if (found == document->by_place.end()) refuse("its statement was not found");
-    touch(place);
-    return &document->tree.statements[found->second];
+    const auto found = overlays_[i].by_place.find(place.span.begin);
+    if (found != overlays_[i].by_place.end())
+      return {&overlays_[i], &overlays_[i].tree.statements[found->second], nullptr};
+    refuse("its statement was not found");
+    return {};
   }
 
-  template <class Kind>
-  const Kind& mission_statement(const text::Place& place) {
-    touch(place);
+  Written find_in_mission(std::uint32_t begin) {
     for (const mdl::Statement& statement : mission_.tree.preamble) {
-      const Kind* found = std::get_if<Kind>(&statement.what);
-      if (found != nullptr && place_of(*found).begin == place.span.begin) return *found;
+      const auto* start = std::get_if<mdl::statement::StartPlace>(&statement.what);
+      const auto* obstacle = std::get_if<mdl::statement::Obstacle>(&statement.what);
+      const bool is_it = (start != nullptr && start->name.span.begin == begin) ||
+                         (obstacle != nullptr && obstacle->x.span.begin == begin);
+      if (is_it) return {nullptr, nullptr, &statement};
     }
     refuse("it was made by CREATE-OBSTACLES, so it can't be edited");
-  }
-  static text::Span place_of(const mdl::statement::StartPlace& start) { return start.name.span; }
-  static text::Span place_of(const mdl::statement::Obstacle& obstacle) { return obstacle.x.span; }
-
-  // Two changes of one thing would be about texts that are no longer there.
-  void touch(const text::Place& place) {
-    if (!touched_.emplace(place.source.get(), place.span.begin).second)
-      refuse("one thing is changed twice in one edit");
+    return {};
   }
 
-  const overlay::ControlMeasure& measure(std::uint32_t index) const {
-    if (index >= map_.measures.size()) refuse("there is no such place on the map any more");
-    return map_.measures[index];
+  // Null where there is none; the edit is refused then.
+  const overlay::ControlMeasure* measure(std::uint32_t index) {
+    if (index < map_.measures.size()) return &map_.measures[index];
+    refuse("there is no such place on the map any more");
+    return nullptr;
   }
-  const overlay::ObstacleDisc& obstacle(std::uint32_t index) const {
-    if (index >= scene_obstacles_.size()) refuse("there is no such obstacle on the map any more");
+  const overlay::ObstacleDisc* obstacle(std::uint32_t index) {
+    if (index >= scene_obstacles_.size()) {
+      refuse("there is no such obstacle on the map any more");
+      return nullptr;
+    }
     const overlay::ObstacleDisc& out = map_.obstacles[scene_obstacles_[index]];
-    if (!is_written(out)) refuse("it was made by CREATE-OBSTACLES, so it can't be edited");
-    return out;
+    if (is_written(out)) return &out;
+    refuse("it was made by CREATE-OBSTACLES, so it can't be edited");
+    return nullptr;
   }
-  const overlay::WorldObject& object(std::uint32_t index) const {
-    if (index >= map_.objects.size()) refuse("there is no such object on the map any more");
-    return map_.objects[index];
+  const overlay::WorldObject* object(std::uint32_t index) {
+    if (index < map_.objects.size()) return &map_.objects[index];
+    refuse("there is no such object on the map any more");
+    return nullptr;
+  }
+
+  // ---- what can't be done
+
+  /// The edit is not made; what was said first is told.
+  void refuse(std::string why) {
+    if (refusal_.empty()) refusal_ = std::move(why);
+  }
+  /// @param thing  Measure, Obstacle or WorldObject
+  bool can_be_written(const auto& thing) {
+    const std::string problem = problem_with(thing);
+    if (!problem.empty()) refuse(problem);
+    return problem.empty();
   }
 
   // ---- origins
@@ -222,18 +240,17 @@ class MapEdit {
 
   // ---- where new things go
 
-  void add_to_target(const std::string& statement) {
+  void add_to_target(const auto& thing) {
+    if (overlays_.empty()) {
+      refuse("the mission has no overlay");
+      return;
+    }
     OverlayDocument& document = overlays_[target_];
     const bool has_header = std::ranges::any_of(
         document.tree.tokens, [](const odl::Token& token) { return token.kind == odl::TokenKind::kHeader; });
     if (!has_header && !std::exchange(wrote_header_, true))
-      document.splices.add_line_at_end("CONTROL MEASURES:");
-    document.splices.add_line_at_end(statement);
-  }
-
-  geom::Offset target_origin() {
-    if (overlays_.empty()) refuse("the mission has no overlay");
-    return origin_of(overlays_[target_]);
+      document.words.add_line_at_end("CONTROL MEASURES:");
+    document.words.add_line_at_end(odl::print(statement_of(thing, origin_of(document))));
   }
 
   // CREATE-OBSTACLES takes the obstacles away that come before it, so new ones go behind it.
@@ -255,147 +272,140 @@ class MapEdit {
   void add_obstacle_statement(const Obstacle& obstacle) {
     if (!is_target_cleared_) is_target_cleared_ = is_cleared_behind_target();
     if (*is_target_cleared_) {
-      mission_lines_.push_back(fmt::format("OBSTACLE {} {}",
-                                           brief_point({obstacle.x(), obstacle.y()}, map_.origin),
-                                           brief_number(obstacle.radius())));
+      mission_lines_.push_back(
+          mdl::print({{},
+                      {},
+                      mdl::statement::Obstacle{new_number(coordinate(obstacle.x() - map_.origin.x)),
+                                               new_number(coordinate(obstacle.y() - map_.origin.y)),
+                                               new_number(obstacle.radius())}}));
     } else {
-      add_to_target(odl_statement(obstacle, target_origin()));
+      add_to_target(obstacle);
     }
   }
 
   void add_to_preamble(const std::string& lines) {
     const auto header = std::ranges::find(mission_.tokens, mdl::TokenKind::kCommandList, &mdl::Token::kind);
     if (header == mission_.tokens.end()) {
-      mission_.splices.add_line_at_end(lines);
+      mission_.words.add_line_at_end(lines);
     } else if (header == mission_.tokens.begin()) {
-      mission_.splices.add_line_before(header->span, lines);
+      mission_.words.add_line_before(header->span, lines);
     } else {
-      mission_.splices.add_line_behind(std::prev(header)->span, lines);
+      mission_.words.add_line_behind(std::prev(header)->span, lines);
     }
   }
 
   // ---- the changes
 
   void add(const Measure& measure) {
-    refuse_if(problem_with(measure));
+    if (!can_be_written(measure)) return;
     overlay::ControlMeasure out;
     out.kind = decode_kind(measure.kind());
     out.name = measure.name();
     added_.push_back(std::move(out));
-    add_to_target(odl_statement(measure, target_origin()));
+    add_to_target(measure);
   }
   void add(const Obstacle& obstacle) {
-    refuse_if(problem_with(obstacle));
-    add_obstacle_statement(obstacle);
+    if (can_be_written(obstacle)) add_obstacle_statement(obstacle);
   }
   void add(const WorldObject& object) {
-    refuse_if(problem_with(object));
-    add_to_target(odl_statement(object, target_origin()));
+    if (can_be_written(object)) add_to_target(object);
+  }
+
+  static void reword(const Written& where, const odl::Statement& now) {
+    where.overlay->words.reword(now.span, odl::words_of(now, where.overlay->tree));
+  }
+  template <class Kind>
+  void reword(const Written& where, const Kind& was, const Kind& now) {
+    const text::Span keyword = where.in_mission->span;
+    const text::Span last = mdl::words_of(was, keyword).back().from.value_or(keyword);
+    mission_.words.reword({keyword.begin, last.end}, mdl::words_of(now, keyword));
   }
 
   void replace_measure(const ReplaceMeasure& change) {
-    refuse_if(problem_with(change.measure()));
-    const overlay::ControlMeasure& before = measure(change.index());
-    OverlayDocument* document = nullptr;
-    const odl::Statement* statement = statement_of(before.place, document);
-    if (statement != nullptr) {
-      StatementEdit(document->splices, document->tree, *statement, origin_of(*document))
-          .replace(before, change.measure());
-    } else {
-      replace_start_place(before, change.measure());
-    }
+    const overlay::ControlMeasure* before = measure(change.index());
+    if (before == nullptr || !can_be_written(change.measure())) return;
+    const Written where = find(before->place);
+    if (where.in_overlay != nullptr)
+      reword(where, changed(*where.in_overlay, *before, change.measure(), origin_of(*where.overlay)));
+    if (where.in_mission != nullptr) replace_start_place(where, *before, change.measure());
     renamed_.emplace_back(change.index(), change.measure());
   }
 
-  void replace_start_place(const overlay::ControlMeasure& before, const Measure& after) {
-    if (decode_kind(after.kind()) != MeasureKind::kStartPoint)
+  void replace_start_place(const Written& where, const overlay::ControlMeasure& before,
+                           const Measure& after) {
+    if (decode_kind(after.kind()) != MeasureKind::kStartPoint) {
       refuse("a start place of the mission stays one: remove it, and draw another place");
-    const auto& start = mission_statement<mdl::statement::StartPlace>(before.place);
-    if (before.name != after.name() || before.shows_label != after.shows_label()) {
-      mission_.splices.replace(start.name.span,
-                               written_reference(after.shows_label() ? after.name() : after.name() + '*'));
+      return;
     }
-    move(start.x, before.points[0].x, after.points(0).x());
-    move(start.y, before.points[0].y, after.points(0).y());
+    const auto* was = std::get_if<mdl::statement::StartPlace>(&where.in_mission->what);
+    if (was == nullptr) return;
+    mdl::statement::StartPlace now = *was;
+    if (before.name != after.name() || before.shows_label != after.shows_label())
+      now.name = {written_reference(after.shows_label() ? after.name() : after.name() + '*'), false, {}};
+    now.x = moved(was->x, before.points[0].x, after.points(0).x());
+    now.y = moved(was->y, before.points[0].y, after.points(0).y());
+    reword(where, *was, now);
   }
 
+  static mdl::Number new_number(double value) { return {value, odl::written(value), {}}; }
   // A coordinate of the mission; the origin is what it lacks.
-  void move(const mdl::Number& number, double before, double after) {
-    if (std::abs(before - after) <= kSameNumber) return;
-    const double value = after - (before - number.value);
-    mission_.splices.replace(number.span, brief_number(std::abs(value) < 0.005 ? 0.0 : value));
+  static mdl::Number moved(const mdl::Number& was, double before, double after) {
+    if (std::abs(before - after) <= kSameNumber) return was;
+    return new_number(coordinate(after - (before - was.value)));
   }
 
   void replace_obstacle(const ReplaceObstacle& change) {
-    refuse_if(problem_with(change.obstacle()));
-    const overlay::ObstacleDisc& before = obstacle(change.index());
     const Obstacle& after = change.obstacle();
-    OverlayDocument* document = nullptr;
-    const odl::Statement* statement = statement_of(before.place, document);
-    if (statement != nullptr) {
-      StatementEdit(document->splices, document->tree, *statement, origin_of(*document))
-          .replace(before, after);
-      return;
-    }
+    const overlay::ObstacleDisc* before = obstacle(change.index());
+    if (before == nullptr || !can_be_written(after)) return;
+    const Written where = find(before->place);
+    if (where.in_overlay != nullptr)
+      reword(where, changed(*where.in_overlay, *before, after, origin_of(*where.overlay)));
+    if (where.in_mission == nullptr) return;
     if (after.height() > 0.0) refuse("an obstacle of the mission has no height: draw one in an overlay");
-    const auto& written = mission_statement<mdl::statement::Obstacle>(before.place);
-    move(written.x, before.center.x, after.x());
-    move(written.y, before.center.y, after.y());
-    if (std::abs(before.radius - after.radius()) > kSameNumber)
-      mission_.splices.replace(written.radius.span, brief_number(after.radius()));
+    const auto* was = std::get_if<mdl::statement::Obstacle>(&where.in_mission->what);
+    if (was == nullptr) return;
+    mdl::statement::Obstacle now = *was;
+    now.x = moved(was->x, before->center.x, after.x());
+    now.y = moved(was->y, before->center.y, after.y());
+    if (std::abs(before->radius - after.radius()) > kSameNumber) now.radius = new_number(after.radius());
+    reword(where, *was, now);
   }
 
   void replace_object(const ReplaceObject& change) {
-    refuse_if(problem_with(change.object()));
-    const overlay::WorldObject& before = object(change.index());
-    OverlayDocument* document = nullptr;
-    const odl::Statement* statement = statement_of(before.place, document);
-    if (statement == nullptr) refuse("its statement was not found");
-    StatementEdit(document->splices, document->tree, *statement, origin_of(*document))
-        .replace(before, change.object());
+    const overlay::WorldObject* before = object(change.index());
+    if (before == nullptr || !can_be_written(change.object())) return;
+    const Written where = find(before->place);
+    if (where.in_overlay != nullptr)
+      reword(where, changed(*where.in_overlay, *before, change.object(), origin_of(*where.overlay)));
   }
 
   void remove_measure(std::uint32_t index) {
-    const overlay::ControlMeasure& before = measure(index);
-    OverlayDocument* document = nullptr;
-    if (const odl::Statement* statement = statement_of(before.place, document)) {
-      document->splices.erase(statement->span);
-    } else {
-      erase_from_mission(mission_statement<mdl::statement::StartPlace>(before.place).y.span,
-                         before.place.span.begin);
-    }
+    if (const overlay::ControlMeasure* before = measure(index)) remove(before->place);
     removed_.insert(index);
   }
-
-  void remove_obstacle(std::uint32_t index) { remove(obstacle(index)); }
-  void remove(const overlay::ObstacleDisc& before) {
-    OverlayDocument* document = nullptr;
-    if (const odl::Statement* statement = statement_of(before.place, document)) {
-      document->splices.erase(statement->span);
-    } else {
-      erase_from_mission(mission_statement<mdl::statement::Obstacle>(before.place).radius.span,
-                         before.place.span.begin);
-    }
+  void remove_obstacle(std::uint32_t index) {
+    if (const overlay::ObstacleDisc* before = obstacle(index)) remove(before->place);
   }
-
   void remove_object(std::uint32_t index) {
-    OverlayDocument* document = nullptr;
-    const odl::Statement* statement = statement_of(object(index).place, document);
-    if (statement == nullptr) refuse("its statement was not found");
-    document->splices.erase(statement->span);
+    if (const overlay::WorldObject* before = object(index)) remove(before->place);
   }
 
-  // The statement that ends with this word; its keyword is the last one that begins before `inside`.
-  void erase_from_mission(text::Span last_word, std::uint32_t inside) {
-    std::uint32_t begin = 0;
-    for (const mdl::Statement& statement : mission_.tree.preamble) {
-      if (statement.span.begin < inside) begin = std::max(begin, statement.span.begin);
-    }
-    mission_.splices.erase({begin, last_word.end});
+  void remove(const text::Place& place) {
+    const Written where = find(place);
+    if (where.in_overlay != nullptr) where.overlay->words.erase(where.in_overlay->span);
+    if (where.in_mission == nullptr) return;
+    const text::Span keyword = where.in_mission->span;
+    const auto erase = [&](const auto& what) {
+      mission_.words.erase({keyword.begin, mdl::words_of(what, keyword).back().from.value_or(keyword).end});
+    };
+    if (const auto* start = std::get_if<mdl::statement::StartPlace>(&where.in_mission->what)) erase(*start);
+    if (const auto* obstacle = std::get_if<mdl::statement::Obstacle>(&where.in_mission->what))
+      erase(*obstacle);
   }
 
   void set_area(const SetArea& area);
-  void write_area(const std::string& size);
+  void add_area(const mdl::Statement& area);
 
   // ---- names
 
@@ -415,6 +425,7 @@ class MapEdit {
   std::vector<overlay::ControlMeasure> added_;
   std::vector<std::pair<std::uint32_t, Measure>> renamed_;
   std::set<std::uint32_t> removed_;
+  std::string refusal_;  // empty: the edit can be made
 };
 
 // The last statement that sets the area is the one that holds, so that one is changed; a LOAD-MAP behind it
@@ -423,56 +434,54 @@ void MapEdit::set_area(const SetArea& area) {
   for (const double side : {area.width(), area.height()}) {
     if (!(side > 0.0 && side <= 1e8)) refuse("a side of the mission area is longer than 0 metres");
   }
-  const std::string width = brief_number(area.width());
-  const std::string height = brief_number(area.height());
+  const text::Word width{odl::written(area.width()), std::nullopt};
+  const text::Word height{odl::written(area.height()), std::nullopt};
+  const mdl::Statement statement{
+      {}, {}, mdl::statement::MissionArea{new_number(area.width()), new_number(area.height())}};
   struct Setter {
-    Splices* splices = nullptr;
+    text::WordChanges* words = nullptr;
     bool is_map = false;
-    text::Span first;  // the numbers; of LOAD-MAP its file
-    text::Span second;
+    text::Span numbers;  // of LOAD-MAP its file
   };
   std::optional<Setter> last;
   std::size_t next = 0;
-  for (const mdl::Statement& statement : mission_.tree.preamble) {
-    if (const auto* written = std::get_if<mdl::statement::MissionArea>(&statement.what)) {
-      last = {&mission_.splices, false, written->width.span, written->height.span};
-    } else if (const auto* map = std::get_if<mdl::statement::LoadMap>(&statement.what)) {
-      last = {&mission_.splices, true, map->file.span, {}};
-    } else if (std::holds_alternative<mdl::statement::OverlayFile>(statement.what) &&
-               next < texts_.order.size()) {
+  for (const mdl::Statement& each : mission_.tree.preamble) {
+    if (const auto* written = std::get_if<mdl::statement::MissionArea>(&each.what)) {
+      last = {&mission_.words, false, {written->width.span.begin, written->height.span.end}};
+    } else if (const auto* map = std::get_if<mdl::statement::LoadMap>(&each.what)) {
+      last = {&mission_.words, true, map->file.span};
+    } else if (std::holds_alternative<mdl::statement::OverlayFile>(each.what) && next < texts_.order.size()) {
       const std::uint32_t overlay = texts_.order[next++];
       if (overlay == MapTexts::kMissing) continue;
       OverlayDocument& document = overlays_[overlay];
-      for (const odl::Statement& each : document.tree.statements) {
-        if (each.keyword == odl::Keyword::kMissionArea)
-          last = {&document.splices, false, each.numbers[0].span, each.numbers[1].span};
-        if (each.keyword == odl::Keyword::kLoadMap) last = {&document.splices, true, each.name.span, {}};
+      for (const odl::Statement& one : document.tree.statements) {
+        if (one.keyword == odl::Keyword::kMissionArea)
+          last = {&document.words, false, {one.numbers[0].span.begin, one.numbers[1].span.end}};
+        if (one.keyword == odl::Keyword::kLoadMap) last = {&document.words, true, one.name.span};
       }
     }
   }
-  const std::string line = fmt::format("MISSION-AREA {} {}", width, height);
-  if (!last) {
-    write_area(line);
-  } else if (last->is_map) {
-    last->splices->add_line_behind(last->first, line);
-  } else {
-    last->splices->replace(last->first, width);
-    last->splices->replace(last->second, height);
-  }
+  if (!last)
+    add_area(statement);
+  else if (last->is_map)
+    last->words->add_line_behind(last->numbers, mdl::print(statement));
+  else
+    last->words->reword(last->numbers, {width, height});
 }
 
-void MapEdit::write_area(const std::string& line) {
+// Both languages say it in the same words.
+void MapEdit::add_area(const mdl::Statement& area) {
+  const std::string line = mdl::print(area);
   if (overlays_.empty()) {
     mission_lines_.push_back(line);
     return;
   }
   OverlayDocument& document = overlays_[target_];
   const auto header = std::ranges::find(document.tree.tokens, odl::TokenKind::kHeader, &odl::Token::kind);
-  if (header == document.tree.tokens.end()) {
-    document.splices.add_line_at_end(line);
-  } else {
-    document.splices.add_line_before(header->span, line);
-  }
+  if (header == document.tree.tokens.end())
+    document.words.add_line_at_end(line);
+  else
+    document.words.add_line_before(header->span, line);
 }
 
 // Commands go on meaning what they meant: those of a renamed place get its new name, and no other place may
@@ -502,7 +511,8 @@ void MapEdit::rename_references() {
     if (name.empty())
       refuse(
           fmt::format("commands go to `{}`, and could not by that name: take another one", reference.name));
-    mission_.splices.replace(reference.word, name);
+    else
+      mission_.words.replace(reference.word, name);
   }
 }
 
@@ -512,18 +522,19 @@ bool MapEdit::create(const CreateObstacles& request, std::uint32_t seed) {
   if (!(request.coverage_percent() >= 0.0 && request.coverage_percent() <= 30.0))
     refuse("obstacles cover 0 to 30 per cent of the area");
   if (!(least > 0.0 && least <= 1e6 && most > 0.0 && most <= 1e6)) refuse("a radius is more than 0");
+  if (!refusal_.empty()) return true;
   const overlay::Area area = map_.mission_area();
   const overlay::ObstacleField field{request.coverage_percent(), least, most};
   overlay::CreatedObstacles created;
   if (request.replace()) {
     for (const mdl::Statement& statement : mission_.tree.preamble) {
       if (std::holds_alternative<mdl::statement::CreateObstacles>(statement.what))
-        mission_.splices.erase(statement.span);
+        mission_.words.erase(statement.span);
     }
     removes_creation_ = true;
     for (const overlay::ObstacleDisc& each : map_.obstacles) {
       const bool is_repeated = touched_.contains({each.place.source.get(), each.place.span.begin});
-      if (is_written(each) && is_editable(each.place) && !is_repeated) remove(each);
+      if (is_written(each) && is_editable(each.place) && !is_repeated) remove(each.place);
     }
     created = overlay::create_obstacles(area, field, seed);
   } else {
@@ -544,33 +555,24 @@ bool MapEdit::create(const CreateObstacles& request, std::uint32_t seed) {
   return created.is_complete;
 }
 
-std::vector<TextEdit> MapEdit::finish() {
-  rename_references();
+text::Result<std::vector<TextEdit>> MapEdit::finish() {
+  if (refusal_.empty()) rename_references();
   if (!mission_lines_.empty()) {
     std::string lines;
     for (const std::string& line : mission_lines_) lines += (lines.empty() ? "" : "\n") + line;
     add_to_preamble(lines);
   }
   std::vector<TextEdit> out;
-  const auto take = [&](const Splices& splices) {
-    if (splices.is_empty()) return;
-    const std::optional<Splice> joined = splices.joined();
+  const auto take = [&](const text::WordChanges& changes) {
+    if (changes.is_empty()) return;
+    std::optional<text::Splice> joined = changes.joined();
     if (!joined) refuse("two changes of this edit are about the same words");
-    out.push_back({splices.source(), *joined});
+    if (joined) out.push_back({changes.source(), std::move(*joined)});
   };
-  take(mission_.splices);
-  for (const OverlayDocument& document : overlays_) take(document.splices);
+  take(mission_.words);
+  for (const OverlayDocument& document : overlays_) take(document.words);
+  if (!refusal_.empty()) return documents::refused("cannot-edit", refusal_);
   return out;
-}
-
-template <class Make>
-text::Result<std::vector<TextEdit>> made(Make make) {
-  try {
-    return make();
-  } catch (const Refusal& refusal) {
-    return std::unexpected(
-        text::Diagnostic{text::Severity::kError, "cannot-edit", refusal.why, {}, {}, {}, {}});
-  }
 }
 
 }  // namespace
@@ -578,20 +580,16 @@ text::Result<std::vector<TextEdit>> made(Make make) {
 text::Result<std::vector<TextEdit>> edit_map(const MapTexts& texts,
                                              const google::protobuf::RepeatedPtrField<MapChange>& changes,
                                              const std::string& target) {
-  return made([&] {
-    MapEdit edit(texts, target);
-    for (const MapChange& change : changes) edit.apply(change);
-    return edit.finish();
-  });
+  MapEdit edit(texts, target);
+  for (const MapChange& change : changes) edit.apply(change);
+  return edit.finish();
 }
 
 text::Result<std::vector<TextEdit>> create_obstacles(const MapTexts& texts, const CreateObstacles& request,
                                                      std::uint32_t seed, bool& is_complete) {
-  return made([&] {
-    MapEdit edit(texts, "");
-    is_complete = edit.create(request, seed);
-    return edit.finish();
-  });
+  MapEdit edit(texts, "");
+  is_complete = edit.create(request, seed);
+  return edit.finish();
 }
 
 }  // namespace mlab::console

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "mlab/console.pb.h"
-#include "mlab/console/splices.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/text/diagnostic.h"
+#include "mlab/text/splice.h"
 
 namespace mlab::console {
 
@@ -28,7 +28,7 @@ struct MapTexts {
 /// A change of one of the texts.
 struct TextEdit {
   text::SourcePtr source;
-  Splice splice;
+  text::Splice splice;
 };
 
 /// Changes of the map as changes of the texts that say it: of overlays, and of SP, OBSTACLE and MISSION-AREA

@@ -9,6 +9,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "mlab/base/random.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/console/testing/map_of_texts.h"
 #include "mlab/console/testing/random_change.h"
 #include "mlab/text/testing/golden.h"
@@ -91,7 +92,7 @@ RC_GTEST_PROP(OverlayEditLaws, AfterAnyChangesTheMapIsAsAsked, (std::uint32_t se
 
 fs::path corpus() {
   const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
-  return named != nullptr ? fs::path(named) : fs::path(MLAB_SOURCE_DIR) / "../shared/corpus";
+  return named != nullptr ? fs::path(named) : fs::path(base::source_folder()) / "../shared/corpus";
 }
 
 TEST(OverlayEditCorpus, SurvivesRandomChanges) {

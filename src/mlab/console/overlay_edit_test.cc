@@ -414,14 +414,5 @@ TEST(OverlayEdit, PutsObstaclesBehindCreateObstaclesWhichWouldRemoveThem) {
   EXPECT_EQ(texts.scene().obstacles(0).document(), "o.odl");
 }
 
-TEST(OverlayEdit, WritesNumbersBriefly) {
-  EXPECT_EQ(brief_number(12.5), "12.5");
-  EXPECT_EQ(brief_number(12.0), "12");
-  EXPECT_EQ(brief_number(-0.001 + 0.001), "0");
-  EXPECT_EQ(brief_number(-3.14159), "-3.14");
-  EXPECT_EQ(brief_number(100), "100");
-  EXPECT_EQ(brief_number(0.0012), "0.0012");
-}
-
 }  // namespace
 }  // namespace mlab::console

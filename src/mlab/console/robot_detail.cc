@@ -20,7 +20,7 @@ using fleet::RobotLife;
 struct Beam {
   float angle, distance, hit;
 };
-struct Seen {
+struct SensedObstacle {
   float x, y, radius;
 };
 
@@ -103,8 +103,8 @@ void encode_readings(const fleet::MissionRun& run, const FleetRobot& robot, Robo
     append(*out.mutable_ranges(), Beam{beam.angle, beam.distance, beam.hit ? 1.0F : 0.0F});
   for (const percept::Obstacle& obstacle : percepts.obstacles) {
     const geom::Point at = percepts.pose.point_at(obstacle.center);
-    append(*out.mutable_obstacles(),
-           Seen{static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(obstacle.radius)});
+    append(*out.mutable_obstacles(), SensedObstacle{static_cast<float>(at.x), static_cast<float>(at.y),
+                                                    static_cast<float>(obstacle.radius)});
   }
 }
 

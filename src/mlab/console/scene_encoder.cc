@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/utf8.h"
+#include "mlab/text/utf8.h"
 
 namespace mlab::console {
 namespace {
@@ -38,7 +38,7 @@ std::string zone_name(overlay::ZoneKind zone) {
 
 void encode(const overlay::ControlMeasure& from, const PlaceOf& place_of, Measure& to) {
   to.set_kind(encode_kind(from.kind));
-  to.set_name(as_utf8(from.name));
+  to.set_name(text::as_utf8(from.name));
   to.set_shows_label(from.shows_label);
   for (const geom::Point p : from.points) encode(p, *to.add_points());
   for (const geom::Point p : from.centerline) encode(p, *to.add_centerline());
@@ -60,7 +60,7 @@ void encode(const overlay::WorldObject& from, const PlaceOf& place_of, WorldObje
   to.set_y(from.center.y);
   to.set_diameter(from.diameter);
   to.set_style(static_cast<WorldObject::Style>(from.style));
-  to.set_color(as_utf8(from.color));
+  to.set_color(text::as_utf8(from.color));
   set_place(place_of, from.place, to);
 }
 
@@ -95,8 +95,8 @@ std::vector<std::uint32_t> obstacles_in_scene_order(const overlay::Overlay& map,
 
 Scene encode_scene(const overlay::Overlay& map, const PlaceOf& place_of) {
   Scene out;
-  out.set_scenario(as_utf8(map.scenario));
-  out.set_site(as_utf8(map.site));
+  out.set_scenario(text::as_utf8(map.scenario));
+  out.set_site(text::as_utf8(map.site));
   out.set_width(map.mission_area().width);
   out.set_height(map.mission_area().height);
   for (const auto& measure : map.measures) encode(measure, place_of, *out.add_measures());
@@ -139,12 +139,12 @@ Diagnostic encode_diagnostic(const text::Diagnostic& diagnostic, const PlaceOf& 
       out.set_column(at.column);
     }
   }
-  out.set_message(as_utf8(message));
-  out.set_label(as_utf8(diagnostic.label));
-  for (const std::string& hint : diagnostic.hints) out.add_hints(as_utf8(hint));
+  out.set_message(text::as_utf8(message));
+  out.set_label(text::as_utf8(diagnostic.label));
+  for (const std::string& hint : diagnostic.hints) out.add_hints(text::as_utf8(hint));
   for (const text::Note& note : diagnostic.notes) {
     const DocumentPlace at = place_of(note.place);
-    out.add_hints(as_utf8(
+    out.add_hints(text::as_utf8(
         at.document.empty() ? note.message : fmt::format("{}: {}:{}", note.message, at.document, at.line)));
   }
   return out;

@@ -6,13 +6,13 @@
 
 #include "mlab/console/session.h"
 #include "mlab/console/testing/browser.h"
-#include "mlab/console/testing/scratch_project.h"
+#include "mlab/documents/testing/scratch_project.h"
 
 namespace mlab::console {
 namespace {
 
+using documents::testing::ScratchProject;
 using testing::Browser;
-using testing::ScratchProject;
 using testing::TestSession;
 
 constexpr const char* kMission =
@@ -80,6 +80,14 @@ class SessionEdit : public ::testing::Test {
   TestSession session_;
   Browser anna_;
 };
+
+TEST_F(SessionEdit, ARunFollowsItsMissionsFilesOnDisk) {
+  ASSERT_EQ(anna_.control(Control::EXECUTE), "");
+  ASSERT_TRUE(wait_for(Status::RUNNING));
+  project_.write("project/map.odl", "MISSION-AREA 2000 1000\nCONTROL MEASURES:\nPP Far 130 100\n");
+  EXPECT_TRUE(wait_for(Status::ENDED)) << "the place is near by now";
+  EXPECT_TRUE(anna_.has_log("`map.odl` was changed on the disk: its new text is taken over"));
+}
 
 std::string standing_network(const std::string& procedure) {
   return "procedure Vector " + procedure +

@@ -24,7 +24,7 @@ class TransitionRecorder {
   std::span<const flow::Program::SequenceState> before(std::uint32_t robot) const;
 
  private:
-  struct Made {
+  struct TimedTransit {
     flow::Program::Transit transit;
     double time = 0.0;
     std::uint64_t cycle = 0;
@@ -33,7 +33,7 @@ class TransitionRecorder {
     const flow::Program* program = nullptr;
     std::vector<flow::Program::SequenceState> before;
     std::vector<flow::Program::SequenceState> now;
-    std::map<std::uint32_t, Made> last;  ///< by sequence
+    std::map<std::uint32_t, TimedTransit> last;  ///< by sequence
   };
   std::map<std::uint32_t, Watched> robots_;
 };

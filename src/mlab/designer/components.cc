@@ -88,8 +88,25 @@ std::optional<Callable> Components::made(std::string_view name) const {
   if (const auto found = configuration_.assemblages.find(name); found != configuration_.assemblages.end())
     return of(*found->second);
   const flow::Library::Entry entry = library_.find(name);
-  if (entry.behavior == nullptr) return std::nullopt;
-  return of(entry);
+  if (entry.behavior != nullptr) return of(entry);
+  const cdl::Function* function = cdl::function_named(name);
+  return function == nullptr ? std::nullopt : std::optional(of(*function));
+}
+
+// What it gives depends on what it is given.
+Callable Components::of(const cdl::Function& function) const {
+  Callable out;
+  out.kind = Callable::Kind::kFunction;
+  out.name = function.name;
+  out.help = function.help;
+  out.behavior = library_.find(function.behavior).behavior;
+  for (const cdl::InputView& view : cdl::inputs_of(function, library_)) {
+    out.inputs.push_back(view.input == nullptr ? Socket{} : socket_of(view));
+    out.inputs.back().name = view.name;
+    out.inputs.back().type = view.type;
+    out.inputs.back().is_required = true;
+  }
+  return out;
 }
 
 Callable Components::of(const cdl::Assemblage& assemblage) const {

@@ -26,9 +26,9 @@ struct Socket {
   bool is_required = false;
 };
 
-/// What can be called: an assemblage, a binding point, or a procedure.
+/// What can be called: an assemblage, a binding point, a procedure, or a function of numbers.
 struct Callable {
-  enum class Kind { kProcedure, kAssemblage, kBinding };
+  enum class Kind { kProcedure, kAssemblage, kBinding, kFunction };
   Kind kind = Kind::kProcedure;
   std::string name;
   std::string help;
@@ -56,6 +56,7 @@ class Components {
   Callable of(const cdl::Assemblage& assemblage) const;
   Callable of(const cdl::Binding& binding) const;
   Callable of(const flow::Library::Entry& entry) const;
+  Callable of(const cdl::Function& function) const;
 
   const cdl::Elaboration& elaboration() const { return elaboration_; }
   const cdl::Types& types() const { return elaboration_.types(); }

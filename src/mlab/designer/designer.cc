@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/utf8.h"
 #include "mlab/designer/designer_parts.h"
 #include "mlab/text/shown.h"
+#include "mlab/text/utf8.h"
 
 namespace mlab::designer {
 namespace {
@@ -44,6 +44,8 @@ Designer::Parts::Parts(DesignerSettings settings, Send send)
     : settings_(std::move(settings)),
       send_(std::move(send)),
       desk_({settings_.project_folder, settings_.example_folder, settings_.state_folder}),
+      texts_(desk_, documents::Drafts(settings_.state_folder, desk_.project().folder())),
+      renaming_(desk_, texts_),
       mark_store_(settings_.state_folder.empty() ? "" : settings_.state_folder + "/designer",
                   desk_.project().folder()),
       compiler_(
@@ -109,13 +111,13 @@ void Designer::Parts::work() {
     if (now() - last_look_ > kDiskPause) look_at_disk();
     keep_drafts();
   }
-  desk_.sync_drafts(now());
+  desk_.store().sync_drafts(now());
 }
 
 // Whatever ends this process after an answer, what it answers is in the file system, or the page says that it
 // is not.
 void Designer::Parts::keep_drafts() {
-  desk_.keep_drafts(now());
+  desk_.store().keep_drafts(now());
   keep_marks_again();
   tell_not_kept();
 }
@@ -143,17 +145,27 @@ void Designer::Parts::start_compilations() {
 
 void Designer::Parts::look_at_disk() {
   last_look_ = now();
-  const std::vector<Desk::Change> changes = desk_.look_at_disk(last_look_);
-  for (const Desk::Change& change : changes) {
-    FromDesigner message;
-    message.mutable_file_changed()->set_document(change.document->path);
-    message.mutable_file_changed()->set_is_gone(change.is_gone);
-    message.mutable_file_changed()->set_is_dirty_here(change.is_dirty_here);
-    for (auto& [to, client] : clients_) {
-      if (client.documents.contains(change.document->path)) send(to, message);
-    }
-  }
+  for (const documents::Store::Seen& seen : desk_.look_at_disk(last_look_))
+    tell_disk(*seen.document, seen.news == documents::Store::News::kTakenOver);
   publish();
+}
+
+FromDesigner Designer::Parts::disk_message(const documents::Document& one, bool is_taken_over) {
+  using Disk = documents::Document::Disk;
+  FromDesigner out;
+  FileChanged& changed = *out.mutable_file_changed();
+  changed.set_document(one.path);
+  changed.set_is_gone(one.disk == Disk::kGone);
+  changed.set_is_dirty_here(one.disk != Disk::kSame);
+  changed.set_is_same_again(one.disk == Disk::kSame && !is_taken_over);
+  return out;
+}
+
+void Designer::Parts::tell_disk(const documents::Document& one, bool is_taken_over) {
+  const FromDesigner message = disk_message(one, is_taken_over);
+  for (const auto& [to, client] : clients_) {
+    if (client.documents.contains(one.path)) send(to, message);
+  }
 }
 
 void Designer::Parts::handle(console::ConnectionId from, const ToDesigner& message) {
@@ -203,7 +215,7 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
       greet(from, client, message.greeting(), out);
       return;
     case ToDesigner::kOpen:
-      open(client, message.open(), out);
+      open(from, client, message.open(), out);
       return;
     case ToDesigner::kClose:
       close(client, message.close());
@@ -247,6 +259,21 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
     case ToDesigner::kFits:
       fits(message.fits(), out);
       return;
+    case ToDesigner::kFindUses:
+      find_uses(message.find_uses(), out);
+      return;
+    case ToDesigner::kPlanRename:
+      plan(message.plan_rename().at(), message.plan_rename().name(), out);
+      return;
+    case ToDesigner::kRenameEverywhere:
+      rename_everywhere(message.rename_everywhere(), out);
+      return;
+    case ToDesigner::kUndoRename:
+      undo_rename(out);
+      return;
+    case ToDesigner::kSearch:
+      search(message.search(), out);
+      return;
     case ToDesigner::kFindLive:
       find_live(message.find_live(), out);
       return;
@@ -261,6 +288,15 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
       return;
     case ToDesigner::kReadField:
       read_field(from, message.request(), message.read_field(), out);
+      return;
+    case ToDesigner::kCompareWith:
+      compare_with(from, client, message.request(), message.compare_with(), out);
+      return;
+    case ToDesigner::kStopComparing:
+      stop_comparing(client, message.stop_comparing().document());
+      return;
+    case ToDesigner::kListRevisions:
+      list_revisions(from, message.request(), message.list_revisions(), out);
       return;
     case ToDesigner::kTry:
       try_out(from, message.request(), message.try_(), out);
@@ -301,27 +337,26 @@ OpenConfiguration* Designer::Parts::editable(const std::string& path, Answer& ou
 void Designer::Parts::edit_text(const EditText& request, Answer& out) {
   OpenConfiguration* one = editable(request.document(), out);
   if (one == nullptr) return;
-  const std::string& text = one->text.text();
+  const std::string_view text = one->text.text();
   const bool is_stale = request.revision() != one->text.revision();
   const bool is_inside = request.begin() <= request.end() && request.end() <= text.size() &&
-                         console::is_character_boundary(text, request.begin()) &&
-                         console::is_character_boundary(text, request.end());
+                         text::is_character_boundary(text, request.begin()) &&
+                         text::is_character_boundary(text, request.end());
   const bool fits = request.text().size() + text.size() <= text::Source::kMaxBytes;
   if (is_stale || !is_inside || !fits) {
     out.set_ok(false);
     out.set_error(is_stale ? "the text has changed meanwhile" : "this is no place of the text");
     return;
   }
-  std::string changed = text;
-  changed.replace(request.begin(), request.end() - request.begin(), request.text());
-  one->text.change(std::move(changed), request.name().empty() ? "type" : request.name(), now(), true);
+  desk_.store().change({{one, {{request.begin(), request.end()}, request.text()}}},
+                       request.name().empty() ? "type" : request.name(), now());
   typed_.insert(one->path);
 }
 
 void Designer::Parts::undo(const std::string& path, bool again, Answer& out) {
   OpenConfiguration* one = editable(path, out);
   if (one == nullptr) return;
-  if (again ? one->text.redo() : one->text.undo()) {
+  if (again ? one->log->redo() : one->log->undo()) {
     desk_.changed(*one);
     return;
   }

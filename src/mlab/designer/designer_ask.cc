@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/utf8.h"
 #include "mlab/designer/designer_parts.h"
 #include "mlab/designer/edit.h"
 #include "mlab/designer/shapes.h"
 #include "mlab/language/service.h"
 #include "mlab/text/shown.h"
+#include "mlab/text/utf8.h"
 
 namespace mlab::designer {
 
@@ -18,10 +18,10 @@ console::Completions completions_of(const language::Completions& found) {
   out.set_begin(found.replaced.begin);
   for (const language::Candidate& one : found.candidates) {
     console::Completions::Item& item = *out.add_items();
-    item.set_text(console::as_utf8(one.text));
+    item.set_text(text::as_utf8(one.text));
     item.set_kind(one.kind);
     const bool has_both = !one.detail.empty() && !one.help.empty();
-    item.set_help(console::as_utf8(one.detail + (has_both ? "\n" : "") + one.help));
+    item.set_help(text::as_utf8(one.detail + (has_both ? "\n" : "") + one.help));
   }
   return out;
 }
@@ -77,7 +77,7 @@ void Designer::Parts::ask_language(const AskLanguage& request, Answer& out) {
       Hover& hover = *out.mutable_hover();
       const auto found = language::hover(text, request.cursor(), desk_.surroundings());
       if (!found) return;
-      hover.set_markdown(console::as_utf8(found->markdown));
+      hover.set_markdown(text::as_utf8(found->markdown));
       hover.set_begin(found->span.begin);
       hover.set_end(found->span.end);
       return;

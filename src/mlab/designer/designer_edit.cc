@@ -27,7 +27,7 @@ void Designer::Parts::edit(const Edit& request, Answer& out) {
   }
   // Moving the same node on and on is one step.
   const bool may_merge = request.changes(0).has_arrange() || request.changes(0).has_set_value();
-  one->text.change(std::move(done->text), std::move(done->name), now(), may_merge);
+  desk_.store().change(*one, done->text, std::move(done->name), now(), may_merge);
   desk_.changed(*one);
 }
 

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/designer_parts.h"
-#include "mlab/designer/open_text.h"
+#include "mlab/designer/titles.h"
 
 namespace mlab::designer {
 namespace {
@@ -34,7 +34,7 @@ console::Project::Entry& add_entry(Entries& into, const std::string& path, const
 }
 
 // A configuration that has a file, with what it says of itself; that is read of so many only.
-void add_file(Entries& into, const console::ProjectFolder& project, const std::string& path) {
+void add_file(Entries& into, const documents::ProjectFolder& project, const std::string& path) {
   constexpr int kMostRead = 100;
   std::string title = file_title(path);
   if (title.ends_with(".cdl") && title.size() > 4) title.resize(title.size() - 4);
@@ -76,12 +76,12 @@ void Designer::Parts::greet(console::ConnectionId from, Client& client, const Gr
 
 Lists Designer::Parts::lists() {
   Lists out;
-  for (const std::string& path : desk_.drafts().new_files()) {
-    const std::optional<console::Drafts::Draft> draft = desk_.drafts().find(path);
+  for (const std::string& path : desk_.store().only_kept()) {
+    const std::optional<documents::Drafts::Draft> draft = desk_.drafts().find(path);
     if (draft)
       add_entry(*out.mutable_recent(), path, unsaved_title(draft->text)).set_about(said_of(draft->text));
   }
-  for (const console::Drafts::Recent& recent : desk_.drafts().recent()) {
+  for (const documents::Drafts::Recent& recent : desk_.drafts().recent()) {
     if (desk_.project().is_file(recent.path)) add_file(*out.mutable_recent(), desk_.project(), recent.path);
   }
   for (const std::string& path : desk_.configurations(""))
@@ -97,7 +97,7 @@ void Designer::Parts::tell_lists() {
   }
 }
 
-void Designer::Parts::open(Client& client, const Open& request, Answer& out) {
+void Designer::Parts::open(console::ConnectionId from, Client& client, const Open& request, Answer& out) {
   const text::Result<OpenConfiguration*> found = desk_.open(request.path(), now());
   if (!found) {
     fail(out, found.error());
@@ -107,10 +107,12 @@ void Designer::Parts::open(Client& client, const Open& request, Answer& out) {
   client.documents.insert(path);
   if (request.path().empty()) drop_marks(path);  // of an earlier one that was called so
   restore_marks(**found);
+  if ((*found)->disk != documents::Document::Disk::kSame) send(from, disk_message(**found));
   out.set_text(path);
 }
 
 void Designer::Parts::close(Client& client, const Close& request) {
+  stop_comparing(client, request.document());
   client.documents.erase(request.document());
   std::erase_if(client.pages, [&](const Page& page) { return page.document() == request.document(); });
   std::erase_if(client.sent, [&](const auto& one) {
@@ -145,20 +147,18 @@ void Designer::Parts::save(const Save& request, Answer& out) {
   OpenConfiguration* one = opened(request.document(), out);
   if (one == nullptr) return;
   const std::string before = one->path;
+  const bool was_asked = one->disk != documents::Document::Disk::kSame;
   const text::Result<std::string> saved = desk_.save(*one, request);
   if (!saved) {
     fail(out, saved.error());
-    if (saved.error().kind != "changed-on-disk") return;
-    FromDesigner message;
-    message.mutable_file_changed()->set_document(before);
-    message.mutable_file_changed()->set_is_dirty_here(true);
-    for (auto& [to, client] : clients_) {
-      if (client.documents.contains(before)) send(to, message);
-    }
+    if (one->disk != documents::Document::Disk::kSame) tell_disk(*one);
     return;
   }
   out.set_text(*saved);
-  if (*saved == before) return;
+  if (*saved == before) {
+    if (was_asked) tell_disk(*one);
+    return;
+  }
   if (last_trial_.document == before) last_trial_.document = *saved;
   if (auto marks = marks_.extract(before); !marks.empty()) {
     const auto moved = marks_.insert_or_assign(*saved, std::move(marks.mapped())).first;
@@ -172,18 +172,22 @@ void Designer::Parts::save(const Save& request, Answer& out) {
     if (client.documents.erase(before) == 0) continue;
     send(to, renamed);
     client.documents.insert(*saved);
+    stop_comparing(client, before);
     for (Page& page : client.pages) {
       if (page.document() == before) page.set_document(*saved);
     }
   }
+  if (was_asked) tell_disk(*one);
   tell_lists();
 }
 
 void Designer::Parts::reload(const Reload& request, Answer& out) {
   OpenConfiguration* one = opened(request.document(), out);
   if (one == nullptr) return;
+  const bool was_asked = one->disk != documents::Document::Disk::kSame;
   const text::Result<bool> done = desk_.reload(*one, request.merge(), now());
   if (!done) fail(out, done.error());
+  if (done && was_asked) tell_disk(*one);
 }
 
 void Designer::Parts::list_files(const ListFiles& request, Answer& out) {
@@ -194,7 +198,7 @@ void Designer::Parts::list_files(const ListFiles& request, Answer& out) {
   }
   console::FileList& files = *out.mutable_files();
   files.set_folder(request.folder());
-  for (const console::ProjectFolder::Entry& entry : *entries) {
+  for (const documents::ProjectFolder::Entry& entry : *entries) {
     console::FileList::Entry& one = *files.add_entries();
     one.set_path(entry.path);
     one.set_is_folder(entry.is_folder);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/testing/browser.h"
 
@@ -160,7 +161,7 @@ TEST(DesignerLanguage, TheNewestTextWins) {
 
 TEST(DesignerLanguage, TellsWhatTheCompilerSaysOfProcedures) {
   Browser browser;
-  browser.set_include_root(std::string(MLAB_SOURCE_DIR) + "/src");
+  browser.set_include_root(base::source_folder() + "/src");
   browser.start();
   browser.write(
       "own.cnl",
@@ -183,7 +184,7 @@ TEST(DesignerLanguage, DoesNotCompileForPeopleElsewhereWhatCameLaterAndSaysWhatW
   const std::string wrong =
       "procedure Vector Twirl with\n  double rate = 1;\nheader\nbody\n  output = nonsense;\npend\n";
   Browser browser;
-  browser.set_include_root(std::string(MLAB_SOURCE_DIR) + "/src");
+  browser.set_include_root(base::source_folder() + "/src");
   browser.set_permission(cell::testing::permitted_elsewhere({wrong}));
   browser.start();
   browser.write("known.cnl", wrong);
@@ -273,6 +274,39 @@ TEST(DesignerLanguage, WhatIsSavedToTheLibraryIsInThePaletteOfOthers) {
   });
   EXPECT_EQ(browser.document("below/a.cdl").text(),
             "use \"../library.cdl\";\n\nassemblage A() {\n  let Roam = Roam();\n}\n");
+}
+
+TEST(DesignerLanguage, NothingIsSavedToALibraryThatIsNotSavedOrThatOthersChanged) {
+  Browser browser;
+  browser.write("skills.cdl", kSkills);
+  browser.write("library.cdl", "// library\n");
+  browser.open("skills.cdl");
+  browser.open("library.cdl");
+  const auto save = [&] {
+    return browser.ask([](ToDesigner& m) {
+      m.mutable_save()->set_document("skills.cdl");
+      m.mutable_save()->set_library("Roam");
+    });
+  };
+  browser.write("library.cdl", "// theirs\n");
+  save();  // refused where the change has not been seen yet
+  EXPECT_TRUE(browser.read("library.cdl").starts_with("// theirs\n"));
+  ASSERT_TRUE(
+      browser.waits_for([&] { return browser.seen("library.cdl").text().starts_with("// theirs\n"); }));
+  browser.type("library.cdl", "// theirs\n// unfinished\n");
+  const std::string before = browser.read("library.cdl");
+  const Answer unsaved = save();
+  EXPECT_FALSE(unsaved.ok());
+  EXPECT_TRUE(unsaved.error().contains("save it first")) << unsaved.error();
+  EXPECT_EQ(browser.read("library.cdl"), before);
+  browser.ask([](ToDesigner& m) { m.mutable_close()->set_document("library.cdl"); });
+  EXPECT_FALSE(save().ok()) << "what is kept of it is not saved either";
+  browser.open("library.cdl");
+  EXPECT_TRUE(browser.ask([](ToDesigner& m) { m.mutable_save()->set_document("library.cdl"); }).ok());
+  const Answer now = save();
+  EXPECT_TRUE(now.ok()) << now.error();
+  EXPECT_EQ(browser.read("library.cdl"), std::string("// theirs\n// unfinished\n\n") + kSkills);
+  EXPECT_FALSE(browser.document("library.cdl").is_dirty());
 }
 
 }  // namespace

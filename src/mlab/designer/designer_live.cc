@@ -231,7 +231,7 @@ void Designer::Parts::write_back(const WriteBack& request, Answer& out) {
     fail(out, done.error());
     return;
   }
-  one->text.change(std::move(done->text), std::move(done->name), now());
+  desk_.store().change(*one, done->text, std::move(done->name), now(), false);
   desk_.changed(*one);
 }
 

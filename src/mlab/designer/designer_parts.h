@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,13 +14,18 @@
 
 #include "mlab/console/inbox.h"
 #include "mlab/designer.pb.h"
+#include "mlab/designer/comparing.h"
 #include "mlab/designer/compiler.h"
 #include "mlab/designer/designer.h"
 #include "mlab/designer/desk.h"
+#include "mlab/designer/latest_jobs.h"
 #include "mlab/designer/mark_store.h"
 #include "mlab/designer/marks.h"
 #include "mlab/designer/movement_field.h"
+#include "mlab/designer/project_renaming.h"
+#include "mlab/designer/project_texts.h"
 #include "mlab/designer/trial.h"
+#include "mlab/language/search.h"
 
 namespace mlab::designer {
 
@@ -43,6 +49,7 @@ class Designer::Parts {
     std::set<std::string, std::less<>> documents;
     std::vector<Page> pages;
     std::map<std::string, std::string> sent;  ///< of each document, page, palette, by a name for it
+    std::map<std::string, Comparing, std::less<>> comparing;  ///< by document
   };
 
   /// What was tried last.
@@ -74,13 +81,35 @@ class Designer::Parts {
   void describe(const Describe& request, Answer& out);
   void fits(const Fits& request, Answer& out);
 
+  // ---- designer_names.cc
+
+  /// The text and the place in it of what is asked about.
+  struct Asked {
+    language::Text text;
+    std::uint32_t cursor = 0;
+  };
+  /// Nothing where it has no name, which the answer says then.
+  std::optional<Asked> asked_name(const NameAt& at, Answer& out);
+  /// As people know the file.
+  std::string path_of(const text::SourcePtr& source) const;
+  /// Of the source, at the end of a list that is ordered by files.
+  names::File& file_message(const text::SourcePtr& source,
+                            google::protobuf::RepeatedPtrField<names::File>& files);
+  void find_uses(const FindUses& request, Answer& out);
+  void refuse_name(const language::Refusal& refusal, Answer& out);
+  /// Nothing where it is refused; else the answer has it as well.
+  std::optional<language::Renaming> plan(const NameAt& at, const std::string& name, Answer& out);
+  void rename_everywhere(const RenameEverywhere& request, Answer& out);
+  void undo_rename(Answer& out);
+  void search(const Search& request, Answer& out);
+
   // ---- designer_files.cc
 
   void greet(console::ConnectionId from, Client& client, const Greeting& greeting, Answer& out);
   /// What there is to open, as the start page shows it.
   Lists lists();
   void tell_lists();
-  void open(Client& client, const Open& request, Answer& out);
+  void open(console::ConnectionId from, Client& client, const Open& request, Answer& out);
   void close(Client& client, const Close& request);
   void discard(Client& client, const Discard& request, Answer& out);
   void save(const Save& request, Answer& out);
@@ -136,6 +165,27 @@ class Designer::Parts {
                     const Planned& what, const FieldProgram& part, const FieldGrid& grid,
                     const std::optional<std::string>& arrows);
 
+  // ---- designer_compare.cc
+
+  void compare_with(console::ConnectionId from, Client& client, std::uint32_t number,
+                    const CompareWith& request, Answer& out);
+  /// @param base  named as the document's own text, so that it finds the same files
+  void compare_with_text(Client& client, const OpenConfiguration& one, const std::string& title,
+                         std::string base, bool is_saved);
+  void stop_comparing(Client& client, const std::string& document);
+  void list_revisions(console::ConnectionId from, std::uint32_t number, const ListRevisions& request,
+                      Answer& out);
+  /// Answers later with what `ask` finds on another thread. What is asked under the same name while that
+  /// takes its time takes its place; who asked before is told so.
+  /// @param name  of what is asked for, with the document; each client has its own
+  template <class Found>
+  void ask_git(console::ConnectionId from, std::uint32_t number, const std::string& name,
+               std::function<text::Result<Found>()> ask,
+               std::function<void(const Found& found, Answer& out)> done);
+  /// Where the document's file is, for git; nothing where it has none, which the answer says then.
+  std::optional<std::string> file_for_git(const OpenConfiguration& one, Answer& out) const;
+  void publish_differences(console::ConnectionId to, Client& client);
+
   // ---- designer_publish.cc
 
   /// Sends everybody what has changed of what he looks at.
@@ -158,6 +208,10 @@ class Designer::Parts {
   void settle();
   void send_answers();
   void look_at_disk();
+  /// What is known of the document's file.
+  static FromDesigner disk_message(const documents::Document& one, bool is_taken_over = false);
+  /// Sends it to all who have it open.
+  void tell_disk(const documents::Document& one, bool is_taken_over = false);
   /// Gives the compiler all texts that have changed.
   void start_compilations();
   double now() const;
@@ -168,6 +222,9 @@ class Designer::Parts {
   DesignerSettings settings_;
   Send send_;
   Desk desk_;
+  ProjectTexts texts_;
+  ProjectRenaming renaming_;
+  language::ProjectIndex index_;
   std::map<console::ConnectionId, Client> clients_;
   std::string first_;  ///< path of the document that the command line named
   std::string first_error_;
@@ -184,6 +241,8 @@ class Designer::Parts {
   bool is_deferred_ = false;  ///< the request in hand is answered later
   std::shared_ptr<console::Inbox> inbox_ = std::make_shared<console::Inbox>();  ///< also of who answers later
   Compiler compiler_;                                                           // posts to the inbox
+  std::map<std::string, std::uint32_t> asked_of_git_;  ///< by the job's name: the request that waits for it
+  LatestJobs git_jobs_;                                // as well
   std::atomic<bool> ends_ = false;
   std::stop_source jobs_end_;  // stops a C++ compiler that this thread waits for
   std::thread thread_;

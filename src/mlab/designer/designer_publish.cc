@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/designer_parts.h"
-#include "mlab/designer/open_text.h"
+#include "mlab/designer/titles.h"
 
 namespace mlab::designer {
 namespace {
@@ -65,6 +65,7 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
     *message.mutable_drawing() = draw(*one->drawn, page.path(), context);
     send_once(to, client, what, message);
   }
+  publish_differences(to, client);
   // What is no longer looked at is sent anew when somebody looks again.
   std::erase_if(client.sent, [&](const auto& sent) {
     const std::string& what = sent.first;
@@ -86,12 +87,12 @@ Document Designer::Parts::document_message(const OpenConfiguration& one) const {
   Document out;
   out.set_path(one.path);
   if (Desk::is_new(one.path)) out.set_title(unsaved_title(one.text.text()));
-  out.set_text(one.text.text());
+  out.set_text(std::string(one.text.text()));
   out.set_revision(one.text.revision());
   out.set_is_dirty(one.is_dirty());
   out.set_is_read_only(!one.is_writable);
-  out.set_undo(one.text.undo_name());
-  out.set_redo(one.text.redo_name());
+  out.set_undo(one.log->undo_name());
+  out.set_redo(one.log->redo_name());
   out.set_is_outdated(one.is_outdated());
   out.set_compile_ms(one.compile_ms);
   add_found_problems(one, out);

@@ -1,5 +1,7 @@
 #include "mlab/designer/designer.h"
-#include "mlab/designer/open_text.h"
+#include "mlab/designer/titles.h"
+
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -128,7 +130,7 @@ TEST(Designer, TakesOverAFileThatOthersChanged) {
   browser.open("a.cdl");
   browser.write("a.cdl", "// theirs\n");
   ASSERT_TRUE(browser.waits_for([&] { return browser.seen("a.cdl").text() == "// theirs\n"; }));
-  EXPECT_FALSE(browser.changed().empty());
+  EXPECT_FALSE(browser.changed(1).empty());
 }
 
 TEST(Designer, MergesWhatBothChanged) {
@@ -160,6 +162,42 @@ TEST(Designer, BringsBackUnsavedWork) {
   EXPECT_EQ(browser.document(fresh).text(), "// new\n");
   browser.ask([](ToDesigner& m) { m.mutable_undo()->set_document("a.cdl"); });
   EXPECT_EQ(browser.document("a.cdl").text(), kText);
+}
+
+TEST(Designer, TellsWhoComesLaterThatPeopleHaveToDecide) {
+  Browser browser;
+  browser.write("a.cdl", kText);
+  browser.open("a.cdl");
+  browser.type("a.cdl", "// mine\n");
+  browser.write("a.cdl", "// theirs\n");
+  ASSERT_TRUE(browser.waits_for([&] { return !browser.seen_changes(1).empty(); }));
+  EXPECT_TRUE(browser.changed(1).back().is_dirty_here());
+  browser.greet(2);
+  browser.open("a.cdl", 2);
+  ASSERT_EQ(browser.changed(2).size(), 1U);
+  EXPECT_TRUE(browser.changed(2)[0].is_dirty_here());
+  browser.write("a.cdl", kText);
+  ASSERT_TRUE(browser.waits_for([&] { return browser.seen_changes(2).size() == 2; }));
+  EXPECT_TRUE(browser.changed(2)[1].is_same_again()) << "nothing is to be decided any more";
+  EXPECT_TRUE(browser.changed(1).back().is_same_again());
+}
+
+TEST(Designer, OpensWhatIsKeptOfAFileThatIsGone) {
+  Browser browser;
+  browser.write("a.cdl", kText);
+  browser.open("a.cdl");
+  browser.type("a.cdl", "// not saved\n");
+  browser.start();
+  std::filesystem::remove(browser.folder() + "/a.cdl");
+  browser.start();
+  ASSERT_EQ(browser.hello().recent_size(), 1);
+  EXPECT_EQ(browser.hello().recent(0).path(), "a.cdl");
+  EXPECT_EQ(browser.open("a.cdl"), "a.cdl");
+  EXPECT_EQ(browser.document("a.cdl").text(), "// not saved\n");
+  ASSERT_FALSE(browser.changed(1).empty());
+  EXPECT_TRUE(browser.changed(1).back().is_gone());
+  EXPECT_TRUE(browser.ask([](ToDesigner& m) { m.mutable_save()->set_document("a.cdl"); }).ok());
+  EXPECT_EQ(browser.read("a.cdl"), "// not saved\n");
 }
 
 TEST(Designer, CallsWhatHasNoFileByWhatItHolds) {

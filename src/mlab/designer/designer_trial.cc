@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include <fmt/core.h>
@@ -21,35 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t kMostRobots = 1000;
 constexpr std::string_view kExamplesPrefix = "examples:";
-
-// Texts as they are now, those that are open as they stand in the editor: for threads of others.
-std::shared_ptr<const text::Files> snapshot(const console::ProjectFolder& project,
-                                            std::map<std::string, std::string> open) {
-  const auto texts = std::make_shared<const std::map<std::string, std::string>>(std::move(open));
-  auto out = std::make_shared<text::Files>();
-  const auto name_of = [](const std::string& path) { return fs::path(path).lexically_normal().string(); };
-  out->is_file = [texts, project, name_of](const std::string& path) {
-    const std::optional<std::string> name = project.name_of(path);
-    return texts->contains(name_of(path)) || (name && project.is_file(*name));
-  };
-  out->read = [texts, project, name_of](const std::string& path) -> text::Result<text::SourcePtr> {
-    if (const auto found = texts->find(name_of(path)); found != texts->end())
-      return std::make_shared<const text::Source>(path, found->second);
-    const std::optional<std::string> name = project.name_of(path);
-    text::Result<std::string> content =
-        name ? project.read(*name)
-             : std::unexpected(text::Diagnostic{text::Severity::kError,
-                                                "cannot-read",
-                                                fmt::format("`{}` is not in the project", text::shown(path)),
-                                                {},
-                                                {},
-                                                {},
-                                                {}});
-    if (!content) return std::unexpected(content.error());
-    return std::make_shared<const text::Source>(path, std::move(*content));
-  };
-  return out;
-}
 
 std::string field_name(const std::string& configuration) {
   return fs::path(configuration).stem().string() + ".trial";
@@ -77,8 +47,8 @@ bool is_point(const console::Point& point) {
 std::shared_ptr<const Model> Designer::Parts::model_to_try(const OpenConfiguration& one) {
   if (!one.path.starts_with("library:")) return one.model;
   const fs::path name = fs::path(desk_.project().folder()) / fs::path(one.path).filename();
-  return std::make_shared<const Model>(std::make_shared<const text::Source>(name.string(), one.text.text()),
-                                       desk_.environment());
+  return std::make_shared<const Model>(
+      std::make_shared<const text::Source>(name.string(), std::string(one.text.text())), desk_.environment());
 }
 
 // Where the mission's text would stand: beside the configuration, so that it means the same files.
@@ -102,9 +72,7 @@ console::Trial Designer::Parts::trial_of(const OpenConfiguration& one, const Tri
     out.overlay_path = beside(stem + ".odl");
     out.overlay_text = kTrialOverlay;
   }
-  std::map<std::string, std::string> texts = desk_.open_texts();
-  texts[completed.source->name()] = std::string(completed.source->text());
-  out.files = snapshot(desk_.project(), std::move(texts));
+  out.files = desk_.store().snapshot({completed.source});
   return out;
 }
 
@@ -215,7 +183,7 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
   }
   trial.text = trial_mission(*completed, file, *field);
   trial.execute = request.execute();
-  desk_.sync_drafts(now());  // so that it stays known what was executed
+  desk_.store().sync_drafts(now());  // so that it stays known what was executed
   tell_not_kept();
   const LastTrial last = {one->path, tried, *completed, file, trial.path, wish};
   is_deferred_ = true;

@@ -7,18 +7,16 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/enclosed_file.h"
-#include "mlab/console/utf8.h"
 #include "mlab/designer/spans.h"
 #include "mlab/designer/spread.h"
+#include "mlab/designer/titles.h"
+#include "mlab/documents/refused.h"
 #include "mlab/lang/cdl/lexer.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/library/library.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/robot/robot_program.h"
-#include "mlab/text/line_ends.h"
-#include "mlab/text/shown.h"
 
 namespace mlab::designer {
 namespace {
@@ -29,31 +27,8 @@ constexpr std::string_view kLibrary = "library:";
 constexpr std::string_view kLibraryFolder = "library/";
 constexpr std::string_view kNew = "new:";
 
-std::unexpected<text::Diagnostic> refused(std::string kind, std::string message) {
-  return std::unexpected(
-      text::Diagnostic{text::Severity::kError, std::move(kind), std::move(message), {}, {}, {}, {}});
-}
-
-std::string shown(std::string_view path) {
-  return fmt::format("`{}`", text::shown(path, 200));
-}
-
-// The folders and the name of a path inside of the project; nothing where it is none.
-std::optional<std::vector<std::string>> plain_parts(std::string_view path) {
-  constexpr std::size_t kLongest = 240;
-  std::vector<std::string> out;
-  while (true) {
-    const std::size_t slash = std::min(path.find('/'), path.size());
-    const std::string_view part = path.substr(0, slash);
-    const bool is_plain = !part.empty() && part.front() != '.' && part.size() <= kLongest &&
-                          part.find_first_of(":\\\n\r") == std::string_view::npos &&
-                          part.find('\0') == std::string_view::npos;
-    if (!is_plain) return std::nullopt;
-    out.emplace_back(part);
-    if (slash == path.size()) return out;
-    path.remove_prefix(slash + 1);
-  }
-}
+using documents::refused;
+using documents::shown;
 
 const library::ConfigurationText* library_text(std::string_view path) {
   if (!path.starts_with(kLibrary)) return nullptr;
@@ -67,10 +42,9 @@ const library::ConfigurationText* library_text(std::string_view path) {
 }  // namespace
 
 Desk::Desk(const Settings& settings)
-    : project_({settings.project_folder, settings.example_folder}),
-      drafts_(settings.state_folder.empty() ? "" : settings.state_folder + "/designer", project_.folder()),
-      keeper_(drafts_),
-      files_(files()) {}
+    : project_({settings.project_folder, settings.example_folder, {".cdl"}, "configurations (.cdl)"}),
+      store_(project_, settings.state_folder.empty() ? "" : settings.state_folder + "/designer"),
+      files_(store_.files()) {}
 
 OpenConfiguration* Desk::find(std::string_view path) {
   const auto found = open_.find(path);
@@ -84,51 +58,6 @@ std::vector<OpenConfiguration*> Desk::all() {
   return out;
 }
 
-// What texts use is read as it stands in the editor, where it is open.
-text::Files Desk::files() {
-  text::Files out;
-  out.is_file = [this](const std::string& path) {
-    const std::optional<std::string> name = project_.name_of(path);
-    return name && (find(*name) != nullptr || project_.is_file(*name));
-  };
-  out.read = [this](const std::string& path) -> text::Result<text::SourcePtr> {
-    const std::optional<std::string> name = project_.name_of(path);
-    if (!name) return refused("cannot-read", fmt::format("{} is not in the project", shown(path)));
-    if (const OpenConfiguration* one = find(*name))
-      return std::make_shared<const text::Source>(path, one->text.text());
-    text::Result<std::string> content = project_.read(*name);
-    if (!content) return std::unexpected(content.error());
-    return std::make_shared<const text::Source>(path, std::move(*content));
-  };
-  return out;
-}
-
-std::shared_ptr<const text::Files> Desk::snapshot() const {
-  struct Kept {
-    console::ProjectFolder project;
-    std::map<std::string, text::SourcePtr, std::less<>> open;
-  };
-  auto kept = std::make_shared<Kept>(Kept{project_, {}});
-  for (const auto& [path, one] : open_) {
-    if (one->model) kept->open[path] = one->model->source();
-  }
-  auto out = std::make_shared<text::Files>();
-  out->is_file = [kept](const std::string& path) {
-    const std::optional<std::string> name = kept->project.name_of(path);
-    return name && (kept->open.contains(*name) || kept->project.is_file(*name));
-  };
-  out->read = [kept](const std::string& path) -> text::Result<text::SourcePtr> {
-    const std::optional<std::string> name = kept->project.name_of(path);
-    if (!name) return refused("cannot-read", fmt::format("{} is not in the project", shown(path)));
-    if (const auto found = kept->open.find(*name); found != kept->open.end())
-      return std::make_shared<const text::Source>(path, std::string(found->second->text()));
-    text::Result<std::string> content = kept->project.read(*name);
-    if (!content) return std::unexpected(content.error());
-    return std::make_shared<const text::Source>(path, std::move(*content));
-  };
-  return out;
-}
-
 // Files only; hidden ones are left out.
 std::vector<std::string> Desk::names_in(const std::string& folder) const {
   const std::string path = (fs::path(folder) / "").lexically_normal().string();
@@ -137,9 +66,9 @@ std::vector<std::string> Desk::names_in(const std::string& folder) const {
       is_root ? std::string() : project_.name_of(fs::path(path).parent_path());
   std::vector<std::string> out;
   const auto entries =
-      name ? project_.list(*name) : text::Result<std::vector<console::ProjectFolder::Entry>>();
+      name ? project_.list(*name) : text::Result<std::vector<documents::ProjectFolder::Entry>>();
   if (!entries) return out;
-  for (const console::ProjectFolder::Entry& entry : *entries) {
+  for (const documents::ProjectFolder::Entry& entry : *entries) {
     if (!entry.is_folder) out.push_back(fs::path(entry.path).filename().string());
   }
   return out;
@@ -196,49 +125,22 @@ DrawingContext Desk::context(const OpenConfiguration& one) const {
           [this](std::string_view source_name) { return document_of(source_name); }};
 }
 
-bool Desk::is_writable(std::string_view path) const {
-  return !project_.folder().empty() && path.ends_with(".cdl") && plain_parts(path).has_value();
-}
-
-// As ProjectFolder writes missions: as a whole or not at all, and through no link.
-text::Result<bool> Desk::write(const std::string& path, const std::string& text,
-                               const std::string& lines_of) const {
-  const std::optional<std::vector<std::string>> parts = plain_parts(path);
-  if (!parts || !is_writable(path)) {
-    return refused("cannot-write",
-                   fmt::format("{} can't be written: only configurations (.cdl) inside of the project "
-                               "folder can",
-                               shown(path)));
-  }
-  using console::EnclosedFolder;
-  const std::string problem =
-      EnclosedFolder::of_file(project_.folder(), *parts, EnclosedFolder::Missing::kMake)
-          .write(parts->back(), text::lines_as_in(project_.read(lines_of).value_or(""), text));
-  if (!problem.empty())
-    return refused("cannot-write", fmt::format("cannot write {}: {}", shown(path), problem));
-  return true;
-}
-
-text::Result<std::string> Desk::read(const std::string& path) const {
-  if (path.starts_with(kLibrary)) {
-    if (const library::ConfigurationText* found = library_text(path)) return std::string(found->text);
-    return refused("cannot-read", fmt::format("the library has no {}", shown(path)));
-  }
-  text::Result<std::string> content = project_.read(path);
-  if (content) *content = text::unix_lines(console::as_utf8(*content));
-  return content;
-}
-
-OpenConfiguration* Desk::add(std::unique_ptr<OpenConfiguration> one) {
-  OpenConfiguration* out = one.get();
-  open_[out->path] = std::move(one);
-  model(*out);
-  look_beside();
+std::shared_ptr<OpenConfiguration> Desk::make(const std::string& path, std::string text) {
+  auto out = std::make_shared<OpenConfiguration>(
+      path, std::make_shared<const text::Source>(source_name(path), std::move(text)));
+  out->is_writable = is_new(path) || project_.is_writable(path);
   return out;
 }
 
+OpenConfiguration* Desk::add(const std::shared_ptr<OpenConfiguration>& one) {
+  open_[one->path] = one;
+  model(*one);
+  look_beside();
+  return one.get();
+}
+
 void Desk::model(OpenConfiguration& one) {
-  auto source = std::make_shared<const text::Source>(source_name(one.path), one.text.text());
+  auto source = std::make_shared<const text::Source>(source_name(one.path), std::string(one.text.text()));
   one.model = std::make_shared<Model>(std::move(source), environment());
   one.is_started = false;
   one.compiled.reset();
@@ -268,7 +170,7 @@ OpenConfiguration* Desk::next_to_compile() {
 }
 
 Compiler::Task Desk::task(const OpenConfiguration& one) const {
-  return {one.path, one.model->source(), snapshot()};
+  return {one.path, one.model->source(), store_.snapshot()};
 }
 
 bool Desk::take(const std::string& document, std::shared_ptr<const Compiled> compiled) {
@@ -290,32 +192,51 @@ bool Desk::take(const std::string& document, std::shared_ptr<const CheckedCode> 
 
 text::Result<OpenConfiguration*> Desk::open(const std::string& path, double now) {
   if (OpenConfiguration* one = find(path)) return one;
-  if (path.empty() || path.starts_with(kNew)) {
-    auto one = std::make_unique<OpenConfiguration>("");
-    one->path = path;
-    if (path.empty()) {
-      const std::vector<std::string> kept = drafts_.new_files();
-      do {
-        one->path = fmt::format("{}{}", kNew, ++last_new_);
-      } while (find(one->path) != nullptr || std::ranges::find(kept, one->path) != kept.end());
-    } else if (!drafts_.find(path)) {
-      return refused("cannot-read", fmt::format("there is no {}", shown(path)));
-    }
-    restore_draft(*one, now);
-    return add(std::move(one));
+  if (path.empty() || is_new(path)) return open_new(path, now);
+  if (path.starts_with(kLibrary)) {
+    const library::ConfigurationText* found = library_text(path);
+    if (found == nullptr) return refused("cannot-read", fmt::format("the library has no {}", shown(path)));
+    const auto one = make(path, std::string(found->text));
+    one->is_detached = true;
+    store_.add(one);
+    return add(one);
   }
-  text::Result<std::string> content = read(path);
-  if (!content) return std::unexpected(content.error());
+  text::Result<std::string> content = store_.read(path);
+  if (!content) {
+    const bool is_only_kept = !project_.is_file(path) && drafts().find(path);
+    if (is_only_kept) return open_kept(path, now);
+    return std::unexpected(content.error());
+  }
   if (cdl_historic::looks_historic(*content)) return import(path, *content, now);
-  auto one = std::make_unique<OpenConfiguration>(*content);
-  one->path = path;
+  const auto one = make(path, *content);
   one->saved = std::move(*content);
-  one->is_writable = is_writable(path);
+  store_.add(one);
   if (one->is_writable) {
-    restore_draft(*one, now);
-    drafts_.add_recent(path, "");
+    store_.restore_draft(*one, now);
+    store_.drafts().add_recent(path, "");
   }
-  return add(std::move(one));
+  return add(one);
+}
+
+/// @param path  of an unsaved one of before; empty: another one
+text::Result<OpenConfiguration*> Desk::open_new(std::string path, double now) {
+  if (path.empty()) {
+    const std::vector<std::string> kept = drafts().paths();
+    do {
+      path = fmt::format("{}{}", kNew, ++last_new_);
+    } while (find(path) != nullptr || std::ranges::find(kept, path) != kept.end());
+  } else if (!drafts().find(path)) {
+    return refused("cannot-read", fmt::format("there is no {}", shown(path)));
+  }
+  return open_kept(path, now);
+}
+
+// What there is no file of.
+text::Result<OpenConfiguration*> Desk::open_kept(const std::string& path, double now) {
+  const auto one = make(path, "");
+  store_.add(one);
+  store_.restore_draft(*one, now);
+  return add(one);
 }
 
 // A configuration of the historic tools opens as a new one that says the same; its file stays as it is.
@@ -332,7 +253,7 @@ text::Result<OpenConfiguration*> Desk::import(const std::string& path, const std
   }
   text::Result<OpenConfiguration*> out = open("", now);
   if (!out) return out;
-  (*out)->text.change(spread_out(std::move(ours), environment()), "import " + path, now);
+  store_.change(**out, spread_out(std::move(ours), environment()), "import " + path, now, false);
   changed(**out);
   return out;
 }
@@ -344,57 +265,35 @@ text::Result<OpenConfiguration*> Desk::open_on_disk(const std::string& disk_path
   return open(*name, now);
 }
 
-// What was not saved comes back as the first step, so that undoing gives what stands on disk.
-void Desk::restore_draft(OpenConfiguration& one, double now) {
-  const std::optional<console::Drafts::Draft> draft = drafts_.find(one.path);
-  if (!draft) return;
-  if (draft->text != one.text.text()) one.text.change(draft->text, "restore unsaved work", now);
-  one.draft.kept = one.text.revision();
-}
-
-void Desk::keep_draft(OpenConfiguration& one, double now, console::DraftKeeper::When when) {
-  if (!one.is_writable) return;
-  const std::string* file = one.saved ? &*one.saved : nullptr;
-  keeper_.follow({one.path, one.text.text(), file, one.text.revision(), one.is_dirty()}, one.draft, now,
-                 when);
-}
-
-void Desk::keep_drafts(double now, console::DraftKeeper::When when) {
-  keeper_.look(now);
-  for (const auto& [path, one] : open_) keep_draft(*one, now, when);
-}
-
-void Desk::sync_drafts(double now) {
-  keep_drafts(now, console::DraftKeeper::When::kAtOnce);
-  for (const auto& [path, one] : open_) keeper_.sync(path, one->draft);
-}
-
 std::vector<std::string> Desk::losses() const {
   std::vector<std::string> out;
-  for (const auto& [path, one] : open_) {
-    if (one->draft.problem.empty()) continue;
+  for (const documents::Store::Loss& loss : store_.losses()) {
+    const documents::Document& one = *loss.document;
     const std::string name =
-        is_new(path) ? fmt::format("`{}`", unsaved_title(one->text.text())) : shown(path);
-    out.push_back(fmt::format("{}: {}", name, one->draft.problem));
+        is_new(one.path) ? fmt::format("`{}`", unsaved_title(one.text.text())) : shown(one.path);
+    out.push_back(fmt::format("{}: {}", name, loss.why));
   }
   return out;
 }
 
 std::string Desk::not_kept() const {
   const std::vector<std::string> lost = losses();
-  return lost.empty() ? keeper_.folder_problem() : lost.front();
+  return lost.empty() ? store_.folder_problem() : lost.front();
 }
 
 void Desk::close(std::string_view path) {
   OpenConfiguration* one = find(path);
   if (one == nullptr) return;
-  keep_draft(*one, 0.0, console::DraftKeeper::When::kAtOnce);
-  if (one->draft.problem.empty()) open_.erase(open_.find(path));
+  store_.keep_draft(*one, 0.0, documents::DraftKeeper::When::kAtOnce);
+  if (!one->draft.problem.empty()) return;
+  store_.close(path);
+  open_.erase(open_.find(path));
 }
 
 void Desk::discard(const std::string& path) {
+  store_.close(path);
   if (const auto one = open_.find(path); one != open_.end()) open_.erase(one);
-  drafts_.drop(path);
+  store_.drafts().drop(path);
 }
 
 bool Desk::is_new(std::string_view path) {
@@ -407,40 +306,22 @@ text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request
     if (!done) return std::unexpected(done.error());
     return one.path;
   }
-  std::string path = request.as().empty() ? one.path : request.as();
-  const bool is_other = path != one.path;
-  if (!is_other && path.starts_with(kNew))
-    return refused("no-name", "say under which name it is to be saved");
-  if (!is_other && !one.is_writable)
-    return refused("read-only", fmt::format("{} can't be changed: save it under another name", shown(path)));
-  if (!path.ends_with(".cdl")) return refused("cannot-write", "the name of a configuration ends in `.cdl`");
-  if (is_other && find(path) != nullptr)
-    return refused("file-exists", fmt::format("{} is open already", shown(path)));
-  if (!request.overwrite()) {
-    const bool is_there = project_.is_file(path);
-    if (is_there && (is_other || !one.saved))
-      return refused("file-exists", fmt::format("there is {} already", shown(path)));
-    const text::Result<std::string> on_disk = is_there ? read(path) : text::Result<std::string>("");
-    if (is_there && (!on_disk || *on_disk != *one.saved))
-      return refused("changed-on-disk",
-                     fmt::format("{} has been changed by somebody else since it was opened", shown(path)));
-  }
-  const text::Result<bool> written = write(path, one.text.text(), one.path);
-  if (!written) return std::unexpected(written.error());
-  one.draft = {};
-  one.draft.problem = drafts_.drop(one.path);
-  one.saved = one.text.text();
-  one.asked.reset();
-  one.is_writable = true;
-  one.text.separate();
+  const std::string before = one.path;
+  std::string path = request.as().empty() ? before : request.as();
+  const bool is_other = path != before;
+  if (!is_other && is_new(path)) return refused("no-name", "say under which name it is to be saved");
+  if (!path.ends_with(".cdl") && (is_other || one.is_writable))
+    return refused("cannot-write", "the name of a configuration ends in `.cdl`");
+  const text::Result<bool> saved =
+      is_other ? store_.save_as(one, path, request.overwrite()) : store_.save(one, request.overwrite());
+  if (!saved) return std::unexpected(saved.error());
   if (is_other) {
-    auto node = open_.extract(one.path);
+    auto node = open_.extract(before);
     node.key() = path;
-    one.path = path;
     open_.insert(std::move(node));
     changed(one);
   }
-  drafts_.add_recent(path, "");
+  store_.drafts().add_recent(path, "");
   look_beside();
   return path;
 }
@@ -451,12 +332,16 @@ text::Result<bool> Desk::save_to_library(OpenConfiguration& one, const std::stri
   if (found == nullptr)
     return refused("no-declaration", fmt::format("there is no assemblage {}", shown(declaration)));
   const std::string text = declaration_text(*one.drawn, declaration);
-  std::string library;
   OpenConfiguration* open = find(kProjectLibrary);
+  const bool has_unsaved = open != nullptr ? open->is_dirty() : drafts().find(kProjectLibrary).has_value();
+  if (has_unsaved)
+    return refused("library-not-saved",
+                   fmt::format("{} has changes that are not saved: save it first", shown(kProjectLibrary)));
+  std::string library;
   if (open != nullptr) {
     library = open->text.text();
   } else if (project_.is_file(kProjectLibrary)) {
-    text::Result<std::string> content = read(kProjectLibrary);
+    text::Result<std::string> content = store_.read(kProjectLibrary);
     if (!content) return std::unexpected(content.error());
     library = std::move(*content);
   }
@@ -471,37 +356,35 @@ text::Result<bool> Desk::save_to_library(OpenConfiguration& one, const std::stri
   } else {
     library += (library.empty() ? "" : "\n") + text + "\n";
   }
-  const text::Result<bool> written = write(kProjectLibrary, library, kProjectLibrary);
-  if (!written) return written;
-  look_beside();
-  if (open != nullptr) {
-    open->text.change(library, "save to library", 0.0);
-    open->saved = library;
-    changed(*open);
+  return write_library(before.source()->text(), library);
+}
+
+// Through the store, which looks at what stands on disk.
+text::Result<bool> Desk::write_library(std::string_view before, std::string_view after) {
+  OpenConfiguration* open = find(kProjectLibrary);
+  std::shared_ptr<documents::Document> passing;
+  if (open == nullptr) {
+    passing = make(kProjectLibrary, std::string(before));
+    if (project_.is_file(kProjectLibrary)) passing->saved = std::string(before);
+    store_.add(passing);
   }
-  return true;
+  documents::Document& library = open != nullptr ? *open : *passing;
+  store_.change(library, after, "save to library", 0.0, false);
+  text::Result<bool> saved = store_.save(library);
+  if (!saved) library.log->undo();
+  if (open == nullptr) store_.close(kProjectLibrary);
+  look_beside();
+  if (open != nullptr) changed(*open);
+  return saved;
 }
 
 text::Result<bool> Desk::reload(OpenConfiguration& one, bool merge, double now) {
-  text::Result<std::string> content = read(one.path);
-  if (!content) return std::unexpected(content.error());
-  if (merge && one.saved) {
-    std::optional<std::string> both = merged(*one.saved, one.text.text(), *content);
-    if (!both)
-      return refused("conflict",
-                     "the same lines were changed here and on disk: one of the two has to give way");
-    one.text.change(std::move(*both), "merge with the file", now);
-  } else {
-    one.text.change(*content, "load the file anew", now);
-  }
-  one.saved = std::move(*content);
-  one.asked.reset();
-  changed(one);
-  return true;
+  const text::Result<bool> done = store_.reload(one, merge, now);
+  if (done) changed(one);
+  return done;
 }
 
-std::vector<Desk::Change> Desk::look_at_disk(double now) {
-  std::vector<Change> out;
+std::vector<documents::Store::Seen> Desk::look_at_disk(double now) {
   look_beside();
   for (const auto& [path, one] : open_) {
     const bool misses_file = std::ranges::any_of(
@@ -509,57 +392,21 @@ std::vector<Desk::Change> Desk::look_at_disk(double now) {
     const bool may_have_come = misses_file && one->beside_seen != beside_number_;
     if (may_have_come || stamps(*one) != one->used) model(*one);
   }
-  for (const auto& [path, one] : open_) {
-    if (!one->saved || !one->is_writable) continue;
-    if (!project_.is_file(path)) {
-      if (!one->asked || !one->asked->empty()) out.push_back({one.get(), true, true});
-      one->asked = "";
-      continue;
-    }
-    text::Result<std::string> content = read(path);
-    if (!content || *content == *one->saved || (one->asked && *one->asked == *content)) continue;
-    one->asked = *content;
-    const bool is_dirty = one->is_dirty() && one->text.text() != *content;
-    if (!is_dirty) {
-      one->text.change(*content, "take over the changed file", now);
-      one->saved = std::move(*content);
-      one->asked.reset();
-      model(*one);
-    }
-    out.push_back({one.get(), false, is_dirty});
-  }
-  return out;
-}
-
-std::vector<std::string> Desk::found(std::string_view folder, std::string_view ending, int depth) const {
-  std::vector<std::string> out;
-  const auto entries = project_.list(folder);
-  if (!entries || depth > console::ProjectFolder::kMaxDepth) return out;
-  for (const console::ProjectFolder::Entry& entry : *entries) {
-    if (out.size() >= console::ProjectFolder::kMaxMissions) break;
-    if (entry.is_folder) {
-      for (std::string& inner : found(entry.path, ending, depth + 1)) out.push_back(std::move(inner));
-    } else if (entry.path.ends_with(ending)) {
-      out.push_back(entry.path);
-    }
+  std::vector<documents::Store::Seen> out = store_.look_at_disk(now);
+  for (const documents::Store::Seen& seen : out) {
+    if (seen.news == documents::Store::News::kTakenOver) changed(*find(seen.document->path));
   }
   return out;
 }
 
 std::vector<std::string> Desk::configurations(std::string_view folder) const {
-  return found(folder, ".cdl", 0);
-}
-
-std::map<std::string, std::string> Desk::open_texts() const {
-  std::map<std::string, std::string> out;
-  for (const auto& [path, one] : open_) out[one->model->source()->name()] = one->text.text();
-  return out;
+  return project_.files(folder, ".cdl");
 }
 
 std::vector<std::string> Desk::overlays() const {
-  std::vector<std::string> out = found("", ".odl", 0);
-  for (std::string& one : found("", ".ovl", 0)) out.push_back(std::move(one));
-  for (std::string& one : found("examples:", ".odl", 0)) out.push_back(std::move(one));
+  std::vector<std::string> out = project_.files("", ".odl");
+  for (std::string& one : project_.files("", ".ovl")) out.push_back(std::move(one));
+  for (std::string& one : project_.files("examples:", ".odl")) out.push_back(std::move(one));
   return out;
 }
 

@@ -7,15 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "mlab/console/draft_keeper.h"
-#include "mlab/console/drafts.h"
-#include "mlab/console/project_folder.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/compiler.h"
 #include "mlab/designer/drawing.h"
 #include "mlab/designer/model.h"
 #include "mlab/designer/offered.h"
-#include "mlab/designer/open_text.h"
+#include "mlab/documents/project_folder.h"
+#include "mlab/documents/store.h"
 #include "mlab/language/service.h"
 #include "mlab/text/files.h"
 
@@ -24,13 +22,11 @@ namespace mlab::designer {
 /// The file of a project that holds assemblages for all its configurations.
 inline constexpr const char* kProjectLibrary = "library.cdl";
 
-/// A configuration that is open, whoever looks at it.
-struct OpenConfiguration {
-  std::string path;  ///< its id: as ProjectFolder names it, `library:...`, or `new:1`
-  OpenText text;
-  std::optional<std::string> saved;  ///< as it stands on disk; nothing: it has no file
-  std::optional<std::string> asked;  ///< what stands on disk and was asked about already
-  bool is_writable = true;
+/// A configuration that is open, whoever looks at it. Its path, which is its id: as ProjectFolder names it,
+/// `library:...`, or `new:1`.
+struct OpenConfiguration : documents::Document {
+  using Document::Document;
+
   std::shared_ptr<Model> model;  ///< of the text as it stands
   std::shared_ptr<Model> drawn;  ///< of the last text without slips of grammar
   std::uint64_t drawn_revision = 0;
@@ -42,10 +38,7 @@ struct OpenConfiguration {
   std::uint64_t beside_seen = 0;             ///< Desk::offered_number when it was read
   std::uint64_t model_number = 0;            ///< grows with every new model
   double compile_ms = -1.0;
-  console::DraftState draft;
 
-  explicit OpenConfiguration(std::string content) : text(std::move(content)) {}
-  bool is_dirty() const { return saved ? *saved != text.text() : !text.text().empty(); }
   bool is_outdated() const { return model != drawn || !model->is_readable(); }
 };
 
@@ -60,8 +53,9 @@ class Desk {
   };
   explicit Desk(const Settings& settings);
 
-  console::ProjectFolder& project() { return project_; }
-  const console::Drafts& drafts() const { return drafts_; }
+  documents::ProjectFolder& project() { return project_; }
+  const documents::Drafts& drafts() const { return store_.drafts(); }
+  documents::Store& store() { return store_; }
 
   /// Null where it is not open.
   OpenConfiguration* find(std::string_view path);
@@ -88,18 +82,16 @@ class Desk {
   /// @return  its path afterwards
   text::Result<std::string> save(OpenConfiguration& one, const Save& request);
   text::Result<bool> reload(OpenConfiguration& one, bool merge, double now);
-  /// Looks at the files on disk. What was changed there is taken over where nothing is unsaved here.
-  struct Change {
-    OpenConfiguration* document = nullptr;
-    bool is_gone = false;
-    bool is_dirty_here = false;
-  };
-  std::vector<Change> look_at_disk(double now);
-  /// As OpenDocuments has them.
-  void keep_drafts(double now, console::DraftKeeper::When when = console::DraftKeeper::When::kNowAndThen);
-  void sync_drafts(double now);
-  std::string not_kept() const;
+  /// Looks at the files on disk, and reads anew what has changed there.
+  std::vector<documents::Store::Seen> look_at_disk(double now);
+  /// What would be lost with this process: ``a.cdl`: No space left on device`.
   std::vector<std::string> losses() const;
+  std::string not_kept() const;
+
+  /// Where its file is on the machine.
+  std::string disk_path(const std::string& path) const { return project_.disk_path(path); }
+  /// What stands in a file, open or not.
+  text::Result<std::string> text_of(const std::string& path) const { return store_.read(path); }
 
   DrawingContext context(const OpenConfiguration& one) const;
   /// The id of the document that a source is the text of; empty where it can't be opened.
@@ -114,38 +106,27 @@ class Desk {
   /// Configurations below a folder (`""`, `examples:`).
   std::vector<std::string> configurations(std::string_view folder) const;
   std::vector<std::string> overlays() const;
-  /// The texts of all open configurations, by the names of their sources.
-  std::map<std::string, std::string> open_texts() const;
 
  private:
-  /// In UTF-8, and with LF where every line of the file ends in CR LF.
-  text::Result<std::string> read(const std::string& path) const;
-  bool is_writable(std::string_view path) const;
-  /// @param lines_of  the file whose line ends it gets
-  text::Result<bool> write(const std::string& path, const std::string& text,
-                           const std::string& lines_of) const;
   std::string source_name(const std::string& path) const;
-  OpenConfiguration* add(std::unique_ptr<OpenConfiguration> one);
+  std::shared_ptr<OpenConfiguration> make(const std::string& path, std::string text);
+  OpenConfiguration* add(const std::shared_ptr<OpenConfiguration>& one);
   void model(OpenConfiguration& one);
+  text::Result<OpenConfiguration*> open_new(std::string path, double now);
+  text::Result<OpenConfiguration*> open_kept(const std::string& path, double now);
   text::Result<OpenConfiguration*> import(const std::string& path, const std::string& content, double now);
-  void restore_draft(OpenConfiguration& one, double now);
-  void keep_draft(OpenConfiguration& one, double now, console::DraftKeeper::When when);
   text::Result<bool> save_to_library(OpenConfiguration& one, const std::string& declaration);
-  text::Files files();
-  /// The same for other threads: the open texts as they stand now.
-  std::shared_ptr<const text::Files> snapshot() const;
+  text::Result<bool> write_library(std::string_view before, std::string_view after);
   void look_beside();
   std::shared_ptr<const Model> model_beside(const std::string& name);
   std::vector<std::string> names_in(const std::string& folder) const;
   std::map<std::string, std::string> stamps(const OpenConfiguration& one) const;
-  std::vector<std::string> found(std::string_view folder, std::string_view ending, int depth) const;
 
-  console::ProjectFolder project_;
-  console::Drafts drafts_;
-  console::DraftKeeper keeper_;
+  documents::ProjectFolder project_;
+  documents::Store store_;
   text::Files files_;
   cdl::Environment environment_;
-  std::map<std::string, std::unique_ptr<OpenConfiguration>, std::less<>> open_;
+  std::map<std::string, std::shared_ptr<OpenConfiguration>, std::less<>> open_;  // as the store has them
   int last_new_ = 0;
   /// A file of the project that stands beside an open configuration.
   struct Beside {

@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/utf8.h"
 #include "mlab/designer/desk.h"
+#include "mlab/text/utf8.h"
 
 namespace mlab::designer {
 namespace {
@@ -46,7 +46,7 @@ void Desk::look_beside() {
     const auto entries = project_.list(folder);
     std::size_t count = 0;
     for (std::size_t i = 0; entries && i < entries->size() && count < kMostBeside; ++i) {
-      const console::ProjectFolder::Entry& entry = (*entries)[i];
+      const documents::ProjectFolder::Entry& entry = (*entries)[i];
       if (entry.is_folder || !is_offerable(entry.path)) continue;
       names.insert(entry.path);
       ++count;
@@ -79,7 +79,7 @@ std::shared_ptr<const Model> Desk::model_beside(const std::string& name) {
   } else {
     const text::Result<std::string> read = project_.read(name);
     if (!read) return nullptr;
-    content = console::as_utf8(*read);
+    content = text::as_utf8(*read);
   }
   return std::make_shared<const Model>(
       std::make_shared<const text::Source>(std::move(source), std::move(content)), environment());

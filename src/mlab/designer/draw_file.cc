@@ -177,9 +177,10 @@ class SocietyDrawer {
 // ---- robots
 
 /// The binding points that a robot asks for, through all assemblages that it is made of.
-class Asked {
+class RequestedBindings {
  public:
-  Asked(const cdl::Configuration& configuration, const cdl::Robot& robot) : configuration_(configuration) {
+  RequestedBindings(const cdl::Configuration& configuration, const cdl::Robot& robot)
+      : configuration_(configuration) {
     for (const cdl::Let& let : robot.lets) add(let.value);
     for (const cdl::Drive& drive : robot.drives) {
       add(drive.value);
@@ -323,7 +324,7 @@ void draw_society(const Model& model, const cdl::Society& society, const Drawing
 
 void add_robot(const Model& model, const cdl::Robot& robot, Drawing& out) {
   const cdl::Configuration& configuration = model.configuration();
-  const Asked asker(configuration, robot);
+  const RequestedBindings asker(configuration, robot);
   const std::set<std::string>& asked = asker.names();
   std::set<std::string> overridden;
   for (const cdl::SocietyOperator* op : cdl::operators_of(configuration, robot)) {

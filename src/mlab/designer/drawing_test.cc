@@ -9,7 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/processor_time.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl/lower.h"
 #include "mlab/robot/configuration_file.h"
 
@@ -17,7 +18,7 @@ namespace mlab::designer {
 namespace {
 
 std::string read(const std::string& path) {
-  std::ifstream in(std::string(MLAB_SOURCE_DIR) + "/" + path);
+  std::ifstream in(base::source_folder() + "/" + path);
   std::stringstream out;
   out << in.rdbuf();
   return out.str();

@@ -32,6 +32,8 @@ std::optional<std::string> words_of(const std::string& component, const Componen
   if (component == "sequence") return "sequence {\nstart final Waiting: Stand();\n}";
   if (component == "select") return "select by true {\notherwise: Stand();\n}";
   if (component == "delay") return "delay([0, 0])";
+  if (component == "formula") return "1 + 1";
+  if (component == kComparison) return kComparisonWords;
   if (component == "not") return "not false";
   if (component == "and") return "true and true";
   if (component == "or") return "false or false";
@@ -374,6 +376,8 @@ Done Editor::expose(const Expose& change) {
   if (to->node < 0) return refusal("only an input of a node can be a parameter");
   const GraphInput& input = *to->at();
   if (input.from >= 0) return refusal("a wire drives it: disconnect it first");
+  if (input.role == Role::kFormula)
+    return refusal("a formula that reads nodes can't be a default: write the parameter's name into it");
   const GraphNode& there = view->node(to->node);
   const std::vector<Socket> all = sockets(there, work_.model().components(), *view->graph);
   const auto socket = std::ranges::find(all, input.port, &Socket::name);

@@ -123,7 +123,8 @@ cdl::PortType Editor::wanted(const Spot& spot) const {
   // What these take is what they are given.
   const bool is_any = input.role == Role::kDelayed || input.role == Role::kInitial ||
                       input.role == Role::kSelector || input.role == Role::kCase ||
-                      input.role == Role::kValue || input.role == Role::kActive;
+                      input.role == Role::kValue || input.role == Role::kFormula ||
+                      input.role == Role::kTerm || input.role == Role::kActive;
   if (is_any) return {};
   for (const Socket& socket : sockets(node, components, *spot.view.graph)) {
     if (socket.name == input.port) return socket.type;

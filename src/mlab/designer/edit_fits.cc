@@ -85,7 +85,9 @@ class Fitting {
     for (std::size_t i = 0; i < page_.nodes.size(); ++i) {
       const GraphNode& node = page_.nodes[i];
       for (const GraphInput& input : node.inputs) {
-        if (input.role == Role::kValue || input.role == Role::kActive) continue;
+        if (input.role == Role::kValue || input.role == Role::kFormula || input.role == Role::kTerm ||
+            input.role == Role::kActive)
+          continue;
         std::string reason = why_not(type, wanted_by(node, input));
         if (reason.empty() && from >= 0 && input.role != Role::kDelayed && reads(from, static_cast<int>(i)))
           reason = kLoop;
@@ -102,8 +104,8 @@ class Fitting {
     if (const Offered* file = find_offered(offered_, model_, name))
       return find_callable(callables_of(*file->model), name)->output;
     if (const std::optional<Callable> component = components.find(name)) return component->output;
-    if (name == "delay" || name == "select") return {};
-    const bool is_logic = name == "not" || name == "and" || name == "or";
+    if (name == "delay" || name == "select" || name == "formula") return {};
+    const bool is_logic = name == kComparison || name == "not" || name == "and" || name == "or";
     return components.types().named(is_logic ? "bool" : "Vector");
   }
 

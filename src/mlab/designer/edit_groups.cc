@@ -81,14 +81,14 @@ class GroupDraft {
       if (const Done done = look(*let->value); !done) return done;
     }
     // Parameters with a default come behind those without.
-    std::ranges::stable_partition(given_, [](const Given& one) { return !one.parameter.initial; });
+    std::ranges::stable_partition(given_, [](const NewParameter& one) { return !one.parameter.initial; });
     return true;
   }
 
   cdl::Assemblage assemblage(const std::string& name, int top) const {
     cdl::Assemblage out;
     out.name.text = name;
-    for (const Given& one : given_) out.parameters.push_back(one.parameter);
+    for (const NewParameter& one : given_) out.parameters.push_back(one.parameter);
     for (const cdl::Let& let : view_.lets()) {
       const bool comes =
           std::ranges::any_of(chosen_, [&](int at) { return at != top && view_.node(at).let == &let; });
@@ -106,13 +106,14 @@ class GroupDraft {
     auto out = std::make_shared<cdl::Expression>();
     cdl::Call& call = out->what.emplace<cdl::Call>();
     call.callee.text = name;
-    for (const Given& one : given_) call.arguments.push_back({{one.parameter.name.text, {}}, one.outside});
+    for (const NewParameter& one : given_)
+      call.arguments.push_back({{one.parameter.name.text, {}}, one.outside});
     if (!body.active) out->as = body.as;
     return out;
   }
 
  private:
-  struct Given {
+  struct NewParameter {
     cdl::Parameter parameter;
     cdl::ExpressionPtr outside;  // what the caller gives
   };
@@ -188,7 +189,7 @@ class GroupDraft {
   const PageView& view_;
   const std::set<int>& chosen_;
   cdl::Changes inside_;
-  std::vector<Given> given_;
+  std::vector<NewParameter> given_;
   std::map<std::string, std::string> names_;  // of the owner, and what they are called inside
   std::vector<text::Span> hoisted_;
   std::set<std::string> lets_;
@@ -257,7 +258,7 @@ Done Editor::group(const Group& change) {
   for (const int at : chosen) {
     if (view.node(at).let != nullptr && at != *top) work_.changes().remove(*view.node(at).let);
   }
-  const std::vector<Stood> stood = places(view, change.page(), chosen);
+  const std::vector<NodePosition> stood = places(view, change.page(), chosen);
   if (const Done done = work_.commit(); !done) return done;
   return arrange_group(change, stood);
 }
@@ -279,9 +280,9 @@ text::Result<int> Editor::output_of(const PageView& view, const std::set<int>& c
 }
 
 // Where the layout has these nodes, and by what they are found again.
-std::vector<Editor::Stood> Editor::places(const PageView& view, const std::string& page,
-                                          const std::set<int>& nodes) {
-  std::vector<Stood> out;
+std::vector<Editor::NodePosition> Editor::places(const PageView& view, const std::string& page,
+                                                 const std::set<int>& nodes) {
+  std::vector<NodePosition> out;
   const cdl::Layout* layout = work_.model().layout(page);
   if (layout == nullptr) return out;
   for (const int at : nodes) {
@@ -295,7 +296,7 @@ std::vector<Editor::Stood> Editor::places(const PageView& view, const std::strin
 }
 
 // The nodes stand in the new assemblage as they stood, and its own node where the change says.
-Done Editor::arrange_group(const Group& change, const std::vector<Stood>& stood) {
+Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>& stood) {
   Arrange inside;
   inside.set_page(change.name());
   const auto add = [](Arrange& where, const std::string& node, double x, double y) {
@@ -305,7 +306,7 @@ Done Editor::arrange_group(const Group& change, const std::vector<Stood>& stood)
     at.set_y(y);
   };
   for (const auto& [name, anchor] : anchors_of(work_.model(), change.name(), work_.tokens())) {
-    for (const Stood& one : stood) {
+    for (const NodePosition& one : stood) {
       if (work_.where(one.handle) == anchor) add(inside, name, one.x, one.y);
     }
   }

@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "mlab/designer/open_text.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/designer/testing/drawn_text.h"
 #include "mlab/designer/testing/random_edit.h"
+#include "mlab/documents/store.h"
 #include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cdl/lexer.h"
 #include "mlab/robot/configuration_file.h"
@@ -17,18 +18,20 @@ namespace {
 
 constexpr int kEdits = 12;
 
-std::string forager() {
-  std::ifstream in(std::string(MLAB_SOURCE_DIR) + "/missions/forage/forager.cdl");
+std::string file(const std::string& path) {
+  std::ifstream in(base::source_folder() + path);
   std::stringstream out;
   out << in.rdbuf();
   return out.str();
 }
 
-// Forage's configuration, or a file of the library.
+// A configuration of the repository, or a file of the library.
 std::string some_text() {
   const auto& library = robot::library_environment().built_in;
   const auto which = *rc::gen::inRange<std::size_t>(0, library.size() * 2);
-  return cdl::laid_out(which < library.size() ? library[which]->source->text() : forager());
+  const char* own =
+      which % 2 == 0 ? "/missions/forage/forager.cdl" : "/src/mlab/lang/cdl/testdata/examples/formulas.cdl";
+  return cdl::laid_out(which < library.size() ? library[which]->source->text() : file(own));
 }
 
 // Comments that are no help: they belong to nobody.
@@ -62,24 +65,27 @@ RC_GTEST_PROP(EditLaws, WhateverIsEditedCanBeReadIsLaidOutAndKeepsItsComments, (
 RC_GTEST_PROP(EditLaws, UndoGivesEveryByteBack, ()) {
   const std::string first = some_text();
   testing::DrawnText text(first);
-  OpenText open(first);
+  documents::ProjectFolder nowhere({});
+  documents::Store store(nowhere, "");
+  documents::Document& open = store.add(std::make_shared<documents::Document>(
+      "a.cdl", std::make_shared<const mlab::text::Source>("a.cdl", first)));
   base::Random random(*rc::gen::arbitrary<std::uint64_t>());
   std::vector<std::string> texts{first};
   for (int i = 0; i < kEdits; ++i) {
     const text::Result<Edited> done = text.try_edit(testing::RandomEdit(text.model(), random).make());
     if (!done || done->text == text.text()) continue;
     text.set(done->text);
-    open.change(done->text, done->name, i * 10.0);
+    store.change(open, done->text, done->name, i * 10.0);
     texts.push_back(done->text);
   }
   for (std::size_t i = texts.size() - 1; i > 0; --i) {
-    RC_ASSERT(open.undo());
-    RC_ASSERT(open.text() == texts[i - 1]);
+    RC_ASSERT(open.log->undo());
+    RC_ASSERT(open.text.text() == texts[i - 1]);
   }
-  RC_ASSERT(!open.undo());
+  RC_ASSERT(!open.log->undo());
   for (std::size_t i = 1; i < texts.size(); ++i) {
-    RC_ASSERT(open.redo());
-    RC_ASSERT(open.text() == texts[i]);
+    RC_ASSERT(open.log->redo());
+    RC_ASSERT(open.text.text() == texts[i]);
   }
 }
 
@@ -101,28 +107,6 @@ RC_GTEST_PROP(EditLaws, AConnectedWireIsDrawn, ()) {
     text.set(done->text);
     RC_ASSERT(nodes() > before);
   }
-}
-
-TEST(Merged, TakesWhatEachSideChanged) {
-  EXPECT_EQ(merged("a\nb\nc\n", "A\nb\nc\n", "a\nb\nC\n"), "A\nb\nC\n");
-  EXPECT_EQ(merged("a\nb\nc\n", "a\nx\nc\n", "a\ny\nc\n"), std::nullopt);
-  EXPECT_EQ(merged("a\nb\n", "a\nb\n", "a\nb\nc\n"), "a\nb\nc\n");
-  EXPECT_EQ(merged("", "a\n", ""), "a\n");
-  EXPECT_EQ(merged("a\nb\nc\nd\n", "a\nc\nd\n", "a\nb\nc\ne\nd\n"), "a\nc\ne\nd\n");
-}
-
-RC_GTEST_PROP(Merged, GivesOneSideWhereTheOtherDidNothing, ()) {
-  const auto lines = [] {
-    std::string out;
-    for (const int one : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 5)))
-      out += std::to_string(one) + "\n";
-    return out;
-  };
-  const std::string base = lines();
-  const std::string other = lines();
-  RC_ASSERT(merged(base, other, base) == other);
-  RC_ASSERT(merged(base, base, other) == other);
-  RC_ASSERT(merged(base, other, other) == other);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/editor.h"
+#include "mlab/designer/shapes.h"
 #include "mlab/designer/values.h"
 #include "mlab/text/shown.h"
 
@@ -128,6 +129,7 @@ void take_away(cdl::Changes& changes, Part part) {
 }  // namespace
 
 text::Result<cdl::ExpressionPtr> Editor::condition(const std::string& component) const {
+  if (component == kComparison) return value_of(kComparisonWords);
   const Components& components = work_.model().components();
   const std::optional<Callable> found = components.find(component);
   if (!found) return refusal(fmt::format("nothing answers to `{}`", text::shown(component)));
@@ -177,7 +179,8 @@ Done Editor::change_trigger(const ChangeTrigger& change) {
       if (!other) return std::unexpected(other.error());
       if (change.how() == ChangeTrigger::CHOOSE) {
         const std::optional<Callable> component = work_.model().components().find(change.component());
-        changes.replace(*part->expression(), chosen(*part->expression(), *component, *view->graph));
+        changes.replace(*part->expression(),
+                        component ? chosen(*part->expression(), *component, *view->graph) : *other);
       } else {
         const bool is_and = change.how() == ChangeTrigger::AND;
         join(changes, *part, is_and ? cdl::Connective::kAnd : cdl::Connective::kOr, *other);
@@ -207,6 +210,10 @@ Done Editor::place_in_trigger(const PageView& view, const Place& change) {
   const text::Result<Spot> to = spot(view, change.to_node(), change.to_port(), std::nullopt, true);
   if (!to) return std::unexpected(to.error());
   const std::optional<Callable> component = work_.model().components().find(change.component());
+  if (change.component() == kComparison) {
+    const Done done = write(*to, value_of(kComparisonWords));
+    return done ? work_.commit() : done;
+  }
   if (!component || component->gives_nothing) return refusal("a trigger asks components that give something");
   if (const std::string reason = why_not(component->output, wanted(*to)); !reason.empty())
     return refusal(reason);

@@ -8,6 +8,7 @@
 #include "mlab/designer/editor.h"
 #include "mlab/designer/shapes.h"
 #include "mlab/designer/values.h"
+#include "mlab/lang/cdl/units.h"
 
 namespace mlab::designer {
 namespace {
@@ -50,6 +51,16 @@ cdl::ExpressionPtr Editor::neutral(const cdl::PortType& type) const {
   if (is(flow::TypeKind::kBool)) return named("false");
   if (is(flow::TypeKind::kVector)) return called("Stand");
   return value_of(is(flow::TypeKind::kPoint) ? "[0, 0]" : "0");
+}
+
+// What a formula has in the place of what it read.
+cdl::ExpressionPtr Editor::zero_of(const cdl::PortType& type) const {
+  const bool is_number = type.type != nullptr && type.type->kind == flow::TypeKind::kReal;
+  const bool is_vector = type.type != nullptr && type.type->kind == flow::TypeKind::kVector;
+  if (is_vector) return value_of("[0, 0]");
+  const auto unit = is_number && !type.unit.empty() ? cdl::unit_named(type.unit) : std::nullopt;
+  const auto value = unit ? value_of("0 " + type.unit) : nullptr;
+  return value ? value : neutral(type);
 }
 
 // ---- lets
@@ -203,6 +214,12 @@ Done Editor::clear(const Spot& spot) {
     case Role::kInitial:
     case Role::kActive:
       changes.replace(*there, nullptr);
+      return true;
+    case Role::kTerm:
+      changes.replace(*there, zero_of(spot.view.graph->type_of(*there)));
+      return true;
+    case Role::kFormula:
+      changes.replace(*there, neutral(spot.view.graph->type_of(*there)));
       return true;
     case Role::kDelayed:
       changes.replace(*there, value_of("[0, 0]"));

@@ -93,6 +93,7 @@ class Editor {
   }
   /// Whether a block or a big call may stand there.
   bool takes(const Spot& spot, const cdl::Expression& expression) const;
+  cdl::ExpressionPtr zero_of(const cdl::PortType& type) const;
   cdl::ExpressionPtr neutral(const cdl::PortType& type) const;
   int follow(const PageView& view, int node);
   /// Where it is now: its page and its place there.
@@ -178,15 +179,15 @@ class Editor {
 
   // ---- edit_groups.cc
   /// A node that is followed, and where it stood [px].
-  struct Stood {
+  struct NodePosition {
     int handle = -1;
     double x = 0.0;
     double y = 0.0;
   };
   Done group(const Group& change);
   text::Result<int> output_of(const PageView& view, const std::set<int>& chosen) const;
-  std::vector<Stood> places(const PageView& view, const std::string& page, const std::set<int>& nodes);
-  Done arrange_group(const Group& change, const std::vector<Stood>& stood);
+  std::vector<NodePosition> places(const PageView& view, const std::string& page, const std::set<int>& nodes);
+  Done arrange_group(const Group& change, const std::vector<NodePosition>& stood);
   Done ungroup(const Ungroup& change);
   text::Result<std::map<std::string, cdl::ExpressionPtr>> values_of(const cdl::Call& call,
                                                                     const cdl::Assemblage& assemblage) const;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/designer/drawing.h"
 #include "mlab/designer/spread.h"
 #include "mlab/lang/cdl_historic/import.h"
@@ -22,7 +23,7 @@ constexpr double kLeastRoom = 16.0;  // [pixels]
 
 fs::path corpus() {
   const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
-  return (named != nullptr ? fs::path(named) : fs::path(MLAB_SOURCE_DIR) / "../shared/corpus") /
+  return (named != nullptr ? fs::path(named) : fs::path(base::source_folder()) / "../shared/corpus") /
          "configurations";
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostBytes = text::Source::kMaxBytes + Marks::kMost * 16'000;
 
 std::string kept_in(std::string_view document) {
-  return console::StateFolder::name_of(document, ".marks");
+  return documents::StateFolder::name_of(document, ".marks");
 }
 
 }  // namespace

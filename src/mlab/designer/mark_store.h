@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "mlab/console/state_folder.h"
 #include "mlab/designer/marks.h"
+#include "mlab/documents/state_folder.h"
 #include "mlab/lang/cdl/configuration.h"
 
 namespace mlab::designer {
@@ -24,7 +24,7 @@ class MarkStore {
   std::optional<Marks> find(std::string_view document, const cdl::Environment& environment) const;
 
  private:
-  console::StateFolder folder_;
+  documents::StateFolder folder_;
 };
 
 }  // namespace mlab::designer

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/console/testing/scratch_project.h"
 #include "mlab/designer/testing/browser.h"
+#include "mlab/documents/testing/scratch_project.h"
 
 namespace mlab::designer {
 namespace {
@@ -98,11 +98,11 @@ TEST(MarkStore, KeepsThemUnderTheNameThatTheDocumentWasSavedWith) {
 }
 
 TEST(MarkStore, IgnoresWhatCannotBeRead) {
-  const console::testing::ScratchProject scratch;
+  const documents::testing::ScratchProject scratch;
   const std::string folder = scratch.path("state").string();
-  const console::StateFolder state(folder, "project");
+  const documents::StateFolder state(folder, "project");
   const MarkStore store(folder, "project");
-  state.write(console::StateFolder::name_of("one.cdl", ".marks"), "no marks");
+  state.write(documents::StateFolder::name_of("one.cdl", ".marks"), "no marks");
   EXPECT_FALSE(store.find("one.cdl", {}).has_value());
   EXPECT_FALSE(store.find("two.cdl", {}).has_value());
   EXPECT_FALSE(MarkStore("", "project").find("one.cdl", {}).has_value());

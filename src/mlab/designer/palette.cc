@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/shapes.h"
+#include "mlab/lang/cdl/arithmetic.h"
 
 namespace mlab::designer {
 namespace {
@@ -18,7 +19,7 @@ struct Operator {
   const char* help;
   const char* type;
 };
-constexpr std::array<Operator, 9> kOperators = {{
+constexpr std::array<Operator, 11> kOperators = {{
     {"cooperate", "Cooperate", "Operators", Node::COOPERATION, "cooperate",
      "All members at once: their movements are added up, each with its gain.", "Vector"},
     {"compete by priority", "Compete by priority", "Operators", Node::COMPETITION, "compete",
@@ -31,6 +32,10 @@ constexpr std::array<Operator, 9> kOperators = {{
      "Does what its selector says: a number, a truth value or a choice.", "Vector"},
     {"delay", "Delay", "Operators", Node::DELAY, "delay",
      "The value of the cycle before. A loop of wires needs one.", ""},
+    {"formula", "Formula", "Numbers", Node::FORMULA, "formula",
+     "Computes with numbers, vectors and units: `2 * near + 1 m`, `distance(here, home) < 3 m`.", ""},
+    {kComparison, "Comparison", "Numbers", Node::FORMULA, "formula",
+     "Compares two numbers of one unit: `length(way) < 3 m`, `count >= 2`.", "bool"},
     {"not", "Not", "Logic", Node::LOGIC, "logic", "True where its input is false.", "bool"},
     {"and", "And", "Logic", Node::LOGIC, "logic", "True where all its inputs are.", "bool"},
     {"or", "Or", "Logic", Node::LOGIC, "logic", "True where one of its inputs is.", "bool"},
@@ -141,8 +146,14 @@ Palette palette_of(const Model& model, const DrawingContext& context) {
     if (binding->result_type.text.empty() || !names.insert(name).second) continue;
     *out.add_components() = palette_entry(components.of(*binding), model, context);
   }
+  for (const cdl::Function& function : cdl::functions()) {
+    const bool is_shown = components.types().function({std::string(function.name), {}}) != nullptr;
+    if (is_shown && function.name != cdl::kPlaceFunction)
+      *out.add_components() = palette_entry(components.of(function), model, context);
+  }
   for (const flow::Behavior* behavior : model.library().behaviors()) {
-    if (names.contains(behavior->name) || behavior->output == nullptr) continue;
+    const bool is_shown = !names.contains(behavior->name) && !cdl::is_said_by_signs(behavior->name);
+    if (!is_shown || behavior->output == nullptr) continue;
     const Callable component = components.of(flow::Library::Entry{behavior, nullptr});
     *out.add_components() = palette_entry(component, model, context);
     if (!is_operator(component)) continue;

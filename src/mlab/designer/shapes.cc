@@ -82,6 +82,9 @@ std::optional<OperatorShape> operator_of(const cdl::Expression& expression) {
     return OperatorShape{Node::SELECTION, "select", "select", "The case that the selector says."};
   if (std::holds_alternative<cdl::Delay>(what))
     return OperatorShape{Node::DELAY, "delay", "delay", "The value of the cycle before; breaks loops."};
+  if (std::holds_alternative<cdl::Arithmetic>(what))
+    return OperatorShape{Node::FORMULA, "formula", "formula",
+                         "Computes with numbers, vectors and their units."};
   const auto* logic = std::get_if<cdl::Logic>(&what);
   if (logic == nullptr) return std::nullopt;
   switch (logic->connective) {
@@ -102,6 +105,7 @@ bool is_operator(const Callable& component) {
 Node::Shape shape_of(const Callable& component) {
   if (component.kind == Callable::Kind::kAssemblage) return Node::ASSEMBLAGE;
   if (component.kind == Callable::Kind::kBinding) return Node::BINDING;
+  if (component.kind == Callable::Kind::kFunction) return Node::FORMULA;
   if (component.gives_nothing) return Node::ACTUATOR;
   if (is_operator(component)) return Node::COORDINATION;
   return is_movement(component.output) ? Node::BEHAVIOR : Node::PERCEPTION;
@@ -111,6 +115,7 @@ std::string icon_of(const Callable& component) {
   const bool is_trigger = component.output.type != nullptr && component.output.type->kind == TypeKind::kBool;
   if (component.kind == Callable::Kind::kAssemblage) return is_trigger ? "trigger" : "assemblage";
   if (component.kind == Callable::Kind::kBinding) return "binding";
+  if (component.kind == Callable::Kind::kFunction) return "formula";
   if (component.gives_nothing) return "actuator";
   if (is_logic(component)) return "logic";
   if (is_operator(component)) return "coordinate";
@@ -122,6 +127,7 @@ std::string group_of(const Callable& component) {
   const bool is_trigger = component.output.type != nullptr && component.output.type->kind == TypeKind::kBool;
   if (component.kind == Callable::Kind::kAssemblage) return "Assemblages";
   if (component.kind == Callable::Kind::kBinding) return "Sensors";
+  if (component.kind == Callable::Kind::kFunction) return "Numbers";
   if (component.gives_nothing) return "Actuators";
   if (is_logic(component)) return "Logic";
   if (is_operator(component)) return "Operators";
@@ -141,6 +147,15 @@ std::vector<Socket> sockets(const GraphNode& node, const Components& components,
     return {out};
   }
   if (node.expression == nullptr) return {};
+  if (node.kind == Kind::kFormula) {
+    std::vector<Socket> out{socket("formula", graph.type_of(*node.expression),
+                                   "what is computed, 2 * near + 1 m for instance", true)};
+    for (const GraphInput& input : node.inputs) {
+      if (input.role == Role::kTerm)
+        out.push_back(socket(input.port, graph.type_of(*input.written), "what the formula reads", true));
+    }
+    return out;
+  }
   const auto& what = node.expression->what;
   if (const auto* call = std::get_if<cdl::Call>(&what)) {
     const std::optional<Callable>& component = components.find(call->callee.text);

@@ -13,6 +13,10 @@
 
 namespace mlab::designer {
 
+/// What the palette calls a formula that gives a truth value, and what it is until somebody types another.
+inline constexpr const char* kComparison = "comparison";
+inline constexpr const char* kComparisonWords = "0 < 1";
+
 /// An operator as it is drawn and as Place names it.
 struct OperatorShape {
   Node::Shape shape = Node::COOPERATION;

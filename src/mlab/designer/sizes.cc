@@ -30,7 +30,7 @@ struct ShapeLook {
   bool can_be_small;  ///< without inputs
   const char* kind;
 };
-constexpr std::array<ShapeLook, 20> kLooks = {{
+constexpr std::array<ShapeLook, 21> kLooks = {{
     {Node::BEHAVIOR, true, false, false, "motor schema"},
     {Node::PERCEPTION, true, false, false, "perception"},
     {Node::ASSEMBLAGE, true, false, false, "assemblage"},
@@ -51,6 +51,7 @@ constexpr std::array<ShapeLook, 20> kLooks = {{
     {Node::TEAM, true, false, false, "team"},
     {Node::CASTE, false, false, false, "caste"},
     {Node::SOCIETY, false, false, false, "society"},
+    {Node::FORMULA, true, false, false, "formula"},
 }};
 
 const ShapeLook& look_of(Node::Shape shape) {

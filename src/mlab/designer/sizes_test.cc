@@ -6,6 +6,7 @@
 // MLAB_UPDATE_GOLDEN=1 writes the file anew.
 
 #include "mlab/designer/sizes.h"
+#include "mlab/base/testing/source_folder.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -25,7 +26,7 @@
 namespace mlab::designer {
 namespace {
 
-constexpr const char* kGolden = MLAB_SOURCE_DIR "/web/designer/states/testdata/sizes.golden";
+const std::string kGolden = base::source_folder() + "/web/designer/states/testdata/sizes.golden";
 
 constexpr const char* kUnknown = R"(assemblage NobodyKnows(number: gain = 0.5) {
   let near = not Nothing(a = 1);
@@ -121,10 +122,11 @@ void draw_all(const std::string& name, const std::string& text, Drawn& out) {
 
 TEST(Sizes, AreThoseThatThePageIsHeldToAsWell) {
   Drawn drawn;
-  const std::string folder = MLAB_SOURCE_DIR "/src/mlab/lang/cdl/testdata/examples/";
+  const std::string folder = base::source_folder() + "/src/mlab/lang/cdl/testdata/examples/";
   for (const char* file : {"operators.cdl", "percepts.cdl", "robots.cdl"})
     draw_all(folder + file, content_of(folder + file), drawn);
   draw_all("sizes.cdl", kUnknown, drawn);
+  draw_all(folder + "formulas.cdl", content_of(folder + "formulas.cdl"), drawn);
   std::string missing;
   for (int shape = 0; shape < Node::Shape_ARRAYSIZE; ++shape) {
     if (Node::Shape_IsValid(shape) && !drawn.shapes.contains(shape))

@@ -121,7 +121,7 @@ text::SourcePtr with(const Model& model, const std::string& added) {
   return std::make_shared<const text::Source>(model.source()->name(), text + added);
 }
 
-struct Meant {
+struct TrialSubject {
   const cdl::Society* society = nullptr;
   const cdl::Robot* robot = nullptr;
   const cdl::Assemblage* assemblage = nullptr;
@@ -132,9 +132,9 @@ const Kind* only(const std::vector<const Kind*>& all) {
   return all.size() == 1 ? all.front() : nullptr;
 }
 
-text::Result<Meant> meant(const Model& model, const std::string& wanted) {
+text::Result<TrialSubject> meant(const Model& model, const std::string& wanted) {
   const cdl::Configuration& all = model.configuration();
-  Meant out;
+  TrialSubject out;
   if (!wanted.empty()) {
     const auto find = [&](const auto& table) {
       const auto found = table.find(wanted);
@@ -287,7 +287,7 @@ std::string type_name(const std::string& robot, std::set<std::string>& taken) {
 text::Result<TrialConfiguration> complete_for_trial(const std::shared_ptr<const Model>& model,
                                                     const cdl::Environment& environment,
                                                     const TrialWish& wish) {
-  const text::Result<Meant> what = meant(*model, wish.declaration);
+  const text::Result<TrialSubject> what = meant(*model, wish.declaration);
   if (!what) return std::unexpected(what.error());
   if (what->society != nullptr) {
     constexpr int kMost = 1000;

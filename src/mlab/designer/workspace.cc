@@ -150,6 +150,19 @@ void Workspace::mend_layout(const cdl::Layout& layout, const Named& before, cons
 
 // ---- anchors
 
+namespace {
+
+// The first sign that joins two.
+std::optional<Anchor> anchor_of_sign(const cdl::Arithmetic& arithmetic, const cdl::Expression& expression,
+                                     const TokenMap& tokens) {
+  if (arithmetic.operands.size() < 2) return expression.place.span.begin;
+  std::size_t i = tokens.at(arithmetic.operands.front()->place.span.end);
+  while (i < tokens.tokens().size() && tokens.word(i) == ")") ++i;
+  return i < tokens.tokens().size() ? std::optional<Anchor>(tokens.tokens()[i].span.begin) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Anchor> anchor_of(const GraphNode& node, const TokenMap& tokens) {
   using Kind = GraphNode::Kind;
   if (node.parameter != nullptr) return node.parameter->name.place.span.begin;
@@ -166,6 +179,8 @@ std::optional<Anchor> anchor_of(const GraphNode& node, const TokenMap& tokens) {
     }
     return std::nullopt;
   }
+  if (const auto* arithmetic = std::get_if<cdl::Arithmetic>(&expression.what))
+    return anchor_of_sign(*arithmetic, expression, tokens);
   if (const auto* by = std::get_if<cdl::Coordinate>(&expression.what)) return by->by.callee.place.span.begin;
   if (const auto* by = std::get_if<cdl::Fuse>(&expression.what)) return by->by.callee.place.span.begin;
   if (const auto* call = std::get_if<cdl::Call>(&expression.what)) return call->callee.place.span.begin;

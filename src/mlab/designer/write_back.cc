@@ -46,12 +46,12 @@ PortName parts_of_port(std::string_view path) {
 }
 
 /// What a port stands for in the network.
-struct Written {
+struct PortSource {
   bool is_known = false;
   const flow::Source* source = nullptr;  ///< null: a default that nobody wrote
 };
 
-Written find_written(const flow::Network& network, const std::string& port) {
+PortSource find_written(const flow::Network& network, const std::string& port) {
   for (const flow::Parameter& parameter : network.parameters) {
     const bool is_it = parameter.name == port ||
                        std::ranges::find(parameter.other_names, port) != parameter.other_names.end();
@@ -118,7 +118,7 @@ class BackWriter {
       const cdl::LoweredRobot lowered =
           cdl::lower(completed_.configuration(), *robot->second, completed_.library(), sink, said);
       if (sink.has_errors()) return not_written("the text has errors: mend them first");
-      const Written written = find_written(lowered.network, port);
+      const PortSource written = find_written(lowered.network, port);
       if (!written.is_known) continue;
       if (written.source == nullptr) return write_default(name, port, value);
       if (written.source->kind != flow::Source::Kind::kConstant)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mlab/fleet/order_check.h"
+#include "mlab/fleet/places.h"
 #include "mlab/fleet/vehicle.h"
 
 namespace mlab::fleet {
@@ -81,6 +82,9 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
     for (const mission::Society::Part& part : society.parts) is_of_society[part.type] = true;
   }
   SaidOfSocieties of_societies;
+  const MissionPlaces places(plan);
+  robot::ProgramSources with_places = sources;
+  with_places.places = &places;
   const std::size_t errors_before = sink.error_count();
   for (std::size_t i = 0; i < plan.types.size(); ++i) {
     // A type that nobody uses costs nothing, but what is wrong in it is said all the same; ROBOT alone has no
@@ -89,7 +93,7 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
     text::Diagnostics& said = is_of_society[i] ? own : sink;
     std::optional<robot::RobotProgram> program;
     if (is_used[i] || plan.types[i].place.source)
-      program = load_program_of(plan.types[i], sources, before, said);
+      program = load_program_of(plan.types[i], with_places, before, said);
     crew->bodies.push_back(
         body_of(plan.types[i], program ? program->body : std::map<std::string, double>{}, said));
     crew->programs.push_back(

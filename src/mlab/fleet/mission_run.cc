@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/fleet/places.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/wording.h"
 
@@ -130,6 +131,18 @@ std::size_t MissionRun::steps_done() const {
     if (step.step < all) is_done[step.step] = step.outcome == mission::Outcome::kDone;
   }
   return static_cast<std::size_t>(std::ranges::count(is_done, true));
+}
+
+std::optional<std::string> MissionRun::set_parameter(base::RobotId robot, std::string_view port,
+                                                     const std::string& value) {
+  const FleetRobot* found = fleet_->find(robot);
+  const flow::Program* program =
+      found == nullptr || found->runner == nullptr ? nullptr : found->workings().program;
+  const flow::Port* parameter = program == nullptr ? nullptr : program->find(port);
+  if (parameter == nullptr || parameter->type->kind != flow::TypeKind::kPoint)
+    return fleet_->set_parameter(robot, port, value);
+  return fleet_->set_parameter(
+      robot, port, robot::in_coordinates(*parameter, value, MissionPlaces(*crews_.back()->mission)));
 }
 
 MissionRun::Progress MissionRun::step() {

@@ -117,12 +117,10 @@ class MissionRun {
     fleet_->set_joystick(robot, joystick);
   }
   /// Sets a parameter or constant of one robot's program, from the next cycle on; it outlives a new START.
-  /// @param value  as a person writes it, in the port's edge_unit
+  /// @param value  as a person writes it, in the port's edge_unit; a Point may be the name of a place
   /// @errors  a sentence that says what is wrong
   std::optional<std::string> set_parameter(base::RobotId robot, std::string_view port,
-                                           const std::string& value) {
-    return fleet_->set_parameter(robot, port, value);
-  }
+                                           const std::string& value);
   /// As RunSettings::stands_still_for_operator.
   void set_stands_still_for_operator(bool stands_still) {
     settings_.stands_still_for_operator = stands_still;

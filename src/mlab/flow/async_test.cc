@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/flow/async_runner.h"
-#include "mlab/flow/test_behaviors.h"
+#include "mlab/flow/testing/behaviors.h"
 
 namespace mlab::flow {
 namespace {

@@ -17,7 +17,7 @@ namespace mlab::flow {
 
 /// A procedure's view of a value of type T (see `view`).
 template <class T>
-using Seen =
+using ViewOf =
     std::remove_cvref_t<decltype(view(std::declval<const T&>(), std::declval<const percept::Percepts&>()))>;
 
 /// A list input as procedures see it: by position, in the order of the links; readings as views of this

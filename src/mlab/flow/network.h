@@ -33,6 +33,12 @@ struct Parameter {
   double min = -1e300;
   double max = 1e300;
   text::Place place;
+  /// The named place of the mission's overlay that it is, of type Point, unless the mission says otherwise.
+  struct PlaceName {
+    std::string text;  ///< empty: it is none
+    text::Place place;
+  };
+  PlaceName place_name = {};
 };
 
 struct Transition {

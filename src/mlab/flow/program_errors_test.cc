@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "mlab/flow/test_behaviors.h"
+#include "mlab/flow/testing/behaviors.h"
 
 namespace mlab::flow {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/count_allocations.h"
-#include "mlab/flow/test_behaviors.h"
+#include "mlab/base/testing/count_allocations.h"
+#include "mlab/flow/testing/behaviors.h"
 
 namespace mlab::flow {
 namespace {

@@ -159,6 +159,21 @@ class CdlHover {
 
 }  // namespace
 
+// On a sign, or on a number beside it: what the innermost formula gives.
+static std::optional<Hover> hover_formula(const CdlWorld& world, const Text& text, std::uint32_t cursor) {
+  std::optional<Hover> out;
+  for (const CdlDeclaration& declaration : world.own().declarations) {
+    for (const cdl::Expression* formula : declaration.formulas) {
+      const text::Span span = formula->place.span;
+      if (cursor < span.begin || cursor > span.end) continue;
+      const ValueType type = world.type_of(formula, &declaration);
+      if (type.type.empty()) continue;
+      out = Hover{code(std::string(text.source->text(span)) + of_type(type), ""), span};
+    }
+  }
+  return out;
+}
+
 std::optional<Hover> hover_cdl(const Text& text, std::uint32_t cursor, const Surroundings& around) {
   const CdlWorld world(text.source, around);
   for (const CdlName& name : world.own().names) {
@@ -171,7 +186,7 @@ std::optional<Hover> hover_cdl(const Text& text, std::uint32_t cursor, const Sur
     const std::string_view help = cdl_word_help(text.source->text(word));
     if (!help.empty()) return Hover{std::string(help), word};
   }
-  return std::nullopt;
+  return hover_formula(world, text, cursor);
 }
 
 namespace {
@@ -193,6 +208,7 @@ std::vector<Symbol> symbols_cdl(const Text& text, const Surroundings& around) {
     Symbol& made = out.emplace_back(
         symbol(one.name, one.kind, component == nullptr ? one.class_name : shown_type(component->output),
                one.whole, one.span));
+    made.help = first_sentence(one.help);
     for (const CdlParameter& parameter : one.parameters)
       made.parts.push_back(symbol(parameter.input.name, NameKind::kParameter,
                                   shown_type(parameter.input.value), parameter.whole, parameter.span));
@@ -203,6 +219,20 @@ std::vector<Symbol> symbols_cdl(const Text& text, const Surroundings& around) {
       made.parts.push_back(symbol(device.name, NameKind::kDevice, device.binds, device.whole, device.span));
     for (const CdlState& state : one.states)
       made.parts.push_back(symbol(state.name, NameKind::kState, "", state.whole, state.span));
+  }
+  return out;
+}
+
+std::vector<Hint> hints_cdl(const Text& text, const Surroundings& around) {
+  const CdlWorld world(text.source, around);
+  std::vector<Hint> out;
+  for (const CdlScan::Literal& one : world.own().literals) {
+    const ComponentInput* const input = world.input_of(one.wanted, world.own());
+    if (input == nullptr) continue;
+    const std::string help = first_sentence(input->help);
+    if (one.wanted.argument.empty()) out.push_back({one.span.begin, input->name + ":", false, help});
+    if (one.lacks_unit && !input->value.unit.empty())
+      out.push_back({one.span.end, input->value.unit, true, help});
   }
   return out;
 }

@@ -25,6 +25,62 @@ std::size_t without_number(std::string_view name) {
   return is_number ? bar : name.size();
 }
 
+/// What the part of a drawing shows that a name of a layout stands on: the inside of the state or node that
+/// the path before it ends at (`Keep` of `layout Go.Keep { ... }`), or all of its owner.
+class LayoutPage {
+ public:
+  /// A state, or a node with a name.
+  struct Part {
+    std::string_view name;
+    text::Span name_span;
+    text::Span whole;
+    bool is_state = false;
+
+    bool has(text::Span other) const {
+      return whole.begin <= other.begin && other.end <= whole.end && other.begin != name_span.begin;
+    }
+  };
+
+  LayoutPage(const CdlDeclaration& owner, const CdlScan& scan, const CdlName& name) {
+    for (const CdlState& one : owner.states) parts_.push_back({one.name, one.span, one.whole, true});
+    for (const CdlNode& one : owner.nodes)
+      parts_.push_back({one.name, one.span, one.value->place.span, false});
+    std::vector<const CdlName*> path;
+    for (int at = name.before; at >= 0 && at != name.owner && path.size() < kLongestPath;) {
+      path.push_back(&scan.names[static_cast<std::size_t>(at)]);
+      at = path.back()->before;
+    }
+    for (auto one = path.rbegin(); one != path.rend(); ++one) {
+      if (const auto part = find((*one)->text)) inside_ = part;
+    }
+  }
+
+  /// On the page itself, not inside of something else there.
+  std::optional<Part> find(std::string_view name) const {
+    for (const Part& one : parts_) {
+      if (one.name != name || !is_on_page(one)) continue;
+      const bool is_deeper = std::ranges::any_of(
+          parts_, [&](const Part& other) { return is_on_page(other) && other.has(one.name_span); });
+      if (!is_deeper) return one;
+    }
+    return std::nullopt;
+  }
+
+  /// Also where the path does not lead to.
+  std::optional<Part> find_anywhere(std::string_view name) const {
+    const auto found = std::ranges::find(parts_, name, &Part::name);
+    return found == parts_.end() ? std::nullopt : std::optional(*found);
+  }
+
+ private:
+  static constexpr std::size_t kLongestPath = 16;
+
+  bool is_on_page(const Part& one) const { return !inside_ || inside_->has(one.name_span); }
+
+  std::vector<Part> parts_;
+  std::optional<Part> inside_;
+};
+
 }  // namespace
 
 const CdlDeclaration* CdlWorld::around(const CdlName& name) const {
@@ -45,6 +101,7 @@ void CdlWorld::resolve_argument(const CdlName& name, Name& out) const {
     }
     return;
   }
+  if (const ComponentInput* const input = find_input(*called, name.text)) out.target = input->declaration;
 }
 
 void CdlWorld::resolve_value(const CdlName& name, Name& out) const {
@@ -85,23 +142,19 @@ void CdlWorld::resolve_node(const CdlName& name, Name& out) const {
   if (!owner) owner = find_member(owner_name);
   if (!owner) return;
   const CdlDeclaration& in = *owner.declaration;
+  const LayoutPage page(in, own(), name);
   const std::array<std::string_view, 2> tried = {
       name.text, std::string_view(name.text).substr(0, without_number(name.text))};
   for (const std::string_view text : tried) {
     out.span.end = out.span.begin + static_cast<std::uint32_t>(text.size());
     out.text = text;
-    for (const CdlState& state : in.states) {
-      if (state.name == text) {
-        out.kind = NameKind::kState;
-        out.target = {owner.scan->source, state.span};
-        return;
-      }
-    }
-    for (const CdlNode& node : in.nodes) {
-      if (node.name == text) {
-        out.target = {owner.scan->source, node.span};
-        return;
-      }
+    const auto take = [&](const LayoutPage::Part& part) {
+      if (part.is_state) out.kind = NameKind::kState;
+      out.target = {owner.scan->source, part.name_span};
+    };
+    if (const auto part = page.find(text)) {
+      take(*part);
+      return;
     }
     if (const Variable found = variable(in, text)) {
       out.kind = found.let != nullptr ? NameKind::kLet : NameKind::kParameter;
@@ -112,6 +165,10 @@ void CdlWorld::resolve_node(const CdlName& name, Name& out) const {
       out.kind = called->kind == "assemblage" ? NameKind::kAssemblage : NameKind::kProcedure;
       out.target = called->declaration;
       out.is_library = !called->is_own;
+      return;
+    }
+    if (const auto part = page.find_anywhere(text)) {
+      take(*part);
       return;
     }
   }

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/overloaded.h"
+#include "mlab/lang/cdl/arithmetic.h"
 
 namespace mlab::language {
 namespace {
@@ -181,14 +182,17 @@ class Collector {
   void add(const cdl::Layout& layout) {
     if (is_next(layout.owner)) want({.kind = Kind::kOwner});
     const int owner = path(layout.owner, -1);
+    const int page = owner < 0 ? -1 : static_cast<int>(out_.names.size()) - 1;
     for (const cdl::LayoutEntry& entry : layout.entries) {
       if (is_next(entry.node) && owner >= 0) want({.kind = Kind::kNode, .wanted = {.call = owner}});
-      path(entry.node, owner);
+      path(entry.node, owner, page);
     }
   }
 
-  /// The names of `Searching.Noise`, one by one. @return  index of the first
-  int path(const cdl::Word& path, int owner) {
+  /// The names of `Searching.Noise`, one by one.
+  /// @param before  index of the name that the first stands inside of
+  /// @return  index of the first
+  int path(const cdl::Word& path, int owner, int before = -1) {
     int first = -1;
     const std::string_view all = path.place.source ? out_.source->text(path.place.span) : std::string_view();
     const auto is_part = [](char c) {
@@ -204,6 +208,8 @@ class Collector {
             add_name({std::string(all.substr(i, end - i)), {path.place.source, span}}, NameKind::kNode);
         name_at(at).owner = owner >= 0 ? owner : first;
         name_at(at).declaration = -1;
+        name_at(at).before = before;
+        before = at;
         first = first < 0 ? at : first;
       }
       i = std::max(end, i + 1);
@@ -251,6 +257,7 @@ class Collector {
 
   void expression(const cdl::ExpressionPtr& one, const CdlWanted& wanted) {
     if (!one) return;
+    literal(*one, wanted);
     std::visit(base::Overloaded{
                    [&](const cdl::Hole&) {
                      if (is_at_end(one->place)) want({.kind = Kind::kValue, .wanted = wanted});
@@ -263,6 +270,10 @@ class Collector {
                    [&](const cdl::Logic& logic) {
                      for (const cdl::ExpressionPtr& operand : logic.operands)
                        expression(operand, {.type = {"bool", ""}});
+                   },
+                   [&](const cdl::Arithmetic& arithmetic) {
+                     current().formulas.push_back(one.get());
+                     for (const cdl::ExpressionPtr& operand : arithmetic.operands) expression(operand, {});
                    },
                    [&](const cdl::Cooperate& what) { members(what.members); },
                    [&](const cdl::Compete& what) { members(what.members); },
@@ -278,6 +289,14 @@ class Collector {
     if (add_name(one->as, NameKind::kNode, true) >= 0)
       current().nodes.push_back({one->as.text, one->as.place.span, one.get()});
     expression(one->active, {});
+  }
+
+  void literal(const cdl::Expression& one, const CdlWanted& wanted) {
+    const auto* number = std::get_if<cdl::Number>(&one.what);
+    const bool is_literal = number != nullptr || std::holds_alternative<cdl::Text>(one.what) ||
+                            std::holds_alternative<cdl::List>(one.what);
+    if (is_literal && wanted.call >= 0 && !wanted.in_list)
+      out_.literals.push_back({one.place.span, wanted, number != nullptr && number->unit.text.empty()});
   }
 
   void number(const cdl::Number& number, const CdlWanted& wanted) {
@@ -304,6 +323,7 @@ class Collector {
     const int callee = add_name(call.callee, NameKind::kProcedure);
     if (callee < 0) return;
     name_at(callee).wanted = wanted;
+    place(call);
     CdlWant next{.kind = Kind::kArgument, .wanted = {.call = callee}};
     const bool is_open = !call.is_closed && end == last_end_;
     if (is_open) out_.open_calls.push_back({callee, 0, ""});
@@ -329,6 +349,18 @@ class Collector {
       }
       expression(argument.value, value);
     }
+  }
+
+  /// `place("Pond")`: a text that names something.
+  void place(const cdl::Call& call) {
+    if (call.callee.text != cdl::kPlaceFunction || call.arguments.size() != 1) return;
+    const cdl::Expression& argument = *call.arguments.front().value;
+    const auto* const text = std::get_if<cdl::Text>(&argument.what);
+    if (text == nullptr || text->value.empty()) return;
+    const text::Span quoted = argument.place.span;
+    const text::Span bare{quoted.begin + 1, quoted.end - 1};
+    if (quoted.end < quoted.begin + 2 || out_.source->text(bare) != text->value) return;
+    out_.places.push_back({.span = bare, .kind = NameKind::kPlace, .text = text->value});
   }
 
   void members(const std::vector<cdl::Member>& members, const ValueType& type = {"Vector", ""}) {

@@ -70,6 +70,7 @@ struct CdlDeclaration {
   std::vector<CdlLet> lets;
   std::vector<CdlState> states;
   std::vector<CdlNode> nodes;
+  std::vector<const cdl::Expression*> formulas;  ///< arithmetic, the outer ones first
   std::vector<CdlDevice> devices;
   std::string class_name;  ///< of a robot
 };
@@ -93,6 +94,7 @@ struct CdlName {
   std::uint32_t sequence = 0;  ///< of a state, where it begins
   CdlWanted wanted = {};       ///< of a value; the call of an argument
   int owner = -1;              ///< of a layout: index of its owner's name
+  int before = -1;             ///< of a layout: index of the name that it stands inside of
 };
 
 /// What could come where the text ends.
@@ -133,7 +135,15 @@ struct CdlScan {
   cdl::Written written;  ///< what follows points into it
   std::vector<CdlDeclaration> declarations;
   std::vector<CdlName> names;
-  std::vector<CdlName> uses;  ///< files, without quotes
+  std::vector<CdlName> uses;    ///< files, without quotes
+  std::vector<CdlName> places;  ///< the texts of `place("Pond")`, without quotes
+  /// A number, text or list that is given to a call.
+  struct Literal {
+    text::Span span;
+    CdlWanted wanted;
+    bool lacks_unit = false;  ///< a number that says none
+  };
+  std::vector<Literal> literals;
   // Where the text ends:
   std::vector<CdlWant> wants;
   int open_declaration = -1;  ///< that the end stands in

@@ -14,6 +14,8 @@ CdlWorld::CdlWorld() {
         scan_cdl(std::make_shared<const text::Source>(std::string(one.file), std::string(one.text))));
   for (const flow::Behavior* behavior : robot::component_library().behaviors())
     procedures_.push_back(language::component_of(*behavior));
+  for (const cdl::Function& function : cdl::functions())
+    procedures_.push_back(language::component_of(function, robot::component_library()));
   types_.emplace(robot::library_configuration(), robot::component_library());
   declare();
   components();  // all are made now: from here on, threads only read

@@ -127,15 +127,17 @@ class CnlWorld {
       }
       out.push_back(std::move(file));
     }
+    for (Name& name : code_names(scan_)) out.push_back(std::move(name));
     std::ranges::sort(out, {}, [](const Name& name) { return name.span.begin; });
     return out;
   }
 
  private:
   void resolve_input(const CnlName& name, Name& out) const {
-    const std::string& procedure = scan_.declarations[static_cast<std::size_t>(name.declaration)].of;
-    const auto found = inputs_.find({procedure, name.text});
-    if (found != inputs_.end()) out.target = found->second;
+    const Component* const called =
+        component(scan_.declarations[static_cast<std::size_t>(name.declaration)].of);
+    const ComponentInput* const input = called == nullptr ? nullptr : find_input(*called, name.text);
+    if (input != nullptr) out.target = input->declaration;
   }
 
   void read(const text::SourcePtr& source, const CnlScan& scan) {
@@ -145,8 +147,6 @@ class CnlWorld {
       const auto* procedure = std::get_if<cnl::Procedure>(&item);
       if (procedure == nullptr) continue;
       procedures_.push_back(component_of(*procedure));
-      for (const cnl::InputDecl& input : procedure->inputs)
-        inputs_.try_emplace({procedure->name.text, input.name.text}, input.name.place);
     }
     for (const CnlName& include : scan.includes) {
       if (include.text.find('\0') != std::string::npos || seen_.size() > kMostFiles) continue;
@@ -164,7 +164,6 @@ class CnlWorld {
   std::set<std::string> seen_;
   std::vector<text::SourcePtr> sources_;
   std::deque<Component> procedures_;
-  std::map<std::pair<std::string, std::string>, text::Place> inputs_;
 };
 
 class CnlCompleter {
@@ -387,6 +386,27 @@ std::vector<Symbol> symbols_cnl(const Text& text, const Surroundings& around) {
       made.parts.push_back({state.name, "state", "", state.span, state.span, {}});
     for (const CnlState& input : one.inputs)
       made.parts.push_back({input.name, "parameter", "", input.span, input.span, {}});
+  }
+  return out;
+}
+
+std::vector<Hint> hints_cnl(const Text& text, const Surroundings& around) {
+  const CnlWorld world(text.source, around);
+  std::vector<Hint> out;
+  for (const CnlName& name : world.own().names) {
+    if (name.kind != NameKind::kArgument || name.declaration < 0) continue;
+    const Component* const called =
+        world.component(world.own().declarations[static_cast<std::size_t>(name.declaration)].of);
+    const ComponentInput* const input = called == nullptr ? nullptr : find_input(*called, name.text);
+    if (input == nullptr || input->value.unit.empty()) continue;
+    const auto next = std::ranges::find_if(world.own().tokens, [&](const cnl::Token& token) {
+      return token.kind == cnl::Token::Kind::kNumber && token.span.begin >= name.span.end;
+    });
+    if (next == world.own().tokens.end()) continue;
+    const std::string_view between = text.source->text({name.span.end, next->span.begin});
+    const bool is_given = between.find('=') != std::string_view::npos &&
+                          between.find_first_not_of(" \t\n=-") == std::string_view::npos;
+    if (is_given) out.push_back({next->span.end, input->value.unit, true, first_sentence(input->help)});
   }
   return out;
 }

@@ -12,6 +12,7 @@
 #include "mlab/flow/frame.h"
 #include "mlab/lang/cdl/port_type.h"
 #include "mlab/lang/cdl/quantities.h"
+#include "mlab/lang/cdl/types.h"
 #include "mlab/lang/cdl/units.h"
 #include "mlab/percept/formation.h"
 #include "mlab/robot/robot_program.h"
@@ -85,6 +86,21 @@ Component component_of(const flow::Behavior& behavior) {
   return out;
 }
 
+Component component_of(const cdl::Function& function, const flow::Library& library) {
+  Component out;
+  out.name = function.name;
+  out.kind = "function";
+  out.help = function.help;
+  for (const cdl::InputView& view : cdl::inputs_of(function, library)) {
+    ComponentInput one;
+    one.name = view.name;
+    one.type = one.value.type = view.type.name();
+    if (view.input != nullptr) one.help = view.input->help;
+    out.inputs.push_back(std::move(one));
+  }
+  return out;
+}
+
 Component component_of(const cnl::Procedure& procedure) {
   Component out;
   out.name = procedure.name.text;
@@ -106,6 +122,7 @@ Component component_of(const cnl::Procedure& procedure) {
     if (input.high) one.high = bound(*input.high);
     one.help = input.help;
     one.is_list = input.is_list;
+    one.declaration = input.name.place;
     out.inputs.push_back(std::move(one));
   }
   return out;

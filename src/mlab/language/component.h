@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "mlab/flow/behavior.h"
+#include "mlab/flow/library.h"
+#include "mlab/lang/cdl/arithmetic.h"
 #include "mlab/lang/cdl/port_type.h"
 #include "mlab/lang/cnl/tree.h"
 #include "mlab/text/source.h"
@@ -29,6 +31,7 @@ struct ComponentInput {
   std::string high;
   std::string help;
   bool is_list = false;
+  text::Place declaration;  ///< its name there; no source: it was compiled in
 };
 
 /// What can be called: a procedure, an assemblage or a binding point. Wherever it was declared, this is all
@@ -48,6 +51,8 @@ struct Component {
 
 Component component_of(const flow::Behavior& behavior);
 Component component_of(const cnl::Procedure& procedure);
+/// What its inputs and its value are depends on each other; what is sure is said.
+Component component_of(const cdl::Function& function, const flow::Library& library);
 
 const ComponentInput* find_input(const Component& component, std::string_view name);
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/language/service.h"
 #include "mlab/text/testing/golden.h"
 
@@ -92,7 +93,7 @@ TEST(Fixes, OfferToLeaveOutWhatHasNoUse) {
 
 // The law, over everything that any language has to say.
 TEST(Fixes, AMendMakesItsProblemGoAway) {
-  const fs::path languages = fs::path(MLAB_SOURCE_DIR) / "src/mlab/lang";
+  const fs::path languages = fs::path(base::source_folder()) / "src/mlab/lang";
   std::size_t wrong_count = 0;
   std::size_t mended_count = 0;
   std::map<std::string, int> offered_kinds;

@@ -29,11 +29,19 @@ std::vector<Symbol> symbols_cnl(const Text& text, const Surroundings& around);
 std::vector<Symbol> symbols_mdl(const Text& text, const Surroundings& around);
 std::vector<Symbol> symbols_odl(const Text& text, const Surroundings& around);
 
+std::vector<Hint> hints_cdl(const Text& text, const Surroundings& around);
+std::vector<Hint> hints_cnl(const Text& text, const Surroundings& around);
+std::vector<Hint> hints_mdl(const Text& text, const Surroundings& around);
+
 /// Tokens that are no names: comments, words, numbers, texts.
 std::vector<Shade> tokens_cdl(const Text& text);
 std::vector<Shade> tokens_cnl(const Text& text);
 std::vector<Shade> tokens_mdl(const Text& text);
 std::vector<Shade> tokens_odl(const Text& text);
+
+/// What the C++ of a file of procedures says of their inputs, ascending.
+struct CnlScan;
+std::vector<Name> code_names(const CnlScan& scan);
 
 std::vector<Name> names_in(const Text& text, const Surroundings& around);
 /// A cursor past the end stands at the end.

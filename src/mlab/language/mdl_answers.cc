@@ -148,20 +148,38 @@ class MdlNames {
 
   void new_robot(const mdl::statement::NewRobot& robot) {
     add(NameKind::kRobotType, robot.name.span, true);
-    Name& program = add(NameKind::kFile, robot.program.span);
     const auto meant =
         robot_meant(robot.program.text, robot.name.text, folder_of(world_.text()), world_.around());
-    if (meant) program.target = {meant->scan.source, meant->declaration_span()};
+    add_program(robot, meant);
     for (const mdl::Parameter& parameter : robot.parameters) {
       Name& key = add(NameKind::kArgument, parameter.key.span);
       if (!meant) continue;
-      for (const CdlDeclaration* in : {meant->robot_class, meant->robot}) {
-        if (in == nullptr) continue;
-        for (const CdlParameter& one : in->parameters) {
-          if (one.input.name == key.text) key.target = {meant->scan.source, one.span};
-        }
-      }
+      if (const CdlParameter* const one = find_parameter(*meant, key.text))
+        key.target = {meant->scan.source, one->span};
     }
+  }
+
+  // `forager.cdl#Forager`: the file, and what of it is meant.
+  void add_program(const mdl::statement::NewRobot& robot, const std::optional<MeantRobot>& meant) {
+    text::Place target;
+    if (meant) target = {meant->scan.source, meant->declaration_span()};
+    Name& file = add(NameKind::kFile, robot.program.span);
+    file.target = target;
+    const std::size_t hash = meant ? file.text.rfind('#') : std::string::npos;
+    const text::Span whole = file.span;
+    if (hash != std::string::npos) {
+      file.span.end = whole.begin + static_cast<std::uint32_t>(hash);
+      file.text.resize(hash);
+    }
+    if (!meant || (meant->robot == nullptr && meant->society == nullptr)) return;
+    Name part = file;
+    part.kind = meant->robot != nullptr ? NameKind::kRobot : NameKind::kSociety;
+    part.span = {hash == std::string::npos ? whole.end : file.span.end + 1, whole.end};
+    part.text = source()->text(part.span);
+    part.is_unsaid = hash == std::string::npos;
+    // The only robot of a file needs no name.
+    if (part.is_unsaid && !mdl::equal_without_case(meant->robot->name, robot.name.text)) return;
+    out_.push_back(std::move(part));
   }
 
   void unit_definition(const mdl::statement::UnitDefinition& unit) {
@@ -421,6 +439,24 @@ std::vector<Symbol> symbols_mdl(const Text& text, const Surroundings& around) {
                    {}});
   }
   std::ranges::stable_sort(out, {}, [](const Symbol& one) { return one.span.begin; });
+  return out;
+}
+
+std::vector<Hint> hints_mdl(const Text& text, const Surroundings& around) {
+  text::Diagnostics unsaid;
+  const mdl::Tree tree = mdl::parse(text.source, unsaid);
+  std::vector<Hint> out;
+  for (const mdl::Statement& one : tree.preamble) {
+    const auto* robot = std::get_if<mdl::statement::NewRobot>(&one.what);
+    if (robot == nullptr || robot->parameters.empty()) continue;
+    const auto meant = robot_meant(robot->program.text, robot->name.text, folder_of(text), around);
+    if (!meant) continue;
+    for (const mdl::Parameter& given : robot->parameters) {
+      const CdlParameter* const found = find_parameter(*meant, given.key.text);
+      if (found == nullptr || found->input.value.unit.empty()) continue;
+      out.push_back({given.value_span.end, found->input.value.unit, true, first_sentence(found->input.help)});
+    }
+  }
   return out;
 }
 

@@ -49,6 +49,8 @@ struct Name {
   std::string text;
   text::Place target;  ///< the name where it is declared; no source: in no text that is known
   bool is_library = false;
+  /// What stands here means it without saying its name: `forager.cdl` a robot that is called as its type.
+  bool is_unsaid = false;
 };
 
 }  // namespace mlab::language

@@ -99,6 +99,15 @@ std::vector<Symbol> symbols(const Text& text, const Surroundings& around) {
   return {};
 }
 
+std::vector<Hint> hints(const Text& text, const Surroundings& around) {
+  std::vector<Hint> out;
+  if (text.language == Language::kConfiguration) out = hints_cdl(text, around);
+  if (text.language == Language::kNetwork) out = hints_cnl(text, around);
+  if (text.language == Language::kMission) out = hints_mdl(text, around);
+  std::ranges::stable_sort(out, {}, &Hint::at);
+  return out;
+}
+
 namespace {
 
 std::vector<Shade> tokens_in(const Text& text) {

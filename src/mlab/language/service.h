@@ -13,6 +13,7 @@
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/files.h"
 #include "mlab/text/source.h"
+#include "mlab/text/splice.h"
 
 /// What an editor asks of a text in one of the languages: one set of questions for all of them. Texts are
 /// taken as they are while somebody types: whatever is missing or wrong, there is an answer. Offsets count
@@ -38,13 +39,15 @@ struct Surroundings {
   robot::ProgramSources programs;
   /// Whether C++ in procedures is given to the compiler, which takes about a second.
   bool checks_code = true;
+  /// All texts of the project as they stand, open ones first. Null: the text that is asked about is alone.
+  std::function<std::vector<Text>()> project;
+  /// Why a file can't be changed, as `is read only`; empty: it can. Null: all can.
+  std::function<std::string(const std::string& path)> fixed;
+  /// Asked by what goes through the whole project. True: nobody waits for the answer any more, any will do.
+  std::function<bool()> given_up;
 };
 
-/// A part of the text, and what comes into its place.
-struct Splice {
-  text::Span span;
-  std::string text;
-};
+using text::Splice;
 
 // ------------------------------------------------------------------------------------------- what is wrong
 
@@ -112,9 +115,22 @@ std::optional<Hover> hover(const Text& text, std::uint32_t cursor, const Surroun
 /// language or a procedure that was compiled in.
 std::optional<text::Place> definition(const Text& text, std::uint32_t cursor, const Surroundings& around);
 
-/// Everywhere in this text and in `others` where the same thing is named, its declaration too.
-std::vector<text::Place> references(const Text& text, std::uint32_t cursor, const std::vector<Text>& others,
-                                    const Surroundings& around);
+/// A place where something is named.
+struct Use {
+  text::Place place;
+  std::string kind;  ///< what stands there, as `Candidate::kind`: an argument, a node, ...
+  bool is_declaration = false;
+  std::string within;  ///< the declaration that it stands in; empty: none
+};
+struct Uses {
+  std::string name;
+  std::string kind;         ///< of what is named
+  bool is_library = false;  ///< it is declared in the library
+  std::vector<Use> places;  ///< by file, ascending; those of the text that is asked about first
+};
+/// Everywhere in the project where the same thing is named as at the cursor, its declaration too; of
+/// something of the library, where the project names it. No places where there is no name.
+Uses uses(const Text& text, std::uint32_t cursor, const Surroundings& around);
 
 /// The name at the cursor, where it can be changed; nothing for words of the language and what the library
 /// declares.
@@ -125,11 +141,32 @@ struct Change {
   text::SourcePtr source;
   std::vector<Splice> splices;  ///< ascending
 };
-/// Gives it another name everywhere. @errors a sentence, where the name is none or stands for something else
-std::expected<std::vector<Change>, std::string> rename(const Text& text, std::uint32_t cursor,
-                                                       const std::string& name,
-                                                       const std::vector<Text>& others,
-                                                       const Surroundings& around);
+/// The text with the change done to it.
+std::string changed_text(const Change& change);
+
+/// What giving something another name changes in the whole project.
+struct Renaming {
+  std::string from;
+  std::string kind;
+  std::vector<Change> changes;  ///< one for each file, the declaring one's first
+  /// A file that names it, and stays as it is.
+  struct Kept {
+    text::SourcePtr source;
+    std::size_t places = 0;
+    std::string why;  ///< as Surroundings::fixed
+  };
+  std::vector<Kept> kept;
+  std::vector<std::string> notes;  ///< what else follows from it: sentences
+};
+/// Why it can't be had.
+struct Refusal {
+  std::string message;  ///< a sentence
+  text::Place place;    ///< what is in the way; no source: nothing in a text
+};
+/// Gives it another name in all texts of the project. Was tried: every place that named it names it still, no
+/// other one does, and no text has an error that it had not before.
+std::expected<Renaming, Refusal> rename(const Text& text, std::uint32_t cursor, const std::string& name,
+                                        const Surroundings& around);
 
 /// A declaration in a text, with those inside of it.
 struct Symbol {
@@ -139,8 +176,31 @@ struct Symbol {
   text::Span span;     ///< of all of it
   text::Span name_span;
   std::vector<Symbol> parts;
+  std::string help = {};  ///< its first sentence
 };
 std::vector<Symbol> symbols(const Text& text, const Surroundings& around);
+
+/// Lines that can be folded away, from the one that stays to the last that goes; both count from 1.
+struct Fold {
+  std::uint32_t first = 1;
+  std::uint32_t last = 1;
+  bool is_comment = false;
+
+  friend bool operator==(const Fold&, const Fold&) = default;
+};
+/// What stands between braces, declarations, steps, comments of several lines; by line.
+std::vector<Fold> folds(const Text& text, const Surroundings& around);
+
+/// What a text leaves out, for somebody who reads it.
+struct Hint {
+  std::uint32_t at = 0;  ///< where it would stand
+  std::string text;      ///< `m/s`, `radius:`
+  bool is_unit = false;  ///< behind a number; false: a name before an argument
+  std::string help;      ///< of the input; one line
+};
+/// Units of numbers that are written without one, names of inputs to which a number, text or list is given by
+/// position. Ascending.
+std::vector<Hint> hints(const Text& text, const Surroundings& around);
 
 // --------------------------------------------------------------------------------------------------- layout
 

@@ -53,12 +53,6 @@ bool starts_with(std::string_view text, std::string_view start) {
 
 }  // namespace
 
-std::string written_name(const std::string& name) {
-  const std::string_view bare = std::string_view(name).substr(0, name.size() - (name.ends_with('*') ? 1 : 0));
-  if (is_word(bare)) return name;
-  return name.find_first_of("\"\n\r") == std::string::npos ? '"' + name + '"' : "";
-}
-
 std::string written_reference(const std::string& name) {
   static constexpr std::array kSpecial = {"COMMAND",   "COMMAND-LIST", "MISSION",
                                           "IMMEDIATE", "HEADING",      "FREEZE"};

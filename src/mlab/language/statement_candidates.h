@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/lang/odl/write.h"
 #include "mlab/language/service.h"
 #include "mlab/mission/mission.h"
 #include "mlab/overlay/overlay.h"
@@ -26,8 +27,8 @@ enum class StatementKind : std::uint8_t { kTyped, kMission, kOverlay };
 /// @param text  up to the cursor
 Completions complete_statement(std::string_view text, StatementKind kind, const KnownNames& names);
 
-/// A name as MDL and ODL both read it: a plain word, or in quotes. Empty where neither can hold it.
-std::string written_name(const std::string& name);
+/// A name as MDL and ODL both read it.
+using odl::written_name;
 /// The same for a name in a mission, where words of the language stand in quotes.
 std::string written_reference(const std::string& name);
 

@@ -58,6 +58,16 @@ std::optional<MeantRobot> robot_meant(const std::string& program, const std::str
   return out;
 }
 
+const CdlParameter* find_parameter(const MeantRobot& in, const std::string& name) {
+  for (const CdlDeclaration* declaration : {in.robot, in.robot_class}) {
+    if (declaration == nullptr) continue;
+    for (const CdlParameter& one : declaration->parameters) {
+      if (one.input.name == name) return &one;
+    }
+  }
+  return nullptr;
+}
+
 std::string folder_of(const Text& text) {
   return std::filesystem::path(text.source->name()).parent_path().string();
 }

@@ -33,6 +33,9 @@ struct MeantRobot {
 std::optional<MeantRobot> robot_meant(const std::string& program, const std::string& type_name,
                                       const std::string& folder, const Surroundings& around);
 
+/// The parameter that a mission sets by this name: the robot's own comes before its class's. Null: none.
+const CdlParameter* find_parameter(const MeantRobot& in, const std::string& name);
+
 std::string folder_of(const Text& text);
 
 }  // namespace mlab::language

@@ -1,10 +1,11 @@
 // Answers about names: where they are declared and used, and other names for them.
 
-#include <algorithm>
 #include <filesystem>
-#include <map>
 #include <system_error>
+#include <utility>
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "mlab/lsp/document.h"
@@ -25,60 +26,132 @@ std::string Server::file_of(const text::SourcePtr& source) const {
   return std::filesystem::is_regular_file(path, failure) ? path : "";
 }
 
-Json Server::location(const text::Place& place) const {
-  for (const auto& [uri, one] : documents_) {
-    if (one->text.source->name() == place.source->name())
-      return {{"uri", uri}, {"range", range_json(LineIndex(place.source->text()), place.span)}};
+Json Server::Locations::at(const text::Place& place) {
+  auto found = known_.find(place.source.get());
+  if (found == known_.end()) {
+    const text::SourcePtr& source = place.source;
+    Known known{source, server_.uri_for(source), LineIndex(source->text())};
+    found = known_.emplace(source.get(), std::move(known)).first;
   }
-  return {{"uri", uri_of(file_of(place.source))},
-          {"range", range_json(LineIndex(place.source->text()), place.span)}};
+  return {{"uri", found->second.uri}, {"range", range_json(found->second.lines, place.span)}};
+}
+
+std::string Server::uri_for(const text::SourcePtr& source) const {
+  for (const auto& [uri, one] : documents_) {
+    if (one->text.source->name() == source->name()) return uri;
+  }
+  return uri_of(file_of(source));
 }
 
 Json Server::definition(const Json& params) {
   const Document& in = document(params);
-  const auto found = language::definition(in.text, cursor(in, params), surroundings());
+  const auto found = language::definition(in.text, cursor(in, params), project());
   if (!found || file_of(found->source).empty()) return nullptr;
-  return location(*found);
+  return Locations(*this).at(*found);
 }
 
 Json Server::references(const Json& params) {
   const Document& in = document(params);
-  const std::uint32_t at = cursor(in, params);
-  const language::Surroundings around = surroundings();
   const bool wants_declaration = params.value("context", Json::object()).value("includeDeclaration", true);
-  const auto declared = language::definition(in.text, at, around);
   Json out = Json::array();
-  for (const text::Place& place : language::references(in.text, at, all_texts(), around)) {
-    const bool is_declaration =
-        declared && declared->span == place.span && file_of(declared->source) == file_of(place.source);
-    if (wants_declaration || !is_declaration) out.push_back(location(place));
+  Locations locations(*this);
+  for (const language::Use& use : language::uses(in.text, cursor(in, params), project()).places) {
+    if (wants_declaration || !use.is_declaration) out.push_back(locations.at(use.place));
   }
   return out;
 }
 
 Json Server::prepare_rename(const Json& params) {
   const Document& in = document(params);
-  const auto found = language::renamable(in.text, cursor(in, params), surroundings());
+  const auto found = language::renamable(in.text, cursor(in, params), project());
   if (!found) return nullptr;
   return {{"range", range_json(*in.lines, *found)},
           {"placeholder", std::string(in.text.source->text(*found))}};
 }
 
+void Server::show(const std::string& message) {
+  constexpr int kInfo = 3;
+  send({{"jsonrpc", "2.0"},
+        {"method", "window/showMessage"},
+        {"params", {{"type", kInfo}, {"message", message}}}});
+}
+
+// Of a text that is open, for the version that it was computed of.
+Json Server::document_edit(const language::Change& change, const std::string& annotation) const {
+  const LineIndex lines(change.source->text());
+  Json edits = Json::array();
+  for (const language::Splice& splice : change.splices) {
+    Json edit = {{"range", range_json(lines, splice.span)}, {"newText", splice.text}};
+    if (!annotation.empty()) edit["annotationId"] = annotation;
+    edits.push_back(std::move(edit));
+  }
+  Json version = nullptr;
+  for (const auto& [uri, one] : documents_) {
+    if (one->text.source == change.source) version = one->version;
+  }
+  return {{"textDocument", {{"uri", uri_for(change.source)}, {"version", version}}},
+          {"edits", std::move(edits)}};
+}
+
 Json Server::rename(const Json& params) {
+  constexpr const char* kAnnotation = "rename";
   const Document& in = document(params);
   const std::string name = params.at("newName");
-  const auto changes = language::rename(in.text, cursor(in, params), name, all_texts(), surroundings());
-  if (!changes) throw Failure{kRequestFailed, changes.error()};
-  Json edits = Json::object();
-  for (const language::Change& change : *changes) {
-    const LineIndex lines(change.source->text());
-    Json list = Json::array();
-    for (const language::Splice& splice : change.splices)
-      list.push_back({{"range", range_json(lines, splice.span)}, {"newText", splice.text}});
-    const Json where = location({change.source, {0, 0}});
-    edits[where["uri"].get<std::string>()] = std::move(list);
+  const auto done = language::rename(in.text, cursor(in, params), name, project());
+  if (!done) {
+    std::string why = done.error().message;
+    if (const text::Place& place = done.error().place; place.source)
+      why += fmt::format(" ({}:{})", place.source->name(), place.source->line_column(place.span.begin).line);
+    throw Failure{kRequestFailed, std::move(why)};
   }
-  return {{"changes", std::move(edits)}};
+  std::string notes = fmt::format("{}", fmt::join(done->notes, "\n"));
+  if (workspace_.is_cut())
+    notes += fmt::format("{}files more than {} folders deep, or beyond the first {}, were not looked at",
+                         notes.empty() ? "" : "\n", Workspace::kMostDepth, Workspace::kMostFiles);
+  // Where other files change, or more follows from it, the editor is asked to show it first.
+  const bool is_wide = done->changes.size() > 1 || !notes.empty();
+  if (!notes.empty() && !takes_annotations_) show(notes);
+  if (!takes_versions_) {
+    Json changes = Json::object();
+    for (const language::Change& change : done->changes) {
+      const Json edit = document_edit(change, "");
+      changes[edit["textDocument"]["uri"].get<std::string>()] = edit["edits"];
+    }
+    return {{"changes", std::move(changes)}};
+  }
+  Json out = {{"documentChanges", Json::array()}};
+  const bool is_annotated = takes_annotations_ && is_wide;
+  for (const language::Change& change : done->changes)
+    out["documentChanges"].push_back(document_edit(change, is_annotated ? kAnnotation : ""));
+  if (is_annotated) {
+    out["changeAnnotations"][kAnnotation] = {
+        {"label", fmt::format("Rename the {} `{}`", done->kind, done->from)},
+        {"needsConfirmation", true},
+        {"description", notes}};
+  }
+  return out;
+}
+
+Json Server::workspace_symbols(const Json& params) {
+  constexpr std::size_t kMost = 200;
+  const std::string query = params.at("query");
+  index_.update(all_texts(), surroundings());
+  Json out = Json::array();
+  Locations locations(*this);
+  const auto add = [&](const language::Entry& one) {
+    if (one.kind == "call" || one.kind == "file" || out.size() == kMost) return;
+    Json symbol = {{"name", one.name},
+                   {"kind", symbol_kind(one.kind)},
+                   {"location", locations.at({one.source, one.span})}};
+    if (!one.within.empty()) symbol["containerName"] = one.within;
+    out.push_back(std::move(symbol));
+  };
+  if (query.empty()) {
+    for (const language::Entry* one : index_.all()) add(*one);
+  } else {
+    for (const language::ProjectIndex::Hit& hit : index_.find(query, kMost * 2)) add(*hit.entry);
+  }
+  return out;
 }
 
 }  // namespace mlab::lsp

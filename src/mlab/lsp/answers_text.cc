@@ -27,7 +27,8 @@ int completion_kind(const std::string& kind) {
   return found == kKinds.end() ? 1 : found->second;
 }
 
-/// SymbolKind
+}  // namespace
+
 int symbol_kind(const std::string& kind) {
   static const std::map<std::string, int, std::less<>> kKinds = {
       {"assemblage", 12}, {"procedure", 12}, {"binding", 11},   {"class", 5},  {"robot", 19},
@@ -37,6 +38,8 @@ int symbol_kind(const std::string& kind) {
   const auto found = kKinds.find(kind);
   return found == kKinds.end() ? 13 : found->second;
 }
+
+namespace {
 
 std::string snippet_text(std::string_view text) {
   std::string out;
@@ -141,6 +144,37 @@ Json Server::document_symbols(const Json& params) {
   return out;
 }
 
+Json Server::folding_ranges(const Json& params) {
+  const Document& in = document(params);
+  Json out = Json::array();
+  for (const language::Fold& one : language::folds(in.text, surroundings())) {
+    Json fold = {{"startLine", one.first - 1}, {"endLine", one.last - 1}};
+    if (one.is_comment) fold["kind"] = "comment";
+    out.push_back(std::move(fold));
+  }
+  return out;
+}
+
+Json Server::inlay_hints(const Json& params) {
+  constexpr int kParameter = 2;
+  const Document& in = document(params);
+  const text::Span range = span_of(*in.lines, params.at("range"));
+  Json out = Json::array();
+  for (const language::Hint& one : language::hints(in.text, surroundings())) {
+    if (one.at < range.begin || one.at > range.end) continue;
+    const Json at = position_json(*in.lines, one.at);
+    Json hint = {{"position", at}, {"label", one.text}, {one.is_unit ? "paddingLeft" : "paddingRight", true}};
+    if (!one.is_unit) hint["kind"] = kParameter;
+    if (!one.help.empty()) hint["tooltip"] = one.help;
+    // Taking the hint over writes the unit, where the language has them.
+    if (one.is_unit && in.text.language == language::Language::kConfiguration)
+      hint["textEdits"] =
+          Json::array({{{"range", {{"start", at}, {"end", at}}}, {"newText", " " + one.text}}});
+    out.push_back(std::move(hint));
+  }
+  return out;
+}
+
 Json Server::formatting(const Json& params) {
   const Document& in = document(params);
   text::Diagnostics unsaid;  // is told anyway
@@ -193,7 +227,7 @@ Json Server::semantic_tokens(const Json& params) {
   return {{"data", std::move(data)}};
 }
 
-Json Server::diagnostic_json(const Document& in, const text::Diagnostic& problem) const {
+Json Server::diagnostic_json(const Document& in, const text::Diagnostic& problem, Locations& locations) {
   std::string message = problem.message;
   if (!problem.label.empty()) message += "\n" + problem.label;
   for (const std::string& hint : problem.hints) message += "\nhint: " + hint;
@@ -201,10 +235,11 @@ Json Server::diagnostic_json(const Document& in, const text::Diagnostic& problem
   Json related = Json::array();
   if (!is_here && problem.place.source) {
     message = fmt::format("in `{}`: {}", problem.place.source->name(), message);
-    related.push_back({{"location", location(problem.place)}, {"message", problem.message}});
+    related.push_back({{"location", locations.at(problem.place)}, {"message", problem.message}});
   }
   for (const text::Note& note : problem.notes) {
-    if (note.place.source) related.push_back({{"location", location(note.place)}, {"message", note.message}});
+    if (note.place.source)
+      related.push_back({{"location", locations.at(note.place)}, {"message", note.message}});
   }
   text::Span span = is_here ? problem.place.span : text::Span{};
   // What is missing at a place is shown at the character beside it.
@@ -236,6 +271,7 @@ Json Server::code_actions(const Json& params) {
   }
   const language::Surroundings around = surroundings();
   Json out = Json::array();
+  Locations locations(*this);
   for (const text::Diagnostic& problem : in.problems.items()) {
     const text::Span span = problem.place.span;
     if (problem.place.source == nullptr || span.begin > range.end ||
@@ -247,7 +283,7 @@ Json Server::code_actions(const Json& params) {
         edits.push_back({{"range", range_json(*in.lines, splice.span)}, {"newText", splice.text}});
       out.push_back({{"title", fix.title},
                      {"kind", "quickfix"},
-                     {"diagnostics", Json::array({diagnostic_json(in, problem)})},
+                     {"diagnostics", Json::array({diagnostic_json(in, problem, locations)})},
                      {"edit", {{"changes", {{in.uri, std::move(edits)}}}}}});
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -31,6 +32,22 @@ struct Server::Document {
   }
 };
 
+/// Places of one answer: each text's lines are counted once. For as long as the server's texts stay.
+class Server::Locations {
+ public:
+  explicit Locations(const Server& server) : server_(server) {}
+  nlohmann::json at(const text::Place& place);
+
+ private:
+  struct Known {
+    text::SourcePtr source;
+    std::string uri;
+    LineIndex lines;
+  };
+  const Server& server_;
+  std::map<const text::Source*, Known> known_;
+};
+
 /// Why a request can't be answered.
 struct Server::Failure {
   int code = 0;
@@ -43,6 +60,7 @@ inline constexpr int kMethodNotFound = -32601;
 inline constexpr int kInvalidParams = -32602;
 inline constexpr int kServerNotInitialized = -32002;
 inline constexpr int kRequestFailed = -32803;
+inline constexpr int kRequestCancelled = -32800;
 
 inline nlohmann::json position_json(const LineIndex& lines, std::uint32_t offset) {
   const Position at = lines.position(offset);
@@ -51,6 +69,8 @@ inline nlohmann::json position_json(const LineIndex& lines, std::uint32_t offset
 inline nlohmann::json range_json(const LineIndex& lines, text::Span span) {
   return {{"start", position_json(lines, span.begin)}, {"end", position_json(lines, span.end)}};
 }
+/// SymbolKind of language::Symbol::kind
+int symbol_kind(const std::string& kind);
 /// @return the first line's start where it is no position
 Position position_of(const nlohmann::json& json);
 text::Span span_of(const LineIndex& lines, const nlohmann::json& range);

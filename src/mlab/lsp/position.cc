@@ -5,6 +5,8 @@
 namespace mlab::lsp {
 namespace {
 
+constexpr std::uint32_t kMarkEvery = 256;  // bytes
+
 /// Bytes of the character at `at`; 1 where it is none.
 std::uint32_t character_length(std::string_view text, std::uint32_t at) {
   const auto first = static_cast<unsigned char>(text[at]);
@@ -28,11 +30,30 @@ std::uint32_t units(std::uint32_t length) {
 
 LineIndex::LineIndex(std::string_view text) : text_(text) {
   starts_.push_back(0);
-  for (std::uint32_t i = 0; i < text.size(); ++i) {
+  Mark at;
+  std::uint32_t marked = 0;
+  while (at.offset < text.size()) {
+    const char here = text[at.offset];
+    const std::uint32_t length = character_length(text, at.offset);
+    at.offset += length;
+    at.units += units(length);
     // `\r` alone ends a line, too.
-    const bool ends = text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
-    if (ends) starts_.push_back(i + 1);
+    const bool ends = here == '\n' || (here == '\r' && (at.offset == text.size() || text[at.offset] != '\n'));
+    if (ends) {
+      starts_.push_back(at.offset);
+      at.units = 0;
+      marked = at.offset;
+    } else if (at.offset - marked >= kMarkEvery) {
+      marks_.push_back(at);
+      marked = at.offset;
+    }
   }
+}
+
+LineIndex::Mark LineIndex::mark_before(std::uint32_t offset, std::uint32_t line_start) const {
+  const auto after = std::ranges::upper_bound(marks_, offset, {}, &Mark::offset);
+  if (after == marks_.begin() || (after - 1)->offset < line_start) return {line_start, 0};
+  return *(after - 1);
 }
 
 text::Span LineIndex::line(std::uint32_t number) const {
@@ -49,7 +70,9 @@ Position LineIndex::position(std::uint32_t offset) const {
   const auto after = std::ranges::upper_bound(starts_, offset);
   Position out;
   out.line = static_cast<std::uint32_t>(after - starts_.begin()) - 1;
-  for (std::uint32_t at = starts_[out.line]; at < offset;) {
+  const Mark from = mark_before(offset, starts_[out.line]);
+  out.character = from.units;
+  for (std::uint32_t at = from.offset; at < offset;) {
     const std::uint32_t length = character_length(text_, at);
     if (at + length > offset) break;
     out.character += units(length);
@@ -60,8 +83,11 @@ Position LineIndex::position(std::uint32_t offset) const {
 
 std::uint32_t LineIndex::offset(Position position) const {
   const text::Span in = line(position.line);
-  std::uint32_t at = in.begin;
-  std::uint32_t counted = 0;
+  const auto first = std::ranges::upper_bound(marks_, in.begin, {}, &Mark::offset);
+  const auto last = std::ranges::lower_bound(first, marks_.end(), in.end, {}, &Mark::offset);
+  const auto beyond = std::ranges::upper_bound(first, last, position.character, {}, &Mark::units);
+  std::uint32_t at = beyond == first ? in.begin : (beyond - 1)->offset;
+  std::uint32_t counted = beyond == first ? 0 : (beyond - 1)->units;
   while (at < in.end && counted < position.character) {
     const std::uint32_t length = character_length(text_, at);
     counted += units(length);

@@ -30,8 +30,16 @@ class LineIndex {
   text::Span line(std::uint32_t number) const;
 
  private:
+  /// Where counting can begin on a long line: units from the line's start.
+  struct Mark {
+    std::uint32_t offset = 0;
+    std::uint32_t units = 0;
+  };
+  Mark mark_before(std::uint32_t offset, std::uint32_t line_start) const;
+
   std::string_view text_;
   std::vector<std::uint32_t> starts_;
+  std::vector<Mark> marks_;  // ascending
 };
 
 }  // namespace mlab::lsp

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "mlab/base/testing/processor_time.h"
+
 namespace mlab::lsp {
 namespace {
 
@@ -30,6 +32,32 @@ TEST(Position, KnowsAllLineEnds) {
   EXPECT_EQ(lines.position(2), (Position{1, 0}));
   EXPECT_EQ(lines.position(5), (Position{2, 0}));
   EXPECT_EQ(lines.position(7), (Position{3, 0}));
+}
+
+TEST(Position, CountsOnLongLines) {
+  std::string text = "first\n";
+  for (int i = 0; i < 300; ++i) text += "ab\xc3\xa9\xf0\x9f\x98\x80";  // 8 bytes, 5 units
+  text += "\r\nlast";
+  const LineIndex lines(text);
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const std::uint32_t offset = 6 + i * 8;
+    ASSERT_EQ(lines.position(offset), (Position{1, i * 5}));
+    ASSERT_EQ(lines.offset({1, i * 5}), offset);
+    ASSERT_EQ(lines.offset({1, i * 5 + 3}), offset + 4);
+    ASSERT_EQ(lines.offset({1, i * 5 + 4}), offset + 4) << "in the middle of a pair";
+    ASSERT_EQ(lines.position(offset + 5), (Position{1, i * 5 + 3})) << "inside of a character";
+  }
+  EXPECT_EQ(lines.position(6 + 2400 + 2), (Position{2, 0}));
+  EXPECT_EQ(lines.offset({1, 9999}), 6U + 2400U);
+}
+
+TEST(Position, IsQuickOnALineOfMegabytes) {
+  const std::string text(base::kMegabyte, 'x');
+  const double seconds = base::processor_seconds([&] {
+    const LineIndex lines(text);
+    for (std::uint32_t i = 0; i < text.size(); i += 16) ASSERT_EQ(lines.offset(lines.position(i)), i);
+  });
+  EXPECT_LT(seconds, 1.0 * base::kSlowness);
 }
 
 RC_GTEST_PROP(Position, AnOffsetComesBackWhereACharacterBegins, (const std::string& text)) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lsp/framing.h"
 #include "mlab/lsp/server.h"
 
@@ -26,13 +27,14 @@ class Editor {
   Editor() {
     EXPECT_EQ(::pipe(pipe_.data()), 0);
     thread_ = std::thread([this] {
-      status_ = serve({"1", {}, MLAB_SOURCE_DIR "/library"}, pipe_[0], [this](std::string_view bytes) {
-        const std::scoped_lock lock(mutex_);
-        reader_.add(bytes);
-        while (const auto message = reader_.next()) got_.push_back(Json::parse(message->body));
-        comes_.notify_one();
-        return true;
-      });
+      status_ =
+          serve({"1", {}, base::source_folder() + "/library"}, pipe_[0], [this](std::string_view bytes) {
+            const std::scoped_lock lock(mutex_);
+            reader_.add(bytes);
+            while (const auto message = reader_.next()) got_.push_back(Json::parse(message->body));
+            comes_.notify_one();
+            return true;
+          });
     });
   }
   ~Editor() {
@@ -144,6 +146,36 @@ TEST(Serve, TellsOnlyOfTheTextAsItStands) {
   ASSERT_EQ(told["method"], "textDocument/publishDiagnostics");
   const int version = told["params"]["version"];
   EXPECT_TRUE(version == 4 || version == 1) << "1: the first check was done sooner than the changes came";
+}
+
+TEST(Serve, DoesNotAnswerWhatIsCancelled) {
+  Editor editor;
+  editor.initialize();
+  editor.open(kLarge, large_text());
+  const Json at_noise = {{"textDocument", {{"uri", kLarge}}},
+                         {"position", {{"line", 0}, {"character", 13}}},
+                         {"newName", "Other"}};
+  // While the first is answered, which takes some hundred milliseconds, both are cancelled.
+  editor.ask(2, "textDocument/rename", at_noise);
+  editor.ask(3, "textDocument/rename", at_noise);
+  editor.tell("$/cancelRequest", {{"id", 3}});
+  editor.tell("$/cancelRequest", {{"id", "of nobody"}});
+  editor.ask(4, "textDocument/hover", at_noise);
+  int answers = 0;
+  while (answers < 3) {
+    const Json one = editor.next();
+    if (!one.contains("id")) continue;
+    EXPECT_EQ(one["id"], 2 + answers++);
+    if (one["id"] == 2) {
+      EXPECT_TRUE(one.contains("result")) << one;
+    }
+    if (one["id"] == 3) {
+      EXPECT_EQ(one["error"]["code"], -32800) << one;
+    }
+    if (one["id"] == 4) {
+      EXPECT_TRUE(one.contains("result")) << one;
+    }
+  }
 }
 
 TEST(Serve, EndsWhileFaultsAreLookedFor) {

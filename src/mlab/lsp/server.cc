@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <system_error>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/documents/store.h"
 #include "mlab/lsp/document.h"
 #include "mlab/lsp/uri.h"
+#include "mlab/text/splice.h"
 
 namespace mlab::lsp {
 
@@ -18,22 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostProjectFiles = 2000;
-constexpr int kMostFolderDepth = 8;
-
-std::string normal(const std::string& path) {
-  std::error_code failure;
-  const fs::path canonical = fs::weakly_canonical(path, failure);
-  return failure ? path : canonical.string();
-}
-
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> out;
   std::error_code failure;
   for (fs::directory_iterator it(folder.empty() ? "." : folder, failure), end; !failure && it != end;
        it.increment(failure)) {
     if (it->is_regular_file(failure)) out.push_back(it->path().filename().string());
-    if (out.size() == kMostProjectFiles) break;
+    if (out.size() == Workspace::kMostFiles) break;
   }
   std::ranges::sort(out);
   return out;
@@ -45,11 +40,6 @@ std::optional<language::Language> language_named(const std::string& id) {
   if (id == "cnl") return language::Language::kNetwork;
   if (id == "cdl") return language::Language::kConfiguration;
   return std::nullopt;
-}
-
-bool is_ours(const fs::path& path) {
-  const std::string ending = path.extension().string();
-  return ending == ".mdl" || ending == ".odl" || ending == ".ovl" || ending == ".cnl" || ending == ".cdl";
 }
 
 }  // namespace
@@ -134,8 +124,12 @@ void Server::dispatch(const Json& message) {
     }
     return;
   }
+  answering_ = id.dump();
+  was_cancelled_ = false;
   try {
+    if (is_cancelled()) throw Failure{kRequestCancelled, "nobody waits for it any more"};
     Json result = answer(method, params);
+    if (was_cancelled_) throw Failure{kRequestCancelled, "nobody waits for it any more"};
     send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
   } catch (const Failure& failure) {
     respond_error(id, failure.code, failure.message);
@@ -155,18 +149,26 @@ Server::Json Server::answer(const std::string& method, const Json& params) {
     was_shut_down_ = true;
     return nullptr;
   }
-  if (method == "textDocument/completion") return completion(params);
-  if (method == "textDocument/hover") return hover(params);
-  if (method == "textDocument/signatureHelp") return signature_help(params);
-  if (method == "textDocument/definition") return definition(params);
-  if (method == "textDocument/references") return references(params);
-  if (method == "textDocument/prepareRename") return prepare_rename(params);
-  if (method == "textDocument/rename") return rename(params);
-  if (method == "textDocument/documentSymbol") return document_symbols(params);
-  if (method == "textDocument/formatting") return formatting(params);
-  if (method == "textDocument/codeAction") return code_actions(params);
-  if (method == "textDocument/semanticTokens/full") return semantic_tokens(params);
-  throw Failure{kMethodNotFound, fmt::format("there is no `{}` here", method)};
+  using Handler = Json (Server::*)(const Json&);
+  static const std::map<std::string, Handler, std::less<>> kHandlers = {
+      {"textDocument/completion", &Server::completion},
+      {"textDocument/hover", &Server::hover},
+      {"textDocument/signatureHelp", &Server::signature_help},
+      {"textDocument/definition", &Server::definition},
+      {"textDocument/references", &Server::references},
+      {"textDocument/prepareRename", &Server::prepare_rename},
+      {"textDocument/rename", &Server::rename},
+      {"textDocument/documentSymbol", &Server::document_symbols},
+      {"textDocument/foldingRange", &Server::folding_ranges},
+      {"textDocument/formatting", &Server::formatting},
+      {"textDocument/codeAction", &Server::code_actions},
+      {"textDocument/inlayHint", &Server::inlay_hints},
+      {"textDocument/semanticTokens/full", &Server::semantic_tokens},
+      {"workspace/symbol", &Server::workspace_symbols},
+  };
+  const auto found = kHandlers.find(method);
+  if (found == kHandlers.end()) throw Failure{kMethodNotFound, fmt::format("there is no `{}` here", method)};
+  return (this->*found->second)(params);
 }
 
 void Server::notice(const std::string& method, const Json& params) {
@@ -188,10 +190,11 @@ Server::Json Server::initialize(const Json& params) {
   const Json folders = params.value("workspaceFolders", Json());
   for (const Json& folder : folders.is_array() ? folders : Json::array()) {
     if (folder.is_object() && folder.contains("uri") && folder["uri"].is_string())
-      folders_.push_back(path_of(folder["uri"].get<std::string>()));
+      workspace_.add_folder(path_of(folder["uri"].get<std::string>()));
   }
   const Json root = params.value("rootUri", Json());
-  if (folders_.empty() && root.is_string()) folders_.push_back(path_of(root.get<std::string>()));
+  const bool has_folder = folders.is_array() && !folders.empty();
+  if (!has_folder && root.is_string()) workspace_.add_folder(path_of(root.get<std::string>()));
   // Editors without such a question say nothing: who opens a folder in them trusts it to be read.
   const Json trusted = params.value(Json::json_pointer("/initializationOptions/trusted"), Json(true));
   if (options_.permission)
@@ -199,6 +202,10 @@ Server::Json Server::initialize(const Json& params) {
   const Json snippets = params.value(
       Json::json_pointer("/capabilities/textDocument/completion/completionItem/snippetSupport"), Json(false));
   takes_snippets_ = snippets.is_boolean() && snippets.get<bool>();
+  const Json edits =
+      params.value(Json::json_pointer("/capabilities/workspace/workspaceEdit"), Json::object());
+  takes_versions_ = edits.is_object() && edits.value("documentChanges", Json()) == true;
+  takes_annotations_ = takes_versions_ && edits.contains("changeAnnotationSupport");
   const Json types = {"comment",   "keyword",  "number",     "string", "operator", "type", "function",
                       "parameter", "variable", "enumMember", "class",  "property", "macro"};
   return {{"capabilities",
@@ -212,6 +219,9 @@ Server::Json Server::initialize(const Json& params) {
             {"referencesProvider", true},
             {"renameProvider", {{"prepareProvider", true}}},
             {"documentSymbolProvider", true},
+            {"workspaceSymbolProvider", true},
+            {"foldingRangeProvider", true},
+            {"inlayHintProvider", true},
             {"documentFormattingProvider", true},
             {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
             {"semanticTokensProvider",
@@ -241,12 +251,10 @@ void Server::change(const Json& params) {
   Document& in = document(params);
   in.version = params.at("textDocument").value("version", in.version);
   for (const Json& one : params.at("contentChanges")) {
-    std::string now = one.at("text");
-    if (one.contains("range")) {
-      const text::Span span = span_of(*in.lines, one["range"]);
-      const std::string_view before = in.text.source->text();
-      now = std::string(before.substr(0, span.begin)) + now + std::string(before.substr(span.end));
-    }
+    const std::string_view before = in.text.source->text();
+    const auto whole = static_cast<std::uint32_t>(before.size());
+    const text::Span span = one.contains("range") ? span_of(*in.lines, one["range"]) : text::Span{0, whole};
+    std::string now = text::spliced(before, {span, one.at("text").get<std::string>()});
     if (now.size() > text::Source::kMaxBytes) throw Failure{kInvalidParams, "the text is too long"};
     in.set(std::move(now));
   }
@@ -285,26 +293,14 @@ std::uint32_t Server::cursor(const Document& in, const Json& params) const {
 
 // The open texts as they stand now, above the files on disk: they may be read from any thread.
 language::Surroundings Server::surroundings() const {
+  std::vector<text::SourcePtr> texts;
+  for (const auto& [uri, one] : documents_) texts.push_back(one->text.source);
   language::Surroundings out = options_.around;
-  const text::Files under = options_.around.files;
-  const auto texts = std::make_shared<std::map<std::string, text::SourcePtr>>();
-  for (const auto& [uri, one] : documents_)
-    texts->try_emplace(normal(one->text.source->name()), one->text.source);
-  const auto open = [texts](const std::string& path) -> text::SourcePtr {
-    const auto found = texts->find(normal(path));
-    return found == texts->end() ? nullptr : found->second;
-  };
-  out.files.is_file = [open, under](const std::string& path) {
-    return open(path) != nullptr || under.is_file(path);
-  };
-  out.files.read = [open, under](const std::string& path) -> text::Result<text::SourcePtr> {
-    if (text::SourcePtr source = open(path)) return source;
-    return under.read(path);
-  };
+  out.files = documents::with_texts(texts, options_.around.files, normal);
   out.list = [texts](const std::string& folder) {
     std::vector<std::string> names = files_in(folder);
-    for (const auto& [name, source] : *texts) {
-      const fs::path path = source->name();
+    for (const text::SourcePtr& one : texts) {
+      const fs::path path = one->name();
       if (normal(path.parent_path().string()) == normal(folder)) names.push_back(path.filename().string());
     }
     std::ranges::sort(names);
@@ -316,31 +312,29 @@ language::Surroundings Server::surroundings() const {
 }
 
 // All open texts, and those of the project's folders.
-std::vector<language::Text> Server::all_texts() const {
+std::vector<language::Text> Server::all_texts() {
   std::vector<language::Text> out;
-  std::vector<std::string> seen;
+  std::set<std::string> open;
   for (const auto& [uri, one] : documents_) {
     out.push_back(one->text);
-    seen.push_back(normal(one->text.source->name()));
+    open.insert(normal(one->text.source->name()));
   }
-  std::size_t read = 0;
-  for (const std::string& folder : folders_) {
-    std::error_code failure;
-    fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, failure);
-    for (; !failure && it != fs::recursive_directory_iterator(); it.increment(failure)) {
-      const std::string name = it->path().filename().string();
-      if (it->is_directory(failure) &&
-          (name.starts_with('.') || name == "node_modules" || it.depth() >= kMostFolderDepth))
-        it.disable_recursion_pending();
-      if (!is_ours(it->path()) || !it->is_regular_file(failure)) continue;
-      if (++read > kMostProjectFiles) return out;
-      if (std::ranges::find(seen, normal(it->path().string())) != seen.end()) continue;
-      const auto source = options_.around.files.read(it->path().string());
-      const auto language = source ? language::language_of(**source) : std::nullopt;
-      if (language) out.push_back({*source, *language});
-    }
-  }
+  for (language::Text& one : workspace_.texts(open, options_.around.files)) out.push_back(std::move(one));
   return out;
+}
+
+language::Surroundings Server::project() {
+  language::Surroundings out = surroundings();
+  out.project = [this] { return all_texts(); };
+  out.fixed = why_fixed;
+  out.given_up = [this] { return is_cancelled(); };
+  return out;
+}
+
+// Once it is, it stays so: what was found then is not the whole.
+bool Server::is_cancelled() {
+  if (!was_cancelled_ && options_.is_cancelled) was_cancelled_ = options_.is_cancelled(answering_);
+  return was_cancelled_;
 }
 
 bool Server::has_work() const {
@@ -373,8 +367,9 @@ void Server::tell(const Check& check, text::Diagnostics problems) {
   one.problems = std::move(problems);
   one.known = check.text.source;
   Json diagnostics = Json::array();
+  Locations locations(*this);
   for (const text::Diagnostic& problem : one.problems.items())
-    diagnostics.push_back(diagnostic_json(one, problem));
+    diagnostics.push_back(diagnostic_json(one, problem, locations));
   send({{"jsonrpc", "2.0"},
         {"method", "textDocument/publishDiagnostics"},
         {"params", {{"uri", one.uri}, {"version", one.version}, {"diagnostics", std::move(diagnostics)}}}});

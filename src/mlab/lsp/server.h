@@ -11,7 +11,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "mlab/cell/permission.h"
+#include "mlab/language/search.h"
 #include "mlab/language/service.h"
+#include "mlab/lsp/workspace.h"
 
 namespace mlab::lsp {
 
@@ -23,6 +25,8 @@ struct Options {
   std::string library_folder;
   /// Whether C++ in texts may be compiled where the editor trusts the folder, and where it doesn't.
   std::function<cell::Permission(bool is_trusted)> permission = nullptr;
+  /// Asked now and then while a request is answered: whether it was cancelled. Its id as JSON.
+  std::function<bool(const std::string& id)> is_cancelled = nullptr;
 };
 
 /// A language server, without input and output: one message in, messages out. Never throws on what it is
@@ -62,6 +66,7 @@ class Server {
  private:
   using Json = nlohmann::json;
   struct Document;
+  class Locations;
   struct Failure;
 
   void dispatch(const Json& message);
@@ -83,6 +88,9 @@ class Server {
   Json prepare_rename(const Json& params);
   Json rename(const Json& params);
   Json document_symbols(const Json& params);
+  Json workspace_symbols(const Json& params);
+  Json folding_ranges(const Json& params);
+  Json inlay_hints(const Json& params);
   Json formatting(const Json& params);
   Json code_actions(const Json& params);
   Json semantic_tokens(const Json& params);
@@ -90,22 +98,33 @@ class Server {
   Document& document(const Json& params);
   Check check_of(Document& document, bool checks_code) const;
   std::uint32_t cursor(const Document& document, const Json& params) const;
-  Json location(const text::Place& place) const;
+  std::string uri_for(const text::SourcePtr& source) const;
   std::string file_of(const text::SourcePtr& source) const;
-  std::vector<language::Text> all_texts() const;
+  std::vector<language::Text> all_texts();
   language::Surroundings surroundings() const;
-  Json diagnostic_json(const Document& document, const text::Diagnostic& diagnostic) const;
+  /// The same with all texts of the project; for this thread only.
+  language::Surroundings project();
+  bool is_cancelled();
+  Json document_edit(const language::Change& change, const std::string& annotation) const;
+  void show(const std::string& message);
+  static Json diagnostic_json(const Document& document, const text::Diagnostic& diagnostic,
+                              Locations& locations);
   void send(const Json& message);
   void respond_error(const Json& id, int code, const std::string& message);
 
   Options options_;
   Send send_;
   std::map<std::string, std::unique_ptr<Document>> documents_;  ///< by URI
-  std::vector<std::string> folders_;
+  Workspace workspace_;
+  language::ProjectIndex index_;
+  std::string answering_;  // id of the request that is being answered, as JSON
+  bool was_cancelled_ = false;
   bool is_initialized_ = false;
   bool was_shut_down_ = false;
   bool is_over_ = false;
   bool takes_snippets_ = false;
+  bool takes_versions_ = false;     // edits that say of which version of a text
+  bool takes_annotations_ = false;  // edits that ask to be looked at first
 };
 
 /// Reads messages from a file and writes answers until it is over.

@@ -1,5 +1,8 @@
 #include "mlab/lsp/server.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -10,6 +13,9 @@
 #include <rapidcheck/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/base/testing/processor_time.h"
+#include "mlab/base/testing/source_folder.h"
+
 namespace mlab::lsp {
 namespace {
 
@@ -18,7 +24,7 @@ using Json = nlohmann::json;
 class ServerTest : public ::testing::Test {
  protected:
   ServerTest()
-      : server_({"1", {}, MLAB_SOURCE_DIR "/library"},
+      : server_({"1", {}, base::source_folder() + "/library"},
                 [this](const std::string& m) { got_.push_back(Json::parse(m)); }) {}
 
   Json ask(const std::string& method, const Json& params) {
@@ -192,6 +198,18 @@ TEST_F(ServerTest, FindsAndRenames) {
   EXPECT_EQ(ask("textDocument/rename", params)["error"]["code"], -32803);
 }
 
+TEST_F(ServerTest, IsQuickWithManyUses) {
+  initialize();
+  const int count = base::kIsSlowBuild ? 1000 : 16000;
+  std::string text = "assemblage A(gain: gain = 1) {\n  cooperate {\n";
+  for (int i = 0; i < count; ++i) text += "    gain: Noise();\n";
+  open(kUri, text + "  }\n}\n");
+  const double seconds = base::processor_seconds([&] {
+    EXPECT_EQ(result("textDocument/references", at(kUri, 2, 5)).size(), static_cast<std::size_t>(count) + 1);
+  });
+  EXPECT_LT(seconds, 3.0 * base::kSlowness);
+}
+
 TEST_F(ServerTest, LeadsIntoTheLibrary) {
   initialize();
   open(kUri, "assemblage A() {\n  AvoidDynamicObstacles()\n}\n");
@@ -220,6 +238,147 @@ TEST_F(ServerTest, UsesTextsThatAreNotSaved) {
   const Json changes = result("textDocument/rename", place_name)["changes"];
   EXPECT_EQ(changes.size(), 2U) << changes;
   EXPECT_EQ(changes[mission][0]["range"]["start"]["character"], 19) << "behind `PP-`";
+}
+
+/// A folder with files on disk that are not open.
+class FolderTest : public ServerTest {
+ protected:
+  FolderTest() : folder_(::testing::TempDir() + "mlab_lsp_folder_" + std::to_string(::getpid())) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ + "/inner");
+    put("skills.cdl",
+        "/// Goes about.\nassemblage Roam(urge: gain = 1) {\n  cooperate { urge: Noise(); }\n}\n");
+    put("robots.cdl",
+        "use \"skills.cdl\";\nrobot Scout(urge: gain = 0.5) {\n  movement = Roam(urge = urge);\n}\n");
+    put("map.odl", "CONTROL MEASURES:\nPP Charlie 10 10\n");
+    put("inner/m.mdl",
+        "OVERLAY ../map.odl\nNEW-ROBOT scout \"../robots.cdl\" (urge = 0.7)\nUNIT <a> scout\n"
+        "COMMAND LIST:\n 1. UNIT a START PP-Charlie\n");
+  }
+  ~FolderTest() override { std::filesystem::remove_all(folder_); }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ + "/" + name) << text;
+  }
+  std::string uri(const std::string& name) const { return "file://" + folder_ + "/" + name; }
+  void start(const Json& capabilities = Json::object()) {
+    initialize({{"workspaceFolders", Json::array({{{"uri", "file://" + folder_}, {"name", "x"}}})},
+                {"capabilities", capabilities}});
+  }
+  void open_file(const std::string& name) {
+    std::ifstream in(folder_ + "/" + name);
+    open(uri(name), std::string(std::istreambuf_iterator<char>(in), {}));
+  }
+
+  std::string folder_;
+};
+
+TEST_F(FolderTest, FindsUsesInFilesThatAreNotOpen) {
+  start();
+  open_file("skills.cdl");
+  Json params = at(uri("skills.cdl"), 1, 12);
+  EXPECT_EQ(result("textDocument/references", params).size(), 2U);
+  params["context"] = {{"includeDeclaration", false}};
+  const Json found = result("textDocument/references", params);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0]["uri"], uri("robots.cdl"));
+  EXPECT_EQ(result("textDocument/references", at(uri("skills.cdl"), 2, 22)).size(), 1U) << "of the library";
+  put("other.cdl", "use \"skills.cdl\";\nassemblage B() {\n  Roam()\n}\n");
+  EXPECT_EQ(result("textDocument/references", params).size(), 2U) << "which has come meanwhile";
+  std::filesystem::remove(folder_ + "/other.cdl");
+  EXPECT_EQ(result("textDocument/references", params).size(), 1U);
+}
+
+TEST_F(FolderTest, RenamesInFilesThatAreNotOpenAndAsksForALookFirst) {
+  start({{"workspace",
+          {{"workspaceEdit", {{"documentChanges", true}, {"changeAnnotationSupport", Json::object()}}}}}});
+  open_file("robots.cdl");
+  Json params = at(uri("robots.cdl"), 1, 13);
+  params["newName"] = "need";
+  const Json edit = result("textDocument/rename", params);
+  ASSERT_EQ(edit["documentChanges"].size(), 2U) << edit;
+  EXPECT_EQ(edit["documentChanges"][0]["textDocument"], (Json{{"uri", uri("robots.cdl")}, {"version", 1}}));
+  EXPECT_EQ(edit["documentChanges"][1]["textDocument"],
+            (Json{{"uri", uri("inner/m.mdl")}, {"version", nullptr}}));
+  const std::string annotation = edit["documentChanges"][0]["edits"][0]["annotationId"];
+  EXPECT_EQ(edit["changeAnnotations"][annotation]["needsConfirmation"], true);
+  params["newName"] = "two words";
+  EXPECT_EQ(ask("textDocument/rename", params)["error"]["code"], -32803);
+}
+
+TEST_F(FolderTest, SaysWhatIsReadOnlyAndWhatElseFollows) {
+  if (::geteuid() == 0) GTEST_SKIP() << "who may do everything can write everywhere";
+  std::filesystem::permissions(folder_ + "/inner/m.mdl", std::filesystem::perms::owner_read);
+  start();
+  open_file("robots.cdl");
+  Json params = at(uri("robots.cdl"), 1, 13);
+  params["newName"] = "need";
+  EXPECT_EQ(result("textDocument/rename", params)["changes"].size(), 1U);
+  const auto shown = std::ranges::find_if(
+      got_, [](const Json& one) { return one.value("method", "") == "window/showMessage"; });
+  ASSERT_NE(shown, got_.end());
+  EXPECT_TRUE((*shown)["params"]["message"].get<std::string>().contains("is read only")) << *shown;
+}
+
+TEST_F(FolderTest, SaysThatItDidNotLookEverywhere) {
+  start();
+  open_file("skills.cdl");
+  Json params = at(uri("skills.cdl"), 1, 17);  // a parameter: nothing else follows
+  params["newName"] = "need";
+  const auto shown = [&] {
+    got_.clear();
+    result("textDocument/rename", params);
+    return std::ranges::any_of(got_, [](const Json& one) {
+      return one.value("method", "") == "window/showMessage" &&
+             one["params"]["message"].get<std::string>().find("8 folders deep") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(shown());
+  std::filesystem::create_directories(folder_ + "/1/2/3/4/5/6/7/8/9");
+  EXPECT_TRUE(shown());
+}
+
+TEST_F(FolderTest, FollowsNoLinkOutOfTheFolder) {
+  const std::string outside = folder_ + "_outside.cdl";
+  std::ofstream(outside) << "assemblage Outside() {\n  Noise()\n}\n";
+  std::filesystem::create_symlink(outside, folder_ + "/link.cdl");
+  std::filesystem::create_symlink(folder_ + "/skills.cdl", folder_ + "/inner/link.cdl");
+  start();
+  EXPECT_EQ(result("workspace/symbol", {{"query", "Outside"}}).size(), 0U);
+  EXPECT_GE(result("workspace/symbol", {{"query", "Roam"}}).size(), 1U);
+  std::filesystem::remove(outside);
+}
+
+TEST_F(FolderTest, FindsSymbolsOfTheWholeFolder) {
+  start();
+  const auto names = [&](const std::string& query) {
+    std::vector<std::string> out;
+    for (const Json& one : result("workspace/symbol", {{"query", query}})) out.push_back(one["name"]);
+    return out;
+  };
+  EXPECT_EQ(names("roam"), (std::vector<std::string>{"Roam"}));
+  EXPECT_EQ(names("urge").size(), 2U);
+  EXPECT_EQ(names("char"), (std::vector<std::string>{"Charlie"}));
+  EXPECT_EQ(names("").size(), 8U);
+  EXPECT_TRUE(names("noise").empty()) << "what is only used";
+  const Json urge = result("workspace/symbol", {{"query", "urge"}});
+  EXPECT_EQ(urge[0]["containerName"], "Scout");
+}
+
+TEST_F(ServerTest, FoldsAndHints) {
+  initialize();
+  open(kUri, "assemblage A() {\n  cooperate {\n    1: Noise(6);\n  }\n}\n");
+  const Json document = {{"textDocument", {{"uri", kUri}}}};
+  EXPECT_EQ(result("textDocument/foldingRange", document),
+            (Json{{{"startLine", 0}, {"endLine", 3}}, {{"startLine", 1}, {"endLine", 2}}}));
+  Json params = document;
+  params["range"] = {{"start", {{"line", 0}, {"character", 0}}}, {"end", {{"line", 4}, {"character", 0}}}};
+  const Json hints = result("textDocument/inlayHint", params);
+  ASSERT_EQ(hints.size(), 2U) << hints;
+  EXPECT_EQ(hints[0]["label"], "persistence:");
+  EXPECT_EQ(hints[1]["label"], "s");
+  EXPECT_EQ(hints[1]["position"], (Json{{"line", 2}, {"character", 14}}));
+  params["range"]["start"]["line"] = 3;
+  EXPECT_TRUE(result("textDocument/inlayHint", params).empty());
 }
 
 TEST_F(ServerTest, LaysOutAndColours) {

@@ -8,7 +8,7 @@
 #include "mlab/base/random.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/executive.h"
-#include "mlab/mission/toy_fleet.h"
+#include "mlab/mission/testing/toy_fleet.h"
 
 namespace mlab::mission {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mlab/mission/toy_fleet.h"
+#include "mlab/mission/testing/toy_fleet.h"
 
 namespace mlab::mission {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/mission/executive.h"
-#include "mlab/mission/toy_fleet.h"
+#include "mlab/mission/testing/toy_fleet.h"
 
 namespace mlab::mission {
 namespace {

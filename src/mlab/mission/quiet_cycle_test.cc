@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/processor_time.h"
 
 #include <utility>
 
-#include "mlab/base/count_allocations.h"
+#include "mlab/base/testing/count_allocations.h"
 #include "mlab/mission/executive.h"
-#include "mlab/mission/toy_fleet.h"
+#include "mlab/mission/testing/toy_fleet.h"
 
 namespace mlab::mission {
 namespace {

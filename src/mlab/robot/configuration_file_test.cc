@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl/format.h"
 #include "mlab/robot/robot_program.h"
 
@@ -222,7 +223,7 @@ TEST(LoadConfiguration, KeepsTheFirstValueWherePureCallsAreShared) {
 }
 
 TEST(TheExamplesOfTheManual, AreRightAndInTheCanonicalLayout) {
-  const fs::path folder = fs::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl/testdata/examples";
+  const fs::path folder = fs::path(base::source_folder()) / "src/mlab/lang/cdl/testdata/examples";
   int count = 0;
   for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
     const auto source = text::read_source(file.path().string());
@@ -233,12 +234,12 @@ TEST(TheExamplesOfTheManual, AreRightAndInTheCanonicalLayout) {
     EXPECT_EQ(cdl::format(*source, sink).value_or(""), (*source)->text()) << file.path();
     ++count;
   }
-  EXPECT_EQ(count, 4);
+  EXPECT_EQ(count, 5);
 }
 
 TEST(TheExamplesOfTheManual, BuildWithTheOperatorsOfTheirSociety) {
   text::Diagnostics sink;
-  const ProgramSources sources = {{}, std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/cdl/testdata/examples"};
+  const ProgramSources sources = {{}, base::source_folder() + "/src/mlab/lang/cdl/testdata/examples"};
   const auto fetcher = load_configuration("robots.cdl#Fetcher", "", {}, sources, sink);
   const auto watcher = load_configuration("robots.cdl", "watcher", {}, sources, sink);
   ASSERT_TRUE(fetcher && watcher) << text::render(sink);

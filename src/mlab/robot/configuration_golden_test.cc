@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/text/testing/golden.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 namespace golden = text::testing;
 // The configurations stand with their language; here is the library whose procedures they name.
-const std::filesystem::path kFolder = std::filesystem::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl";
+const std::filesystem::path kFolder = std::filesystem::path(base::source_folder()) / "src/mlab/lang/cdl";
 
 // Goldens name files beside them, so the tests run in their folder.
 class CdlGolden : public ::testing::Test {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl/lexer.h"
 #include "mlab/robot/configuration_file.h"
 #include "mlab/text/testing/golden.h"
@@ -61,7 +62,8 @@ std::string judged(const std::string& text, std::uint32_t offset) {
 
 class ASlipInAForageExample : public testing::TestWithParam<const char*> {
  protected:
-  const std::string text_ = text::testing::read_all(std::filesystem::path(MLAB_SOURCE_DIR) / GetParam());
+  const std::string text_ =
+      text::testing::read_all(std::filesystem::path(base::source_folder()) / GetParam());
   const cdl::Tokens tokens_ = cdl::lex(text_);
 
   std::string word(const cdl::Token& token) const {

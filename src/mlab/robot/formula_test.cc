@@ -15,7 +15,8 @@
 #include <gtest/gtest.h>
 
 #include "mlab/base/hash.h"
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/processor_time.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cdl/print.h"
 #include "mlab/lang/cdl/testing/any_sentence.h"
@@ -88,7 +89,7 @@ TEST(FormulaWithTheLibrary, ReadsAndWritesAThousandSentences) {
 TEST(FormulaWithTheLibrary, ReadsWhatItWritesOfTheConfigurationsThatComeWithIt) {
   std::size_t read = 0;
   for (const char* folder : {"missions", "library/robots", "src/mlab/lang/cdl/testdata/examples"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(MLAB_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(base::source_folder()) / folder)) {
       if (entry.path().extension() != ".cdl") continue;
       std::ifstream file(entry.path());
       std::stringstream text;

@@ -53,8 +53,45 @@ bool may_report(const flow::Network& network) {
   });
 }
 
+std::vector<PlaceParameter> places_of(const flow::Network& network) {
+  std::vector<PlaceParameter> out;
+  for (const flow::Parameter& parameter : network.parameters) {
+    if (!parameter.place_name.text.empty())
+      out.push_back({parameter.name, parameter.place_name.text, parameter.place_name.place});
+  }
+  return out;
+}
+
+// What a mission says of the values of a program.
+struct Told {
+  std::span<const Setting> settings;
+  const Places* places = nullptr;
+  const text::Place& type_place;  // of the program's name
+};
+
+// Places that nobody set.
+void find_places(const Told& told, RobotProgram& robot, text::Diagnostics& sink) {
+  const auto& [settings, places, type_place] = told;
+  if (places == nullptr) return;
+  for (const PlaceParameter& parameter : robot.places) {
+    const flow::Port* port = robot.program->find(parameter.path);
+    if (port == nullptr || std::ranges::find(settings, parameter.path, &Setting::key) != settings.end())
+      continue;
+    if (const std::optional<geom::Point> point = places->find(parameter.name)) {
+      robot.program->set(robot.initial.data(), *port, point_words(*point));
+      continue;
+    }
+    const text::Place& at = parameter.place.source ? parameter.place : type_place;
+    text::Diagnostic& d = sink.error(
+        "unknown-place", at, fmt::format("the mission has no place `{}`", text::shown(parameter.name)));
+    places->explain(parameter.name, d);
+    if (parameter.place.source && type_place.source)
+      d.notes.push_back({"the mission has robots of this program here", type_place});
+  }
+}
+
 void set_parameters(std::span<const Setting> settings, const std::vector<std::string>& known_keys,
-                    RobotProgram& robot, text::Diagnostics& sink) {
+                    const Places* places, RobotProgram& robot, text::Diagnostics& sink) {
   for (const Setting& parameter : settings) {
     if (std::find(known_keys.begin(), known_keys.end(), parameter.key) != known_keys.end()) continue;
     const flow::Port* port = robot.program->find(parameter.key);
@@ -68,13 +105,39 @@ void set_parameters(std::span<const Setting> settings, const std::vector<std::st
       if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
       continue;
     }
-    if (const auto problem = robot.program->set(robot.initial.data(), *port, parameter.value)) {
-      sink.error("bad-parameter", parameter.place, *problem);
+    const std::string value =
+        places == nullptr ? parameter.value : in_coordinates(*port, parameter.value, *places);
+    if (const auto problem = robot.program->set(robot.initial.data(), *port, value)) {
+      text::Diagnostic& d = sink.error("bad-parameter", parameter.place, *problem);
+      if (places != nullptr && port->type->kind == flow::TypeKind::kPoint)
+        places->explain(parameter.value, d);
     }
   }
 }
 
 }  // namespace
+
+namespace {
+
+void set_values(const Told& told, const std::vector<std::string>& known_keys, RobotProgram& robot,
+                text::Diagnostics& sink) {
+  robot.initial = robot.program->make_frame();
+  find_places(told, robot, sink);
+  set_parameters(told.settings, known_keys, told.places, robot, sink);
+}
+
+}  // namespace
+
+std::string point_words(geom::Point point) {
+  return fmt::format("{{{}, {}}}", point.x, point.y);
+}
+
+std::string in_coordinates(const flow::Port& port, const std::string& value, const Places& places) {
+  const bool is_exact = value.starts_with('{') || value.starts_with('[');
+  if (port.type->kind != flow::TypeKind::kPoint || is_exact) return value;
+  const std::optional<geom::Point> point = places.find(value);
+  return point ? point_words(*point) : value;
+}
 
 std::optional<double> RobotProgram::number(std::string_view path) const {
   if (native) {
@@ -131,6 +194,7 @@ void take_built(const RobotProgram& built, RobotProgram& robot) {
   robot.body = built.body;
   robot.is_own = built.is_own;
   robot.reports = built.reports;
+  robot.places = built.places;
 }
 
 // An executable outside of the project is started for nobody.
@@ -149,6 +213,14 @@ void warn_of_parked(std::string_view code, const text::Place& place, std::string
   text::Diagnostic& d = sink.warning(std::string(code), place, std::move(message));
   d.label = "robots of this type stand parked";
   d.hints.push_back(std::move(hint));
+}
+
+void warn_of_unknown(std::string_view name, const text::Place& place, text::Diagnostics& sink) {
+  warn_of_parked("unknown-program", place,
+                 fmt::format("nothing here answers to the robot program `{}`", name),
+                 "`robot` is the standard robot; a network or a configuration is named by its file: "
+                 "`mine.cnl`, `mine.cdl`",
+                 sink);
 }
 
 }  // namespace
@@ -183,6 +255,7 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     robot.is_own = true;
     if (auto configured = load_configuration(name, type, place, sources, sink)) {
       robot.reports = may_report(configured->lowered.network);
+      robot.places = places_of(configured->lowered.network);
       take(std::move(configured->built));
       robot.body = std::move(configured->lowered.body);
     }
@@ -201,19 +274,15 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     if (!*revealed)
       return load_native_program(std::move(robot), place, settings, *wall, sources, known_keys, sink);
     robot.reports = may_report((*revealed)->network);
+    robot.places = places_of((*revealed)->network);
     take(std::move((*revealed)->built));
     robot.body = std::move((*revealed)->body);
   } else {
-    warn_of_parked("unknown-program", place,
-                   fmt::format("nothing here answers to the robot program `{}`", name),
-                   "`robot` is the standard robot; a network or a configuration is named by its file: "
-                   "`mine.cnl`, `mine.cdl`",
-                   sink);
+    warn_of_unknown(name, place, sink);
     return robot;
   }
   if (!robot.program) return std::nullopt;
-  robot.initial = robot.program->make_frame();
-  set_parameters(settings, known_keys, robot, sink);
+  set_values({settings, sources.places, place}, known_keys, robot, sink);
   if (sink.error_count() > errors_before) return std::nullopt;
   return robot;
 }

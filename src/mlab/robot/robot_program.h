@@ -13,6 +13,7 @@
 #include "mlab/flow/frame.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/program.h"
+#include "mlab/robot/places.h"
 #include "mlab/robot_host/limits.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/files.h"
@@ -31,6 +32,13 @@ struct Setting {
 };
 
 struct NativeProgram;
+
+/// A parameter that is a named place of the mission, where the mission does not set it.
+struct PlaceParameter {
+  std::string path;   ///< of the parameter
+  std::string name;   ///< of the place
+  text::Place place;  ///< where the configuration names it; nowhere: an executable told of it
+};
 
 /// A network made ready to run.
 struct BuiltProgram {
@@ -56,7 +64,8 @@ struct RobotProgram {
       {};  ///< what a configuration says of the body: `radius`, ... in SI units
   std::shared_ptr<const NativeProgram> native = nullptr;  ///< runs in processes of its own; then no `program`
 
-  bool is_own = false;  ///< of a network or configuration that the mission names
+  std::vector<PlaceParameter> places = {};  ///< what `place("Gate")` of a configuration became
+  bool is_own = false;                      ///< of a network or configuration that the mission names
   bool reports = true;  ///< false: nothing in it ever says how far the robot is with an order
 
   /// Somebody answers to the name.
@@ -77,6 +86,7 @@ struct ProgramSources {
   bool checks_code = true;             ///< a check gives C++ of procedures to the compiler
   robot_host::Limits limits = {};      ///< of programs that run in processes of their own
   std::string project = {};            ///< folder that programs, and what they use, come from; empty: any
+  const Places* places = nullptr;      ///< of the mission; null: there is none, and places lie anywhere
   std::stop_token ends = {};           ///< stops a C++ compiler that is at work: nobody waits for it any more
 };
 
@@ -87,6 +97,9 @@ struct ProgramSources {
 /// An executable is run only where the permission allows it. Everything else is a warning and gives a parked
 /// robot. A parameter that the program does not have is a warning with the nearest name; one with a value
 /// that it can't take is an error.
+/// A parameter of type Point may be set to the name of a place, or to two coordinates, where `sources` knows
+/// places; one that is a named place itself is where that is.
+/// @errors  also `unknown-place`
 /// @param name   as the mission writes it, at `place`
 /// @param known_keys  parameter names that somebody else takes (the vehicle)
 /// @param built  the one of that name, where it has been built before; it is not built again then

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 
 namespace mlab::robot {
@@ -130,7 +131,7 @@ TEST_F(ProjectTest, ProgramsComeFromTheProjectByWhateverName) {
 TEST_F(ProjectTest, CodeThatNobodyAllowedIsNotCompiled) {
   std::ofstream(folder_ / "project" / "missions" / "code.cnl") << kWithCode;
   ProgramSources ours = sources();
-  ours.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+  ours.include_root = base::source_folder() + "/src";
   ours.permission = cell::Permission();
   text::Diagnostics sink;
   const auto robot = load("code.cnl", {}, sink, ours);

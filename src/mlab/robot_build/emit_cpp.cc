@@ -173,6 +173,8 @@ void write_parameter(const flow::Parameter& parameter, std::string& out) {
                      cpp_string(parameter.name), cpp_string(parameter.type), cpp_string(parameter.unit),
                      value(parameter.initial), parameter.min, parameter.max, cpp_string(parameter.help),
                      other_names);
+  if (!parameter.place_name.text.empty())
+    out += fmt::format("  w.place_name({});\n", cpp_string(parameter.place_name.text));
 }
 
 // What main says of the procedures that are brought.

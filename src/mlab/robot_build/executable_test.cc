@@ -1,4 +1,5 @@
 #include "mlab/robot_build/executable.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 
 #include <unistd.h>
@@ -31,7 +32,7 @@ class ExecutableTest : public ::testing::Test {
  protected:
   ExecutableTest() {
     fs::create_directories(folder_);
-    toolchain_.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+    toolchain_.include_root = base::source_folder() + "/src";
     toolchain_.link_file = MLAB_LINK_FILE;
     toolchain_.cache_folder = (folder_ / "cache").string();
     toolchain_.version = "test";

@@ -85,6 +85,10 @@ void Wiring::parameter(const char* name, const char* type, const char* unit, Val
                                   {}});
 }
 
+void Wiring::place_name(const char* name) {
+  network_->parameters.back().place_name.text = name;
+}
+
 NodeWiring Wiring::add(int kind, const char* name, const char* behavior) {
   flow::Node& node = network_->nodes.emplace_back();
   node.kind = static_cast<flow::Node::Kind>(kind);

@@ -67,6 +67,8 @@ class Wiring {
   };
   void parameter(const char* name, const char* type, const char* unit, Value initial, Limits limits,
                  const char* help, std::initializer_list<const char*> other_names);
+  /// The parameter before is that named place of the mission's overlay, where no mission sets it.
+  void place_name(const char* name);
   NodeWiring behavior(const char* name, const char* behavior);
   NodeWiring sequence(const char* name, const char* type);
   NodeWiring select(const char* name, const char* type);

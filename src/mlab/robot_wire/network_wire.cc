@@ -21,7 +21,7 @@ Source source_of(const wire::NetworkSource& message) {
 }
 
 void put(const flow::Parameter& parameter, wire::NetworkParameter& out) {
-  const auto& [name, type, unit, help, other_names, initial, min, max, place] = parameter;
+  const auto& [name, type, unit, help, other_names, initial, min, max, place, place_name] = parameter;
   out.set_name(name);
   out.set_type(type);
   out.set_unit(unit);
@@ -30,6 +30,7 @@ void put(const flow::Parameter& parameter, wire::NetworkParameter& out) {
   put(initial, *out.mutable_initial());
   out.set_min(min);
   out.set_max(max);
+  out.set_place_name(place_name.text);
 }
 
 flow::Parameter parameter_of(const wire::NetworkParameter& message) {
@@ -42,6 +43,7 @@ flow::Parameter parameter_of(const wire::NetworkParameter& message) {
   out.initial = source_of(message.initial());
   out.min = message.min();
   out.max = message.max();
+  out.place_name.text = message.place_name();
   return out;
 }
 

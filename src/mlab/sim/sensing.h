@@ -34,13 +34,13 @@ class SenseBuffer {
  private:
   friend class Sensors;
   /// Something seen, before the list is sorted.
-  struct Seen {
+  struct Detection {
     double distance;   ///< what the list is sorted by [m]
     std::uint32_t id;  ///< breaks ties
     double x, y;       ///< centre [m, robot frame]
     double radius;
   };
-  std::vector<Seen> seen_;
+  std::vector<Detection> seen_;
   std::vector<double> beams_;         ///< distances from the body's centre [m]
   std::vector<std::uint32_t> walls_;  ///< near ones, each once
   std::vector<percept::Obstacle> obstacles_;

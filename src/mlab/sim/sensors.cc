@@ -98,7 +98,7 @@ void Sensors::see(double distance, std::uint32_t id, Point center, double radius
 }
 
 void Sensors::sort_seen() {
-  std::ranges::sort(buffer_.seen_, [](const SenseBuffer::Seen& a, const SenseBuffer::Seen& b) {
+  std::ranges::sort(buffer_.seen_, [](const SenseBuffer::Detection& a, const SenseBuffer::Detection& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
   });
 }
@@ -233,7 +233,7 @@ void Sensors::sense_objects(double range, percept::Percepts& out) {
     look(kDiscObjectBase + index, disc.center, disc.radius);
   });
   std::erase_if(buffer_.seen_,
-                [&](const SenseBuffer::Seen& seen) { return !view.contains({seen.x, seen.y, 0.0}); });
+                [&](const SenseBuffer::Detection& seen) { return !view.contains({seen.x, seen.y, 0.0}); });
   sort_seen();
   buffer_.objects_.clear();
   for (const auto& seen : buffer_.seen_) {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/count_allocations.h"
-#include "mlab/base/processor_time.h"
 #include "mlab/base/random.h"
+#include "mlab/base/testing/count_allocations.h"
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/sim/bench_scenario.h"
 
 namespace mlab::sim {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/count_allocations.h"
-#include "mlab/flow/test_behaviors.h"
+#include "mlab/base/testing/count_allocations.h"
+#include "mlab/flow/testing/behaviors.h"
 #include "mlab/sim/simulated_binding.h"
 
 namespace mlab::fleet {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/processor_time.h"
 
 namespace mlab::text {
 namespace {

@@ -53,12 +53,21 @@ for (const colours of ["light", "dark"] as const) {
         .click({ position: { x: 60, y: 10 } });
       found.push(...(await violations(designer, `${name}, one selected`)));
     }
+    await designer.toDeclaration("Wander");
+    await page.locator("body").press("Shift+d");
+    await page.getByRole("dialog").waitFor();
+    found.push(...(await violations(designer, "compare with")));
+    await page.getByRole("dialog").getByRole("button", { name: "The saved file" }).click();
+    await designer.setValue(designer.named("Noise"), "persistence", "6 s");
+    await designer.named("Noise").getByText("persistence 12 s → 6 s").waitFor();
+    found.push(...(await violations(designer, "compared")));
+    await designer.button("Stop comparing").click();
     if (!(await designer.text.isVisible())) await designer.button("Text").click();
     await designer.button("Problems").click();
     await designer.text.waitFor();
     found.push(...(await violations(designer, "text and problems")));
     for (const [key, title] of [
-      ["Control+k", "All commands"],
+      ["Control+k", "Search everything"],
       ["?", "Keyboard shortcuts"],
       ["Control+o", "Open a configuration"],
     ] as const) {
@@ -68,6 +77,20 @@ for (const colours of ["light", "dark"] as const) {
       await page.keyboard.press("Escape");
       await page.getByRole("dialog").waitFor({ state: "detached" });
     }
+    await page.keyboard.press("Control+f");
+    await page.getByRole("textbox", { name: "Find on this page" }).fill("a");
+    found.push(...(await violations(designer, "finding")));
+    await page.keyboard.press("Escape");
+    await designer.toDeclaration("Wander");
+    await designer.canvas.press("Shift+F12");
+    await page.getByRole("region", { name: "Uses of Wander" }).waitFor();
+    found.push(...(await violations(designer, "uses")));
+    await designer.select(designer.named("Probe"));
+    await page.keyboard.press("F2");
+    const dialog = page.getByRole("dialog", { name: /^Rename/ });
+    await dialog.getByRole("textbox", { name: "Name" }).fill("Other_Name");
+    await dialog.getByText(/random numbers/).waitFor();
+    found.push(...(await violations(designer, "renaming")));
     expect(found).toEqual([]);
   });
 }

@@ -318,7 +318,7 @@ test("a drawing is exported while it is still being laid out", async () => {
   await page.goto(mlab.url);
   await page.locator('[aria-label="Drawing of Two"][aria-busy=true]').waitFor();
   await page.keyboard.press("Control+k");
-  await page.getByRole("combobox", { name: "All commands" }).fill("as SVG");
+  await page.getByRole("combobox", { name: "Search everything" }).fill("as SVG");
   const coming = page.waitForEvent("download");
   await page.keyboard.press("Enter");
   expect(await page.locator(".react-flow__node").count()).toBe(0);
@@ -334,7 +334,7 @@ test("a drawing is exported as SVG and as PNG", async () => {
     ["PNG", "\u0089PNG".slice(1)],
   ] as const) {
     await designer.page.keyboard.press("Control+k");
-    await designer.page.getByRole("combobox", { name: "All commands" }).fill(`as ${name}`);
+    await designer.page.getByRole("combobox", { name: "Search everything" }).fill(`as ${name}`);
     const coming = designer.page.waitForEvent("download");
     await designer.page.keyboard.press("Enter");
     const download = await coming;

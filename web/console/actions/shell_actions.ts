@@ -402,7 +402,7 @@ function viewActions({ ui }: Session): Action[] {
   return [
     {
       id: "palette",
-      label: "All commands…",
+      label: "Search everything…",
       group: "View",
       icon: "search",
       shortcut: "ctrl+k",

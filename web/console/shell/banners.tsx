@@ -9,6 +9,7 @@ import { sentence } from "../../ui/words/sentence.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, save, takeOperator } from "../session/orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { ChangedFiles } from "./changed_files.tsx";
 import type { StopState } from "./stop_state.ts";
 import { useStopState } from "./use_stop.ts";
 
@@ -22,6 +23,7 @@ export function Banners() {
       <WatchingBanner />
       <OlderTextBanner />
       <NotKeptBanner />
+      <ChangedFiles />
       <Notice />
     </div>
   );

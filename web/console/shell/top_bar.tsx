@@ -38,9 +38,9 @@ export function TopBar() {
           <SpeedControl />
           <span className="gap" />
           <People />
-          <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
+          <Hint text="Search everything" shortcut={shownShortcut("ctrl+k")}>
             <Button tone="quiet" className="find" icon="search" onPress={() => session.ui.set("dialog", "palette")}>
-              <span className="hidden-text">All commands</span>
+              <span className="hidden-text">Search everything</span>
               <kbd>{shownShortcut("ctrl+k")}</kbd>
             </Button>
           </Hint>

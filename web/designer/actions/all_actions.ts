@@ -3,6 +3,7 @@ import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
 import { startTour } from "../tour/start.ts";
 import { blocksOf } from "./blocks.ts";
+import { compareActions } from "./compare_actions.ts";
 import { arrangeActions, historyActions, selectionActions } from "./edit_actions.ts";
 import { fileActions } from "./file_actions.ts";
 import { goActions } from "./go_actions.ts";
@@ -19,6 +20,7 @@ export function allActions(designer: Designer): Action[] {
     ...arrangeActions(designer, blocks),
     ...goActions(designer),
     ...viewActions(designer),
+    ...compareActions(designer),
     ...(designer.extensions.actions?.(designer) ?? []),
     ...helpActions(designer),
   ];
@@ -29,7 +31,7 @@ function helpActions(designer: Designer): Action[] {
   return [
     {
       id: "commands",
-      label: "All commands",
+      label: "Search everything",
       group: "Help",
       icon: "search",
       shortcut: "ctrl+k",

@@ -1,4 +1,5 @@
 // What is done with what stands on the page: taken back, taken away, copied, selected, moved.
+import { takeBack } from "../names/rename.ts";
 import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
 import { arrangeAll } from "./arranging.ts";
@@ -59,6 +60,12 @@ export function selectionActions(designer: Designer, blocks: Blocks): Action[] {
       shortcut: "f2",
       blocked: fixed ?? notOneNode,
       run: () => store.setState({ dialog: "rename", subject: first }),
+    },
+    {
+      id: "take-back-renaming",
+      label: "Take back the last renaming, in all files",
+      group: "Edit",
+      run: () => void takeBack(designer),
     },
   ];
 }

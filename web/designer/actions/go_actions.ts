@@ -1,4 +1,6 @@
 // Going from page to page, and from one part of the window to another.
+import { componentOf, drawnAt } from "../names/at.ts";
+import { showUses } from "../names/uses.ts";
 import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
 import { innerOf } from "../session/inside.ts";
@@ -19,6 +21,7 @@ export function goActions(designer: Designer): Action[] {
       blocked: to ? undefined : "Select something that has an inside",
       run: () => designer.enter(to!),
     },
+    ...findActions(designer),
     {
       id: "up",
       label: "Up one level",
@@ -61,6 +64,43 @@ export function goActions(designer: Designer): Action[] {
       group: "Go",
       blocked: drawing ? undefined : kClosed,
       run: () => void copyLink(designer),
+    },
+  ];
+}
+
+function findActions(designer: Designer): Action[] {
+  const { state, drawing } = designer;
+  const selected = state.selection[0] ?? "";
+  const component = componentOf(drawing, selected);
+  return [
+    {
+      id: "uses",
+      label: "Find uses",
+      group: "Go",
+      icon: "search",
+      shortcut: "shift+f12",
+      blocked: drawing ? undefined : kClosed,
+      run: () => void showUses(designer, drawnAt(designer, selected)),
+    },
+    {
+      id: "component-uses",
+      label: component ? `Find uses of ${component}` : "Find uses of the component",
+      group: "Go",
+      icon: "search",
+      blocked: component ? undefined : "Select a node of a component",
+      run: () => void showUses(designer, drawnAt(designer, selected, true)),
+    },
+    {
+      id: "find",
+      label: "Find on this page",
+      group: "Go",
+      icon: "search",
+      shortcut: "ctrl+f",
+      blocked: drawing ? undefined : kClosed,
+      run: () => {
+        designer.store.setState({ isFinding: true });
+        document.querySelector<HTMLInputElement>(".find-bar input")?.select();
+      },
     },
   ];
 }

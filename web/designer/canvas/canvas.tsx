@@ -12,6 +12,7 @@ import {
 } from "@xyflow/react";
 import { type CSSProperties, type ReactNode, type RefObject, useEffect, useMemo, useRef } from "react";
 import { kPitch } from "../arrange/elk.ts";
+import { pageDifference, withGhosts } from "../compare/compared.ts";
 import { dropAt, kDragged } from "../palette/touch_drag.ts";
 import type { Designer } from "../session/designer.ts";
 import { isTabbed, offerFocus } from "../session/panes.ts";
@@ -71,9 +72,10 @@ export function Canvas({ drawing }: { drawing: Drawing }) {
   const isStates = kind === Drawing_Kind.STATES;
   const shown = usePart((state) => state.shown);
   const distance = useCanvas((state) => state.distance);
-  const places = usePlaces(drawing);
+  const difference = usePart(pageDifference);
+  const places = usePlaces(useMemo(() => withGhosts(drawing, difference), [drawing, difference]));
   const isDragging = useRef(false);
-  const { nodes, edges, ids, nodesChange, edgesChange } = useElements(drawing, places, isDragging);
+  const { nodes, edges, ids, nodesChange, edgesChange } = useElements(drawing, difference, places, isDragging);
   const camera = useCamera(drawing, nodes);
   const showsFarWires = !isStates && distance !== "near" && edges.length > 150;
   const connects = useMemo(() => connecting(designer, drawing, flow), [designer, drawing, flow]);

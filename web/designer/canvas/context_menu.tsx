@@ -19,7 +19,7 @@ interface OpenedMenu {
 const useOpened = create<{ opened: OpenedMenu | null }>(() => ({ opened: null }));
 
 /** What everything has in its menu, where it can be done. */
-const kCommon = ["enter", "rename", "connect", "replace", "copy", "duplicate", "remove"];
+const kCommon = ["enter", "rename", "uses", "component-uses", "connect", "replace", "copy", "duplicate", "remove"];
 
 /** Selects it and opens its menu. */
 export function openMenu(designer: Designer, id: string, event: { clientX: number; clientY: number }): void {

@@ -8,11 +8,12 @@ import {
   type NodeChange,
 } from "@xyflow/react";
 import { type RefObject, useEffect, useMemo, useState } from "react";
+import { ghostsOf, isGhost, isGhostTransition, withGhosts, withoutGhost } from "../compare/compared.ts";
 import { type CanvasNode, type CanvasWire, nodesOf, type Places, wiresOf } from "../drawing/flow.ts";
-import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
+import { type Drawing, Drawing_Kind, type PageDifference } from "../session/protocol.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { useCanvas } from "../sight/canvas_store.ts";
-import { stateNodes, transitionEdges, transitionId } from "../states/flow.ts";
+import { stateNodes, type TransitionEdge, transitionEdges, transitionId } from "../states/flow.ts";
 import { spokenNode } from "../views/node_view.tsx";
 import { spokenState } from "../views/state_view.tsx";
 import { selectionAfter, stillThere } from "./selected.ts";
@@ -27,7 +28,12 @@ export interface Elements {
 }
 
 /** `isDragging`: nodes stay where the hand has them. */
-export function useElements(drawing: Drawing, places: Places | null, isDragging: RefObject<boolean>): Elements {
+export function useElements(
+  drawing: Drawing,
+  difference: PageDifference | undefined,
+  places: Places | null,
+  isDragging: RefObject<boolean>,
+): Elements {
   const designer = useDesigner();
   const scale = useCanvas((state) => state.scale);
   const [nodes, setNodes] = useState<FlowNode[]>([]);
@@ -41,15 +47,22 @@ export function useElements(drawing: Drawing, places: Places | null, isDragging:
   useEffect(() => {
     if (!places || isDragging.current) return;
     const selection = new Set(designer.state.selection);
+    const whole = withGhosts(drawing, difference);
     setNodes((before) =>
-      (isStates ? stateNodes(drawing, places, before) : nodesOf(drawing, places, before as CanvasNode[]))
+      (isStates
+        ? stateNodes(whole, places, before)
+        : [...nodesOf(drawing, places, before as CanvasNode[]), ...ghostNodes(drawing, difference, places)]
+      )
+        .map((node) => asGhost(node as FlowNode))
         .map((node) => withLabel(node as FlowNode))
         .map((node) => marked(node, selection)),
     );
     setEdges((before) =>
-      isStates ? transitionEdges(drawing, places, before, scale) : wiresOf(drawing, before as CanvasWire[]),
+      isStates
+        ? transitionEdges(whole, places, before, scale).map((edge) => asGhostEdge(edge, drawing))
+        : [...wiresOf(drawing, before as CanvasWire[]), ...ghostWires(drawing, difference)],
     );
-  }, [drawing, places, isStates, designer, scale, isDragging]);
+  }, [drawing, difference, places, isStates, designer, scale, isDragging]);
 
   // What is selected elsewhere (a problem, a link, the details) is selected here.
   const selection = usePart((state) => state.selection);
@@ -69,7 +82,22 @@ export function useElements(drawing: Drawing, places: Places | null, isDragging:
     select(changes);
     setEdges((before) => applyEdgeChanges(changes, before));
   };
-  return { nodes, edges, ids, nodesChange, edgesChange };
+  const found = useCanvas((state) => state.found);
+  return {
+    nodes: useMemo(() => withFound(nodes, found), [nodes, found]),
+    edges: useMemo(() => withFound(edges, found), [edges, found]),
+    ids,
+    nodesChange,
+    edgesChange,
+  };
+}
+
+/** What was found on the page is marked. */
+function withFound<T extends { id: string; className?: string }>(items: T[], found: ReadonlySet<string>): T[] {
+  if (found.size === 0) return items;
+  return items.map((item) =>
+    found.has(item.id) ? { ...item, className: item.className ? `${item.className} found` : "found" } : item,
+  );
 }
 
 interface Selectable {
@@ -110,4 +138,39 @@ function withLabel(node: FlowNode): FlowNode {
           ? "Result of the page"
           : "Comment";
   return { ...node, ariaLabel: label };
+}
+
+/** What has gone is looked at, and no more. */
+const kOnlySeen = { draggable: false, selectable: false, focusable: false, deletable: false, connectable: false };
+
+function asGhost(node: FlowNode): FlowNode {
+  if (!isGhost(node.id) || node.selectable === false) return node;
+  return { ...node, ...kOnlySeen, ariaLabel: `${withoutGhost(node.id)}, removed` };
+}
+
+function ghostNodes(drawing: Drawing, difference: PageDifference | undefined, places: Places): FlowNode[] {
+  const ghosts = ghostsOf(drawing, difference);
+  return ghosts ? nodesOf(ghosts, places, []).filter((node) => node.type === "node") : [];
+}
+
+function ghostWires(drawing: Drawing, difference: PageDifference | undefined): Edge[] {
+  const ghosts = ghostsOf(drawing, difference);
+  if (!ghosts) return [];
+  const whole = { ...ghosts, nodes: [...drawing.nodes, ...ghosts.nodes] };
+  return wiresOf(whole, []).map((wire) => ({
+    ...wire,
+    id: `-${wire.id}`,
+    selectable: false,
+    deletable: false,
+    reconnectable: false,
+  }));
+}
+
+/** How many are asked is counted without those that have gone. */
+function asGhostEdge(edge: TransitionEdge, drawing: Drawing): TransitionEdge {
+  const { transition } = edge.data!;
+  if (isGhostTransition(transition))
+    return { ...edge, data: { ...edge.data!, siblings: 1 }, selectable: false, deletable: false, reconnectable: false };
+  const siblings = drawing.transitions.filter((one) => one.from === transition.from).length;
+  return siblings === edge.data!.siblings ? edge : { ...edge, data: { ...edge.data!, siblings } };
 }

@@ -1,4 +1,5 @@
 // What is selected, in words and fields; without a selection the page itself.
+import { DifferenceDetails } from "../compare/sign.tsx";
 import { OwnProblems } from "../problems/own_problems.tsx";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
@@ -27,6 +28,7 @@ export default function Details() {
           <OwnProblems node={id} />
         </div>
       )}
+      {id !== "" && <DifferenceDetails name={id} />}
       <SelectedDetails drawing={drawing} id={id} />
       {Live && id !== "" && (
         <div className="details">

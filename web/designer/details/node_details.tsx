@@ -4,6 +4,8 @@ import { ungroup } from "../actions/editing.ts";
 import { ownCopy } from "../actions/place_actions.ts";
 import { kindOf } from "../drawing/form.ts";
 import { typeWords } from "../drawing/value_words.ts";
+import { drawnAt } from "../names/at.ts";
+import { renameNow } from "../names/rename.ts";
 import type { Designer } from "../session/designer.ts";
 import type { FieldOf } from "../session/extensions.ts";
 import { lastPart } from "../session/pages.ts";
@@ -24,7 +26,14 @@ export function NodeDetails({ drawing, node }: { drawing: Drawing; node: Node })
         <SentField
           label="Name"
           value={lastPart(node.name)}
-          send={(name) => void designer.edit("", { case: "rename", value: { page, node: node.name, name } })}
+          send={(name) =>
+            void renameNow(
+              designer,
+              drawnAt(designer, node.name),
+              name,
+              () => void designer.edit("", { case: "rename", value: { page, node: node.name, name } }),
+            )
+          }
         />
       )}
       <NodeButtons designer={designer} node={node} isReadOnly={isReadOnly} />

@@ -1,4 +1,6 @@
 import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
+import { drawnAt } from "../names/at.ts";
+import { renameNow } from "../names/rename.ts";
 import type { Drawing, State } from "../session/protocol.ts";
 import { useDesigner, useIsReadOnly } from "../session/use.ts";
 import { transitionId } from "../states/flow.ts";
@@ -17,7 +19,7 @@ export function StateDetails({ drawing, state }: { drawing: Drawing; state: Stat
       <SentField
         label="Name"
         value={state.name}
-        send={(name) => void designer.edit("", { case: "rename", value: { page, node: state.name, name } })}
+        send={(name) => void renameNow(designer, drawnAt(designer, state.name), name, () => {})}
       />
       <SentText
         label="What the robot does in it"

@@ -3,6 +3,9 @@ import { type ReactNode, useRef, useState } from "react";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
+import { drawnAt } from "../names/at.ts";
+import { NameDialog } from "../names/name_dialog.tsx";
+import { renameNow } from "../names/rename.ts";
 import { useClosedWithout, useFollowing } from "../session/follow.ts";
 import { lastPart } from "../session/pages.ts";
 import type { Drawing } from "../session/protocol.ts";
@@ -104,19 +107,20 @@ export function RenameDialog() {
     );
   }
   return (
-    <Ask
-      title={`Rename ${node}`}
-      label="Name"
+    <NameDialog
+      at={drawnAt(designer, node)}
       first={lastPart(node)}
-      button="Rename"
-      done={async (name) => {
-        if (name === lastPart(node)) return "";
+      wrong={cdlName}
+      local={async (name) => {
         isOurs.current = true;
         const answer = await designer.link.ask(editOf(designer, "", { case: "rename", value: { page, node, name } }));
-        if (answer.ok) designer.select([name]);
-        else isOurs.current = false;
+        isOurs.current = answer.ok;
         return answer.error;
       }}
+      began={() => {
+        isOurs.current = true;
+      }}
+      done={(name) => designer.select([name])}
     />
   );
 }
@@ -184,18 +188,18 @@ export function ParameterDialog() {
   const save = async () => {
     if (cdlName(name) !== undefined) return;
     isOurs.current = true;
-    const changes = [
-      ...(before && before.name !== name
-        ? [{ case: "rename" as const, value: { page: owner, node: before.name, name } }]
-        : []),
-      { case: "setParameter" as const, value: { owner, name, type, initial, low, high, help } },
-    ];
+    const now = before?.name ?? name;
     const answer = await designer.link.ask(
-      editOf(designer, before ? `change parameter ${name}` : `add parameter ${name}`, ...changes),
+      editOf(designer, before ? `change parameter ${now}` : `add parameter ${name}`, {
+        case: "setParameter" as const,
+        value: { owner, name: now, type, initial, low, high, help },
+      }),
     );
     isOurs.current = answer.ok;
-    if (answer.ok) close();
-    else setProblem(answer.error);
+    if (!answer.ok) return setProblem(answer.error);
+    close();
+    // Its name may stand in other files as well.
+    if (now !== name) await renameNow(designer, { ...drawnAt(designer, now), page: owner }, name, () => {});
   };
   const types = kTypes.includes(type) ? kTypes : [type, ...kTypes];
   return (

@@ -79,6 +79,7 @@ const kLooks: Record<Node_Shape, Appearance> = {
   [Node_Shape.TEAM]: { outline: "box", tone: "society", symbol: "", kind: "team" },
   [Node_Shape.CASTE]: { outline: "octagon", tone: "society", symbol: "", kind: "caste" },
   [Node_Shape.SOCIETY]: { outline: "octagon", tone: "society", symbol: "", kind: "society" },
+  [Node_Shape.FORMULA]: { outline: "box", tone: "value", symbol: "", kind: "formula" },
 };
 
 const kDeclarations: Record<string, Tone> = {

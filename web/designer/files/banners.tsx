@@ -6,11 +6,12 @@ import { Banner } from "../../ui/controls/banner.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
+import { ChangedFile } from "../../ui/files/changed_file.tsx";
 import { sentence, unmarked } from "../../ui/words/sentence.ts";
 import { crumbsIn, type Designer, nameOf } from "../session/designer.ts";
 import { isEmptyDrawing, isOfLibrary } from "../session/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../session/protocol.ts";
-import type { State } from "../session/state.ts";
+import { type State, withoutChanged } from "../session/state.ts";
 import { useDesigner, useDocument, useDrawing, usePart } from "../session/use.ts";
 
 /** What stays as long as the page does, or stops all work. */
@@ -91,47 +92,20 @@ function ChangedBanner() {
   const keep = async () => {
     if (await designer.save(true)) dismiss();
   };
-  const name = nameOf(document);
-  if (changed.isGone) {
-    return (
-      <Banner tone="hold">
-        <Icon name="file" />
-        <span className="grow">{name} is gone from the disk. Save writes it anew.</span>
-        <Button onPress={() => void keep()}>Save</Button>
-        <IconButton icon="close" label="Dismiss" onPress={dismiss} />
-      </Banner>
-    );
-  }
-  if (!changed.isDirtyHere) {
-    return (
-      <Banner tone="accent">
-        <Icon name="file" />
-        <span className="grow">{name} was changed on the disk; this is the new text.</span>
-        <IconButton icon="close" label="Dismiss" onPress={dismiss} />
-      </Banner>
-    );
-  }
   return (
-    <Banner tone="hold" role="alert">
-      <Icon name="file" />
-      <span className="grow">{name} was changed on the disk, and you have changes that are not saved.</span>
-      <span className="banner-acts">
-        <Button tone="primary" onPress={() => void reload(true)}>
-          Merge both
-        </Button>
-        <Button onPress={() => void reload(false)}>Take the disk's</Button>
-        <Button onPress={() => void keep()}>Keep mine</Button>
-      </span>
-    </Banner>
+    <ChangedFile
+      name={nameOf(document)}
+      what={changed.isGone ? "gone" : changed.isDirtyHere ? "both" : "taken"}
+      onMerge={() => void reload(true)}
+      onTakeTheirs={() => void reload(false)}
+      onKeepMine={() => void keep()}
+      onDismiss={dismiss}
+    />
   );
 }
 
 function forget(designer: ReturnType<typeof useDesigner>, { document }: FileChanged): void {
-  designer.store.setState(({ changed }) => {
-    const rest = { ...changed };
-    delete rest[document];
-    return { changed: rest };
-  });
+  designer.store.setState(({ changed }) => ({ changed: withoutChanged(changed, document) }));
 }
 
 function ReadOnlyBanner() {
@@ -211,7 +185,7 @@ function NoticeBanner() {
   const notice = usePart((state) => state.notice);
   useEffect(() => {
     if (!notice || notice.tone === "danger") return;
-    const timer = setTimeout(() => designer.store.setState({ notice: null }), 6000);
+    const timer = setTimeout(() => designer.store.setState({ notice: null }), notice.action ? 20000 : 6000);
     return () => clearTimeout(timer);
   }, [notice, designer]);
   if (!notice) return null;
@@ -219,6 +193,7 @@ function NoticeBanner() {
     <Banner tone={notice.tone} role="alert">
       <Icon name="warning" />
       <span className="grow">{sentence(notice.text, unmarked)}</span>
+      {notice.action && <Button onPress={notice.action.run}>{notice.action.label}</Button>}
       <IconButton icon="close" label="Dismiss" onPress={() => designer.store.setState({ notice: null })} />
     </Banner>
   );

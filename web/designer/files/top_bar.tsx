@@ -41,9 +41,9 @@ export function TopBar() {
       <span className="gap" />
       {document && Run && <Run />}
       {document && <Verdict />}
-      <Hint text="All commands" shortcut={shownShortcut("ctrl+k")}>
+      <Hint text="Search everything" shortcut={shownShortcut("ctrl+k")}>
         <Button tone="quiet" icon="search" onPress={() => designer.store.setState({ dialog: "commands" })}>
-          <span className="hidden-text">All commands</span>
+          <span className="hidden-text">Search everything</span>
           <kbd>{shownShortcut("ctrl+k")}</kbd>
         </Button>
       </Hint>
@@ -57,7 +57,7 @@ export function TopBar() {
   );
 }
 
-const kMenu: readonly ActionGroup[] = ["File", "Place", "View", "Help"];
+const kMenu: readonly ActionGroup[] = ["File", "Place", "View", "Compare", "Help"];
 
 function FileMenu() {
   const designer = useDesigner();

@@ -16,6 +16,7 @@ import {
   type Store,
   shownAfter,
   without,
+  withoutChanged,
 } from "./state.ts";
 
 /** How a page is come to: by a step of its own, which Back takes back, or along the steps that the browser has kept. */
@@ -23,6 +24,8 @@ type Step = "on" | "along";
 
 /** Once one of these was done, what was refused before is of yesterday. */
 const kMends: ReadonlySet<Request["case"]> = new Set(["edit", "undo", "redo", "save", "reload"]);
+
+type With = NonNullable<Extract<Request, { case: "compareWith" }>["value"]["with"]>;
 
 export class Designer {
   readonly link: Link;
@@ -193,6 +196,22 @@ export class Designer {
     return answer.ok;
   }
 
+  /** From now on all that differs is told and shown. @returns why not; empty: it is */
+  async compareWith(what: With): Promise<string> {
+    const answer = await this.link.ask({
+      case: "compareWith",
+      value: { document: this.state.document, with: what },
+    });
+    if (answer.ok) this.store.setState({ difference: -1 });
+    return answer.error;
+  }
+
+  stopComparing(): void {
+    const { document } = this.state;
+    this.link.tell({ case: "stopComparing", value: { document } });
+    this.store.setState(({ differences: { [document]: _gone, ...rest } }) => ({ differences: rest }));
+  }
+
   /** Throws away a document that has no file. */
   async discard(path: string): Promise<boolean> {
     const answer = await this.ask({ case: "discard", value: { document: path } });
@@ -237,7 +256,7 @@ export class Designer {
     const { store } = this;
     switch (body.case) {
       case "hello":
-        store.setState({ hello: body.value, notKept: "" });
+        store.setState({ hello: body.value, notKept: "", differences: {}, pageDifferences: {} });
         this.arrive();
         break;
       case "renamed": {
@@ -267,12 +286,27 @@ export class Designer {
       }
       case "fileChanged": {
         const changed = body.value;
-        store.setState((state) => ({ changed: { ...state.changed, [changed.document]: changed } }));
+        store.setState((state) => ({
+          changed: changed.isSameAgain
+            ? withoutChanged(state.changed, changed.document)
+            : { ...state.changed, [changed.document]: changed },
+        }));
         break;
       }
       case "keeping":
         store.setState({ notKept: body.value.notKept });
         break;
+      case "differences": {
+        const all = body.value;
+        store.setState(({ differences }) => ({ differences: { ...differences, [all.document]: all } }));
+        break;
+      }
+      case "pageDifference": {
+        const one = body.value;
+        const key = pageKey(one.page?.document ?? "", one.page?.path ?? "");
+        store.setState(({ pageDifferences }) => ({ pageDifferences: { ...pageDifferences, [key]: one } }));
+        break;
+      }
       case "marks": {
         const { document, marks } = body.value;
         store.setState((state) => ({ marks: { ...state.marks, [document]: marks } }));

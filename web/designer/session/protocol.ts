@@ -4,8 +4,10 @@ import type { ChangeSchema } from "../../generated/mlab/designer_changes_pb.ts";
 import { type FromDesigner, FromDesignerSchema, ToDesignerSchema } from "../../generated/mlab/designer_pb.ts";
 
 export * from "../../generated/mlab/designer_changes_pb.ts";
+export * from "../../generated/mlab/designer_compare_pb.ts";
 export * from "../../generated/mlab/designer_drawing_pb.ts";
 export * from "../../generated/mlab/designer_pb.ts";
+export * from "../../generated/mlab/names_pb.ts";
 
 /** The version that Greeting announces. */
 export const kProtocol = 1;

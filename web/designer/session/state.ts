@@ -6,7 +6,17 @@ import { isRecord, readRecord } from "../../core/stored.ts";
 import type { ThemeChoice } from "../../ui/controls/theme.ts";
 import type { Crumb } from "./crumbs.ts";
 import { pageKey } from "./pages.ts";
-import type { Document, Drawing, FileChanged, Hello, Mark, Palette } from "./protocol.ts";
+import type {
+  Differences,
+  Document,
+  Drawing,
+  FileChanged,
+  Hello,
+  Mark,
+  PageDifference,
+  Palette,
+  UseList,
+} from "./protocol.ts";
 
 export type DialogName =
   | ""
@@ -20,8 +30,10 @@ export type DialogName =
   | "library"
   | "group"
   | "rename"
+  | "rename-name" // of a text, or what was typed into a field
   | "parameter"
   | "declaration"
+  | "compare"
   | "welcome";
 
 /** What is shown beside the canvas; kept over reloads. */
@@ -47,6 +59,16 @@ export interface ShownPanes {
 export interface Notice {
   text: string;
   tone: "danger" | "hold" | "accent";
+  /** What can be done about it. */
+  action?: { label: string; run: () => void };
+}
+
+/** What is given another name. */
+export interface Renaming {
+  at: { document: string; cursor?: number; isDrawn?: boolean; page?: string; node?: string; ofComponent?: boolean };
+  first: string;
+  /** What was typed already. */
+  name?: string;
 }
 
 /** What the search palette is for: a place on the canvas, perhaps an input that waits for it. */
@@ -92,6 +114,14 @@ export interface State {
   notKept: string;
   /** Probes and breakpoints, by document. */
   marks: Readonly<Record<string, readonly Mark[]>>;
+  /** What differs from the version that a document is compared with, by document. */
+  differences: Readonly<Record<string, Differences>>;
+  /** The same on pages, by pageKey. */
+  pageDifferences: Readonly<Record<string, PageDifference>>;
+  /** What was only moved is told as well. */
+  showsMoved: boolean;
+  /** The one of all that are told that one has gone to last; -1: none. */
+  difference: number;
   /** Path of the document that is shown; empty: the start page. */
   document: string;
   /** Path of the page that is shown. */
@@ -109,6 +139,11 @@ export interface State {
   theme: ThemeChoice;
   notice: Notice | null;
   reveal: Reveal | null;
+  renaming: Renaming | null;
+  /** What was looked for: its places are listed below the drawing. */
+  uses: UseList | null;
+  /** Something is looked for on the page. */
+  isFinding: boolean;
   /** Step of the first tour; -1: not shown. */
   tour: number;
   /** The step was done before it came: it waits for who reads it. */
@@ -150,6 +185,10 @@ export function createState(storage: Storage, windowWidth: number): Store {
     changed: {},
     notKept: "",
     marks: {},
+    differences: {},
+    pageDifferences: {},
+    showsMoved: false,
+    difference: -1,
     document: "",
     page: "",
     trail: [],
@@ -162,6 +201,9 @@ export function createState(storage: Storage, windowWidth: number): Store {
     theme: stored.theme === "light" || stored.theme === "dark" ? stored.theme : "auto",
     notice: null,
     reveal: null,
+    renaming: null,
+    uses: null,
+    isFinding: false,
     tour: -1,
     tourWaits: false,
     spoken: "",
@@ -175,6 +217,13 @@ export function createState(storage: Storage, windowWidth: number): Store {
     }
   });
   return store;
+}
+
+/** Without what was seen of a document's file. */
+export function withoutChanged(changed: State["changed"], document: string): State["changed"] {
+  const rest = { ...changed };
+  delete rest[document];
+  return rest;
 }
 
 /** Palette, drawing, details and one more side by side need a window so wide [px]. */

@@ -18,6 +18,8 @@ export interface CanvasState {
   dragged: string;
   /** The transition that a dragged trigger would be dropped on. */
   aimedAt: string;
+  /** What of the page was found by its words. */
+  found: ReadonlySet<string>;
   /** Where the pointer last was on the canvas, in its coordinates. */
   pointer: { x: number; y: number };
   /** Grows whenever something has another place than the drawing says. */
@@ -34,6 +36,7 @@ export const canvasStore = createStore<CanvasState>(() => ({
   writing: "",
   dragged: "",
   aimedAt: "",
+  found: new Set(),
   pointer: { x: 0, y: 0 },
   moves: 0,
   view: { x: 0, y: 0, width: 800, height: 600 },

@@ -1,6 +1,7 @@
 import { useEffect, useMemo } from "react";
 import { layOut } from "../arrange/layout.ts";
 import { placeNew, type SizedNode } from "../arrange/place_new.ts";
+import { withoutGhost } from "../compare/compared.ts";
 import { type At, ownPlaces, type Places, wiredOf } from "../drawing/flow.ts";
 import { formOf } from "../drawing/form.ts";
 import { pageKey } from "../session/pages.ts";
@@ -60,9 +61,12 @@ export function placesOf(drawing: Drawing): Places | null {
   const key = keyOf(drawing);
   const places = ownPlaces(drawing);
   const automatic = laidOut.get(key);
-  for (const name of sizesOf(drawing).keys()) {
+  const sizes = sizesOf(drawing);
+  for (const name of sizes.keys()) {
     if (places.has(name)) continue;
-    const at = automatic?.get(name);
+    // What has just gone stays where it stood, unless something else is called so by now.
+    const before = withoutGhost(name);
+    const at = automatic?.get(name) ?? (sizes.has(before) ? undefined : automatic?.get(before));
     if (!at) return null;
     places.set(name, at);
   }

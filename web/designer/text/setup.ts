@@ -3,6 +3,7 @@ import type { Extension } from "@codemirror/state";
 import { EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
 import { bytesOf, unitsOf } from "../../ui/text/bytes.ts";
 import { textEditorParts } from "../../ui/text/parts.ts";
+import { showUses } from "../names/uses.ts";
 import type { Designer } from "../session/designer.ts";
 import { AskLanguage_What } from "../session/protocol.ts";
 import { cdl } from "./cdl.ts";
@@ -22,6 +23,8 @@ export function editorParts(designer: Designer, live: LiveText, document: string
       },
       keys: [
         { key: "F12", run: (view) => toDefinition(designer, live, document, view) },
+        { key: "F2", run: (view) => renameAt(designer, live, document, view) },
+        { key: "Shift-F12", run: (view) => usesAt(designer, live, document, view) },
         // Undo is the document's: it takes back what was drawn and what was typed in the order in which it was done.
         { key: "Mod-z", run: () => unlessAhead(live, () => designer.undo()) },
         { key: "Mod-y", run: () => unlessAhead(live, () => designer.redo()) },
@@ -64,6 +67,26 @@ async function hover(
       return { dom };
     },
   };
+}
+
+function renameAt(designer: Designer, live: LiveText, document: string, view: EditorView): boolean {
+  const { head } = view.state.selection.main;
+  const word = view.state.wordAt(head);
+  if (!word) return true;
+  void live.flush().then(() => {
+    const cursor = bytesOf(view.state.doc.toString(), head);
+    const first = view.state.sliceDoc(word.from, word.to);
+    designer.store.setState({ dialog: "rename-name", renaming: { at: { document, cursor }, first } });
+  });
+  return true;
+}
+
+function usesAt(designer: Designer, live: LiveText, document: string, view: EditorView): boolean {
+  void live.flush().then(() => {
+    const cursor = bytesOf(view.state.doc.toString(), view.state.selection.main.head);
+    return showUses(designer, { document, cursor });
+  });
+  return true;
 }
 
 function toDefinition(designer: Designer, live: LiveText, document: string, view: EditorView): boolean {

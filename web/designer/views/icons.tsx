@@ -20,6 +20,7 @@ const kPaths: Record<string, string> = {
   society:
     "M8 11a3 3 0 1 0 0-6 3 3 0 0 0 0 6zM17 12a2.500 2.500 0 1 0 0-5 2.500 2.500 0 0 0 0 5zM3 20c.5-4 2.500-6 5-6s4.500 2 5 6M15 15c3-.8 5 1 6 4.500",
   logic: "M5 6h6a6 6 0 0 1 0 12H5z",
+  formula: "M4 8h7M7.500 4.500v7M14 8h6M5 14.500l5 5M10 14.500l-5 5M14 15.500h6M14 18.500h6",
   delay: "M12 7v5l3 2M20 12a8 8 0 1 1-16 0 8 8 0 0 1 16 0z",
   unknown: "M9 9a3 3 0 1 1 4.200 2.800c-.8.4-1.200 1-1.200 1.900v.5M12 17.600v.1",
   note: "M5 4h14v11l-5 5H5zM14 20v-5h5",
@@ -56,6 +57,7 @@ const kByShape: Partial<Record<Node_Shape, string>> = {
   [Node_Shape.TEAM]: "society",
   [Node_Shape.CASTE]: "society",
   [Node_Shape.SOCIETY]: "society",
+  [Node_Shape.FORMULA]: "formula",
 };
 
 /** The path of an icon: by what the palette calls it, by what the component's name says, by its shape. */

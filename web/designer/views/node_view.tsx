@@ -2,6 +2,7 @@
 import { Handle, type NodeProps, Position } from "@xyflow/react";
 import { memo } from "react";
 import { Icon } from "../../ui/controls/icons.tsx";
+import { DifferenceSign, useDifferenceClass } from "../compare/sign.tsx";
 import { type CanvasNode, kOut } from "../drawing/flow.ts";
 import { type Form, kindOf, type Row } from "../drawing/form.ts";
 import { outlinePath } from "../drawing/outline.ts";
@@ -22,6 +23,7 @@ export const NodeView = memo(function NodeView({ data, selected }: Props) {
   const distance = useCanvas((state) => state.distance);
   const isActive = useLive(page, node.live)?.isActive ?? false;
   const trouble = useTrouble(node.name);
+  const differs = useDifferenceClass(node.name);
   const classes = [
     "node",
     `tone-${form.tone}`,
@@ -30,6 +32,7 @@ export const NodeView = memo(function NodeView({ data, selected }: Props) {
     node.isLoose ? "loose" : "",
     isActive ? "active" : "",
     trouble,
+    differs,
   ];
   if (distance === "farthest") {
     return (
@@ -44,6 +47,7 @@ export const NodeView = memo(function NodeView({ data, selected }: Props) {
         <path d={outlinePath(form.outline, form.width, form.height)} />
       </svg>
       <BreakDot page={page} id={node.name} />
+      <DifferenceSign name={node.name} inner={node.inner?.path} />
       {distance === "far" ? (
         <div className="node-far">{form.title}</div>
       ) : (

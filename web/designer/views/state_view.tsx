@@ -2,6 +2,8 @@
 import { Handle, type NodeProps, Position } from "@xyflow/react";
 import { type CSSProperties, Fragment, memo } from "react";
 import { Icon } from "../../ui/controls/icons.tsx";
+import { withoutGhost } from "../compare/compared.ts";
+import { DifferenceSign, useDifferenceClass } from "../compare/sign.tsx";
 import { BreakDot } from "../running/break_dot.tsx";
 import { useLive } from "../running/use_live.ts";
 import { useDesigner, useTrouble } from "../session/use.ts";
@@ -13,11 +15,13 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
   const designer = useDesigner();
   const isActive = useLive(page, state.live)?.isActive ?? false;
   const trouble = useTrouble(state.name);
+  const differs = useDifferenceClass(state.name);
   const classes = [
     "state",
     selected ? "selected" : "",
     isActive ? "active" : "",
     trouble,
+    differs,
     state.isFinal ? "final" : "",
   ];
   const size = stateSize(state);
@@ -32,8 +36,9 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
         </svg>
       )}
       <BreakDot page={page} id={state.name} />
+      <DifferenceSign name={state.name} inner={state.inner?.path} />
       <span className="state-name ellipsis" style={{ "--far-size": `${farSize}px` } as CSSProperties}>
-        {nameParts(state.name).map((part, i) => (
+        {nameParts(withoutGhost(state.name)).map((part, i) => (
           <Fragment key={`${i} ${part}`}>
             {i > 0 && <wbr />}
             {part}

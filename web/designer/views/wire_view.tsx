@@ -1,6 +1,7 @@
 // A wire: coloured by what flows in it, with its value beside it while robots run.
 import { BaseEdge, EdgeLabelRenderer, type EdgeProps } from "@xyflow/react";
 import { memo } from "react";
+import { isGhost, useIsNewWire } from "../compare/compared.ts";
 import type { CanvasWire } from "../drawing/flow.ts";
 import { badgePlace, wirePath } from "../drawing/wire_path.ts";
 import { LiveShown } from "../running/badge.tsx";
@@ -17,7 +18,9 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
   ];
   const { path } = wirePath(from, to);
   const { at, isAbove } = badgePlace(from, to);
-  const classes = `wire flow-${data?.flow ?? "percept"} ${data?.wire.isActive ? "moves-sensor" : ""} ${selected ? "selected" : ""}`;
+  const isNew = useIsNewWire(data?.wire);
+  const differs = isGhost(props.id) ? "differs removed" : isNew ? "differs added" : "";
+  const classes = `wire flow-${data?.flow ?? "percept"} ${data?.wire.isActive ? "moves-sensor" : ""} ${selected ? "selected" : ""} ${differs}`;
   if (distance !== "near") return <path d={path} className={`react-flow__edge-path ${classes}`} fill="none" />;
   return (
     <>

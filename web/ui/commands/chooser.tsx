@@ -18,26 +18,29 @@ export interface Choice {
   blocked?: string | undefined;
 }
 
-interface ChooserProps {
+interface ChooserProps<T extends Choice> {
   title: string;
   placeholder: string;
   /** What is found, the best first. */
-  find: (query: string) => readonly Choice[];
-  onChoose: (id: string) => void;
+  find: (query: string) => readonly T[];
+  onChoose: (id: string, choice: T) => void;
   onClose: () => void;
   empty?: string;
+  /** Told of every letter, where `find` has to ask somebody. */
+  onQuery?: (query: string) => void;
 }
 
 const kMostShown = 80;
 
-export function Chooser({
+export function Chooser<T extends Choice>({
   title,
   placeholder,
   find,
   onChoose,
   onClose,
   empty = "Nothing is called that.",
-}: ChooserProps) {
+  onQuery,
+}: ChooserProps<T>) {
   const [query, setQuery] = useState("");
   const [at, setAt] = useState(0);
   const list = useRef<HTMLDivElement>(null);
@@ -47,7 +50,7 @@ export function Chooser({
     if (!choice || choice.blocked) return;
     onClose();
     // After the dialog has given the focus back, so that what is done may move it.
-    setTimeout(() => onChoose(choice.id), 0);
+    setTimeout(() => onChoose(choice.id, choice), 0);
   };
   const go = (place: number) => {
     const next = Math.max(0, Math.min(choices.length - 1, place));
@@ -78,6 +81,7 @@ export function Chooser({
               value={query}
               onChange={(event) => {
                 setQuery(event.target.value);
+                onQuery?.(event.target.value);
                 setAt(0);
               }}
               onKeyDown={(event) => {

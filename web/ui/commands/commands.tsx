@@ -1,9 +1,7 @@
-// All that can be done: found by typing a few letters, and as a sheet of its keys.
-import { Icon, type IconName } from "../controls/icons.tsx";
+// All that can be done, as a sheet of its keys.
+import type { IconName } from "../controls/icons.tsx";
 import { DialogBox } from "../controls/menus.tsx";
-import { Chooser } from "./chooser.tsx";
 import { shownShortcut } from "./keys.ts";
-import { ranked } from "./search.ts";
 
 export interface Command {
   id: string;
@@ -21,27 +19,6 @@ export interface Command {
 interface CommandsProps {
   commands: readonly Command[];
   onClose: () => void;
-}
-
-export function CommandPalette({ commands, onClose }: CommandsProps) {
-  return (
-    <Chooser
-      title="All commands"
-      placeholder="What do you want to do?"
-      find={(query) =>
-        ranked(query, commands, (one) => `${one.label} ${one.group}`).map((one) => ({
-          id: one.id,
-          label: one.label,
-          tail: one.group,
-          keys: one.shortcut && shownShortcut(one.shortcut),
-          ...(one.blocked ? { blocked: one.blocked } : {}),
-          ...(one.icon ? { icon: <Icon name={one.icon} /> } : {}),
-        }))
-      }
-      onChoose={(id) => commands.find((one) => one.id === id)?.run()}
-      onClose={onClose}
-    />
-  );
 }
 
 interface KeySheetProps extends CommandsProps {

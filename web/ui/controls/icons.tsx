@@ -39,6 +39,7 @@ const kPaths = {
   ruler: "M3 16L16 3l5 5L8 21zM7 12l2 2M10 9l2 2M13 6l2 2",
   more: "M6 12v.1M12 12v.1M18 12v.1",
   down: "M7 10l5 5 5-5",
+  up: "M7 14l5-5 5 5",
   right: "M10 7l5 5-5 5",
   file: "M6 3h8l4 4v14H6zM14 3v4h4",
   folder: "M3 7h6l2 2h10v10H3z",

@@ -26,13 +26,13 @@ class LayersOf : public Stream::Layers {
     beast::get_lowest_layer(stream_).expires_after(patience);
   }
   void expires_never() override { beast::get_lowest_layer(stream_).expires_never(); }
-  void read_some(Stream::Pieces<asio::mutable_buffer> into, Stream::Transferred then) override {
+  void read_some(Stream::Pieces<asio::mutable_buffer> into, Stream::TransferHandler then) override {
     stream_.async_read_some(into, here(std::move(then)));
   }
-  void write_some(Stream::Pieces<asio::const_buffer> from, Stream::Transferred then) override {
+  void write_some(Stream::Pieces<asio::const_buffer> from, Stream::TransferHandler then) override {
     stream_.async_write_some(from, here(std::move(then)));
   }
-  void tear_down(beast::role_type role, Stream::Ended then) override {
+  void tear_down(beast::role_type role, Stream::TearDownHandler then) override {
     using beast::websocket::async_teardown;
     async_teardown(role, stream_, here(std::move(then)));
   }

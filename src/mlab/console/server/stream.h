@@ -29,8 +29,8 @@ using Tcp = asio::ip::tcp;
 class Stream {
  public:
   using executor_type = asio::any_io_executor;
-  using Transferred = asio::any_completion_handler<void(beast::error_code, std::size_t)>;
-  using Ended = asio::any_completion_handler<void(beast::error_code)>;
+  using TransferHandler = asio::any_completion_handler<void(beast::error_code, std::size_t)>;
+  using TearDownHandler = asio::any_completion_handler<void(beast::error_code)>;
 
   /// A few pieces of memory, as a sequence of buffers that has one type. Owns none of it.
   template <class Buffer>
@@ -65,9 +65,9 @@ class Stream {
     virtual void expires_after(std::chrono::steady_clock::duration patience) = 0;
     virtual void expires_never() = 0;
     virtual asio::awaitable<beast::error_code> handshake() = 0;
-    virtual void read_some(Pieces<asio::mutable_buffer> into, Transferred then) = 0;
-    virtual void write_some(Pieces<asio::const_buffer> from, Transferred then) = 0;
-    virtual void tear_down(beast::role_type role, Ended then) = 0;
+    virtual void read_some(Pieces<asio::mutable_buffer> into, TransferHandler then) = 0;
+    virtual void write_some(Pieces<asio::const_buffer> from, TransferHandler then) = 0;
+    virtual void tear_down(beast::role_type role, TearDownHandler then) = 0;
   };
 
   /// @param tls  null: without TLS. Must outlive the stream.
@@ -85,7 +85,7 @@ class Stream {
   auto async_read_some(const Buffers& into, Token&& token) {
     return asio::async_initiate<Token, void(beast::error_code, std::size_t)>(
         [](auto then, Layers* layers, const Pieces<asio::mutable_buffer>& pieces) {
-          layers->read_some(pieces, Transferred(std::move(then)));
+          layers->read_some(pieces, TransferHandler(std::move(then)));
         },
         token, layers_.get(), Pieces<asio::mutable_buffer>(into));
   }
@@ -94,7 +94,7 @@ class Stream {
   auto async_write_some(const Buffers& from, Token&& token) {
     return asio::async_initiate<Token, void(beast::error_code, std::size_t)>(
         [](auto then, Layers* layers, const Pieces<asio::const_buffer>& pieces) {
-          layers->write_some(pieces, Transferred(std::move(then)));
+          layers->write_some(pieces, TransferHandler(std::move(then)));
         },
         token, layers_.get(), Pieces<asio::const_buffer>(from));
   }
@@ -106,7 +106,7 @@ class Stream {
   }
   template <class Then>
   friend void async_teardown(beast::role_type role, Stream& stream, Then&& then) {
-    stream.layers_->tear_down(role, Ended(std::forward<Then>(then)));
+    stream.layers_->tear_down(role, TearDownHandler(std::forward<Then>(then)));
   }
 
  private:

@@ -157,10 +157,11 @@ void SessionCore::work() {
     run_.update_teleoperations();
     if (run_.live() != nullptr && run_.live()->run().is_over()) has_ended_ = true;
     document_orders_.keep_drafts();
+    document_orders_.look_at_disk();
     picture_.follow(documents_, project_);
     publisher_.publish();
   }
-  documents_.sync_drafts(wall_time());
+  documents_.store().sync_drafts(wall_time());
 }
 
 void SessionCore::do_tasks(const std::vector<Inbox::Task>& tasks) {

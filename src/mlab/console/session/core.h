@@ -9,7 +9,6 @@
 #include "mlab/console/documents.h"
 #include "mlab/console/event_log.h"
 #include "mlab/console/inbox.h"
-#include "mlab/console/project_folder.h"
 #include "mlab/console/session.h"
 #include "mlab/console/session/document_orders.h"
 #include "mlab/console/session/frames.h"
@@ -20,6 +19,7 @@
 #include "mlab/console/session/run_control.h"
 #include "mlab/console/session/run_maker.h"
 #include "mlab/console/session/run_orders.h"
+#include "mlab/documents/project_folder.h"
 
 namespace mlab::console {
 
@@ -72,7 +72,7 @@ class SessionCore {
 
   Inbox inbox_;
   EventLog log_;
-  ProjectFolder project_;
+  documents::ProjectFolder project_;
   OpenDocuments documents_;
   MapPicture picture_;
   People people_;

@@ -13,6 +13,8 @@
 namespace mlab::console {
 namespace {
 
+constexpr double kDiskPause = 1.0;  // between two looks at the files [s]
+
 std::uint32_t any_seed() {
   return std::max(1U, static_cast<std::uint32_t>(std::random_device{}()) & 0x7fffffffU);
 }
@@ -76,6 +78,11 @@ Answered DocumentOrders::save(const Sender& sender, const SaveDocuments& save) {
   return changed(sender, documents_.save(save), "save");
 }
 
+Answered DocumentOrders::reload(const Sender& sender, const ReloadDocument& reload) {
+  return changed(sender, documents_.reload(reload, wall_time()),
+                 fmt::format("{} {}", reload.merge() ? "merge with" : "load anew", reload.document()));
+}
+
 Answered DocumentOrders::open(const Sender& sender, const OpenMission& open) {
   const text::Result<bool> opened = documents_.open(open.path(), wall_time());
   if (!opened) return opened.error().message;
@@ -91,7 +98,7 @@ Answered DocumentOrders::list_files(const ListFiles& list, Reply& reply) {
   if (!entries) return entries.error().message;
   FileList& out = *reply.mutable_files();
   out.set_folder(list.folder());
-  for (const ProjectFolder::Entry& entry : *entries) {
+  for (const documents::ProjectFolder::Entry& entry : *entries) {
     FileList::Entry& told = *out.add_entries();
     told.set_path(entry.path);
     told.set_is_folder(entry.is_folder);
@@ -113,15 +120,24 @@ Answered DocumentOrders::check(const Check& wanted, Reply& reply) {
   return std::nullopt;
 }
 
-// ---- drafts
+// ---- files and drafts
+
+void DocumentOrders::look_at_disk() {
+  const double now = wall_time();
+  if (now - looked_ < kDiskPause) return;
+  looked_ = now;
+  if (!documents_.look_at_disk(now)) return;
+  keep_drafts();
+  maker_.follow_documents();
+}
 
 void DocumentOrders::keep_drafts() {
-  documents_.keep_drafts(wall_time());
+  documents_.store().keep_drafts(wall_time());
   tell_not_kept();
 }
 
 void DocumentOrders::sync_drafts() {
-  documents_.sync_drafts(wall_time());
+  documents_.store().sync_drafts(wall_time());
   tell_not_kept();
 }
 

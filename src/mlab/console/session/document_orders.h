@@ -5,9 +5,9 @@
 
 #include "mlab/console/documents.h"
 #include "mlab/console/event_log.h"
-#include "mlab/console/project_folder.h"
 #include "mlab/console/session/request.h"
 #include "mlab/console/session/run_maker.h"
+#include "mlab/documents/project_folder.h"
 
 namespace mlab::console {
 
@@ -17,7 +17,7 @@ class DocumentOrders {
  public:
   struct Parts {
     OpenDocuments& documents;
-    const ProjectFolder& project;
+    const documents::ProjectFolder& project;
     RunControl& run;
     RunMaker& maker;
     EventLog& log;
@@ -35,6 +35,7 @@ class DocumentOrders {
   Answered open(const Sender& sender, const OpenMission& open);
   Answered create(const Sender& sender, const NewDocument& create);
   Answered save(const Sender& sender, const SaveDocuments& save);
+  Answered reload(const Sender& sender, const ReloadDocument& reload);
 
   // ---- anybody
 
@@ -42,8 +43,11 @@ class DocumentOrders {
   Answered complete(const Complete& wanted, Reply& reply);
   Answered check(const Check& wanted, Reply& reply);
 
-  // ---- drafts
+  // ---- files and drafts
 
+  /// Looks at the files now and then. What was changed there is taken over where nothing is unsaved here, and
+  /// the run follows.
+  void look_at_disk();
   /// Whatever ends this process, what is not saved is in the file system, or whoever asked is told that it is
   /// not.
   void keep_drafts();
@@ -57,12 +61,13 @@ class DocumentOrders {
   void tell_not_kept();
 
   OpenDocuments& documents_;
-  const ProjectFolder& project_;
+  const documents::ProjectFolder& project_;
   RunControl& run_;
   RunMaker& maker_;
   EventLog& log_;
   const std::function<void(const std::string& why)> tell_not_kept_;
   std::string not_kept_;  // as it was told last
+  double looked_ = -1e9;  // at the files
 };
 
 }  // namespace mlab::console

@@ -6,7 +6,7 @@
 
 namespace mlab::console {
 
-void MapPicture::follow(const OpenDocuments& documents, const ProjectFolder& project) {
+void MapPicture::follow(const OpenDocuments& documents, const documents::ProjectFolder& project) {
   const std::uint64_t revision = documents.scene().revision();
   if (revision == revision_) return;
   Session::Picture picture;

@@ -4,8 +4,8 @@
 #include <mutex>
 
 #include "mlab/console/documents.h"
-#include "mlab/console/project_folder.h"
 #include "mlab/console/session.h"
+#include "mlab/documents/project_folder.h"
 
 namespace mlab::console {
 
@@ -14,7 +14,7 @@ namespace mlab::console {
 class MapPicture {
  public:
   /// Reads it anew where the scene is another one.
-  void follow(const OpenDocuments& documents, const ProjectFolder& project);
+  void follow(const OpenDocuments& documents, const documents::ProjectFolder& project);
   Session::Picture find(std::uint64_t revision) const;
 
  private:

@@ -130,6 +130,8 @@ Order Order::of(ToServer::BodyCase body) {
       return {kOperator, kAfterCycle, taken<&Texts::create, &M::new_document, kDocuments>};
     case M::kSaveDocuments:
       return {kOperator, kDuringCycle, taken<&Texts::save, &M::save_documents, kDocuments>};
+    case M::kReloadDocument:
+      return {kOperator, kAfterCycle, taken<&Texts::reload, &M::reload_document, kDocuments>};
   }
   return {};
 }

@@ -34,7 +34,7 @@ Answered RobotParameters::set(const Sender& sender, const SetParameter& set) {
   }
   const std::string whose =
       robots.size() == 1 ? fmt::format("robot {}", robots[0]) : fmt::format("{} robots", robots.size());
-  EditLog::Edit edit;
+  documents::EditLog::Edit edit;
   edit.name = fmt::format("{} of {}", clean(port), whose);
   edit.undo = [this, robots, port, before] { apply(robots, port, before); };
   edit.redo = [this, robots, port, after] { apply(robots, port, after); };

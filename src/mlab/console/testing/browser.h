@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/console.pb.h"
 #include "mlab/console/session.h"
@@ -24,9 +25,9 @@ class TestSession {
   explicit TestSession(const std::string& mission, double speed = 100.0,
                        const std::function<void(SessionSettings&)>& change = {}) {
     SessionSettings settings;
-    settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
+    settings.example_folder = base::source_folder() + "/missions";
     if (!mission.empty()) settings.mission = "examples:" + mission;
-    settings.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+    settings.include_root = base::source_folder() + "/src";
     settings.permission = cell::testing::code_permitted();
     settings.version = "test";
     settings.speed = speed;

@@ -59,7 +59,7 @@ class MapOfTexts {
     if (!made) return made.error().message;
     for (const TextEdit& edit : *made) {
       std::string& text = edit.source->name() == "m.mdl" ? mission_ : overlays_.at(edit.source->name());
-      text.replace(edit.splice.begin, edit.splice.end - edit.splice.begin, edit.splice.text);
+      text = text::spliced(text, edit.splice);
     }
     read();
     return "";

@@ -14,11 +14,12 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
-#include "mlab/console/testing/scratch_project.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
 #include "mlab/designer/testing/whole_text.h"
+#include "mlab/documents/testing/scratch_project.h"
 
 namespace mlab::designer::testing {
 
@@ -34,7 +35,7 @@ class Browser {
     marks_.clear();
     DesignerSettings settings;
     settings.project_folder = folder_.path("project").string();
-    settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
+    settings.example_folder = base::source_folder() + "/missions";
     settings.state_folder = folder_.path("state").string();
     settings.open = open;
     settings.permission = permission_;
@@ -57,11 +58,18 @@ class Browser {
   }
 
   Answer ask(const std::function<void(ToDesigner&)>& fill, std::uint32_t who = 1) {
+    return answer_to(send(fill, who));
+  }
+  /// The number of the request, which may be answered later.
+  std::uint32_t send(const std::function<void(ToDesigner&)>& fill, std::uint32_t who = 1) {
     auto message = std::make_unique<ToDesigner>();
     const std::uint32_t request = ++last_request_;
     message->set_request(request);
     fill(*message);
     designer_->receive({who}, std::move(message));
+    return request;
+  }
+  Answer answer_to(std::uint32_t request) {
     std::unique_lock lock(mutex_);
     arrived_.wait_for(lock, std::chrono::seconds(60), [&] { return answers_.contains(request); });
     return answers_[request];
@@ -94,17 +102,32 @@ class Browser {
     const std::scoped_lock lock(mutex_);
     return marks_[document];
   }
+  /// As it is after everything that was asked so far.
+  Differences differences(const std::string& document) {
+    ask([](ToDesigner& m) { m.mutable_list_files(); });
+    const std::scoped_lock lock(mutex_);
+    return differences_[document];
+  }
+  PageDifference page_difference(const std::string& page) {
+    const std::scoped_lock lock(mutex_);
+    return page_differences_[page];
+  }
+  std::string folder() const { return folder_.path("project").string(); }
   const Hello& hello() const { return hello_; }
   std::optional<Lists> lists(std::uint32_t who) {
     const std::scoped_lock lock(mutex_);
     const auto found = lists_.find(who);
     return found == lists_.end() ? std::nullopt : std::optional(found->second);
   }
-  std::vector<FileChanged> changed() {
+  std::vector<FileChanged> changed(std::uint32_t who) {
     const std::scoped_lock lock(mutex_);
-    return changed_;
+    return changed_[who];
   }
+  /// Only under `waits_for`.
+  const std::vector<FileChanged>& seen_changes(std::uint32_t who) { return changed_[who]; }
 
+  std::string state_folder() const { return folder_.path("state").string(); }
+  std::string project_folder() const { return folder_.path("project").string(); }
   void write(const std::string& name, const std::string& text) { folder_.write("project/" + name, text); }
   std::string read(const std::string& name) const { return folder_.read("project/" + name); }
   void type(const std::string& path, const std::string& text) {
@@ -121,11 +144,14 @@ class Browser {
     if (message.has_palette()) palettes_[message.palette().document()] = message.palette();
     if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
     if (message.has_marks()) marks_[message.marks().document()] = message.marks();
+    if (message.has_differences()) differences_[message.differences().document()] = message.differences();
+    if (message.has_page_difference())
+      page_differences_[message.page_difference().page().path()] = message.page_difference();
     if (message.has_lists()) lists_[who] = message.lists();
-    if (message.has_file_changed()) changed_.push_back(message.file_changed());
+    if (message.has_file_changed()) changed_[who].push_back(message.file_changed());
   }
 
-  console::testing::ScratchProject folder_;
+  documents::testing::ScratchProject folder_;
   std::string include_root_;
   cell::Permission permission_ = cell::testing::code_permitted();
   std::mutex mutex_;
@@ -135,8 +161,10 @@ class Browser {
   std::map<std::string, Drawing> drawings_;
   std::map<std::string, Palette> palettes_;
   std::map<std::string, MarkList> marks_;
+  std::map<std::string, Differences> differences_;
+  std::map<std::string, PageDifference> page_differences_;
   std::map<std::uint32_t, Lists> lists_;
-  std::vector<FileChanged> changed_;
+  std::map<std::uint32_t, std::vector<FileChanged>> changed_;
   Hello hello_;
   std::uint32_t last_request_ = 0;
   std::unique_ptr<Designer> designer_;  // ends first

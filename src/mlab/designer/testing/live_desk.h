@@ -13,12 +13,13 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/console/testing/browser.h"
-#include "mlab/console/testing/scratch_project.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
 #include "mlab/designer/testing/whole_text.h"
+#include "mlab/documents/testing/scratch_project.h"
 
 namespace mlab::designer::testing {
 
@@ -31,8 +32,8 @@ class LiveDesk {
         browser_(session_, "Anna") {
     DesignerSettings settings;
     settings.project_folder = project();
-    settings.example_folder = std::string(MLAB_SOURCE_DIR) + "/missions";
-    settings.include_root = std::string(MLAB_SOURCE_DIR) + "/src";
+    settings.example_folder = base::source_folder() + "/missions";
+    settings.include_root = base::source_folder() + "/src";
     settings.permission = cell::testing::code_permitted();
     settings.version = "test";
     settings.try_out = [this](console::Trial trial, console::TrialDone done) {
@@ -159,12 +160,12 @@ class LiveDesk {
   bool runs_until(double time) {
     return browser_.wait([&] { return browser_.status().time() >= time; }, 120.0);
   }
-  console::testing::ScratchProject& folder() { return folder_; }
+  documents::testing::ScratchProject& folder() { return folder_; }
 
  private:
   std::string project() const { return folder_.path("project").string(); }
 
-  console::testing::ScratchProject folder_;
+  documents::testing::ScratchProject folder_;
   console::testing::TestSession session_;
   console::testing::Browser browser_;
   std::mutex mutex_;

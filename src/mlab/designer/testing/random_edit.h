@@ -64,6 +64,9 @@ class RandomEdit {
                  "not",
                  "and",
                  "or",
+                 "formula",
+                 "min",
+                 "distance",
                  "AvoidStaticObstacles",
                  "sense_obstacles",
                  "DetectGoal",
@@ -77,7 +80,8 @@ class RandomEdit {
   }
   std::string value() {
     return word({"1", "0.5", "2 m", "3 s", "Mine", "\"Flag|Basket\"", "[1, 2]", "true", "", "not a value (",
-                 "Noise()", "home", "around", "cooperate { 1: Stand(); }"});
+                 "1 - 2 * 3", "2 * home + 1", "length(way) < 3 m", "-(a) / 2 m", "place(\"Gate\")", "Noise()",
+                 "home", "around", "cooperate { 1: Stand(); }"});
   }
   std::string name() {
     return word({"drift", "home", "Noise", "a", "around", "goal_2", "not a name", "Searching", "cooperate"});

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/cdl/help.h"
+#include "mlab/lang/cdl/units.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cdl {
@@ -134,6 +135,21 @@ bool Cursor::read_name(Word& out, std::string_view what) {
   out = {std::string(text()), here()};
   advance();
   return true;
+}
+
+bool Cursor::divides_units(const Word& unit) const {
+  if (at_end() || tokens_[at_ + 1].kind != Token::Kind::kName) return !at_end() && written_ != nullptr;
+  const text::Span next = tokens_[at_ + 1].span;
+  const bool is_glued = unit.place.span.end == token().span.begin && token().span.end == next.begin;
+  return is_glued || unit_named(fmt::format("{}/{}", unit.text, source_->text(next))).has_value();
+}
+
+bool Cursor::at_unit() const {
+  if (!is(Token::Kind::kName) || !is_before("/") || tokens_[at_ + 2].kind != Token::Kind::kName) return false;
+  const text::Span whole{token().span.begin, tokens_[at_ + 2].span.end};
+  const bool is_glued = token().span.end == tokens_[at_ + 1].span.begin &&
+                        tokens_[at_ + 1].span.end == tokens_[at_ + 2].span.begin;
+  return is_glued && unit_named(source_->text(whole)).has_value();
 }
 
 std::optional<double> Cursor::read_number() {

@@ -58,6 +58,11 @@ class Cursor {
   bool expect_semicolon(std::string_view why);
   bool read_name(Word& out, std::string_view what);
   std::optional<double> read_number();
+  /// Whether the `/` here, behind the first unit of a quantity, belongs to its unit: a unit follows, or there
+  /// is no blank on either side.
+  bool divides_units(const Word& unit) const;
+  /// Whether a unit of two stands here without blanks, `m/s`, and so no number before it.
+  bool at_unit() const;
   std::optional<std::string> read_text(std::string_view what);
   /// The text up to `]` after a `[` that the cursor looks at. Without a `[` an empty word.
   Word take_unit();

@@ -5,6 +5,7 @@
 
 #include "mlab/lang/cdl/lexer.h"
 #include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl/units.h"
 
 namespace mlab::cdl {
 namespace {
@@ -69,16 +70,43 @@ class Formatter {
     const std::string_view here = word(i);
     if (is_one_of(here, {";", ",", ")", "]", ":", "."})) return false;
     if (is_one_of(before, {"(", "[", "."})) return false;
-    if (here == "/" || before == "/") return false;
+    if (here == "/" && is_in_unit(i)) return false;
+    if (before == "/" && is_in_unit(i - 1)) return false;
+    // `- 5` takes a number's opposite, `-5` is a number.
+    if (before == "-" && is_sign(i - 1)) return lexed_.tokens[i].kind == Token::Kind::kNumber;
     if (here == "(" && lexed_.tokens[i - 1].kind == Token::Kind::kName)
       return is_one_of(before, {"not", "and", "or", "when", "by", "active", "in", "as"});
     return true;
   }
 
+  // Whether this `/` stands in the unit of a number or of a parameter: what the parser would take for one.
+  bool is_in_unit(std::size_t i) const {
+    const auto is = [&](std::size_t at, Token::Kind kind) {
+      return at < lexed_.tokens.size() && lexed_.tokens[at].kind == kind;
+    };
+    if (i < 2 || !is(i - 1, Token::Kind::kName) || !is(i + 1, Token::Kind::kName)) return false;
+    // `double [m/s]`; a list stands behind no name.
+    if (word(i - 2) == "[") return i > 2 && is(i - 3, Token::Kind::kName) && !is_before_value(word(i - 3));
+    if (!is(i - 2, Token::Kind::kNumber)) return false;
+    const bool is_glued = lexed_.tokens[i - 1].span.end == lexed_.tokens[i].span.begin &&
+                          lexed_.tokens[i].span.end == lexed_.tokens[i + 1].span.begin;
+    return is_glued || unit_named(std::string(word(i - 1)) + "/" + std::string(word(i + 1))).has_value();
+  }
+
+  // Whether this `-` stands before a value, and not between two.
+  bool is_sign(std::size_t i) const {
+    if (i == 0) return true;
+    const Token::Kind before = lexed_.tokens[i - 1].kind;
+    if (before == Token::Kind::kName) return is_before_value(word(i - 1));
+    return before == Token::Kind::kPunctuation && !is_one_of(word(i - 1), {")", "]", "}"});
+  }
+
   // Places inside of a statement where a line may end before token i.
   bool may_break_before(std::size_t i) const {
     if (i == 0) return false;
-    return word(i - 1) == "," || is_one_of(word(i), {"and", "or", "active", "binds"});
+    const bool is_operation =
+        is_one_of(word(i), {"+", "*", "<", "<=", ">", ">=", "==", "!="}) || (word(i) == "-" && !is_sign(i));
+    return word(i - 1) == "," || is_operation || is_one_of(word(i), {"and", "or", "active", "binds"});
   }
 
   // How wide the tokens are up to the next place where the line may end.

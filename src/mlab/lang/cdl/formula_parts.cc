@@ -8,6 +8,7 @@
 #include "mlab/lang/cdl/formula.h"
 #include "mlab/lang/cdl/formula_term.h"
 #include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/signs.h"
 
 namespace mlab::cdl {
 namespace {
@@ -97,6 +98,9 @@ Parts::Values Parts::values_of(const Expression& expression, Scope& scope) {
     }
     Values operator()(const Call& call) const { return parts.call(call, scope, expression.place); }
     Values operator()(const Logic& logic) const { return parts.logic(logic, scope); }
+    Values operator()(const Arithmetic& what) const {
+      return parts.fused(std::string(sign_of(what.operations.front())), what.operands, scope);
+    }
     Values operator()(const Cooperate& what) const {
       return parts.group(Part::Kind::kCooperation, true, "cooperate", what.members, scope);
     }
@@ -164,16 +168,20 @@ Parts::Values Parts::group(Part::Kind kind, bool moves, std::string what, const 
   return {&part};
 }
 
-Parts::Values Parts::logic(const Logic& logic, Scope& scope) {
+Parts::Values Parts::fused(std::string what, const std::vector<ExpressionPtr>& operands, Scope& scope) {
   Values inside;
-  for (const ExpressionPtr& operand : logic.operands) add(operand, scope, inside);
+  for (const ExpressionPtr& operand : operands) add(operand, scope, inside);
   if (inside.empty()) return {};
+  Part& part = make(Part::Kind::kFusion, false, std::move(what), scope);
+  part.members = std::move(inside);
+  return {&part};
+}
+
+Parts::Values Parts::logic(const Logic& logic, Scope& scope) {
   const char* what = logic.connective == Connective::kNot   ? "not"
                      : logic.connective == Connective::kAnd ? "and"
                                                             : "or";
-  Part& part = make(Part::Kind::kFusion, false, what, scope);
-  part.members = std::move(inside);
-  return {&part};
+  return fused(what, logic.operands, scope);
 }
 
 Parts::Values Parts::sequence(const Sequence& sequence, Scope& scope, const std::string& name) {

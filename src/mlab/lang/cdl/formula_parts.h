@@ -55,6 +55,7 @@ class Parts {
   Values assemblage(const Assemblage& assemblage, const Call& call, Scope& scope, const text::Place& place);
   Values process(std::string_view name, bool moves, const Call& call, Scope& scope);
   Values named(std::string_view name, Scope& scope);
+  Values fused(std::string what, const std::vector<ExpressionPtr>& operands, Scope& scope);
   Values logic(const Logic& logic, Scope& scope);
   Values sequence(const Sequence& sequence, Scope& scope, const std::string& name);
   Values select(const Select& select, Scope& scope);

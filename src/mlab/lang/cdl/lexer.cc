@@ -1,6 +1,7 @@
 #include "mlab/lang/cdl/lexer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace mlab::cdl {
@@ -29,6 +30,7 @@ class Cutter {
       skip_blank();
       Token token = next();
       token.comments = static_cast<std::uint32_t>(out_.comments.size());
+      find_layout(token);
       at_ = token.span.end;
       out_.tokens.push_back(token);
     } while (out_.tokens.back().kind != Token::Kind::kEnd);
@@ -60,10 +62,44 @@ class Cutter {
     }
   }
 
+  std::string_view word(const Token& token) const {
+    return text_.substr(token.span.begin, token.span.end - token.span.begin);
+  }
+
+  // Whether a token begins a line or a statement.
+  bool begins_line(const Token& token) const {
+    if (out_.tokens.empty()) return true;
+    const Token& last = out_.tokens.back();
+    const std::string_view between = text_.substr(last.span.end, token.span.begin - last.span.end);
+    return word(last) == "}" || word(last) == ";" || between.find('\n') != std::string_view::npos;
+  }
+
+  // Whether the next token stands between the braces of `layout A { x 40 -40; }`.
+  void find_layout(const Token& token) {
+    const std::string_view here = word(token);
+    if (here == "{" || here == "}") {
+      layout_ = here == "{" && layout_ == Layout::kNamed ? Layout::kInside : Layout::kOutside;
+    } else if (here == "layout" && layout_ != Layout::kInside && begins_line(token)) {
+      layout_ = Layout::kNamed;
+    } else if (layout_ == Layout::kNamed && token.kind != Token::Kind::kName && here != ".") {
+      layout_ = Layout::kOutside;
+    }
+  }
+
+  // Whether what follows the last token is a value, so that a sign belongs to its number.
+  bool may_begin_value() const {
+    if (out_.tokens.empty() || layout_ == Layout::kInside) return true;
+    const Token& last = out_.tokens.back();
+    if (last.kind == Token::Kind::kName) return is_before_value(word(last));
+    const bool ends_value = last.kind == Token::Kind::kNumber || last.kind == Token::Kind::kText ||
+                            word(last) == ")" || word(last) == "]" || word(last) == "}";
+    return !ends_value;
+  }
+
   // One past the last character of the number at i, or i where there is none. `1..5` is `1`, `..`, `5`.
   std::uint32_t number_end(std::uint32_t i) const {
     const std::uint32_t begin = i;
-    if (peek(i) == '-' || peek(i) == '+') ++i;
+    if ((peek(i) == '-' || peek(i) == '+') && may_begin_value()) ++i;
     const std::uint32_t digits = i;
     while (is_digit(peek(i))) ++i;
     const bool is_whole = i > digits;
@@ -101,13 +137,14 @@ class Cutter {
     }
     if (const std::uint32_t end = number_end(at_); end > at_) return make(Token::Kind::kNumber, end);
     if (c == '"') return quoted();
-    if ((c == '-' && peek(at_ + 1) == '>') || (c == '.' && peek(at_ + 1) == '.'))
+    if ((c == '-' && peek(at_ + 1) == '>') || (c == '.' && peek(at_ + 1) == '.') ||
+        (peek(at_ + 1) == '=' && std::string_view("<>=!").find(c) != std::string_view::npos))
       return make(Token::Kind::kPunctuation, at_ + 2);
-    if (std::string_view("{}()[],;:=./").find(c) != std::string_view::npos)
+    if (std::string_view("{}()[],;:=./+-*<>").find(c) != std::string_view::npos)
       return make(Token::Kind::kPunctuation, at_ + 1);
     std::uint32_t end = at_ + 1;
     while (end < text_.size() && !is_blank(text_[end]) && !is_name_part(text_[end]) &&
-           std::string_view("{}()[],;:=./\"-+").find(text_[end]) == std::string_view::npos) {
+           std::string_view("{}()[],;:=./\"-+*<>").find(text_[end]) == std::string_view::npos) {
       ++end;
     }
     return make(Token::Kind::kUnknown, end);
@@ -115,6 +152,8 @@ class Cutter {
 
   std::string_view text_;
   std::uint32_t at_ = 0;
+  enum class Layout : std::uint8_t { kOutside, kNamed, kInside };
+  Layout layout_ = Layout::kOutside;
   Tokens out_;
 };
 
@@ -122,6 +161,11 @@ class Cutter {
 
 bool is_name(std::string_view text) {
   return !text.empty() && is_name_start(text[0]) && std::all_of(text.begin() + 1, text.end(), is_name_part);
+}
+
+bool is_before_value(std::string_view word) {
+  constexpr std::string_view kWords[] = {"not", "and", "or", "when", "by", "active", "in", "case"};
+  return std::ranges::find(kWords, word) != std::end(kWords);
 }
 
 Tokens lex(std::string_view text) {

@@ -13,9 +13,10 @@ struct Token {
   enum class Kind : std::uint8_t {
     kEnd,
     kName,         ///< a letter or `_`, then letters, digits, `_`
-    kNumber,       ///< `2`, `-0.5`, `.5`, `1e6`
+    kNumber,       ///< `2`, `-0.5`, `.5`, `1e6`; `a -1` is `a`, `-`, `1`
     kText,         ///< `"text"`, on one line
-    kPunctuation,  ///< one of `{ } ( ) [ ] , ; : = . /`, or `..`, `->`
+    kPunctuation,  ///< one of `{ } ( ) [ ] , ; : = . + - * / < >`, or
+                   ///< `..`, `->`, `<=`, `>=`, `==`, `!=`
     kUnknown,      ///< bytes that start no token; several in a row are one token
     kUnclosed,     ///< a text that its line does not close
   };
@@ -36,7 +37,12 @@ struct Tokens {
   std::vector<Comment> comments;
 };
 
+/// A sign right before a number belongs to it where a value begins: not behind another value (`a -1`,
+/// `f(x)-1`), but always in a `layout`, where numbers stand one behind the other.
 Tokens lex(std::string_view text);
+
+/// Whether this is a word of the language behind which a value begins: `not`, `by`.
+bool is_before_value(std::string_view word);
 
 /// True where `text` is a name from its first to its last character.
 bool is_name(std::string_view text);

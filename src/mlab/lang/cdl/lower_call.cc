@@ -47,6 +47,7 @@ Value Lowering::unknown_callee(const Word& callee) {
       error("unknown-call", callee.place, fmt::format("unknown assemblage or procedure `{}`", callee.text));
   std::vector<std::string> names = names_in(configuration_.assemblages);
   for (const std::string& name : names_in(configuration_.bindings)) names.push_back(name);
+  for (const Function& function : functions()) names.emplace_back(function.name);
   for (const flow::Behavior* behavior : library_.behaviors()) names.emplace_back(behavior->name);
   hint_nearest(d, callee.text, names);
   return {};

@@ -59,9 +59,13 @@ Value Lowering::lower_what(const Expression& expression, Scope& scope, const std
           [&](const Name& name) { return lower_name(name, scope, place); },
           [&](const List& list) { return lower_list(list, scope, place); },
           [&](const Call& call) {
+            if (const Function* function = types_.function(call.callee))
+              return call_function(call, *function, scope, {path, &scope.nodes->below(expression)},
+                                   angle_of(expression, scope), place);
             return lower_call(call, scope, {path, &scope.nodes->below(expression)}, place);
           },
           [&](const Logic& logic) { return lower_logic(logic, scope, path, place); },
+          [&](const Arithmetic& what) { return lower_arithmetic(expression, what, scope, path, place); },
           [&](const Cooperate& what) { return lower_cooperate(what, scope, path, place); },
           [&](const Compete& what) { return lower_compete(what, scope, path, place); },
           [&](const Coordinate& what) { return lower_generic(what.by, what.members, scope, path, place); },

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "mlab/flow/port_types.h"
 #include "mlab/lang/cdl/lowering.h"
 #include "mlab/lang/cdl/units.h"
 
@@ -53,6 +54,16 @@ std::vector<std::string> body_settings() {
 
 const NamesBelow kNothing;
 
+// What stands for a named place until a mission says where it is.
+Value some_place(const text::Place& place) {
+  Value out;
+  out.kind = Value::Kind::kWord;
+  out.text = "{0, 0}";
+  out.type = {&flow::type_info<geom::Point>(), "m"};
+  out.place = place;
+  return out;
+}
+
 constexpr std::array<std::string_view, 4> kDrives = {"holonomic", "differential", "car", "synchro"};
 
 }  // namespace
@@ -77,7 +88,9 @@ void Lowering::declare_network_parameter(const Parameter& parameter, Scope& scop
     return;
   }
   value = wire(parameter.name.text, type, parameter.name.place);
-  const Value initial = lower(*parameter.initial, scope);
+  const std::string* place_name = named_place(*parameter.initial);
+  const Value initial =
+      place_name == nullptr ? lower(*parameter.initial, scope) : some_place(parameter.initial->place);
   const auto bound = bind(initial, type, nullptr, parameter.name.text, parameter.initial->place);
   if (!bound || !check_range(initial, parameter, type)) return;
   if (bound->kind == flow::Source::Kind::kName) {
@@ -91,6 +104,7 @@ void Lowering::declare_network_parameter(const Parameter& parameter, Scope& scop
   out.help = parameter.help;
   out.initial = *bound;
   out.place = parameter.name.place;
+  if (place_name != nullptr) out.place_name = {*place_name, parameter.initial->place};
   if (parameter.low) out.min = in_unit(*parameter.low, type.unit);
   if (parameter.high) out.max = in_unit(*parameter.high, type.unit);
   network_.parameters.push_back(std::move(out));
@@ -267,6 +281,7 @@ LoweredRobot Lowering::robot(const Robot& robot) {
   network_.name = robot.name.text;
   Scope& scope = new_scope();
   scope.nodes = &elaboration_.names(robot);
+  robot_names_ = &scope.nodes->top();
   for (const Parameter& parameter : robot.parameters) declare_network_parameter(parameter, scope);
   declare_lets(robot.lets, scope);
   find_devices(robot, scope, out);

@@ -45,10 +45,21 @@ const NodeNames::Paths& Lowering::paths_of(const Expression& expression, Scope& 
   return scope.nodes->of(expression, is_repeated ? scope.times[&expression]++ : 0);
 }
 
-std::string Lowering::path_behind(const Expression& expression, const Scope& scope) const {
+namespace {
+
+const NodeNames::Paths& last_paths_of(const Expression& expression, const Scope& scope) {
   const auto times = scope.times.find(&expression);
-  const std::size_t time = times == scope.times.end() ? 0 : times->second - 1;
-  return joined_path(scope.path, scope.nodes->of(expression, time).behind);
+  return scope.nodes->of(expression, times == scope.times.end() ? 0 : times->second - 1);
+}
+
+}  // namespace
+
+std::string Lowering::path_behind(const Expression& expression, const Scope& scope) const {
+  return joined_path(scope.path, last_paths_of(expression, scope).behind);
+}
+
+std::string Lowering::angle_of(const Expression& expression, const Scope& scope) const {
+  return joined_path(scope.path, last_paths_of(expression, scope).angle);
 }
 
 Value Lowering::wire(const std::string& node, const PortType& type, const text::Place& place) const {

@@ -100,9 +100,35 @@ class Lowering {
   Value lower_let(Scope::Named& named, Scope& scope);
   Value lower_list(const List& list, Scope& scope, const text::Place& place);
   Value lower_logic(const Logic& logic, Scope& scope, const std::string& path, const text::Place& place);
+  Value lower_arithmetic(const Expression& expression, const Arithmetic& arithmetic, Scope& scope,
+                         const std::string& path, const text::Place& place);
   Value lower_delay(const Delay& delay, Scope& scope, const std::string& path, const text::Place& place);
   Value lower_active(const Expression& expression, Scope& scope, const NodeNames::Paths& paths);
   Types::Names types_in(const Scope& scope) const;
+
+  // lower_arithmetic.cc
+  /// What is computed of values, and where the author wrote them.
+  struct Operand {
+    Value value;
+    PortType type;
+    text::Place place;
+    std::string angle;  ///< node that counts it in radians
+  };
+  /// @param of  the sign or function that takes it
+  std::optional<Operand> operand(const Expression& expression, std::string_view of, Scope& scope);
+  static void settle_lists(std::vector<Operand>& operands);
+  Value compute(const Computation& how, const std::vector<Operand>& operands, const std::string& path,
+                const text::Place& place);
+  Value fold(const Computation& how, const std::vector<Operand>& operands, const text::Place& place);
+  Value in_radians(Value value, const std::string& path, const std::string& angle, const text::Place& place);
+  void link_operand(const Operand& operand, const flow::Input& input, flow::Node& node);
+  void refuse(const Computation& how, const std::vector<Operand>& operands, const text::Place& place);
+  Value call_function(const Call& call, const Function& function, Scope& scope, const Spot& spot,
+                      const std::string& angle, const text::Place& place);
+  /// The position of a named place: a parameter of the network that the mission sets.
+  Value call_place(const Call& call, Scope& scope, const text::Place& place);
+  /// The name of the place, where the expression is `place("Gate")`; null: it is something else, or wrong.
+  const std::string* named_place(const Expression& expression) const;
 
   // lower_call.cc
   Value lower_call(const Call& call, Scope& scope, const Spot& spot, const text::Place& place);
@@ -202,6 +228,7 @@ class Lowering {
   /// What the nodes of an expression are called that is evaluated now.
   const NodeNames::Paths& paths_of(const Expression& expression, Scope& scope) const;
   /// The node between an expression that was evaluated and who reads it.
+  std::string angle_of(const Expression& expression, const Scope& scope) const;
   std::string path_behind(const Expression& expression, const Scope& scope) const;
   Value wire(const std::string& node, const PortType& type, const text::Place& place) const;
   Scope& new_scope();
@@ -218,6 +245,7 @@ class Lowering {
   Scope* class_scope_ = nullptr;  // names of the robot's class; null: there are none
   std::set<const Device*> driven_;
   Word robot_name_;
+  const NamesBelow* robot_names_ = nullptr;  // of all that stands in the robot itself; null: there is none
   std::string class_name_;
   text::Place class_place_;
   bool class_is_broken_ = false;  // it was said; what it would offer is unknown

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cdl/signs.h"
+
 namespace mlab::cdl {
 namespace {
 
@@ -67,6 +69,11 @@ void Naming::record_behind(const Expression& expression, std::string path) {
   (again == out_.again_.end() ? out_.paths_[&expression] : again->second.back()).behind = std::move(path);
 }
 
+void Naming::record_angle(const Expression& expression, const std::string& path) {
+  const auto again = out_.again_.find(&expression);
+  (again == out_.again_.end() ? out_.paths_[&expression] : again->second.back()).angle = claim(path, "angle");
+}
+
 // ---- expressions
 
 void Naming::walk(const ExpressionPtr& expression, const Slot& slot) {
@@ -125,6 +132,8 @@ void Naming::walk_parts(const Expression& expression, const std::string& path) {
     walk_select(*select, path);
   } else if (const auto* logic = std::get_if<Logic>(&what)) {
     walk_logic(*logic, path);
+  } else if (const auto* arithmetic = std::get_if<Arithmetic>(&what)) {
+    walk_arithmetic(expression, *arithmetic, path);
   } else if (const auto* delay = std::get_if<Delay>(&what)) {
     walk(delay->value, {path, "value", false});
     walk(delay->initial, {path, "initial", false});
@@ -136,6 +145,11 @@ void Naming::walk_arguments(const Call& call, const std::string& path) {
 }
 
 void Naming::walk_call(const Expression& expression, const Call& call, const std::string& path) {
+  if (types_.function(call.callee) != nullptr) {
+    for (const Argument& argument : call.arguments) walk_operand(argument.value, path);
+    record_angle(expression, path);
+    return;
+  }
   walk_arguments(call, path);
   const auto binding = configuration_.bindings.find(call.callee.text);
   const bool is_binding = binding != configuration_.bindings.end();
@@ -179,6 +193,21 @@ void Naming::walk_logic(const Logic& logic, const std::string& path) {
     record_behind(*logic.operands[i], claim(path, name));
 }
 
+// `a + b - c` is (a + b) - c: the last has the node's own name.
+void Naming::walk_arithmetic(const Expression& expression, const Arithmetic& arithmetic,
+                             const std::string& path) {
+  for (const ExpressionPtr& operand : arithmetic.operands) walk_operand(operand, path);
+  for (std::size_t i = 0; i + 1 < arithmetic.operations.size(); ++i)
+    record_behind(*arithmetic.operands[i + 1], claim(path, std::string(sign(arithmetic.operations[i]).name)));
+  record_angle(expression, path);
+}
+
+// What is in degrees is counted in radians first.
+void Naming::walk_operand(const ExpressionPtr& operand, const std::string& path) {
+  walk(operand, {path, "", false});
+  if (operand && type_of(*operand).unit == "deg") record_angle(*operand, path);
+}
+
 void Naming::walk_states(const Sequence& sequence, const std::string& path) {
   for (const State& state : sequence.states) {
     const std::string own = claim(path, state.name.text);
@@ -216,12 +245,15 @@ void Naming::walk_let(const Let& let) {
   walk(let.value, {path, "", true});
 }
 
-bool Naming::is_movement(const Expression& expression) const {
+PortType Naming::type_of(const Expression& expression) const {
   static const std::vector<Parameter> kNoParameters;
   static const std::vector<Let> kNoLets;
-  const PortType type =
-      types_.of(expression, types_.names_of(parameters_ == nullptr ? kNoParameters : *parameters_,
-                                            lets_ == nullptr ? kNoLets : *lets_));
+  return types_.of(expression, types_.names_of(parameters_ == nullptr ? kNoParameters : *parameters_,
+                                               lets_ == nullptr ? kNoLets : *lets_));
+}
+
+bool Naming::is_movement(const Expression& expression) const {
+  const PortType type = type_of(expression);
   return type.type != nullptr && type.type->kind == flow::TypeKind::kVector;
 }
 

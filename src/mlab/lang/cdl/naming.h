@@ -45,6 +45,7 @@ class Naming {
   std::string claim(const Slot& slot, std::string_view fallback);
   NamesBelow names_below(const std::string& path) const;
   void record(const Expression& expression, NodeNames::Paths paths);
+  void record_angle(const Expression& expression, const std::string& path);
   void record_behind(const Expression& expression, std::string path);
 
   void walk(const ExpressionPtr& expression, const Slot& slot);
@@ -55,6 +56,8 @@ class Naming {
   void walk_members(const std::vector<Member>& members, const char* weight, const std::string& path);
   void walk_compete(const Compete& compete, const std::string& path);
   void walk_logic(const Logic& logic, const std::string& path);
+  void walk_arithmetic(const Expression& expression, const Arithmetic& arithmetic, const std::string& path);
+  void walk_operand(const ExpressionPtr& operand, const std::string& path);
   void walk_states(const Sequence& sequence, const std::string& path);
   void walk_select(const Select& select, const std::string& path);
   void walk_name(const Name& name);
@@ -63,6 +66,7 @@ class Naming {
   void walk_robot_parameter(const Parameter& parameter);
   void walk_class(const Robot& robot);
 
+  PortType type_of(const Expression& expression) const;
   bool is_movement(const Expression& expression) const;
   bool gives_nothing(const Expression& expression, const std::vector<Let>& lets, int depth) const;
 

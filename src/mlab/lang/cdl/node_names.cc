@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "mlab/lang/cdl/signs.h"
+
 namespace mlab::cdl {
 
 const NodeNames::Paths& NodeNames::of(const Expression& expression, std::size_t time) const {
@@ -45,6 +47,8 @@ std::string default_name(const Expression& expression) {
   if (std::holds_alternative<Sequence>(what)) return "sequence";
   if (std::holds_alternative<Select>(what)) return "select";
   if (std::holds_alternative<Delay>(what)) return "delay";
+  if (const auto* arithmetic = std::get_if<Arithmetic>(&what))
+    return arithmetic->operations.empty() ? "" : std::string(sign(arithmetic->operations.back()).name);
   const auto* logic = std::get_if<Logic>(&what);
   if (logic == nullptr) return "";
   return logic->connective == Connective::kNot ? "Not" : logic->connective == Connective::kAnd ? "And" : "Or";

@@ -27,6 +27,8 @@ class NodeNames {
     /// Of a node between the expression and who reads it: `and` of several joins two at a time, a member's
     /// strength is its length, an active part is asked whether it is idle. Empty: there is none.
     std::string behind;
+    /// Of a node that counts in radians what is computed, or what is read in degrees. Empty: there is none.
+    std::string angle = {};
   };
 
   /// Of an expression that makes a node; of all others, and of what stands deeper than anything may, empty.

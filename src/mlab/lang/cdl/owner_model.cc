@@ -50,7 +50,7 @@ class Builder {
     const int on = new_page(states.base, 0);
     page(on).path = path;
     page(on).asks = &transition;
-    page(on).root = transition.trigger.get();
+    page(on).root = page_root_ = transition.trigger.get();
     page(on).result = walk(transition.trigger, on).node;
     std::swap(page(on), model_.pages.back());  // `let`s may have made pages behind it
     name_result(model_.pages.back());
@@ -138,7 +138,9 @@ class Builder {
   Driver walk(const ExpressionPtr& expression, int on) {
     if (!expression || depth_ > kDeepestExpression) return {};
     ++depth_;
+    const ExpressionPtr outer = std::exchange(formula_, expression);
     const Driver out = walk_what(*expression, on);
+    formula_ = outer;
     --depth_;
     return out;
   }
@@ -150,11 +152,16 @@ class Builder {
       for (const ExpressionPtr& item : list->items) walk(item, kHidden);
       return {};
     }
-    if (default_name(expression).empty()) return {};
+    if (default_name(expression).empty() || is_field(expression, on)) return {};
     const NodeNames::Paths& paths = names_.of(expression);
     if (on == kHidden) model_.hidden.emplace(&expression, paths.path);
-    const int at = add(kind_of(expression), expression, paths.path, on);
-    walk_inputs(expression, paths.inside, on, at);
+    const bool is_formula = std::holds_alternative<Arithmetic>(expression.what) || is_whole_call(expression);
+    const int at = add(is_formula ? Kind::kFormula : kind_of(expression), expression, paths.path, on);
+    if (is_formula) {
+      walk_formula(expression, on, at);
+    } else {
+      walk_inputs(expression, paths.inside, on, at);
+    }
     if (expression.active) put(on, at, {"active", {}, Role::kActive, expression.active});
     return {at, true};
   }
@@ -231,6 +238,87 @@ class Builder {
       put(on, at, std::move(input));
     }
     if (!is_not) put_open(on, at, "in", Role::kOperand);
+  }
+
+  const Function* function_of(const Expression& expression) const {
+    const auto* call = std::get_if<Call>(&expression.what);
+    return call == nullptr ? nullptr : types_.function(call->callee);
+  }
+
+  // A call of a function that has all that it takes; while something is missing, its inputs are drawn.
+  bool is_whole_call(const Expression& expression) const {
+    const Function* function = function_of(expression);
+    return function != nullptr && std::get<Call>(expression.what).arguments.size() == function->inputs.size();
+  }
+
+  // What is computed of numbers, words and parameters that are no wires is written into a field.
+  bool is_field(const Expression& expression, int on) const {
+    const bool is_computed =
+        std::holds_alternative<Arithmetic>(expression.what) || function_of(expression) != nullptr;
+    return is_computed && on != kHidden && page_root_ != &expression && reads_nothing(expression);
+  }
+
+  bool reads_nothing(const Expression& expression) const {
+    if (const auto* name = std::get_if<Name>(&expression.what)) {
+      const bool is_wire = let_named_.contains(name->name.text) ||
+                           std::ranges::any_of(model_.parameters(), [&](const Parameter& parameter) {
+                             return parameter.name.text == name->name.text && is_wired(types_.of(parameter));
+                           });
+      return !is_wire;
+    }
+    if (expression.active || !expression.as.text.empty()) return false;
+    const bool is_transparent = default_name(expression).empty() ||
+                                std::holds_alternative<Arithmetic>(expression.what) ||
+                                function_of(expression) != nullptr;
+    bool out = is_transparent;
+    for_each_part(expression, [&](const Expression& part) { out = out && reads_nothing(part); });
+    return out;
+  }
+
+  // Its words are one field; what it reads comes on wires.
+  void walk_formula(const Expression& expression, int on, int at) {
+    ModelInput words;
+    words.port = "formula";
+    words.role = Role::kFormula;
+    words.written = formula_;
+    add_input(on, at, std::move(words), {});
+    std::map<std::string, int> times;
+    int number = 0;
+    for (const ExpressionPtr& term : terms_of(expression)) {
+      ModelInput input;
+      const auto* name = std::get_if<Name>(&term->what);
+      input.port = name != nullptr         ? name->name.text
+                   : term->as.text.empty() ? default_name(*term)
+                                           : term->as.text;
+      if (const int time = ++times[input.port]; time > 1) input.port += fmt::format("_{}", time);
+      input.role = Role::kTerm;
+      input.written = term;
+      input.at = number++;
+      put(on, at, std::move(input));
+    }
+  }
+
+  std::vector<ExpressionPtr> terms_of(const Expression& formula) const {
+    std::vector<ExpressionPtr> out;
+    const auto add = [&](const ExpressionPtr& part) {
+      if (!part || reads_nothing(*part)) return;
+      const bool is_inside = part->as.text.empty() && !part->active &&
+                             (std::holds_alternative<Arithmetic>(part->what) ||
+                              std::holds_alternative<List>(part->what) || function_of(*part) != nullptr);
+      if (!is_inside) {
+        out.push_back(part);
+        return;
+      }
+      for (ExpressionPtr& inner : terms_of(*part)) out.push_back(std::move(inner));
+    };
+    if (const auto* arithmetic = std::get_if<Arithmetic>(&formula.what)) {
+      for (const ExpressionPtr& operand : arithmetic->operands) add(operand);
+    } else if (const auto* list = std::get_if<List>(&formula.what)) {
+      for (const ExpressionPtr& item : list->items) add(item);
+    } else if (const auto* call = std::get_if<Call>(&formula.what)) {
+      for (const Argument& argument : call->arguments) add(argument.value);
+    }
+    return out;
   }
 
   void walk_select(const Select& select, int on, int at) {
@@ -332,7 +420,8 @@ class Builder {
   void walk_let(const Let& let) {
     if (depth_ > kDeepestExpression || !walked_.insert(&let).second) return;
     const Let* outer = std::exchange(pending_, &let);
-    if (default_name(*let.value).empty()) {  // a constant, or another name for something
+    if (default_name(*let.value).empty() ||
+        is_field(*let.value, 0)) {  // a constant, or another name for something
       const int at = add(Kind::kValue, *let.value, names_.of(let), 0);
       pending_ = nullptr;
       put(0, at, {"value", {}, Role::kValue, let.value});
@@ -346,7 +435,7 @@ class Builder {
 
   // What a page gives: the states of a sequence, or a dataflow.
   void walk_page(const ExpressionPtr& root, int on) {
-    page(on).root = root.get();
+    page(on).root = page_root_ = root.get();
     const auto* sequence = std::get_if<Sequence>(&root->what);
     if (sequence != nullptr && root->as.text.empty() && !root->active)
       walk_states(*sequence, on);
@@ -409,7 +498,9 @@ class Builder {
   std::map<const Let*, int> let_nodes_;
   std::map<std::pair<int, const Let*>, int> outer_nodes_;
   std::map<std::pair<int, const Parameter*>, int> parameter_nodes_;
-  const Let* pending_ = nullptr;  // whose node comes next
+  const Expression* page_root_ = nullptr;  // has a node whatever it is
+  ExpressionPtr formula_;                  // that is being walked
+  const Let* pending_ = nullptr;           // whose node comes next
   int depth_ = 0;
 };
 

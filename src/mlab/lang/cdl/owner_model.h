@@ -26,7 +26,9 @@ enum class InputRole {
   kCase,      ///< of a selection
   kActive,    ///< the part that moves a sensor
   kDrive,     ///< what an actuator of a robot is driven by
-  kValue      ///< of a `let` that is a constant or another name
+  kValue,     ///< of a `let` that is a constant or another name
+  kFormula,   ///< the words of a formula
+  kTerm       ///< what a formula reads from other nodes
 };
 
 /// One input of a node, driven or not.
@@ -53,6 +55,7 @@ struct ModelNode {
     kSequence,
     kSelect,
     kLogic,
+    kFormula,  ///< arithmetic, with functions in it, that reads other nodes
     kDelay,
     kValue,      ///< a `let` that is a constant or another name
     kParameter,  ///< of the owner

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/cdl/cursor.h"
+#include "mlab/lang/cdl/signs.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cdl {
@@ -17,12 +18,17 @@ bool is_unit(const Cursor& cursor) {
   return !cursor.is_any({"as", "active", "and", "or", "in", "goto", "by", "binds", "is"});
 }
 
+// The expression that was read from `begin` on.
+void settle(const Cursor& cursor, std::uint32_t begin, Expression& out) {
+  out.place = cursor.since(begin);
+  out.whole = out.place.span;
+}
+
 template <class What>
 std::shared_ptr<Expression> made(const Cursor& cursor, std::uint32_t begin, What what) {
   auto out = std::make_shared<Expression>();
   out->what = std::move(what);
-  out->place = cursor.since(begin);
-  out->whole = out->place.span;
+  settle(cursor, begin, *out);
   return out;
 }
 
@@ -145,6 +151,13 @@ Read parse_named(Cursor& cursor) {
     const bool is_whole = parse_call(cursor, "what to instantiate", call);
     return {made(cursor, begin, std::move(call)), is_whole};
   }
+  if (cursor.at_unit()) {
+    cursor.expected("a number before the unit");
+    cursor.advance();
+    cursor.advance();
+    cursor.advance();
+    return hole(cursor);
+  }
   Name name;
   cursor.read_name(name.name, "a name");
   return {made(cursor, begin, std::move(name))};
@@ -201,15 +214,74 @@ Read parse_suffixed(Cursor& cursor) {
                           cursor.could_be({"active"}) || cursor.is("as"))) {
     out.is_whole =
         cursor.is("as") ? parse_name_of_node(cursor, *out.value) : parse_active(cursor, *out.value);
-    out.value->place = cursor.since(begin);
-    out.value->whole = out.value->place.span;
+    settle(cursor, begin, *out.value);
   }
   cursor.leave();
   return out;
 }
 
+// `-x`
+Read parse_signed(Cursor& cursor) {
+  if (!cursor.is("-")) return parse_suffixed(cursor);
+  if (!cursor.enter()) return hole(cursor);
+  const std::uint32_t begin = cursor.begin();
+  cursor.advance();
+  const Read operand = parse_signed(cursor);
+  cursor.leave();
+  return {made(cursor, begin, Arithmetic{{Operation::kNegate}, {operand.value}}), operand.is_whole};
+}
+
+// The operation that stands here, of those between `first` and `last`.
+std::optional<Operation> operation_at(const Cursor& cursor, Operation first, Operation last) {
+  for (Operation one = first; one <= last; one = static_cast<Operation>(static_cast<int>(one) + 1)) {
+    if (cursor.is(sign_of(one))) return one;
+  }
+  return std::nullopt;
+}
+
+// `x * y / z`, `x + y - z`
+Read parse_terms(Cursor& cursor, Operation first, Operation last) {
+  const auto operand = [&] {
+    return first == Operation::kAdd ? parse_terms(cursor, Operation::kMultiply, Operation::kDivide)
+                                    : parse_signed(cursor);
+  };
+  const std::uint32_t begin = cursor.begin();
+  Read out = operand();
+  std::optional<Operation> next = operation_at(cursor, first, last);
+  if (!out.is_whole || !next) return out;
+  Arithmetic arithmetic{{}, {out.value}};
+  for (; out.is_whole && next; next = operation_at(cursor, first, last)) {
+    arithmetic.operations.push_back(*next);
+    cursor.advance();
+    const Read right = operand();
+    arithmetic.operands.push_back(right.value);
+    out.is_whole = right.is_whole;
+  }
+  out.value = made(cursor, begin, std::move(arithmetic));
+  return out;
+}
+
+Read parse_sum(Cursor& cursor) {
+  return parse_terms(cursor, Operation::kAdd, Operation::kSubtract);
+}
+
+// `x < y`
+Read parse_comparison(Cursor& cursor) {
+  const std::uint32_t begin = cursor.begin();
+  Read out = parse_sum(cursor);
+  const auto operation = operation_at(cursor, Operation::kLess, Operation::kUnequal);
+  if (!out.is_whole || !operation) return out;
+  cursor.advance();
+  const Read right = parse_sum(cursor);
+  out = {made(cursor, begin, Arithmetic{{*operation}, {out.value, right.value}}), right.is_whole};
+  if (!out.is_whole || !operation_at(cursor, Operation::kLess, Operation::kUnequal)) return out;
+  if (text::Diagnostic* d = cursor.error("syntax", cursor.here(), "a comparison is of two"))
+    d->hints.emplace_back("`a < b and b < c` compares three");
+  return {std::move(out.value), false};
+}
+
 Read parse_not(Cursor& cursor) {
-  if (!cursor.is("not") || cursor.is_before("=")) return parse_suffixed(cursor);
+  if (!cursor.is("not") || cursor.is_before("=")) return parse_comparison(cursor);
   if (!cursor.enter()) return hole(cursor);
   const std::uint32_t begin = cursor.begin();
   cursor.advance_word();
@@ -256,7 +328,7 @@ std::optional<Number> parse_quantity(Cursor& cursor) {
   const std::uint32_t begin = cursor.begin();
   cursor.read_name(number.unit, "a unit");
   number.whole = cursor.span_since(start);
-  if (!cursor.is("/")) return number;
+  if (!cursor.is("/") || !cursor.divides_units(number.unit)) return number;
   cursor.advance();
   Word per;
   if (!cursor.read_name(per, "the unit behind `/`")) {

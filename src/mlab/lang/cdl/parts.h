@@ -38,6 +38,9 @@ auto parts(Is<Call> auto& x) {
 auto parts(Is<Logic> auto& x) {
   return std::tie(x.operands);
 }
+auto parts(Is<Arithmetic> auto& x) {
+  return std::tie(x.operands);
+}
 auto parts(Is<Member> auto& x) {
   return std::tie(x.weight, x.value);
 }

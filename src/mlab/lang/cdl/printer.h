@@ -12,6 +12,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cdl/signs.h"
+#include "mlab/lang/cdl/tightness.h"
 #include "mlab/lang/cdl/tree.h"
 
 namespace mlab::cdl {
@@ -52,9 +54,6 @@ class Printer {
  private:
   void say(const auto&... words) { (out_.word(words), ...); }
 
-  // What an expression may be without parentheses around it.
-  enum Tightness { kAnything, kInOr, kInAnd, kSuffixed };
-
   bool take(const text::SourcePtr& source, text::Span whole) {
     if (!out_.has(source, whole)) return false;
     out_.take(source, whole);
@@ -67,12 +66,14 @@ class Printer {
   // ---- expressions
 
   void put(const Expression& expression, Tightness tightness) {
-    const auto* logic = std::get_if<Logic>(&expression.what);
+    const bool is_infix =
+        std::holds_alternative<Logic>(expression.what) || std::holds_alternative<Arithmetic>(expression.what);
     const bool has_suffix = !expression.as.text.empty() || expression.active;
-    const bool is_not = logic != nullptr && logic->connective == Connective::kNot;
-    const bool is_grouped = logic != nullptr && !has_suffix && tightness > (is_not ? kInAnd : kAnything);
+    // A number behind a sign is one number, and `2 m / s` a unit.
+    const bool is_number = tightness == kNegated && std::holds_alternative<Number>(expression.what);
+    const bool is_grouped = is_number || tightness > outermost(expression);
     if (!out_.has(expression.place.source, expression.whole)) {
-      put_parts(expression, logic != nullptr && (has_suffix || is_grouped));
+      put_parts(expression, is_number || (is_infix && (has_suffix || is_grouped)));
       return;
     }
     const bool adds = is_grouped && expression.whole.begin == expression.place.span.begin;
@@ -136,6 +137,23 @@ class Printer {
     for (std::size_t i = 0; i < logic.operands.size(); ++i) {
       if (i > 0) out_.word(is_and ? "and" : "or");
       put(*logic.operands[i], is_and ? kInAnd : kInOr);
+    }
+  }
+  void put(const Arithmetic& arithmetic) {
+    const auto& [operations, operands] = arithmetic;
+    if (operations.empty() || operations.front() == Operation::kNegate) {
+      out_.word("-");
+      for (const ExpressionPtr& operand : operands) put(*operand, kNegated);
+      return;
+    }
+    const Operation first = operations.front();
+    const Tightness inside = first == Operation::kAdd || first == Operation::kSubtract      ? kInSum
+                             : first == Operation::kMultiply || first == Operation::kDivide ? kInProduct
+                                                                                            : kInComparison;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      if (i > 0) out_.word(sign_of(operations[i - 1]));
+      const bool is_divided = i < operations.size() && operations[i] == Operation::kDivide;
+      put(*operands[i], is_divided && is_unit_of(*operands[i], *operands[i + 1]) ? kNegated : inside);
     }
   }
   void put(const Delay& delay) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl/changes.h"
 #include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cdl/lexer.h"
@@ -46,7 +47,7 @@ std::string changed(const std::string& text, const std::function<void(const Tree
 std::vector<std::string> all_files() {
   std::vector<std::string> out;
   for (const char* folder : {"library", "missions", "examples", "tests", "bench", "src/mlab/lang/cdl"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(MLAB_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(base::source_folder()) / folder)) {
       if (entry.path().extension() != ".cdl") continue;
       std::ifstream in(entry.path());
       std::stringstream text;

@@ -69,6 +69,27 @@ struct Logic {
   std::vector<ExpressionPtr> operands;
 };
 
+/// What a sign between two values, or before one, means.
+enum class Operation {
+  kNegate,
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kLess,
+  kLessOrEqual,
+  kGreater,
+  kGreaterOrEqual,
+  kEqual,
+  kUnequal
+};
+/// `-a`, `a + b - c`, `a * b / c`, `a < b`: what is on one level of precedence, computed from the left.
+/// Functions such as `min(a, b)` are calls.
+struct Arithmetic {
+  std::vector<Operation> operations;  ///< of `-a` one, else one less than operands
+  std::vector<ExpressionPtr> operands;
+};
+
 /// One member of an operator: `0.8: Noise(persistence = 10 s) as drift;`
 struct Member {
   ExpressionPtr weight;  ///< in front of the colon; null: none said
@@ -150,8 +171,8 @@ struct Delay {
 
 /// Anything that has a value. `as NAME` names its node; else the node is called as what it instantiates.
 struct Expression {
-  std::variant<Hole, Number, Text, Name, List, Call, Logic, Cooperate, Compete, Coordinate, Fuse, Sequence,
-               Select, Delay>
+  std::variant<Hole, Number, Text, Name, List, Call, Logic, Arithmetic, Cooperate, Compete, Coordinate, Fuse,
+               Sequence, Select, Delay>
       what;
   Word as;
   ExpressionPtr active;   ///< `... active LookAt(...)`: the part that moves a sensor; null: none

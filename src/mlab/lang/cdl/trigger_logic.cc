@@ -26,6 +26,10 @@ bool TriggerLogic::is_literal(const Expression& expression, const Scope& scope) 
     return std::ranges::all_of(list->items,
                                [&](const ExpressionPtr& item) { return is_literal(*item, scope); });
   }
+  if (const auto* arithmetic = std::get_if<Arithmetic>(&expression.what)) {
+    return std::ranges::all_of(arithmetic->operands,
+                               [&](const ExpressionPtr& operand) { return is_literal(*operand, scope); });
+  }
   const auto* name = std::get_if<Name>(&expression.what);
   if (name == nullptr) return false;
   const auto is_it = [&](const auto& declared) { return declared.name.text == name->name.text; };
@@ -84,6 +88,8 @@ Constant TriggerLogic::constant(const Expression& expression, const Scope& scope
         *scope.parameters, [&](const Parameter& p) { return p.name.text == name->name.text; });
     return is_parameter ? Constant::kNo : constant_name(name->name.text, scope);
   }
+  if (std::holds_alternative<Arithmetic>(expression.what))
+    return is_literal(expression, scope) ? Constant::kSome : Constant::kNo;
   const auto* logic = std::get_if<Logic>(&expression.what);
   return logic == nullptr || logic->operands.empty() ? Constant::kNo : constant_logic(*logic, scope);
 }

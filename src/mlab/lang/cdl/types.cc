@@ -1,8 +1,10 @@
 #include "mlab/lang/cdl/types.h"
 
+#include <algorithm>
 #include <variant>
 
 #include "mlab/base/overloaded.h"
+#include "mlab/flow/port_types.h"
 #include "mlab/lang/cdl/quantities.h"
 
 namespace mlab::cdl {
@@ -43,6 +45,30 @@ std::vector<InputView> inputs_of(const flow::Library::Entry& entry) {
   return out;
 }
 
+std::vector<InputView> inputs_of(const Function& function, const flow::Library& library) {
+  std::vector<InputView> out;
+  const flow::Behavior* behavior = library.find(function.behavior).behavior;
+  for (std::size_t i = 0; i < function.inputs.size(); ++i) {
+    const bool is_explained = behavior != nullptr && i < behavior->inputs.size();
+    InputView view{
+        std::string(function.inputs[i]), {}, is_explained ? &behavior->inputs[i] : nullptr, nullptr};
+    if (is_explained && function.name != "distance") view.type.type = behavior->inputs[i].type;
+    if (function.name == kPlaceFunction) view.type.type = library.find_type("Text");
+    out.push_back(std::move(view));
+  }
+  return out;
+}
+
+void settle_lists(std::vector<PortType>& operands, const std::vector<bool>& is_list) {
+  const bool are_points = std::ranges::any_of(operands, [](const PortType& type) {
+    return type.type != nullptr && type.type->kind == flow::TypeKind::kPoint;
+  });
+  const flow::TypeInfo& type = are_points ? flow::type_info<geom::Point>() : flow::type_info<geom::Vector>();
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (is_list[i] && operands[i].type == nullptr) operands[i] = {&type, ""};
+  }
+}
+
 PortType Types::named(std::string_view type) const {
   if (const Quantity* quantity = quantity_named(type))
     return {library_.find_type(quantity->type), std::string(quantity->unit)};
@@ -76,6 +102,15 @@ PortType Types::of_call(const Word& callee, Question& question) const {
   return of_call(library_.find(callee.text));
 }
 
+const Function* Types::function(const Word& callee) const {
+  const Function* out = function_named(callee.text);
+  if (out == nullptr) return nullptr;
+  const bool is_hidden = configuration_.bindings.contains(callee.text) ||
+                         configuration_.assemblage_named(callee) != nullptr ||
+                         library_.find(callee.text).behavior != nullptr;
+  return is_hidden ? nullptr : out;
+}
+
 bool Types::is_sink(const Word& callee) const {
   const flow::Behavior* behavior = library_.find(callee.text).behavior;
   return behavior != nullptr && behavior->output == nullptr;
@@ -93,6 +128,7 @@ std::vector<InputView> Types::inputs_of(const Word& callee) const {
     return of_parameters(binding->second->parameters);
   if (const Assemblage* assemblage = configuration_.assemblage_named(callee))
     return of_parameters(assemblage->parameters);
+  if (const Function* known = function(callee)) return cdl::inputs_of(*known, library_);
   return cdl::inputs_of(library_.find(callee.text));
 }
 
@@ -129,6 +165,41 @@ PortType Types::of(const Let& let, const Names& names, Question& question) const
   return question.known[&let] = type;
 }
 
+PortType Types::of_operand(const Expression& operand, const Names& names, Question& question) const {
+  PortType out = of(operand, names, question);
+  if (const auto* number = std::get_if<Number>(&operand.what)) out.unit = number->unit.text;
+  return out;
+}
+
+PortType Types::of_arithmetic(const Arithmetic& arithmetic, const Names& names, Question& question) const {
+  std::vector<PortType> operands;
+  std::vector<bool> is_list;
+  for (const ExpressionPtr& operand : arithmetic.operands) {
+    operands.push_back(of_operand(*operand, names, question));
+    is_list.push_back(std::holds_alternative<List>(operand->what));
+  }
+  settle_lists(operands, is_list);
+  if (operands.empty() || arithmetic.operations.empty()) return {};
+  if (arithmetic.operations.front() == Operation::kNegate)
+    return computation(Operation::kNegate, std::span(operands).first(1)).type;
+  PortType left = operands.front();
+  for (std::size_t i = 1; i < operands.size(); ++i)
+    left = computation(arithmetic.operations[i - 1], std::vector{left, operands[i]}).type;
+  return left;
+}
+
+PortType Types::of_function(const Function& function, const Call& call, const Names& names,
+                            Question& question) const {
+  std::vector<PortType> operands;
+  std::vector<bool> is_list;
+  for (const Argument& argument : call.arguments) {
+    operands.push_back(argument.value ? of_operand(*argument.value, names, question) : PortType{});
+    is_list.push_back(argument.value && std::holds_alternative<List>(argument.value->what));
+  }
+  settle_lists(operands, is_list);
+  return computation(function, operands).type;
+}
+
 PortType Types::of(const Expression& expression, const Names& names) const {
   Question question;
   return of(expression, names, question);
@@ -144,8 +215,13 @@ PortType Types::of(const Expression& expression, const Names& names, Question& q
                                 [](const Text&) { return PortType{}; },
                                 [](const List&) { return PortType{}; },
                                 [&](const Name& name) { return names(name.name.text, question); },
-                                [&](const Call& call) { return of_call(call.callee, question); },
+                                [&](const Call& call) {
+                                  const Function* known = function(call.callee);
+                                  return known == nullptr ? of_call(call.callee, question)
+                                                          : of_function(*known, call, names, question);
+                                },
                                 [&](const Logic&) { return named("bool"); },
+                                [&](const Arithmetic& what) { return of_arithmetic(what, names, question); },
                                 [&](const Cooperate&) { return named("Vector"); },
                                 [&](const Compete&) { return named("Vector"); },
                                 [&](const Coordinate& what) { return of_call(what.by.callee, question); },

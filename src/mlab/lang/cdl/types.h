@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mlab/flow/library.h"
+#include "mlab/lang/cdl/arithmetic.h"
 #include "mlab/lang/cdl/configuration.h"
 #include "mlab/lang/cdl/port_type.h"
 
@@ -24,6 +25,11 @@ struct InputView {
 /// The inputs of a procedure as they are called under the name by which it was found.
 std::vector<InputView> inputs_of(const flow::Library::Entry& entry);
 
+/// The inputs of a function, explained as those of what computes it.
+std::vector<InputView> inputs_of(const Function& function, const flow::Library& library);
+/// `[1 m, 2 m]` among operands is what it stands beside: a point beside points, else a vector.
+void settle_lists(std::vector<PortType>& operands, const std::vector<bool>& is_list);
+
 /// What types things of one configuration have, from its declarations and from descriptors: nothing is
 /// lowered, and nothing reported. Both must outlive it.
 class Types {
@@ -37,6 +43,8 @@ class Types {
   /// What a call gives: nothing where nobody answers to the name, or who does is a sink.
   PortType of_call(const Word& callee) const;
   PortType of_call(const flow::Library::Entry& entry) const;
+  /// The function of that name, where nothing that is declared has it; null: there is none.
+  const Function* function(const Word& callee) const;
   /// Whether a call of it gives nothing: it is a procedure that acts.
   bool is_sink(const Word& callee) const;
   /// Empty where nobody answers to the name.
@@ -61,6 +69,10 @@ class Types {
  private:
   PortType of(const Expression& expression, const Names& names, Question& question) const;
   PortType of_call(const Word& callee, Question& question) const;
+  PortType of_arithmetic(const Arithmetic& arithmetic, const Names& names, Question& question) const;
+  PortType of_function(const Function& function, const Call& call, const Names& names,
+                       Question& question) const;
+  PortType of_operand(const Expression& operand, const Names& names, Question& question) const;
   PortType result_of(const Assemblage& assemblage, Question& question) const;
 
   const Configuration& configuration_;

@@ -34,14 +34,36 @@ std::optional<Unit> base_unit(std::string_view name) {
 }  // namespace
 
 std::optional<Unit> unit_named(std::string_view name) {
-  if (name.empty()) return Unit{};
-  const std::size_t slash = name.find('/');
-  std::optional<Unit> unit = name.starts_with("1/") ? Unit{} : base_unit(name.substr(0, slash));
-  if (!unit || slash == std::string_view::npos) return unit;
-  const std::optional<Unit> per = base_unit(name.substr(slash + 1));
-  if (!per) return std::nullopt;
-  return Unit{unit->length - per->length, unit->time - per->time, unit->angle - per->angle,
-              unit->numerator * per->denominator, unit->denominator * per->numerator};
+  Unit out;
+  bool divides = false;
+  for (bool is_first = true; !name.empty(); is_first = false) {
+    const std::size_t end = std::min(name.find_first_of("*/"), name.size());
+    const std::string_view word = name.substr(0, end);
+    const std::optional<Unit> one = is_first && word == "1" && end < name.size() ? Unit{} : base_unit(word);
+    if (!one) return std::nullopt;
+    const int sign = divides ? -1 : 1;
+    out = {out.length + sign * one->length, out.time + sign * one->time, out.angle + sign * one->angle,
+           out.numerator * (divides ? one->denominator : one->numerator),
+           out.denominator * (divides ? one->numerator : one->denominator)};
+    if (end == name.size()) return out;
+    divides = name[end] == '/';
+    name.remove_prefix(end + 1);
+    if (name.empty()) return std::nullopt;
+  }
+  return out;
+}
+
+std::string si_unit(const Unit& unit) {
+  std::string above;
+  std::string below;
+  const auto put = [&](int times, std::string_view name) {
+    for (; times > 0; --times) above += (above.empty() ? "" : "*") + std::string(name);
+    for (; times < 0; ++times) below += "/" + std::string(name);
+  };
+  put(unit.length, "m");
+  put(unit.angle, "rad");
+  put(unit.time, "s");
+  return above.empty() && !below.empty() ? "1" + below : above + below;
 }
 
 const std::vector<std::string>& unit_names() {

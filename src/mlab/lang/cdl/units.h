@@ -16,13 +16,24 @@ struct Unit {
   double numerator = 1.0;
   double denominator = 1.0;
 
+  /// What a product, or with `sign` -1 a quotient, measures: in SI units.
+  Unit times(const Unit& other, int sign = 1) const {
+    return {length + sign * other.length, time + sign * other.time, angle + sign * other.angle, 1.0, 1.0};
+  }
+  /// The number in SI units.
+  double in_si(double value) const {
+    return numerator == denominator ? value : value * numerator / denominator;
+  }
   bool same_dimension(const Unit& other) const {
     return length == other.length && time == other.time && angle == other.angle;
   }
 };
 
 /// `m`, `cm`, `km/h`, `deg/s`, ...; the empty unit is that of plain numbers. Nothing where nobody knows it.
+/// Also products of units, as arithmetic makes them: `m*m`, `m/s/s`, `1/s`.
 std::optional<Unit> unit_named(std::string_view name);
+/// The SI unit of what this one measures: `m/s` of `km/h`; of plain numbers none.
+std::string si_unit(const Unit& unit);
 /// All base units, for "did you mean".
 const std::vector<std::string>& unit_names();
 

@@ -25,6 +25,8 @@ void for_each_part(const Expression& expression, const Visit& visit) {
     call_parts(*call);
   } else if (const auto* logic = std::get_if<Logic>(&expression.what)) {
     for (const ExpressionPtr& operand : logic->operands) part(operand);
+  } else if (const auto* arithmetic = std::get_if<Arithmetic>(&expression.what)) {
+    for (const ExpressionPtr& operand : arithmetic->operands) part(operand);
   } else if (const auto* cooperate = std::get_if<Cooperate>(&expression.what)) {
     member_parts(cooperate->members);
   } else if (const auto* compete = std::get_if<Compete>(&expression.what)) {

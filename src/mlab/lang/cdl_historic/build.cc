@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cdl/signs.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cdl_historic {
@@ -58,6 +59,12 @@ struct Writer {
   void operator()(const cdl::Logic& logic) const {
     out += fmt::format("logic{}(", static_cast<int>(logic.connective));
     for (const cdl::ExpressionPtr& operand : logic.operands) write(operand, out), out += ",";
+    out += ")";
+  }
+  void operator()(const cdl::Arithmetic& arithmetic) const {
+    for (const cdl::Operation operation : arithmetic.operations) out += cdl::sign_of(operation);
+    out += "(";
+    for (const cdl::ExpressionPtr& operand : arithmetic.operands) write(operand, out), out += ",";
     out += ")";
   }
   void operator()(const cdl::Cooperate& c) const { out += "cooperate{", write(c.members, out), out += "}"; }

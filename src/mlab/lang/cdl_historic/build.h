@@ -12,7 +12,7 @@ namespace mlab::cdl_historic {
 using Draft = std::shared_ptr<cdl::Expression>;
 
 /// An expression of our language and the flow type of its value. An empty draft: nothing could be made.
-struct Made {
+struct TypedDraft {
   Draft expr;
   std::string type;
 };

@@ -91,7 +91,7 @@ std::string Converter::operator_style(std::string_view name) const {
   return own == nullptr ? std::string{} : own->style.text;
 }
 
-Made Converter::make(const Expr& expr, const Level* level, std::string_view wanted) {
+TypedDraft Converter::make(const Expr& expr, const Level* level, std::string_view wanted) {
   made_ += 1 + static_cast<std::uint32_t>(expr.settings.size() / 16);
   if (made_ > kMaxMade && !is_too_large_) {
     is_too_large_ = true;
@@ -106,7 +106,7 @@ Made Converter::make(const Expr& expr, const Level* level, std::string_view want
   }
   ++depth_;
   used_.insert(&expr);
-  Made made;
+  TypedDraft made;
   const Symbol* symbol = expr.inline_names.empty() || expr.kind == Expr::Kind::kReference
                              ? nullptr
                              : symbols_.find(expr.inline_names[0]);
@@ -121,7 +121,7 @@ Made Converter::make(const Expr& expr, const Level* level, std::string_view want
 }
 
 // A name that the author gave, on a node that has none yet.
-void Converter::name_node(const Expr& expr, Made& made) {
+void Converter::name_node(const Expr& expr, TypedDraft& made) {
   if (made.expr == nullptr || expr.inline_names.empty() || units_.empty() || !made.expr->as.text.empty())
     return;
   if (is_anonymous(expr.inline_names[0].text)) return;
@@ -134,7 +134,7 @@ void Converter::name_node(const Expr& expr, Made& made) {
   if (units_.back()->names.insert(name).second) made.expr->as = {name, expr.inline_names[0].place};
 }
 
-Made Converter::make_bare(const Expr& expr, const Level* outer, std::string_view wanted) {
+TypedDraft Converter::make_bare(const Expr& expr, const Level* outer, std::string_view wanted) {
   switch (expr.kind) {
     case Expr::Kind::kGroup:
       return make_members(expr.settings, outer, wanted, expr.place);
@@ -147,13 +147,13 @@ Made Converter::make_bare(const Expr& expr, const Level* outer, std::string_view
 }
 
 // A group stands for its only member; of several, for the only one that has a value.
-Made Converter::make_members(const std::vector<Setting>& members, const Level* outer, std::string_view wanted,
-                             const text::Place& place) {
+TypedDraft Converter::make_members(const std::vector<Setting>& members, const Level* outer,
+                                   std::string_view wanted, const text::Place& place) {
   const Level* own = level(outer, members);
-  Made first;
+  TypedDraft first;
   for (const Setting& member : members) {
     if (member.value.expr == nullptr || !member.name.text.empty()) continue;
-    Made made = make(*member.value.expr, own, wanted);
+    TypedDraft made = make(*member.value.expr, own, wanted);
     if (made.expr == nullptr || made.type.empty()) continue;
     if (first.expr != nullptr) {
       warn_once("several-members", "", member.value.expr->place,
@@ -168,7 +168,7 @@ Made Converter::make_members(const std::vector<Setting>& members, const Level* o
   return nothing(wanted, place);
 }
 
-Made Converter::nothing(std::string_view type, const text::Place& place) {
+TypedDraft Converter::nothing(std::string_view type, const text::Place& place) {
   if (type.empty() || type == "Vector") {
     if (vocabulary_.find("Stand") != nullptr) return {call("Stand", place), "Vector"};
     return make_hole("NOOP", "Vector", {}, place);

@@ -26,7 +26,7 @@ struct Unit {
   /// A part that several others read, to become a `let`.
   struct Shared {
     std::string name;
-    Made made;
+    TypedDraft made;
     std::vector<Draft> readers;
   };
   std::string name;
@@ -48,11 +48,12 @@ class Converter {
   /// @param tree, vocabulary  have to outlive this
   Converter(const Tree& tree, const Vocabulary& vocabulary, text::Diagnostics& sink);
 
-  Made make(const Expr& expr, const Level* level, std::string_view wanted);
+  TypedDraft make(const Expr& expr, const Level* level, std::string_view wanted);
   /// What a setting's right-hand side gives. An empty draft where it says nothing.
-  Made make_value(const Setting& setting, const Level* level, const Port& port, const std::string& unit);
+  TypedDraft make_value(const Setting& setting, const Level* level, const Port& port,
+                        const std::string& unit);
   /// The zero of a type: standing still, false, 0.
-  Made nothing(std::string_view type, const text::Place& place);
+  TypedDraft nothing(std::string_view type, const text::Place& place);
 
   /// Writes into a unit until the matching `finish`, which takes out what only one part reads.
   void start(Unit& unit) { units_.push_back(&unit); }
@@ -86,37 +87,40 @@ class Converter {
   void warn_once(std::string kind, const std::string& key, text::Place place, std::string message);
 
  private:
-  Made make_bare(const Expr& expr, const Level* level, std::string_view wanted);
-  Made make_members(const std::vector<Setting>& members, const Level* outer, std::string_view wanted,
-                    const text::Place& place);
-  Made make_reference(const Expr& expr, const Level* level, std::string_view wanted);
-  Made make_shared(const Symbol& symbol, const Level* level, std::string_view wanted,
-                   const text::Place& place);
-  static Made read_shared(Unit& unit, std::size_t index, const text::Place& place);
-  Made make_sensor(const Symbol& symbol, const Level* level, std::string_view wanted);
-  Made make_instance(const Expr& expr, const Level* level, std::string_view wanted);
-  Made make_library(std::string_view name, const Level* level, std::string_view wanted,
-                    const text::Place& place);
+  TypedDraft make_bare(const Expr& expr, const Level* level, std::string_view wanted);
+  TypedDraft make_members(const std::vector<Setting>& members, const Level* outer, std::string_view wanted,
+                          const text::Place& place);
+  TypedDraft make_reference(const Expr& expr, const Level* level, std::string_view wanted);
+  TypedDraft make_shared(const Symbol& symbol, const Level* level, std::string_view wanted,
+                         const text::Place& place);
+  static TypedDraft read_shared(Unit& unit, std::size_t index, const text::Place& place);
+  TypedDraft make_sensor(const Symbol& symbol, const Level* level, std::string_view wanted);
+  TypedDraft make_instance(const Expr& expr, const Level* level, std::string_view wanted);
+  TypedDraft make_library(std::string_view name, const Level* level, std::string_view wanted,
+                          const text::Place& place);
   const Signature* library_signature(std::string_view name, const LibraryName* row) const;
-  Made call_library(const Signature& ours, const LibraryName& row, const Level* level,
-                    const text::Place& place);
-  Made call_alike(const Signature& ours, const Level* level, const text::Place& place);
-  Made make_call(const Expr& expr, const HistoricSignature& historic, const Level* own);
-  Made make_list(const Expr& expr, const HistoricSignature& historic, const Port& port, const Level* own);
-  Made make_argument(const Expr& expr, const HistoricSignature& historic, const Port& port, const Level* own);
-  Made make_cooperation(const Expr& expr, const Level* own);
-  Made make_logic(const Expr& expr, const Level* own);
-  Made make_state_machine(const Expr& expr, const Level* own, std::string_view wanted);
-  Made make_console_operator(const Expr& expr, const Level* own);
-  Made make_blackboard(const Expr& expr, const Level* own);
-  Made make_hole(const std::string& historic, const std::string& type, std::vector<Holes::Given> given,
-                 const text::Place& place);
-  Made make_instance_hole(const Expr& expr, const Level* own, std::string_view wanted);
-  Made make_from(const Found& found, const Port& port, const std::string& unit, const text::Place& place);
-  Made make_constant(const Word& constant, const Port& port, const std::string& unit);
+  TypedDraft call_library(const Signature& ours, const LibraryName& row, const Level* level,
+                          const text::Place& place);
+  TypedDraft call_alike(const Signature& ours, const Level* level, const text::Place& place);
+  TypedDraft make_call(const Expr& expr, const HistoricSignature& historic, const Level* own);
+  TypedDraft make_list(const Expr& expr, const HistoricSignature& historic, const Port& port,
+                       const Level* own);
+  TypedDraft make_argument(const Expr& expr, const HistoricSignature& historic, const Port& port,
+                           const Level* own);
+  TypedDraft make_cooperation(const Expr& expr, const Level* own);
+  TypedDraft make_logic(const Expr& expr, const Level* own);
+  TypedDraft make_state_machine(const Expr& expr, const Level* own, std::string_view wanted);
+  TypedDraft make_console_operator(const Expr& expr, const Level* own);
+  TypedDraft make_blackboard(const Expr& expr, const Level* own);
+  TypedDraft make_hole(const std::string& historic, const std::string& type,
+                       std::vector<Holes::HoleArgument> given, const text::Place& place);
+  TypedDraft make_instance_hole(const Expr& expr, const Level* own, std::string_view wanted);
+  TypedDraft make_from(const BoundValue& found, const Port& port, const std::string& unit,
+                       const text::Place& place);
+  TypedDraft make_constant(const Word& constant, const Port& port, const std::string& unit);
   void keep_in_range(cdl::Number& number, const Port& port, const Word& said);
-  Made fitting(Made made, std::string_view type, const text::Place& place);
-  void name_node(const Expr& expr, Made& made);
+  TypedDraft fitting(TypedDraft made, std::string_view type, const text::Place& place);
+  void name_node(const Expr& expr, TypedDraft& made);
 
   std::string operator_style(std::string_view name) const;
   const Definition* definition(std::string_view name) const;

@@ -73,7 +73,7 @@ const Expr* Converter::bound_device(const Expr& binding_point) const {
   return nullptr;
 }
 
-Made Converter::make_reference(const Expr& expr, const Level* outer, std::string_view wanted) {
+TypedDraft Converter::make_reference(const Expr& expr, const Level* outer, std::string_view wanted) {
   const Symbol* symbol = symbols_.find(expr.name);
   if (symbol == nullptr) {
     // A class without its parentheses, where no component of the libraries has the name.
@@ -87,7 +87,7 @@ Made Converter::make_reference(const Expr& expr, const Level* outer, std::string
   return make_shared(*symbol, outer, wanted, expr.name.place);
 }
 
-Made Converter::make_sensor(const Symbol& symbol, const Level* outer, std::string_view wanted) {
+TypedDraft Converter::make_sensor(const Symbol& symbol, const Level* outer, std::string_view wanted) {
   used_.insert(symbol.expr);
   if (symbol.instance->kind != Instance::Kind::kBindingPoint)
     return make_instance(*symbol.expr, outer, wanted);
@@ -117,15 +117,15 @@ const Signature* Converter::library_signature(std::string_view name, const Libra
   return nullptr;
 }
 
-Made Converter::call_library(const Signature& ours, const LibraryName& row, const Level* outer,
-                             const text::Place& place) {
+TypedDraft Converter::call_library(const Signature& ours, const LibraryName& row, const Level* outer,
+                                   const text::Place& place) {
   std::vector<cdl::Argument> arguments;
   for (const LibraryPort& listed : row.ports) {
     const Port* port = port_for(ours, listed);
     const auto is_same = [&](const cdl::Argument& given) {
       return port != nullptr && given.name.text == port->name;
     };
-    std::optional<Found> found;
+    std::optional<BoundValue> found;
     if (!listed.historic.empty()) found = look_up(outer, listed.historic, true);
     if (port == nullptr || std::ranges::any_of(arguments, is_same)) {
       if (found && port == nullptr) {
@@ -136,7 +136,7 @@ Made Converter::call_library(const Signature& ours, const LibraryName& row, cons
     }
     // The historic libraries counted angles in degrees.
     const std::string unit = port->unit == "rad" ? "deg" : "";
-    Made value = found ? make_from(*found, *port, unit, place) : Made{};
+    TypedDraft value = found ? make_from(*found, *port, unit, place) : TypedDraft{};
     if (!found && !listed.initial.empty()) {
       value = make_constant({std::string(listed.initial), place}, *port, unit);
       const bool is_ours = value.expr != nullptr && port->initial != nullptr &&
@@ -150,13 +150,13 @@ Made Converter::call_library(const Signature& ours, const LibraryName& row, cons
 }
 
 // A name that the table does not know, but the library does: parameters of the same names.
-Made Converter::call_alike(const Signature& ours, const Level* outer, const text::Place& place) {
+TypedDraft Converter::call_alike(const Signature& ours, const Level* outer, const text::Place& place) {
   std::vector<cdl::Argument> arguments;
   for (const Port& port : ours.ports) {
-    Made value;
+    TypedDraft value;
     if (outer != nullptr && !port.is_list) {
       for (const auto& [given, settings] : *outer->settings) {
-        const std::optional<Found> found =
+        const std::optional<BoundValue> found =
             is_alike(given, port.name) ? look_up(outer, given, true) : std::nullopt;
         if (found && value.expr == nullptr) value = make_from(*found, port, "", place);
       }
@@ -167,26 +167,26 @@ Made Converter::call_alike(const Signature& ours, const Level* outer, const text
   return {call(ours.name, place, std::move(arguments)), ours.result};
 }
 
-Made Converter::make_library(std::string_view name, const Level* outer, std::string_view wanted,
-                             const text::Place& place) {
+TypedDraft Converter::make_library(std::string_view name, const Level* outer, std::string_view wanted,
+                                   const text::Place& place) {
   const LibraryName* row = library_name(name, architecture_);
   if (const Signature* ours = library_signature(name, row)) {
-    const Made made =
+    const TypedDraft made =
         row == nullptr ? call_alike(*ours, outer, place) : call_library(*ours, *row, outer, place);
     return fitting(made, wanted, place);
   }
-  std::vector<Holes::Given> given;
+  std::vector<Holes::HoleArgument> given;
   if (outer != nullptr) {
     for (const auto& [pushed, settings] : *outer->settings) {
       if (!settings[0]->is_pushed) continue;
-      const std::optional<Found> found = look_up(outer, pushed, true);
+      const std::optional<BoundValue> found = look_up(outer, pushed, true);
       if (!found) continue;
       if (found->joined) {
         given.push_back({pushed, {*found->joined, place}, {}});
       } else if (found->value->kind == Value::Kind::kConstant) {
         given.push_back({pushed, with_names(found->value->constant), {}});
       } else if (found->value->kind == Value::Kind::kExpr && found->value->expr != nullptr) {
-        Made made = make(*found->value->expr, found->level, "");
+        TypedDraft made = make(*found->value->expr, found->level, "");
         if (made.expr != nullptr && !made.type.empty()) given.push_back({pushed, {}, std::move(made)});
       }
     }
@@ -197,8 +197,8 @@ Made Converter::make_library(std::string_view name, const Level* outer, std::str
   return make_hole(std::string(name), type.empty() ? "Vector" : type, std::move(given), place);
 }
 
-Made Converter::make_hole(const std::string& historic, const std::string& type,
-                          std::vector<Holes::Given> given, const text::Place& place) {
+TypedDraft Converter::make_hole(const std::string& historic, const std::string& type,
+                                std::vector<Holes::HoleArgument> given, const text::Place& place) {
   const std::string free = holes_.knows(historic, type, given) ? std::string{} : free_name(historic);
   warn_once("no-counterpart", historic, place,
             fmt::format("nothing here answers to `{}`; it is declared as an empty assemblage",
@@ -206,8 +206,8 @@ Made Converter::make_hole(const std::string& historic, const std::string& type,
   return holes_.use(historic, type, std::move(given), place, free);
 }
 
-Made Converter::make_from(const Found& found, const Port& port, const std::string& unit,
-                          const text::Place& place) {
+TypedDraft Converter::make_from(const BoundValue& found, const Port& port, const std::string& unit,
+                                const text::Place& place) {
   if (found.joined) return make_constant({*found.joined, place}, port, unit);
   const Value& value = *found.value;
   if (value.kind == Value::Kind::kConstant) return make_constant(value.constant, port, unit);
@@ -217,11 +217,11 @@ Made Converter::make_from(const Found& found, const Port& port, const std::strin
   return {};
 }
 
-Made Converter::make_value(const Setting& setting, const Level* own, const Port& port,
-                           const std::string& unit) {
+TypedDraft Converter::make_value(const Setting& setting, const Level* own, const Port& port,
+                                 const std::string& unit) {
   const Value& value = setting.value;
   if (value.kind == Value::Kind::kPushedUp) {
-    const std::optional<Found> found = look_up(own, value.up, setting.name.text);
+    const std::optional<BoundValue> found = look_up(own, value.up, setting.name.text);
     if (found) return make_from(*found, port, unit, value.place);
     sink_.warning(
         "nobody-sets", value.place,
@@ -239,7 +239,7 @@ Made Converter::make_value(const Setting& setting, const Level* own, const Port&
   return make_from({&value, own, std::nullopt}, port, unit, value.place);
 }
 
-Made Converter::make_constant(const Word& said, const Port& port, const std::string& unit) {
+TypedDraft Converter::make_constant(const Word& said, const Port& port, const std::string& unit) {
   const Word text = with_names(said);
   const std::string& counted_in = unit.empty() ? port.unit : unit;
   if (const Draft value = constant(text, port.type, counted_in)) {
@@ -279,7 +279,7 @@ void Converter::keep_in_range(cdl::Number& number, const Port& port, const Word&
 }
 
 // A value where another type is wanted would be an error in our language.
-Made Converter::fitting(Made made, std::string_view type, const text::Place& place) {
+TypedDraft Converter::fitting(TypedDraft made, std::string_view type, const text::Place& place) {
   if (made.expr == nullptr || made.type == type || type.empty()) return made;
   if (made.type == "int" && type == "double") return made;
   warn_once("type-differs", made.type + " " + std::string(type), place,
@@ -290,7 +290,7 @@ Made Converter::fitting(Made made, std::string_view type, const text::Place& pla
 
 // --- instances
 
-Made Converter::make_instance(const Expr& expr, const Level* outer, std::string_view wanted) {
+TypedDraft Converter::make_instance(const Expr& expr, const Level* outer, std::string_view wanted) {
   const Level* own = level(outer, expr.settings);
   const std::string& name = expr.name.text;
   const std::string style = operator_style(name);
@@ -308,10 +308,10 @@ Made Converter::make_instance(const Expr& expr, const Level* outer, std::string_
   return make_instance_hole(expr, own, wanted);
 }
 
-Made Converter::make_call(const Expr& expr, const HistoricSignature& historic, const Level* own) {
+TypedDraft Converter::make_call(const Expr& expr, const HistoricSignature& historic, const Level* own) {
   std::vector<cdl::Argument> arguments;
   for (const Port& port : historic.signature->ports) {
-    Made value =
+    TypedDraft value =
         port.is_list ? make_list(expr, historic, port, own) : make_argument(expr, historic, port, own);
     if (value.expr == nullptr && port.needs_value) {
       warn_once("missing-parameter", expr.name.text + " " + port.name, expr.name.place,
@@ -330,21 +330,21 @@ Made Converter::make_call(const Expr& expr, const HistoricSignature& historic, c
   return {call(historic.signature->name, expr.name.place, std::move(arguments)), historic.signature->result};
 }
 
-Made Converter::make_list(const Expr& expr, const HistoricSignature& historic, const Port& port,
-                          const Level* own) {
+TypedDraft Converter::make_list(const Expr& expr, const HistoricSignature& historic, const Port& port,
+                                const Level* own) {
   cdl::List list;
   for (const Setting& setting : expr.settings) {
     const auto it = historic.ports.find(setting.name.text);
     if (setting.is_pushed || it == historic.ports.end() || it->second.port != &port) continue;
-    const Made value = make_value(setting, own, port, it->second.unit);
+    const TypedDraft value = make_value(setting, own, port, it->second.unit);
     if (value.expr != nullptr) list.items.push_back(value.expr);
   }
   return {draft(std::move(list), expr.place), port.type};
 }
 
-Made Converter::make_argument(const Expr& expr, const HistoricSignature& historic, const Port& port,
-                              const Level* own) {
-  Made first;
+TypedDraft Converter::make_argument(const Expr& expr, const HistoricSignature& historic, const Port& port,
+                                    const Level* own) {
+  TypedDraft first;
   for (const Setting& setting : expr.settings) {
     const auto it = historic.ports.find(setting.name.text);
     if (setting.is_pushed || it == historic.ports.end() || it->second.port != &port) continue;
@@ -360,13 +360,13 @@ Made Converter::make_argument(const Expr& expr, const HistoricSignature& histori
 }
 
 // A class that nothing answers to: what goes into it stays visible.
-Made Converter::make_instance_hole(const Expr& expr, const Level* own, std::string_view wanted) {
+TypedDraft Converter::make_instance_hole(const Expr& expr, const Level* own, std::string_view wanted) {
   const Definition* declared = definition(expr.name.text);
   std::string type = declared == nullptr ? std::string{} : vocabulary_.type(declared->type.text);
   if (type.empty()) type = wanted.empty() ? "Vector" : std::string(wanted);
   if (declared != nullptr)
     holes_.explain(expr.name.text, "which the file defined: write it as a procedure of CNL or an assemblage");
-  std::vector<Holes::Given> given;
+  std::vector<Holes::HoleArgument> given;
   std::map<std::string, int> times;
   for (const Setting& setting : expr.settings) {
     if (setting.is_pushed || setting.name.text.empty() || setting.value.kind == Value::Kind::kNone) continue;
@@ -386,7 +386,7 @@ Made Converter::make_instance_hole(const Expr& expr, const Level* own, std::stri
     Value value = setting.value;
     const Level* at = own;
     if (value.kind == Value::Kind::kPushedUp) {
-      const std::optional<Found> found = look_up(own, value.up, setting.name.text);
+      const std::optional<BoundValue> found = look_up(own, value.up, setting.name.text);
       if (!found) continue;
       if (found->joined) {
         given.push_back({name, {*found->joined, value.place}, {}});
@@ -398,7 +398,7 @@ Made Converter::make_instance_hole(const Expr& expr, const Level* own, std::stri
     if (value.kind == Value::Kind::kConstant) {
       given.push_back({name, with_names(value.constant), {}});
     } else if (value.kind == Value::Kind::kExpr && value.expr != nullptr) {
-      Made made = make(*value.expr, at, port.type);
+      TypedDraft made = make(*value.expr, at, port.type);
       if (made.expr != nullptr && !made.type.empty()) given.push_back({name, {}, std::move(made)});
     }
   }

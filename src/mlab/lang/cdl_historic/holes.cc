@@ -26,26 +26,26 @@ std::string short_text(const std::string& constant) {
 
 // Inputs that take values of their own have no constant for a default, so each set of them is a declaration.
 std::string Holes::key(const std::string& historic, const std::string& result,
-                       const std::vector<Given>& given) {
+                       const std::vector<HoleArgument>& given) {
   std::string out = historic + ">" + result;
-  for (const Given& g : given) {
+  for (const HoleArgument& g : given) {
     if (g.made.expr != nullptr) out += "," + g.name + ":" + g.made.type;
   }
   return out;
 }
 
 bool Holes::knows(const std::string& historic, const std::string& result,
-                  const std::vector<Given>& given) const {
+                  const std::vector<HoleArgument>& given) const {
   return by_key_.contains(key(historic, result, given));
 }
 
-Made Holes::use(const std::string& historic, const std::string& result, std::vector<Given> given,
-                const text::Place& place, const std::string& declared_as) {
+TypedDraft Holes::use(const std::string& historic, const std::string& result, std::vector<HoleArgument> given,
+                      const text::Place& place, const std::string& declared_as) {
   const auto [it, is_new] = by_key_.emplace(key(historic, result, given), holes_.size());
   if (is_new) holes_.push_back({historic, declared_as, result, {}});
   Hole& hole = holes_[it->second];
   std::vector<cdl::Argument> arguments;
-  for (Given& g : given) {
+  for (HoleArgument& g : given) {
     const std::string name = legal_name(g.name);
     auto parameter = std::ranges::find(hole.parameters, name, &Parameter::name);
     if (parameter == hole.parameters.end()) {

@@ -15,18 +15,19 @@ namespace mlab::cdl_historic {
 class Holes {
  public:
   /// One argument at one use.
-  struct Given {
+  struct HoleArgument {
     std::string name;
-    Word constant;  ///< text of a constant; or else
-    Made made;      ///< a value of its own
+    Word constant;    ///< text of a constant; or else
+    TypedDraft made;  ///< a value of its own
   };
 
   /// A call of the hole.
   /// @param declared_as  a free name for its declaration; used where this is its first use
-  Made use(const std::string& historic, const std::string& result, std::vector<Given> given,
-           const text::Place& place, const std::string& declared_as);
+  TypedDraft use(const std::string& historic, const std::string& result, std::vector<HoleArgument> given,
+                 const text::Place& place, const std::string& declared_as);
   /// Whether `use` would find it declared.
-  bool knows(const std::string& historic, const std::string& result, const std::vector<Given>& given) const;
+  bool knows(const std::string& historic, const std::string& result,
+             const std::vector<HoleArgument>& given) const;
   /// Why it is empty, for its documentation.
   void explain(const std::string& historic, std::string why) { reasons_[historic] = std::move(why); }
 
@@ -47,7 +48,7 @@ class Holes {
     std::vector<Parameter> parameters;
   };
   static std::string key(const std::string& historic, const std::string& result,
-                         const std::vector<Given>& given);
+                         const std::vector<HoleArgument>& given);
   static void settle(Parameter& parameter, cdl::Assemblage& into);
 
   std::vector<Hole> holes_;

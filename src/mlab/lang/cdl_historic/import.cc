@@ -111,7 +111,7 @@ class Import {
     Unit unit;
     converter_.start(unit);
     converter_.suggest(name);
-    Made made = converter_.make(expr, nullptr, "");
+    TypedDraft made = converter_.make(expr, nullptr, "");
     converter_.finish(unit);
     if (made.expr == nullptr || made.type.empty()) return;
     const auto* called = std::get_if<cdl::Call>(&made.expr->what);

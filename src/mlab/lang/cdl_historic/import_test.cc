@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl/parser.h"
 #include "mlab/lang/cdl/print.h"
 #include "mlab/text/testing/golden.h"
@@ -19,7 +20,8 @@ namespace mlab::cdl_historic {
 namespace {
 
 namespace golden = text::testing;
-const std::filesystem::path kFolder = std::filesystem::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cdl_historic";
+const std::filesystem::path kFolder =
+    std::filesystem::path(base::source_folder()) / "src/mlab/lang/cdl_historic";
 
 class HistoricImport : public ::testing::Test {
  protected:

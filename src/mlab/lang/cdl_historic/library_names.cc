@@ -457,15 +457,15 @@ std::string_view next_name(std::string_view& names) {
 }
 
 std::string_view robot_class_named(std::string_view historic) {
-  struct Known {
+  struct ClassPair {
     std::string_view historic;
     std::string_view ours;
   };
-  static constexpr Known kKnown[] = {
+  static constexpr ClassPair kKnown[] = {
       {"MRV2", "MRV2"},       {"NOMAD200", "MRV2"}, {"MIO", "MRV2"},
       {"MIO2", "MRV2"},       {"MIO3", "MRV2"},     {"Forager", "MRV2"},
       {"PIONEERAT", "Rover"}, {"HUMMER", "Scout"},  {"DEFAULT_ROBOT", "Scout"}};
-  for (const Known& known : kKnown) {
+  for (const ClassPair& known : kKnown) {
     if (known.historic == historic) return known.ours;
   }
   return {};

@@ -23,13 +23,13 @@ const Setting* setting_of(const Expr& expr, std::string_view name) {
 }  // namespace
 
 // Members and weights belong together by their positions; the names between the brackets mean nothing.
-Made Converter::make_cooperation(const Expr& expr, const Level* own) {
+TypedDraft Converter::make_cooperation(const Expr& expr, const Level* own) {
   cdl::Cooperate cooperate;
   Port port;
   port.type = "Vector";
   for (const Setting& setting : expr.settings) {
     if (!is_list_element(setting, "members")) continue;
-    const Made member = make_value(setting, own, port, "");
+    const TypedDraft member = make_value(setting, own, port, "");
     if (member.expr != nullptr) cooperate.members.push_back({nullptr, member.expr, {}});
   }
   port.type = "double";
@@ -37,7 +37,7 @@ Made Converter::make_cooperation(const Expr& expr, const Level* own) {
   for (const Setting& setting : expr.settings) {
     if (!is_list_element(setting, "weight")) continue;
     if (weights < cooperate.members.size()) {
-      Made weight = make_value(setting, own, port, "");
+      TypedDraft weight = make_value(setting, own, port, "");
       if (weight.expr == nullptr) weight.expr = number(1.0, "", setting.name.place);
       cooperate.members[weights].weight = weight.expr;
     }
@@ -52,7 +52,7 @@ Made Converter::make_cooperation(const Expr& expr, const Level* own) {
   return {draft(std::move(cooperate), expr.place), "Vector"};
 }
 
-Made Converter::make_logic(const Expr& expr, const Level* own) {
+TypedDraft Converter::make_logic(const Expr& expr, const Level* own) {
   cdl::Logic logic;
   const std::string& name = expr.name.text;
   logic.connective = name == "NOT"   ? cdl::Connective::kNot
@@ -63,7 +63,7 @@ Made Converter::make_logic(const Expr& expr, const Level* own) {
   for (const std::string_view operand : {"a", "b"}) {
     if (operand == "b" && name == "NOT") continue;
     const Setting* setting = setting_of(expr, operand);
-    Made value = setting == nullptr ? Made{} : make_value(*setting, own, port, "");
+    TypedDraft value = setting == nullptr ? TypedDraft{} : make_value(*setting, own, port, "");
     if (value.expr == nullptr) value = nothing("bool", expr.name.place);
     logic.operands.push_back(value.expr);
   }
@@ -71,7 +71,7 @@ Made Converter::make_logic(const Expr& expr, const Level* own) {
 }
 
 // The blackboard is gone: what a node read from it is what it was at the start.
-Made Converter::make_blackboard(const Expr& expr, const Level* own) {
+TypedDraft Converter::make_blackboard(const Expr& expr, const Level* own) {
   const std::string& name = expr.name.text;
   Port port;
   port.type = name == "DATABASE_BOOLEAN" ? "bool"
@@ -86,12 +86,12 @@ Made Converter::make_blackboard(const Expr& expr, const Level* own) {
             fmt::format("the blackboard's {} is what it was at the start; nothing here changes it",
                         text::shown(said)));
   const Setting* initial = setting_of(expr, port.type == "Vector" ? "new_vector" : "initial");
-  Made value = initial == nullptr ? Made{} : make_value(*initial, own, port, "");
+  TypedDraft value = initial == nullptr ? TypedDraft{} : make_value(*initial, own, port, "");
   return value.expr == nullptr ? nothing(port.type, expr.name.place) : value;
 }
 
 // What the console's current command asks for. That a task is done the mission executive finds out by itself.
-Made Converter::make_console_operator(const Expr& expr, const Level* own) {
+TypedDraft Converter::make_console_operator(const Expr& expr, const Level* own) {
   struct Task {
     std::string_view input;
     std::string_view task;
@@ -103,7 +103,7 @@ Made Converter::make_console_operator(const Expr& expr, const Level* own) {
   cdl::Select select;
   for (const Task& known : kTasks) {
     const Setting* setting = setting_of(expr, known.input);
-    const Made member = setting == nullptr ? Made{} : make_value(*setting, own, port, "");
+    const TypedDraft member = setting == nullptr ? TypedDraft{} : make_value(*setting, own, port, "");
     if (member.expr == nullptr) continue;
     select.cases.push_back({{{std::string(known.task), expr.name.place}}, member.expr, expr.place});
   }

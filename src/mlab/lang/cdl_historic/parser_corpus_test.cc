@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cdl_historic/parser.h"
 #include "mlab/text/testing/golden.h"
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 // Real configurations of the historic system, where they are at hand.
 fs::path corpus() {
   const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
-  return (named != nullptr ? fs::path(named) : fs::path(MLAB_SOURCE_DIR) / "../shared/corpus") /
+  return (named != nullptr ? fs::path(named) : fs::path(base::source_folder()) / "../shared/corpus") /
          "configurations";
 }
 

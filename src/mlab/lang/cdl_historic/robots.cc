@@ -169,7 +169,7 @@ void Robots::drive(const Driven& driven, cdl::Robot& robot) {
   Port port;
   port.type = "Vector";
   converter_.suggest(robot.name.text + "_" + driven.binding);
-  Made value = input == nullptr ? Made{} : converter_.make_value(*input, own, port, "");
+  TypedDraft value = input == nullptr ? TypedDraft{} : converter_.make_value(*input, own, port, "");
   if (value.expr == nullptr) value = converter_.nothing("Vector", taker.place);
   cdl::Drive drive;
   drive.binding = {driven.binding, driven.point->place};

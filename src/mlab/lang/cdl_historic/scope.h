@@ -23,7 +23,7 @@ struct Level {
 };
 
 /// A value and the level that sets it, in whose scope it counts.
-struct Found {
+struct BoundValue {
   const Value* value = nullptr;
   const Level* level = nullptr;
   /// Text of a `{& %a %b}`, put together; then there is no value.
@@ -35,8 +35,8 @@ struct Found {
 /// @param name       without `%`
 /// @param is_pushed  asked for as `%name`: an ordinary parameter of that name does not count
 /// @return  nothing where no level sets it
-std::optional<Found> look_up(const Level* level, std::string_view name, bool is_pushed);
+std::optional<BoundValue> look_up(const Level* level, std::string_view name, bool is_pushed);
 /// What stands behind a `{^...}` of the parameter `own_name`.
-std::optional<Found> look_up(const Level* level, const PushedUp& up, std::string_view own_name);
+std::optional<BoundValue> look_up(const Level* level, const PushedUp& up, std::string_view own_name);
 
 }  // namespace mlab::cdl_historic

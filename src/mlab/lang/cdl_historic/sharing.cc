@@ -27,8 +27,8 @@ std::string let_name(const Symbol& symbol, const cdl::Expression& value) {
 
 }  // namespace
 
-Made Converter::make_shared(const Symbol& symbol, const Level* level, std::string_view wanted,
-                            const text::Place& place) {
+TypedDraft Converter::make_shared(const Symbol& symbol, const Level* level, std::string_view wanted,
+                                  const text::Place& place) {
   const bool has_readers = symbol.uses + (symbol.instance == nullptr ? 1 : 0) > 1 && !units_.empty();
   if (has_readers) {
     const auto known = units_.back()->shared_at.find({symbol.expr, level});
@@ -39,7 +39,7 @@ Made Converter::make_shared(const Symbol& symbol, const Level* level, std::strin
                   fmt::format("`{}` is part of itself; it is left out here", text::shown(symbol.name.text)));
     return nothing(wanted, place);
   }
-  Made made = make(*symbol.expr, level, wanted);
+  TypedDraft made = make(*symbol.expr, level, wanted);
   open_.erase(symbol.expr);
   if (!has_readers || made.expr == nullptr || is_plain(*made.expr)) return made;
   Unit& unit = *units_.back();
@@ -56,7 +56,7 @@ Made Converter::make_shared(const Symbol& symbol, const Level* level, std::strin
   return read_shared(unit, alike->second, place);
 }
 
-Made Converter::read_shared(Unit& unit, std::size_t index, const text::Place& place) {
+TypedDraft Converter::read_shared(Unit& unit, std::size_t index, const text::Place& place) {
   Unit::Shared& shared = unit.shared[index];
   shared.readers.push_back(name(shared.name, place));
   return {shared.readers.back(), shared.made.type};

@@ -147,7 +147,7 @@ void StateMachine::read_member(Planned& planned, std::string_view wanted, const 
   Port port;
   port.type = wanted;
   converter_.suggest(owner + "_" + planned.state.name.text);
-  Made member = converter_.make_value(*planned.setting, own_, port, "");
+  TypedDraft member = converter_.make_value(*planned.setting, own_, port, "");
   if (member.expr == nullptr) member = converter_.nothing(wanted, planned.state.place);
   if (type_.empty()) type_ = member.type;
   planned.state.member = member.expr;
@@ -172,7 +172,7 @@ void StateMachine::read_rule(const Setting& setting) {
                  "this rule has no trigger, so it never fires; it is left out");
     return;
   }
-  const Made trigger = converter_.make_members(rule.members, own_, "bool", rule.target.place);
+  const TypedDraft trigger = converter_.make_members(rule.members, own_, "bool", rule.target.place);
   cdl::Transition transition;
   transition.trigger = converter_.fitting(trigger, "bool", setting.name.place).expr;
   transition.target = {states_[to->second].state.name.text, rule.target.place};
@@ -182,7 +182,7 @@ void StateMachine::read_rule(const Setting& setting) {
   states_[from->second].state.transitions.push_back(std::move(transition));
 }
 
-Made Converter::make_state_machine(const Expr& expr, const Level* own, std::string_view wanted) {
+TypedDraft Converter::make_state_machine(const Expr& expr, const Level* own, std::string_view wanted) {
   if (std::ranges::none_of(expr.settings,
                            [](const Setting& s) { return !s.is_pushed && s.name.text == "society"; })) {
     warn_once("no-states", expr.name.text, expr.name.place, "a state machine without states stands still");

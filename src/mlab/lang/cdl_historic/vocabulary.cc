@@ -33,7 +33,8 @@ const T* found_pointer(const std::map<std::string, const T*, std::less<>>& map, 
 }
 
 // `a|b`: both names mean the port.
-void add_names(HistoricSignature& into, std::string_view names, const HistoricSignature::Renamed& renamed) {
+void add_names(HistoricSignature& into, std::string_view names,
+               const HistoricSignature::PortMapping& renamed) {
   while (!names.empty()) {
     const std::size_t bar = names.find('|');
     into.ports.emplace(names.substr(0, bar), renamed);
@@ -53,7 +54,7 @@ HistoricSignature historic_signature(const Signature& signature, const flow::Ali
   }
   if (alias != nullptr) {
     for (const std::string_view ignored : alias->ignored_inputs)
-      out.ports.emplace(ignored, HistoricSignature::Renamed{});
+      out.ports.emplace(ignored, HistoricSignature::PortMapping{});
   }
   return out;
 }

@@ -36,11 +36,11 @@ struct Signature {
 /// One of ours under a historic name: which of its ports each historic parameter means.
 struct HistoricSignature {
   const Signature* signature = nullptr;
-  struct Renamed {
+  struct PortMapping {
     const Port* port = nullptr;  ///< null: means nothing here
     std::string unit;            ///< of historic constants; empty: the port's own
   };
-  std::map<std::string, Renamed, std::less<>> ports;
+  std::map<std::string, PortMapping, std::less<>> ports;
 };
 
 /// What imported configurations can be made of: the procedures and the component library.

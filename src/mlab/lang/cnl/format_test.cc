@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cnl/testing/meaning.h"
 
 namespace mlab::cnl {
@@ -90,7 +91,7 @@ TEST(Format, RefusesWhatCannotBeRead) {
 }
 
 TEST(Format, PrintsTheLibraryStablyAndKeepsItsMeaning) {
-  const std::filesystem::path root(MLAB_SOURCE_DIR);
+  const std::filesystem::path root(base::source_folder());
   std::size_t files = 0;
   for (const char* folder : {"library", "src/mlab/lang/cnl/testdata/run"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {

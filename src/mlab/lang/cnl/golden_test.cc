@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/load.h"
@@ -14,7 +15,7 @@ namespace mlab::cnl {
 namespace {
 
 namespace golden = text::testing;
-const std::filesystem::path kFolder = std::filesystem::path(MLAB_SOURCE_DIR) / "src/mlab/lang/cnl";
+const std::filesystem::path kFolder = std::filesystem::path(base::source_folder()) / "src/mlab/lang/cnl";
 
 // Goldens name files beside them, so the tests run in their folder.
 class CnlGolden : public ::testing::Test {
@@ -45,7 +46,7 @@ TEST_F(CnlGolden, ErrorsOfTheCppCompilerAreAtTheAuthorsPlaces) {
   std::filesystem::current_path(kFolder / "testdata/cpp");
   NativeOptions options;
   options.wall = cell::choose_wall(cell::means()).value_or(cell::Wall::kNone);
-  options.include_folders = {std::string(MLAB_SOURCE_DIR) + "/src"};
+  options.include_folders = {base::source_folder() + "/src"};
   options.limits.time = 3000.0;  // a busy machine is no mistake
   options.cache_folder = ::testing::TempDir() + "mlab_golden_cache";
   for (const auto& path : golden::golden_files(".", ".cnl")) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/format.h"

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/module_file.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cnl/check.h"
@@ -30,7 +31,7 @@ class NativeModuleTest : public ::testing::Test {
               ("mlab_native_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    options_.include_folders = {std::string(MLAB_SOURCE_DIR) + "/src"};
+    options_.include_folders = {base::source_folder() + "/src"};
     options_.cache_folder = (folder_ / "cache").string();
     options_.wall = cell::choose_wall(cell::means()).value_or(cell::Wall::kNone);
     options_.limits.time = 3000.0;  // a busy machine is no mistake

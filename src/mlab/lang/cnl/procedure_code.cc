@@ -33,7 +33,7 @@ Argument input_argument(const InputDecl& input) {
   }
   const std::string made = fmt::format(
       "[[maybe_unused]] decltype(auto) {} = mlab::flow::take<{}>(mlab_call, mlab_next);", name, type);
-  if (known && known->is_reading) return {name, fmt::format("const mlab::flow::Seen<{}>&", type), made};
+  if (known && known->is_reading) return {name, fmt::format("const mlab::flow::ViewOf<{}>&", type), made};
   return {name, fmt::format("const {}{}", type, known && known->is_scalar ? "" : "&"), made};
 }
 

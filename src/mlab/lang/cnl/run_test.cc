@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/elaborate.h"
@@ -28,7 +29,7 @@ struct Robot {
   percept::Action action;
 
   explicit Robot(const std::string& file) {
-    const std::string path = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/cnl/testdata/run/" + file;
+    const std::string path = base::source_folder() + "/src/mlab/lang/cnl/testdata/run/" + file;
     const Tree tree = load(*text::read_source(path), sink);
     check_declarations(tree, sink);
     library.add(mlab_cnl_test_behaviors());

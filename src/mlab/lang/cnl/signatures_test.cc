@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/parser.h"
@@ -16,7 +17,7 @@ namespace mlab::cnl {
 namespace {
 
 text::SourcePtr state_file() {
-  return text::read_source(std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/cnl/testdata/run/state.cnl")
+  return text::read_source(base::source_folder() + "/src/mlab/lang/cnl/testdata/run/state.cnl")
       .value_or(nullptr);
 }
 

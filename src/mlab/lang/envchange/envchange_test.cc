@@ -4,14 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/processor_time.h"
+#include "mlab/base/testing/processor_time.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab::envchange {
 namespace {
 
 namespace golden = text::testing;
-const std::filesystem::path kFolder = std::filesystem::path(MLAB_SOURCE_DIR) / "src/mlab/lang/envchange";
+const std::filesystem::path kFolder =
+    std::filesystem::path(base::source_folder()) / "src/mlab/lang/envchange";
 
 std::vector<overlay::EnvironmentEvent> events(const std::string& text, geom::Offset origin = {}) {
   text::Diagnostics sink;
@@ -71,7 +73,8 @@ TEST(EnvironmentChangeFile, MayBeEmpty) {
 }
 
 TEST(EnvironmentChangeFile, ParsesAsItsPageShowsIt) {
-  const std::string page = golden::read_all(std::filesystem::path(MLAB_SOURCE_DIR) / "docs/languages/odl.md");
+  const std::string page =
+      golden::read_all(std::filesystem::path(base::source_folder()) / "docs/languages/odl.md");
   const std::string fence = "\n```env\n";
   const std::size_t begin = page.find(fence);
   ASSERT_NE(begin, std::string::npos);

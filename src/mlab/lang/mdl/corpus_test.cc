@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
 #include "mlab/text/testing/golden.h"
@@ -17,7 +18,8 @@ namespace fs = std::filesystem;
 // Real missions of the historic system, where they are at hand.
 fs::path corpus() {
   const char* named = std::getenv("MLAB_CORPUS");
-  return (named != nullptr ? fs::path(named) : fs::path(MLAB_SOURCE_DIR) / "../shared/corpus") / "missions";
+  return (named != nullptr ? fs::path(named) : fs::path(base::source_folder()) / "../shared/corpus") /
+         "missions";
 }
 
 class MdlCorpus : public ::testing::Test {

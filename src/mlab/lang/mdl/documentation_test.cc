@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/token.h"
 #include "mlab/text/testing/golden.h"
@@ -15,13 +16,13 @@
 namespace mlab::mdl {
 namespace {
 
-const std::string kDocumented = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
+const std::string kDocumented = base::source_folder() + "/src/mlab/lang/mdl/testdata";
 
 // `what` is behind the language's name: nothing, `preamble`, `steps` or `typed`. An `excerpt` is one of a
 // file that other tests check.
 std::vector<std::string> examples(const std::string& what) {
   std::vector<std::string> out;
-  const std::string text = text::testing::read_all(std::string(MLAB_SOURCE_DIR) + "/docs/languages/mdl.md");
+  const std::string text = text::testing::read_all(base::source_folder() + "/docs/languages/mdl.md");
   const std::string fence = "\n```mdl" + (what.empty() ? "" : " " + what) + "\n";
   for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 1)) {
     const std::size_t begin = at + fence.size();
@@ -47,7 +48,7 @@ TEST(MdlPage, HasMissionsWithoutMistakes) {
 }
 
 TEST(MdlPage, ShowsAMistakeAsItIsTold) {
-  const std::string page = text::testing::read_all(std::string(MLAB_SOURCE_DIR) + "/docs/languages/mdl.md");
+  const std::string page = text::testing::read_all(base::source_folder() + "/docs/languages/mdl.md");
   const std::string before(kScouts);
   const std::string empty_lines(4, '\n');  // so that it stands on the line that the page shows
   text::Diagnostics sink;
@@ -100,9 +101,9 @@ TEST(MdlPage, HasAnExampleOfEveryWordButThreeThatDoNothing) {
 }
 
 TEST(MdlPage, NamesEveryKindOfWarning) {
-  const std::string page = text::testing::read_all(std::string(MLAB_SOURCE_DIR) + "/docs/languages/mdl.md");
-  const auto kinds = text::testing::kinds_said_in(std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl",
-                                                  {"warning(", "warn_once("});
+  const std::string page = text::testing::read_all(base::source_folder() + "/docs/languages/mdl.md");
+  const auto kinds =
+      text::testing::kinds_said_in(base::source_folder() + "/src/mlab/lang/mdl", {"warning(", "warn_once("});
   EXPECT_GT(kinds.size(), 15U);
   for (const std::string& kind : kinds) EXPECT_NE(page.find("`" + kind + "`"), std::string::npos) << kind;
 }

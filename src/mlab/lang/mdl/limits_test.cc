@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/processor_time.h"
 #include "mlab/base/random.h"
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
 

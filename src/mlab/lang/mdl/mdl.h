@@ -19,6 +19,7 @@
 namespace mlab::mdl {
 
 /// What a mission file says, before any name is looked up. Defined in tree.h.
+struct Statement;
 struct Tree;
 
 /// Reads the text of a mission, or of a typed command with the words IMMEDIATE COMMAND: before it.
@@ -32,6 +33,9 @@ Tree parse(const text::SourcePtr& source, text::Diagnostics& diagnostics);
 ///
 /// @param tree  parsed without errors
 std::string print(const Tree& tree);
+
+/// One statement as it stands there, without comments and line end. Its numbers and marks have their `text`.
+std::string print(const Statement& statement);
 
 /// Says who belongs to the society that NEW-ROBOT names at `place` as its program: the programs of its
 /// robots, each with how many there are of it, in rank order.

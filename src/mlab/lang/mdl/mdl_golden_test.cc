@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/testing/societies.h"
 #include "mlab/text/testing/golden.h"
@@ -11,7 +12,7 @@ namespace mlab::mdl {
 namespace {
 
 namespace golden = text::testing;
-const std::filesystem::path kFolder = std::filesystem::path(MLAB_SOURCE_DIR) / "src/mlab/lang/mdl";
+const std::filesystem::path kFolder = std::filesystem::path(base::source_folder()) / "src/mlab/lang/mdl";
 
 // Goldens name overlays beside them, so the tests run in their folder.
 class MdlGolden : public ::testing::Test {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/mdl/mdl.h"
 
 namespace mlab::mdl {
@@ -13,7 +14,7 @@ namespace {
 
 using mission::UnitCommand;
 
-const std::string kMissions = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
+const std::string kMissions = base::source_folder() + "/src/mlab/lang/mdl/testdata";
 constexpr const char* kQuit = "COMMAND LIST:\n0. QUIT\n";
 
 std::shared_ptr<const mission::Mission> checked(const std::string& text, const LoadOptions& options = {}) {
@@ -88,6 +89,16 @@ TEST(MdlRobots, KeepTheTextOfTheirParameters) {
   EXPECT_EQ(type.parameters[3].value, "a b");
   EXPECT_EQ(mission->source->text(type.parameters[2].place.span), "z");
   EXPECT_EQ(mission->types[0].name, "ROBOT");
+}
+
+TEST(MdlRobots, SetAPointByTwoNumbers) {
+  const std::string text =
+      std::string("NEW-ROBOT a \"a.cdl\" (home = 310 -20.5, out = PP-Gate, x = 3)\n") + kQuit;
+  const auto mission = checked(text);
+  const mission::RobotType& type = mission->types.at(1);
+  EXPECT_EQ(type.parameters[0].value, "310 -20.5");
+  EXPECT_EQ(type.parameters[1].value, "PP-Gate");
+  EXPECT_EQ(type.parameters[2].value, "3");
 }
 
 TEST(MdlCommands, TakePlacesByNameAndByCoordinates) {

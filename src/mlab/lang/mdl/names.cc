@@ -176,11 +176,11 @@ void Roster::report_unknown_type(const Name& name) {
                            place(later->second)});
     return;
   }
-  struct Named {
+  struct KnownName {
     std::string name;
     text::Place place;
   };
-  std::vector<Named> known;
+  std::vector<KnownName> known;
   const auto know = [&known](const auto& things) {
     for (const auto& thing : things) {
       if (known.size() < kNamesForHints) known.push_back({thing.name, thing.place});
@@ -188,13 +188,13 @@ void Roster::report_unknown_type(const Name& name) {
   };
   know(mission_.societies);
   know(mission_.types);
-  const std::string near = nearest(name.text, known, [](const Named& one) { return one.name; });
+  const std::string near = nearest(name.text, known, [](const KnownName& one) { return one.name; });
   if (near.empty()) {
     error.hints.emplace_back("`ROBOT` is predefined, others are defined with NEW-ROBOT");
     return;
   }
   error.hints.push_back(fmt::format("did you mean {}?", in_backticks(near)));
-  const auto meant = std::ranges::find(known, near, &Named::name);
+  const auto meant = std::ranges::find(known, near, &KnownName::name);
   if (meant->place.source)
     error.notes.push_back({fmt::format("{} is defined here", in_backticks(near)), meant->place});
 }

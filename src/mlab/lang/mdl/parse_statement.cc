@@ -312,6 +312,14 @@ Parameter Parser::parameter() {
     advance();
   } else if (t.kind == TokenKind::kNumber || t.kind == TokenKind::kLabel || t.kind == TokenKind::kTime) {
     out.value = number("the parameter's value").text;
+    const Token second = token();
+    if (!stuck_ && second.kind == TokenKind::kNumber) {  // the coordinates of a place
+      out.value_span.end = second.span.end;
+      out.written += ' ';
+      out.written += written(second);
+      out.value += ' ';
+      out.value += number("the parameter's second coordinate").text;
+    }
   } else {
     out.value = name("the parameter's value").text;
   }

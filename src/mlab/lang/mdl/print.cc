@@ -295,6 +295,10 @@ class Printer {
 
 }  // namespace
 
+std::string print(const Statement& statement) {
+  return std::visit(StatementPrinter{}, statement.what);
+}
+
 std::string print(const Tree& tree) {
   return Printer().mission(tree);
 }

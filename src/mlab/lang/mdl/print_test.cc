@@ -1,4 +1,4 @@
-#include "mlab/lang/mdl/check_print.h"
+#include "mlab/lang/mdl/testing/check_print.h"
 
 #include <memory>
 #include <string>

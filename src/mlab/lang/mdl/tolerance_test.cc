@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/mdl/mdl.h"
 
 namespace mlab::mdl {
@@ -15,7 +16,7 @@ std::shared_ptr<const mission::Mission> check(const std::string& text, const std
   return mission;
 }
 
-const std::string kTestdata = std::string(MLAB_SOURCE_DIR) + "/src/mlab/lang/mdl/testdata";
+const std::string kTestdata = base::source_folder() + "/src/mlab/lang/mdl/testdata";
 
 TEST(MdlTolerance, StartPointsMayStandInMissions) {
   const auto mission = check(

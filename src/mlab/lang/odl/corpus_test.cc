@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/lang/odl/check_print.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/lang/odl/testing/check_print.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab::odl {
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 // Real files of the historic system, where they are at hand.
 fs::path corpus() {
   const char* named = std::getenv("MLAB_CORPUS");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
-  return named != nullptr ? fs::path(named) : fs::path(MLAB_SOURCE_DIR) / "../shared/corpus";
+  return named != nullptr ? fs::path(named) : fs::path(base::source_folder()) / "../shared/corpus";
 }
 
 std::vector<fs::path> overlays() {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/odl/map_info.h"
 #include "mlab/lang/odl/odl.h"
 #include "mlab/lang/odl/parser.h"
@@ -14,7 +15,7 @@ namespace mlab::odl {
 namespace {
 
 std::string page() {
-  return text::testing::read_all(std::string(MLAB_SOURCE_DIR) + "/docs/languages/odl.md");
+  return text::testing::read_all(base::source_folder() + "/docs/languages/odl.md");
 }
 
 std::vector<text::SourcePtr> examples(const std::string& language) {

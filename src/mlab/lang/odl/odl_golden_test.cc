@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/odl/map_info.h"
 #include "mlab/lang/odl/odl.h"
 #include "mlab/text/testing/golden.h"
@@ -11,7 +12,7 @@ namespace mlab::odl {
 namespace {
 
 namespace golden = text::testing;
-const std::filesystem::path kFolder = std::filesystem::path(MLAB_SOURCE_DIR) / "src/mlab/lang/odl";
+const std::filesystem::path kFolder = std::filesystem::path(base::source_folder()) / "src/mlab/lang/odl";
 
 // Goldens name files beside them, so the tests run in their folder.
 class OdlGolden : public ::testing::Test {

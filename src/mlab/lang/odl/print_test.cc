@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "mlab/lang/odl/check_print.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/lang/odl/testing/check_print.h"
 
 namespace mlab::odl {
 namespace {

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "mlab/base/processor_time.h"
 #include "mlab/base/random.h"
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/lang/odl/odl.h"
 
 namespace mlab::odl {

@@ -56,13 +56,13 @@ inline std::string ask_everything(const Text& text, std::uint32_t cursor, const 
     return "hovers over what is not there";
   if (const auto place = definition(text, cursor, around); place && !is_within(place->span, place->source))
     return "declared where nothing is";
-  for (const text::Place& place : references(text, cursor, {}, around)) {
-    if (!is_within(place.span, place.source)) return "named where nothing is";
+  for (const Use& use : uses(text, cursor, around).places) {
+    if (!is_within(use.place.span, use.place.source)) return "named where nothing is";
   }
   if (const auto span = renamable(text, cursor, around); span && !is_within(*span, source))
     return "renames what is not there";
-  if (const auto changes = rename(text, cursor, "Other_Name", {}, around)) {
-    for (const Change& change : *changes) {
+  if (const auto changes = rename(text, cursor, "Other_Name", around)) {
+    for (const Change& change : changes->changes) {
       std::uint32_t last = 0;
       for (const Splice& splice : change.splices) {
         if (!is_within(splice.span, change.source) || splice.span.begin < last) return "changes in disorder";
@@ -71,6 +71,12 @@ inline std::string ask_everything(const Text& text, std::uint32_t cursor, const 
     }
   }
   if (!are_within(symbols(text, around), source)) return "a symbol of what is not there";
+  for (const Fold& fold : folds(text, around)) {
+    if (fold.first >= fold.last || fold.last > source->line_count()) return "folds what is not there";
+  }
+  for (const Hint& hint : hints(text, around)) {
+    if (hint.at > source->text().size() || hint.text.empty()) return "a hint where nothing is";
+  }
   std::uint32_t last = 0;
   for (const Shade& shade : shades(text, around)) {
     if (!is_within(shade.span, source) || shade.span.begin < last || shade.span.begin == shade.span.end)

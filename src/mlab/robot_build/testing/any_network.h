@@ -29,6 +29,13 @@ class AnyNetwork {
       parameter.max = 100.0;
       network_.parameters.push_back(parameter);
     }
+    flow::Parameter gate;
+    gate.name = "gate";
+    gate.type = "Point";
+    gate.unit = "m";
+    gate.initial = constant("{0, 0}");
+    gate.place_name.text = "the \"Gate\"";
+    network_.parameters.push_back(gate);
     node("obstacles", "DetectObstacles", {{"range", constant(number(1.0, 30.0))}});
     const std::string movement = vector("movement", 4);
     node("wheels", "Drive",

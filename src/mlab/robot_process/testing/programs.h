@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/flow/test_behaviors.h"
+#include "mlab/flow/testing/behaviors.h"
 
 namespace mlab::robot_process {
 

@@ -1,0 +1,13 @@
+// Where something is named.
+import type { Designer } from "../session/designer.ts";
+import type { NameAt } from "./at.ts";
+import { placesIn } from "./rename.ts";
+
+/** Lists the places below the drawing. */
+export async function showUses(designer: Designer, at: NameAt): Promise<void> {
+  const answer = await designer.ask({ case: "findUses", value: { at } });
+  if (!answer.ok || answer.result.case !== "uses") return;
+  const uses = answer.result.value;
+  designer.store.setState({ uses });
+  designer.say(`${uses.name}: ${placesIn(uses)} places`);
+}
