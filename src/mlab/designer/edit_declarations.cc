@@ -108,6 +108,13 @@ Done Editor::set_parameter(const SetParameter& change) {
   const auto known =
       std::ranges::find_if(*all, [&](const cdl::Parameter& p) { return p.name.text == change.name(); });
   if (known == all->end() && change.type().empty()) return refusal("a parameter has a type");
+  bool is_let = false;
+  visit_owner(change.owner(), [&](const auto& one) {
+    if constexpr (requires { one.lets; })
+      is_let =
+          std::ranges::any_of(one.lets, [&](const cdl::Let& let) { return let.name.text == change.name(); });
+  });
+  if (known == all->end() && is_let) return refusal(fmt::format("`{}` is taken already", change.name()));
   const text::Result<cdl::Parameter> said = parameter_of(change);
   if (!said) return std::unexpected(said.error());
   if (known != all->end()) {

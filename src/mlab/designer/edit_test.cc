@@ -81,6 +81,17 @@ TEST(Edit, RefusesAWireThatDoesNotFit) {
             "it takes Vector, and this is bool");
 }
 
+TEST(Edit, RefusesAParameterThatIsCalledAsAValue) {
+  DrawnText text("assemblage A() {\n  let near = Noise();\n  near\n}\n");
+  EXPECT_EQ(text.refused([](Edit& edit) {
+    SetParameter& parameter = *edit.add_changes()->mutable_set_parameter();
+    parameter.set_owner("A");
+    parameter.set_name("near");
+    parameter.set_type("Vector");
+  }),
+            "`near` is taken already");
+}
+
 TEST(Edit, RefusesALoopWithoutADelay) {
   DrawnText text("assemblage A() {\n  let sum = cooperate {\n    1: Stand();\n  };\n  sum\n}\n");
   EXPECT_NE(text.refused([](Edit& edit) {

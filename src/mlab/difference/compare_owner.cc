@@ -105,10 +105,27 @@ class PageComparison {
     }
   }
 
+  // The active part beside a name, which no node stands for.
+  static const cdl::Expression* active_beside(const ModelInput& input) {
+    const bool is_name = input.written && std::holds_alternative<cdl::Name>(input.written->what);
+    return is_name ? input.written->active.get() : nullptr;
+  }
+
+  bool is_same_active(const ModelInput& before, const ModelInput& after) {
+    const cdl::Expression* was = active_beside(before);
+    const cdl::Expression* is = active_beside(after);
+    if (was == nullptr || is == nullptr) return was == is;
+    return prints_.before.content(*was) == prints_.after.content(*is);
+  }
+
   bool is_same(const ModelInput& before, const ModelInput& after) {
     if (before.from >= 0 || after.from >= 0)
       return before.from >= 0 && after.from >= 0 &&
-             nodes_.to_after[static_cast<std::size_t>(before.from)] == after.from;
+             nodes_.to_after[static_cast<std::size_t>(before.from)] == after.from &&
+             is_same_active(before, after);
+    // What a formula is called is its node's name.
+    if (before.role == Role::kFormula && after.role == Role::kFormula)
+      return prints_.before.content(*before.written) == prints_.after.content(*after.written);
     return prints_.before.of(before.written) == prints_.after.of(after.written);
   }
 
@@ -126,8 +143,13 @@ class PageComparison {
 
   static std::string driver(const ModelPage& page, const ModelInput* input) {
     if (input == nullptr) return "";
-    if (input->from >= 0) return label_of(page.nodes[static_cast<std::size_t>(input->from)]);
-    return input->written ? words_of(*input->written) : "";
+    if (input->from >= 0 && active_beside(*input) == nullptr)
+      return label_of(page.nodes[static_cast<std::size_t>(input->from)]);
+    if (!input->written) return "";
+    if (input->role != Role::kFormula || input->written->as.text.empty()) return words_of(*input->written);
+    cdl::Expression formula = *input->written;
+    formula.as = {};
+    return cdl::print(formula);
   }
 
   void compare_port(const ModelNode& before, const ModelNode& after, const std::string& port,

@@ -124,6 +124,32 @@ TEST(Difference, KnowsWhatWasRenamedByWhatItSays) {
   EXPECT_EQ(differences(uses, renamed), (Lines{"~ | assemblage Drift is now called Float"}));
 }
 
+TEST(Difference, KnowsWhatWasGivenTheNameOfWhatItReads) {
+  const std::string before = "assemblage A() -> Vector { Seek(Filter(Sense() as a)) }";
+  const std::string after = "assemblage A() -> Vector { Seek(Filter(Sense() as a) as a) }";
+  EXPECT_EQ(differences(before, after), (Lines{"~ A| Filter is now called a"}));
+  EXPECT_EQ(differences(after, before), (Lines{"~ A| a (Filter) is now called Filter"}));
+}
+
+TEST(Difference, TellsAnActivePartBesideAName) {
+  const std::string before =
+      "assemblage A() -> Vector { let far = Sense(); let near = far; Seek(far, near) }";
+  const std::string beside_let = replaced(before, "= far;", "= far active LookAround();");
+  EXPECT_EQ(differences(before, beside_let),
+            (Lines{"~ A| near (value): value far -> far active LookAround()"}));
+  const std::string beside_input = replaced(before, "(far,", "(far active LookAround(),");
+  EXPECT_EQ(differences(before, beside_input),
+            (Lines{"~ A| Seek: argument 1 far -> far active LookAround()"}));
+}
+
+TEST(Difference, TellsTheNameOfAFormulaOnce) {
+  const std::string before = "assemblage A(x: number) -> Vector { let y = 1; Seek((x + y) * 2) }";
+  EXPECT_EQ(differences(before, replaced(before, "(x + y) * 2", "((x + y) * 2) as twice")),
+            (Lines{"~ A| Multiply is now called twice"}));
+  EXPECT_EQ(differences(before, replaced(before, "(x + y) * 2", "((x + y) * 3) as twice")),
+            (Lines{"~ A| twice (Multiply): name Multiply -> twice; formula (x + y) * 2 -> (x + y) * 3"}));
+}
+
 TEST(Difference, FollowsAParameterToWhereItIsUsedAndGiven) {
   const std::string uses = std::string(kDrift) + "assemblage B() -> Vector { Drift(curious = 1) }\n";
   std::string renamed = replaced(uses, "curious: gain", "eager: gain");

@@ -25,7 +25,11 @@ class NodeMatcher {
       : before_(before), after_(after), prints_(prints), pairs_(before.nodes.size(), after.nodes.size()) {}
 
   Pairs run() {
-    by_key([&](const ModelNode& node, bool is_before) { return name_key(node, is_before); });
+    // A name that an author gave may stand in several places of a page, each in a scope of its own.
+    pair_by_unique(
+        pairs_, [&](std::size_t i) { return name_key(at(before_, i), true); },
+        [&](std::size_t i) { return name_key(at(after_, i), false); });
+    take_new_ones();
     const auto says = [&](const ModelNode& node, bool is_before) { return print_of(node, is_before); };
     pair_by_unique(
         pairs_, [&](std::size_t i) { return says(at(before_, i), true); },
