@@ -104,6 +104,8 @@ function EnterButton({ node }: { node: Node }) {
       tabIndex={-1}
       title={`Look inside of ${node.name}`}
       aria-label={`Look inside of ${node.name}`}
+      data-file={node.inner!.document}
+      data-page={node.inner!.path}
       onClick={(event) => {
         event.stopPropagation();
         designer.enter(node.inner!);

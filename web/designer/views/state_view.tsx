@@ -54,6 +54,8 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
           tabIndex={-1}
           title={`Look inside of ${state.name}`}
           aria-label={`Look inside of ${state.name}`}
+          data-file={(state.calls ?? state.inner).document}
+          data-page={(state.calls ?? state.inner).path}
           onClick={(event) => {
             event.stopPropagation();
             designer.enter(state.calls ?? state.inner!);
