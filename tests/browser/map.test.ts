@@ -151,7 +151,6 @@ test("distances and bearings are measured by mouse and by keys", async () => {
   const click = async (x: number, y: number, clicks = 1) => {
     const at = await console.onPage(x, y);
     await page.mouse.move(at.x, at.y);
-    await page.waitForTimeout(500); // else two clicks would be a double click
     await page.mouse.click(at.x, at.y, { clickCount: clicks });
   };
   await click(400, 300);
@@ -159,7 +158,6 @@ test("distances and bearings are measured by mouse and by keys", async () => {
   expect(Number.parseFloat((await words.textContent()) ?? "")).toBeCloseTo(200, -1);
   expect(await words.textContent()).toContain("bearing 090°");
   const at = await console.onPage(600, 500);
-  await page.waitForTimeout(500);
   await page.mouse.dblclick(at.x, at.y);
   await words.getByText(/whole/).waitFor();
   expect(await words.textContent()).toContain("bearing 000°");

@@ -89,8 +89,8 @@ stage_address() {
 }
 
 stage_thread() {
-  configure "$build/tsan" -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1" -DMLAB_UNITY=ON \
-    -DMLAB_TESTS=ON -DMLAB_SANITIZE=thread
+  configure "$build/tsan" -DCMAKE_CXX_COMPILER=clang++-19 -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -g1" \
+    -DMLAB_UNITY=ON -DMLAB_TESTS=ON -DMLAB_SANITIZE=thread
   ninja -C "$build/tsan" -j "$jobs" threaded_tests
   run_ctest "$build/tsan" -L threads
 }

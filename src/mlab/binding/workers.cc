@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#ifdef __SANITIZE_THREAD__
+#ifdef MLAB_SANITIZE_THREAD
 #include <atomic>
 #include <thread>
 #include <vector>
@@ -17,7 +17,7 @@
 
 namespace mlab::binding {
 
-#ifdef __SANITIZE_THREAD__
+#ifdef MLAB_SANITIZE_THREAD
 
 /// The thread sanitizer can't see how oneTBB, which isn't built with it, orders its tasks, and would report
 /// nearly everything. So what runs under it are threads that it understands.

@@ -63,7 +63,6 @@ test("what was never saved is listed by what it holds, and thrown away when that
   const recent = page.getByRole("region", { name: "Recent" });
   await designer.newAssemblage("Drift");
   await page.getByRole("heading", { name: "Drift", level: 1 }).waitFor();
-  await new Promise((resolve) => setTimeout(resolve, 1500)); // the server keeps it by then
   await page.goto("about:blank");
   await page.goBack();
   await designer.on("Drift");

@@ -4,9 +4,34 @@
 #include <cstdlib>
 #include <new>
 
+#ifdef MLAB_SANITIZE_THREAD
+#include <sanitizer/allocator_interface.h>
+#endif
+
 namespace {
 
 std::atomic<std::size_t> count = 0;
+
+}  // namespace
+
+std::size_t mlab::base::allocation_count() {
+  return count.load(std::memory_order_relaxed);
+}
+
+#ifdef MLAB_SANITIZE_THREAD
+
+// This runtime has an `operator new` that takes no other beside it, and tells who asks.
+namespace {
+
+const int hooks = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { count.fetch_add(1, std::memory_order_relaxed); },
+    [](const volatile void*) {});
+
+}  // namespace
+
+#else
+
+namespace {
 
 void* try_allocate(std::size_t size, std::size_t alignment) {
   count.fetch_add(1, std::memory_order_relaxed);
@@ -23,10 +48,6 @@ void* allocate(std::size_t size, std::size_t alignment) {
 }
 
 }  // namespace
-
-std::size_t mlab::base::allocation_count() {
-  return count.load(std::memory_order_relaxed);
-}
 
 void* operator new(std::size_t size) {
   return allocate(size, 1);
@@ -71,3 +92,5 @@ void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
 void operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
   std::free(p);
 }
+
+#endif

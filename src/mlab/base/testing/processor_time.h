@@ -14,7 +14,7 @@ namespace mlab::base {
 
 /// Whether this build is many times slower than the product: by sanitizers, or because nothing was optimised.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || MLAB_HAS_FEATURE(address_sanitizer) || \
-    !defined(__OPTIMIZE__)
+    MLAB_HAS_FEATURE(thread_sanitizer) || !defined(__OPTIMIZE__)
 inline constexpr bool kIsSlowBuild = true;
 #else
 inline constexpr bool kIsSlowBuild = false;
