@@ -123,6 +123,40 @@ TEST(Formulas, OfAnAssemblageAreThoseOfItsInstance) {
   EXPECT_EQ(flow::Program::number(frame.data(), *robot->built.program->find("movement")), 3.0);
 }
 
+// What a robot moves with that calls `A`, declared as said, with this.
+double movement_of(const std::string& declared, const std::string& called) {
+  text::Diagnostics sink;
+  const auto robot =
+      formula_robot("class Cart { actuator wheels: Drive() binds movement; }\n" + declared +
+                        "robot R(turn: angle [deg] = 90 deg, round: angle = 1 rad, many: int = 7) is Cart {\n"
+                        "  movement = " +
+                        called + ";\n}\n",
+                    sink);
+  EXPECT_TRUE(robot) << declared << "\n" << text::render(sink);
+  if (!robot) return kNothing;
+  flow::Frame frame = robot->built.program->make_frame();
+  percept::Action action;
+  robot->built.program->step(frame.data(), {}, action, 1, 1);
+  const flow::Port* movement = robot->built.program->find("movement");
+  return movement == nullptr ? kNothing : flow::Program::number(frame.data(), *movement).value_or(kNothing);
+}
+
+TEST(Formulas, OfAnAssemblageTakeAnglesHoweverTheirCallerCountsThem) {
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle) { cooperate { x * 2 / 1 rad: MoveAhead(); } }\n", "A(turn)"),
+      std::numbers::pi);
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle) { cooperate { (x + x + 90 deg) / 2 rad: MoveAhead(); } }\n",
+                  "A(turn)"),
+      0.75 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle) { cooperate { max(x, x) / 1 rad: MoveAhead(); } }\n", "A(turn)"),
+      std::numbers::pi / 2.0);
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle [deg]) { cooperate { x * 2 / 2 rad: MoveAhead(); } }\n", "A(round)"),
+      1.0);
+}
+
 TEST(NamedPlaces, AreParametersOfTheNetwork) {
   text::Diagnostics sink;
   const auto robot = formula_robot(

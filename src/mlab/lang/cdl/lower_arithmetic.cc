@@ -50,9 +50,9 @@ std::optional<std::string> common_unit(const auto& operands, const PortType& res
 }  // namespace
 
 std::optional<Lowering::Operand> Lowering::operand(const Expression& expression, std::string_view of,
-                                                   Scope& scope) {
+                                                   std::string angle, Scope& scope) {
   const Value value = lower(expression, scope);
-  Operand out{value, value.type, expression.place, angle_of(expression, scope)};
+  Operand out{value, value.type, expression.place, std::move(angle)};
   switch (value.kind) {
     case Value::Kind::kNone:
       return std::nullopt;
@@ -175,10 +175,11 @@ Value Lowering::compute(const Computation& how, const std::vector<Operand>& oper
 Value Lowering::lower_arithmetic(const Expression& expression, const Arithmetic& arithmetic, Scope& scope,
                                  const std::string& path, const text::Place& place) {
   std::vector<Operand> operands;
-  for (const ExpressionPtr& one : arithmetic.operands) {
-    auto read = operand(
-        *one, sign_of(arithmetic.operations.empty() ? Operation::kAdd : arithmetic.operations.front()),
-        scope);
+  for (std::size_t i = 0; i < arithmetic.operands.size(); ++i) {
+    auto read =
+        operand(*arithmetic.operands[i],
+                sign_of(arithmetic.operations.empty() ? Operation::kAdd : arithmetic.operations.front()),
+                angle_of_operand(expression, i, scope), scope);
     if (read) operands.push_back(std::move(*read));
   }
   if (operands.size() < arithmetic.operands.size() || arithmetic.operations.empty()) return {};
@@ -209,8 +210,8 @@ Value Lowering::lower_arithmetic(const Expression& expression, const Arithmetic&
   return left.value;
 }
 
-Value Lowering::call_function(const Call& call, const Function& function, Scope& scope, const Spot& spot,
-                              const std::string& angle, const text::Place& place) {
+Value Lowering::call_function(const Expression& expression, const Call& call, const Function& function,
+                              Scope& scope, const Spot& spot, const text::Place& place) {
   if (function.name == kPlaceFunction) return call_place(call, scope, place);
   const std::vector<std::string> names(function.inputs.begin(), function.inputs.end());
   const std::vector<Given> given = given_by(call, scope);
@@ -218,7 +219,7 @@ Value Lowering::call_function(const Call& call, const Function& function, Scope&
   std::vector<std::optional<Operand>> read(names.size());
   bool is_right = std::ranges::find(matched, -1) == matched.end();
   for (std::size_t i = 0; i < given.size(); ++i) {
-    auto one = operand(*given[i].value, function.name, scope);
+    auto one = operand(*given[i].value, function.name, angle_of_operand(expression, i, scope), scope);
     is_right = is_right && one.has_value();
     if (matched[i] >= 0) read[static_cast<std::size_t>(matched[i])] = std::move(one);
   }
@@ -235,7 +236,7 @@ Value Lowering::call_function(const Call& call, const Function& function, Scope&
   const Computation how = computation(function, types);
   // What gives radians by itself needs nobody to say so.
   const bool is_angle = how.type.unit == "rad" && function.name != "direction";
-  Value value = compute(how, operands, is_angle ? angle : spot.path, place);
+  Value value = compute(how, operands, is_angle ? angle_of(expression, scope) : spot.path, place);
   if (is_angle && value.kind == Value::Kind::kWire)
     value = in_radians(std::move(value), spot.path, "", place);
   return value;

@@ -114,8 +114,10 @@ class Lowering {
     text::Place place;
     std::string angle;  ///< node that counts it in radians
   };
-  /// @param of  the sign or function that takes it
-  std::optional<Operand> operand(const Expression& expression, std::string_view of, Scope& scope);
+  /// @param of     the sign or function that takes it
+  /// @param angle  of the node that counts it in radians, if that is needed
+  std::optional<Operand> operand(const Expression& expression, std::string_view of, std::string angle,
+                                 Scope& scope);
   static void settle_lists(std::vector<Operand>& operands);
   Value compute(const Computation& how, const std::vector<Operand>& operands, const std::string& path,
                 const text::Place& place);
@@ -123,8 +125,8 @@ class Lowering {
   Value in_radians(Value value, const std::string& path, const std::string& angle, const text::Place& place);
   void link_operand(const Operand& operand, const flow::Input& input, flow::Node& node);
   void refuse(const Computation& how, const std::vector<Operand>& operands, const text::Place& place);
-  Value call_function(const Call& call, const Function& function, Scope& scope, const Spot& spot,
-                      const std::string& angle, const text::Place& place);
+  Value call_function(const Expression& expression, const Call& call, const Function& function, Scope& scope,
+                      const Spot& spot, const text::Place& place);
   /// The position of a named place: a parameter of the network that the mission sets.
   Value call_place(const Call& call, Scope& scope, const text::Place& place);
   /// The name of the place, where the expression is `place("Gate")`; null: it is something else, or wrong.
@@ -227,8 +229,12 @@ class Lowering {
                     const std::vector<std::string>& candidates) const;
   /// What the nodes of an expression are called that is evaluated now.
   const NodeNames::Paths& paths_of(const Expression& expression, Scope& scope) const;
-  /// The node between an expression that was evaluated and who reads it.
+  /// As above, of an expression that was asked for already.
+  const NodeNames::Paths& last_paths_of(const Expression& expression, const Scope& scope) const;
+  /// The node that counts in radians what an expression computes, and what its operand is.
   std::string angle_of(const Expression& expression, const Scope& scope) const;
+  std::string angle_of_operand(const Expression& expression, std::size_t operand, const Scope& scope) const;
+  /// The node between an expression that was evaluated and who reads it.
   std::string path_behind(const Expression& expression, const Scope& scope) const;
   Value wire(const std::string& node, const PortType& type, const text::Place& place) const;
   Scope& new_scope();
