@@ -157,6 +157,21 @@ TEST(Formulas, OfAnAssemblageTakeAnglesHoweverTheirCallerCountsThem) {
       1.0);
 }
 
+// Divided by zero it is no number, and stays none whatever limits it: the robot stops for the fault.
+TEST(Formulas, StopTheRobotThatMovesByADivisionByZero) {
+  for (const char* x :
+       {"1 m / (near - near)", "min(1 m / (near - near), 0.5)", "max(-1 m / (near - near), 0.5)",
+        "clamp(1 m / (near - near), 0, 0.5)", "clamp(0.5, 0, 1 m / (near - near))"}) {
+    text::Diagnostics sink;
+    const auto robot = formula_robot(robot_with(x), sink);
+    ASSERT_TRUE(robot) << text::render(sink);
+    flow::Frame frame = robot->built.program->make_frame();
+    percept::Action action;
+    robot->built.program->step(frame.data(), {}, action, 1, 1);
+    EXPECT_FALSE(std::isfinite(action.velocity.x)) << x << " moves it with " << action.velocity.x;
+  }
+}
+
 TEST(NamedPlaces, AreParametersOfTheNetwork) {
   text::Diagnostics sink;
   const auto robot = formula_robot(

@@ -1,5 +1,6 @@
 #include "mlab/lang/cdl/arithmetic.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -280,6 +281,22 @@ TEST(Computation, RefusesWhatDoesNotAgree) {
             "a Vector and a Vector can't be multiplied");
   EXPECT_EQ(result(Operation::kDivide, number("m"), vector("m")), "a double and a Vector can't be divided");
   EXPECT_EQ(result(Operation::kLess, vector("m"), number("m")), "a Vector and a double can't be compared");
+}
+
+TEST(Computation, FoldsWhatIsNoNumberAsTheLibraryDoes) {
+  const auto fold = [](const char* behavior, std::vector<double> numbers) {
+    return folded(behavior, numbers).value_or(7.0);
+  };
+  const double none = fold("DivideNumbers", {1.0, 0.0});
+  EXPECT_TRUE(std::isnan(none));
+  for (const char* name : {"Minimum", "Maximum"}) {
+    EXPECT_TRUE(std::isnan(fold(name, {none, 1.0}))) << name;
+    EXPECT_TRUE(std::isnan(fold(name, {1.0, none}))) << name;
+  }
+  EXPECT_TRUE(std::isnan(fold("Clamp", {none, 0.0, 1.0})));
+  EXPECT_TRUE(std::isnan(fold("Clamp", {0.5, none, 1.0})));
+  EXPECT_TRUE(std::isnan(fold("Clamp", {0.5, 0.0, none})));
+  EXPECT_EQ(fold("Clamp", {3.0, 0.0, 1.0}), 1.0);
 }
 
 TEST(Computation, IsOfTwoPlacesInOneFrame) {
