@@ -157,6 +157,31 @@ TEST(Formulas, OfAnAssemblageTakeAnglesHoweverTheirCallerCountsThem) {
       1.0);
 }
 
+TEST(Formulas, TakeTheUnitThatIsDeclaredForWhatHasNone) {
+  EXPECT_EQ(
+      movement_of("assemblage A(x: length) { cooperate { (x + 1 m) / 1 m: MoveAhead(); } }\n", "A(many)"),
+      8.0);
+}
+
+TEST(Formulas, KeepTheUnitOfAResultThatIsDeclared) {
+  EXPECT_EQ(movement_of("assemblage Far(n: int) -> length { n * 2 }\n"
+                        "assemblage A(n: int) { cooperate { (Far(n) + 1 m) / 1 m: MoveAhead(); } }\n",
+                        "A(many)"),
+            15.0);
+}
+
+TEST(Formulas, RefuseAnAngleThatNobodyKnowsTheUnitOf) {
+  text::Diagnostics sink;
+  EXPECT_FALSE(
+      formula_robot("class Cart { actuator wheels: Drive() binds movement; }\n"
+                    "assemblage A(x: angle [deg]) { cooperate { x / 1 rad: MoveAhead(); } }\n"
+                    "robot R(many: int = 7) is Cart { movement = A(many); }\n",
+                    sink));
+  EXPECT_NE(text::render(sink).find("a plain number that is declared in deg can't be converted"),
+            std::string::npos)
+      << text::render(sink);
+}
+
 // Divided by zero it is no number, and stays none whatever limits it: the robot stops for the fault.
 TEST(Formulas, StopTheRobotThatMovesByADivisionByZero) {
   for (const char* x :

@@ -137,7 +137,7 @@ Value Lowering::in_radians(Value value, const std::string& path, const std::stri
   flow::Node node = computing_node(path.empty() ? angle : path, "InRadians", place);
   node.links.push_back({"angle", {flow::Source::Kind::kName, value.text, place}, place});
   value.text = node.name;
-  value.type.unit = "rad";
+  value.type.unit = value.counted_in = "rad";
   network_.nodes.push_back(std::move(node));
   return value;
 }
@@ -146,7 +146,10 @@ void Lowering::link_operand(const Operand& operand, const flow::Input& input, fl
   PortType type = operand.type;
   if (const std::optional<Unit> unit = unit_named(type.unit)) type.unit = si_unit(*unit);
   Value value = operand.value;
-  if (value.kind == Value::Kind::kWire && operand.type.unit == "deg")
+  if (value.kind == Value::Kind::kWire &&
+      !is_convertible(value, type, std::string(input.name), operand.place))
+    return;
+  if (value.kind == Value::Kind::kWire && value.counted_in == "deg")
     value = in_radians(std::move(value), "", operand.angle, operand.place);
   if (auto source = bind(value, type, nullptr, std::string(input.name), operand.place))
     node.links.push_back({std::string(input.name), std::move(*source), operand.place});

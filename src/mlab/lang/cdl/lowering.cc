@@ -69,6 +69,7 @@ Value Lowering::wire(const std::string& node, const PortType& type, const text::
   out.kind = Value::Kind::kWire;
   out.text = node;
   out.type = type;
+  out.counted_in = type.unit;
   out.place = place;
   return out;
 }

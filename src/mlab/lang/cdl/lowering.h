@@ -38,8 +38,11 @@ struct Value {
   Kind kind = Kind::kNone;
   std::string text;  ///< name of the node or parameter, word, text
   double number = 0.0;
-  std::string unit;      ///< kNumber: as written
-  PortType type;         ///< kWire; a constant that came through a parameter has the parameter's
+  std::string unit;  ///< kNumber: as written
+  PortType type;     ///< kWire; a constant that came through a parameter has the parameter's
+  /// kWire: the unit in which the network counts it; what came through a declaration has that one's in
+  /// `type`.
+  std::string counted_in;
   std::string named;     ///< the name by which it was asked for; empty: none
   text::Place declared;  ///< of that name
   std::vector<Value> items;
@@ -194,6 +197,12 @@ class Lowering {
                                         const text::Place& place);
   std::optional<flow::Source> bind_coordinates(const Value& value, const PortType& type,
                                                const std::string& name, const text::Place& place);
+  /// A wire that its declaration gives a unit is a value in it from there on.
+  static void declare_unit(Value& value, const PortType& declared);
+  /// False where the unit that is declared for a wire is an angle's, which its number would have to be
+  /// converted from, and nobody can: the network knows no unit of it.
+  bool is_convertible(const Value& value, const PortType& want, const std::string& name,
+                      const text::Place& place);
   bool fits(const PortType& have, const PortType& want, const std::string& name, const text::Place& place,
             const Value* about = nullptr);
   /// A value for a parameter: checked against the declaration, and with its type.
