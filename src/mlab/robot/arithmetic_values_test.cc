@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/lang/cdl/emit_cnl.h"
 #include "mlab/robot/configuration_file.h"
 
 namespace mlab::robot {
@@ -195,6 +196,21 @@ TEST(Formulas, StopTheRobotThatMovesByADivisionByZero) {
     robot->built.program->step(frame.data(), {}, action, 1, 1);
     EXPECT_FALSE(std::isfinite(action.velocity.x)) << x << " moves it with " << action.velocity.x;
   }
+}
+
+TEST(NamedPlaces, CanNotBeSaidInCnl) {
+  text::Diagnostics sink;
+  const auto robot = formula_robot(
+      "class Cart { actuator wheels: Drive() binds movement; }\n"
+      "robot R(home: Point = place(\"Gate\"), at: Point = [1, 2]) is Cart {\n"
+      "  movement = cooperate { MoveToGoal(DetectGoal(home)); MoveToGoal(DetectGoal(at)); };\n}\n",
+      sink);
+  ASSERT_TRUE(robot) << text::render(sink);
+  cdl::check_for_cnl(robot->lowered.network, sink);
+  ASSERT_EQ(sink.error_count(), 1U);
+  EXPECT_NE(text::render(sink).find("a.cdl:2:23: error: `Gate` is a place of the mission's overlay"),
+            std::string::npos)
+      << text::render(sink);
 }
 
 TEST(NamedPlaces, AreParametersOfTheNetwork) {
