@@ -225,7 +225,7 @@ TEST(NamedPlaces, AreParametersOfTheNetwork) {
   std::string told;
   for (const flow::Parameter& one : robot->lowered.network.parameters)
     told += one.name + "=" + one.place_name.text + " ";
-  EXPECT_EQ(told, "home=Gate place_Old_Mill=Old Mill place_Old_Mill_=Old-Mill ");
+  EXPECT_EQ(told, "home=Gate place_Old_Mill=Old Mill place_Old_Mill_2=Old-Mill ");
 }
 
 }  // namespace

@@ -256,6 +256,18 @@ const std::string* Lowering::named_place(const Expression& expression) const {
   return text == nullptr || text->value.empty() || !is_named ? nullptr : &text->value;
 }
 
+// Different names may become the same when only letters, digits and `_` are left of them.
+std::string Lowering::place_parameter(std::string_view place) {
+  std::string stem = "place_";
+  for (const char c : place) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  int& count = place_stems_[stem];
+  for (;;) {
+    std::string out = ++count == 1 ? stem : fmt::format("{}_{}", stem, count);
+    const bool is_taken = robot_names_ != nullptr && robot_names_->contains(out);
+    if (!is_taken && place_names_.insert(out).second) return out;
+  }
+}
+
 Value Lowering::call_place(const Call& call, Scope& scope, const text::Place& place) {
   Expression whole;
   whole.what = call;
@@ -269,14 +281,9 @@ Value Lowering::call_place(const Call& call, Scope& scope, const text::Place& pl
     return {};
   }
   const PortType type{&flow::type_info<geom::Point>(), "m"};
-  std::string path = "place_";
-  for (const char c : *name) path += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  for (;; path += '_') {
-    const auto known = std::ranges::find(network_.parameters, path, &flow::Parameter::name);
-    if (known != network_.parameters.end() && known->place_name.text == *name) return wire(path, type, place);
-    const bool is_taken = robot_names_ != nullptr && robot_names_->contains(path);
-    if (known == network_.parameters.end() && !is_taken) break;
-  }
+  const auto [known, is_new] = places_.try_emplace(*name);
+  if (!is_new) return wire(known->second, type, place);
+  const std::string path = known->second = place_parameter(*name);
   flow::Parameter parameter;
   parameter.name = path;
   parameter.type = std::string(type.type->name);

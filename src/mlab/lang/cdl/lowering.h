@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -132,6 +134,8 @@ class Lowering {
                       const Spot& spot, const text::Place& place);
   /// The position of a named place: a parameter of the network that the mission sets.
   Value call_place(const Call& call, Scope& scope, const text::Place& place);
+  /// What the parameter of a named place is called that has none yet.
+  std::string place_parameter(std::string_view place);
   /// The name of the place, where the expression is `place("Gate")`; null: it is something else, or wrong.
   const std::string* named_place(const Expression& expression) const;
 
@@ -255,7 +259,10 @@ class Lowering {
   text::Diagnostics& sink_;
   flow::Network network_;
   std::deque<Scope> scopes_;
-  std::vector<const Assemblage*> open_;  // assemblages that are being instantiated
+  std::unordered_map<std::string, std::string> places_;  // parameters of named places
+  std::unordered_map<std::string, int> place_stems_;     // how many places asked for a parameter's name
+  std::unordered_set<std::string> place_names_;          // of those parameters
+  std::vector<const Assemblage*> open_;                  // assemblages that are being instantiated
   std::vector<DeviceUse> devices_;
   Scope* class_scope_ = nullptr;  // names of the robot's class; null: there are none
   std::set<const Device*> driven_;
