@@ -95,6 +95,16 @@ TEST(Arithmetic, TellsUnitsFromDivision) {
   EXPECT_EQ(grouped("(6 m) / s"), "(6 m/s)");
 }
 
+TEST(Arithmetic, DividesByWhatIsCalledAsAUnitIs) {
+  EXPECT_EQ(grouped("6 m / min(a, b)"), "(6 m/min(a, b))");
+  EXPECT_EQ(grouped("6 m/min(a, b) / 2"), "(6 m/min(a, b)/2)");
+  EXPECT_EQ(grouped("6 m/min / a"), "(6 m/min/a)");
+  const std::string text = "assemblage A() {\n  let x = 6 m / min(a, b);\n  x\n}\n";
+  EXPECT_EQ(laid_out(text), text);
+  const Written read = read_value("6 m / min(a, b)");
+  EXPECT_NE(print(read.tree).find("let x = 6 m / min(a, b);"), std::string::npos) << print(read.tree);
+}
+
 TEST(Arithmetic, RefusesAChainOfComparisonsAndWhatIsNotWhole) {
   EXPECT_NE(read_value("1 < a < 3").errors.find("a comparison is of two"), std::string::npos);
   EXPECT_NE(read_value("a +").errors.find("expected a value"), std::string::npos);

@@ -90,6 +90,7 @@ class Formatter {
     if (!is(i - 2, Token::Kind::kNumber)) return false;
     const bool is_glued = lexed_.tokens[i - 1].span.end == lexed_.tokens[i].span.begin &&
                           lexed_.tokens[i].span.end == lexed_.tokens[i + 1].span.begin;
+    if (is(i + 2, Token::Kind::kPunctuation) && word(i + 2) == "(") return false;
     return is_glued || unit_named(std::string(word(i - 1)) + "/" + std::string(word(i + 1))).has_value();
   }
 
