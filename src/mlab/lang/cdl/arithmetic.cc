@@ -184,7 +184,11 @@ Computation comparison(Operation operation, const Operands& operands) {
   Computation out = operands.are_all(Sort::kNumber) ? of_one_unit(operands, "", false, "compared")
                                                     : mixed(operands, "compared");
   if (!out.refusal.empty()) {
-    if (!out.is_about_units && out.hint.empty()) out.hint = "numbers are compared";
+    const auto is_truth = [](const PortType& type) { return type.type->kind == flow::TypeKind::kBool; };
+    const bool is_of_truths = is_truth(operands.type(0)) || is_truth(operands.type(1));
+    if (!out.is_about_units && out.hint.empty())
+      out.hint = is_of_truths ? "numbers are compared; a bool is a condition by itself: `on`, `not on`"
+                              : "numbers are compared";
     return out;
   }
   const bool is_turned = operation == Operation::kGreater || operation == Operation::kGreaterOrEqual;

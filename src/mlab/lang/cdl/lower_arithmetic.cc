@@ -66,6 +66,11 @@ std::optional<Lowering::Operand> Lowering::operand(const Expression& expression,
       break;
   }
   if (value.kind != Value::Kind::kSink && value.type.type != nullptr) return out;
+  if (value.kind == Value::Kind::kWord && (value.text == "true" || value.text == "false")) {
+    error("wrong-type", expression.place, fmt::format("`{}` is of numbers; `{}` is a bool", of, value.text))
+        .hints = {"a bool is a condition by itself: `on`, and `not on` where it is to be false"};
+    return std::nullopt;
+  }
   bind(value, {&flow::type_info<double>(), ""}, nullptr, std::string(of),
        expression.place);  // says what is wrong
   return std::nullopt;
