@@ -105,6 +105,25 @@ TEST(Arithmetic, DividesByWhatIsCalledAsAUnitIs) {
   EXPECT_NE(print(read.tree).find("let x = 6 m / min(a, b);"), std::string::npos) << print(read.tree);
 }
 
+TEST(Arithmetic, TakesASignBehindANameForAnOperationWhateverTheNameIs) {
+  for (const std::string name : {"by", "in", "case", "when", "active", "and", "or"}) {
+    EXPECT_EQ(grouped(name + " -1"), "(" + name + "-1)");
+    EXPECT_EQ(grouped("a * (" + name + "-1)"), "(a*(" + name + "-1))");
+    EXPECT_EQ(grouped("a + " + name + " -1"), "(a+" + name + "-1)");
+    const std::string text = "assemblage A() {\n  let x = " + name + " - 1;\n  x\n}\n";
+    EXPECT_EQ(laid_out("assemblage A() {\n  let x = " + name + "-1;\n  x\n}\n"), text);
+  }
+  EXPECT_EQ(grouped("a < 1 and -1 < a or -2 < b"), "(((a<1) and (-1<a)) or (-2<b))");
+  text::Diagnostics sink;
+  parse(std::make_shared<const text::Source>(
+            "a.cdl",
+            "assemblage A(a: number = 1 in -1 .. 2, b: number = 1 m in -1 .. 2) {\n"
+            "  select by -1 { case -1: a; otherwise: b; }\n}\n"
+            "assemblage B() { sequence { start One: A(); when -1 < 2 goto One; } }\n"),
+        sink);
+  EXPECT_FALSE(sink.has_errors()) << text::render(sink);
+}
+
 TEST(Arithmetic, RefusesAChainOfComparisonsAndWhatIsNotWhole) {
   EXPECT_NE(read_value("1 < a < 3").errors.find("a comparison is of two"), std::string::npos);
   EXPECT_NE(read_value("a +").errors.find("expected a value"), std::string::npos);
