@@ -35,8 +35,28 @@ TEST(Numbers, AreComputed) {
 }
 
 TEST(Numbers, DividedByZeroAreNone) {
-  EXPECT_FALSE(std::isfinite(number_of("DivideNumbers", 2.0, 0.0)));
-  EXPECT_FALSE(std::isfinite(number_of("DivideNumbers", 0.0, 0.0)));
+  EXPECT_TRUE(std::isnan(number_of("DivideNumbers", 2.0, 0.0)));
+  EXPECT_TRUE(std::isnan(number_of("DivideNumbers", -2.0, -0.0)));
+  EXPECT_TRUE(std::isnan(number_of("DivideNumbers", 0.0, 0.0)));
+  const auto by_zero =
+      answer_of<Vector>(probe("DivideVector").set("v", Vector{1.0, 0.0}).set("divisor", 0.0));
+  EXPECT_TRUE(std::isnan(by_zero.x) && std::isnan(by_zero.y));
+}
+
+// A fault has to reach the actuator: what limits it would hide it.
+TEST(Numbers, ThatAreNoneStayNoneHoweverTheyAreLimited) {
+  const double none = number_of("DivideNumbers", 1.0, 0.0);
+  for (const char* name : {"Minimum", "Maximum"}) {
+    EXPECT_TRUE(std::isnan(number_of(name, none, 1.0))) << name;
+    EXPECT_TRUE(std::isnan(number_of(name, 1.0, none))) << name;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double x = i == 0 ? none : 0.5;
+    const double low = i == 1 ? none : 0.0;
+    const double high = i == 2 ? none : 1.0;
+    EXPECT_TRUE(std::isnan(answer_of<double>(probe("Clamp").set("x", x).set("low", low).set("high", high))))
+        << i;
+  }
 }
 
 TEST(Numbers, HaveALesserAndAGreater) {

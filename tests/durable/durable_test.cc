@@ -232,6 +232,33 @@ TEST_F(Durable, NeitherWhatIsTypedNorWhatSomebodyElseWritesIsLost) {
   EXPECT_EQ(on_disk(), theirs);
 }
 
+TEST_F(Durable, TwoServersOfOneProjectKeepWhatIsTypedInEach) {
+  {
+    Server first(setup({"run", "m.mdl"}));
+    ASSERT_NE(first.port(), 0) << first.printed();
+    EXPECT_EQ(first.printed().find("another server"), std::string::npos) << first.printed();
+    Typist at_first(first);
+    at_first.type("-- typed in the first\n");
+    Server second(setup({"edit", "c.cdl"}));
+    ASSERT_NE(second.port(), 0) << second.printed();
+    EXPECT_TRUE(second.prints("another server has this project open")) << second.printed();
+    Server third(setup({"run", "m.mdl"}));
+    ASSERT_NE(third.port(), 0) << third.printed();
+    Typist at_third(third);
+    EXPECT_EQ(at_third.text(), kOverlay);
+    at_third.type("-- typed in the third\n");
+    for (Server* one : {&first, &second, &third}) one->kill();
+  }
+  Server first(setup({"run", "m.mdl"}));
+  ASSERT_NE(first.port(), 0) << first.printed();
+  EXPECT_NE(Typist(first).text().find("-- typed in the first"), std::string::npos);
+  EXPECT_TRUE(first.prints("m.odl was edited in two servers at once")) << first.printed();
+  Server second(setup({"run", "m.mdl"}));
+  Server third(setup({"run", "m.mdl"}));
+  ASSERT_NE(third.port(), 0) << third.printed();
+  EXPECT_NE(Typist(third).text().find("-- typed in the third"), std::string::npos);
+}
+
 TEST_F(Durable, AStateFolderThatCanNotBeMadeIsToldAtOnce) {
   Server::Setup setup_of_proc = setup({"edit", "c.cdl"});
   setup_of_proc.environment = {{"XDG_STATE_HOME", "/proc/no_such_folder"}};

@@ -154,8 +154,9 @@ int build(const BuildOptions& asked) {
   }
   const bool is_sound = robot && !sink.has_errors();
   if (is_sound && options.emit.empty()) return build_program(options, *robot, sink);
+  if (is_sound && options.emit == "cnl") cdl::check_for_cnl(robot->network, sink);
   tell(sink);
-  if (!is_sound) return kBadInput;
+  if (!is_sound || sink.has_errors()) return kBadInput;
   return put(options.emit == "cpp" ? robot_build::joined(robot_build::emit_cpp(*robot))
                                    : cdl::cnl_text(robot->network),
              options.output);

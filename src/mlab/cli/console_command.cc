@@ -40,10 +40,12 @@
 #include "mlab/console/session.h"
 #include "mlab/designer.pb.h"
 #include "mlab/designer/designer.h"
+#include "mlab/documents/draft_place.h"
 #include "mlab/documents/project_folder.h"
 #include "mlab/documents/state_folder.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
@@ -321,6 +323,22 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   return options.strict && look.warnings > 0 ? kFailed : exit_status(report);
 }
 
+// Who else has the project open, and what that means for what is not saved here.
+void tell_place(const documents::DraftPlace& place) {
+  if (place.is_beside())
+    fmt::print(
+        stderr,
+        "mlab: note: another server has this project open: what is not saved here is kept apart from what "
+        "is not saved there, in {}\n",
+        place.state_folder());
+  for (const std::string& path : place.left_beside())
+    fmt::print(
+        stderr,
+        "mlab: warning: {} was edited in two servers at once, and neither saved it: this one has the text of "
+        "the first; start another one beside it for the other text\n",
+        text::shown(path, 200));
+}
+
 }  // namespace
 
 int run_console(const RunOptions& options) {
@@ -337,14 +355,16 @@ int run_console(const RunOptions& options) {
   const Look look = look_at(options, manner->settings);
   if (!look.is_readable || !look.is_usable) return kBadInput;
   console::SessionSettings settings = session_settings(options, std::move(*manner));
-  const KeptAddress kept(settings.state_folder,
-                         documents::ProjectFolder({settings.project_folder, ""}).folder(),
-                         options.edits ? "edit" : "run");
+  const std::string project = documents::ProjectFolder({settings.project_folder, ""}).folder();
+  const KeptAddress kept(settings.state_folder, project, options.edits ? "edit" : "run");
+  const documents::DraftPlace place(settings.state_folder, project, {"", "designer"});
+  settings.state_folder = place.state_folder();
   take_over(kept, options, *where);
   std::string error;
   const std::unique_ptr<console::Server> server = console::Server::open(*where, error);
   if (!server) return usage_error(error);
   if (!listen_for_interrupts()) return usage_error("the operating system has no descriptor left");
+  tell_place(place);
   if (const std::string why = kept.keep({where->address, server->port(), server->token()}); !why.empty())
     fmt::print(stderr, "mlab: warning: a page that is left open will not find the next server: {}\n", why);
   const auto people =

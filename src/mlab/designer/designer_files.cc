@@ -62,6 +62,7 @@ void Designer::Parts::greet(console::ConnectionId from, Client& client, const Gr
   Lists all = lists();
   hello.mutable_recent()->Swap(all.mutable_recent());
   hello.mutable_files()->Swap(all.mutable_files());
+  hello.mutable_only_kept()->Swap(all.mutable_only_kept());
   for (const std::string& path : desk_.configurations("examples:"))
     add_file(*hello.mutable_examples(), desk_.project(), path);
   for (const std::string& path : desk_.overlays())
@@ -78,8 +79,9 @@ Lists Designer::Parts::lists() {
   Lists out;
   for (const std::string& path : desk_.store().only_kept()) {
     const std::optional<documents::Drafts::Draft> draft = desk_.drafts().find(path);
-    if (draft)
-      add_entry(*out.mutable_recent(), path, unsaved_title(draft->text)).set_about(said_of(draft->text));
+    if (!draft) continue;
+    add_entry(*out.mutable_recent(), path, unsaved_title(draft->text)).set_about(said_of(draft->text));
+    out.add_only_kept(path);
   }
   for (const documents::Drafts::Recent& recent : desk_.drafts().recent()) {
     if (desk_.project().is_file(recent.path)) add_file(*out.mutable_recent(), desk_.project(), recent.path);
@@ -129,7 +131,8 @@ void Designer::Parts::discard(Client& client, const Discard& request, Answer& ou
   const bool is_elsewhere = std::ranges::any_of(clients_, [&](const auto& other) {
     return &other.second != &client && other.second.documents.contains(path);
   });
-  if (is_elsewhere || !Desk::is_new(path)) {
+  const bool has_file = !Desk::is_new(path) && (desk_.project().is_file(path) || !desk_.drafts().find(path));
+  if (is_elsewhere || has_file) {
     out.set_ok(false);
     out.set_error(is_elsewhere ? "another window has it open: close that first"
                                : "only what has no file can be thrown away");

@@ -389,7 +389,8 @@ void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t numbe
                  desk_.project().disk_path(last_trial_.mission),
                  [this, inbox = inbox_, from, request, number, what = *what, part = *part, grid = *grid,
                   reading](bool was_read) {
-                   const auto arrows = was_read ? std::optional(reading->arrows()) : std::nullopt;
+                   const bool is_read = was_read && reading->problem().empty();
+                   const auto arrows = is_read ? std::optional(reading->arrows()) : std::nullopt;
                    inbox->post([this, from, number, request, what, part, grid, arrows] {
                      answer_field(from, number, request, what, part, grid, arrows);
                    });

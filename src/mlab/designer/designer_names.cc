@@ -101,6 +101,7 @@ void Designer::Parts::find_uses(const FindUses& request, Answer& out) {
   list.set_name(text::as_utf8(found.name));
   list.set_kind(found.kind);
   list.set_is_library(found.is_library);
+  list.set_left_out(texts_.left_out());
   for (const language::Use& use : found.places) {
     names::Use& made = *file_message(use.place.source, *list.mutable_files()).add_uses();
     made = use_message(use.place);
@@ -156,6 +157,7 @@ std::optional<language::Renaming> Designer::Parts::plan(const NameAt& at, const 
       replace_all(note, kept.source->name(), path_of(kept.source));
     plan.add_notes(text::as_utf8(note));
   }
+  if (std::string left_out = texts_.left_out(); !left_out.empty()) plan.add_notes(std::move(left_out));
   plan.set_seal(documents::Drafts::digest(sealed));
   return std::move(*done);
 }
@@ -181,6 +183,7 @@ void Designer::Parts::search(const Search& request, Answer& out) {
   index_.update(texts_.all(), texts_.surroundings());
   const std::size_t most = std::clamp<std::size_t>(request.most(), 1, kMostHits);
   names::HitList& list = *out.mutable_hits();
+  list.set_left_out(texts_.left_out());
   for (const language::ProjectIndex::Hit& found : index_.find(request.query(), most)) {
     const language::Entry& entry = *found.entry;
     const std::string path = texts_.path_of(entry.source);

@@ -90,6 +90,26 @@ TEST_F(DesignerNamesTest, APlanSaysWhatChangesInAllFiles) {
   EXPECT_EQ(browser_.read("robots.cdl"), kRobots) << "nothing is done yet";
 }
 
+TEST_F(DesignerNamesTest, WhatIsNotLookedAtIsSaid) {
+  const auto search = [&] {
+    return browser_.ask([](ToDesigner& m) {
+      m.mutable_search()->set_query("Scout");
+      m.mutable_search()->set_most(9);
+    });
+  };
+  browser_.write("a/b/c/d/e/f/there.cdl", kOwnSkills);
+  EXPECT_EQ(uses(drawn("Scout", "urge")).uses().left_out(), "");
+  EXPECT_EQ(search().hits().left_out(), "");
+  EXPECT_EQ(plan(drawn("Scout", "urge"), "need").plan().notes_size(), 0);
+  browser_.write("a/b/c/d/e/f/g/too_deep.cdl", kOwnSkills);
+  const std::string said = "files more than 6 folders deep, or beyond the first 2000, were not looked at";
+  EXPECT_EQ(uses(drawn("Scout", "urge")).uses().left_out(), said);
+  EXPECT_EQ(search().hits().left_out(), said);
+  const Answer planned = plan(drawn("Scout", "urge"), "need");
+  ASSERT_EQ(planned.plan().notes_size(), 1);
+  EXPECT_EQ(planned.plan().notes(0), said);
+}
+
 TEST_F(DesignerNamesTest, WhatIsOpenIsSavedWhatIsClosedIsWritten) {
   const NameAt at = drawn("Scout", "urge");
   const Answer done = carry_out(at, "need", plan(at, "need").plan().seal());

@@ -200,6 +200,28 @@ TEST(Designer, OpensWhatIsKeptOfAFileThatIsGone) {
   EXPECT_EQ(browser.read("a.cdl"), "// not saved\n");
 }
 
+TEST(Designer, ThrowsAwayWhatIsKeptOfAFileThatIsGone) {
+  Browser browser;
+  browser.write("a.cdl", kText);
+  browser.open("a.cdl");
+  browser.type("a.cdl", "// not saved\n");
+  browser.start();
+  EXPECT_EQ(browser.hello().only_kept_size(), 0) << "it has its file";
+  const auto discard = [&] {
+    return browser.ask([](ToDesigner& m) { m.mutable_discard()->set_document("a.cdl"); }).error();
+  };
+  EXPECT_EQ(discard(), "only what has no file can be thrown away");
+  std::filesystem::remove(browser.folder() + "/a.cdl");
+  browser.start();
+  ASSERT_EQ(browser.hello().only_kept_size(), 1);
+  EXPECT_EQ(browser.hello().only_kept(0), "a.cdl");
+  EXPECT_EQ(discard(), "");
+  EXPECT_NE(discard(), "") << "there is nothing any more";
+  browser.start();
+  EXPECT_EQ(browser.hello().only_kept_size(), 0);
+  EXPECT_EQ(browser.hello().recent_size(), 0);
+}
+
 TEST(Designer, CallsWhatHasNoFileByWhatItHolds) {
   EXPECT_EQ(unsaved_title(""), "New configuration");
   EXPECT_EQ(

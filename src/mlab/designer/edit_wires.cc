@@ -53,13 +53,32 @@ cdl::ExpressionPtr Editor::neutral(const cdl::PortType& type) const {
   return value_of(is(flow::TypeKind::kPoint) ? "[0, 0]" : "0");
 }
 
+namespace {
+
+// 0 in a unit that only products have: no number is written in it.
+std::string zero_in(std::string_view unit) {
+  std::string out = "0";
+  for (const char* sign = " * "; !unit.empty();) {
+    const std::size_t end = std::min(unit.find_first_of("*/"), unit.size());
+    const std::string_view word = unit.substr(0, end);
+    if (word != "1") out += fmt::format("{}1 {}", sign, word);
+    if (end == unit.size()) break;
+    sign = unit[end] == '/' ? " / " : " * ";
+    unit.remove_prefix(end + 1);
+  }
+  return out;
+}
+
+}  // namespace
+
 // What a formula has in the place of what it read.
 cdl::ExpressionPtr Editor::zero_of(const cdl::PortType& type) const {
   const bool is_number = type.type != nullptr && type.type->kind == flow::TypeKind::kReal;
   const bool is_vector = type.type != nullptr && type.type->kind == flow::TypeKind::kVector;
   if (is_vector) return value_of("[0, 0]");
   const auto unit = is_number && !type.unit.empty() ? cdl::unit_named(type.unit) : std::nullopt;
-  const auto value = unit ? value_of("0 " + type.unit) : nullptr;
+  const bool is_written = unit && std::ranges::find(cdl::unit_names(), type.unit) != cdl::unit_names().end();
+  const auto value = is_written ? value_of("0 " + type.unit) : unit ? value_of(zero_in(type.unit)) : nullptr;
   return value ? value : neutral(type);
 }
 

@@ -74,6 +74,22 @@ TEST(Formula, ReadsAnotherNodeWhereOneIsConnected) {
   EXPECT_NE(text.text().find("length([0, 0]) / (3 * near)"), std::string::npos) << text.text();
 }
 
+TEST(Formula, KeepsTheUnitOfWhatIsTakenFromItWhateverItIs) {
+  const auto without_way = [](const std::string& way) {
+    DrawnText text(
+        "assemblage A(near: length = 2 m, wait: duration = 1 s, turn: angle = 1 rad) {\n  let way = " + way +
+        ";\n  let how = way / near + 2 * way / near;\n  cooperate { how / how: Stand(); }\n}\n");
+    text.disconnect("A", "how", "way");
+    return text.text().substr(text.text().find("let how"),
+                              text.text().find(";\n  cooperate") - text.text().find("let how"));
+  };
+  EXPECT_EQ(without_way("near * near"), "let how = (0 * 1 m * 1 m) / near + 2 * way / near");
+  EXPECT_EQ(without_way("near / wait"), "let how = 0 m/s / near + 2 * way / near");
+  EXPECT_EQ(without_way("near / wait / wait"), "let how = (0 * 1 m / 1 s / 1 s) / near + 2 * way / near");
+  EXPECT_EQ(without_way("1 / wait"), "let how = (0 / 1 s) / near + 2 * way / near");
+  EXPECT_EQ(without_way("turn * near"), "let how = (0 * 1 m * 1 rad) / near + 2 * way / near");
+}
+
 TEST(Formula, IsPlacedAndThenTyped) {
   DrawnText text("assemblage A(way: Vector [m]) {\n}\n");
   text.place("A", "formula");

@@ -212,6 +212,26 @@ TEST(ReadField, PointsToTheGoalAndAwayFromObstacles) {
   EXPECT_TRUE(is_pushed);
 }
 
+TEST(ReadField, TakesNamedPlacesWhereTheMissionHasThem) {
+  LiveDesk desk;
+  desk.folder().write("project/field.odl", "MISSION-AREA 160 120\nCONTROL MEASURES:\nPP Gate 120 90\n");
+  const std::string path =
+      desk.write("assemblage ToGate() {\n  MoveToGoal(DetectGoal(place(\"Gate\")))\n}\n");
+  const std::string alone = desk.field(path, "ToGate", "", 0, nullptr).error();
+  EXPECT_NE(alone.find("no place `Gate`"), std::string::npos) << alone;
+  const Answer tried =
+      desk.try_out(path, "ToGate", 1, [](Try& request) { request.set_overlay("field.odl"); });
+  ASSERT_TRUE(tried.ok()) << tried.DebugString();
+  for (const std::uint32_t robot : {0U, 1U}) {
+    std::vector<LiveDesk::Arrow> arrows;
+    const Answer answer = desk.field(path, "ToGate", "", robot, &arrows);
+    ASSERT_TRUE(answer.ok()) << answer.error();
+    ASSERT_EQ(arrows.size(), 13U * 9U);
+    EXPECT_NEAR(arrows[0].dx, 100.0 / std::hypot(100.0, 70.0), 1e-3) << robot;
+    EXPECT_NEAR(arrows[0].dy, 70.0 / std::hypot(100.0, 70.0), 1e-3) << robot;
+  }
+}
+
 TEST(ReadField, DoesNotDisturbTheRun) {
   std::vector<std::string> places;
   for (const bool looks : {false, true}) {

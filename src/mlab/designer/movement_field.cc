@@ -10,6 +10,8 @@
 #include <fmt/core.h>
 
 #include "mlab/console/wire.h"
+#include "mlab/fleet/places.h"
+#include "mlab/robot/places.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -62,6 +64,7 @@ text::Result<FieldProgram> field_program(flow::Network network, const flow::Libr
 
 FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
     : program_{.name = part.port, .program = std::move(part.program), .hosted = std::move(part.hosted)},
+      places_(robot::places_of(part.network)),
       port_(program_.program->find(part.port)),
       grid_(grid),
       as_is_(as_is),
@@ -71,6 +74,7 @@ FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
 
 void FieldReading::begin(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
   const flow::Program& program = *program_.program;
+  find_places(run);
   if (const robot::Workings robot = body.workings(); as_is_ && robot)
     program.take_over(start_.data(), *robot.program, robot.frame);
   needs_ = program.needs(start_.data());
@@ -83,11 +87,26 @@ void FieldReading::begin(const fleet::MissionRun& run, const fleet::FleetRobot& 
   arrows_.reserve(std::size_t{grid_.columns} * grid_.rows * sizeof(FieldArrow));
 }
 
+// Where they are in the mission, as for its robots.
+void FieldReading::find_places(const fleet::MissionRun& run) {
+  const fleet::MissionPlaces known(run.mission());
+  for (const robot::PlaceParameter& one : places_) {
+    const flow::Port* port = program_.program->find(one.path);
+    if (port == nullptr) continue;
+    if (const std::optional<geom::Point> point = known.find(one.name)) {
+      program_.program->set(start_.data(), *port, robot::point_words(*point));
+    } else if (!as_is_ && problem_.empty()) {
+      problem_ = fmt::format("the mission has no place `{}`", text::shown(one.name, 200));
+    }
+  }
+}
+
 bool FieldReading::read(const fleet::MissionRun& run, const fleet::FleetRobot& body, double budget) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(budget);
   const std::uint32_t count = grid_.columns * grid_.rows;
   if (!runners_) begin(run, body);
+  if (!problem_.empty()) return true;
   while (next_ < count) {
     read_places(run, body);
     if (Clock::now() >= end) break;
@@ -135,10 +154,11 @@ void FieldReading::add_arrow(std::uint32_t place) {
                              static_cast<float>(v.x * c - v.y * s), static_cast<float>(v.x * s + v.y * c)});
 }
 
-std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body, bool as_is,
-                         const FieldProgram& part, const FieldGrid& grid) {
+text::Result<std::string> field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body,
+                                       bool as_is, const FieldProgram& part, const FieldGrid& grid) {
   FieldReading reading(part, grid, as_is);
   reading.read(run, body, 1e9);
+  if (!reading.problem().empty()) return no_field(reading.problem());
   return reading.arrows();
 }
 

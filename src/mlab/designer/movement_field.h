@@ -57,18 +57,22 @@ class FieldReading {
   /// @param body    whose senses and orders it has
   /// @return  true: it is done
   bool read(const fleet::MissionRun& run, const fleet::FleetRobot& body, double budget);
+  /// Why it can't be read, as a sentence: the mission lacks a place that the part wants. Empty: it can.
+  const std::string& problem() const { return problem_; }
   /// What has been read.
   const std::string& arrows() const { return arrows_; }
 
  private:
   void begin(const fleet::MissionRun& run, const fleet::FleetRobot& body);
+  void find_places(const fleet::MissionRun& run);
   void read_places(const fleet::MissionRun& run, const fleet::FleetRobot& body);
   geom::Pose pose_of(std::uint32_t place) const {
     return grid_.pose(place % grid_.columns, place / grid_.columns);
   }
   void add_arrow(std::uint32_t place);
 
-  robot::RobotProgram program_;  ///< of the part
+  robot::RobotProgram program_;                ///< of the part
+  std::vector<robot::PlaceParameter> places_;  ///< of the mission, that it wants
   const flow::Port* port_;
   FieldGrid grid_;
   bool as_is_;
@@ -79,10 +83,12 @@ class FieldReading {
   std::vector<robot::ProgramRunner::Member> robots_;
   std::uint32_t next_ = 0;  ///< place
   std::string arrows_;
+  std::string problem_;
 };
 
 /// The whole field at once.
-std::string field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body, bool as_is,
-                         const FieldProgram& part, const FieldGrid& grid);
+/// @errors  as FieldReading::problem
+text::Result<std::string> field_arrows(const fleet::MissionRun& run, const fleet::FleetRobot& body,
+                                       bool as_is, const FieldProgram& part, const FieldGrid& grid);
 
 }  // namespace mlab::designer

@@ -5,6 +5,8 @@
 #include <set>
 #include <system_error>
 
+#include <fmt/core.h>
+
 namespace mlab::designer {
 namespace {
 
@@ -22,17 +24,31 @@ std::optional<language::Text> text_of(const std::string& name, std::string conte
 
 }  // namespace
 
-void ProjectTexts::find(const std::string& folder, int depth, std::vector<std::string>& out) const {
+void ProjectTexts::find(const std::string& folder, int depth, std::vector<std::string>& out) {
   const auto entries = desk_.project().list(folder);
-  if (!entries || depth > documents::ProjectFolder::kMaxDepth) return;
+  if (!entries || entries->empty()) return;
+  if (depth > documents::ProjectFolder::kMaxDepth) {
+    is_cut_ = true;
+    return;
+  }
+  is_cut_ = is_cut_ || entries->size() == documents::ProjectFolder::kMostEntries;
   for (const documents::ProjectFolder::Entry& entry : *entries) {
-    if (out.size() >= kMostFiles) return;
     if (entry.is_folder) {
-      find(entry.path, depth + 1, out);
+      if (out.size() < kMostFiles) find(entry.path, depth + 1, out);
     } else if (is_in_a_language(entry.path)) {
+      if (out.size() == kMostFiles) {
+        is_cut_ = true;
+        return;
+      }
       out.push_back(entry.path);
     }
   }
+}
+
+std::string ProjectTexts::left_out() const {
+  if (!is_cut_) return "";
+  return fmt::format("files more than {} folders deep, or beyond the first {}, were not looked at",
+                     documents::ProjectFolder::kMaxDepth, kMostFiles);
 }
 
 const ProjectTexts::File& ProjectTexts::file(const std::string& path) {
@@ -65,6 +81,7 @@ std::vector<language::Text> ProjectTexts::all() {
     open.insert(one->path);
   }
   std::vector<std::string> paths;
+  is_cut_ = false;
   if (!desk_.project().folder().empty()) find("", 0, paths);
   for (const std::string& path : paths) {
     if (open.contains(path)) continue;

@@ -22,6 +22,8 @@ class ProjectTexts {
   ProjectTexts(Desk& desk, documents::Drafts drafts) : desk_(desk), drafts_(std::move(drafts)) {}
 
   std::vector<language::Text> all();
+  /// What of the project `all` has left out the last time, as a sentence; empty: nothing.
+  std::string left_out() const;
   /// What stands beside a text of the project; valid as long as this.
   language::Surroundings surroundings();
   /// Why a file can't be changed from here, as language::Surroundings::fixed.
@@ -35,13 +37,14 @@ class ProjectTexts {
     std::uintmax_t size = 0;
     std::optional<language::Text> text;  ///< nothing: it can't be read
   };
-  void find(const std::string& folder, int depth, std::vector<std::string>& out) const;
+  void find(const std::string& folder, int depth, std::vector<std::string>& out);
   const File& file(const std::string& path);
   std::optional<language::Text> kept_of(const std::string& path) const;
 
   Desk& desk_;
   documents::Drafts drafts_;
   std::map<std::string, File> files_;  // by path in the project
+  bool is_cut_ = false;                // there was more than `all` looks at
 };
 
 }  // namespace mlab::designer

@@ -52,6 +52,7 @@ struct Document {
   std::optional<std::string> saved;  ///< as it stood on disk when both were one; nothing: it has no file yet
   Disk disk = Disk::kSame;
   std::string disk_text;         ///< where `disk` is kChanged: what stands there
+  std::string disk_seen;         ///< digest of what the last look read, where that was news; else empty
   std::uint32_t taken_over = 0;  ///< how often its file's new text has been put in its place
   /// Digest of an older file, where the text comes from a draft of that one: what it had in common with this
   /// one is not known.

@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kExamples = "examples:";
 constexpr std::string_view kOutside = "outside:";
 constexpr std::size_t kLongestPath = 1000;
-constexpr std::size_t kMostEntries = 5000;  // of a folder that are looked at
 
 std::string canonical(const std::string& folder) {
   if (folder.empty()) return "";

@@ -68,6 +68,7 @@ class ProjectFolder {
 
   static constexpr std::size_t kMaxFound = 500;
   static constexpr int kMaxDepth = 6;
+  static constexpr std::size_t kMostEntries = 5000;  ///< of a folder that are looked at
 
  private:
   struct Location {

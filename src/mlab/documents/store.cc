@@ -193,6 +193,15 @@ std::vector<Store::Seen> Store::look_at_disk(double now) {
   return out;
 }
 
+// What somebody is writing just now reads otherwise at the next look.
+bool Store::has_settled(Document& document, const std::string& content) {
+  const bool is_known = content == document.text.text() || (document.saved && content == *document.saved) ||
+                        (document.disk == Document::Disk::kChanged && content == document.disk_text);
+  std::string digest = is_known ? std::string() : Drafts::digest(content);
+  const bool was_seen = std::exchange(document.disk_seen, digest) == digest;
+  return is_known || was_seen;
+}
+
 std::optional<Store::News> Store::look_at_file(Document& document, double now) {
   using Disk = Document::Disk;
   if (!project_.is_file(document.path)) {
@@ -200,7 +209,7 @@ std::optional<Store::News> Store::look_at_file(Document& document, double now) {
     return News::kGone;
   }
   text::Result<std::string> content = read(document.path);
-  if (!content) return std::nullopt;
+  if (!content || !has_settled(document, *content)) return std::nullopt;
   if (!document.saved) {  // opened while it was gone
     if (Drafts::digest(*content) == document.older_file) document.older_file.clear();
     document.saved = *content;

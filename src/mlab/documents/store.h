@@ -80,7 +80,8 @@ class Store {
   /// Takes what is on disk: in place of the text, or together with what was changed here.
   /// @errors `cannot-read`; `conflict`: both changed the same lines
   text::Result<bool> reload(Document& document, bool merge, double now);
-  /// Looks at all files. What was changed there is taken over where nothing is unsaved here.
+  /// Looks at all files. What was changed there is taken over where nothing is unsaved here, as soon as two
+  /// looks have read the same: who writes a file may be in the middle of it.
   enum class News {
     kGone,
     kTakenOver,
@@ -122,6 +123,7 @@ class Store {
 
  private:
   text::Result<bool> write(Document& document, const std::string& path);
+  static bool has_settled(Document& document, const std::string& content);
   std::optional<News> look_at_file(Document& document, double now);
 
   ProjectFolder& project_;

@@ -138,14 +138,35 @@ text::Result<std::string> TrackedFile::text_of(const std::string& id, const std:
   return std::move(answer.output);
 }
 
+// Where `git mv` has moved it, and nobody has committed that yet, HEAD has it by the name before.
+TrackedFile::InHead TrackedFile::in_head() const {
+  const GitAnswer ways = run_git(folder_, {"rev-parse", "--show-prefix", "--show-cdup"}, kMostList);
+  const std::vector<std::string_view> lines = cut(ways.output, '\n');
+  if (!is_good(ways) || lines.size() < 2) return {name_, name_};
+  const std::string up(lines[1]);
+  const std::string now = std::string(lines[0]) + name_;
+  const GitAnswer here = run_git(folder_, {"ls-tree", "-z", "--full-tree", "HEAD", "--", now}, kMostList);
+  if (!is_good(here) || !here.output.empty()) return {now, name_};
+  const GitAnswer staged = run_git(folder_,
+                                   {"diff-index", "--cached", "-M", "-z", "--name-status", "--diff-filter=R",
+                                    "--no-relative", "--no-ext-diff", "--no-textconv", "HEAD"},
+                                   kMostList);
+  if (!is_good(staged)) return {now, name_};
+  for (const Touch& touch : touches(cut(staged.output, '\0'))) {
+    if (touch.after == now) return {std::string(touch.before), up + std::string(touch.before)};
+  }
+  return {now, name_};
+}
+
 std::string TrackedFile::former_name(const std::string& id) const {
+  const auto [path, way] = in_head();
   const GitAnswer answer =
       run_git(folder_,
               {"log", "--follow", "-z", "--format=", "--name-status", "--no-relative", "--no-ext-diff",
-               "--no-textconv", "--no-show-signature", "--end-of-options", id + "..HEAD", "--", name_},
+               "--no-textconv", "--no-show-signature", "--end-of-options", id + "..HEAD", "--", way},
               kMostList);
   if (!is_good(answer)) return "";
-  std::string out;
+  std::string out = path;
   for (const Touch& touch : touches(cut(answer.output, '\0'))) {
     if (touch.what == 'C') break;  // before, there was only what it was copied from
     if (touch.what == 'R') out = touch.before;
@@ -181,7 +202,7 @@ text::Result<std::vector<Revision>> TrackedFile::revisions(std::size_t most) con
       folder_,
       {"log", "--follow", "-z", fmt::format("--max-count={}", most), "--date=short", "--name-status",
        "--format=%x01%H%x00%cd%x00%an%x00%s", "--no-color", "--no-decorate", "--no-relative", "--no-ext-diff",
-       "--no-textconv", "--no-show-signature", "--end-of-options", *head, "--", name_},
+       "--no-textconv", "--no-show-signature", "--end-of-options", *head, "--", in_head().way},
       kMostList);
   if (!is_good(answer)) return refused(answer, path_);
   std::vector<Revision> out;

@@ -53,6 +53,12 @@ class TrackedFile {
   };
   text::Result<Entry> entry(const std::string& id, const std::string& path) const;
   text::Result<std::string> text_of(const std::string& id, const std::string& path) const;
+  /// Where HEAD has it.
+  struct InHead {
+    std::string path;  ///< from the top of the repository
+    std::string way;   ///< from the file's folder of today
+  };
+  InHead in_head() const;
   /// What it was called in a revision, from the top of the repository; empty: it can't be told.
   std::string former_name(const std::string& id) const;
 

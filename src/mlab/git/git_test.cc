@@ -147,6 +147,25 @@ TEST_F(Repository, FindsWhatStoodBesideItBeforeItsFolderWasRenamed) {
   EXPECT_FALSE(files.is_file("v1:" + path("new/../../x.cdl")));
 }
 
+TEST_F(Repository, FollowsAMoveThatIsNotCommittedYet) {
+  fs::create_directories(folder_ / "old");
+  write("old/a.cdl", "a\nb\nc\nd\ne\n");
+  commit("first");
+  git("tag v1");
+  fs::create_directories(folder_ / "new");
+  git("mv old/a.cdl new/b.cdl");
+  commit("moved");
+  git("mv new/b.cdl 'c [1].cdl'");
+  const TrackedFile file(path("c [1].cdl"));
+  ASSERT_TRUE(file.find("HEAD").has_value()) << refusal_at(file, "HEAD");
+  EXPECT_EQ(file.find("HEAD")->path, "new/b.cdl");
+  ASSERT_TRUE(file.find("v1").has_value()) << refusal_at(file, "v1");
+  EXPECT_EQ(file.find("v1")->path, "old/a.cdl");
+  EXPECT_EQ((*file.at(*file.find("v1")))->text(), "a\nb\nc\nd\ne\n");
+  ASSERT_EQ(file.revisions(10)->size(), 2U);
+  EXPECT_EQ(file.revisions(10)->front().path, "new/b.cdl");
+}
+
 TEST_F(Repository, TakesACopyForAFileOfItsOwn) {
   write("original.cdl", "a\nb\nc\nd\ne\n");
   commit("first");

@@ -73,6 +73,8 @@ inline nlohmann::json range_json(const LineIndex& lines, text::Span span) {
 int symbol_kind(const std::string& kind);
 /// @return the first line's start where it is no position
 Position position_of(const nlohmann::json& json);
+/// Both the first line's start where it is no range.
+std::pair<Position, Position> positions_of(const nlohmann::json& range);
 text::Span span_of(const LineIndex& lines, const nlohmann::json& range);
 
 }  // namespace mlab::lsp

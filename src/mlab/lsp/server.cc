@@ -7,14 +7,15 @@
 #include <map>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "mlab/documents/store.h"
 #include "mlab/lsp/document.h"
+#include "mlab/lsp/edited_text.h"
 #include "mlab/lsp/uri.h"
-#include "mlab/text/splice.h"
 
 namespace mlab::lsp {
 
@@ -59,11 +60,16 @@ Position position_of(const nlohmann::json& json) {
   return out;
 }
 
-text::Span span_of(const LineIndex& lines, const nlohmann::json& range) {
+std::pair<Position, Position> positions_of(const nlohmann::json& range) {
   if (!range.is_object()) return {};
-  const std::uint32_t begin = lines.offset(position_of(range.value("start", nlohmann::json())));
-  const std::uint32_t end = lines.offset(position_of(range.value("end", nlohmann::json())));
-  return {begin, std::max(begin, end)};
+  return {position_of(range.value("start", nlohmann::json())),
+          position_of(range.value("end", nlohmann::json()))};
+}
+
+text::Span span_of(const LineIndex& lines, const nlohmann::json& range) {
+  const auto [first, last] = positions_of(range);
+  const std::uint32_t begin = lines.offset(first);
+  return {begin, std::max(begin, lines.offset(last))};
 }
 
 Server::Server(Options options, Send send) : options_(std::move(options)), send_(std::move(send)) {}
@@ -246,18 +252,23 @@ void Server::open(const Json& params) {
   files_changed();
 }
 
-// Each change is made to what the one before it left.
+// Each change is made to what the one before it left; all of them, or none.
 void Server::change(const Json& params) {
   Document& in = document(params);
-  in.version = params.at("textDocument").value("version", in.version);
+  const std::int64_t version = params.at("textDocument").value("version", in.version);
+  EditedText now(in.text.source->text());
   for (const Json& one : params.at("contentChanges")) {
-    const std::string_view before = in.text.source->text();
-    const auto whole = static_cast<std::uint32_t>(before.size());
-    const text::Span span = one.contains("range") ? span_of(*in.lines, one["range"]) : text::Span{0, whole};
-    std::string now = text::spliced(before, {span, one.at("text").get<std::string>()});
+    const auto with = one.at("text").get<std::string>();
+    if (one.contains("range")) {
+      const auto [begin, end] = positions_of(one["range"]);
+      now.replace(begin, end, with);
+    } else {
+      now = EditedText(with);
+    }
     if (now.size() > text::Source::kMaxBytes) throw Failure{kInvalidParams, "the text is too long"};
-    in.set(std::move(now));
   }
+  in.set(now.text());
+  in.version = version;
   files_changed();
 }
 

@@ -153,6 +153,19 @@ TEST_F(ServerTest, MakesChangesOneAfterTheOther) {
   EXPECT_TRUE(diagnostics(kUri).empty()) << diagnostics(kUri);
 }
 
+TEST_F(ServerTest, MakesAllChangesOfAMessageOrNone) {
+  initialize();
+  open(kUri, "assemblage A() { Noise() }\n");
+  tell("textDocument/didChange", {{"textDocument", {{"uri", kUri}, {"version", 2}}},
+                                  {"contentChanges", {{{"text", "assemblage B() {"}}, {{"text", 7}}}}});
+  ASSERT_EQ(got_.back()["method"], "window/logMessage");
+  const Json symbols = result("textDocument/documentSymbol", {{"textDocument", {{"uri", kUri}}}});
+  ASSERT_EQ(symbols.size(), 1U);
+  EXPECT_EQ(symbols[0]["name"], "A");
+  EXPECT_TRUE(diagnostics(kUri).empty());
+  EXPECT_EQ(got_.back()["params"]["version"], 1) << "that is the version it still has";
+}
+
 TEST_F(ServerTest, CompletesHoversAndHelpsWithCalls) {
   initialize({{"capabilities",
                {{"textDocument", {{"completion", {{"completionItem", {{"snippetSupport", true}}}}}}}}}});

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/lang/cdl/emit_cnl.h"
 #include "mlab/robot/configuration_file.h"
 
 namespace mlab::robot {
@@ -123,6 +124,95 @@ TEST(Formulas, OfAnAssemblageAreThoseOfItsInstance) {
   EXPECT_EQ(flow::Program::number(frame.data(), *robot->built.program->find("movement")), 3.0);
 }
 
+// What a robot moves with that calls `A`, declared as said, with this.
+double movement_of(const std::string& declared, const std::string& called) {
+  text::Diagnostics sink;
+  const auto robot =
+      formula_robot("class Cart { actuator wheels: Drive() binds movement; }\n" + declared +
+                        "robot R(turn: angle [deg] = 90 deg, round: angle = 1 rad, many: int = 7) is Cart {\n"
+                        "  movement = " +
+                        called + ";\n}\n",
+                    sink);
+  EXPECT_TRUE(robot) << declared << "\n" << text::render(sink);
+  if (!robot) return kNothing;
+  flow::Frame frame = robot->built.program->make_frame();
+  percept::Action action;
+  robot->built.program->step(frame.data(), {}, action, 1, 1);
+  const flow::Port* movement = robot->built.program->find("movement");
+  return movement == nullptr ? kNothing : flow::Program::number(frame.data(), *movement).value_or(kNothing);
+}
+
+TEST(Formulas, OfAnAssemblageTakeAnglesHoweverTheirCallerCountsThem) {
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle) { cooperate { x * 2 / 1 rad: MoveAhead(); } }\n", "A(turn)"),
+      std::numbers::pi);
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle) { cooperate { (x + x + 90 deg) / 2 rad: MoveAhead(); } }\n",
+                  "A(turn)"),
+      0.75 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle) { cooperate { max(x, x) / 1 rad: MoveAhead(); } }\n", "A(turn)"),
+      std::numbers::pi / 2.0);
+  EXPECT_DOUBLE_EQ(
+      movement_of("assemblage A(x: angle [deg]) { cooperate { x * 2 / 2 rad: MoveAhead(); } }\n", "A(round)"),
+      1.0);
+}
+
+TEST(Formulas, TakeTheUnitThatIsDeclaredForWhatHasNone) {
+  EXPECT_EQ(
+      movement_of("assemblage A(x: length) { cooperate { (x + 1 m) / 1 m: MoveAhead(); } }\n", "A(many)"),
+      8.0);
+}
+
+TEST(Formulas, KeepTheUnitOfAResultThatIsDeclared) {
+  EXPECT_EQ(movement_of("assemblage Far(n: int) -> length { n * 2 }\n"
+                        "assemblage A(n: int) { cooperate { (Far(n) + 1 m) / 1 m: MoveAhead(); } }\n",
+                        "A(many)"),
+            15.0);
+}
+
+TEST(Formulas, RefuseAnAngleThatNobodyKnowsTheUnitOf) {
+  text::Diagnostics sink;
+  EXPECT_FALSE(
+      formula_robot("class Cart { actuator wheels: Drive() binds movement; }\n"
+                    "assemblage A(x: angle [deg]) { cooperate { x / 1 rad: MoveAhead(); } }\n"
+                    "robot R(many: int = 7) is Cart { movement = A(many); }\n",
+                    sink));
+  EXPECT_NE(text::render(sink).find("a plain number that is declared in deg can't be converted"),
+            std::string::npos)
+      << text::render(sink);
+}
+
+// Divided by zero it is no number, and stays none whatever limits it: the robot stops for the fault.
+TEST(Formulas, StopTheRobotThatMovesByADivisionByZero) {
+  for (const char* x :
+       {"1 m / (near - near)", "min(1 m / (near - near), 0.5)", "max(-1 m / (near - near), 0.5)",
+        "clamp(1 m / (near - near), 0, 0.5)", "clamp(0.5, 0, 1 m / (near - near))"}) {
+    text::Diagnostics sink;
+    const auto robot = formula_robot(robot_with(x), sink);
+    ASSERT_TRUE(robot) << text::render(sink);
+    flow::Frame frame = robot->built.program->make_frame();
+    percept::Action action;
+    robot->built.program->step(frame.data(), {}, action, 1, 1);
+    EXPECT_FALSE(std::isfinite(action.velocity.x)) << x << " moves it with " << action.velocity.x;
+  }
+}
+
+TEST(NamedPlaces, CanNotBeSaidInCnl) {
+  text::Diagnostics sink;
+  const auto robot = formula_robot(
+      "class Cart { actuator wheels: Drive() binds movement; }\n"
+      "robot R(home: Point = place(\"Gate\"), at: Point = [1, 2]) is Cart {\n"
+      "  movement = cooperate { MoveToGoal(DetectGoal(home)); MoveToGoal(DetectGoal(at)); };\n}\n",
+      sink);
+  ASSERT_TRUE(robot) << text::render(sink);
+  cdl::check_for_cnl(robot->lowered.network, sink);
+  ASSERT_EQ(sink.error_count(), 1U);
+  EXPECT_NE(text::render(sink).find("a.cdl:2:23: error: `Gate` is a place of the mission's overlay"),
+            std::string::npos)
+      << text::render(sink);
+}
+
 TEST(NamedPlaces, AreParametersOfTheNetwork) {
   text::Diagnostics sink;
   const auto robot = formula_robot(
@@ -135,7 +225,7 @@ TEST(NamedPlaces, AreParametersOfTheNetwork) {
   std::string told;
   for (const flow::Parameter& one : robot->lowered.network.parameters)
     told += one.name + "=" + one.place_name.text + " ";
-  EXPECT_EQ(told, "home=Gate place_Old_Mill=Old Mill place_Old_Mill_=Old-Mill ");
+  EXPECT_EQ(told, "home=Gate place_Old_Mill=Old Mill place_Old_Mill_2=Old-Mill ");
 }
 
 }  // namespace

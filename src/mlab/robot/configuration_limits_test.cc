@@ -64,6 +64,34 @@ TEST(ALargeConfiguration, MayHaveTenThousandNodes) {
   EXPECT_TRUE(action.drives);
 }
 
+// Minutes, if each name or place were looked for among all others.
+TEST(ALargeConfiguration, MayHaveThousandsOfFormulasThatReadEachOther) {
+  std::string text = "assemblage A(near: length = 1 m) {\n  let x0 = near;\n";
+  for (int i = 1; i <= 6000; ++i)
+    text += fmt::format("  let x{} = {};\n", i, i % 200 == 0 ? "near" : fmt::format("x{} + 1 m", i - 1));
+  text += "  cooperate { x5999 / 1 m: Stand(); }\n}\n";
+  text += "robot R(near: length = 1 m) { wheels = Drive(v = A(near)); }\n";
+  text::Diagnostics sink;
+  const auto robot = configured(text, sink);
+  ASSERT_TRUE(robot) << text::render(sink);
+  EXPECT_GT(robot->lowered.network.nodes.size(), 199U);
+}
+
+TEST(ALargeConfiguration, MayHaveThousandsOfPlacesWhoseNamesAreAlike) {
+  std::string text = "assemblage A() { cooperate {\n";
+  for (int i = 0; i < 4096; ++i) {
+    std::string name;
+    for (int bit = 0; bit < 12; ++bit) name += (i >> bit & 1) != 0 ? '-' : ' ';
+    text += fmt::format("  MoveToGoal(DetectGoal(place(\"{}\")));\n", "P" + name);
+  }
+  text += "} }\n" + robot_of("A");
+  text::Diagnostics sink;
+  const auto robot = configured(text, sink);
+  ASSERT_TRUE(robot) << text::render(sink);
+  ASSERT_EQ(robot->lowered.network.parameters.size(), 4096U);
+  EXPECT_EQ(robot->lowered.network.parameters.back().name, "place_P_____________4096");
+}
+
 TEST(ALargeConfiguration, ThatGrowsWithoutEndIsRefused) {
   std::string text = "assemblage A0() { cooperate { Noise(); Noise(); } }\n";
   for (int i = 1; i < 40; ++i)

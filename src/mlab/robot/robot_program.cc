@@ -53,15 +53,6 @@ bool may_report(const flow::Network& network) {
   });
 }
 
-std::vector<PlaceParameter> places_of(const flow::Network& network) {
-  std::vector<PlaceParameter> out;
-  for (const flow::Parameter& parameter : network.parameters) {
-    if (!parameter.place_name.text.empty())
-      out.push_back({parameter.name, parameter.place_name.text, parameter.place_name.place});
-  }
-  return out;
-}
-
 // What a mission says of the values of a program.
 struct Told {
   std::span<const Setting> settings;
@@ -116,6 +107,15 @@ void set_parameters(std::span<const Setting> settings, const std::vector<std::st
 }
 
 }  // namespace
+
+std::vector<PlaceParameter> places_of(const flow::Network& network) {
+  std::vector<PlaceParameter> out;
+  for (const flow::Parameter& parameter : network.parameters) {
+    if (!parameter.place_name.text.empty())
+      out.push_back({parameter.name, parameter.place_name.text, parameter.place_name.place});
+  }
+  return out;
+}
 
 namespace {
 

@@ -40,6 +40,9 @@ struct PlaceParameter {
   text::Place place;  ///< where the configuration names it; nowhere: an executable told of it
 };
 
+/// Of a network's parameters those that are named places.
+std::vector<PlaceParameter> places_of(const flow::Network& network);
+
 /// A network made ready to run.
 struct BuiltProgram {
   std::shared_ptr<const flow::Program> program;

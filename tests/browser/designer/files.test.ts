@@ -1,4 +1,5 @@
 // Files: what is not saved survives, what changes on disk is noticed, examples become copies.
+import { rmSync } from "node:fs";
 import { expect, onTestFinished, test } from "vitest";
 import { Mlab } from "../mlab.ts";
 import { begin, look } from "./designer.ts";
@@ -78,6 +79,26 @@ test("what was never saved is listed by what it holds, and thrown away when that
   await page.getByText("What you have opened appears here.").waitFor();
   await page.reload();
   await page.getByText("What you have opened appears here.").waitFor();
+});
+
+test("what is kept of a file that is gone is thrown away when that is wanted", async () => {
+  const { designer, mlab, project } = await opened();
+  await designer.on("One");
+  await designer.setValue(designer.named("Noise"), "persistence", "3 s");
+  await designer.button("Not saved").waitFor();
+  await designer.page.goto("about:blank");
+  const state = await mlab.kill();
+  rmSync(project.path("one.cdl"));
+  const again = await Mlab.edit(["--project", project.folder], state);
+  onTestFinished(async () => {
+    await again.stop();
+  });
+  const next = await look(again.url);
+  await next.button("Throw One away").click();
+  const dialog = next.page.getByRole("dialog", { name: "Throw One away?" });
+  await dialog.getByText("Its file is gone: what it holds is lost.").waitFor();
+  await dialog.getByRole("button", { name: "Throw it away" }).click();
+  await next.page.getByText("What you have opened appears here.").waitFor();
 });
 
 test("the start page says what an example is for", async () => {

@@ -4,6 +4,7 @@ import { KeySheet } from "../../ui/commands/commands.tsx";
 import { commandsFound, Everything, type Found, foundIn } from "../../ui/commands/everything.tsx";
 import { score } from "../../ui/commands/search.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
+import { sentence } from "../../ui/words/sentence.ts";
 import { goToHit, helpOf, kindOfHit, useHits } from "../names/search.ts";
 import { place } from "../palette/place.ts";
 import type { Designer } from "../session/designer.ts";
@@ -28,7 +29,7 @@ const kMouse = {
 export function Commands() {
   const designer = useDesigner();
   const [query, setQuery] = useState("");
-  const hits = useHits(designer, query);
+  const { hits, leftOut } = useHits(designer, query);
   const components = usePart((state) => state.palettes[state.document]?.components ?? kNone);
   const library = components.filter((one) => !one.isOwn);
   const actions = allActions(designer).filter((one) => one.id !== "commands" && !/^(nudge|push|walk)-/.test(one.id));
@@ -42,6 +43,7 @@ export function Commands() {
         foundIn(wanted, library, helpOf, (one) => componentShown(designer, one)),
       ]}
       onQuery={setQuery}
+      note={sentence(leftOut)}
       onClose={() => designer.store.setState({ dialog: "" })}
     />
   );

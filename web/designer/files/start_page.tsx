@@ -48,6 +48,7 @@ export function StartPage() {
             icon="restart"
             entries={recentEntries(hello.recent, documents)}
             none="What you have opened appears here."
+            canDiscard={({ path }) => isNew(path) || hello.onlyKept.includes(path)}
             onDiscard={setDoomed}
           />
           <Entries
@@ -80,7 +81,7 @@ function DiscardDialog({ entry, onClose }: { entry: Entry; onClose: () => void }
       onYes={() => void discard()}
       onClose={onClose}
     >
-      <p>It was never saved: what it holds is lost.</p>
+      <p>{isNew(entry.path) ? "It was never saved" : "Its file is gone"}: what it holds is lost.</p>
     </Confirm>
   );
 }
@@ -90,12 +91,14 @@ function Entries({
   icon,
   entries,
   none,
+  canDiscard,
   onDiscard,
 }: {
   title: string;
   icon: IconName;
   entries: readonly Entry[];
   none: string;
+  canDiscard?: (entry: Entry) => boolean;
   onDiscard?: (entry: Entry) => void;
 }) {
   const designer = useDesigner();
@@ -115,7 +118,7 @@ function Entries({
                 <span className="small muted ellipsis">{shownPlace(entry, documents)}</span>
               </span>
             </Button>
-            {onDiscard && isNew(entry.path) && (
+            {onDiscard && canDiscard?.(entry) && (
               <IconButton icon="close" label={`Throw ${shownTitle(entry)} away`} onPress={() => onDiscard(entry)} />
             )}
           </li>

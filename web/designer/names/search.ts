@@ -6,19 +6,28 @@ import { goToText } from "./go.ts";
 
 const kMost = 40;
 
+/** What the project has of a query. */
+interface Hits {
+  hits: readonly Hit[];
+  /** What of the project was not looked at: a sentence. */
+  leftOut: string;
+}
+
+const kNoHits: Hits = { hits: [], leftOut: "" };
+
 /** Of the query, or of the one before while that is not answered. */
-export function useHits(designer: Designer, query: string): readonly Hit[] {
-  const [hits, setHits] = useState<readonly Hit[]>([]);
+export function useHits(designer: Designer, query: string): Hits {
+  const [hits, setHits] = useState(kNoHits);
   useEffect(() => {
     const wanted = query.trim();
     if (wanted === "") {
-      setHits([]);
+      setHits(kNoHits);
       return;
     }
     let isOld = false;
     const timer = setTimeout(async () => {
       const answer = await designer.link.ask({ case: "search", value: { query: wanted, most: kMost } });
-      if (!isOld && answer.result.case === "hits") setHits(answer.result.value.hits);
+      if (!isOld && answer.result.case === "hits") setHits(answer.result.value);
     }, 30);
     return () => {
       isOld = true;

@@ -267,8 +267,8 @@ export class Designer {
         break;
       }
       case "lists": {
-        const { recent, files } = body.value;
-        store.setState(({ hello }) => ({ hello: hello && { ...hello, recent, files } }));
+        const { recent, files, onlyKept } = body.value;
+        store.setState(({ hello }) => ({ hello: hello && { ...hello, recent, files, onlyKept } }));
         break;
       }
       case "document": {

@@ -26,6 +26,8 @@ interface ChooserProps<T extends Choice> {
   onChoose: (id: string, choice: T) => void;
   onClose: () => void;
   empty?: string;
+  /** What is to be known of all that is found, below it. */
+  note?: string;
   /** Told of every letter, where `find` has to ask somebody. */
   onQuery?: (query: string) => void;
 }
@@ -39,6 +41,7 @@ export function Chooser<T extends Choice>({
   onChoose,
   onClose,
   empty = "Nothing is called that.",
+  note = "",
   onQuery,
 }: ChooserProps<T>) {
   const [query, setQuery] = useState("");
@@ -111,6 +114,7 @@ export function Chooser<T extends Choice>({
               </Fragment>
             ))}
             {choices.length === 0 && <p className="empty">{empty}</p>}
+            {note !== "" && <p className="notice hold small">{note}</p>}
           </div>
         </Dialog>
       </Modal>

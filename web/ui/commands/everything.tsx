@@ -19,10 +19,11 @@ interface EverythingProps {
   groups: (query: string) => readonly (readonly Found[])[];
   onClose: () => void;
   onQuery?: (query: string) => void;
+  note?: string;
 }
 
 /** The group that has the best comes first. */
-export function Everything({ placeholder, groups, onClose, onQuery }: EverythingProps) {
+export function Everything({ placeholder, groups, onClose, onQuery, note = "" }: EverythingProps) {
   const find = (query: string): Found[] =>
     groups(query)
       .filter((group) => group.length > 0)
@@ -35,6 +36,7 @@ export function Everything({ placeholder, groups, onClose, onQuery }: Everything
       find={find}
       onChoose={(_, choice) => choice.run()}
       onClose={onClose}
+      note={note}
       {...(onQuery ? { onQuery } : {})}
     />
   );

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -183,7 +184,11 @@ Computation comparison(Operation operation, const Operands& operands) {
   Computation out = operands.are_all(Sort::kNumber) ? of_one_unit(operands, "", false, "compared")
                                                     : mixed(operands, "compared");
   if (!out.refusal.empty()) {
-    if (!out.is_about_units && out.hint.empty()) out.hint = "numbers are compared";
+    const auto is_truth = [](const PortType& type) { return type.type->kind == flow::TypeKind::kBool; };
+    const bool is_of_truths = is_truth(operands.type(0)) || is_truth(operands.type(1));
+    if (!out.is_about_units && out.hint.empty())
+      out.hint = is_of_truths ? "numbers are compared; a bool is a condition by itself: `on`, `not on`"
+                              : "numbers are compared";
     return out;
   }
   const bool is_turned = operation == Operation::kGreater || operation == Operation::kGreaterOrEqual;
@@ -255,6 +260,17 @@ std::optional<Computation> unknown(const Operands& operands) {
   return out;
 }
 
+// As the procedures of the library: what is no number stays none.
+double lesser(double a, double b) {
+  return b < a || std::isnan(b) ? b : a;
+}
+double greater(double a, double b) {
+  return a < b || std::isnan(b) ? b : a;
+}
+double quotient(double a, double b) {
+  return b == 0.0 ? std::numeric_limits<double>::quiet_NaN() : a / b;
+}
+
 struct Fold {
   std::string_view behavior;
   double (*of)(std::span<const double>);
@@ -264,12 +280,12 @@ constexpr std::array kFolds = {
     Fold{"AddNumbers", [](std::span<const double> n) { return n[0] + n[1]; }},
     Fold{"SubtractNumbers", [](std::span<const double> n) { return n[0] - n[1]; }},
     Fold{"MultiplyNumbers", [](std::span<const double> n) { return n[0] * n[1]; }},
-    Fold{"DivideNumbers", [](std::span<const double> n) { return n[0] / n[1]; }},
+    Fold{"DivideNumbers", [](std::span<const double> n) { return quotient(n[0], n[1]); }},
     Fold{"NegateNumber", [](std::span<const double> n) { return -n[0]; }},
-    Fold{"Minimum", [](std::span<const double> n) { return std::min(n[0], n[1]); }},
-    Fold{"Maximum", [](std::span<const double> n) { return std::max(n[0], n[1]); }},
+    Fold{"Minimum", [](std::span<const double> n) { return lesser(n[0], n[1]); }},
+    Fold{"Maximum", [](std::span<const double> n) { return greater(n[0], n[1]); }},
     Fold{"Absolute", [](std::span<const double> n) { return std::abs(n[0]); }},
-    Fold{"Clamp", [](std::span<const double> n) { return std::min(std::max(n[0], n[1]), n[2]); }},
+    Fold{"Clamp", [](std::span<const double> n) { return lesser(greater(n[0], n[1]), n[2]); }},
     Fold{"IsLess", [](std::span<const double> n) { return n[0] < n[1] ? 1.0 : 0.0; }},
     Fold{"IsLessOrEqual", [](std::span<const double> n) { return n[0] <= n[1] ? 1.0 : 0.0; }},
     Fold{"AreEqual", [](std::span<const double> n) { return n[0] == n[1] ? 1.0 : 0.0; }},

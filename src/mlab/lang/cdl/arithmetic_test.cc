@@ -1,5 +1,6 @@
 #include "mlab/lang/cdl/arithmetic.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -92,6 +93,35 @@ TEST(Arithmetic, TellsUnitsFromDivision) {
   EXPECT_EQ(grouped("6 m / 2"), "(6 m/2)");
   EXPECT_EQ(grouped("6 m/s / 2 s"), "(6 m/s/2 s)");
   EXPECT_EQ(grouped("(6 m) / s"), "(6 m/s)");
+}
+
+TEST(Arithmetic, DividesByWhatIsCalledAsAUnitIs) {
+  EXPECT_EQ(grouped("6 m / min(a, b)"), "(6 m/min(a, b))");
+  EXPECT_EQ(grouped("6 m/min(a, b) / 2"), "(6 m/min(a, b)/2)");
+  EXPECT_EQ(grouped("6 m/min / a"), "(6 m/min/a)");
+  const std::string text = "assemblage A() {\n  let x = 6 m / min(a, b);\n  x\n}\n";
+  EXPECT_EQ(laid_out(text), text);
+  const Written read = read_value("6 m / min(a, b)");
+  EXPECT_NE(print(read.tree).find("let x = 6 m / min(a, b);"), std::string::npos) << print(read.tree);
+}
+
+TEST(Arithmetic, TakesASignBehindANameForAnOperationWhateverTheNameIs) {
+  for (const std::string name : {"by", "in", "case", "when", "active", "and", "or"}) {
+    EXPECT_EQ(grouped(name + " -1"), "(" + name + "-1)");
+    EXPECT_EQ(grouped("a * (" + name + "-1)"), "(a*(" + name + "-1))");
+    EXPECT_EQ(grouped("a + " + name + " -1"), "(a+" + name + "-1)");
+    const std::string text = "assemblage A() {\n  let x = " + name + " - 1;\n  x\n}\n";
+    EXPECT_EQ(laid_out("assemblage A() {\n  let x = " + name + "-1;\n  x\n}\n"), text);
+  }
+  EXPECT_EQ(grouped("a < 1 and -1 < a or -2 < b"), "(((a<1) and (-1<a)) or (-2<b))");
+  text::Diagnostics sink;
+  parse(std::make_shared<const text::Source>(
+            "a.cdl",
+            "assemblage A(a: number = 1 in -1 .. 2, b: number = 1 m in -1 .. 2) {\n"
+            "  select by -1 { case -1: a; otherwise: b; }\n}\n"
+            "assemblage B() { sequence { start One: A(); when -1 < 2 goto One; } }\n"),
+        sink);
+  EXPECT_FALSE(sink.has_errors()) << text::render(sink);
 }
 
 TEST(Arithmetic, RefusesAChainOfComparisonsAndWhatIsNotWhole) {
@@ -280,6 +310,22 @@ TEST(Computation, RefusesWhatDoesNotAgree) {
             "a Vector and a Vector can't be multiplied");
   EXPECT_EQ(result(Operation::kDivide, number("m"), vector("m")), "a double and a Vector can't be divided");
   EXPECT_EQ(result(Operation::kLess, vector("m"), number("m")), "a Vector and a double can't be compared");
+}
+
+TEST(Computation, FoldsWhatIsNoNumberAsTheLibraryDoes) {
+  const auto fold = [](const char* behavior, std::vector<double> numbers) {
+    return folded(behavior, numbers).value_or(7.0);
+  };
+  const double none = fold("DivideNumbers", {1.0, 0.0});
+  EXPECT_TRUE(std::isnan(none));
+  for (const char* name : {"Minimum", "Maximum"}) {
+    EXPECT_TRUE(std::isnan(fold(name, {none, 1.0}))) << name;
+    EXPECT_TRUE(std::isnan(fold(name, {1.0, none}))) << name;
+  }
+  EXPECT_TRUE(std::isnan(fold("Clamp", {none, 0.0, 1.0})));
+  EXPECT_TRUE(std::isnan(fold("Clamp", {0.5, none, 1.0})));
+  EXPECT_TRUE(std::isnan(fold("Clamp", {0.5, 0.0, none})));
+  EXPECT_EQ(fold("Clamp", {3.0, 0.0, 1.0}), 1.0);
 }
 
 TEST(Computation, IsOfTwoPlacesInOneFrame) {

@@ -140,6 +140,7 @@ bool Cursor::read_name(Word& out, std::string_view what) {
 bool Cursor::divides_units(const Word& unit) const {
   if (at_end() || tokens_[at_ + 1].kind != Token::Kind::kName) return !at_end() && written_ != nullptr;
   const text::Span next = tokens_[at_ + 1].span;
+  if (source_->text(tokens_[at_ + 2].span) == "(") return false;  // `2 m / min(a, b)`
   const bool is_glued = unit.place.span.end == token().span.begin && token().span.end == next.begin;
   return is_glued || unit_named(fmt::format("{}/{}", unit.text, source_->text(next))).has_value();
 }

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "mlab/text/shown.h"
+
 namespace mlab::cdl {
 namespace {
 
@@ -91,6 +93,16 @@ void put_node(std::string& out, const flow::Node& node) {
 }
 
 }  // namespace
+
+void check_for_cnl(const flow::Network& network, text::Diagnostics& sink) {
+  for (const flow::Parameter& parameter : network.parameters) {
+    if (parameter.place_name.text.empty()) continue;
+    sink.error("place-in-cnl", parameter.place_name.place,
+               fmt::format("`{}` is a place of the mission's overlay, and a network in CNL knows none",
+                           text::shown(parameter.place_name.text)))
+        .hints = {"coordinates can be written in CNL: `[12 m, 30 m]`; `--emit cpp` keeps the place"};
+  }
+}
 
 std::string cnl_text(const flow::Network& network) {
   std::string out = fmt::format("modulename = {};\n", network.name);

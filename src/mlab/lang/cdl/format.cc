@@ -86,10 +86,12 @@ class Formatter {
     };
     if (i < 2 || !is(i - 1, Token::Kind::kName) || !is(i + 1, Token::Kind::kName)) return false;
     // `double [m/s]`; a list stands behind no name.
-    if (word(i - 2) == "[") return i > 2 && is(i - 3, Token::Kind::kName) && !is_before_value(word(i - 3));
+    if (word(i - 2) == "[")
+      return i > 2 && is(i - 3, Token::Kind::kName) && !lexed_.tokens[i - 3].is_before_value;
     if (!is(i - 2, Token::Kind::kNumber)) return false;
     const bool is_glued = lexed_.tokens[i - 1].span.end == lexed_.tokens[i].span.begin &&
                           lexed_.tokens[i].span.end == lexed_.tokens[i + 1].span.begin;
+    if (is(i + 2, Token::Kind::kPunctuation) && word(i + 2) == "(") return false;
     return is_glued || unit_named(std::string(word(i - 1)) + "/" + std::string(word(i + 1))).has_value();
   }
 
@@ -97,7 +99,7 @@ class Formatter {
   bool is_sign(std::size_t i) const {
     if (i == 0) return true;
     const Token::Kind before = lexed_.tokens[i - 1].kind;
-    if (before == Token::Kind::kName) return is_before_value(word(i - 1));
+    if (before == Token::Kind::kName) return lexed_.tokens[i - 1].is_before_value;
     return before == Token::Kind::kPunctuation && !is_one_of(word(i - 1), {")", "]", "}"});
   }
 

@@ -30,6 +30,7 @@ class Cutter {
       skip_blank();
       Token token = next();
       token.comments = static_cast<std::uint32_t>(out_.comments.size());
+      token.is_before_value = token.kind == Token::Kind::kName && is_word_before_value(word(token));
       find_layout(token);
       at_ = token.span.end;
       out_.tokens.push_back(token);
@@ -86,14 +87,28 @@ class Cutter {
     }
   }
 
-  // Whether what follows the last token is a value, so that a sign belongs to its number.
-  bool may_begin_value() const {
-    if (out_.tokens.empty() || layout_ == Layout::kInside) return true;
+  // Whether the last token may be the end of a value.
+  bool is_behind_value() const {
+    if (out_.tokens.empty()) return false;
     const Token& last = out_.tokens.back();
-    if (last.kind == Token::Kind::kName) return is_before_value(word(last));
-    const bool ends_value = last.kind == Token::Kind::kNumber || last.kind == Token::Kind::kText ||
-                            word(last) == ")" || word(last) == "]" || word(last) == "}";
-    return !ends_value;
+    if (last.kind == Token::Kind::kName) return !last.is_before_value;
+    return last.kind == Token::Kind::kNumber || last.kind == Token::Kind::kText || word(last) == ")" ||
+           word(last) == "]" || word(last) == "}";
+  }
+
+  // Whether what follows the last token is a value, so that a sign belongs to its number.
+  bool may_begin_value() const { return layout_ == Layout::kInside || !is_behind_value(); }
+
+  // Where a value may stand such a word is somebody's name, but for `not`, with which one may begin.
+  bool is_word_before_value(std::string_view name) const {
+    constexpr std::string_view kBehindValues[] = {"and", "or", "by", "active", "in"};
+    constexpr std::string_view kInStatements[] = {"when", "case"};
+    if (name == "not") return true;
+    if (std::ranges::find(kBehindValues, name) != std::end(kBehindValues)) return is_behind_value();
+    if (std::ranges::find(kInStatements, name) == std::end(kInStatements)) return false;
+    const bool begins_statement =
+        out_.tokens.empty() || word(out_.tokens.back()) == ";" || word(out_.tokens.back()) == "{";
+    return begins_statement || is_behind_value();
   }
 
   // One past the last character of the number at i, or i where there is none. `1..5` is `1`, `..`, `5`.
@@ -161,11 +176,6 @@ class Cutter {
 
 bool is_name(std::string_view text) {
   return !text.empty() && is_name_start(text[0]) && std::all_of(text.begin() + 1, text.end(), is_name_part);
-}
-
-bool is_before_value(std::string_view word) {
-  constexpr std::string_view kWords[] = {"not", "and", "or", "when", "by", "active", "in", "case"};
-  return std::ranges::find(kWords, word) != std::end(kWords);
 }
 
 Tokens lex(std::string_view text) {

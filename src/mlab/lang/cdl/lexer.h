@@ -23,6 +23,9 @@ struct Token {
   Kind kind = Kind::kEnd;
   text::Span span;
   std::uint32_t comments = 0;  ///< how many comments stand before it in the file
+  /// A word of the language behind which a value begins, `not`, `by`, where it stands as that word: what is
+  /// called so by somebody is a value.
+  bool is_before_value = false;
 };
 
 /// A comment with its `//`, `///` or `/* */`.
@@ -40,9 +43,6 @@ struct Tokens {
 /// A sign right before a number belongs to it where a value begins: not behind another value (`a -1`,
 /// `f(x)-1`), but always in a `layout`, where numbers stand one behind the other.
 Tokens lex(std::string_view text);
-
-/// Whether this is a word of the language behind which a value begins: `not`, `by`.
-bool is_before_value(std::string_view word);
 
 /// True where `text` is a name from its first to its last character.
 bool is_name(std::string_view text);

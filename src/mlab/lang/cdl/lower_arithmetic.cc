@@ -50,9 +50,9 @@ std::optional<std::string> common_unit(const auto& operands, const PortType& res
 }  // namespace
 
 std::optional<Lowering::Operand> Lowering::operand(const Expression& expression, std::string_view of,
-                                                   Scope& scope) {
+                                                   std::string angle, Scope& scope) {
   const Value value = lower(expression, scope);
-  Operand out{value, value.type, expression.place, angle_of(expression, scope)};
+  Operand out{value, value.type, expression.place, std::move(angle)};
   switch (value.kind) {
     case Value::Kind::kNone:
       return std::nullopt;
@@ -66,6 +66,11 @@ std::optional<Lowering::Operand> Lowering::operand(const Expression& expression,
       break;
   }
   if (value.kind != Value::Kind::kSink && value.type.type != nullptr) return out;
+  if (value.kind == Value::Kind::kWord && (value.text == "true" || value.text == "false")) {
+    error("wrong-type", expression.place, fmt::format("`{}` is of numbers; `{}` is a bool", of, value.text))
+        .hints = {"a bool is a condition by itself: `on`, and `not on` where it is to be false"};
+    return std::nullopt;
+  }
   bind(value, {&flow::type_info<double>(), ""}, nullptr, std::string(of),
        expression.place);  // says what is wrong
   return std::nullopt;
@@ -137,7 +142,7 @@ Value Lowering::in_radians(Value value, const std::string& path, const std::stri
   flow::Node node = computing_node(path.empty() ? angle : path, "InRadians", place);
   node.links.push_back({"angle", {flow::Source::Kind::kName, value.text, place}, place});
   value.text = node.name;
-  value.type.unit = "rad";
+  value.type.unit = value.counted_in = "rad";
   network_.nodes.push_back(std::move(node));
   return value;
 }
@@ -146,7 +151,10 @@ void Lowering::link_operand(const Operand& operand, const flow::Input& input, fl
   PortType type = operand.type;
   if (const std::optional<Unit> unit = unit_named(type.unit)) type.unit = si_unit(*unit);
   Value value = operand.value;
-  if (value.kind == Value::Kind::kWire && operand.type.unit == "deg")
+  if (value.kind == Value::Kind::kWire &&
+      !is_convertible(value, type, std::string(input.name), operand.place))
+    return;
+  if (value.kind == Value::Kind::kWire && value.counted_in == "deg")
     value = in_radians(std::move(value), "", operand.angle, operand.place);
   if (auto source = bind(value, type, nullptr, std::string(input.name), operand.place))
     node.links.push_back({std::string(input.name), std::move(*source), operand.place});
@@ -175,10 +183,11 @@ Value Lowering::compute(const Computation& how, const std::vector<Operand>& oper
 Value Lowering::lower_arithmetic(const Expression& expression, const Arithmetic& arithmetic, Scope& scope,
                                  const std::string& path, const text::Place& place) {
   std::vector<Operand> operands;
-  for (const ExpressionPtr& one : arithmetic.operands) {
-    auto read = operand(
-        *one, sign_of(arithmetic.operations.empty() ? Operation::kAdd : arithmetic.operations.front()),
-        scope);
+  for (std::size_t i = 0; i < arithmetic.operands.size(); ++i) {
+    auto read =
+        operand(*arithmetic.operands[i],
+                sign_of(arithmetic.operations.empty() ? Operation::kAdd : arithmetic.operations.front()),
+                angle_of_operand(expression, i, scope), scope);
     if (read) operands.push_back(std::move(*read));
   }
   if (operands.size() < arithmetic.operands.size() || arithmetic.operations.empty()) return {};
@@ -209,8 +218,8 @@ Value Lowering::lower_arithmetic(const Expression& expression, const Arithmetic&
   return left.value;
 }
 
-Value Lowering::call_function(const Call& call, const Function& function, Scope& scope, const Spot& spot,
-                              const std::string& angle, const text::Place& place) {
+Value Lowering::call_function(const Expression& expression, const Call& call, const Function& function,
+                              Scope& scope, const Spot& spot, const text::Place& place) {
   if (function.name == kPlaceFunction) return call_place(call, scope, place);
   const std::vector<std::string> names(function.inputs.begin(), function.inputs.end());
   const std::vector<Given> given = given_by(call, scope);
@@ -218,7 +227,7 @@ Value Lowering::call_function(const Call& call, const Function& function, Scope&
   std::vector<std::optional<Operand>> read(names.size());
   bool is_right = std::ranges::find(matched, -1) == matched.end();
   for (std::size_t i = 0; i < given.size(); ++i) {
-    auto one = operand(*given[i].value, function.name, scope);
+    auto one = operand(*given[i].value, function.name, angle_of_operand(expression, i, scope), scope);
     is_right = is_right && one.has_value();
     if (matched[i] >= 0) read[static_cast<std::size_t>(matched[i])] = std::move(one);
   }
@@ -235,7 +244,7 @@ Value Lowering::call_function(const Call& call, const Function& function, Scope&
   const Computation how = computation(function, types);
   // What gives radians by itself needs nobody to say so.
   const bool is_angle = how.type.unit == "rad" && function.name != "direction";
-  Value value = compute(how, operands, is_angle ? angle : spot.path, place);
+  Value value = compute(how, operands, is_angle ? angle_of(expression, scope) : spot.path, place);
   if (is_angle && value.kind == Value::Kind::kWire)
     value = in_radians(std::move(value), spot.path, "", place);
   return value;
@@ -252,6 +261,18 @@ const std::string* Lowering::named_place(const Expression& expression) const {
   return text == nullptr || text->value.empty() || !is_named ? nullptr : &text->value;
 }
 
+// Different names may become the same when only letters, digits and `_` are left of them.
+std::string Lowering::place_parameter(std::string_view place) {
+  std::string stem = "place_";
+  for (const char c : place) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  int& count = place_stems_[stem];
+  for (;;) {
+    std::string out = ++count == 1 ? stem : fmt::format("{}_{}", stem, count);
+    const bool is_taken = robot_names_ != nullptr && robot_names_->contains(out);
+    if (!is_taken && place_names_.insert(out).second) return out;
+  }
+}
+
 Value Lowering::call_place(const Call& call, Scope& scope, const text::Place& place) {
   Expression whole;
   whole.what = call;
@@ -265,14 +286,9 @@ Value Lowering::call_place(const Call& call, Scope& scope, const text::Place& pl
     return {};
   }
   const PortType type{&flow::type_info<geom::Point>(), "m"};
-  std::string path = "place_";
-  for (const char c : *name) path += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  for (;; path += '_') {
-    const auto known = std::ranges::find(network_.parameters, path, &flow::Parameter::name);
-    if (known != network_.parameters.end() && known->place_name.text == *name) return wire(path, type, place);
-    const bool is_taken = robot_names_ != nullptr && robot_names_->contains(path);
-    if (known == network_.parameters.end() && !is_taken) break;
-  }
+  const auto [known, is_new] = places_.try_emplace(*name);
+  if (!is_new) return wire(known->second, type, place);
+  const std::string path = known->second = place_parameter(*name);
   flow::Parameter parameter;
   parameter.name = path;
   parameter.type = std::string(type.type->name);

@@ -105,6 +105,25 @@ bool Lowering::fits(const PortType& have, const PortType& want, const std::strin
   return false;
 }
 
+void Lowering::declare_unit(Value& value, const PortType& declared) {
+  if (value.kind != Value::Kind::kWire || value.type.type == nullptr || declared.unit.empty()) return;
+  // Vectors of whatever unit fit each other: one that has its own keeps it.
+  const bool is_own = !is_number(value.type.type->kind) && !value.type.unit.empty();
+  if (!is_own) value.type.unit = declared.unit;
+}
+
+bool Lowering::is_convertible(const Value& value, const PortType& want, const std::string& name,
+                              const text::Place& place) {
+  const std::string& have = value.type.unit;
+  const bool is_angle = have == "deg" || have == "rad";
+  if (!value.counted_in.empty() || !is_angle || want.unit.empty() || want.unit == have) return true;
+  text::Diagnostic& d = error("wrong-unit", place,
+                              fmt::format("a plain number that is declared in {} can't be converted", have));
+  d.label = fmt::format("`{}` takes {}", name, described(want));
+  d.hints = {fmt::format("give it its unit where it comes from: `* 1 {}`", have)};
+  return false;
+}
+
 std::optional<flow::Source> Lowering::bind(const Value& value, const PortType& type, const flow::Input* input,
                                            const std::string& name, const text::Place& place) {
   switch (value.kind) {
@@ -116,6 +135,7 @@ std::optional<flow::Source> Lowering::bind(const Value& value, const PortType& t
       return std::nullopt;
     case Value::Kind::kWire:
       if (!fits(value.type, type, name, place, &value)) return std::nullopt;
+      if (!is_convertible(value, type, name, place)) return std::nullopt;
       return flow::Source{flow::Source::Kind::kName, value.text, place};
     default:
       break;
@@ -256,7 +276,10 @@ Value Lowering::pass(const Value& value, const Parameter& parameter, const PortT
     out.number = number;
     out.unit = type.unit;
   }
-  if (value.kind == Value::Kind::kWire) return out;
+  if (value.kind == Value::Kind::kWire) {
+    declare_unit(out, type);
+    return out;
+  }
   out.type = type;
   return out;
 }

@@ -241,6 +241,7 @@ Value Lowering::lower_assemblage(const Assemblage& assemblage, Scope& scope, con
     const bool has_type = result.type != nullptr && out.kind != Value::Kind::kNone;
     if (has_type && out.kind == Value::Kind::kWire) {
       if (!fits(out.type, result, assemblage.name.text, assemblage.body->place)) out = {};
+      declare_unit(out, result);
     }
     if (out.kind == Value::Kind::kNone && result.type != nullptr) out = wire(scope.path, result, place);
   } else {
@@ -335,6 +336,7 @@ Value Lowering::call_binding(const Call& call, const Binding& binding, Scope& sc
   if (out.kind == Value::Kind::kWire &&
       !fits(out.type, type, binding.name.text, use->device->by.callee.place))
     return {};
+  declare_unit(out, type);
   return out;
 }
 

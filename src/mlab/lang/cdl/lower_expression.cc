@@ -60,8 +60,8 @@ Value Lowering::lower_what(const Expression& expression, Scope& scope, const std
           [&](const List& list) { return lower_list(list, scope, place); },
           [&](const Call& call) {
             if (const Function* function = types_.function(call.callee))
-              return call_function(call, *function, scope, {path, &scope.nodes->below(expression)},
-                                   angle_of(expression, scope), place);
+              return call_function(expression, call, *function, scope,
+                                   {path, &scope.nodes->below(expression)}, place);
             return lower_call(call, scope, {path, &scope.nodes->below(expression)}, place);
           },
           [&](const Logic& logic) { return lower_logic(logic, scope, path, place); },

@@ -45,14 +45,10 @@ const NodeNames::Paths& Lowering::paths_of(const Expression& expression, Scope& 
   return scope.nodes->of(expression, is_repeated ? scope.times[&expression]++ : 0);
 }
 
-namespace {
-
-const NodeNames::Paths& last_paths_of(const Expression& expression, const Scope& scope) {
+const NodeNames::Paths& Lowering::last_paths_of(const Expression& expression, const Scope& scope) const {
   const auto times = scope.times.find(&expression);
   return scope.nodes->of(expression, times == scope.times.end() ? 0 : times->second - 1);
 }
-
-}  // namespace
 
 std::string Lowering::path_behind(const Expression& expression, const Scope& scope) const {
   return joined_path(scope.path, last_paths_of(expression, scope).behind);
@@ -62,11 +58,18 @@ std::string Lowering::angle_of(const Expression& expression, const Scope& scope)
   return joined_path(scope.path, last_paths_of(expression, scope).angle);
 }
 
+std::string Lowering::angle_of_operand(const Expression& expression, std::size_t operand,
+                                       const Scope& scope) const {
+  const std::vector<std::string>& angles = last_paths_of(expression, scope).operand_angles;
+  return operand < angles.size() ? joined_path(scope.path, angles[operand]) : std::string();
+}
+
 Value Lowering::wire(const std::string& node, const PortType& type, const text::Place& place) const {
   Value out;
   out.kind = Value::Kind::kWire;
   out.text = node;
   out.type = type;
+  out.counted_in = type.unit;
   out.place = place;
   return out;
 }

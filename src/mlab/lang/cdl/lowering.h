@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -38,8 +40,11 @@ struct Value {
   Kind kind = Kind::kNone;
   std::string text;  ///< name of the node or parameter, word, text
   double number = 0.0;
-  std::string unit;      ///< kNumber: as written
-  PortType type;         ///< kWire; a constant that came through a parameter has the parameter's
+  std::string unit;  ///< kNumber: as written
+  PortType type;     ///< kWire; a constant that came through a parameter has the parameter's
+  /// kWire: the unit in which the network counts it; what came through a declaration has that one's in
+  /// `type`.
+  std::string counted_in;
   std::string named;     ///< the name by which it was asked for; empty: none
   text::Place declared;  ///< of that name
   std::vector<Value> items;
@@ -114,8 +119,10 @@ class Lowering {
     text::Place place;
     std::string angle;  ///< node that counts it in radians
   };
-  /// @param of  the sign or function that takes it
-  std::optional<Operand> operand(const Expression& expression, std::string_view of, Scope& scope);
+  /// @param of     the sign or function that takes it
+  /// @param angle  of the node that counts it in radians, if that is needed
+  std::optional<Operand> operand(const Expression& expression, std::string_view of, std::string angle,
+                                 Scope& scope);
   static void settle_lists(std::vector<Operand>& operands);
   Value compute(const Computation& how, const std::vector<Operand>& operands, const std::string& path,
                 const text::Place& place);
@@ -123,10 +130,12 @@ class Lowering {
   Value in_radians(Value value, const std::string& path, const std::string& angle, const text::Place& place);
   void link_operand(const Operand& operand, const flow::Input& input, flow::Node& node);
   void refuse(const Computation& how, const std::vector<Operand>& operands, const text::Place& place);
-  Value call_function(const Call& call, const Function& function, Scope& scope, const Spot& spot,
-                      const std::string& angle, const text::Place& place);
+  Value call_function(const Expression& expression, const Call& call, const Function& function, Scope& scope,
+                      const Spot& spot, const text::Place& place);
   /// The position of a named place: a parameter of the network that the mission sets.
   Value call_place(const Call& call, Scope& scope, const text::Place& place);
+  /// What the parameter of a named place is called that has none yet.
+  std::string place_parameter(std::string_view place);
   /// The name of the place, where the expression is `place("Gate")`; null: it is something else, or wrong.
   const std::string* named_place(const Expression& expression) const;
 
@@ -192,6 +201,12 @@ class Lowering {
                                         const text::Place& place);
   std::optional<flow::Source> bind_coordinates(const Value& value, const PortType& type,
                                                const std::string& name, const text::Place& place);
+  /// A wire that its declaration gives a unit is a value in it from there on.
+  static void declare_unit(Value& value, const PortType& declared);
+  /// False where the unit that is declared for a wire is an angle's, which its number would have to be
+  /// converted from, and nobody can: the network knows no unit of it.
+  bool is_convertible(const Value& value, const PortType& want, const std::string& name,
+                      const text::Place& place);
   bool fits(const PortType& have, const PortType& want, const std::string& name, const text::Place& place,
             const Value* about = nullptr);
   /// A value for a parameter: checked against the declaration, and with its type.
@@ -227,8 +242,12 @@ class Lowering {
                     const std::vector<std::string>& candidates) const;
   /// What the nodes of an expression are called that is evaluated now.
   const NodeNames::Paths& paths_of(const Expression& expression, Scope& scope) const;
-  /// The node between an expression that was evaluated and who reads it.
+  /// As above, of an expression that was asked for already.
+  const NodeNames::Paths& last_paths_of(const Expression& expression, const Scope& scope) const;
+  /// The node that counts in radians what an expression computes, and what its operand is.
   std::string angle_of(const Expression& expression, const Scope& scope) const;
+  std::string angle_of_operand(const Expression& expression, std::size_t operand, const Scope& scope) const;
+  /// The node between an expression that was evaluated and who reads it.
   std::string path_behind(const Expression& expression, const Scope& scope) const;
   Value wire(const std::string& node, const PortType& type, const text::Place& place) const;
   Scope& new_scope();
@@ -240,7 +259,10 @@ class Lowering {
   text::Diagnostics& sink_;
   flow::Network network_;
   std::deque<Scope> scopes_;
-  std::vector<const Assemblage*> open_;  // assemblages that are being instantiated
+  std::unordered_map<std::string, std::string> places_;  // parameters of named places
+  std::unordered_map<std::string, int> place_stems_;     // how many places asked for a parameter's name
+  std::unordered_set<std::string> place_names_;          // of those parameters
+  std::vector<const Assemblage*> open_;                  // assemblages that are being instantiated
   std::vector<DeviceUse> devices_;
   Scope* class_scope_ = nullptr;  // names of the robot's class; null: there are none
   std::set<const Device*> driven_;

@@ -64,14 +64,13 @@ void Naming::record(const Expression& expression, NodeNames::Paths paths) {
 }
 
 // Of the expression that was walked last, if it was so.
-void Naming::record_behind(const Expression& expression, std::string path) {
+NodeNames::Paths& Naming::recorded(const Expression& expression) {
   const auto again = out_.again_.find(&expression);
-  (again == out_.again_.end() ? out_.paths_[&expression] : again->second.back()).behind = std::move(path);
+  return again == out_.again_.end() ? out_.paths_[&expression] : again->second.back();
 }
 
-void Naming::record_angle(const Expression& expression, const std::string& path) {
-  const auto again = out_.again_.find(&expression);
-  (again == out_.again_.end() ? out_.paths_[&expression] : again->second.back()).angle = claim(path, "angle");
+void Naming::record_behind(const Expression& expression, std::string path) {
+  recorded(expression).behind = std::move(path);
 }
 
 // ---- expressions
@@ -146,8 +145,10 @@ void Naming::walk_arguments(const Call& call, const std::string& path) {
 
 void Naming::walk_call(const Expression& expression, const Call& call, const std::string& path) {
   if (types_.function(call.callee) != nullptr) {
-    for (const Argument& argument : call.arguments) walk_operand(argument.value, path);
-    record_angle(expression, path);
+    std::vector<ExpressionPtr> operands;
+    for (const Argument& argument : call.arguments) operands.push_back(argument.value);
+    walk_operands(operands, path);
+    name_angles(expression, operands, path);
     return;
   }
   walk_arguments(call, path);
@@ -196,16 +197,28 @@ void Naming::walk_logic(const Logic& logic, const std::string& path) {
 // `a + b - c` is (a + b) - c: the last has the node's own name.
 void Naming::walk_arithmetic(const Expression& expression, const Arithmetic& arithmetic,
                              const std::string& path) {
-  for (const ExpressionPtr& operand : arithmetic.operands) walk_operand(operand, path);
+  walk_operands(arithmetic.operands, path);
   for (std::size_t i = 0; i + 1 < arithmetic.operations.size(); ++i)
     record_behind(*arithmetic.operands[i + 1], claim(path, std::string(sign(arithmetic.operations[i]).name)));
-  record_angle(expression, path);
+  name_angles(expression, arithmetic.operands, path);
 }
 
-// What is in degrees is counted in radians first.
-void Naming::walk_operand(const ExpressionPtr& operand, const std::string& path) {
-  walk(operand, {path, "", false});
-  if (operand && type_of(*operand).unit == "deg") record_angle(*operand, path);
+void Naming::walk_operands(const std::vector<ExpressionPtr>& operands, const std::string& path) {
+  for (const ExpressionPtr& operand : operands) walk(operand, {path, "", false});
+}
+
+// What comes in degrees is counted in radians first. Whether it does is only known of each instance: a
+// parameter is given in either.
+void Naming::name_angles(const Expression& expression, const std::vector<ExpressionPtr>& operands,
+                         const std::string& path) {
+  NodeNames::Paths& paths = recorded(expression);
+  paths.angle = claim(path, "angle");
+  for (const ExpressionPtr& operand : operands) {
+    const bool is_literal = !operand || std::holds_alternative<Number>(operand->what) ||
+                            std::holds_alternative<List>(operand->what) ||
+                            std::holds_alternative<Text>(operand->what);
+    paths.operand_angles.push_back(is_literal ? "" : claim(path, "angle"));
+  }
 }
 
 void Naming::walk_states(const Sequence& sequence, const std::string& path) {

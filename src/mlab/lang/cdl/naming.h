@@ -45,7 +45,7 @@ class Naming {
   std::string claim(const Slot& slot, std::string_view fallback);
   NamesBelow names_below(const std::string& path) const;
   void record(const Expression& expression, NodeNames::Paths paths);
-  void record_angle(const Expression& expression, const std::string& path);
+  NodeNames::Paths& recorded(const Expression& expression);
   void record_behind(const Expression& expression, std::string path);
 
   void walk(const ExpressionPtr& expression, const Slot& slot);
@@ -57,7 +57,9 @@ class Naming {
   void walk_compete(const Compete& compete, const std::string& path);
   void walk_logic(const Logic& logic, const std::string& path);
   void walk_arithmetic(const Expression& expression, const Arithmetic& arithmetic, const std::string& path);
-  void walk_operand(const ExpressionPtr& operand, const std::string& path);
+  void walk_operands(const std::vector<ExpressionPtr>& operands, const std::string& path);
+  void name_angles(const Expression& expression, const std::vector<ExpressionPtr>& operands,
+                   const std::string& path);
   void walk_states(const Sequence& sequence, const std::string& path);
   void walk_select(const Select& select, const std::string& path);
   void walk_name(const Name& name);

@@ -27,8 +27,11 @@ class NodeNames {
     /// Of a node between the expression and who reads it: `and` of several joins two at a time, a member's
     /// strength is its length, an active part is asked whether it is idle. Empty: there is none.
     std::string behind;
-    /// Of a node that counts in radians what is computed, or what is read in degrees. Empty: there is none.
+    /// Of a node that counts in radians what is computed. Empty: there is none.
     std::string angle = {};
+    /// Of nodes that count an operand in radians, should it come in degrees: in the order in which operands
+    /// are written. Empty: it is a literal.
+    std::vector<std::string> operand_angles = {};
   };
 
   /// Of an expression that makes a node; of all others, and of what stands deeper than anything may, empty.
