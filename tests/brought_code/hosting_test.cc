@@ -122,6 +122,56 @@ TEST(Hosting, DoesBitForBitWhatTheSameCodeDoesEmbedded) {
   EXPECT_EQ(read->built.program->active_states(mine[1].data()), program->active_states(theirs[1].data()));
 }
 
+TEST(Hosting, IsMadeToDoWhatTheSameCodeIsEmbedded) {
+  const Folder folder;
+  folder.write("mine.cnl", kManyThings);
+  text::Diagnostics sink;
+  const auto read = robot::read_network("mine.cnl", {}, sources_in(folder.path(), code_permitted()), sink);
+  ASSERT_TRUE(read) << text::render(sink);
+  const auto program = embedded(folder, sink);
+  ASSERT_TRUE(program) << text::render(sink);
+  robot_host::HostedCycle hosted(read->built.hosted, true);
+  flow::Frame mine = program->make_frame();
+  flow::Frame theirs = program->make_frame();
+  flow::Interventions my_hands;
+  flow::Interventions their_hands;
+  const auto both = [&](const auto& ask) {
+    EXPECT_EQ(ask(my_hands, mine), std::nullopt);
+    EXPECT_EQ(ask(their_hands, theirs), std::nullopt);
+  };
+  for (int cycle = 0; cycle < 100; ++cycle) {
+    if (cycle == 20)
+      both([&](auto& hands, auto& frame) { return hands.hold(*program, frame.data(), "lead", "{1, 2}"); });
+    if (cycle == 25)
+      both([&](auto& hands, auto& frame) { return hands.hold(*program, frame.data(), "often", "false"); });
+    if (cycle % 10 == 0)
+      both([&](auto& hands, auto& frame) { return hands.force(*program, frame.data(), "ways", "Two"); });
+    if (cycle == 60)
+      both([&](auto& hands, auto& frame) { return hands.release(*program, frame.data(), ""); });
+    const percept::Percepts percepts;
+    hosted.begin();
+    hosted.join(1, 5);
+    hosted.open();
+    hosted.set(0, percepts, {mine.data(), mine.size()}, &my_hands);
+    hosted.ask();
+    hosted.wait({});
+    percept::Action wanted;
+    const robot_host::HostedCycle::Outcome outcome = hosted.take(0, wanted, &my_hands);
+    ASSERT_EQ(outcome.failure, "");
+    std::memcpy(mine.data(), outcome.frame.data(), outcome.frame.size());
+    percept::Action action;
+    program->step(theirs.data(), percepts, action, 5, 1, nullptr, &their_hands);
+    my_hands.finish();
+    their_hands.finish();
+    ASSERT_EQ(mine, theirs) << "cycle " << cycle;
+    EXPECT_EQ(wanted.velocity, action.velocity);
+    if (cycle % 10 == 0) {
+      ASSERT_EQ(my_hands.forced().size(), 1U);
+      EXPECT_TRUE(my_hands.forced()[0].was_done);
+    }
+  }
+}
+
 TEST(Hosting, ShowsPortsAndStatesOfARobotInAProcessOfItsOwn) {
   const Folder folder;
   const Team team(folder, kManyThings, 2, code_permitted(), 2);

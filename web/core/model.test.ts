@@ -150,3 +150,14 @@ test("where a run has paused is known until it goes on", () => {
   say(model, { case: "halted", value: {} });
   expect(model.get("halted")).toBeNull();
 });
+
+test("knows which values are held", () => {
+  const model = new Model();
+  expect(model.get("held")).toEqual([]);
+  say(model, { case: "heldValues", value: { values: [{ robot: 2, port: "movement.near", value: "true" }] } });
+  expect(model.get("held").map(({ robot, port, value }) => [robot, port, value])).toEqual([
+    [2, "movement.near", "true"],
+  ]);
+  say(model, { case: "heldValues", value: {} });
+  expect(model.get("held")).toEqual([]);
+});

@@ -11,6 +11,7 @@ import {
   type EditState,
   type Frame,
   type Halted,
+  type HeldValues_Held,
   type Log,
   type Log_Entry,
   type Plan,
@@ -54,6 +55,8 @@ export interface Parts {
   breakpoints: readonly Breakpoint[];
   /** Where the run has paused at breakpoints; none while it goes on. */
   halted: Halted | null;
+  /** Outputs of robots' programs that somebody holds. */
+  held: readonly HeldValues_Held[];
   /** Run time of the newest frame [s]; announced at most ten times a second. */
   time: number;
   /** Details of watched robots, by id; announced at most ten times a second. `Model.detail` has the newest. */
@@ -123,6 +126,7 @@ export class Model extends Store<Parts> {
       edits: null,
       breakpoints: [],
       halted: null,
+      held: [],
       time: 0,
       details: new Map(),
       selection: kNothing,
@@ -220,6 +224,9 @@ export class Model extends Store<Parts> {
         break;
       case "halted":
         this.set("halted", body.value.hits.length > 0 ? body.value : null);
+        break;
+      case "heldValues":
+        this.set("held", body.value.values);
         break;
       case "trails":
         this.takeTrails(body.value);

@@ -222,10 +222,10 @@ void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
       continue;
     if (one.told.has_transition()) {
       if (is_new && !is_first_cycle) continue;
-      if (!transits) transits = program.transits(frame, before);
+      if (!transits) transits = program.transits(frame, before, robot.workings().interventions);
       look_for_transit(one, robot, *transits, out);
     } else {
-      if (!ran) ran = program.ran(frame, before);
+      if (!ran) ran = program.ran(frame, before, robot.workings().interventions);
       look_for_condition(one, robot, known, *ran, out);
     }
   }

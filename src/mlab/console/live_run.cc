@@ -27,6 +27,13 @@ void LiveRun::edit(std::shared_ptr<const fleet::Crew> crew) {
   has_news_ = true;
 }
 
+std::expected<fleet::Takeover, std::string> LiveRun::take_over(std::shared_ptr<const fleet::Crew> crew) {
+  auto out = run_->take_over(crew);
+  if (out) crew_ = std::move(crew);
+  has_news_ = true;
+  return out;
+}
+
 fleet::MissionRun::Progress LiveRun::step() {
   const fleet::MissionRun::Progress progress = run_->step();
   estimates_.look(run_->state());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <expected>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,6 +33,8 @@ class LiveRun {
   /// What its robots are made of, as of the last edit.
   const std::shared_ptr<const fleet::Crew>& crew() const { return crew_; }
   void edit(std::shared_ptr<const fleet::Crew> crew);
+  /// As MissionRun::take_over.
+  std::expected<fleet::Takeover, std::string> take_over(std::shared_ptr<const fleet::Crew> crew);
 
   /// One control cycle, noted.
   fleet::MissionRun::Progress step();

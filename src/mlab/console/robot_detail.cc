@@ -73,7 +73,7 @@ bool is_active(const flow::Program& program, const flow::Port& port, std::span<c
 void encode_ports(const FleetRobot& robot, const DetailWishes& wishes, RobotDetail& out) {
   const flow::Program& program = *robot.workings().program;
   const std::byte* const frame = robot.workings().frame;
-  const std::vector<std::uint32_t> ran = program.ran(frame, wishes.before);
+  const std::vector<std::uint32_t> ran = program.ran(frame, wishes.before, robot.workings().interventions);
   const auto encode = [&](std::uint32_t index) {
     const flow::Port& port = program.ports()[index];
     out.add_ports(clean(flow::Program::print(frame, port)));

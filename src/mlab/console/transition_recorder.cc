@@ -31,7 +31,8 @@ void TransitionRecorder::look(const fleet::MissionRun& run) {
       watched.before = watched.now;
       continue;
     }
-    for (const flow::Program::Transit& transit : program.transits(frame, watched.before))
+    for (const flow::Program::Transit& transit :
+         program.transits(frame, watched.before, robot->workings().interventions))
       watched.last[transit.sequence] = {transit, run.time(), run.cycle()};
   }
 }
@@ -49,6 +50,7 @@ void TransitionRecorder::encode(std::uint32_t robot, RobotDetail& out) const {
     told.set_to(clean(names[made.transit.to]));
     told.set_time(made.time);
     told.set_cycle(made.cycle);
+    told.set_is_forced(made.transit.is_forced);
   }
 }
 

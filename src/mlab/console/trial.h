@@ -21,11 +21,15 @@ struct Trial {
   /// How configurations and networks are read, from any thread; null: from disk.
   std::shared_ptr<const text::Files> files;
   bool execute = false;  ///< starts at once
+  /// Instead of a new run: the run of the same trial goes on, with what its programs are now. Nothing but
+  /// them may have changed.
+  bool takes_over = false;
 };
 
 /// What became of it.
 struct TrialResult {
-  std::string error;           ///< one sentence; empty: its run stands ready, or goes on
+  std::string error;       ///< one sentence; empty: its run stands ready, or goes on
+  std::string taken_over;  ///< what became of robots that run: `robots 1 to 3 took over a change`; else empty
   text::Diagnostics problems;  ///< all that was said of the mission and its programs, warnings too
 };
 

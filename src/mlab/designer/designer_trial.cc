@@ -183,6 +183,7 @@ void Designer::Parts::try_out(console::ConnectionId from, std::uint32_t number, 
   }
   trial.text = trial_mission(*completed, file, *field);
   trial.execute = request.execute();
+  trial.takes_over = request.take_over();
   desk_.store().sync_drafts(now());  // so that it stays known what was executed
   tell_not_kept();
   const LastTrial last = {one->path, tried, *completed, file, trial.path, wish};
@@ -209,6 +210,7 @@ void Designer::Parts::tried_out(console::ConnectionId from, std::uint32_t number
     told.set_mission(trial.mission);
     for (const auto& [robot, count] : trial.configuration.robots) told.add_robots(robot);
     for (const std::string& note : trial.configuration.notes) told.add_notes(note);
+    told.set_taken_over(result.taken_over);
   }
   if (number != 0 && clients_.contains(from)) send(from, message);
 }

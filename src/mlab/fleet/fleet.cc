@@ -311,6 +311,33 @@ std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_vi
   return robot.runner->set(robot.member, path, value);
 }
 
+std::expected<FleetRobot*, std::string> Fleet::running(base::RobotId id) {
+  const FleetRobot* found = find(id);
+  if (found == nullptr) return std::unexpected(fmt::format("there is no robot {}", id.value));
+  if (found->life != RobotLife::kRunning)
+    return std::unexpected(fmt::format("robot {} does not run: {}", id.value, name(found->life)));
+  return &robots_[index_of(*found)];
+}
+
+std::optional<std::string> Fleet::force(base::RobotId id, std::string_view sequence, std::string_view state) {
+  const auto robot = running(id);
+  if (!robot) return robot.error();
+  return (*robot)->runner->force((*robot)->member, sequence, state);
+}
+
+std::optional<std::string> Fleet::hold(base::RobotId id, std::string_view port, std::string_view value) {
+  const auto robot = running(id);
+  if (!robot) return robot.error();
+  return (*robot)->runner->hold((*robot)->member, port, value);
+}
+
+std::optional<std::string> Fleet::release(base::RobotId id, std::string_view port) {
+  const FleetRobot* found = find(id);
+  if (found == nullptr || found->runner == nullptr)
+    return fmt::format("there is no robot {} that holds", id.value);
+  return found->runner->release(found->member, port);
+}
+
 percept::Percepts Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose,
                                      const percept::Needs& needs, double dt) const {
   percept::Percepts out = binding_.view().sense_at(robot.body, pose, needs);

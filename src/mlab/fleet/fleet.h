@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include "mlab/binding/binding.h"
 #include "mlab/fleet/group.h"
 #include "mlab/fleet/messages.h"
+#include "mlab/flow/carry_over.h"
 #include "mlab/mission/effect.h"
 #include "mlab/mission/event.h"
 #include "mlab/mission/mission.h"
@@ -105,11 +107,25 @@ class Fleet {
   std::optional<std::string> set_parameter(base::RobotId robot, std::string_view port,
                                            const std::string& value);
 
+  /// What a person makes a robot's program do, see flow::Interventions.
+  /// @errors  a sentence that says why not
+  std::optional<std::string> force(base::RobotId robot, std::string_view sequence, std::string_view state);
+  std::optional<std::string> hold(base::RobotId robot, std::string_view port, std::string_view value);
+  /// @param port  empty: all
+  std::optional<std::string> release(base::RobotId robot, std::string_view port);
+
   /// Robots of another version of the mission, see MissionRun::edit.
   /// @param programs, bodies  as for the constructor; what it was made with before is needed as long as
   ///                          `uses` says so
   void edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
             const std::vector<binding::BodySpec>& bodies);
+  /// As `edit`, and robots in the world go on with the new programs, see MissionRun::take_over.
+  /// @param restarts  what of whom begins anew is added
+  /// @return  whose program has changed
+  std::vector<base::RobotId> take_over(const mission::Mission& mission,
+                                       const std::vector<robot::RobotProgram>& programs,
+                                       const std::vector<binding::BodySpec>& bodies,
+                                       std::vector<std::pair<base::RobotId, flow::Restart>>& restarts);
   /// True where a robot's program is one of these.
   bool uses(const std::vector<robot::RobotProgram>& programs) const;
 
@@ -165,6 +181,8 @@ class Fleet {
     std::array<robot::ProgramRunner::Turn, kRobotsAtOnce> turns;
     std::array<binding::Sensing, kRobotsAtOnce> senses;
   };
+  /// One whose program runs now. @errors  a sentence
+  std::expected<FleetRobot*, std::string> running(base::RobotId id);
   std::size_t index_of(const FleetRobot& robot) const {
     return static_cast<std::size_t>(&robot - robots_.data());
   }
@@ -179,6 +197,11 @@ class Fleet {
   /// Gives the robot's program to who runs it, and takes it from there.
   void enrol(FleetRobot& robot);
   static void dismiss(const FleetRobot& robot);
+  /// @param exchange  called for robots in the world that can't keep their program
+  void edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
+            const std::vector<binding::BodySpec>& bodies,
+            const std::function<void(FleetRobot&, const robot::RobotProgram&)>& exchange);
+  std::vector<flow::Restart> exchange_program(FleetRobot& robot, const robot::RobotProgram& after);
   void start_program(FleetRobot& robot);
   /// All that is not sensed: orders, the unit, what people and robots say.
   void add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const;

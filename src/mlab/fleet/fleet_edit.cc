@@ -1,13 +1,51 @@
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 
 #include "mlab/fleet/fleet.h"
+#include "mlab/robot/robot_values.h"
 
 namespace mlab::fleet {
 
 void Fleet::edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
                  const std::vector<binding::BodySpec>& bodies) {
+  edit(mission, programs, bodies, [](FleetRobot&, const robot::RobotProgram&) {});
+}
+
+std::vector<base::RobotId> Fleet::take_over(const mission::Mission& mission,
+                                            const std::vector<robot::RobotProgram>& programs,
+                                            const std::vector<binding::BodySpec>& bodies,
+                                            std::vector<std::pair<base::RobotId, flow::Restart>>& restarts) {
+  std::vector<base::RobotId> out;
+  edit(mission, programs, bodies, [&](FleetRobot& robot, const robot::RobotProgram& after) {
+    out.push_back(robot.id);
+    for (flow::Restart& restart : exchange_program(robot, after))
+      restarts.emplace_back(robot.id, std::move(restart));
+  });
+  std::ranges::sort(out);
+  return out;
+}
+
+// The robot's body knows nothing of it.
+std::vector<flow::Restart> Fleet::exchange_program(FleetRobot& robot, const robot::RobotProgram& after) {
+  robot::ProgramRunner* const runner = runners_.runner_of(after);
+  const robot::ProgramRunner::Member member = runner->add(robot.id, after);
+  // Where it needs a process it is given one; what it begins with is put in place of then.
+  std::vector<flow::Restart> restarts;
+  if (const auto problem = runner->start(member)) restarts.push_back({after.type, *problem});
+  std::vector<flow::Restart> anew = runner->values(member)->go_on_from(*robot.runner->values(robot.member));
+  restarts.insert(restarts.end(), anew.begin(), anew.end());
+  dismiss(robot);
+  robot.runner = runner;
+  robot.member = member;
+  robot.program = &after;
+  return restarts;
+}
+
+void Fleet::edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
+                 const std::vector<binding::BodySpec>& bodies,
+                 const std::function<void(FleetRobot&, const robot::RobotProgram&)>& exchange) {
   std::vector<FleetRobot> robots;
   std::map<base::RobotId, std::uint32_t> places;  // of robots that stay, before
   for (std::uint32_t i = 0; i < robots_.size(); ++i) places[robots_[i].id] = i;
@@ -37,6 +75,8 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
       known = std::move(fresh);
     } else if (keeps_program) {
       known.program = fresh.program;
+    } else {
+      exchange(known, *fresh.program);
     }
   }
   // A robot that is in the world stays there, whatever the plan says.

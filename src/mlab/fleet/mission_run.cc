@@ -159,6 +159,7 @@ MissionRun::Progress MissionRun::step() {
   ++cycle_;
   change_environment();
   fleet_->step(dt_);
+  if (!forced_.empty()) tell_not_forced();
   tell_faults();
   answer_calls();
   measure();

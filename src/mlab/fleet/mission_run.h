@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <expected>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -50,6 +51,32 @@ struct AnswerRecord {
   bool proceed = false;
 };
 
+/// What a person made a robot's program do.
+struct InterventionRecord {
+  enum class Kind : std::uint8_t { kForce, kHold, kRelease };
+  std::uint64_t cycle = 0;  ///< that had run; it counts from the next one on
+  base::RobotId robot;
+  Kind kind = Kind::kForce;
+  std::string path;   ///< of the sequence, or of the port; empty: all that were held
+  std::string value;  ///< the state, or at what it is held
+};
+std::string_view name(InterventionRecord::Kind kind);
+
+/// Robots that go on with other programs.
+struct Takeover {
+  /// Of all robots whose program has changed this begins anew, though it was there before.
+  struct Restart {
+    std::string path;
+    std::string why;
+    std::vector<base::RobotId> robots;
+  };
+  std::uint64_t cycle = 0;  ///< that had run
+  std::vector<base::RobotId> robots;
+  std::vector<Restart> restarts;
+};
+/// In words: `robots 1 to 3 took over a change; ...`.
+std::string text_of(const Takeover& takeover);
+
 /// An object that came into a basket.
 struct Delivery {
   double time = 0.0;  ///< [s]
@@ -94,6 +121,12 @@ class MissionRun {
   /// touched.
   void edit(std::shared_ptr<const Crew> crew);
 
+  /// As `edit`, with other programs: robots that are in the world go on with the new ones where they are,
+  /// with what of their values these can go on with (flow::carry_over). Held values and parameters that
+  /// people set stay where the new program has them.
+  /// @errors  a sentence that says why it can't be done while it runs; nothing has changed
+  std::expected<Takeover, std::string> take_over(std::shared_ptr<const Crew> crew);
+
   /// All robots stand as soon as their bodies can, from the next cycle on. Mission and programs hold: nothing
   /// that happens in the meantime moves a robot. Once all stand, no time passes until the stop is released.
   void set_emergency_stop(bool stopped) {
@@ -121,6 +154,17 @@ class MissionRun {
   /// @errors  a sentence that says what is wrong
   std::optional<std::string> set_parameter(base::RobotId robot, std::string_view port,
                                            const std::string& value);
+  /// In the next cycle a sequence of the robot's program goes to a state, whatever its triggers say.
+  /// @errors  a sentence that says why not; nothing has changed
+  std::optional<std::string> force_state(base::RobotId robot, const std::string& sequence,
+                                         const std::string& state);
+  /// From the next cycle on an output of the robot's program is held at a value, until it is released.
+  /// @param value  as a person writes it, in the port's edge_unit
+  /// @errors  likewise
+  std::optional<std::string> hold_value(base::RobotId robot, const std::string& port,
+                                        const std::string& value);
+  /// @param port  empty: all that are held
+  std::optional<std::string> release_value(base::RobotId robot, const std::string& port);
   /// As RunSettings::stands_still_for_operator.
   void set_stands_still_for_operator(bool stands_still) {
     settings_.stands_still_for_operator = stands_still;
@@ -145,6 +189,9 @@ class MissionRun {
   const binding::WorldView& world() const { return binding_->view(); }
   /// What the operator answered so far.
   const std::vector<AnswerRecord>& answers() const { return answers_; }
+  /// What people made robots' programs do so far.
+  const std::vector<InterventionRecord>& interventions() const { return interventions_; }
+  const std::vector<Takeover>& takeovers() const { return takeovers_; }
   /// By unit of the mission.
   const std::vector<UnitMetrics>& unit_metrics() const { return metrics_; }
   /// What robots brought into baskets so far, in the order of time, then of objects.
@@ -172,6 +219,7 @@ class MissionRun {
   void note_deliveries();
   void tell(mission::effect::Tell::Kind kind, std::string text);
   void answer_calls();
+  void tell_not_forced();
   void tell_faults();
   // Whom a command of the history was for.
   std::vector<base::RobotId> commanded(std::uint32_t command) const;
@@ -192,6 +240,9 @@ class MissionRun {
   bool is_full_ = false;            // the environment had no room once, which was told
   std::vector<UnitMetrics> metrics_;
   std::vector<AnswerRecord> answers_;
+  std::vector<InterventionRecord> interventions_;
+  std::vector<Takeover> takeovers_;
+  std::vector<base::RobotId> forced_;  // in the coming cycle, ascending
   std::vector<Delivery> deliveries_;
   std::vector<base::RobotId> carriers_;  // by object id: who carries it; none as well once it was delivered
   bool is_stopped_ = false;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "mlab/fleet/mission_run.h"
+#include "mlab/mission/wording.h"
 
 namespace mlab::fleet {
 void MissionRun::edit(std::shared_ptr<const Crew> crew) {
@@ -18,6 +19,81 @@ void MissionRun::edit(std::shared_ptr<const Crew> crew) {
     apply(mission::effect::Set{mission::SetNumber{mission::NumberOption::kCycleDuration, *duration}});
   change_world(old->overlay, next.mission->overlay);
   drop_unused_crews();
+}
+
+namespace {
+
+constexpr std::size_t kMostRestarts = 8;  // that are named
+
+// Why these robots can't go on with what the crew has for them; empty: they can.
+std::string why_not(const Fleet& fleet, const Crew& crew) {
+  const std::vector<mission::Robot>& planned = crew.mission->robots;
+  if (planned.size() != fleet.robots().size()) return "there are other robots now";
+  for (const mission::Robot& one : planned) {
+    const FleetRobot* const robot = fleet.find(one.id);
+    const robot::RobotProgram& program = crew.programs[one.type];
+    if (robot == nullptr || robot->type != crew.mission->types[one.type].name)
+      return "there are other robots now";
+    if (robot->body_spec != crew.bodies[one.type])
+      return fmt::format("the body of {} has changed", robot->type);
+    if (robot->program->native || program.native)
+      return fmt::format("the program of {} is an executable, which keeps its values to itself", robot->type);
+    if (program.is_described_only)
+      return fmt::format("{} brings procedures that were only checked", robot->type);
+    if (!program.program || robot->runner == nullptr)
+      return fmt::format("nothing here answers to the program of {}", robot->type);
+  }
+  return "";
+}
+
+std::vector<Takeover::Restart> by_path(const std::vector<std::pair<base::RobotId, flow::Restart>>& all) {
+  std::vector<Takeover::Restart> out;
+  for (const auto& [robot, restart] : all) {
+    auto known = std::ranges::find_if(out, [&](const Takeover::Restart& one) {
+      return one.path == restart.path && one.why == restart.why;
+    });
+    if (known == out.end()) known = out.insert(out.end(), {restart.path, restart.why, {}});
+    known->robots.push_back(robot);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string text_of(const Takeover& takeover) {
+  std::string out = fmt::format("{} took over a change", mission::robots_name(takeover.robots));
+  if (takeover.restarts.empty()) return out + "; nothing begins anew";
+  for (std::size_t i = 0; i < takeover.restarts.size(); ++i) {
+    if (i == kMostRestarts) {
+      out += fmt::format("; and {} more begin anew", takeover.restarts.size() - i);
+      break;
+    }
+    const Takeover::Restart& one = takeover.restarts[i];
+    out += fmt::format("; `{}` {}", one.path, one.why);
+    if (one.robots != takeover.robots) out += fmt::format(" ({})", mission::robots_name(one.robots));
+  }
+  return out;
+}
+
+std::expected<Takeover, std::string> MissionRun::take_over(std::shared_ptr<const Crew> crew) {
+  if (std::string why = why_not(*fleet_, *crew); !why.empty()) return std::unexpected(std::move(why));
+  const std::shared_ptr<const mission::Mission> old = state_.mission;
+  crews_.push_back(std::move(crew));
+  const Crew& next = *crews_.back();
+  Takeover out;
+  out.cycle = cycle_;
+  std::vector<std::pair<base::RobotId, flow::Restart>> restarts;
+  out.robots = fleet_->take_over(*next.mission, next.programs, next.bodies, restarts);
+  out.restarts = by_path(restarts);
+  if (next.mission != old) {
+    rename_metrics(*old, *next.mission);
+    post(mission::event::Edited{next.mission});
+    change_world(old->overlay, next.mission->overlay);
+  }
+  drop_unused_crews();
+  takeovers_.push_back(out);
+  tell(mission::effect::Tell::Kind::kMessage, text_of(out));
+  return out;
 }
 
 void MissionRun::change_world(const overlay::Overlay& before_edit, const overlay::Overlay& after_edit) {

@@ -111,6 +111,34 @@ Json deliveries_json(const MissionRun& run) {
   return out;
 }
 
+Json interventions_json(const MissionRun& run) {
+  Json out = Json::array();
+  for (const InterventionRecord& record : run.interventions()) {
+    out.push_back({{"cycle", record.cycle},
+                   {"robot", record.robot.value},
+                   {"kind", name(record.kind)},
+                   {"path", optional_text(record.path)},
+                   {"value", optional_text(record.value)}});
+  }
+  return out;
+}
+
+Json takeovers_json(const MissionRun& run) {
+  const auto ids = [](const std::vector<base::RobotId>& robots) {
+    Json out = Json::array();
+    for (const base::RobotId robot : robots) out.push_back(robot.value);
+    return out;
+  };
+  Json out = Json::array();
+  for (const Takeover& one : run.takeovers()) {
+    Json restarts = Json::array();
+    for (const Takeover::Restart& restart : one.restarts)
+      restarts.push_back({{"path", restart.path}, {"why", restart.why}, {"robots", ids(restart.robots)}});
+    out.push_back({{"cycle", one.cycle}, {"robots", ids(one.robots)}, {"restarts", std::move(restarts)}});
+  }
+  return out;
+}
+
 Json performance_json(const MissionRun& run, const Performance& performance) {
   const auto cycles = static_cast<double>(run.robot_cycles());
   Json out;
@@ -158,6 +186,8 @@ std::string report_json(const MissionRun& run, const Performance& performance, R
   out["robots"] = robots_json(run);
   out["units"] = units_json(run);
   out["deliveries"] = deliveries_json(run);
+  if (!run.interventions().empty()) out["interventions"] = interventions_json(run);
+  if (!run.takeovers().empty()) out["takeovers"] = takeovers_json(run);
   out["performance"] = performance_json(run, performance);
   // What a mission's author wrote may be any bytes; a report is text all the same.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -82,21 +82,31 @@ std::uint64_t Program::cycle(const std::byte* frame) {
 }
 
 void Program::step(std::byte* frame, const percept::Percepts& percepts, percept::Action& action,
-                   std::uint64_t seed, std::uint32_t robot, AsyncRunner* async) const {
+                   std::uint64_t seed, std::uint32_t robot, AsyncRunner* async,
+                   Interventions* interventions) const {
   const std::uint64_t number = ++cycle_of(frame);
   const Cycle context{&percepts, &action, number, seed, robot};
   const auto now = static_cast<std::uint32_t>(number);
-  Call call;
-  call.cycle = &context;
-  call.frame = frame;
-  run(root_, call, now, async);
+  Run cycle;
+  cycle.call.cycle = &context;
+  cycle.call.frame = frame;
+  cycle.now = now;
+  cycle.async = async;
+  cycle.interventions = interventions;
+  if (interventions == nullptr)
+    run<false>(root_, cycle);
+  else
+    run<true>(root_, cycle);
   for (const DelayCode& delay : delays_) {
     if (at<std::uint32_t>(frame, delay.stamp) == now)
       std::memcpy(frame + delay.next, frame + delay.source, delay.value_size);
   }
 }
 
-void Program::run(const Block& block, Call& call, std::uint32_t now, AsyncRunner* async) const {
+template <bool kIntervened>
+void Program::run(const Block& block, Run& cycle) const {
+  Call& call = cycle.call;
+  const std::uint32_t now = cycle.now;
   const Instruction* const end = instructions_.data() + block.first + block.count;
   for (const Instruction* i = instructions_.data() + block.first; i != end; ++i) {
     bool is_first = false;
@@ -107,6 +117,11 @@ void Program::run(const Block& block, Call& call, std::uint32_t now, AsyncRunner
       is_first = stamp == 0;
       is_restart = stamp != now - 1 || is_first;
       stamp = now;
+    }
+    Interventions::Held* held = nullptr;
+    if constexpr (kIntervened) {
+      held = cycle.interventions->held_at(i->output);
+      if (held != nullptr) std::memcpy(call.frame + held->offset, held->computed.data(), held->size);
     }
     switch (i->kind) {
       case Instruction::Kind::kFire:
@@ -119,10 +134,10 @@ void Program::run(const Block& block, Call& call, std::uint32_t now, AsyncRunner
         i->fire(call);
         break;
       case Instruction::Kind::kSequence:
-        run_sequence(*i, is_restart, call, now, async);
+        run_sequence<kIntervened>(*i, is_restart, cycle);
         break;
       case Instruction::Kind::kSelect:
-        run_select(*i, call, now, async);
+        run_select<kIntervened>(*i, cycle);
         break;
       case Instruction::Kind::kDelay: {
         const DelayCode& delay = delays_[i->data];
@@ -131,46 +146,61 @@ void Program::run(const Block& block, Call& call, std::uint32_t now, AsyncRunner
         break;
       }
       case Instruction::Kind::kStartAsync:
-        run_async(*i, is_first, call, now, async);
+        run_async(*i, is_first, call, now, cycle.async);
         break;
+    }
+    if constexpr (kIntervened) {
+      if (held == nullptr) continue;
+      std::memcpy(held->computed.data(), call.frame + held->offset, held->size);
+      std::memcpy(call.frame + held->offset, held->value.data(), held->size);
     }
   }
 }
 
-void Program::run_sequence(const Instruction& instruction, bool starts_anew, Call& call, std::uint32_t now,
-                           AsyncRunner* async) const {
+template <bool kIntervened>
+void Program::run_sequence(const Instruction& instruction, bool starts_anew, Run& cycle) const {
   const SequenceCode& sequence = sequences_[instruction.data];
-  auto& active = at<std::uint32_t>(call.frame, sequence.active);
+  std::byte* const frame = cycle.call.frame;
+  auto& active = at<std::uint32_t>(frame, sequence.active);
   if (starts_anew) active = sequence.start;
-  const StateCode& before = sequence.states[active];
-  run(before.triggers, call, now, async);
-  for (const TransitionCode& transition : before.transitions) {
-    if (at<bool>(call.frame, transition.trigger) == transition.is_negated) continue;
-    if (transition.restarts && transition.target == active) restart(before.member, call.frame);
-    active = transition.target;
-    break;
+  Interventions::Forced* forced = nullptr;
+  if constexpr (kIntervened) forced = cycle.interventions->coming(instruction.data);
+  if (forced != nullptr) {
+    forced->was_done = true;
+    if (forced->state == active) restart(sequence.states[active].member, frame);
+    active = forced->state;
+  } else {
+    const StateCode& before = sequence.states[active];
+    run<kIntervened>(before.triggers, cycle);
+    for (const TransitionCode& transition : before.transitions) {
+      if (at<bool>(frame, transition.trigger) == transition.is_negated) continue;
+      if (transition.restarts && transition.target == active) restart(before.member, frame);
+      active = transition.target;
+      break;
+    }
   }
   const StateCode& state = sequence.states[active];
-  run(state.member, call, now, async);
-  std::memcpy(call.frame + instruction.output, call.frame + state.value, sequence.value_size);
+  run<kIntervened>(state.member, cycle);
+  std::memcpy(frame + instruction.output, frame + state.value, sequence.value_size);
 }
 
-void Program::run_select(const Instruction& instruction, Call& call, std::uint32_t now,
-                         AsyncRunner* async) const {
+template <bool kIntervened>
+void Program::run_select(const Instruction& instruction, Run& cycle) const {
   const SelectCode& select = selects_[instruction.data];
-  const std::int64_t value = integer_at(call.frame, select.selector, select.selector_size);
+  std::byte* const frame = cycle.call.frame;
+  const std::int64_t value = integer_at(frame, select.selector, select.selector_size);
   std::int32_t chosen = select.otherwise;
   for (std::size_t i = 0; i < select.cases.size(); ++i) {
     const auto& values = select.cases[i].values;
     if (std::ranges::find(values, value) != values.end()) chosen = static_cast<std::int32_t>(i);
   }
   if (chosen < 0) {
-    std::memset(call.frame + instruction.output, 0, select.value_size);
+    std::memset(frame + instruction.output, 0, select.value_size);
     return;
   }
   const CaseCode& member = select.cases[static_cast<std::size_t>(chosen)];
-  run(member.member, call, now, async);
-  std::memcpy(call.frame + instruction.output, call.frame + member.value, select.value_size);
+  run<kIntervened>(member.member, cycle);
+  std::memcpy(frame + instruction.output, frame + member.value, select.value_size);
 }
 
 void Program::run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
@@ -249,7 +279,7 @@ void Program::restart(const Block& block, std::byte* frame) const {
 }
 
 void Program::add_needs(const Block& block, const std::byte* frame, bool starts_anew,
-                        percept::Needs& needs) const {
+                        const Interventions* interventions, percept::Needs& needs) const {
   for (std::uint32_t n = block.first_need; n < block.first_need + block.need_count; ++n) {
     const NeedCode& need = needs_[n];
     const double range = need.range_offset == kNone ? need.range : at<double>(frame, need.range_offset);
@@ -273,49 +303,56 @@ void Program::add_needs(const Block& block, const std::byte* frame, bool starts_
   for (std::uint32_t n = block.first; n < block.first + block.count; ++n) {
     const Instruction& i = instructions_[n];
     if (i.kind == Instruction::Kind::kSelect) {
-      for (const CaseCode& member : selects_[i.data].cases) add_needs(member.member, frame, false, needs);
+      for (const CaseCode& member : selects_[i.data].cases)
+        add_needs(member.member, frame, false, interventions, needs);
     } else if (i.kind == Instruction::Kind::kSequence) {
       const SequenceCode& sequence = sequences_[i.data];
       const bool starts = starts_anew || last == 0 || at<std::uint32_t>(frame, i.stamp) != last;
       const StateCode& state = sequence.states[starts ? sequence.start : sequence.active_in(frame)];
-      add_needs(state.triggers, frame, starts, needs);
-      add_needs(state.member, frame, starts, needs);
+      add_needs(state.triggers, frame, starts, interventions, needs);
+      add_needs(state.member, frame, starts, interventions, needs);
       for (const TransitionCode& transition : state.transitions) {
-        add_needs(sequence.states[transition.target].member, frame, true, needs);
+        add_needs(sequence.states[transition.target].member, frame, true, interventions, needs);
       }
+      const auto* const forced = interventions == nullptr ? nullptr : interventions->coming(i.data);
+      if (forced != nullptr)
+        add_needs(sequence.states[forced->state].member, frame, true, interventions, needs);
     }
   }
 }
 
-percept::Needs Program::needs(const std::byte* frame) const {
+percept::Needs Program::needs(const std::byte* frame, const Interventions* interventions) const {
   percept::Needs out;
-  add_needs(root_, frame, false, out);
+  add_needs(root_, frame, false, interventions, out);
   return out;
+}
+
+std::optional<std::string> Program::read(const Port& port, std::string_view text, ValueBytes& out) {
+  if (port.type->parse == nullptr || port.type->size > out.size())
+    return fmt::format("`{}` is of type {}, which has no constants", port.path, port.type->name);
+  if (!port.type->parse(text, out.data())) return fmt::format("`{}` is no {}", text, port.type->name);
+  if (port.type->kind != TypeKind::kReal && port.type->kind != TypeKind::kInteger) return std::nullopt;
+  double number = 0.0;
+  if (port.type->kind == TypeKind::kReal) std::memcpy(&number, out.data(), sizeof number);
+  if (port.type->kind == TypeKind::kInteger)
+    number = static_cast<double>(integer_at(out.data(), 0, port.type->size));
+  if (number < port.min || number > port.max) {
+    return fmt::format("{} is out of range: `{}` takes {} .. {}{}{}", text, port.path, port.min, port.max,
+                       port.edge_unit.empty() ? "" : " ", port.edge_unit);
+  }
+  if (port.edge_unit == "deg" && port.unit != "deg") {
+    number = base::radians(number);
+    std::memcpy(out.data(), &number, sizeof number);
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> Program::set(std::byte* frame, const Port& port, std::string_view text) const {
   if (port.role == Port::Role::kOutput)
     return fmt::format("`{}` is the output of a node, not a parameter", port.path);
-  alignas(Frame::kAlignment) std::byte value[sizeof(Text) > 512 ? sizeof(Text) : 512] = {};
-  if (port.type->parse == nullptr || port.type->size > sizeof value) {
-    return fmt::format("`{}` is of type {}, which has no constants", port.path, port.type->name);
-  }
-  if (!port.type->parse(text, value)) return fmt::format("`{}` is no {}", text, port.type->name);
-  if (port.type->kind == TypeKind::kReal || port.type->kind == TypeKind::kInteger) {
-    double number = 0.0;
-    if (port.type->kind == TypeKind::kReal) std::memcpy(&number, value, sizeof number);
-    if (port.type->kind == TypeKind::kInteger)
-      number = static_cast<double>(integer_at(value, 0, port.type->size));
-    if (number < port.min || number > port.max) {
-      return fmt::format("{} is out of range: `{}` takes {} .. {}{}{}", text, port.path, port.min, port.max,
-                         port.edge_unit.empty() ? "" : " ", port.edge_unit);
-    }
-    if (port.edge_unit == "deg" && port.unit != "deg") {
-      number = base::radians(number);
-      std::memcpy(value, &number, sizeof number);
-    }
-  }
-  std::memcpy(frame + port.offset, value, port.type->size);
+  alignas(Frame::kAlignment) ValueBytes value{};
+  if (auto problem = read(port, text, value)) return problem;
+  std::memcpy(frame + port.offset, value.data(), port.type->size);
   return std::nullopt;
 }
 

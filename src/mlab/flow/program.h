@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -12,6 +13,7 @@
 
 #include "mlab/flow/behavior.h"
 #include "mlab/flow/frame.h"
+#include "mlab/flow/interventions.h"
 #include "mlab/flow/library.h"
 #include "mlab/flow/network.h"
 #include "mlab/percept/needs.h"
@@ -131,6 +133,7 @@ class Program {
   };
   /// State that a node keeps from cycle to cycle.
   struct KeptCode {
+    std::string path;
     std::uint64_t path_hash = 0;
     std::uint32_t offset = 0;
     std::uint32_t size = 0;
@@ -169,14 +172,21 @@ class Program {
   /// @param frame  frame_size() bytes, aligned to Frame::kAlignment, made from `initial_frame`
   /// @param async  runs asynchronous behaviors elsewhere; null: they are computed here when their value is
   /// due
+  /// @param interventions  what a person makes it do; null: nothing
   void step(std::byte* frame, const percept::Percepts& percepts, percept::Action& action, std::uint64_t seed,
-            std::uint32_t robot, AsyncRunner* async = nullptr) const;
+            std::uint32_t robot, AsyncRunner* async = nullptr, Interventions* interventions = nullptr) const;
 
-  /// What the next step may read, given the states in which the robot is.
-  percept::Needs needs(const std::byte* frame) const;
+  /// What the next step may read, given the states in which the robot is, and those that it has to go to.
+  percept::Needs needs(const std::byte* frame, const Interventions* interventions = nullptr) const;
 
   /// The cycle that ran last; 0 before the first.
   static std::uint64_t cycle(const std::byte* frame);
+
+  /// Room for each value that a person can write.
+  using ValueBytes = std::array<std::byte, 512>;
+  /// Reads a value of a port's type as a person writes it (in edge_unit).
+  /// @errors  a sentence that says what is wrong: not of the type, out of range
+  static std::optional<std::string> read(const Port& port, std::string_view text, ValueBytes& out);
 
   /// Sets a parameter or constant, as a person writes it (in edge_unit). Nothing changes where there is an
   /// error.
@@ -227,8 +237,11 @@ class Program {
   struct Transit {
     std::uint32_t sequence = 0;  ///< index, for `sequence_name`
     std::uint32_t from = 0;      ///< indices of states, for `state_name`
-    std::uint32_t way = 0;       ///< among the ways out of `from`, in the order in which they are asked
+    /// Among the ways out of `from`, in the order in which they are asked; kNone: it was forced, and there is
+    /// no such way.
+    std::uint32_t way = 0;
     std::uint32_t to = 0;
+    bool is_forced = false;
   };
   std::size_t sequence_count() const { return sequences_.size(); }
   const std::string& sequence_name(std::uint32_t sequence) const { return sequence_names_[sequence]; }
@@ -238,10 +251,13 @@ class Program {
   /// The transitions of the last cycle. One from a state to itself counts where it restarts it.
   /// @param before  sequence_states after the cycle before; empty: that was not noted, and all count as
   ///                started anew
-  std::vector<Transit> transits(const std::byte* frame, std::span<const SequenceState> before) const;
+  /// @param interventions  in that cycle; null: there were none
+  std::vector<Transit> transits(const std::byte* frame, std::span<const SequenceState> before,
+                                const Interventions* interventions = nullptr) const;
   /// Offsets of the values that the last cycle computed, ascending: a port's value is of this cycle where its
   /// offset is among them.
-  std::vector<std::uint32_t> ran(const std::byte* frame, std::span<const SequenceState> before) const;
+  std::vector<std::uint32_t> ran(const std::byte* frame, std::span<const SequenceState> before,
+                                 const Interventions* interventions = nullptr) const;
 
   /// Takes over what a frame of another program, a larger one with the same nodes, say, has under the same
   /// paths: parameters, values, states of nodes and sequences, and its cycle. Asynchronous procedures begin
@@ -250,6 +266,7 @@ class Program {
 
  private:
   friend class ProgramBuilder;
+  friend class CarryOver;
   friend std::shared_ptr<const Program> with_initial_frame(const Program& program, Frame initial);
 
   /// The first transition of a state whose trigger is true, as triggers stand.
@@ -258,17 +275,30 @@ class Program {
   /// The state whose triggers the last cycle asked.
   std::uint32_t state_before(const std::byte* frame, std::uint32_t sequence,
                              std::span<const SequenceState> before) const;
+  Transit forced_transit(const std::byte* frame, const Interventions::Forced& forced,
+                         std::span<const SequenceState> before) const;
   void add_ran(const Block& block, const std::byte* frame, std::span<const SequenceState> before,
-               std::vector<std::uint32_t>& out) const;
+               const Interventions* interventions, std::vector<std::uint32_t>& out) const;
 
-  void run(const Block& block, Call& call, std::uint32_t now, AsyncRunner* async) const;
-  void run_sequence(const Instruction& instruction, bool starts_anew, Call& call, std::uint32_t now,
-                    AsyncRunner* async) const;
-  void run_select(const Instruction& instruction, Call& call, std::uint32_t now, AsyncRunner* async) const;
+  /// What one cycle is run with.
+  struct Run {
+    Call call;
+    std::uint32_t now = 0;
+    AsyncRunner* async = nullptr;
+    Interventions* interventions = nullptr;  ///< not null where kIntervened
+  };
+  // Twice, so that who looks for no interventions does not pay for them.
+  template <bool kIntervened>
+  void run(const Block& block, Run& cycle) const;
+  template <bool kIntervened>
+  void run_sequence(const Instruction& instruction, bool starts_anew, Run& cycle) const;
+  template <bool kIntervened>
+  void run_select(const Instruction& instruction, Run& cycle) const;
   void run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
                  AsyncRunner* async) const;
   void restart(const Block& block, std::byte* frame) const;
-  void add_needs(const Block& block, const std::byte* frame, bool starts_anew, percept::Needs& needs) const;
+  void add_needs(const Block& block, const std::byte* frame, bool starts_anew,
+                 const Interventions* interventions, percept::Needs& needs) const;
 
   std::string name_;
   std::vector<Port> ports_;
@@ -287,7 +317,7 @@ class Program {
   bool needs_are_fixed_ = false;
   std::size_t node_count_ = 0;
   Frame initial_;
-  std::vector<KeptCode> kept_;  ///< for `take_over` only
+  std::vector<KeptCode> kept_;  ///< for `take_over` and `carry_over` only
 };
 
 /// The same program with other values before the first cycle.

@@ -124,7 +124,7 @@ void ProgramBuilder::list_kept() {
   for (const Op& op : ops_) {
     if (op.blocks == 0 || op.behavior == nullptr || op.behavior->state_size == 0) continue;
     program_->kept_.push_back(
-        {base::hash_text(op.path), op.state, static_cast<std::uint32_t>(op.behavior->state_size)});
+        {op.path, base::hash_text(op.path), op.state, static_cast<std::uint32_t>(op.behavior->state_size)});
   }
 }
 

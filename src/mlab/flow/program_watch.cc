@@ -67,24 +67,56 @@ std::uint32_t Program::state_before(const std::byte* frame, std::uint32_t sequen
   return to == code.active_in(frame) ? from : code.start;
 }
 
-std::vector<Program::Transit> Program::transits(const std::byte* frame,
-                                                std::span<const SequenceState> before) const {
+// A way that leads there counts as taken, where there is one: who draws it shows it.
+Program::Transit Program::forced_transit(const std::byte* frame, const Interventions::Forced& forced,
+                                         std::span<const SequenceState> before) const {
+  const SequenceCode& code = sequences_[forced.sequence];
+  const auto now = static_cast<std::uint32_t>(cycle(frame));
+  const bool went_on = before.size() == sequences_.size() && before[forced.sequence].cycle != 0 &&
+                       before[forced.sequence].cycle == now - 1;
+  const std::uint32_t known = went_on ? before[forced.sequence].active : code.start;
+  const std::uint32_t from = known < code.states.size() ? known : code.start;
+  const std::vector<TransitionCode>& ways = code.states[from].transitions;
+  const auto way = std::ranges::find(ways, forced.state, &TransitionCode::target);
+  return {forced.sequence, from, way == ways.end() ? kNone : static_cast<std::uint32_t>(way - ways.begin()),
+          forced.state, true};
+}
+
+namespace {
+
+// What the last cycle made the sequence do; null: nothing.
+const Interventions::Forced* forced_in(const Interventions* interventions, std::uint32_t sequence) {
+  if (interventions == nullptr) return nullptr;
+  for (const Interventions::Forced& one : interventions->forced()) {
+    if (one.sequence == sequence && one.was_done) return &one;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<Program::Transit> Program::transits(const std::byte* frame, std::span<const SequenceState> before,
+                                                const Interventions* interventions) const {
   std::vector<Transit> out;
   const auto now = static_cast<std::uint32_t>(cycle(frame));
   for (std::uint32_t s = 0; s < sequences_.size(); ++s) {
     const SequenceCode& code = sequences_[s];
     if (now == 0 || code.stamp == kNone || value_at<std::uint32_t>(frame, code.stamp) != now) continue;
+    if (const auto* const forced = forced_in(interventions, s)) {
+      out.push_back(forced_transit(frame, *forced, before));
+      continue;
+    }
     const std::uint32_t from = state_before(frame, s, before);
     const auto way = way_taken(frame, s, from);
     if (!way) continue;
     const TransitionCode& taken = code.states[from].transitions[*way];
-    if (taken.target != from || taken.restarts) out.push_back({s, from, *way, taken.target});
+    if (taken.target != from || taken.restarts) out.push_back({s, from, *way, taken.target, false});
   }
   return out;
 }
 
 void Program::add_ran(const Block& block, const std::byte* frame, std::span<const SequenceState> before,
-                      std::vector<std::uint32_t>& out) const {
+                      const Interventions* interventions, std::vector<std::uint32_t>& out) const {
   const auto now = static_cast<std::uint32_t>(cycle(frame));
   for (std::uint32_t n = block.first; n < block.first + block.count; ++n) {
     const Instruction& i = instructions_[n];
@@ -92,8 +124,10 @@ void Program::add_ran(const Block& block, const std::byte* frame, std::span<cons
     out.push_back(i.output);
     if (i.kind == Instruction::Kind::kSequence) {
       const SequenceCode& code = sequences_[i.data];
-      add_ran(code.states[state_before(frame, i.data, before)].triggers, frame, before, out);
-      add_ran(code.states[code.active_in(frame)].member, frame, before, out);
+      if (forced_in(interventions, i.data) == nullptr) {
+        add_ran(code.states[state_before(frame, i.data, before)].triggers, frame, before, interventions, out);
+      }
+      add_ran(code.states[code.active_in(frame)].member, frame, before, interventions, out);
     } else if (i.kind == Instruction::Kind::kSelect) {
       const SelectCode& code = selects_[i.data];
       const std::int64_t value = whole_number_at(frame, code.selector, code.selector_size);
@@ -102,14 +136,17 @@ void Program::add_ran(const Block& block, const std::byte* frame, std::span<cons
         const auto& values = code.cases[c].values;
         if (std::ranges::find(values, value) != values.end()) chosen = static_cast<std::int32_t>(c);
       }
-      if (chosen >= 0) add_ran(code.cases[static_cast<std::size_t>(chosen)].member, frame, before, out);
+      if (chosen >= 0) {
+        add_ran(code.cases[static_cast<std::size_t>(chosen)].member, frame, before, interventions, out);
+      }
     }
   }
 }
 
-std::vector<std::uint32_t> Program::ran(const std::byte* frame, std::span<const SequenceState> before) const {
+std::vector<std::uint32_t> Program::ran(const std::byte* frame, std::span<const SequenceState> before,
+                                        const Interventions* interventions) const {
   std::vector<std::uint32_t> out;
-  if (cycle(frame) != 0) add_ran(root_, frame, before, out);
+  if (cycle(frame) != 0) add_ran(root_, frame, before, interventions, out);
   std::ranges::sort(out);
   out.erase(std::ranges::unique(out).begin(), out.end());
   return out;

@@ -23,6 +23,17 @@ class ExecutableRunner final : public ProgramRunner {
   void remove(Member member) override { members_.remove(member); }
   std::optional<std::string> start(Member member) override;
   std::optional<std::string> set(Member member, std::string_view port, const std::string& value) override;
+  std::optional<std::string> force(Member /*member*/, std::string_view /*sequence*/,
+                                   std::string_view /*state*/) override {
+    return kElsewhere;
+  }
+  std::optional<std::string> hold(Member /*member*/, std::string_view /*port*/,
+                                  std::string_view /*value*/) override {
+    return kElsewhere;
+  }
+  std::optional<std::string> release(Member /*member*/, std::string_view /*port*/) override {
+    return kElsewhere;
+  }
   bool take_over(Member member, const RobotProgram& after, bool is_running) override;
   void open() override;
   void needs(std::span<const Member> members, std::span<percept::Needs> out) const override;
@@ -34,6 +45,7 @@ class ExecutableRunner final : public ProgramRunner {
   bool restore(Member /*member*/, const flow::Frame& /*frame*/) override { return false; }
 
  private:
+  static constexpr const char* kElsewhere = "its program is an executable, which keeps its values to itself";
   static constexpr std::size_t kNoProcess = ~std::size_t{0};
   struct Process {
     std::string executable;

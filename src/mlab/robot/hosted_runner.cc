@@ -21,6 +21,15 @@ std::size_t HostedRunner::process_for(const std::shared_ptr<const robot_host::Ho
   return processes_.size() - 1;
 }
 
+void HostedRunner::remove(Member member) {
+  const std::size_t process = members_[member].process;
+  members_.remove(member);
+  if (process == kNoProcess) return;
+  const bool is_used =
+      std::ranges::any_of(members_, [&](const Robot& one) { return one.process == process; });
+  if (!is_used) processes_[process] = {};
+}
+
 std::optional<std::string> HostedRunner::start(Member member) {
   Robot& robot = members_[member];
   const auto& hosted = robot.values.robot_program().hosted;
@@ -31,12 +40,16 @@ std::optional<std::string> HostedRunner::start(Member member) {
 }
 
 void HostedRunner::open() {
-  for (const Process& process : processes_) process.cycle->begin();
+  for (const Process& process : processes_) {
+    if (process.cycle) process.cycle->begin();
+  }
   for (const Member member : joined_) {
     Robot& robot = members_[member];
     robot.place = processes_[robot.process].cycle->join(robot.values.robot().value, seed_);
   }
-  for (const Process& process : processes_) process.cycle->open();
+  for (const Process& process : processes_) {
+    if (process.cycle) process.cycle->open();
+  }
 }
 
 // Its frame may hold anything, and what a stranger's program wants is no reason to look farther than there is
@@ -44,7 +57,7 @@ void HostedRunner::open() {
 void HostedRunner::needs(std::span<const Member> members, std::span<percept::Needs> out) const {
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Workings robot = members_[members[i]].values.workings();
-    out[i] = robot.program->needs(robot.frame);
+    out[i] = robot.program->needs(robot.frame, robot.interventions);
     for (double* range : {&out[i].obstacles, &out[i].robots, &out[i].objects})
       *range = std::isfinite(*range) ? std::clamp(*range, 0.0, 1e9) : 0.0;
   }
@@ -55,23 +68,30 @@ void HostedRunner::act(std::span<const Turn> turns) {
     Robot& robot = members_[turn.member];
     robot.turn = turn;
     const flow::Frame& frame = robot.values.saved();
-    processes_[robot.process].cycle->set(robot.place, *turn.percepts, {frame.data(), frame.size()});
+    processes_[robot.process].cycle->set(robot.place, *turn.percepts, {frame.data(), frame.size()},
+                                         robot.values.interventions());
   }
 }
 
 void HostedRunner::ask() {
-  for (const Process& process : processes_) process.cycle->ask();
+  for (const Process& process : processes_) {
+    if (process.cycle) process.cycle->ask();
+  }
 }
 
 void HostedRunner::wait(const Meanwhile& meanwhile) {
-  for (const Process& process : processes_) process.cycle->wait(meanwhile);
+  for (const Process& process : processes_) {
+    if (process.cycle) process.cycle->wait(meanwhile);
+  }
   for (const Member member : joined_) take(members_[member]);
   joined_.clear();
 }
 
 void HostedRunner::take(Robot& robot) {
   const Turn& turn = robot.turn;
-  auto [frame, failure] = processes_[robot.process].cycle->take(robot.place, *turn.action);
+  flow::Interventions* const interventions = robot.values.interventions();
+  auto [frame, failure] = processes_[robot.process].cycle->take(robot.place, *turn.action, interventions);
+  if (interventions != nullptr) robot.values.finish();
   if (!failure.empty()) {
     *turn.action = {};
     *turn.failure = std::move(failure);

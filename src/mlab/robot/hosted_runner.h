@@ -21,10 +21,20 @@ class HostedRunner final : public ProgramRunner {
   Member add(base::RobotId robot, const RobotProgram& program) override {
     return members_.add({{robot, program}, kNoProcess, 0, {}});
   }
-  void remove(Member member) override { members_.remove(member); }
+  void remove(Member member) override;
   std::optional<std::string> start(Member member) override;
   std::optional<std::string> set(Member member, std::string_view port, const std::string& value) override {
     return members_[member].values.set(port, value);
+  }
+  std::optional<std::string> force(Member member, std::string_view sequence,
+                                   std::string_view state) override {
+    return members_[member].values.force(sequence, state);
+  }
+  std::optional<std::string> hold(Member member, std::string_view port, std::string_view value) override {
+    return members_[member].values.hold(port, value);
+  }
+  std::optional<std::string> release(Member member, std::string_view port) override {
+    return members_[member].values.release(port);
   }
   bool take_over(Member member, const RobotProgram& after, bool /*is_running*/) override {
     return members_[member].values.take_over(after);
@@ -35,6 +45,7 @@ class HostedRunner final : public ProgramRunner {
   void ask() override;
   void wait(const Meanwhile& meanwhile) override;
   Workings workings(Member member) const override { return members_[member].values.workings(); }
+  RobotValues* values(Member member) override { return &members_[member].values; }
   flow::Frame save(Member member) const override { return members_[member].values.saved(); }
   bool restore(Member member, const flow::Frame& frame) override {
     return members_[member].values.restore(frame);
@@ -44,7 +55,7 @@ class HostedRunner final : public ProgramRunner {
   static constexpr std::size_t kNoProcess = ~std::size_t{0};
   struct Process {
     std::shared_ptr<const robot_host::HostedProgram> program;
-    std::unique_ptr<robot_host::HostedCycle> cycle;
+    std::unique_ptr<robot_host::HostedCycle> cycle;  ///< null: its robots have gone, and so has it
   };
   struct Robot {
     RobotValues values;

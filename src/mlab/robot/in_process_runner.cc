@@ -16,7 +16,7 @@ std::optional<std::string> InProcessRunner::start(Member member) {
 void InProcessRunner::needs(std::span<const Member> members, std::span<percept::Needs> out) const {
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Workings robot = members_[members[i]].workings();
-    out[i] = robot.program->needs(robot.frame);
+    out[i] = robot.program->needs(robot.frame, robot.interventions);
   }
 }
 
@@ -25,7 +25,8 @@ void InProcessRunner::act(std::span<const Turn> turns) {
     RobotValues& robot = members_[turn.member];
     *turn.action = {};
     robot.program().step(robot.frame(), *turn.percepts, *turn.action, seed_, robot.robot().value,
-                         async_.get());
+                         async_.get(), robot.interventions());
+    if (robot.interventions() != nullptr) robot.finish();
     if (!is_number(*turn.action)) *turn.fault = robot.find_fault();
   }
 }

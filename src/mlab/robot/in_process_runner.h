@@ -20,12 +20,23 @@ class InProcessRunner final : public ProgramRunner {
   std::optional<std::string> set(Member member, std::string_view port, const std::string& value) override {
     return members_[member].set(port, value);
   }
+  std::optional<std::string> force(Member member, std::string_view sequence,
+                                   std::string_view state) override {
+    return members_[member].force(sequence, state);
+  }
+  std::optional<std::string> hold(Member member, std::string_view port, std::string_view value) override {
+    return members_[member].hold(port, value);
+  }
+  std::optional<std::string> release(Member member, std::string_view port) override {
+    return members_[member].release(port);
+  }
   bool take_over(Member member, const RobotProgram& after, bool /*is_running*/) override {
     return members_[member].take_over(after);
   }
   void needs(std::span<const Member> members, std::span<percept::Needs> out) const override;
   void act(std::span<const Turn> turns) override;
   Workings workings(Member member) const override { return members_[member].workings(); }
+  RobotValues* values(Member member) override { return &members_[member]; }
   flow::Frame save(Member member) const override { return members_[member].saved(); }
   bool restore(Member member, const flow::Frame& frame) override { return members_[member].restore(frame); }
 

@@ -11,6 +11,7 @@
 
 #include "mlab/base/id.h"
 #include "mlab/flow/frame.h"
+#include "mlab/flow/interventions.h"
 #include "mlab/flow/program.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/needs.h"
@@ -19,10 +20,13 @@
 
 namespace mlab::robot {
 
+class RobotValues;
+
 /// What a robot's program computes with, for who looks on; both null where it is kept elsewhere.
 struct Workings {
   const flow::Program* program = nullptr;
-  const std::byte* frame = nullptr;  ///< until the runner's next call
+  const std::byte* frame = nullptr;                    ///< until the runner's next call
+  const flow::Interventions* interventions = nullptr;  ///< likewise; null: there are none
 
   explicit operator bool() const { return program != nullptr; }
 };
@@ -70,6 +74,13 @@ class ProgramRunner {
   /// @param value  as a person writes it, in the port's edge_unit
   /// @errors  a sentence that says what is wrong
   virtual std::optional<std::string> set(Member member, std::string_view port, const std::string& value) = 0;
+  /// What a person makes the program do, see flow::Interventions. Held values outlive a new start.
+  /// @errors  a sentence that says why not: the robot's values may be kept elsewhere
+  virtual std::optional<std::string> force(Member member, std::string_view sequence,
+                                           std::string_view state) = 0;
+  virtual std::optional<std::string> hold(Member member, std::string_view port, std::string_view value) = 0;
+  /// @param port  empty: all
+  virtual std::optional<std::string> release(Member member, std::string_view port) = 0;
   /// Gives the robot another version of its program, and so all values that this one sets differently; the
   /// rest is the robot's own. One that did not start yet gets all values of the new version.
   /// @param is_running  it takes part in cycles
@@ -89,6 +100,8 @@ class ProgramRunner {
   virtual void wait(const Meanwhile& /*meanwhile*/) { joined_.clear(); }
 
   virtual Workings workings(Member member) const = 0;
+  /// All that is known of the robot; until the runner's next call. Null where its values are kept elsewhere.
+  virtual RobotValues* values(Member /*member*/) { return nullptr; }
   /// All values of the robot: restored, it goes on exactly from there. Empty where they are kept elsewhere.
   virtual flow::Frame save(Member member) const = 0;
   /// @param frame  from `save`, of a robot of the same program

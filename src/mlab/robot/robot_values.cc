@@ -1,15 +1,51 @@
 #include "mlab/robot/robot_values.h"
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "mlab/robot_host/hosted_program.h"
+
 namespace mlab::robot {
+namespace {
+
+// Compiled procedures are kept under a name that says what they were made of.
+bool has_same_code(const RobotProgram& a, const RobotProgram& b) {
+  if (!a.hosted || !b.hosted) return !a.hosted && !b.hosted;
+  if (!a.hosted->load || !b.hosted->load) return false;
+  return std::ranges::equal(a.hosted->load->libraries(), b.hosted->load->libraries());
+}
+
+}  // namespace
 
 void RobotValues::start() {
   has_started_ = true;
   frame_ = program_->initial;
   for (const auto& [port, value] : set_) program().set(frame_.data(), program().ports()[port], value);
+  if (interventions_) interventions_->begin_anew(frame_.data());
+}
+
+std::optional<std::string> RobotValues::force(std::string_view sequence, std::string_view state) {
+  if (!interventions_) interventions_ = std::make_unique<flow::Interventions>();
+  return interventions_->force(program(), frame_.data(), sequence, state);
+}
+
+std::optional<std::string> RobotValues::hold(std::string_view port, std::string_view value) {
+  if (!interventions_) interventions_ = std::make_unique<flow::Interventions>();
+  return interventions_->hold(program(), frame_.data(), port, value);
+}
+
+std::optional<std::string> RobotValues::release(std::string_view port) {
+  if (!interventions_)
+    return port.empty() ? std::nullopt : std::optional(fmt::format("`{}` is not held", port));
+  return interventions_->release(program(), frame_.data(), port);
+}
+
+void RobotValues::finish() {
+  interventions_->finish();
+  if (interventions_->is_empty()) interventions_.reset();
 }
 
 std::optional<std::string> RobotValues::set(std::string_view path, const std::string& value) {
@@ -37,9 +73,37 @@ bool RobotValues::take_over(const RobotProgram& after) {
   return true;
 }
 
+std::vector<flow::Restart> RobotValues::go_on_from(const RobotValues& before) {
+  has_started_ = before.has_started_;
+  for (const auto& [port, value] : before.set_) {
+    const flow::Port* const mine = program().find(before.program().ports()[port].path);
+    if (mine != nullptr) set_[static_cast<std::uint32_t>(mine - program().ports().data())] = value;
+  }
+  std::vector<flow::Restart> restarts;
+  if (before.program_->hosted && !program_->hosted) {
+    // What a stranger's process has left may be anything, and our own code would stand on it.
+    start();
+    restarts.push_back({program_->type, "begins anew as a whole: a process of its own has computed it"});
+    return restarts;
+  }
+  flow::CarriedOver carried =
+      flow::carry_over({before.program(), before.program_->initial}, before.frame_.data(),
+                       {program(), program_->initial}, has_same_code(*before.program_, *program_));
+  frame_ = std::move(carried.frame);
+  restarts = std::move(carried.restarts);
+  for (const auto& [port, value] : set_) program().set(frame_.data(), program().ports()[port], value);
+  if (before.interventions_) {
+    interventions_ = std::make_unique<flow::Interventions>(*before.interventions_);
+    for (std::string& path : interventions_->carry_over(before.program(), program(), frame_.data()))
+      restarts.push_back({std::move(path), "is not held any more"});
+  }
+  return restarts;
+}
+
 bool RobotValues::restore(const flow::Frame& frame) {
   if (frame.size() != frame_.size()) return false;
   frame_ = frame;
+  if (interventions_) interventions_->begin_anew(frame_.data());
   return true;
 }
 

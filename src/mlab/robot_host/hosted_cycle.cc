@@ -89,16 +89,19 @@ void HostedCycle::hand_over(Joined& one) {
   header.seed = one.seed;
   header.percepts = one.percepts;
   std::memcpy(memory_->frame(one.slot), one.frame.data(), one.frame.size());
+  header.has_interventions = one.interventions != nullptr ? 1 : 0;
+  if (one.interventions != nullptr) memory_->interventions(one.slot) = *one.interventions;
   asked_.push_back(&one);
   ++asked_ever_;
 }
 
-void HostedCycle::set(std::size_t place, const percept::Percepts& percepts,
-                      std::span<const std::byte> frame) {
+void HostedCycle::set(std::size_t place, const percept::Percepts& percepts, std::span<const std::byte> frame,
+                      const flow::Interventions* interventions) {
   Joined& one = joined_[place];
   if (!one.failure.empty()) return;
   one.percepts = memory_->add_percepts(percepts);
   one.frame = frame;
+  one.interventions = interventions;
   one.is_set.store(true, std::memory_order_release);
   // Whoever comes while another thread hands over leaves it to that one, or to those who come later.
   if (!is_early_) return;
@@ -213,11 +216,13 @@ void HostedCycle::blame(const Failure& failure) {
     one.failure += fmt::format(", in {}", program_->codes[failure.node]);
 }
 
-HostedCycle::Outcome HostedCycle::take(std::size_t place, percept::Action& action) {
+HostedCycle::Outcome HostedCycle::take(std::size_t place, percept::Action& action,
+                                       flow::Interventions* interventions) {
   const Joined& one = joined_[place];
   if (!one.failure.empty()) return {{}, one.failure};
   if (!robot_wire::read_action(memory_->header(one.slot).action, action))
     return {{}, "answers nonsense: its action has fields that there are not"};
+  if (interventions != nullptr) interventions->take_notes_of(memory_->interventions(one.slot));
   return {{memory_->frame(one.slot), memory_->frame_size()}, ""};
 }
 

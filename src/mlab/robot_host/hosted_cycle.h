@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/flow/interventions.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot_host/hosted_program.h"
@@ -38,8 +39,9 @@ class HostedCycle {
   std::size_t join(std::uint32_t robot, std::uint64_t seed);
   /// All have joined.
   void open();
-  /// @param frame  lives, unchanged, until `wait` comes back
-  void set(std::size_t place, const percept::Percepts& percepts, std::span<const std::byte> frame);
+  /// @param frame, interventions  live, unchanged, until `wait` comes back; null: there are none
+  void set(std::size_t place, const percept::Percepts& percepts, std::span<const std::byte> frame,
+           const flow::Interventions* interventions = nullptr);
 
   void ask();
   void wait(const Meanwhile& meanwhile);
@@ -50,7 +52,8 @@ class HostedCycle {
     std::string failure;  ///< a sentence about what its program did instead; empty: all is well
   };
   /// @param action  what the robot's program wants
-  Outcome take(std::size_t place, percept::Action& action);
+  /// @param interventions  those that were set; take what the cycle made of them
+  Outcome take(std::size_t place, percept::Action& action, flow::Interventions* interventions = nullptr);
 
  private:
   struct Joined {
@@ -58,6 +61,7 @@ class HostedCycle {
     std::uint64_t seed = 0;
     std::uint64_t percepts = 0;
     std::span<const std::byte> frame;
+    const flow::Interventions* interventions = nullptr;
     std::atomic<bool> is_set = false;
     std::size_t slot = 0;  // its place among those that the program computes
     std::string failure;   // its program is not asked any more; empty: all is well

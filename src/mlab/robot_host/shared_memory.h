@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/flow/interventions.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot_wire/mapping.h"
 #include "mlab/robot_wire/shared_cycle.h"
@@ -43,6 +44,10 @@ class SharedMemory {
   robot_wire::PlaceHeader& header(std::size_t place);
   std::byte* frame(std::size_t place) { return reinterpret_cast<std::byte*>(&header(place) + 1); }
   std::size_t frame_size() const { return frame_size_; }
+  /// Behind the frame.
+  flow::Interventions& interventions(std::size_t place) {
+    return *robot_wire::interventions_of(frame(place), frame_size_);
+  }
 
   /// Forgets all percepts.
   void clear_percepts();

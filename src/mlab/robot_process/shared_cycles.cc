@@ -66,8 +66,11 @@ int serve_shared(SharedFiles& files, const flow::Program& program, int in) {
       auto& header = *reinterpret_cast<PlaceHeader*>(place);
       files.control().place.store(i, std::memory_order_relaxed);
       percept::Action action;
-      program.step(place + sizeof(PlaceHeader), read.read(files.percepts(header.percepts)), action,
-                   header.seed, header.robot);
+      std::byte* const frame = place + sizeof(PlaceHeader);
+      program.step(frame, read.read(files.percepts(header.percepts)), action, header.seed, header.robot,
+                   nullptr,
+                   header.has_interventions != 0 ? robot_wire::interventions_of(frame, program.frame_size())
+                                                 : nullptr);
       robot_wire::write_action(action, header.action);
     }
     files.control().place.store(Control::kNobody, std::memory_order_relaxed);

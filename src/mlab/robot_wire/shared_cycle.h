@@ -4,10 +4,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "mlab/flow/interventions.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot_wire/shared_number.h"
@@ -17,10 +19,10 @@
 ///
 /// Two files: in `frames` both sides write, the program reads `percepts` only. `frames` begins with a
 /// Control, and from kFirstPlace on has one place for each robot of the cycle: a PlaceHeader, and behind it
-/// the robot's frame. The run fills places and percepts, one after the other, and counts in `asked` how many;
-/// the program computes them in that order, at once, and counts in `answered`. Both go on from cycle to
-/// cycle, and over the largest number to 0. What the run reads there may be anything: the program is not
-/// trusted.
+/// the robot's frame, and its flow::Interventions. The run fills places and percepts, one after the other,
+/// and counts in `asked` how many; the program computes them in that order, at once, and counts in
+/// `answered`. Both go on from cycle to cycle, and over the largest number to 0. What the run reads there may
+/// be anything: the program is not trusted.
 
 namespace mlab::robot_wire {
 
@@ -46,6 +48,7 @@ struct alignas(64) Control {
 /// In front of each frame.
 struct alignas(64) PlaceHeader {
   std::uint32_t robot = 0;
+  std::uint32_t has_interventions = 0;  ///< 0: what stands behind the frame is of no meaning
   std::uint64_t seed = 0;
   std::uint64_t percepts = 0;                               ///< where they begin in the other file
   std::array<std::byte, sizeof(percept::Action)> action{};  ///< as `write_action` leaves it
@@ -53,7 +56,11 @@ struct alignas(64) PlaceHeader {
 
 /// Bytes from one place to the next.
 constexpr std::size_t place_size(std::size_t frame_size) {
-  return (sizeof(PlaceHeader) + frame_size + 63) / 64 * 64;
+  return (sizeof(PlaceHeader) + frame_size + sizeof(flow::Interventions) + 63) / 64 * 64;
+}
+/// @param frame_size  a multiple of the alignment of frames
+inline flow::Interventions* interventions_of(std::byte* frame, std::size_t frame_size) {
+  return std::launder(reinterpret_cast<flow::Interventions*>(frame + frame_size));
 }
 
 /// Changes with everything that both sides have to agree on byte by byte.

@@ -1,4 +1,5 @@
 // The value of what is drawn, while robots run: an arrow for a vector, a small plot for a number, words.
+import { Icon } from "../../ui/controls/icons.tsx";
 import { tracePath } from "./traces.ts";
 import { useLive } from "./use_live.ts";
 import type { LiveValue } from "./values.ts";
@@ -11,7 +12,7 @@ export function LiveBadge({ page, live, y }: { page: string; live: string; y: nu
   const value = useLive(page, live);
   if (!value || y < 0) return null;
   return (
-    <span className="live-badge number" style={{ top: y - 30 }}>
+    <span className={`live-badge number ${value.isHeld ? "held" : ""}`} style={{ top: y - 30 }}>
       <LiveShown value={value} />
     </span>
   );
@@ -21,6 +22,7 @@ export function LiveShown({ value }: { value: LiveValue }) {
   const path = value.trace && !value.vector ? tracePath(value.trace, kWidth, kHeight) : "";
   return (
     <>
+      {value.isHeld && <HeldSign />}
       {value.vector && <LiveArrow {...value.vector} />}
       {path !== "" && (
         <svg className="live-plot" viewBox={`0 0 ${kWidth} ${kHeight}`} aria-hidden="true">
@@ -29,6 +31,14 @@ export function LiveShown({ value }: { value: LiveValue }) {
       )}
       {value.text}
     </>
+  );
+}
+
+function HeldSign() {
+  return (
+    <span className="held-sign" title="Held: not what its node computes">
+      <Icon name="lock" />
+    </span>
   );
 }
 

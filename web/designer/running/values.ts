@@ -12,6 +12,8 @@ export interface LiveValue {
   readonly trace?: readonly number[];
   /** Of a state: it is the one. Of a node: it fired in this cycle. */
   readonly isActive?: boolean;
+  /** Somebody holds it at this value, whatever its node computes. */
+  readonly isHeld?: boolean;
   /** Number of times that it happened; a change flashes (transitions). */
   readonly times?: number;
 }
@@ -66,6 +68,7 @@ function isSame(a: LiveValue | undefined, b: LiveValue | undefined): boolean {
     a.vector?.x === b.vector?.x &&
     a.vector?.y === b.vector?.y &&
     a.isActive === b.isActive &&
+    a.isHeld === b.isHeld &&
     a.times === b.times
   );
 }

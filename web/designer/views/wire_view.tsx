@@ -28,7 +28,7 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
       {(value || selected) && (
         <EdgeLabelRenderer>
           <span
-            className={`wire-label number ${value ? "live" : ""}`}
+            className={`wire-label number ${value ? "live" : ""} ${value?.isHeld ? "held" : ""}`}
             style={{ transform: `translate(${isAbove ? "-100%" : "-50%"}, -50%) translate(${at.x}px, ${at.y}px)` }}
           >
             {value ? <LiveShown value={value} /> : `${data?.wire.type}${data?.wire.unit ? ` [${data.wire.unit}]` : ""}`}

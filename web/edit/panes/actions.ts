@@ -3,7 +3,7 @@ import type { Action } from "../../designer/session/action.ts";
 import type { Designer } from "../../designer/session/designer.ts";
 import { kBreakKey, kFieldKey, kPinKey, kRunKey, kStepKey, kStopKey } from "../run/keys.ts";
 import { knownLive, liveOf } from "../run/live.ts";
-import { runButton } from "../run/run_button.ts";
+import { offersTakeOver, runButton } from "../run/run_button.ts";
 import { liveMenu } from "./menu.ts";
 
 export function liveActions(designer: Designer): Action[] {
@@ -17,6 +17,13 @@ export function liveActions(designer: Designer): Action[] {
   return [
     { id: "run", label, group: "Run", icon: "play", shortcut: kRunKey, blocked: none, run: () => void live.press() },
     { id: "step", label: "One cycle", group: "Run", icon: "step", shortcut: kStepKey, run: () => void live.step() },
+    {
+      id: "take-over",
+      label: "Take over the change: the robots go on with it",
+      group: "Run",
+      blocked: offersTakeOver(live.situation) ? undefined : "Nothing that runs has a change to take over",
+      run: () => void live.takeOver(),
+    },
     { id: "stop", label: "Stop", group: "Run", icon: "rewind", shortcut: kStopKey, run: () => void live.stop() },
     {
       id: "field-toggle",

@@ -12,9 +12,10 @@ import { Button, Field, IconButton } from "../../ui/controls/controls.tsx";
 import { atCondition, kComparisons } from "../run/break_points.ts";
 import { joined } from "../run/places.ts";
 import { type Target, targetOf } from "../run/targets.ts";
+import { HoldValue } from "./hold_value.tsx";
 import { InSession } from "./in_session.tsx";
 import { breaksOnValue, liveMenu } from "./menu.ts";
-import { useLivePage, usePath } from "./use_live_part.ts";
+import { useActiveState, useLivePage, usePath } from "./use_live_part.ts";
 
 export function LiveDetails({ drawing, id }: { drawing: Drawing; id: string }) {
   const target = targetOf(drawing, id);
@@ -31,7 +32,10 @@ function RunningDetails({ drawing, id, target }: { drawing: Drawing; id: string;
   const path = usePath(target.kind === "value" ? target.live : ".");
   usePart((state) => state.marks);
   useSessionPart("roster");
-  const actions = liveMenu(designer, id).filter((one) => one.blocked === undefined);
+  useSessionPart("selection");
+  useActiveState();
+  // What holds a value has a field of its own.
+  const actions = liveMenu(designer, id).filter((one) => one.blocked === undefined && one.id !== "hold");
   const isRunning = path !== "";
   if (!isRunning && actions.length === 0) return null;
   return (
@@ -46,6 +50,7 @@ function RunningDetails({ drawing, id, target }: { drawing: Drawing; id: string;
           ))}
         </div>
         {target.kind === "value" && <BreakWhen drawing={drawing} target={target} id={id} />}
+        {target.kind === "value" && isRunning && <HoldValue key={path} path={path} />}
       </div>
     </Section>
   );

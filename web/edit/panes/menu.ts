@@ -7,6 +7,7 @@ import type { Drawing, Mark } from "../../designer/session/protocol.ts";
 import { transitionOf } from "../../designer/states/flow.ts";
 import { isNoTrigger } from "../../designer/states/trigger_words.ts";
 import { atCondition, atTransition } from "../run/break_points.ts";
+import { canBeHeld, heldAt, stateOf } from "../run/interventions.ts";
 import { knownLive, type Live } from "../run/live.ts";
 import { breakAtTransition, breaksWhen, isOnSame, markAt, marksOfPage } from "../run/marks.ts";
 import { joined } from "../run/places.ts";
@@ -19,9 +20,17 @@ export function liveMenu(designer: Designer, id: string): Action[] {
   if (!live || !target) return [];
   switch (target.kind) {
     case "transition":
-      return [transitionBreak(live, target.from, target.to, id), ...conditionBreaks(live, drawing, id)];
+      return [
+        transitionBreak(live, target.from, target.to, id),
+        ...conditionBreaks(live, drawing, id),
+        forceAction(live, target.to, target.from),
+      ];
     case "state":
-      return [transitionBreak(live, "", target.name, id), transitionBreak(live, target.name, "", id)];
+      return [
+        transitionBreak(live, "", target.name, id),
+        transitionBreak(live, target.name, "", id),
+        forceAction(live, target.name),
+      ];
     case "value":
       return valueActions(live, drawing, target, id);
   }
@@ -39,6 +48,31 @@ function blockedBy(live: Live): string | undefined {
   const { errors, hasSubject } = live.situation;
   if (!hasSubject || isOfLibrary(live.designer.state.document)) return "Run it first";
   return errors > 0 ? "It does not compile" : undefined;
+}
+
+/** The state in which the selected robot is on the page; empty: not known. */
+export function activeState(live: Live): string {
+  const place = placeOf(live);
+  return place === undefined ? "" : stateOf(live.model.detail(live.follower.robot), place);
+}
+
+/** Sends the selected robot to a state; `from`: only out of this one. */
+function forceAction(live: Live, to: string, from?: string): Action {
+  const sequence = placeOf(live);
+  const now = activeState(live);
+  const isThere = now === to;
+  const known =
+    from === undefined ? (isThere ? `Begin ${to} anew now` : `Go to ${to} now`) : `Go from ${from} to ${to} now`;
+  const robot = live.model.get("roster").nameOf(live.follower.robot);
+  const elsewhere = from !== undefined && now !== from ? `${robot} is in ${now}` : undefined;
+  return {
+    id: from === undefined ? "force" : "force-transition",
+    label: known,
+    group: "Run",
+    icon: "right",
+    blocked: sequence === undefined || now === "" ? "Run it first" : elsewhere,
+    run: () => void live.force(sequence ?? "", to),
+  };
 }
 
 /** What is marked of the page, where it runs. */
@@ -150,6 +184,8 @@ function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "va
       },
     });
   }
+  const held = holdAction(live, target, id);
+  if (held) actions.push(held);
   if (target.type === "Vector") {
     actions.push({
       id: "field",
@@ -165,6 +201,38 @@ function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "va
     });
   }
   return actions;
+}
+
+/** Nothing: it can't be held. */
+function holdAction(live: Live, target: Target & { kind: "value" }, id: string): Action | undefined {
+  const place = placeOf(live);
+  if (place === undefined) return undefined;
+  const { robot } = live.follower;
+  const path = joined(place, target.live);
+  const port = live.model
+    .get("roster")
+    .portsOf(robot)
+    .find((one) => one.path === path);
+  if (!port || !canBeHeld(port)) return undefined;
+  const isHeld = heldAt(live.model.get("held"), robot, path) !== undefined;
+  return {
+    id: "hold",
+    label: isHeld ? "Release the value" : "Hold at a value…",
+    group: "Run",
+    icon: isHeld ? "release" : "lock",
+    run: () => {
+      if (isHeld) {
+        void live.release(robot, path);
+        return;
+      }
+      live.designer.select([id]);
+      live.designer.show({ details: true });
+      setTimeout(
+        () => window.document.querySelector<HTMLElement>(".hold-value input, .hold-value button")?.focus(),
+        100,
+      );
+    },
+  };
 }
 
 function breakField(): HTMLInputElement | null {

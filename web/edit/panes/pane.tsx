@@ -5,12 +5,13 @@ import { spokenPath } from "../../core/port_words.ts";
 import { Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
 import { Choice } from "../../ui/controls/choice.tsx";
-import { Button } from "../../ui/controls/controls.tsx";
+import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { duration } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { isMoving, runButton } from "../run/run_button.ts";
 import { Breakpoints, HaltedNotice } from "./breakpoint_list.tsx";
+import { HeldValues } from "./hold_value.tsx";
 import { InSession } from "./in_session.tsx";
 import { MapHost } from "./map_host.tsx";
 import { Probes } from "./probes.tsx";
@@ -71,6 +72,7 @@ function Place() {
   const now = useSituation();
   const scene = useSessionPart("scene");
   const error = useLiveState((state) => state.error);
+  const takenOver = useLiveState((state) => state.takenOver);
   const fieldError = useLiveState((state) => state.fieldError);
   const field = useLiveState((state) => (state.showsField ? state.field : null));
   const isReading = useLiveState(({ showsField, field, fieldError }) => showsField && !field && fieldError === "");
@@ -87,6 +89,12 @@ function Place() {
               Show why
             </Button>
           )}
+        </p>
+      )}
+      {takenOver !== "" && !isEmpty && (
+        <p className="sim-note sim-taken-over small" role="status">
+          <span className="grow">{takenOver}</span>
+          <IconButton icon="close" label="Read" onPress={() => live.store.setState({ takenOver: "" })} />
         </p>
       )}
       {fieldError !== "" && (
@@ -153,6 +161,7 @@ function BelowMap() {
     <div className="sim-below">
       <RobotChoice />
       <Probes />
+      <HeldValues />
       <Breakpoints />
       {notes.length > 0 && (
         <section aria-label="What was assumed">

@@ -8,7 +8,7 @@ import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { kRunKey, kStepKey, kStopKey } from "../run/keys.ts";
-import { offersChange, runButton } from "../run/run_button.ts";
+import { offersChange, offersTakeOver, runButton } from "../run/run_button.ts";
 import { InSession } from "./in_session.tsx";
 import { Setup } from "./setup.tsx";
 import { useLivePage, useSituation } from "./use_live_part.ts";
@@ -40,6 +40,13 @@ function Bar() {
           {label}
         </Button>
       </Hint>
+      {offersTakeOver(now) && (
+        <Hint text="The robots go on with what the text says now, where they are; what can't be kept is told">
+          <Button icon="right" onPress={() => void live.takeOver()}>
+            Take over
+          </Button>
+        </Hint>
+      )}
       {offersChange(now) && (
         <Hint text="The text, or what is to run, has changed since it was run: begins anew with what stands there now">
           <Button icon="restart" onPress={() => void live.tryOut(true)}>

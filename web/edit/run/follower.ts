@@ -5,6 +5,7 @@ import { Traces } from "../../designer/running/traces.ts";
 import { type LiveValue, liveKey, liveValues } from "../../designer/running/values.ts";
 import { drawingOf } from "../../designer/session/designer.ts";
 import type { Drawing } from "../../designer/session/protocol.ts";
+import { heldPorts } from "./interventions.ts";
 import type { Live } from "./live.ts";
 import { choosePlace, guessPlaces, witnessesOf } from "./places.ts";
 import { livesOf, type Plan, planOf, portReader, portsOf, valuesOf, withTrace } from "./reading.ts";
@@ -35,6 +36,7 @@ export class Follower {
     model.onFrame(() => this.soon());
     model.subscribe("selection", () => this.turn());
     model.subscribe("roster", () => this.look());
+    model.subscribe("held", () => this.read());
     store.subscribe((state, before) => {
       if (state.chosenPlace !== before.chosenPlace || state.pins !== before.pins) this.turn();
     });
@@ -155,7 +157,8 @@ export class Follower {
       return;
     }
     this.traces.at(model.time);
-    const values = this.plan ? valuesOf(this.plan, detail, this.traces) : new Map<string, LiveValue>();
+    const held = heldPorts(model.get("held"), this.robot);
+    const values = this.plan ? valuesOf(this.plan, detail, this.traces, held) : new Map<string, LiveValue>();
     const { pins } = store.getState();
     if (pins.length > 0) {
       const ports = model.get("roster").portsOf(this.robot);

@@ -85,6 +85,7 @@ export class Live {
       hasSubject: subjectOf(document?.declarations ?? [], subject, designer.state.page) !== undefined,
       isOurs,
       isCurrent: isOurs && tried.revision === document?.revision && !this.isOtherSetup(tried),
+      isSameSetup: isOurs && !this.isOtherSetup(tried),
       mode: model.get("status")?.mode ?? Status_Mode.NO_MISSION,
     };
   }
@@ -131,8 +132,13 @@ export class Live {
     }
   }
 
+  /** The robots that run go on with what the text says now; where that can't be, they go on as they did. */
+  async takeOver(): Promise<boolean> {
+    return this.tryOut(false, true);
+  }
+
   /** Hands the configuration to the simulator. */
-  async tryOut(execute: boolean): Promise<boolean> {
+  async tryOut(execute: boolean, takeOver = false): Promise<boolean> {
     const { designer, store } = this;
     const document = designer.document;
     if (!document) return false;
@@ -140,7 +146,7 @@ export class Live {
     const found = subjectOf(document.declarations, subject, designer.state.page);
     if (!found || !(await this.becomeOperator())) return false;
     this.showPane();
-    store.setState({ isBusy: true, error: "" });
+    store.setState({ isBusy: true, error: "", takenOver: "" });
     const before = await this.renameBreakpoints(document.path);
     // Breakpoints go with their pages to where those run now, which is known when it stands ready.
     const waits = execute && (designer.state.marks[document.path] ?? []).some(({ breakpoint }) => breakpoint);
@@ -153,13 +159,12 @@ export class Live {
         overlay,
         starts: [...starts],
         execute: execute && !waits,
+        takeOver,
       },
     });
-    store.setState({ isBusy: false, error: answer.ok ? "" : sentence(answer.error) });
+    store.setState({ isBusy: false });
     if (!answer.ok) {
-      // What ran before goes on, under its names.
-      for (const breakpoint of before) await this.connection.ask({ case: "setBreakpoint", value: { breakpoint } });
-      designer.say(answer.error);
+      await this.goOnAsBefore(before, takeOver ? notTakenOver(answer.error) : answer.error);
       if (answer.problems.length > 0) this.showProblem();
       return false;
     }
@@ -171,14 +176,22 @@ export class Live {
       mission: trial?.mission ?? "",
       notes: trial?.notes ?? [],
     };
-    store.setState({ tried, field: null, fieldError: "" });
+    const takenOver = sentence(trial?.takenOver ?? "");
+    store.setState({ tried, takenOver, field: null, fieldError: "" });
     if (waits) {
       await this.renameBreakpoints(document.path);
       await this.control(Control_Action.EXECUTE);
     }
-    designer.say(execute ? `${found.name} runs` : `${found.name} stands ready`);
+    designer.say(takeOver ? takenOver : execute ? `${found.name} runs` : `${found.name} stands ready`);
     this.follower.look();
     return true;
+  }
+
+  /** What ran before goes on, under its names; `why`: what was tried does not. */
+  private async goOnAsBefore(breakpoints: readonly Breakpoint[], why: string): Promise<void> {
+    this.store.setState({ error: sentence(why) });
+    for (const breakpoint of breakpoints) await this.connection.ask({ case: "setBreakpoint", value: { breakpoint } });
+    this.designer.say(why);
   }
 
   /** One control cycle; where nothing has been tried yet, the first. */
@@ -293,6 +306,27 @@ export class Live {
     const program = roster.robot(this.follower.robot)?.program;
     const robots = roster.robots.filter((robot) => robot.program === program).map(({ id }) => id);
     return (await this.order({ case: "setParameter", value: { robots, port, value } })).ok;
+  }
+
+  /** In the next cycle the selected robot's sequence goes to the state; `sequence`: its path. */
+  async force(sequence: string, state: string): Promise<void> {
+    const { robot } = this.follower;
+    const { ok } = await this.order({ case: "forceState", value: { robot, sequence, state } });
+    if (ok) this.designer.say(`${this.model.get("roster").nameOf(robot)} goes to ${state}`);
+  }
+
+  /** From the next cycle on the selected robot's output is held at the value. */
+  async hold(port: string, value: string): Promise<boolean> {
+    const { robot } = this.follower;
+    const { ok } = await this.order({ case: "holdValue", value: { robot, port, value } });
+    if (ok) this.designer.say(`Held ${spokenPath(port)} at ${value}`);
+    return ok;
+  }
+
+  /** Robot 0: of all; port empty: all values. */
+  async release(robot: number, port: string): Promise<void> {
+    const { ok } = await this.order({ case: "releaseValue", value: { robot, port } });
+    if (ok) this.designer.say(port === "" ? "Released all values" : `Released ${spokenPath(port)}`);
   }
 
   /** A live value becomes the text's. What runs is then what the text says, so it counts as tried. */
@@ -487,4 +521,8 @@ export function liveOf(designer: Designer): Live {
 /** Without connecting. */
 export function knownLive(designer: Designer): Live | undefined {
   return kLives.get(designer);
+}
+
+function notTakenOver(why: string): string {
+  return `it can't be taken over: ${why}. "Run the change" begins anew`;
 }

@@ -47,6 +47,8 @@ export interface LiveState {
   isBusy: boolean;
   /** Why the last attempt did not run; empty: it did. */
   error: string;
+  /** What became of robots that took over the last change; empty: none did. */
+  takenOver: string;
   tried: LastTrial | null;
   /** What runs: a declaration's name; empty: found by the page. */
   subject: string;
@@ -88,6 +90,7 @@ export function createLiveState(): LiveStore {
   return createStore<LiveState>(() => ({
     isBusy: false,
     error: "",
+    takenOver: "",
     tried: null,
     subject: "",
     robots: 3,

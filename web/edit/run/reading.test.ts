@@ -32,6 +32,8 @@ function bytesOf(values: readonly number[], put: (view: DataView, at: number, va
   return bytes;
 }
 
+const kNothingHeld = new Set<string>();
+
 const numbers = bytesOf([5, 1, 2.5, 0], (view, at, value) => view.setFloat64(at, value, true), 8);
 const vectors = new Uint8Array(12);
 new DataView(vectors.buffer).setFloat32(4, 3, true);
@@ -51,7 +53,7 @@ test("values are those of the place that is shown, each as what it is", () => {
     vectors,
     active: new Uint8Array([1, 0, 1, 0]),
   });
-  const values = valuesOf(plan, detail, traces);
+  const values = valuesOf(plan, detail, traces, kNothingHeld);
   expect(values.get(liveKey("Wander", "Noise"))).toEqual({
     text: "5",
     number: 5,
@@ -76,13 +78,26 @@ test("a detail with the page's ports alone gives the same values", () => {
     vectors: arrow,
     active: new Uint8Array([1]),
   });
-  expect([...valuesOf(plan, detail, new Traces())]).toEqual([
+  expect([...valuesOf(plan, detail, new Traces(), kNothingHeld)]).toEqual([
     [liveKey("Wander", "Noise"), { text: "5", number: 5, vector: { x: 3, y: 4 }, isActive: true, trace: [5] }],
   ]);
 });
 
+test("what is held is told from what was computed", () => {
+  const detail = create(RobotDetailSchema, {
+    ports: ["(3, 4)", "true", "2.5", "(0, 0)"],
+    numbers,
+    vectors,
+    active: new Uint8Array([1, 1, 1, 1]),
+  });
+  const values = valuesOf(planOf(drawing, "movement", ports), detail, new Traces(), new Set(["movement.near"]));
+  expect(values.get(liveKey("Wander", "near"))).toMatchObject({ text: "true", isHeld: true });
+  expect(values.get(liveKey("Wander", "range"))?.isHeld).toBeUndefined();
+});
+
 test("a detail without ports gives no values", () => {
-  expect(valuesOf(planOf(drawing, "movement", ports), create(RobotDetailSchema), new Traces()).size).toBe(0);
+  const plan = planOf(drawing, "movement", ports);
+  expect(valuesOf(plan, create(RobotDetailSchema), new Traces(), kNothingHeld).size).toBe(0);
 });
 
 test("of states the active one is known, and of transitions when they were made", () => {
@@ -105,7 +120,7 @@ test("of states the active one is known, and of transitions when they were made"
       { sequence: "other", from: "Acquiring", index: 0, to: "Searching", cycle: 15n },
     ],
   });
-  const values = valuesOf(planOf(states, "movement", ports), detail, new Traces());
+  const values = valuesOf(planOf(states, "movement", ports), detail, new Traces(), kNothingHeld);
   expect(values.get(liveKey("Forage", "Searching"))?.isActive).toBe(false);
   expect(values.get(liveKey("Forage", "Acquiring"))?.isActive).toBe(true);
   expect(values.get(liveKey("Forage", "Searching/0"))?.times).toBe(12);

@@ -40,13 +40,22 @@ export function livesOf(drawing: Drawing): string[] {
   return [...new Set(lives)];
 }
 
-export function valuesOf(plan: Plan, detail: RobotDetail, traces: Traces): Map<string, LiveValue> {
+/** `held`: paths of ports that somebody holds. */
+export function valuesOf(
+  plan: Plan,
+  detail: RobotDetail,
+  traces: Traces,
+  held: ReadonlySet<string>,
+): Map<string, LiveValue> {
   const values = new Map<string, LiveValue>();
   const read = portReader(plan.ports, detail);
   for (const [live, at] of plan.index) {
     const key = liveKey(plan.page, live);
     const value = read(at);
-    if (value) values.set(key, withTrace(value, plan.ports[at]!, key, traces));
+    const port = plan.ports[at]!;
+    if (!value) continue;
+    const shown = withTrace(value, port, key, traces);
+    values.set(key, held.has(port.path) ? { ...shown, isHeld: true } : shown);
   }
   if (plan.drawing.kind === Drawing_Kind.STATES) addStates(plan, detail, values);
   return values;

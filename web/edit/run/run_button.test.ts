@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { Status_Mode } from "../../core/protocol.ts";
-import { offersChange, runButton, type Situation } from "./run_button.ts";
+import { offersChange, offersTakeOver, runButton, type Situation } from "./run_button.ts";
 
 const first: Situation = {
   isConnected: true,
@@ -9,9 +9,10 @@ const first: Situation = {
   hasSubject: true,
   isOurs: false,
   isCurrent: false,
+  isSameSetup: false,
   mode: Status_Mode.NO_MISSION,
 };
-const tried = { ...first, isOurs: true, isCurrent: true };
+const tried = { ...first, isOurs: true, isCurrent: true, isSameSetup: true };
 
 test("at first it tries, and then it pauses and goes on", () => {
   expect(runButton(first).act).toBe("try");
@@ -28,6 +29,17 @@ test("a text that was changed is tried anew, at the latest when it is paused", (
   expect(offersChange({ ...changed, mode: Status_Mode.RUNNING })).toBe(true);
   expect(offersChange({ ...changed, errors: 1, mode: Status_Mode.RUNNING })).toBe(false);
   expect(offersChange({ ...tried, mode: Status_Mode.RUNNING })).toBe(false);
+});
+
+test("robots can take over a change of the text, and of nothing else", () => {
+  const changed = { ...tried, isCurrent: false, mode: Status_Mode.RUNNING };
+  expect(offersTakeOver(changed)).toBe(true);
+  expect(offersTakeOver({ ...changed, mode: Status_Mode.PAUSED })).toBe(true);
+  expect(offersTakeOver({ ...changed, mode: Status_Mode.READY })).toBe(false);
+  expect(offersTakeOver({ ...changed, isSameSetup: false })).toBe(false);
+  expect(offersTakeOver({ ...changed, errors: 1 })).toBe(false);
+  expect(offersTakeOver({ ...changed, isBusy: true })).toBe(false);
+  expect(offersTakeOver({ ...changed, isCurrent: true })).toBe(false);
 });
 
 test("what does not compile leads to what is wrong, but what runs can still be paused", () => {

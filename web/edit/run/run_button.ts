@@ -14,6 +14,8 @@ export interface Situation {
   readonly isOurs: boolean;
   /** The text is still the one that was tried. */
   readonly isCurrent: boolean;
+  /** So is what runs, how many and where. */
+  readonly isSameSetup: boolean;
   readonly mode: Status_Mode;
 }
 
@@ -54,7 +56,13 @@ export function isMoving(mode: Status_Mode): boolean {
   return mode === Status_Mode.RUNNING || mode === Status_Mode.WAITING;
 }
 
-/** Whether the text has changed under what runs: then a second button takes the change over. */
+/** Whether the text has changed under what runs, and nothing else: its robots can go on with what it says now. */
+export function offersTakeOver(now: Situation): boolean {
+  const runs = isMoving(now.mode) || now.mode === Status_Mode.PAUSED;
+  return now.isOurs && now.isSameSetup && !now.isCurrent && now.errors === 0 && !now.isBusy && runs;
+}
+
+/** Whether the text has changed under what runs: then a second button begins anew with the change. */
 export function offersChange(now: Situation): boolean {
   return now.isOurs && !now.isCurrent && now.errors === 0 && !now.isBusy && isMoving(now.mode);
 }

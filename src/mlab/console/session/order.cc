@@ -107,6 +107,12 @@ Order Order::of(ToServer::BodyCase body) {
       return {kOperator, kAfterCycle, taken<&Run::set_breakpoint, &M::set_breakpoint, kRun>};
     case M::kRemoveBreakpoint:
       return {kOperator, kAfterCycle, taken<&Run::remove_breakpoint, &M::remove_breakpoint, kRun>};
+    case M::kForceState:
+      return {kOperator, kAfterCycle, taken<&Run::force_state, &M::force_state, kRun>};
+    case M::kHoldValue:
+      return {kOperator, kAfterCycle, taken<&Run::hold_value, &M::hold_value, kRun>};
+    case M::kReleaseValue:
+      return {kOperator, kAfterCycle, taken<&Run::release_value, &M::release_value, kRun>};
     case M::kTyped:
       return {kOperator, kAfterCycle, taken<&RunMaker::typed, &M::typed, kMaker>};
     case M::kSetOption:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mlab/base/hash.h"
+#include "mlab/console/held_values.h"
 #include "mlab/console/overview.h"
 #include "mlab/console/status_encoder.h"
 
@@ -95,6 +96,11 @@ std::vector<Publisher::Topic> Publisher::topics() {
        [this] { return run_.trails_revision(); }},
       {[this](ToBrowser& out) { std::as_const(run_).breakpoints().encode(*out.mutable_breakpoints()); }, {}},
       {[this](ToBrowser& out) { *out.mutable_halted() = run_.halted(); }, {}},
+      {[live](ToBrowser& out) {
+         HeldValues& held = *out.mutable_held_values();
+         if (live() != nullptr) encode_held(live()->run(), held);
+       },
+       [this] { return run_.held_revision(); }},
   };
 }
 

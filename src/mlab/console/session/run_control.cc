@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/console/held_values.h"
+
 namespace mlab::console {
 namespace {
 
@@ -18,6 +20,7 @@ constexpr double kSlice = 0.008;
 void RunControl::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run) {
   is_expected_ = false;
   breakpoints_.begin(nullptr);
+  if (live_) release_held();
   live_.reset();
   if (run) {
     live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_);
@@ -35,9 +38,35 @@ void RunControl::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<
   ++state_revision_;
 }
 
+// With the run that ends; who held them is told.
+void RunControl::release_held() {
+  HeldValues held;
+  encode_held(live_->run(), held);
+  if (held.values().empty()) return;
+  log_.add(sim_time(), {Log::OPERATOR,
+                        fmt::format("{} held value{} released: the run has ended", held.values_size(),
+                                    held.values_size() == 1 ? " is" : "s are"),
+                        0,
+                        "",
+                        {},
+                        false});
+  ++held_revision_;
+}
+
 void RunControl::exchange(std::shared_ptr<const fleet::Crew> crew) {
   live_->edit(std::move(crew));
+  follow_exchange();
+}
+
+std::expected<fleet::Takeover, std::string> RunControl::take_over(std::shared_ptr<const fleet::Crew> crew) {
+  auto out = live_->take_over(std::move(crew));
+  if (out) follow_exchange();
+  return out;
+}
+
+void RunControl::follow_exchange() {
   breakpoints_.change(&live_->run());
+  ++held_revision_;  // of a robot that went
   has_nothing_to_do_ = false;
   ++plan_revision_;
   ++world_version_;

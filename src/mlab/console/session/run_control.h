@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <expected>
 #include <functional>
 #include <memory>
 #include <string>
@@ -36,6 +37,8 @@ class RunControl {
   void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
   /// The run goes on with other robots or another plan.
   void exchange(std::shared_ptr<const fleet::Crew> crew);
+  /// The run goes on with other programs. @errors  why it can't
+  std::expected<fleet::Takeover, std::string> take_over(std::shared_ptr<const fleet::Crew> crew);
   /// The mission has ended, and begins anew: trails and alerts are of before.
   void forget_earlier_run();
 
@@ -88,10 +91,17 @@ class RunControl {
   /// Where it stands: mode, steps, speed, what it waits for.
   std::uint64_t state_revision();
   void world_changed() { ++world_version_; }
+  std::uint64_t held_revision() const { return held_revision_; }  ///< values that people hold
+  void held_changed() {
+    ++held_revision_;
+    ++world_version_;
+  }
 
  private:
   bool is_active() const;
   void engage_stop();
+  void follow_exchange();
+  void release_held();
   void look_at_breakpoints();
   void pause();
 
@@ -111,6 +121,7 @@ class RunControl {
   std::uint64_t plan_revision_ = 0;
   std::uint64_t trails_revision_ = 0;
   std::uint64_t run_number_ = 0;
+  std::uint64_t held_revision_ = 0;
   std::uint64_t state_revision_ = 1;
 };
 

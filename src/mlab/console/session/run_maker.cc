@@ -87,10 +87,14 @@ void RunMaker::follow_other_mission() {
 }
 
 void RunMaker::start_trial(const Trial& trial, TrialDone done) {
+  if (trial.takes_over) {
+    take_over(trial, done);
+    return;
+  }
   const auto files_before = std::exchange(trial_files_, trial.files);  // the text names programs among them
   if (const text::Result<bool> opened = documents_.open_trial(trial, wall_time()); !opened) {
     trial_files_ = files_before;
-    done({opened.error().message, {}});
+    done({opened.error().message, "", {}});
     return;
   }
   run_.note(trial.who, fmt::format("try {}", trial.path));
@@ -100,10 +104,57 @@ void RunMaker::start_trial(const Trial& trial, TrialDone done) {
   if (!run_.is_expected()) answer_trial("the mission of the trial has errors", documents_.problems());
 }
 
+// ---- the same run, with other programs
+
+Answered RunMaker::why_not_taken_over(const Trial& trial) const {
+  if (auto refused = run_.why_not_now()) return refused;
+  if (!documents_.is_trial() || !plain_ || plain_ != run_.live()->crew()->mission)
+    return "another mission runs";
+  if (!plain_->source || plain_->source->text() != trial.text)
+    return "what runs, how many or where has changed";
+  if (!run_.live()->was_started()) return "no robot has started yet";
+  return std::nullopt;
+}
+
+// The run goes on as it was until the programs are made.
+void RunMaker::take_over(const Trial& trial, const TrialDone& done) {
+  if (const Answered refused = why_not_taken_over(trial)) {
+    done({*refused, "", {}});
+    return;
+  }
+  trial_files_ = trial.files;
+  const std::uint64_t number = ++number_;
+  workshop_->start([this, number, mission = plain_, sources = program_sources(), files = trial_files_, done] {
+    const auto problems = std::make_shared<text::Diagnostics>();
+    const CrewPtr crew = number == number_ ? fleet::make_crew(mission, sources, *problems) : nullptr;
+    inbox_.post([this, number, crew, problems, done] {
+      if (number == number_ && run_.live() != nullptr)
+        finish_takeover(crew, *problems, done);
+      else
+        done({"another run has taken its place", "", {}});
+    });
+  });
+}
+
+void RunMaker::finish_takeover(const CrewPtr& crew, const text::Diagnostics& problems,
+                               const TrialDone& done) {
+  if (!crew) {
+    done({"it can't run: it has errors", "", problems});
+    return;
+  }
+  const auto taken = run_.take_over(crew);
+  if (!taken) {
+    done({taken.error(), "", problems});
+    return;
+  }
+  report_problems(problems);
+  done({"", fleet::text_of(*taken), problems});
+}
+
 // At most once.
 void RunMaker::answer_trial(const std::string& error, const text::Diagnostics& problems) {
   const TrialDone done = std::exchange(trial_done_, nullptr);
-  if (done) done({error, problems});
+  if (done) done({error, "", problems});
 }
 
 void RunMaker::load(std::uint64_t seed, const CrewPtr& known) {

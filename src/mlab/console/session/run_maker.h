@@ -42,7 +42,7 @@ class RunMaker {
   void follow_other_mission();
   /// After a change of the documents: tells what they have to say, and the run goes on with what they mean.
   void follow_documents();
-  /// Opens a mission that has no file, and tells once what became of it.
+  /// Opens a mission that has no file, or gives its run other programs, and tells once what became of it.
   void start_trial(const Trial& trial, TrialDone done);
 
   Answered restart(const Sender& sender, const Control& control);
@@ -62,6 +62,9 @@ class RunMaker {
   /// @param known  programs that need not be built again; null: none
   void load(std::uint64_t seed, const CrewPtr& known = nullptr);
   void adopt(const CrewPtr& crew, std::unique_ptr<fleet::MissionRun> run, const text::Diagnostics& problems);
+  void take_over(const Trial& trial, const TrialDone& done);
+  Answered why_not_taken_over(const Trial& trial) const;
+  void finish_takeover(const CrewPtr& crew, const text::Diagnostics& problems, const TrialDone& done);
   void answer_trial(const std::string& error, const text::Diagnostics& problems);
   void take_notices();
   /// What was typed holds for the documents' new mission, too, as far as it can.

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/console/held_values.h"
 #include "mlab/console/overview.h"
 #include "mlab/console/status_encoder.h"
 #include "mlab/mission/command.h"
@@ -250,6 +251,50 @@ Answered RunOrders::remove_breakpoint(const Sender& sender, const RemoveBreakpoi
   run_.note(sender.client.name,
             remove.id() == 0 ? "remove all breakpoints" : fmt::format("remove breakpoint {}", remove.id()));
   return std::nullopt;
+}
+
+// ---- what programs are made to do
+
+void RunOrders::note_of(std::uint32_t robot, std::string what) {
+  log_.add(run_.sim_time(), {Log::OPERATOR, std::move(what), robot, "", {}, false});
+}
+
+Answered RunOrders::force_state(const Sender& sender, const ForceState& force) {
+  if (auto refused = run_.why_not_now()) return refused;
+  if (auto error = run_.live()->run().force_state({force.robot()}, force.sequence(), force.state()))
+    return clean(*error);
+  run_.world_changed();
+  note_of(force.robot(), fmt::format("{}: robot {} is forced: {} goes to {}", sender.client.name,
+                                     force.robot(), clean(force.sequence()), clean(force.state())));
+  return std::nullopt;
+}
+
+Answered RunOrders::hold_value(const Sender& sender, const HoldValue& hold) {
+  if (run_.live() == nullptr || run_.is_expected()) return run_.why_not_now();
+  if (auto error = run_.live()->run().hold_value({hold.robot()}, hold.port(), hold.value()))
+    return clean(*error);
+  run_.held_changed();
+  note_of(hold.robot(), fmt::format("{}: hold {} of robot {} at {}", sender.client.name, clean(hold.port()),
+                                    hold.robot(), clean(hold.value())));
+  return std::nullopt;
+}
+
+Answered RunOrders::release_value(const Sender& sender, const ReleaseValue& release) {
+  if (run_.live() == nullptr || run_.is_expected()) return run_.why_not_now();
+  const auto let_go = [&](std::uint32_t robot) -> Answered {
+    if (auto error = run_.live()->run().release_value({robot}, release.port())) return clean(*error);
+    const std::string what = release.port().empty() ? "all values" : clean(release.port());
+    note_of(robot, fmt::format("{}: release {} of robot {}", sender.client.name, what, robot));
+    return std::nullopt;
+  };
+  std::vector<std::uint32_t> robots = {release.robot()};
+  if (release.robot() == 0) robots = robots_that_hold(run_.live()->run(), release.port());
+  Answered error;
+  for (const std::uint32_t robot : robots) {
+    if (auto refused = let_go(robot)) error = std::move(refused);
+  }
+  run_.held_changed();
+  return error;
 }
 
 }  // namespace mlab::console

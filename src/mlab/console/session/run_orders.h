@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -25,6 +26,9 @@ class RunOrders {
   Answered end_teleoperation(const Sender& sender, const EndTeleoperation& end);
   Answered set_breakpoint(const Sender& sender, const SetBreakpoint& set, Reply& reply);
   Answered remove_breakpoint(const Sender& sender, const RemoveBreakpoint& remove);
+  Answered force_state(const Sender& sender, const ForceState& force);
+  Answered hold_value(const Sender& sender, const HoldValue& hold);
+  Answered release_value(const Sender& sender, const ReleaseValue& release);
 
  private:
   Answered why_not(const Control& control) const;
@@ -33,6 +37,7 @@ class RunOrders {
   void single_step();
   void skip_step();
   void single_cycle();
+  void note_of(std::uint32_t robot, std::string what);
 
   RunControl& run_;
   EventLog& log_;

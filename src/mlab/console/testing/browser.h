@@ -143,6 +143,7 @@ class Browser {
   const Frame& frame() const { return frame_; }
   const Breakpoints& breakpoints() const { return breakpoints_; }
   const Halted& halted() const { return halted_; }
+  const HeldValues& held() const { return held_; }
   const std::vector<Log::Entry>& log() const { return log_; }
   std::uint64_t frame_count() const { return frame_count_; }
   std::uint64_t alerts_after() const { return alerts_after_; }
@@ -219,6 +220,9 @@ class Browser {
       case ToBrowser::kBreakpoints:
         breakpoints_ = message.breakpoints();
         break;
+      case ToBrowser::kHeldValues:
+        held_ = message.held_values();
+        break;
       case ToBrowser::kHalted:
         halted_ = message.halted();
         break;
@@ -263,6 +267,7 @@ class Browser {
   Frame frame_;
   Breakpoints breakpoints_;
   Halted halted_;
+  HeldValues held_;
   std::vector<Log::Entry> log_;
   std::uint64_t frame_count_ = 0;
   std::uint64_t alerts_after_ = 0;

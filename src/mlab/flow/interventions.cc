@@ -1,0 +1,131 @@
+#include "mlab/flow/interventions.h"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/flow/program.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::flow {
+
+static_assert(std::is_trivially_copyable_v<Interventions>, "is handed to processes byte by byte");
+
+std::optional<std::string> Interventions::force(const Program& program, const std::byte* frame,
+                                                std::string_view sequence, std::string_view state) {
+  std::uint32_t s = 0;
+  while (s < program.sequence_count() && program.sequence_name(s) != sequence) ++s;
+  if (s == program.sequence_count()) return fmt::format("there is no sequence `{}`", text::shown(sequence));
+  const std::vector<std::string>& names = program.state_names(s);
+  const auto name = std::ranges::find(names, state);
+  if (name == names.end()) return fmt::format("`{}` has no state `{}`", sequence, text::shown(state));
+  std::vector<Program::SequenceState> states;
+  program.sequence_states(frame, states);
+  const std::uint64_t now = Program::cycle(frame);
+  if (now != 0 && states[s].cycle != static_cast<std::uint32_t>(now))
+    return fmt::format("`{}` does not run now", sequence);
+  Forced* known = coming(s);
+  if (known == nullptr) {
+    if (coming_count_ == kMostForced)
+      return fmt::format("{} sequences are to go somewhere already", kMostForced);
+    known = &coming_[coming_count_++];
+  }
+  *known = {s, static_cast<std::uint32_t>(name - names.begin()), false};
+  return std::nullopt;
+}
+
+std::optional<std::string> Interventions::hold(const Program& program, const std::byte* frame,
+                                               std::string_view path, std::string_view value) {
+  const Port* port = program.find(path);
+  if (port == nullptr) return fmt::format("the program has no `{}`", text::shown(path));
+  if (port->role != Port::Role::kOutput)
+    return fmt::format("`{}` is not computed: set it instead of holding it", path);
+  alignas(Frame::kAlignment) Program::ValueBytes bytes{};
+  if (auto problem = program.read(*port, value, bytes)) return problem;
+  if (port->type->size > kLargest)
+    return fmt::format("a {} has {} bytes, and at most {} can be held", port->type->name, port->type->size,
+                       kLargest);
+  Held* known = held_at(port->offset);
+  if (known == nullptr) {
+    if (held_count_ == kMostHeld)
+      return fmt::format("{} values are held already, and no more can be", kMostHeld);
+    known = &held_[held_count_++];
+    *known = {};
+    known->offset = port->offset;
+    known->size = port->type->size;
+    std::memcpy(known->computed.data(), frame + port->offset, known->size);
+  }
+  known->port = static_cast<std::uint32_t>(port - program.ports().data());
+  std::memcpy(known->value.data(), bytes.data(), known->size);
+  return std::nullopt;
+}
+
+std::optional<std::string> Interventions::release(const Program& program, std::byte* frame,
+                                                  std::string_view path) {
+  const auto let_go = [&](const Held& one) {
+    std::memcpy(frame + one.offset, one.computed.data(), one.size);
+  };
+  if (path.empty()) {
+    std::ranges::for_each(held(), let_go);
+    held_count_ = 0;
+    return std::nullopt;
+  }
+  const Port* port = program.find(path);
+  Held* known = port == nullptr ? nullptr : held_at(port->offset);
+  if (known == nullptr) return fmt::format("`{}` is not held", text::shown(path));
+  let_go(*known);
+  std::move(known + 1, held_.data() + held_count_, known);
+  --held_count_;
+  return std::nullopt;
+}
+
+void Interventions::finish() {
+  last_ = coming_;
+  last_count_ = std::exchange(coming_count_, 0);
+}
+
+void Interventions::begin_anew(const std::byte* frame) {
+  coming_count_ = last_count_ = 0;
+  for (std::uint32_t i = 0; i < held_count_; ++i)
+    std::memcpy(held_[i].computed.data(), frame + held_[i].offset, held_[i].size);
+}
+
+std::vector<std::string> Interventions::carry_over(const Program& before, const Program& after,
+                                                   const std::byte* frame) {
+  std::vector<std::string> lost;
+  const Interventions old = std::exchange(*this, {});
+  for (const Held& one : old.held()) {
+    const Port& theirs = before.ports()[one.port];
+    const Port* const mine = after.find(theirs.path);
+    if (mine == nullptr || mine->role != Port::Role::kOutput || mine->type != theirs.type ||
+        held_at(mine->offset) != nullptr) {
+      lost.push_back(theirs.path);
+      continue;
+    }
+    Held& held = held_[held_count_++];
+    held = one;
+    held.port = static_cast<std::uint32_t>(mine - after.ports().data());
+    held.offset = mine->offset;
+  }
+  for (std::uint32_t i = 0; i < old.coming_count_; ++i) {
+    const auto& [sequence, state, was_done] = old.coming_[i];
+    static_cast<void>(
+        force(after, frame, before.sequence_name(sequence), before.state_names(sequence)[state]));
+  }
+  return lost;
+}
+
+void Interventions::take_notes_of(const Interventions& other) {
+  for (std::uint32_t i = 0; i < held_count_; ++i) held_[i].computed = other.held_[i].computed;
+  for (std::uint32_t i = 0; i < coming_count_; ++i) {
+    std::byte flag{};
+    std::memcpy(&flag, &other.coming_[i].was_done, 1);
+    coming_[i].was_done = flag != std::byte{0};
+  }
+}
+
+}  // namespace mlab::flow

@@ -1,0 +1,38 @@
+// What a person makes a robot do against its program: values that are held, states that it is sent to.
+import { type HeldValues_Held as Held, type Port, Port_Role, type RobotDetail } from "../../core/protocol.ts";
+
+/** What holds the robot's port; nodes that compute the same are held together. */
+export function heldAt(held: readonly Held[], robot: number, port: string): Held | undefined {
+  return held.find((one) => one.robot === robot && (one.port === port || one.also.includes(port)));
+}
+
+/** Paths of all ports of the robot that show a held value. */
+export function heldPorts(held: readonly Held[], robot: number): ReadonlySet<string> {
+  return new Set(held.filter((one) => one.robot === robot).flatMap(({ port, also }) => [port, ...also]));
+}
+
+const kWritten = new Set(["bool", "int", "double", "Vector", "Point", "Text", "ObjectClasses"]);
+
+/** Whether a person can write a value of it, and a node computes it. */
+export function canBeHeld({ role, type, choices }: Pick<Port, "role" | "type" | "choices">): boolean {
+  return role === Port_Role.OUTPUT && (choices.length > 0 || kWritten.has(type));
+}
+
+/** How a value of the type is written, where nobody could guess it. */
+export function writtenAs(type: string): string {
+  switch (type) {
+    case "Vector":
+      return "ahead, left";
+    case "Point":
+      return "x, y";
+    default:
+      return "";
+  }
+}
+
+/** The state in which a sequence of the robot is; empty: not known. `sequence`: its path. */
+export function stateOf(detail: Pick<RobotDetail, "states"> | undefined, sequence: string): string {
+  const before = `${sequence}.`;
+  const found = detail?.states.find((state) => state.startsWith(before) && !state.slice(before.length).includes("."));
+  return found?.slice(before.length) ?? "";
+}
