@@ -518,8 +518,8 @@ class Printer {
     out_.begin(step.place);
     if (step.kind == TestStep::Kind::kGiven || step.kind == TestStep::Kind::kGivenNo) {
       out_.word("given");
-      if (step.kind == TestStep::Kind::kGivenNo) out_.word("no");
-      put(step.percept);
+      if (step.kind == TestStep::Kind::kGivenNo) say("no", step.percept.callee);
+      if (step.kind == TestStep::Kind::kGiven) put(step.percept);
     } else if (step.kind == TestStep::Kind::kAfter) {
       out_.word("after");
       put(step.span);
