@@ -46,6 +46,7 @@ int expected_status(const Shown& shown) {
     return std::ranges::any_of(
         shown.output, [&](const std::string& line) { return line.find(words) != std::string::npos; });
   };
+  if (shows("  FAIL  ")) return 1;
   if (shows("error:")) return 2;
   if (shown.command.starts_with("./mlab diff ")) return shown.output.empty() ? 0 : 1;
   return shows("mission failed") || shows("mission aborted") ? 1 : 0;

@@ -43,6 +43,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"robot", {"cell", "percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
     {"robot_runner", {"library", "robot_process"}},
     {"robot_build", {"cell", "robot", "robot_process"}},
+    {"component_test", {"robot", "lang/cdl", "percept"}},
     {"fleet", {"robot", "mission", "binding"}},
     {"simulated", {"fleet"}},
     {"language", {"fleet", "lang/mdl", "lang/odl", "lang/envchange"}},

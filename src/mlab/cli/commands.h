@@ -64,6 +64,16 @@ struct CheckOptions {
 };
 int check(const CheckOptions& options);
 
+struct TestOptions {
+  std::vector<std::string> files;  ///< or folders; empty: the current one
+  std::string only;                ///< stands in the name of tests that are to run; empty: all
+  std::uint64_t seed = 1;
+  bool quiet = false;
+  bool no_cell = false;
+};
+/// Runs the tests of configurations.
+int test_components(const TestOptions& options);
+
 struct FormatOptions {
   std::vector<std::string> files;
   bool check_only = false;

@@ -188,6 +188,24 @@ void add_check(CLI::App& app, CheckOptions& o) {
   add_no_cell(c, o.no_cell);
 }
 
+void add_test_components(CLI::App& app, TestOptions& o) {
+  CLI::App* c = app.add_subcommand(
+      "test-components",
+      "Run the tests that stand beside components in configurations (docs/component_tests.md).\n"
+      "Exit status 0: all have passed, 1: some have failed, 2: something can't be read.");
+  c->add_option("files", o.files,
+                "configurations, or folders that are searched for them (default: here); -: standard input")
+      ->type_name("FILE|FOLDER");
+  c->add_option("--only", o.only, "only tests in whose name this stands, letter case aside")
+      ->type_name("TEXT");
+  c->add_option("--seed", o.seed, "of everything random in the tests")
+      ->capture_default_str()
+      ->check(refuse_unless_whole)
+      ->type_name("N");
+  c->add_flag("--quiet", o.quiet, "print only what failed, and the summary");
+  add_no_cell(c, o.no_cell);
+}
+
 void add_fmt(CLI::App& app, FormatOptions& o) {
   CLI::App* c = app.add_subcommand("fmt", "Rewrite files in the canonical layout, comments kept.");
   c->add_option("files", o.files, "files to rewrite in place; -: standard input, to standard output")
@@ -423,6 +441,8 @@ int parse_and_run(int argc, char** argv) {
   RunOptions edit_options = run_options;
   add_edit(app, edit_options);
   add_check(app, check_options);
+  TestOptions test_options;
+  add_test_components(app, test_options);
   add_fmt(app, format_options);
   DiffOptions diff_options;
   add_diff(app, diff_options);
@@ -448,6 +468,7 @@ int parse_and_run(int argc, char** argv) {
   if (app.got_subcommand("run")) return run(run_options);
   if (app.got_subcommand("edit")) return edit(edit_options);
   if (app.got_subcommand("check")) return check(check_options);
+  if (app.got_subcommand("test-components")) return test_components(test_options);
   if (app.got_subcommand("fmt")) return format(format_options);
   if (app.got_subcommand("diff")) return diff(diff_options);
   if (app.got_subcommand("describe")) return describe(describe_options);

@@ -283,6 +283,29 @@ class FileComparison {
     Prints prints(renames);
     compare_members(was.what, is.what, prints, out);
   }
+  // Step by step where only words of steps differ.
+  static void compare_own(const cdl::Test& was, const cdl::Test& is, const Renames& renames,
+                          Difference& out) {
+    Prints prints(renames);
+    if (prints.before.of(was.subject) != prints.after.of(is.subject))
+      out.details.push_back(
+          {"subject", was.subject ? words_of(*was.subject) : "", is.subject ? words_of(*is.subject) : ""});
+    if (renames.declaration(was.class_name.text) != is.class_name.text)
+      note(out, "class", was.class_name.text, is.class_name.text);
+    if (prints.before.of(was.lets) != prints.after.of(is.lets))
+      out.details.push_back({"lets", fmt::format("{}", was.lets.size()), fmt::format("{}", is.lets.size())});
+    const std::size_t most = std::max(was.steps.size(), is.steps.size());
+    const auto words = [](const cdl::Test& test, std::size_t i) {
+      if (i >= test.steps.size()) return std::string();
+      const text::Place& place = test.steps[i].place;
+      return place.source ? std::string(place.source->text(place.span)) : std::string();
+    };
+    for (std::size_t i = 0; i < most; ++i) {
+      const bool is_same = i < was.steps.size() && i < is.steps.size() &&
+                           prints.before.of(was.steps[i]) == prints.after.of(is.steps[i]);
+      if (!is_same) out.details.push_back({fmt::format("step {}", i + 1), words(was, i), words(is, i)});
+    }
+  }
   template <class Kind>
   static void compare_own(const Kind& /*was*/, const Kind& /*is*/, const Renames& /*r*/,
                           Difference& /*out*/) {}

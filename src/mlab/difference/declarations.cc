@@ -38,6 +38,9 @@ const char* kind_of(const cdl::Robot& /*one*/) {
 const char* kind_of(const cdl::SocietyOperator& /*one*/) {
   return "operator";
 }
+const char* kind_of(const cdl::Test& /*one*/) {
+  return "test";
+}
 const char* kind_of(const cdl::Society& /*one*/) {
   return "society";
 }

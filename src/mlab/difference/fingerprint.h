@@ -61,7 +61,7 @@ inline constexpr bool kIsAllParts =
     kIsOneOf<Construct, cdl::Hole, cdl::List, cdl::Member, cdl::Cooperate, cdl::Coordinate, cdl::Fuse,
              cdl::Sequence, cdl::Case, cdl::Select, cdl::Delay, cdl::Let, cdl::Assemblage, cdl::Binding,
              cdl::BodySetting, cdl::RobotClass, cdl::Drive, cdl::Choice, cdl::Robot, cdl::SocietyOperator,
-             cdl::Society, cdl::Use, cdl::Architecture>;
+             cdl::Society, cdl::Test, cdl::Use, cdl::Architecture>;
 
 /// Numbers that are the same where two constructs say the same: places, comments, help, parentheses that
 /// nobody needs aside.
@@ -147,6 +147,11 @@ class Fingerprints {
   static void put_own(Print& to, const cdl::Transition& x) { add(to, x.restarts ? 1 : 0); }
   static void put_own(Print& to, const cdl::State& x) {
     add(to, (x.is_start ? 1 : 0) + (x.is_final ? 2 : 0));
+  }
+  static void put_own(Print& to, const cdl::TestStep& x) {
+    for (const auto part : {static_cast<int>(x.kind), static_cast<int>(x.when), static_cast<int>(x.about)})
+      add(to, static_cast<Print>(part));
+    add(to, x.is_negated ? 1 : 0);
   }
   static void put_own(Print& to, const cdl::Device& x) { add(to, x.is_actuator ? 1 : 0); }
   void put_own(Print& to, const cdl::Parameter& x) {

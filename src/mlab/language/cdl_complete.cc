@@ -8,6 +8,7 @@
 
 #include "mlab/fleet/vehicle.h"
 #include "mlab/lang/cdl/quantities.h"
+#include "mlab/lang/cdl/test_words.h"
 #include "mlab/lang/cdl/units.h"
 #include "mlab/language/candidates.h"
 #include "mlab/language/cdl_world.h"
@@ -146,6 +147,22 @@ class CdlCompleter {
       case CdlWant::Kind::kOwner:
         for (const NameKind kind : {NameKind::kAssemblage, NameKind::kRobot, NameKind::kSociety}) own(kind);
         break;
+      case CdlWant::Kind::kPercept:
+        for (const cdl::TestPerceptInfo& one : cdl::test_percepts())
+          out_.add({.text = std::string(one.name),
+                    .kind = "percept",
+                    .detail = inputs_of(one),
+                    .help = std::string(one.help),
+                    .is_call = true},
+                   kBest);
+        break;
+      case CdlWant::Kind::kAction:
+        for (const cdl::TestAction& one : cdl::test_actions())
+          out_.add(std::string(one.name), "action", std::string(one.help), kBest);
+        break;
+      case CdlWant::Kind::kTestState:
+        tested_states(want.wanted.call);
+        break;
       case CdlWant::Kind::kFile:
         out_.add("\"", "keyword", "the name of a file", kBest);
         break;
@@ -244,6 +261,22 @@ class CdlCompleter {
       if (state.sequence == sequence)
         out_.add({.text = state.name, .kind = "state", .detail = "", .help = first_sentence(state.help)});
     }
+  }
+
+  /// `(at: Point, radius: length = 0.2)`
+  static std::string inputs_of(const cdl::TestPerceptInfo& percept) {
+    std::string out;
+    for (const cdl::TestInput& input : percept.inputs)
+      out += fmt::format("{}{}: {}", out.empty() ? "(" : ", ", input.name, input.type);
+    return out + ")";
+  }
+
+  void tested_states(int call) {
+    const CdlWorld::Found tested =
+        world_.find(NameKind::kAssemblage, before_.names[static_cast<std::size_t>(call)].text);
+    if (!tested) return;
+    for (const CdlState& state : tested.declaration->states)
+      out_.add({.text = state.name, .kind = "state", .detail = "", .help = first_sentence(state.help)});
   }
 
   void operators() {

@@ -175,5 +175,45 @@ TEST(CdlDefinition, LeadsToLetsParametersAndDeclarations) {
   EXPECT_EQ(far->source->name(), "library/assemblages/avoid_dynamic_obstacles.cdl");
 }
 
+constexpr const char* kPatrol =
+    "assemblage Patrol(out: Point) {\n  sequence { start Going: Stand(); when IsHalted() goto Waiting;\n"
+    "    /// Until somebody comes.\n    final Waiting: Stand(); }\n}\n";
+
+TEST(CdlCompletion, KnowsWhatATestMaySay) {
+  const std::string test = std::string(kPatrol) + "test \"x\" of Patrol([1 m, 2 m]) as patrol ";
+  EXPECT_TRUE(has(names(test + "|"), "on"));
+  EXPECT_TRUE(has(names(test + "on |"), "Scout"));
+  EXPECT_TRUE(has(names(test + "{ |"), "given"));
+  EXPECT_TRUE(has(names(test + "{ given |"), "obstacle"));
+  EXPECT_TRUE(has(names(test + "{ given no |"), "obstacle"));
+  EXPECT_TRUE(has(names(test + "{ given obstacle(|"), "radius = "));
+  EXPECT_FALSE(has(names(test + "{ given obstacle([1 m, 2 m], |"), "at = "));
+  EXPECT_TRUE(has(names(test + "{ given object(|"), "Flag"));
+  EXPECT_TRUE(has(names(test + "{ expect |"), "within"));
+  EXPECT_TRUE(has(names(test + "{ expect length(|"), "patrol"));
+  EXPECT_TRUE(has(names(test + "{ expect state |"), "Waiting"));
+  EXPECT_TRUE(has(names(test + "{ expect action |"), "PickUp"));
+}
+
+TEST(CdlHover, ExplainsWhatATestSays) {
+  const auto hover_of = [](const std::string& steps) {
+    const Marked at = marked(std::string(kPatrol) + "test \"x\" of Patrol([1 m, 2 m]) { " + steps + " }");
+    const auto out = hover(at.text, at.cursor, {});
+    return out ? out->markdown : "";
+  };
+  EXPECT_NE(hover_of("given obst|acle([1 m, 2 m]);").find("something solid"), std::string::npos);
+  EXPECT_NE(hover_of("expect action Pick|Up;").find("picks something up"), std::string::npos);
+}
+
+TEST(CdlNames, StatesThatATestExpectsAreThoseOfWhatItTests) {
+  const Marked at =
+      marked(std::string(kPatrol) + "test \"x\" of Patrol([1 m, 2 m]) { expect no state it.Wai|ting; }");
+  const auto place = definition(at.text, at.cursor, {});
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->source->line_column(place->span.begin).line, 4U);
+  const auto edits = rename(at.text, at.cursor, "Watching", {});
+  ASSERT_TRUE(edits) << edits.error().message;
+}
+
 }  // namespace
 }  // namespace mlab::language

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cdl/test_words.h"
 #include "mlab/language/cdl_world.h"
 #include "mlab/language/languages.h"
 #include "mlab/language/words.h"
@@ -50,6 +51,8 @@ class CdlHover {
         return unit(name);
       case NameKind::kWord:
         return word(name);
+      case NameKind::kPercept:
+        return percept(name.text);
       case NameKind::kBodySetting:
         return code(name.text, "a number of the simulated body");
       default:
@@ -61,6 +64,18 @@ class CdlHover {
   const CdlDeclaration* around(const CdlName& name) const {
     return name.declaration < 0 ? nullptr
                                 : &world_.own().declarations[static_cast<std::size_t>(name.declaration)];
+  }
+
+  /// Or an action.
+  static std::string percept(const std::string& name) {
+    if (const cdl::TestAction* action = cdl::test_action_named(name))
+      return code("action " + name, std::string(action->help));
+    const cdl::TestPerceptInfo* const info = cdl::test_percept_named(name);
+    if (info == nullptr) return "";
+    std::string out = code("given " + name, std::string(info->help));
+    for (const cdl::TestInput& input : info->inputs)
+      out += fmt::format("\n- `{}`: {}; {}", input.name, input.type, input.help);
+    return out;
   }
 
   std::string component(const std::string& name) const {

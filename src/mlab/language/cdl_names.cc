@@ -107,9 +107,21 @@ void CdlWorld::resolve_argument(const CdlName& name, Name& out) const {
 void CdlWorld::resolve_value(const CdlName& name, Name& out) const {
   const CdlDeclaration* const in = around(name);
   const Variable found = in == nullptr ? Variable{} : variable(*in, name.text);
-  if (!found) return;
+  if (!found || (found.let != nullptr && found.let->is_subject)) return;
   out.kind = found.let != nullptr ? NameKind::kLet : NameKind::kParameter;
   out.target = {own().source, found.span()};
+}
+
+// Of a test: in what it tests.
+void CdlWorld::resolve_tested_state(const CdlName& name, Name& out) const {
+  const Found tested = find(NameKind::kAssemblage, own().names[static_cast<std::size_t>(name.owner)].text);
+  if (!tested) return;
+  for (const CdlState& state : tested.declaration->states) {
+    if (state.name != name.text) continue;
+    out.target = {tested.scan->source, state.span};
+    out.is_library = tested.is_library;
+    return;
+  }
 }
 
 // A binding point, or a device of the robot's class that is driven by its own name.
@@ -199,7 +211,9 @@ Name CdlWorld::resolve(const CdlName& name) const {
       resolve_value(name, out);
       break;
     case NameKind::kState:
-      if (const CdlDeclaration* in = around(name)) {
+      if (name.owner >= 0) {
+        resolve_tested_state(name, out);
+      } else if (const CdlDeclaration* in = around(name)) {
         for (const CdlState& state : in->states) {
           if (state.name == name.text && state.sequence == name.sequence)
             out.target = {own().source, state.span};

@@ -9,6 +9,7 @@
 
 #include "mlab/base/overloaded.h"
 #include "mlab/lang/cdl/arithmetic.h"
+#include "mlab/lang/cdl/tests.h"
 
 namespace mlab::language {
 namespace {
@@ -177,6 +178,81 @@ class Collector {
     use(member.name, NameKind::kRobot, {.kind = Kind::kMember});
     for (const cdl::SocietyMember& one : member.members) member_of_society(one);
     use(member.by, NameKind::kOperator, {.kind = Kind::kSocietyOperator});
+  }
+
+  void add(const cdl::Test& test) {
+    CdlDeclaration& one = out_.declarations.emplace_back();
+    one.kind = NameKind::kTest;
+    one.name = test.name.text;
+    one.span = {test.name.place.span.begin + 1,
+                std::max(test.name.place.span.begin + 1, test.name.place.span.end - 1)};
+    one.whole = test.whole;
+    one.help = test.help;
+    const int subject = static_cast<int>(out_.names.size());
+    expression(test.subject, {});
+    const bool is_call = test.subject && std::holds_alternative<cdl::Call>(test.subject->what) &&
+                         subject < static_cast<int>(out_.names.size());
+    use(test.class_name, NameKind::kClass, {.kind = Kind::kClass});
+    current().class_name = test.class_name.text;
+    if (test.subject)
+      current().lets.push_back({cdl::subject_name(test).text, test.subject->place.span,
+                                test.subject->place.span, "", test.subject.get(), true});
+    lets(test.lets);
+    for (const cdl::TestStep& one_step : test.steps) step(one_step, is_call ? subject : -1);
+  }
+
+  /// @param subject  index of the callee that is tested; -1: it is none
+  void step(const cdl::TestStep& step, int subject) {
+    using About = cdl::TestStep::About;
+    if (step.kind == cdl::TestStep::Kind::kAfter || step.when != cdl::TestStep::When::kNow) span(step.span);
+    if (step.kind == cdl::TestStep::Kind::kGiven || step.kind == cdl::TestStep::Kind::kGivenNo) {
+      percept(step.percept);
+    } else if (step.kind == cdl::TestStep::Kind::kExpect && step.about == About::kCondition) {
+      expression(step.condition, {.type = {"bool", ""}});
+    } else if (step.about == About::kAction) {
+      use(step.fact, NameKind::kPercept, {.kind = Kind::kAction});
+    } else if (step.about == About::kState) {
+      if (is_next(step.fact) && subject >= 0) want({.kind = Kind::kTestState, .wanted = {.call = subject}});
+      state_of(subject, step.fact);
+    }
+  }
+
+  void span(const cdl::Number& span) {
+    if (is_next(span.unit)) want({.kind = Kind::kKeyword, .words = {"cycles"}});
+    if (span.unit.text != "cycle" && span.unit.text != "cycles") number(span, {.type = {"double", "s"}});
+  }
+
+  /// Its inputs are no component's: their values are read, and their names are words.
+  void percept(const cdl::Call& percept) {
+    use(percept.callee, NameKind::kPercept, {.kind = Kind::kPercept});
+    const cdl::TestPerceptInfo* const info = cdl::test_percept_named(percept.callee.text);
+    std::size_t position = 0;
+    for (const cdl::Argument& argument : percept.arguments) {
+      const std::string& name = argument.name.text;
+      CdlWanted wanted;
+      for (std::size_t i = 0; info != nullptr && i < info->inputs.size(); ++i) {
+        if (name.empty() ? i == position : name == info->inputs[i].name)
+          wanted.type = value_type(std::string(info->inputs[i].type), "");
+      }
+      position += name.empty() ? 1 : 0;
+      const bool could_be_name = name.empty() && info != nullptr && is_at_end(argument.value->place) &&
+                                 std::holds_alternative<cdl::Hole>(argument.value->what);
+      for (std::size_t i = position - 1; could_be_name && i < info->inputs.size(); ++i)
+        want({.kind = Kind::kKeyword, .words = {std::string(info->inputs[i].name) + " = "}});
+      expression(argument.value, wanted);
+    }
+  }
+
+  /// The last name of `Outer.Inner`.
+  void state_of(int subject, const cdl::Word& path) {
+    const std::size_t dot = path.text.rfind('.');
+    cdl::Word word = path;
+    if (dot != std::string::npos) {
+      word.text = path.text.substr(dot + 1);
+      word.place.span.begin = word.place.span.end - static_cast<std::uint32_t>(word.text.size());
+    }
+    const int name = add_name(word, NameKind::kState);
+    if (name >= 0) name_at(name).owner = subject;
   }
 
   void add(const cdl::Layout& layout) {

@@ -21,6 +21,7 @@ struct CdlLet {
   text::Span whole;
   std::string help;
   const cdl::Expression* value = nullptr;
+  bool is_subject = false;  ///< of a test: `it`, which nobody has written
 };
 
 struct CdlState {
@@ -118,6 +119,9 @@ struct CdlWant {
     kCaseValue,  ///< a word of what `selector` gives
     kNode,       ///< a node or state of what a layout is of
     kOwner,      ///< a declaration
+    kPercept,    ///< what a test may say that is sensed
+    kAction,     ///< what a test may expect to be done
+    kTestState,  ///< a state of what the call `wanted.call` instantiates
     kFile
   };
   Kind kind = Kind::kKeyword;

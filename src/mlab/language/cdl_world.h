@@ -78,6 +78,7 @@ class CdlWorld {
   void declare();
   Component component_of(const CdlDeclaration& declaration, const CdlScan& scan) const;
   void resolve_argument(const CdlName& name, Name& out) const;
+  void resolve_tested_state(const CdlName& name, Name& out) const;
   void resolve_value(const CdlName& name, Name& out) const;
   void resolve_binding(const CdlName& name, Name& out) const;
   void resolve_node(const CdlName& name, Name& out) const;

@@ -18,6 +18,10 @@ std::string_view name_of(NameKind kind) {
       return "operator";
     case NameKind::kSociety:
       return "society";
+    case NameKind::kTest:
+      return "test";
+    case NameKind::kPercept:
+      return "percept";
     case NameKind::kParameter:
       return "parameter";
     case NameKind::kArgument:

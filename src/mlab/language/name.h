@@ -18,6 +18,8 @@ enum class NameKind : std::uint8_t {
   kRobot,
   kOperator,
   kSociety,
+  kTest,     ///< of a component
+  kPercept,  ///< that a test gives, or an action that it expects
   kParameter,
   kArgument,  ///< a parameter or input, where it is given
   kLet,

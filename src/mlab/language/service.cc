@@ -154,11 +154,13 @@ Shade::Kind shade_of(NameKind kind) {
     case NameKind::kDevice:
     case NameKind::kBodySetting:
     case NameKind::kWord:
+    case NameKind::kPercept:
     case NameKind::kLabel:
       return Shade::Kind::kMember;
     case NameKind::kUnit:
       return Shade::Kind::kUnit;
     case NameKind::kFile:
+    case NameKind::kTest:
     case NameKind::kTitle:
       return Shade::Kind::kText;
   }

@@ -84,7 +84,8 @@ bool Cursor::at_declaration() const {
   if (!is(Token::Kind::kName) || !starts_line()) return false;
   if (std::ranges::find(kDeclarationWords, text()) == std::end(kDeclarationWords)) return false;
   const Token::Kind next = tokens_[at_ + 1].kind;
-  if (text() == "use") return next == Token::Kind::kText;  // a robot has `use DEVICE for BINDING`
+  // A robot has `use DEVICE for BINDING`.
+  if (text() == "use" || text() == "test") return next == Token::Kind::kText;
   if (text() == "layout" && is_before("{")) return true;
   return next == Token::Kind::kName;
 }
@@ -242,7 +243,7 @@ bool Cursor::at_next_statement() const {
   if (std::ranges::find(kGoOn, source_->text(last_span())) != std::end(kGoOn)) return false;
   if (is_before(":")) return true;
   return tokens_[at_ + 1].kind == Token::Kind::kName &&
-         is_any({"let", "when", "start", "final", "case", "sensor", "actuator"});
+         is_any({"let", "when", "start", "final", "case", "sensor", "actuator", "given", "expect"});
 }
 
 ExpressionPtr Cursor::hole() const {

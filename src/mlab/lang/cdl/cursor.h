@@ -35,6 +35,7 @@ class Cursor {
   bool could_be(std::initializer_list<std::string_view> words);
   /// Whether the token after this one is this word.
   bool is_before(std::string_view word) const;
+  bool is_before(Token::Kind kind) const { return !at_end() && tokens_[at_ + 1].kind == kind; }
   /// Whether a name follows on the same line that is no word of an expression.
   bool is_before_name() const;
   /// Whether this token stands on another line than the one before it.
@@ -184,9 +185,13 @@ bool parse_class(Cursor& cursor, Tree& tree, const std::string& help);
 bool parse_robot(Cursor& cursor, Tree& tree, const std::string& help);
 bool parse_society(Cursor& cursor, Tree& tree, const std::string& help);
 bool parse_society_operator(Cursor& cursor, Tree& tree, const std::string& help);
+bool parse_test(Cursor& cursor, Tree& tree, const std::string& help);
+/// `Searching.Noise`. @return  false where there is none, which was said
+bool read_path(Cursor& cursor, Word& out, std::string_view what);
 
 /// Words that start a declaration.
-inline constexpr std::string_view kDeclarationWords[] = {
-    "use", "architecture", "assemblage", "binding", "class", "robot", "operator", "society", "layout"};
+inline constexpr std::string_view kDeclarationWords[] = {"use",   "architecture", "assemblage", "binding",
+                                                         "class", "robot",        "operator",   "society",
+                                                         "test",  "layout"};
 
 }  // namespace mlab::cdl

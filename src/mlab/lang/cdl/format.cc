@@ -75,7 +75,7 @@ class Formatter {
     // `- 5` takes a number's opposite, `-5` is a number.
     if (before == "-" && is_sign(i - 1)) return lexed_.tokens[i].kind == Token::Kind::kNumber;
     if (here == "(" && lexed_.tokens[i - 1].kind == Token::Kind::kName)
-      return is_one_of(before, {"not", "and", "or", "when", "by", "active", "in", "as"});
+      return is_one_of(before, {"not", "and", "or", "when", "by", "active", "in", "as", "of", "expect"});
     return true;
   }
 
@@ -155,7 +155,8 @@ class Formatter {
     const std::string_view before = word(i - 1);
     if (before == "{" || before == ";" || word(i) == "}") return true;
     if (before != "}") return false;
-    return !is_one_of(word(i), {";", ",", ":", ")", "]", "as", "active", "by", "and", "or", "in", "goto"});
+    return !is_one_of(word(i),
+                      {";", ",", ":", ")", "]", "{", "as", "active", "by", "and", "or", "in", "goto", "on"});
   }
 
   std::size_t statement_indent(std::size_t i) const {

@@ -6,6 +6,7 @@
 
 #include "mlab/lang/cdl/lowering.h"
 #include "mlab/lang/cdl/static_check.h"
+#include "mlab/lang/cdl/tests.h"
 
 namespace mlab::cdl {
 
@@ -68,6 +69,7 @@ void check(const Configuration& configuration, const flow::Library& library, tex
     const LoweredRobot lowered = lower(configuration, *robot, library, sink, said);
     if (sink.error_count() == errors_before && !sink.has_errors()) build(lowered, library, sink, said);
   }
+  check_tests(configuration, library, sink, said);
   if (sink.error_count() == all_before) warn_of_declarations(configuration, library, sink);
 }
 

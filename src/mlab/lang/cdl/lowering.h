@@ -18,6 +18,7 @@
 #include "mlab/lang/cdl/lower.h"
 #include "mlab/lang/cdl/node_names.h"
 #include "mlab/lang/cdl/port_type.h"
+#include "mlab/lang/cdl/tests.h"
 #include "mlab/lang/cdl/types.h"
 #include "mlab/text/diagnostic.h"
 
@@ -94,6 +95,7 @@ class Lowering {
   /// Checks devices and body of a class by themselves.
   void check_class(const RobotClass& robot_class);
   void check_operator(const SocietyOperator& op);
+  LoweredTest test(const Test& test);
 
  private:
   using Link = flow::Link;
@@ -229,6 +231,16 @@ class Lowering {
   void declare_lets(const std::vector<Let>& lets, Scope& scope);
   void declare_typed(const std::vector<Parameter>& parameters, Scope& scope);
 
+  // lower_test.cc
+  void lower_percept(const TestStep& step, LoweredStep& out);
+  void lower_percept_value(const Given& given, const TestInput& input, LoweredStep& out);
+  void lower_condition(const TestStep& step, Scope& scope, LoweredStep& out);
+  void lower_fact(const TestStep& step, LoweredStep& out);
+  std::uint32_t cycles_of(const TestStep& step);
+  /// These nodes are evaluated though nobody reads them; and notes all states that there are.
+  void keep_awake(const std::set<std::string>& nodes);
+  void check_places(const LoweredTest& test);
+
   // lowering.cc
   /// Says it once: an assemblage that is used twice is wrong once. A name that is unknown in several places
   /// of one declaration is one slip.
@@ -272,6 +284,7 @@ class Lowering {
   text::Place class_place_;
   bool class_is_broken_ = false;  // it was said; what it would offer is unknown
   bool is_checking_ = false;      // nobody runs it: binding points are taken as they are declared
+  std::map<std::string, std::vector<std::string>, std::less<>> tested_states_;  // their paths, by name
   int depth_ = 0;
   Said& said_;
   text::Diagnostic muted_;              // takes what is said of something that was said before

@@ -145,20 +145,6 @@ bool parse_architecture(Cursor& cursor, Tree& tree) {
   return is_whole;
 }
 
-// A node's name inside of its owner, `Searching.Noise`.
-bool read_path(Cursor& cursor, Word& into, std::string_view what) {
-  const std::uint32_t begin = cursor.begin();
-  if (!cursor.read_name(into, what)) return false;
-  while (cursor.take(".")) {
-    Word next;
-    const bool is_read = cursor.read_name(next, "a name behind `.`");
-    into.text += "." + next.text;
-    into.place = cursor.since(begin);
-    if (!is_read) return false;
-  }
-  return true;
-}
-
 // `note 40 200 "words"`, `frame 20 20 400 300 "words"`; the cursor stands behind the first two numbers.
 bool parse_note(Cursor& cursor, LayoutNote note, std::uint32_t begin, Layout& layout) {
   if (cursor.is(Token::Kind::kNumber)) {
@@ -241,6 +227,19 @@ bool refuse_item(Cursor& cursor) {
 
 }  // namespace
 
+bool read_path(Cursor& cursor, Word& into, std::string_view what) {
+  const std::uint32_t begin = cursor.begin();
+  if (!cursor.read_name(into, what)) return false;
+  while (cursor.take(".")) {
+    Word next;
+    const bool is_read = cursor.read_name(next, "a name behind `.`");
+    into.text += "." + next.text;
+    into.place = cursor.since(begin);
+    if (!is_read) return false;
+  }
+  return true;
+}
+
 bool parse_let(Cursor& cursor, std::vector<Let>& into) {
   Let let;
   const std::uint32_t begin = cursor.begin();
@@ -275,6 +274,7 @@ bool parse_item(Cursor& cursor, Tree& tree) {
   if (cursor.is("society")) return parse_society(cursor, tree, help);
   if (cursor.is("operator")) return parse_society_operator(cursor, tree, help);
   if (cursor.is("binding")) return parse_binding(cursor, tree, help);
+  if (cursor.is("test")) return parse_test(cursor, tree, help);
   if (cursor.is("use")) return parse_use(cursor, tree);
   if (cursor.is("architecture")) return parse_architecture(cursor, tree);
   if (cursor.is("layout")) return parse_layout(cursor, tree);

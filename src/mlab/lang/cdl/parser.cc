@@ -52,7 +52,7 @@ bool looks_like_cdl(std::string_view text) {
   };
   const std::string_view first = piece(0);
   if (std::ranges::find(kDeclarationWords, first) == std::end(kDeclarationWords)) return false;
-  if (first == "use") return lexed.tokens[1].kind == Token::Kind::kText;
+  if (first == "use" || first == "test") return lexed.tokens[1].kind == Token::Kind::kText;
   if (lexed.tokens[1].kind != Token::Kind::kName) return false;
   if (first == "architecture") return piece(2) == ";";
   if (first == "assemblage" || first == "binding") return piece(2) == "(";

@@ -116,6 +116,12 @@ auto parts(Is<Society> auto& x) {
 auto parts(Is<SocietyOperator> auto& x) {
   return std::tie(x.name, x.devices);
 }
+auto parts(Is<TestStep> auto& x) {
+  return std::tie(x.percept, x.span, x.condition, x.fact);
+}
+auto parts(Is<Test> auto& x) {
+  return std::tie(x.name, x.subject, x.class_name, x.lets, x.steps);
+}
 auto parts(Is<Use> auto& x) {
   return std::tie(x.path);
 }

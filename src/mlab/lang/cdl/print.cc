@@ -4,7 +4,7 @@
 
 #include "mlab/lang/cdl/format.h"
 #include "mlab/lang/cdl/help.h"
-#include "mlab/lang/cdl/printer.h"
+#include "mlab/lang/cdl/print_items.h"
 
 namespace mlab::cdl {
 namespace {

@@ -456,9 +456,7 @@ class Printer {
     out_.help(robot.help);
     say("robot", robot.name);
     if (robot.has_parentheses || !robot.parameters.empty()) put(robot.parameters);
-    if (!robot.class_name.text.empty()) {
-      say("is", robot.class_name);
-    }
+    if (!robot.class_name.text.empty()) say("is", robot.class_name);
     open();
     Statements(*this)
         .add(robot.lets, [](const Let& let) { return let.name.place; })
@@ -509,6 +507,55 @@ class Printer {
     out_.line();
   }
 
+  // ---- tests
+
+  void put(const TestStep& step) {
+    if (take(step.place.source, step.whole)) {
+      out_.line();
+      return;
+    }
+    out_.help(step.help);
+    out_.begin(step.place);
+    if (step.kind == TestStep::Kind::kGiven || step.kind == TestStep::Kind::kGivenNo) {
+      out_.word("given");
+      if (step.kind == TestStep::Kind::kGivenNo) say("no", step.percept.callee);
+      if (step.kind == TestStep::Kind::kGiven) put(step.percept);
+    } else if (step.kind == TestStep::Kind::kAfter) {
+      out_.word("after");
+      put(step.span);
+    } else {
+      put_expectation(step);
+    }
+    end_statement();
+  }
+  void put_expectation(const TestStep& step) {
+    out_.word("expect");
+    if (step.when != TestStep::When::kNow) {
+      out_.word(step.when == TestStep::When::kWithin ? "within" : "for");
+      put(step.span);
+      out_.word(":");
+    }
+    if (step.condition) put(*step.condition);
+    if (step.is_negated) out_.word("no");
+    if (step.about == TestStep::About::kState) say("state", step.fact);
+    if (step.about == TestStep::About::kAction) say("action", step.fact);
+  }
+  void put(const Test& test) {
+    out_.help(test.help);
+    out_.word("test");
+    out_.quoted(test.name);
+    out_.word("of");
+    if (test.subject) put(*test.subject);
+    if (!test.class_name.text.empty()) say("on", test.class_name);
+    open();
+    Statements(*this)
+        .add(test.lets, [](const Let& let) { return let.name.place; })
+        .add(test.steps, [](const TestStep& step) { return step.place; })
+        .put();
+    close();
+    out_.line();
+  }
+
   // ---- layouts
 
   void put_numbers(std::initializer_list<double> numbers) {
@@ -548,25 +595,5 @@ class Printer {
 
   Out& out_;
 };
-
-inline const Item& item_of(const Item& item) {
-  return item;
-}
-inline const Item& item_of(const Item* item) {
-  return *item;
-}
-
-/// Declarations with an empty line between them, but not between those of one line each.
-template <class Out>
-void put_items(Out& out, const auto& items) {
-  bool was_short = true;
-  for (const auto& one : items) {
-    const Item& item = item_of(one);
-    const bool is_short = std::holds_alternative<Use>(item) || std::holds_alternative<Architecture>(item);
-    is_short&& was_short ? out.line() : out.paragraph();
-    was_short = is_short;
-    Printer(out).put(item);
-  }
-}
 
 }  // namespace mlab::cdl

@@ -346,8 +346,39 @@ struct Layout {
   text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
-using Item =
-    std::variant<Use, Architecture, Assemblage, Binding, RobotClass, Robot, SocietyOperator, Society, Layout>;
+/// `given obstacle(at = [2 m, 0 m]);`, `given no obstacle;`, `after 10 cycles;`, `expect it;`,
+/// `expect within 5 cycles: state Acquiring;`, `expect for 2 s: no action PickUp;`
+struct TestStep {
+  enum class Kind { kGiven, kGivenNo, kExpect, kAfter };
+  enum class When { kNow, kWithin, kFor };
+  enum class About { kCondition, kState, kAction };
+  Kind kind = Kind::kGiven;
+  Call percept;                     ///< kGiven; of kGivenNo only the callee
+  When when = When::kNow;           ///< kExpect
+  Number span;                      ///< kAfter, and an expectation with `within` or `for`
+  About about = About::kCondition;  ///< kExpect
+  bool is_negated = false;          ///< `no state X`
+  ExpressionPtr condition;          ///< kCondition
+  Word fact;                        ///< name of the state, perhaps `Outer.Inner`, or of the action
+  text::Place place;                ///< of the statement, without its `;`
+  std::string help;                 ///< `///` lines above it
+  text::Span whole = {};            ///< from its first word to its end, without its help
+};
+
+/// `test "turns away" of AvoidStaticObstacles(...) on Scout { given ...; expect ...; }`: what a component
+/// does when it is told what it senses.
+struct Test {
+  Word name;              ///< its place is that of the text with its quotes
+  ExpressionPtr subject;  ///< `as` says what its value is called in conditions; else `it`
+  Word class_name;        ///< on whose sensors it runs; empty: `Scout`
+  std::vector<Let> lets;
+  std::vector<TestStep> steps;
+  std::string help;
+  text::Span whole = {};  ///< from its first word to its end, without its help
+};
+
+using Item = std::variant<Use, Architecture, Assemblage, Binding, RobotClass, Robot, SocietyOperator, Society,
+                          Test, Layout>;
 
 /// One file, as it was written. After errors it has holes, never wrong parts.
 struct Tree {

@@ -15,7 +15,7 @@
 
 #include "mlab/lang/cdl/lexer.h"
 #include "mlab/lang/cdl/pieces.h"
-#include "mlab/lang/cdl/printer.h"
+#include "mlab/lang/cdl/print_items.h"
 #include "mlab/lang/cdl/tree.h"
 
 // The words of a changed tree, with where they stood in the text before (for `reprint`).
