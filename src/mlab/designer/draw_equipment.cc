@@ -177,7 +177,8 @@ class EquipmentDrawer {
       node.set_unit(by->output.unit);
     }
     if (by) {
-      for (std::size_t i = 0; i < by->inputs.size(); ++i) add_argument(device, by->inputs[i], i, binding, node);
+      for (std::size_t i = 0; i < by->inputs.size(); ++i)
+        add_argument(device, by->inputs[i], i, binding, node);
     }
     served_[device.binds.text].push_back(&device);
     Equipment::Device& told = *out_.mutable_equipment()->add_devices();
@@ -307,7 +308,8 @@ class BindingDrawer {
     point.set_icon("binding");
     point.set_type(binding_.result_type.text.empty() ? "Vector" : binding_.result_type.text);
     const auto& configuration = model_.configuration();
-    for (const auto& [name, robot_class] : configuration.classes) add_server(name, "class", robot_class->devices);
+    for (const auto& [name, robot_class] : configuration.classes)
+      add_server(name, "class", robot_class->devices);
     for (const auto& [name, op] : configuration.operators) add_server(name, "operator", op->devices);
     for (const cdl::Robot* robot : configuration.own_robots) {
       if (!requested_bindings(configuration, *robot).contains(binding_.name.text)) continue;

@@ -48,13 +48,20 @@ Shown shown(const cdl::Item& item, const Model& model) {
     for (const cdl::Drive& drive : robot->drives) add_calls(drive.value, out.uses);
     out.uses.insert(robot->class_name.text);
   } else if (const auto* robot_class = std::get_if<cdl::RobotClass>(&item)) {
-    out = {"class", robot_class->name.text, robot_class->help, robot_class->name.place.span, {}, bool(equipped(model, robot_class->name.text)), {}};
+    out = {"class",
+           robot_class->name.text,
+           robot_class->help,
+           robot_class->name.place.span,
+           {},
+           bool(equipped(model, robot_class->name.text)),
+           {}};
     for (const cdl::Device& device : robot_class->devices) out.uses.insert(device.by.callee.text);
   } else if (const auto* society = std::get_if<cdl::Society>(&item)) {
     out = {"society", society->name.text, society->help, society->name.place.span, {}, true, {}};
     add_members(society->what, out.uses);
   } else if (const auto* op = std::get_if<cdl::SocietyOperator>(&item)) {
-    out = {"operator", op->name.text, op->help, op->name.place.span, {}, bool(equipped(model, op->name.text)), {}};
+    out = {"operator", op->name.text, op->help, op->name.place.span, {}, bool(equipped(model, op->name.text)),
+           {}};
     for (const cdl::Device& device : op->devices) out.uses.insert(device.by.callee.text);
   } else if (const auto* binding = std::get_if<cdl::Binding>(&item)) {
     out = {"binding",

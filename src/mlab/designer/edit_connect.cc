@@ -174,10 +174,9 @@ Done Editor::place_sink(const PageView& view, const Place& change) {
   std::set<std::string> taken;
   for (const cdl::Drive& drive : view.graph->robot->drives) taken.insert(drive.binding.text);
   const std::string name = unique(change.component().starts_with("Report") ? "report" : "acts", taken);
-  work_.changes().change<cdl::Robot>(*view.graph->robot,
-                                     [name, by = called(change.component())](cdl::Robot& now) {
-                                       now.drives.push_back({{name, {}}, by});
-                                     });
+  work_.changes().change<cdl::Robot>(
+      *view.graph->robot,
+      [name, by = called(change.component())](cdl::Robot& now) { now.drives.push_back({{name, {}}, by}); });
   return work_.commit();
 }
 

@@ -20,7 +20,7 @@ constexpr std::string_view kPointNode = "$point.";
 const cdl::Argument* argument_of(const cdl::Call& call, const Callable& component, std::string_view name) {
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const cdl::Argument& argument = call.arguments[i];
-    const std::string_view called = !argument.name.text.empty()     ? std::string_view(argument.name.text)
+    const std::string_view called = !argument.name.text.empty()   ? std::string_view(argument.name.text)
                                     : i < component.inputs.size() ? std::string_view(component.inputs[i].name)
                                                                   : std::string_view();
     if (called == name) return &argument;
@@ -29,7 +29,8 @@ const cdl::Argument* argument_of(const cdl::Call& call, const Callable& componen
 }
 
 // The arguments of a call that another component takes as well, by name.
-std::vector<cdl::Argument> kept_arguments(const cdl::Call& call, const Callable* before, const Callable& now) {
+std::vector<cdl::Argument> kept_arguments(const cdl::Call& call, const Callable* before,
+                                          const Callable& now) {
   std::vector<cdl::Argument> out;
   for (std::size_t i = 0; before != nullptr && i < call.arguments.size(); ++i) {
     const cdl::Argument& argument = call.arguments[i];
@@ -56,8 +57,7 @@ std::string why_not_property(const cdl::BodyProperty& property, const cdl::Expre
   const auto* number = std::get_if<cdl::Number>(&value.what);
   const bool is_word = std::holds_alternative<cdl::Name>(value.what);
   const bool is_computed = std::holds_alternative<cdl::Arithmetic>(value.what);
-  if (number == nullptr)
-    return is_word || is_computed ? "" : fmt::format("`{}` is a number", property.name);
+  if (number == nullptr) return is_word || is_computed ? "" : fmt::format("`{}` is a number", property.name);
   const auto from = cdl::unit_named(number->unit.text);
   const auto to = cdl::unit_named(property.unit);
   const auto in_unit = from && to ? cdl::converted(number->value, *from, *to) : std::nullopt;
@@ -115,8 +115,7 @@ std::string Editor::free_device_name(const Equipped& owner, const std::string& b
 
 Done Editor::set_device(const SetDevice& change) {
   const Equipped owner = equipped(work_.model(), change.owner());
-  if (!owner)
-    return refusal(fmt::format("there is no class or operator `{}`", text::shown(change.owner())));
+  if (!owner) return refusal(fmt::format("there is no class or operator `{}`", text::shown(change.owner())));
   if (change.device().empty()) return add_device(owner, change);
   const text::Result<DeviceSpot> spot = device(change.owner(), change.device());
   if (!spot) return std::unexpected(spot.error());
@@ -225,11 +224,10 @@ Done Editor::set_equipment_value(const SetValue& change) {
   const text::Result<DeviceSpot> spot = device(change.page(), change.node());
   if (!spot) return std::unexpected(spot.error());
   const cdl::Call& call = spot->device->by;
-  const auto* input =
-      spot->by == nullptr ? nullptr : [&]() -> const Socket* {
-        const auto found = std::ranges::find(spot->by->inputs, change.port(), &Socket::name);
-        return found == spot->by->inputs.end() ? nullptr : &*found;
-      }();
+  const auto* input = spot->by == nullptr ? nullptr : [&]() -> const Socket* {
+    const auto found = std::ranges::find(spot->by->inputs, change.port(), &Socket::name);
+    return found == spot->by->inputs.end() ? nullptr : &*found;
+  }();
   if (input == nullptr)
     return refusal(
         fmt::format("`{}` has no input `{}`", text::shown(change.node()), text::shown(change.port())));
@@ -307,8 +305,8 @@ Done Editor::expose_equipment(const Expose& change) {
   if (robot_class == nullptr) return refusal("an operator of societies has no parameters");
   const std::string name = change.parameter().empty() ? change.port() : change.parameter();
   if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
-  const bool is_known = std::ranges::any_of(
-      robot_class->parameters, [&](const cdl::Parameter& one) { return one.name.text == name; });
+  const bool is_known = std::ranges::any_of(robot_class->parameters,
+                                            [&](const cdl::Parameter& one) { return one.name.text == name; });
   text::Result<SetParameter> parameter = exposed(change, *robot_class);
   if (!parameter) return std::unexpected(parameter.error());
   if (parameter->initial() == name) return refusal(fmt::format("`{}` is one already", name));
@@ -382,8 +380,7 @@ Done Editor::place_device(const Place& change) {
   const std::optional<Callable>& by = work_.model().components().find(change.component());
   if (!by) return refusal(fmt::format("nothing answers to `{}`", text::shown(change.component())));
   const std::string binds = point_for(owner, *by);
-  if (binds.empty())
-    return refusal(fmt::format("`{}` can serve no binding point that is known", by->name));
+  if (binds.empty()) return refusal(fmt::format("`{}` can serve no binding point that is known", by->name));
   SetDevice fresh;
   fresh.set_owner(change.page());
   fresh.set_binds(binds);

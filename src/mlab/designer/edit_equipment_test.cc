@@ -132,7 +132,8 @@ TEST(Equipment, BuildsFigures9And10WithoutText) {
   ASSERT_NE(bodies, std::string::npos);
   DrawnText text(whole.substr(0, bodies));
   text.declare("class", "Collector");
-  describe(text, "Collector", "What the foragers are: a body that moves to all sides, and a camera that turns.");
+  describe(text, "Collector",
+           "What the foragers are: a body that moves to all sides, and a camera that turns.");
   text.change([](Change& change) {
     SetParameter& one = *change.mutable_set_parameter();
     one.set_owner("Collector");
@@ -143,8 +144,10 @@ TEST(Equipment, BuildsFigures9And10WithoutText) {
     one.set_high("5");
   });
   const std::pair<const char*, std::pair<const char*, const char*>> kDevices[] = {
-      {"ring", {"sense_obstacles", "DetectObstacles"}}, {"radio", {"sense_robots", "DetectRobots"}},
-      {"camera", {"sense_objects", "DetectObjects"}},   {"choice", {"choose_target", "ClosestObject"}},
+      {"ring", {"sense_obstacles", "DetectObstacles"}},
+      {"radio", {"sense_robots", "DetectRobots"}},
+      {"camera", {"sense_objects", "DetectObjects"}},
+      {"choice", {"choose_target", "ClosestObject"}},
       {"base", {"movement", "Drive"}},
   };
   for (const auto& [name, serves] : kDevices) {
@@ -187,7 +190,7 @@ TEST(Equipment, ShowsABodyWithUnitsRangesAndHelp) {
   EXPECT_EQ(input_of(drive, "drive").choices_size(), 4);
   EXPECT_EQ(input_of(drive, "max_turn_rate").value(), "1.5 rad/s");  // a bare number is in SI units
   EXPECT_TRUE(has_port(drive, "axle"));
-  EXPECT_FALSE(has_port(drive, "max_steer"));                          // cars have it
+  EXPECT_FALSE(has_port(drive, "max_steer"));                         // cars have it
   EXPECT_FALSE(has_port(node_of(page, "$body.ring"), "ring_range"));  // there is no ring
 }
 
@@ -229,8 +232,7 @@ TEST(Equipment, MakesANumberOfTheBodyAParameterOfTheClass) {
 TEST(Equipment, SaysWhyAComponentCantServe) {
   DrawnText text("class Cart {\n}\n");
   device(text, "Cart", "", "sense_obstacles", "DetectObstacles");
-  EXPECT_EQ(text.text(),
-            "class Cart {\n  sensor obstacles: DetectObstacles() binds sense_obstacles;\n}\n");
+  EXPECT_EQ(text.text(), "class Cart {\n  sensor obstacles: DetectObstacles() binds sense_obstacles;\n}\n");
   EXPECT_EQ(why_no_device(text, "Cart", "", "sense_robots", "DetectObstacles"),
             "`DetectObstacles` can't serve `sense_robots`: it takes Robots, and this is Obstacles");
   EXPECT_EQ(why_no_device(text, "Cart", "", "movement", "DetectObstacles"),

@@ -204,8 +204,9 @@ FitList points_for(const Model& model, const Equipped& owner, const Fits& reques
     return out;
   }
   const cdl::Device* device = owner.device(request.from_node());
-  const std::string name =
-      !request.component().empty() ? request.component() : device != nullptr ? device->by.callee.text : "";
+  const std::string name = !request.component().empty() ? request.component()
+                           : device != nullptr          ? device->by.callee.text
+                                                        : "";
   std::optional<Callable> by = model.components().find(name);
   if (const Offered* file = find_offered(offered, model, name))
     by = *find_callable(callables_of(*file->model), name);

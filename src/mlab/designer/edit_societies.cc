@@ -198,8 +198,9 @@ Done Editor::ungroup_members(const UngroupMembers& change) {
   for (Member& member : members) {
     if (caste->by.text.empty()) break;
     if (!member.by.text.empty())
-      return refusal(fmt::format("`{}` coordinates the caste, and `{}` a part of it: only one of them could stay",
-                                 caste->by.text, member.by.text));
+      return refusal(
+          fmt::format("`{}` coordinates the caste, and `{}` a part of it: only one of them could stay",
+                      caste->by.text, member.by.text));
     member.by.text = caste->by.text;
   }
   if (depth == 0) {

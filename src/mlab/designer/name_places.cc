@@ -60,7 +60,8 @@ std::optional<std::uint32_t> name_place(const Model& model, const NameAt& at) {
   if (const cdl::Society* society = model.society(at.page()); society != nullptr && !at.node().empty())
     return member_place(society->what, at.node());
   if (at.node().empty()) return declaration_place(model, owner_of(at.page()));
-  if (const Equipped owner = equipped(model, at.page())) return device_place(owner, at.node(), at.of_component());
+  if (const Equipped owner = equipped(model, at.page()))
+    return device_place(owner, at.node(), at.of_component());
   if (const cdl::Binding* binding = model.binding(at.page()); binding != nullptr)
     return parameter_place(binding->parameters, at.node());
   const Model::Found found = model.page(at.page());

@@ -69,7 +69,9 @@ class Finder {
 void look_body(const cdl::RobotClass& robot_class, Finder& finder) {
   for (const cdl::BodySetting& setting : robot_class.body) {
     const cdl::BodyProperty* property = cdl::body_property(setting.name.text);
-    const std::string part(setting.name.text == "drive" ? "drive" : property != nullptr ? property->part : "body");
+    const std::string part(setting.name.text == "drive" ? "drive"
+                           : property != nullptr        ? property->part
+                                                        : "body");
     text::Span span = setting.name.place.span;
     if (setting.value) span.end = setting.value->place.span.end;
     finder.look(span, {robot_class.name.text, std::string(kBodyNode) + part, setting.name.text});
@@ -83,7 +85,8 @@ void look_devices(const Model& model, const std::string& owner, const std::vecto
   for (const cdl::Device& device : devices) {
     finder.look(device.whole, {owner, device.name.text, ""});
     for (const cdl::Argument& argument : device.by.arguments) {
-      if (argument.value) finder.look(argument.value->place.span, {owner, device.name.text, argument.name.text});
+      if (argument.value)
+        finder.look(argument.value->place.span, {owner, device.name.text, argument.name.text});
     }
   }
 }

@@ -62,8 +62,8 @@ std::string missing_input(const cdl::Device& device, const cdl::Binding& binding
 }  // namespace
 
 const cdl::Device* Equipped::device(std::string_view name) const {
-  const auto found = std::ranges::find_if(
-      devices(), [&](const cdl::Device& device) { return device.name.text == name; });
+  const auto found =
+      std::ranges::find_if(devices(), [&](const cdl::Device& device) { return device.name.text == name; });
   return found == devices().end() ? nullptr : &*found;
 }
 

@@ -25,7 +25,8 @@ struct Equipped {
   /// Null: the text has no device of that name.
   const cdl::Device* device(std::string_view name) const;
 };
-/// Of that name, but no robot that is called the same. Neither: nothing of the text has devices and is called so.
+/// Of that name, but no robot that is called the same. Neither: nothing of the text has devices and is called
+/// so.
 Equipped equipped(const Model& model, std::string_view name);
 
 /// The nodes of a class's page that are no devices: `$body.drive` for what the `drive` of its body says.

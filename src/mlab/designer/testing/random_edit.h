@@ -189,9 +189,8 @@ class RandomEdit {
         return;
       case 4:
         change.mutable_remove()->set_page(page);
-        change.mutable_remove()->add_nodes(below(4) == 0 && !drawing.nodes().empty()
-                                               ? one_of(drawing.nodes()).name()
-                                               : device_of(drawing));
+        change.mutable_remove()->add_nodes(
+            below(4) == 0 && !drawing.nodes().empty() ? one_of(drawing.nodes()).name() : device_of(drawing));
         return;
       case 5: {
         change.mutable_arrange()->set_page(page);

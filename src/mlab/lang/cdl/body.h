@@ -29,7 +29,8 @@ const BodyProperty* body_property(std::string_view name);
 /// What `drive` may be, by the number that a body has for it; the first where nothing is said.
 inline constexpr std::array<std::string_view, 4> kDrives = {"holonomic", "differential", "car", "synchro"};
 inline constexpr std::string_view kDriveHelp =
-    "how it moves: holonomic goes to all sides at once, differential has two driven wheels, synchro steers and "
+    "how it moves: holonomic goes to all sides at once, differential has two driven wheels, synchro steers "
+    "and "
     "drives all wheels together, car steers its front wheels";
 
 /// All names that may stand in a `body`: the properties' and `drive`.
