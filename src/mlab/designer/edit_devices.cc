@@ -108,7 +108,9 @@ std::string Editor::free_device_name(const Equipped& owner, const std::string& b
   std::set<std::string> taken;
   for (const cdl::Device& device : owner.devices()) taken.insert(device.name.text);
   constexpr std::string_view kSense = "sense_";
-  return unique(binding.starts_with(kSense) ? binding.substr(kSense.size()) : binding, taken);
+  if (binding.starts_with(kSense)) return unique(binding.substr(kSense.size()), taken);
+  // Not as the binding point itself: what drives it would be said by either name.
+  return unique(binding == "movement" ? "base" : binding + "_device", taken);
 }
 
 // ---- devices

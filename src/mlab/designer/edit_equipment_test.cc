@@ -274,7 +274,7 @@ TEST(Equipment, MakesAClassForWhatARobotAsksFor) {
   });
   EXPECT_EQ(text.text(),
             "robot R is RBody {\n  movement = Wander();\n}\n\nclass RBody {\n  body { radius = 0.3 m; }\n"
-            "  actuator movement: DriveAndSpin() binds movement;\n"
+            "  actuator base: DriveAndSpin() binds movement;\n"
             "  sensor obstacles: DetectObstacles() binds sense_obstacles;\n}\n");
   EXPECT_EQ(text.errors(), "");
 }

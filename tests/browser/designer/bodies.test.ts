@@ -83,7 +83,7 @@ test("a robot with body and devices, and a society of two teams, without a word 
   await details.getByText("`radius` is in m").waitFor();
   await field(designer, /^radius/).press("Escape");
 
-  await designer.select(designer.node("movement"));
+  await designer.select(designer.node("base"));
   await type(designer, "Name", "wheels");
   await designer.node("wheels").waitFor();
   await type(designer, /^max velocity/, "0.8 m/s");
