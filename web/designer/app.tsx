@@ -26,6 +26,7 @@ import { TopBar } from "./files/top_bar.tsx";
 import { RenameNameDialog } from "./names/name_dialog.tsx";
 import { UsesPanel } from "./names/uses_panel.tsx";
 import { ConnectChooser } from "./palette/connect_chooser.tsx";
+import { DeviceChooser } from "./palette/device_chooser.tsx";
 import { PalettePanel } from "./palette/palette_panel.tsx";
 import { SearchPalette } from "./palette/search_palette.tsx";
 import { TriggerChooser } from "./palette/trigger_chooser.tsx";
@@ -301,6 +302,8 @@ function Dialogs() {
       return <ConnectChooser />;
     case "trigger":
       return <TriggerChooser />;
+    case "device":
+      return <DeviceChooser />;
     case "commands":
       return <Commands />;
     case "shortcuts":

@@ -16,11 +16,6 @@ namespace {
 
 using Kind = GraphNode::Kind;
 
-std::string written(const cdl::Expression& expression) {
-  if (!expression.place.source) return cdl::print(expression);
-  return std::string(expression.place.source->text(expression.place.span));
-}
-
 /// Draws the pages of one owner.
 class Drawer {
  public:
@@ -46,7 +41,7 @@ class Drawer {
                                                                 : Drawing::DATAFLOW);
     for (const GraphNode& node : page_.nodes) add_node(node);
     if (page_.sequence != nullptr) add_states(*page_.sequence);
-    for (const cdl::Parameter& parameter : graph_.parameters()) add_parameter(parameter);
+    for (const cdl::Parameter& parameter : graph_.parameters()) add_parameter(parameter, model_, out_);
     if (page_.result >= 0) out_.set_result_node(node_at(page_.result).name);
     if (page_.root != nullptr) out_.set_result_type(graph_.type_of(*page_.root).name());
     if (is_owner && graph_.assemblage != nullptr && !graph_.assemblage->result_type.text.empty())
@@ -379,19 +374,6 @@ class Drawer {
     out.set_end(transition.place.span.end);
   }
 
-  void add_parameter(const cdl::Parameter& parameter) {
-    const Socket socket = model_.components().socket(parameter);
-    Parameter& out = *out_.add_parameters();
-    out.set_name(socket.name);
-    out.set_type(parameter.type.text);
-    out.set_unit(socket.type.unit);
-    out.set_initial(parameter.initial ? written(*parameter.initial) : "");
-    if (socket.min) out.set_min(*socket.min);
-    if (socket.max) out.set_max(*socket.max);
-    out.set_help(socket.help);
-    for (const std::string& choice : choices_of(socket.type)) out.add_choices(choice);
-  }
-
   const Model& model_;
   const DrawingContext& context_;
   const OwnerGraph& graph_;
@@ -449,6 +431,24 @@ void add_notes(const Model& model, const std::string& page, Drawing& out) {
 
 }  // namespace
 
+std::string written(const cdl::Expression& expression) {
+  if (!expression.place.source) return cdl::print(expression);
+  return std::string(expression.place.source->text(expression.place.span));
+}
+
+void add_parameter(const cdl::Parameter& parameter, const Model& model, Drawing& drawing) {
+  const Socket socket = model.components().socket(parameter);
+  Parameter& out = *drawing.add_parameters();
+  out.set_name(socket.name);
+  out.set_type(parameter.type.text);
+  out.set_unit(socket.type.unit);
+  out.set_initial(parameter.initial ? written(*parameter.initial) : "");
+  if (socket.min) out.set_min(*socket.min);
+  if (socket.max) out.set_max(*socket.max);
+  out.set_help(socket.help);
+  for (const std::string& choice : choices_of(socket.type)) out.add_choices(choice);
+}
+
 Drawing draw(const Model& model, const std::string& page, const DrawingContext& context) {
   Drawing out;
   out.mutable_page()->set_document(context.document);
@@ -459,10 +459,10 @@ Drawing draw(const Model& model, const std::string& page, const DrawingContext& 
     draw_file(model, context, out);
   } else if (const Model::Found found = model.page(page); found.graph != nullptr) {
     Drawer(model, context, found, out).run();
-    if (out.kind() == Drawing::ROBOT) add_robot(model, *found.graph->robot, out);
+    if (out.kind() == Drawing::ROBOT) add_robot(model, *found.graph->robot, context, out);
   } else if (const cdl::Society* society = model.society(page)) {
     draw_society(model, *society, context, out);
-  } else {
+  } else if (!draw_equipment(model, page, context, out)) {
     return out;
   }
   add_way(model, page, context, out);

@@ -86,6 +86,17 @@ std::string name_of(const Change& change) {
       return "change a member";
     case Change::kRemoveMember:
       return "remove a member";
+    case Change::kSetDevice:
+      return change.set_device().device().empty() ? "add a device for " + change.set_device().binds()
+                                                  : "change device " + change.set_device().device();
+    case Change::kSetBinding:
+      return "change what " + change.set_binding().binding() + " gives";
+    case Change::kGroupMembers:
+      return "make a caste of " + several(change.group_members().members_size(), "a member", "members");
+    case Change::kUngroupMembers:
+      return "take a caste apart";
+    case Change::kMoveMember:
+      return "move a member";
     case Change::CHANGE_NOT_SET:
       break;
   }

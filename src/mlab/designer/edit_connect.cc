@@ -55,6 +55,7 @@ std::string base_of(const std::string& component) {
 }  // namespace
 
 Done Editor::connect(const Connect& change) {
+  if (is_equipment(change.page())) return connect_device(change);
   text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   const text::Result<int> from = node(*view, change.from_node());
@@ -108,6 +109,8 @@ Done Editor::connect_let(const PageView& view, int from, const Spot& to) {
 }
 
 Done Editor::disconnect(const Disconnect& change) {
+  if (is_equipment(change.page()))
+    return refusal("a device serves a binding point: lead it to another one, or remove it");
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   const text::Result<Spot> to = spot(*view, change.to_node(), change.to_port(), index_of(change), false);
@@ -118,6 +121,7 @@ Done Editor::disconnect(const Disconnect& change) {
 }
 
 Done Editor::set_value(const SetValue& change) {
+  if (is_equipment(change.page())) return set_equipment_value(change);
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   const bool is_new = change.has_index() || !change.value().empty();
@@ -135,6 +139,7 @@ Done Editor::set_value(const SetValue& change) {
 }
 
 Done Editor::place(const Place& change) {
+  if (is_equipment(change.page())) return place_device(change);
   text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   const Components& components = work_.model().components();
@@ -142,7 +147,7 @@ Done Editor::place(const Place& change) {
   if (!words) return refusal(fmt::format("nothing answers to `{}`", text::shown(change.component())));
   if (view->page->asks != nullptr) return place_in_trigger(*view, change);
   if (const std::optional<Callable> callable = components.find(change.component())) {
-    if (callable->gives_nothing) return refusal("an actuator is driven by a robot, and stands on no page");
+    if (callable->gives_nothing) return place_sink(*view, change);
     const bool is_itself = callable->assemblage != nullptr && callable->assemblage == view->graph->assemblage;
     if (is_itself) return refusal("an assemblage can't be a part of itself");
   }
@@ -162,8 +167,22 @@ Done Editor::place(const Place& change) {
   return connect(wire);
 }
 
+// What moves or tells something by itself: a robot drives it under a name of its own.
+Done Editor::place_sink(const PageView& view, const Place& change) {
+  if (view.graph->robot == nullptr || view.page->parent >= 0)
+    return refusal("what gives nothing stands on the page of a robot or, as a device, of a class");
+  std::set<std::string> taken;
+  for (const cdl::Drive& drive : view.graph->robot->drives) taken.insert(drive.binding.text);
+  const std::string name = unique(change.component().starts_with("Report") ? "report" : "acts", taken);
+  work_.changes().change<cdl::Robot>(
+      *view.graph->robot,
+      [name, by = called(change.component())](cdl::Robot& now) { now.drives.push_back({{name, {}}, by}); });
+  return work_.commit();
+}
+
 Done Editor::remove(const Remove& change) {
   if (change.page().empty()) return remove_declarations(change);
+  if (is_equipment(change.page())) return remove_devices(change);
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   if (change.nodes().empty()) return refusal("nothing is chosen");
@@ -294,6 +313,13 @@ Done Editor::set_active(const SetActive& change) {
 
 // Another component in its place: inputs of the same name and a fitting type stay.
 Done Editor::replace(const Replace& change) {
+  if (is_equipment(change.page())) {
+    SetDevice by;
+    by.set_owner(change.page());
+    by.set_device(change.node());
+    by.set_component(change.component());
+    return change.node().empty() ? refusal("nothing is chosen") : set_device(by);
+  }
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   const text::Result<int> at = node(*view, change.node());
@@ -369,6 +395,7 @@ Done Editor::replace_call(const std::string& owner, int handle, const Callable& 
 }
 
 Done Editor::expose(const Expose& change) {
+  if (is_equipment(change.page())) return expose_equipment(change);
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   text::Result<Spot> to = spot(*view, change.node(), change.port(), index_of(change), false);
@@ -470,6 +497,16 @@ Done Editor::apply(const Change& change) {
       return remove_transition(change.remove_transition());
     case Change::kChangeTrigger:
       return change_trigger(change.change_trigger());
+    case Change::kSetDevice:
+      return set_device(change.set_device());
+    case Change::kSetBinding:
+      return set_binding(change.set_binding());
+    case Change::kGroupMembers:
+      return group_members(change.group_members());
+    case Change::kUngroupMembers:
+      return ungroup_members(change.ungroup_members());
+    case Change::kMoveMember:
+      return move_member(change.move_member());
     case Change::kSetClass:
       return set_class(change.set_class());
     case Change::kUseDevice:

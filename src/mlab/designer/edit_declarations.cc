@@ -31,13 +31,22 @@ Done Editor::add_declaration(const AddDeclaration& change) {
     words = fmt::format("class {} {{\nbody {{ radius = 0.3 m; }}\n}}", name);
   } else if (change.kind() == "society") {
     const auto& robots = work_.model().configuration().own_robots;
-    if (robots.empty()) return refusal("a society needs a robot: add one first");
-    words = fmt::format("society {}: team of 3 {};", name, robots.front()->name.text);
+    words = robots.empty() ? fmt::format("society {}: caste {{ }};", name)
+                           : fmt::format("society {}: team of 3 {};", name, robots.front()->name.text);
+  } else if (change.kind() == "operator") {
+    words = fmt::format("operator {} {{\n}}", name);
+  } else if (change.kind() == "binding") {
+    words = fmt::format("binding {}() -> Obstacles;", name);
   } else {
     return refusal(fmt::format("`{}` is no kind of declaration", text::shown(change.kind())));
   }
+  if (!change.robot().empty() && change.kind() != "class")
+    return refusal(fmt::format("a robot has no {} of its own", change.kind()));
   work_.add(items_of(words).front());
   if (const Done done = work_.commit(); !done) return done;
+  if (!change.robot().empty()) {
+    if (const Done done = add_class_for(name, change.robot()); !done) return done;
+  }
   return arrange_one("", name, change);
 }
 
@@ -88,6 +97,8 @@ void Editor::visit_owner(std::string_view name, const auto& visit) const {
     visit(*robot);
   else if (const cdl::RobotClass* robot_class = model.robot_class(name))
     visit(*robot_class);
+  else if (const cdl::Binding* binding = model.binding(name))
+    visit(*binding);
 }
 
 const std::vector<cdl::Parameter>* Editor::parameters(std::string_view owner) const {
@@ -169,7 +180,9 @@ Done Editor::remove_parameter(const RemoveParameter& change) {
       std::ranges::find_if(*all, [&](const cdl::Parameter& p) { return p.name.text == change.name(); });
   if (known == all->end())
     return refusal(fmt::format("there is no parameter `{}`", text::shown(change.name())));
-  const bool is_class = work_.model().robot_class(change.owner()) != nullptr;
+  const bool is_class = is_equipment(change.owner());
+  if (is_class && reads_parameter(*equipped(work_.model(), change.owner()).robot_class, change.name()))
+    return refusal(fmt::format("the body or a device reads `{}`: change that first", change.name()));
   if (const OwnerGraph* graph = is_class ? nullptr : work_.model().graph(change.owner())) {
     if (const std::optional<Spot> reader = reader_of(*graph, change.name())) {
       const Done done = known->initial ? write(*reader, known->initial) : clear(*reader);

@@ -16,7 +16,7 @@ namespace mlab::designer {
 
 text::Result<PageView> Editor::page(const std::string& path) const {
   const Model::Found found = work_.model().page(path);
-  if (found.graph == nullptr) return refusal(fmt::format("there is no page `{}`", text::shown(path)));
+  if (found.graph == nullptr) return refusal(why_no_components(work_.model(), path));
   return PageView{found.graph, &found.graph->pages[static_cast<std::size_t>(found.page)]};
 }
 

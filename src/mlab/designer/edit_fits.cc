@@ -8,6 +8,7 @@
 
 #include "mlab/designer/edit.h"
 #include "mlab/designer/editor.h"
+#include "mlab/designer/serving.h"
 #include "mlab/designer/shapes.h"
 
 namespace mlab::designer {
@@ -160,9 +161,68 @@ class Fitting {
   FitList out_;
 };
 
+void add_fit(const std::string& node, const char* port, const std::string& reason, FitList& out) {
+  FitList::Fit& fit = *out.add_fits();
+  fit.set_node(node);
+  fit.set_port(port);
+  fit.set_reason(reason);
+}
+
+// What may serve a binding point; as for inputs, with the project's files that are not used yet.
+FitList servers_of(const Model& model, const std::string& point, const std::vector<Offered>& offered) {
+  FitList out;
+  const Components& components = model.components();
+  const auto binding = model.configuration().bindings.find(point);
+  if (binding == model.configuration().bindings.end()) return out;
+  const auto add = [&](const Callable& component) {
+    add_fit(component.name, "component", why_not_serving(component, *binding->second, components), out);
+  };
+  for (const auto& [name, assemblage] : model.configuration().assemblages) add(components.of(*assemblage));
+  for (const flow::Behavior* behavior : model.library().behaviors())
+    add(components.of(flow::Library::Entry{behavior, nullptr}));
+  for (const Offered& file : offered) {
+    for (const Callable& component : callables_of(*file.model)) add(component);
+  }
+  return out;
+}
+
+// Which binding points a device, or a component that is to become one, may serve.
+FitList points_for(const Model& model, const Equipped& owner, const Fits& request,
+                   const std::vector<Offered>& offered) {
+  FitList out;
+  constexpr std::string_view kPoint = "$point.";
+  if (request.from_node().starts_with(kPoint)) {
+    const auto binding = model.configuration().bindings.find(request.from_node().substr(kPoint.size()));
+    const bool is_known = binding != model.configuration().bindings.end();
+    for (const cdl::Device& one : is_known ? owner.devices() : std::vector<cdl::Device>()) {
+      const std::optional<Callable>& by = model.components().find(one.by.callee.text);
+      const auto& driven = binding->second->parameters;
+      if (by && !driven.empty())
+        add_fit(one.name.text, driven.front().name.text.c_str(),
+                why_not_serving(*by, *binding->second, model.components()), out);
+    }
+    return out;
+  }
+  const cdl::Device* device = owner.device(request.from_node());
+  const std::string name = !request.component().empty() ? request.component()
+                           : device != nullptr          ? device->by.callee.text
+                                                        : "";
+  std::optional<Callable> by = model.components().find(name);
+  if (const Offered* file = find_offered(offered, model, name))
+    by = *find_callable(callables_of(*file->model), name);
+  if (!by) return out;
+  for (const auto& [point, binding] : model.configuration().bindings)
+    add_fit("$point." + point, "served_by", why_not_serving(*by, *binding, model.components()), out);
+  return out;
+}
+
 }  // namespace
 
 FitList fitting(const Model& model, const Fits& request, const std::vector<Offered>& offered) {
+  if (const Equipped owner = equipped(model, request.page())) {
+    return request.to_port().empty() ? points_for(model, owner, request, offered)
+                                     : servers_of(model, request.to_port(), offered);
+  }
   const Model::Found found = model.page(request.page());
   return found.graph == nullptr ? FitList() : Fitting(model, found, offered).of(request);
 }

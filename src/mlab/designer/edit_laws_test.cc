@@ -29,8 +29,10 @@ std::string file(const std::string& path) {
 std::string some_text() {
   const auto& library = robot::library_environment().built_in;
   const auto which = *rc::gen::inRange<std::size_t>(0, library.size() * 2);
-  const char* own =
-      which % 2 == 0 ? "/missions/forage/forager.cdl" : "/src/mlab/lang/cdl/testdata/examples/formulas.cdl";
+  const char* const kOwn[] = {"/missions/forage/forager.cdl",
+                              "/src/mlab/lang/cdl/testdata/examples/formulas.cdl",
+                              "/src/mlab/lang/cdl/testdata/examples/robots.cdl"};
+  const char* own = kOwn[which % 3];
   return cdl::laid_out(which < library.size() ? library[which]->source->text() : file(own));
 }
 

@@ -23,7 +23,9 @@ double rounded(double value) {
 
 // `$movement` is no name of CDL.
 std::string layout_name(const std::string& node) {
-  return node.starts_with('$') ? "actuator." + node.substr(1) : node;
+  if (!node.starts_with('$')) return node;
+  // `$body.drive` of a class has a name below another one already.
+  return node.find('.') == std::string::npos ? "actuator." + node.substr(1) : node.substr(1);
 }
 
 bool is_layout_name(std::string_view name) {
@@ -60,7 +62,9 @@ std::vector<std::string> split_lines(std::string_view text) {
 // ---- where things stand
 
 Done Editor::change_layout(const std::string& page, const std::function<void(cdl::Layout&)>& how) {
-  if (!page.empty() && work_.model().society(page) == nullptr) {
+  const bool has_no_graph = page.empty() || work_.model().society(page) != nullptr || is_equipment(page) ||
+                            work_.model().binding(page) != nullptr;
+  if (!has_no_graph) {
     const text::Result<PageView> view = this->page(page);
     if (!view) return std::unexpected(view.error());
   }
@@ -146,6 +150,7 @@ Done Editor::set_help(const SetHelp& change) {
   if (change.page().empty()) return set_declaration_help(change.node(), change.text());
   if (change.node().empty() && change.page().find('.') == std::string::npos)
     return set_declaration_help(change.page(), change.text());
+  if (is_equipment(change.page())) return help_device(change);
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   if (change.node().empty()) {
@@ -181,6 +186,7 @@ Done Editor::rename(const Rename& change) {
         fmt::format("`{}` is no name: a letter first, then letters, digits and `_`", text::shown(to)));
   if (change.node() == to) return true;
   if (change.page().empty()) return rename_declaration(change.node(), to);
+  if (is_equipment(change.page())) return rename_device(change);
   const text::Result<PageView> view = page(change.page());
   if (!view) return std::unexpected(view.error());
   if (view->page->sequence != nullptr) {

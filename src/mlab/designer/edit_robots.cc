@@ -1,4 +1,4 @@
-// Robots and societies.
+// Robots: their classes, and which device serves what.
 
 #include <algorithm>
 #include <utility>
@@ -6,44 +6,9 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/editor.h"
-#include "mlab/designer/values.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
-namespace {
-
-constexpr std::uint32_t kMostRobots = 100'000;
-
-const cdl::SocietyMember* member_at(const cdl::SocietyMember& top, const auto& path, std::size_t depth) {
-  const cdl::SocietyMember* out = &top;
-  for (std::size_t i = 0; i < depth; ++i) {
-    const auto at = static_cast<std::size_t>(path[static_cast<int>(i)]);
-    if (at >= out->members.size()) return nullptr;
-    out = &out->members[at];
-  }
-  return out;
-}
-
-cdl::SocietyMember caste_of(std::vector<cdl::SocietyMember> members) {
-  cdl::SocietyMember out;
-  out.kind = cdl::SocietyMember::Kind::kCaste;
-  out.members = std::move(members);
-  return out;
-}
-
-cdl::SocietyMember member_of(const SetMember& change) {
-  cdl::SocietyMember out;
-  out.name.text = change.name();
-  if (change.count() > 1 && !change.is_caste()) {
-    out.kind = cdl::SocietyMember::Kind::kTeam;
-    out.count = static_cast<int>(change.count());
-  }
-  if (change.is_caste()) out = caste_of({out});
-  out.by.text = change.by();
-  return out;
-}
-
-}  // namespace
 
 Done Editor::set_class(const SetClass& change) {
   const cdl::Robot* robot = work_.model().robot(change.robot());
@@ -91,67 +56,6 @@ Done Editor::use_device(const UseDevice& change) {
     const cdl::Choice choice{{change.device(), {}}, {change.binding(), {}}};
     work_.changes().change<cdl::Robot>(*robot, [choice](cdl::Robot& now) { now.choices.push_back(choice); });
   }
-  return work_.commit();
-}
-
-Done Editor::set_coordinator(const cdl::SocietyMember& caste, const std::string& by) {
-  if (by == caste.by.text) return true;
-  if (!by.empty() && !work_.model().configuration().operators.contains(by))
-    return refusal(fmt::format("there is no operator `{}`", text::shown(by)));
-  work_.changes().change<cdl::SocietyMember>(caste, [by](cdl::SocietyMember& now) { now.by.text = by; });
-  return work_.commit();
-}
-
-Done Editor::set_member(const SetMember& change) {
-  const cdl::Society* society = work_.model().society(change.society());
-  if (society == nullptr)
-    return refusal(fmt::format("there is no society `{}`", text::shown(change.society())));
-  const auto& configuration = work_.model().configuration();
-  const cdl::SocietyMember* there =
-      member_at(society->what, change.path(), static_cast<std::size_t>(change.path_size()));
-  // A caste is called by nobody: what changes of one that is there is who coordinates it.
-  if (change.is_caste() && there != nullptr && there->kind == cdl::SocietyMember::Kind::kCaste)
-    return set_coordinator(*there, change.by());
-  const bool is_known =
-      configuration.robots.contains(change.name()) ||
-      (configuration.societies.contains(change.name()) && change.name() != change.society());
-  if (!is_known)
-    return refusal(fmt::format("`{}` is neither a robot nor another society", text::shown(change.name())));
-  if (!change.by().empty() && !configuration.operators.contains(change.by()))
-    return refusal(fmt::format("there is no operator `{}`", text::shown(change.by())));
-  if (change.count() > kMostRobots)
-    return refusal(fmt::format("a team has no more than {} robots", kMostRobots));
-  return put_member(*society, change);
-}
-
-Done Editor::put_member(const cdl::Society& society, const SetMember& change) {
-  using Member = cdl::SocietyMember;
-  const Member member = member_of(change);
-  const auto depth = static_cast<std::size_t>(change.path_size());
-  const Member* group = depth == 0 ? nullptr : member_at(society.what, change.path(), depth - 1);
-  const Member* old = member_at(society.what, change.path(), depth);
-  if (old == nullptr && group == nullptr) return refusal("the member has gone");
-  if (old != nullptr) {
-    work_.changes().change<Member>(*old, [member](Member& now) { now = member; });
-  } else if (group->kind == Member::Kind::kCaste) {
-    work_.changes().change<Member>(*group, [member](Member& now) { now.members.push_back(member); });
-  } else {  // one member becomes two
-    work_.changes().change<Member>(*group, [member](Member& now) { now = caste_of({now, member}); });
-  }
-  return work_.commit();
-}
-
-Done Editor::remove_member(const RemoveMember& change) {
-  const cdl::Society* society = work_.model().society(change.society());
-  if (society == nullptr)
-    return refusal(fmt::format("there is no society `{}`", text::shown(change.society())));
-  const auto depth = static_cast<std::size_t>(change.path_size());
-  if (depth == 0) return refusal("a society has one member at least: remove the society itself");
-  const cdl::SocietyMember* group = member_at(society->what, change.path(), depth - 1);
-  const cdl::SocietyMember* gone = member_at(society->what, change.path(), depth);
-  if (group == nullptr || gone == nullptr) return refusal("the member has gone");
-  if (group->members.size() < 2) return refusal("a caste has one member at least: remove the caste itself");
-  work_.changes().remove(*gone);
   return work_.commit();
 }
 

@@ -11,6 +11,7 @@
 
 #include "mlab/designer.pb.h"
 #include "mlab/designer/graph.h"
+#include "mlab/designer/serving.h"
 #include "mlab/designer/workspace.h"
 
 namespace mlab::designer {
@@ -105,6 +106,7 @@ class Editor {
   Done disconnect(const Disconnect& change);
   Done set_value(const SetValue& change);
   Done place(const Place& change);
+  Done place_sink(const PageView& view, const Place& change);
   Done remove(const Remove& change);
   Done remove_node(const std::string& page, int handle, const std::vector<int>& others);
   Done set_active(const SetActive& change);
@@ -172,10 +174,47 @@ class Editor {
   // ---- edit_robots.cc
   Done set_class(const SetClass& change);
   Done use_device(const UseDevice& change);
+
+  // ---- edit_devices.cc
+  struct DeviceSpot {
+    Equipped owner;
+    const cdl::Device* device = nullptr;
+    const Callable* by = nullptr;  ///< null: nothing answers to its name
+  };
+  text::Result<DeviceSpot> device(const std::string& owner, const std::string& name) const;
+  /// Whether a page is that of a class or an operator.
+  bool is_equipment(const std::string& page) const;
+  text::Result<const cdl::Binding*> binding(const std::string& name) const;
+  /// A component that can serve the binding point.
+  text::Result<Callable> server(const std::string& component, const cdl::Binding& binding) const;
+  std::string free_device_name(const Equipped& owner, const std::string& binding) const;
+  Done set_device(const SetDevice& change);
+  Done add_device(const Equipped& owner, const SetDevice& change);
+  void drop_choices(const std::string& robot_class, const std::string& device);
+  Done remove_devices(const Remove& change);
+  Done rename_device(const Rename& change);
+  Done set_equipment_value(const SetValue& change);
+  bool name_arguments(const cdl::Call& call, const Callable& component, const cdl::Argument* gone);
+  Done set_body(const SetValue& change);
+  Done expose_equipment(const Expose& change);
+  text::Result<SetParameter> exposed(const Expose& change, const cdl::RobotClass& robot_class) const;
+  std::string text_of(const cdl::Expression& expression) const;
+  Done connect_device(const Connect& change);
+  Done place_device(const Place& change);
+  std::string point_for(const Equipped& owner, const Callable& by) const;
+  Done help_device(const SetHelp& change);
+  Done set_binding(const SetBinding& change);
+  Done add_class_for(const std::string& name, const std::string& robot_name);
+
+  // ---- edit_societies.cc
+  text::Result<const cdl::Society*> society(const std::string& name) const;
   Done set_member(const SetMember& change);
   Done put_member(const cdl::Society& society, const SetMember& change);
-  Done set_coordinator(const cdl::SocietyMember& caste, const std::string& by);
+  Done set_coordinator(const cdl::SocietyMember& member, const std::string& by);
   Done remove_member(const RemoveMember& change);
+  Done group_members(const GroupMembers& change);
+  Done ungroup_members(const UngroupMembers& change);
+  Done move_member(const MoveMember& change);
 
   // ---- edit_groups.cc
   /// A node that is followed, and where it stood [px].

@@ -30,6 +30,21 @@ MaybePlace member_place(const cdl::SocietyMember& member, std::string_view name)
   return std::nullopt;
 }
 
+MaybePlace parameter_place(const std::vector<cdl::Parameter>& parameters, std::string_view name) {
+  for (const cdl::Parameter& parameter : parameters) {
+    if (parameter.name.text == name) return begin_of(parameter.name);
+  }
+  return std::nullopt;
+}
+
+// What an operator serves is called by its binding point.
+MaybePlace device_place(const Equipped& owner, std::string_view name, bool of_component) {
+  const cdl::Device* device = owner.device(name);
+  if (device != nullptr && of_component) return begin_of(device->by.callee);
+  if (owner.robot_class == nullptr) return std::nullopt;
+  return device != nullptr ? begin_of(device->name) : parameter_place(owner.robot_class->parameters, name);
+}
+
 MaybePlace node_place(const GraphNode& node, bool of_component) {
   if (of_component) return component_of(node.expression);
   if (node.parameter != nullptr) return begin_of(node.parameter->name);
@@ -45,6 +60,10 @@ std::optional<std::uint32_t> name_place(const Model& model, const NameAt& at) {
   if (const cdl::Society* society = model.society(at.page()); society != nullptr && !at.node().empty())
     return member_place(society->what, at.node());
   if (at.node().empty()) return declaration_place(model, owner_of(at.page()));
+  if (const Equipped owner = equipped(model, at.page()))
+    return device_place(owner, at.node(), at.of_component());
+  if (const cdl::Binding* binding = model.binding(at.page()); binding != nullptr)
+    return parameter_place(binding->parameters, at.node());
   const Model::Found found = model.page(at.page());
   if (found.graph == nullptr || found.page < 0) return std::nullopt;
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
@@ -56,10 +75,7 @@ std::optional<std::uint32_t> name_place(const Model& model, const NameAt& at) {
   }
   if (const int node = page.find(at.node()); node >= 0)
     return node_place(page.nodes[static_cast<std::size_t>(node)], at.of_component());
-  for (const cdl::Parameter& parameter : found.graph->parameters()) {
-    if (parameter.name.text == at.node()) return begin_of(parameter.name);
-  }
-  return std::nullopt;
+  return parameter_place(found.graph->parameters(), at.node());
 }
 
 }  // namespace mlab::designer

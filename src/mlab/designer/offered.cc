@@ -52,6 +52,7 @@ std::string component_of(const Change& change) {
   if (change.has_replace()) return change.replace().component();
   if (change.has_set_active()) return change.set_active().component();
   if (change.has_add_state()) return change.add_state().component();
+  if (change.has_set_device()) return change.set_device().component();
   if (change.has_change_trigger()) return change.change_trigger().component();
   return "";
 }

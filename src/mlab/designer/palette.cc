@@ -153,9 +153,9 @@ Palette palette_of(const Model& model, const DrawingContext& context) {
   }
   for (const flow::Behavior* behavior : model.library().behaviors()) {
     const bool is_shown = !names.contains(behavior->name) && !cdl::is_said_by_signs(behavior->name);
-    if (!is_shown || behavior->output == nullptr) continue;
+    if (!is_shown) continue;
     const Callable component = components.of(flow::Library::Entry{behavior, nullptr});
-    *out.add_components() = palette_entry(component, model, context);
+    *out.add_components() = palette_entry(component, model, context);  // actuators for classes and robots
     if (!is_operator(component)) continue;
     Component& op = *out.add_components();
     op = palette_entry(component, model, context);

@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/drawing.h"
+#include "mlab/designer/serving.h"
+#include "mlab/lang/cdl/body.h"
 
 namespace mlab::designer {
 namespace {
@@ -64,6 +66,31 @@ class Finder {
   DrawnAt found_;
 };
 
+void look_body(const cdl::RobotClass& robot_class, Finder& finder) {
+  for (const cdl::BodySetting& setting : robot_class.body) {
+    const cdl::BodyProperty* property = cdl::body_property(setting.name.text);
+    const std::string part(setting.name.text == "drive" ? "drive"
+                           : property != nullptr        ? property->part
+                                                        : "body");
+    text::Span span = setting.name.place.span;
+    if (setting.value) span.end = setting.value->place.span.end;
+    finder.look(span, {robot_class.name.text, std::string(kBodyNode) + part, setting.name.text});
+  }
+}
+
+// Where a robot is called the same nobody can look at them.
+void look_devices(const Model& model, const std::string& owner, const std::vector<cdl::Device>& devices,
+                  Finder& finder) {
+  if (!equipped(model, owner)) return;
+  for (const cdl::Device& device : devices) {
+    finder.look(device.whole, {owner, device.name.text, ""});
+    for (const cdl::Argument& argument : device.by.arguments) {
+      if (argument.value)
+        finder.look(argument.value->place.span, {owner, device.name.text, argument.name.text});
+    }
+  }
+}
+
 }  // namespace
 
 DrawnAt drawn_at(const Model& model, std::uint32_t byte) {
@@ -76,8 +103,17 @@ DrawnAt drawn_at(const Model& model, std::uint32_t byte) {
       finder.look(society->name.place.span, {"", society->name.text, ""});
       finder.look(society->what.place.span, {society->name.text, "", ""});
     }
-    if (const auto* robot_class = std::get_if<cdl::RobotClass>(&item))
+    if (const auto* robot_class = std::get_if<cdl::RobotClass>(&item)) {
       finder.look(robot_class->name.place.span, {"", robot_class->name.text, ""});
+      look_body(*robot_class, finder);
+      look_devices(model, robot_class->name.text, robot_class->devices, finder);
+    }
+    if (const auto* op = std::get_if<cdl::SocietyOperator>(&item)) {
+      finder.look(op->name.place.span, {"", op->name.text, ""});
+      look_devices(model, op->name.text, op->devices, finder);
+    }
+    if (const auto* binding = std::get_if<cdl::Binding>(&item))
+      finder.look(binding->whole, {"", binding->name.text, ""});
     const OwnerGraph* graph = name.empty() ? nullptr : model.graph(name);
     if (graph == nullptr) continue;
     const text::Place& place =

@@ -37,9 +37,15 @@ bool is_operator(const Callable& component);
 /// The inputs that a node has, by name: of its component, or of the operator.
 std::vector<Socket> sockets(const GraphNode& node, const Components& components, const OwnerGraph& graph);
 
+/// An expression as its author wrote it.
+std::string written(const cdl::Expression& expression);
+void add_parameter(const cdl::Parameter& parameter, const Model& model, Drawing& drawing);
 void draw_file(const Model& model, const DrawingContext& context, Drawing& out);
 void draw_society(const Model& model, const cdl::Society& society, const DrawingContext& context,
                   Drawing& out);
-void add_robot(const Model& model, const cdl::Robot& robot, Drawing& out);
+void add_robot(const Model& model, const cdl::Robot& robot, const DrawingContext& context, Drawing& out);
+/// The page of a class of robots, an operator of societies or a binding point of the text.
+/// @return  whether something of the kind is called so
+bool draw_equipment(const Model& model, const std::string& name, const DrawingContext& context, Drawing& out);
 
 }  // namespace mlab::designer

@@ -30,7 +30,7 @@ struct ShapeLook {
   bool can_be_small;  ///< without inputs
   const char* kind;
 };
-constexpr std::array<ShapeLook, 21> kLooks = {{
+constexpr std::array<ShapeLook, 23> kLooks = {{
     {Node::BEHAVIOR, true, false, false, "motor schema"},
     {Node::PERCEPTION, true, false, false, "perception"},
     {Node::ASSEMBLAGE, true, false, false, "assemblage"},
@@ -52,6 +52,8 @@ constexpr std::array<ShapeLook, 21> kLooks = {{
     {Node::CASTE, false, false, false, "caste"},
     {Node::SOCIETY, false, false, false, "society"},
     {Node::FORMULA, true, false, false, "formula"},
+    {Node::BODY, true, false, false, "part of the body"},
+    {Node::SENSOR, true, false, false, "sensor"},
 }};
 
 const ShapeLook& look_of(Node::Shape shape) {

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/designer/serving.h"
+
 namespace mlab::designer {
 
 Workspace::Workspace(std::shared_ptr<const Model> model, const cdl::Environment& environment)
@@ -232,6 +234,10 @@ std::map<std::string, Anchor> anchors_of(const Model& model, std::string_view pa
     return out;
   }
   const Model::Found found = model.page(page);
+  if (const Equipped owner = found.graph == nullptr ? equipped(model, page) : Equipped()) {
+    for (const cdl::Device& device : owner.devices())
+      out.try_emplace(device.name.text, device.name.place.span.begin);
+  }
   if (found.graph == nullptr) return out;
   const GraphPage& there = found.graph->pages[static_cast<std::size_t>(found.page)];
   for (const GraphNode& node : there.nodes) {

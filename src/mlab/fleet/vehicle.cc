@@ -9,48 +9,46 @@
 #include <fmt/core.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/lang/cdl/body.h"
 
 namespace mlab::fleet {
 namespace {
 
+// What a body has, by what its configuration and, but for the radius, missions call it.
 struct Quantity {
   std::string_view key;
-  double min;
-  double max;
   void (*set)(binding::BodySpec& body, double value);  ///< in SI units
-  bool is_angle = false;                               ///< missions write it, and the bounds, in degrees
 };
 
-constexpr double kLarge = 1e6;
+constexpr std::string_view kRadius = "radius";
+constexpr std::string_view kRadiusOfMissions = "robot_radius";
 
 constexpr Quantity kQuantities[] = {
-    {"robot_radius", 0.001, 1000.0, [](binding::BodySpec& b, double v) { b.radius = v; }},
-    {"max_acceleration", 0.0, kLarge,
-     [](binding::BodySpec& b, double v) { b.kinematics.max_acceleration = v; }},
-    {"max_turn_rate", 0.0, kLarge, [](binding::BodySpec& b, double v) { b.kinematics.max_turn_rate = v; },
-     true},
-    {"max_turn_acceleration", 0.0, kLarge,
-     [](binding::BodySpec& b, double v) { b.kinematics.max_turn_acceleration = v; }, true},
-    {"axle", 0.001, 1000.0, [](binding::BodySpec& b, double v) { b.kinematics.axle = v; }},
-    {"max_wheel_speed", 0.0, kLarge,
-     [](binding::BodySpec& b, double v) { b.kinematics.max_wheel_speed = v; }},
-    {"wheelbase", 0.001, 1000.0, [](binding::BodySpec& b, double v) { b.kinematics.wheelbase = v; }},
-    {"max_steer", 0.1, 89.0, [](binding::BodySpec& b, double v) { b.kinematics.max_steer = v; }, true},
-    {"ring_count", 0.0, 720.0,
-     [](binding::BodySpec& b, double v) { b.ring.count = static_cast<std::uint16_t>(v); }},
-    {"ring_range", 0.0, 10'000.0, [](binding::BodySpec& b, double v) { b.ring.range = v; }},
-    {"ring_beam_width", 0.0, 180.0, [](binding::BodySpec& b, double v) { b.ring.beam_width = v; }, true},
-    {"ring_arc", 0.0, 359.0, [](binding::BodySpec& b, double v) { b.ring.arc = v; }, true},
-    {"ring_obstacles", 0.0, 1.0, [](binding::BodySpec& b, double v) { b.has_ring_obstacles = v != 0.0; }},
-    {"odometry_noise", 0.0, 1.0, [](binding::BodySpec& b, double v) { b.odometry_noise = v; }},
-    {"max_speed", 0.0, kLarge, [](binding::BodySpec& b, double v) { b.kinematics.max_speed = v; }},
-    {"ring_noise", 0.0, 1000.0, [](binding::BodySpec& b, double v) { b.ring.noise = v; }},
-    {"camera_field_of_view", 0.0, 360.0, [](binding::BodySpec& b, double v) { b.camera.field_of_view = v; },
-     true},
-    {"camera_max_pan", 0.0, 180.0, [](binding::BodySpec& b, double v) { b.camera.max_pan = v; }, true},
-    {"camera_pan_rate", 0.0, kLarge, [](binding::BodySpec& b, double v) { b.camera.max_pan_rate = v; }, true},
-    {"ring_dropout", 0.0, 1.0, [](binding::BodySpec& b, double v) { b.ring.dropout = v; }},
+    {kRadius, [](binding::BodySpec& b, double v) { b.radius = v; }},
+    {"max_acceleration", [](binding::BodySpec& b, double v) { b.kinematics.max_acceleration = v; }},
+    {"max_turn_rate", [](binding::BodySpec& b, double v) { b.kinematics.max_turn_rate = v; }},
+    {"max_turn_acceleration", [](binding::BodySpec& b, double v) { b.kinematics.max_turn_acceleration = v; }},
+    {"axle", [](binding::BodySpec& b, double v) { b.kinematics.axle = v; }},
+    {"max_wheel_speed", [](binding::BodySpec& b, double v) { b.kinematics.max_wheel_speed = v; }},
+    {"wheelbase", [](binding::BodySpec& b, double v) { b.kinematics.wheelbase = v; }},
+    {"max_steer", [](binding::BodySpec& b, double v) { b.kinematics.max_steer = v; }},
+    {"ring_count", [](binding::BodySpec& b, double v) { b.ring.count = static_cast<std::uint16_t>(v); }},
+    {"ring_range", [](binding::BodySpec& b, double v) { b.ring.range = v; }},
+    {"ring_beam_width", [](binding::BodySpec& b, double v) { b.ring.beam_width = v; }},
+    {"ring_arc", [](binding::BodySpec& b, double v) { b.ring.arc = v; }},
+    {"ring_obstacles", [](binding::BodySpec& b, double v) { b.has_ring_obstacles = v != 0.0; }},
+    {"odometry_noise", [](binding::BodySpec& b, double v) { b.odometry_noise = v; }},
+    {"max_speed", [](binding::BodySpec& b, double v) { b.kinematics.max_speed = v; }},
+    {"ring_noise", [](binding::BodySpec& b, double v) { b.ring.noise = v; }},
+    {"camera_field_of_view", [](binding::BodySpec& b, double v) { b.camera.field_of_view = v; }},
+    {"camera_max_pan", [](binding::BodySpec& b, double v) { b.camera.max_pan = v; }},
+    {"camera_pan_rate", [](binding::BodySpec& b, double v) { b.camera.max_pan_rate = v; }},
+    {"ring_dropout", [](binding::BodySpec& b, double v) { b.ring.dropout = v; }},
 };
+
+std::string_view key_in_missions(const Quantity& quantity) {
+  return quantity.key == kRadius ? kRadiusOfMissions : quantity.key;
+}
 
 // Keys of the historic robots that name hardware or its connection. They mean nothing in simulation.
 constexpr std::string_view kHardwareKeys[] = {
@@ -83,10 +81,6 @@ binding::Drive drive_of(const mission::RobotParameter& parameter, text::Diagnost
   return binding::Drive::kHolonomic;
 }
 
-std::string_view key_of(std::string_view setting) {
-  return setting == "radius" ? "robot_radius" : setting;
-}
-
 // A setting of the class in a configuration.
 void configure(binding::BodySpec& body, std::string_view name, double value, const mission::RobotType& type,
                text::Diagnostics& sink) {
@@ -95,19 +89,21 @@ void configure(binding::BodySpec& body, std::string_view name, double value, con
     return;
   }
   for (const Quantity& quantity : kQuantities) {
-    if (quantity.key != key_of(name)) continue;
-    const double bound_value = quantity.is_angle ? base::degrees(value) : value;
-    if (bound_value >= quantity.min && bound_value <= quantity.max) {
+    if (quantity.key != name) continue;
+    const cdl::BodyProperty& property = *cdl::body_property(quantity.key);
+    const double bound_value = property.is_angle() ? base::degrees(value) : value;
+    constexpr double kRounding = 1e-9;  // of what was converted there and back
+    if (bound_value >= property.min * (1 - kRounding) && bound_value <= property.max * (1 + kRounding)) {
       quantity.set(body, value);
     } else {
       sink.error("out-of-range", type.place, fmt::format("the body's `{}` can't be {}", name, bound_value))
-          .label = fmt::format("takes a number from {} to {}", quantity.min, quantity.max);
+          .label = fmt::format("takes a number from {} to {}", property.min, property.max);
     }
     return;
   }
   text::Diagnostic& d =
       sink.error("unknown-body-setting", type.place, fmt::format("a body has no `{}`", name));
-  const std::string nearest = text::nearest_name(std::string(name), body_settings());
+  const std::string nearest = text::nearest_name(std::string(name), cdl::body_settings());
   if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
 }
 
@@ -122,14 +118,15 @@ binding::BodySpec body_of(const mission::RobotType& type, const std::map<std::st
   for (const mission::RobotParameter& parameter : type.parameters) {
     if (parameter.key == "robot_type") body.kinematics.drive = drive_of(parameter, sink);
     for (const Quantity& quantity : kQuantities) {
-      if (quantity.key != parameter.key) continue;
+      if (key_in_missions(quantity) != parameter.key) continue;
+      const cdl::BodyProperty& property = *cdl::body_property(quantity.key);
       const std::optional<double> value = number(parameter.value);
-      if (value && *value >= quantity.min && *value <= quantity.max) {
-        quantity.set(body, quantity.is_angle ? base::radians(*value) : *value);
+      if (value && *value >= property.min && *value <= property.max) {
+        quantity.set(body, property.is_angle() ? base::radians(*value) : *value);
       } else {
         sink.error("out-of-range", parameter.place,
                    fmt::format("`{}` can't be {}", parameter.key, parameter.value))
-            .label = fmt::format("takes a number from {} to {}", quantity.min, quantity.max);
+            .label = fmt::format("takes a number from {} to {}", property.min, property.max);
       }
     }
   }
@@ -140,17 +137,11 @@ binding::BodySpec body_of(const mission::RobotType& type, const std::map<std::st
 const std::vector<std::string>& vehicle_keys() {
   static const std::vector<std::string> kKeys = [] {
     std::vector<std::string> keys = {"robot_type"};
-    for (const Quantity& quantity : kQuantities) keys.emplace_back(quantity.key);
+    for (const Quantity& quantity : kQuantities) keys.emplace_back(key_in_missions(quantity));
     for (const std::string_view key : kHardwareKeys) keys.emplace_back(key);
     return keys;
   }();
   return kKeys;
-}
-
-std::vector<std::string> body_settings() {
-  std::vector<std::string> names = {"radius", "drive"};
-  for (const Quantity& quantity : kQuantities) names.emplace_back(quantity.key);
-  return names;
 }
 
 }  // namespace mlab::fleet

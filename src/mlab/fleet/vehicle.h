@@ -37,7 +37,4 @@ binding::BodySpec body_of(const mission::RobotType& type, const std::map<std::st
 /// ignores.
 const std::vector<std::string>& vehicle_keys();
 
-/// All that the `body` of a configuration's class of robots may say: `radius`, `drive`, ...
-std::vector<std::string> body_settings();
-
 }  // namespace mlab::fleet

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/fleet/vehicle.h"
+#include "mlab/lang/cdl/body.h"
 #include "mlab/lang/cdl/quantities.h"
 #include "mlab/lang/cdl/test_words.h"
 #include "mlab/lang/cdl/units.h"
@@ -130,13 +130,7 @@ class CdlCompleter {
         actuators();
         break;
       case CdlWant::Kind::kBodySetting:
-        for (const std::string& setting : fleet::body_settings())
-          out_.add({.text = setting,
-                    .kind = "body setting",
-                    .detail = "",
-                    .help = "",
-                    .is_call = false,
-                    .has_more = true});
+        body_settings();
         break;
       case CdlWant::Kind::kCaseValue:
         words(world_.type_of(want.selector, open()));
@@ -167,6 +161,20 @@ class CdlCompleter {
         out_.add("\"", "keyword", "the name of a file", kBest);
         break;
     }
+  }
+
+  void body_settings() {
+    const auto add = [&](std::string_view name, std::string_view unit, std::string_view help) {
+      out_.add({.text = std::string(name),
+                .kind = "body setting",
+                .detail = unit.empty() ? "" : fmt::format("[{}]", unit),
+                .help = std::string(help),
+                .is_call = false,
+                .has_more = true});
+    };
+    add("drive", "", cdl::kDriveHelp);
+    for (const cdl::BodyProperty& property : cdl::body_properties())
+      add(property.name, property.unit, property.help);
   }
 
   void keyword(const std::string& word, int rank) {

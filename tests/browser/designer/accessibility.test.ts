@@ -43,6 +43,7 @@ for (const colours of ["light", "dark"] as const) {
       ["dataflow", "Wander"],
       ["states", "Forage"],
       ["robot", "Forager"],
+      ["class", "Collector"],
       ["society", "Foragers"],
     ] as const) {
       await designer.toDeclaration(declaration);

@@ -111,6 +111,9 @@ test("the pages of the forage example", async () => {
   await shot(designer, "states");
   await designer.toDeclaration("Forager");
   await shot(designer, "robot");
+  await designer.toDeclaration("Collector");
+  await designer.select(designer.node("base"));
+  await shot(designer, "class");
   await designer.toDeclaration("Foragers");
   await shot(designer, "society");
   expect(designer.troubles).toEqual([]);

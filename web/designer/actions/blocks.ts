@@ -3,6 +3,14 @@ import type { Designer } from "../session/designer.ts";
 import { Drawing_Kind } from "../session/protocol.ts";
 import { parted } from "./editing.ts";
 
+const kWithoutComponents: ReadonlySet<Drawing_Kind> = new Set([
+  Drawing_Kind.FILE,
+  Drawing_Kind.SOCIETY,
+  Drawing_Kind.CLASS,
+  Drawing_Kind.OPERATOR,
+  Drawing_Kind.BINDING,
+]);
+
 export const kClosed = "Open a configuration first";
 
 export interface Blocks {
@@ -24,11 +32,11 @@ export function blocksOf(designer: Designer): Blocks {
   const closed = drawing ? undefined : kClosed;
   const isReadOnly = drawing?.isReadOnly || document?.isReadOnly;
   const fixed = closed ?? (isReadOnly ? "This can't be changed: make a copy of your own" : undefined);
-  const isFile = drawing?.kind === Drawing_Kind.FILE || drawing?.kind === Drawing_Kind.SOCIETY;
+  const isFile = drawing !== undefined && kWithoutComponents.has(drawing.kind);
   return {
     closed,
     fixed,
-    noPlace: fixed ?? (isFile ? "Nothing can be placed here: add a declaration at the left" : undefined),
+    noPlace: fixed ?? (isFile ? "No component stands on this page: what it takes is at the left" : undefined),
     noSelection: state.selection.length === 0 ? "Nothing is selected" : undefined,
     noNode: nodes.length === 0 ? "No node is selected" : undefined,
     notOneNode: nodes.length === 1 ? undefined : "Select one node",

@@ -4,7 +4,7 @@ import { onPitch } from "../arrange/elk.ts";
 import { ownPlaces } from "../drawing/flow.ts";
 import { freePlace, showNode } from "../palette/place.ts";
 import { type Designer, soon } from "../session/designer.ts";
-import { type ChangeInit, type ChangeOf, Drawing_Kind } from "../session/protocol.ts";
+import { type ChangeInit, type ChangeOf, type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { canvasStore } from "../sight/canvas_store.ts";
 import { isArranged, keepMoved, layOutAnew, placesOf, sizesOf, wholePlaces } from "../sight/use_places.ts";
 import { fit } from "../sight/view.ts";
@@ -34,9 +34,11 @@ export function parted(designer: Designer): {
 
 export async function removeSelection(designer: Designer): Promise<void> {
   const { page, selection } = designer.state;
+  const { drawing } = designer;
   const { nodes, notes, wires, transitions } = parted(designer);
   const changes: ChangeInit[] = [];
-  for (const id of wires) {
+  if (drawing?.kind === Drawing_Kind.SOCIETY) changes.push(...membersRemoved(drawing, nodes));
+  for (const id of drawing?.kind === Drawing_Kind.SOCIETY ? [] : wires) {
     const { node, row } = endOf(id);
     if (!nodes.includes(node)) changes.push(disconnectChange(page, node, row));
   }
@@ -49,7 +51,8 @@ export async function removeSelection(designer: Designer): Promise<void> {
     if (!nodes.includes(one.from)) changes.push({ case: "removeTransition", value: { page, ...one } });
   }
   for (const id of notes) changes.push({ case: "setNote", value: { page, id, text: "" } });
-  if (nodes.length > 0) changes.push({ case: "remove", value: { page, nodes } });
+  if (nodes.length > 0 && drawing?.kind !== Drawing_Kind.SOCIETY)
+    changes.push({ case: "remove", value: { page, nodes } });
   if (changes.length === 0) return;
   const name =
     selection.length === 1 && nodes.length === 1
@@ -61,6 +64,23 @@ export async function removeSelection(designer: Designer): Promise<void> {
   if (!answer.ok) return;
   designer.select([]);
   designer.say(`Removed ${selection.length === 1 ? selection[0] : `${selection.length} things`}`);
+}
+
+/** Of a society; the last first, so that the places of those before them stay. */
+function membersRemoved(drawing: Drawing, names: readonly string[]): ChangeInit[] {
+  const society = drawing.page?.path ?? "";
+  const paths = drawing.nodes.filter(({ name }) => names.includes(name)).map(({ member }) => member);
+  const isInside = (path: readonly number[]) =>
+    paths.some((outer) => outer.length < path.length && outer.every((at, i) => path[i] === at));
+  return paths
+    .filter((path) => !isInside(path))
+    .sort(laterFirst)
+    .map((path) => ({ case: "removeMember", value: { society, path } }));
+}
+
+function laterFirst(a: readonly number[], b: readonly number[]): number {
+  const at = a.findIndex((one, i) => one !== b[i]);
+  return at < 0 ? b.length - a.length : (b[at] ?? -1) - a[at]!;
 }
 
 /** Where the selected nodes stand, also those that the file says nothing of. */
@@ -131,6 +151,14 @@ const kDrawn = 100;
 export async function ungroup(designer: Designer, node: string): Promise<void> {
   const { drawing } = designer;
   if (!drawing) return;
+  if (drawing.kind === Drawing_Kind.SOCIETY) {
+    const path = drawing.nodes.find((one) => one.name === node)?.member ?? [];
+    await designer.edit(`take ${node} apart`, {
+      case: "ungroupMembers",
+      value: { society: designer.state.page, path },
+    });
+    return;
+  }
   const wasArranged = ownPlaces(drawing).size > 0;
   const before = new Map(drawing.nodes.map((one) => [one.name, one.component]));
   const answer = await designer.edit(`ungroup ${node}`, {

@@ -1,4 +1,6 @@
 // What comes onto the page: components, wires, groups, comments.
+
+import { groupMembers } from "../palette/societies.ts";
 import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
 import { Drawing_Kind } from "../session/protocol.ts";
@@ -46,15 +48,19 @@ function groupActions(designer: Designer, { fixed, noNode, notOneNode }: Blocks)
   const { store, document, drawing } = designer;
   const first = parted(designer).nodes[0] ?? "";
   const isFlow = drawing?.kind === Drawing_Kind.DATAFLOW || drawing?.kind === Drawing_Kind.ROBOT;
+  const isSociety = drawing?.kind === Drawing_Kind.SOCIETY;
   return [
     {
       id: "group",
-      label: "Make an assemblage of the selection",
+      label: isSociety ? "Make a caste of the selection" : "Make an assemblage of the selection",
       group: "Place",
       icon: "layers",
       shortcut: "ctrl+g",
-      blocked: fixed ?? noNode ?? (isFlow ? undefined : "Only dataflow can be grouped"),
-      run: () => store.setState({ dialog: "group", subject: "" }),
+      blocked: fixed ?? noNode ?? (isFlow || isSociety ? undefined : "Only dataflow and members can be grouped"),
+      run: () => {
+        if (isSociety) void groupMembers(designer, drawing, parted(designer).nodes);
+        else store.setState({ dialog: "group", subject: "" });
+      },
     },
     {
       id: "ungroup",

@@ -6,6 +6,7 @@ import { onPitch } from "../arrange/elk.ts";
 import type { Places } from "../drawing/flow.ts";
 import type { Designer } from "../session/designer.ts";
 import { innerOf } from "../session/inside.ts";
+import { isEquipment } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { forgetMoved, isArranged, keepMoved } from "../sight/use_places.ts";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "../sight/wiring.ts";
@@ -89,7 +90,9 @@ function reconnect(designer: Designer, page: string, old: Edge, { source, target
   if (isSameEnd && old.source === source) return;
   const cut = disconnectChange(page, end.node, end.row);
   const wire = connectChange(page, source, target, targetHandle ?? "");
-  void designer.edit(`move a wire of ${source}`, ...(isSameEnd ? [wire] : [cut, wire]));
+  // A device always serves something: it only gets another end.
+  const isMoved = isSameEnd || (designer.drawing !== undefined && isEquipment(designer.drawing));
+  void designer.edit(`move a wire of ${source}`, ...(isMoved ? [wire] : [cut, wire]));
 }
 
 /** With Alt. */

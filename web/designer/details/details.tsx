@@ -1,13 +1,16 @@
 // What is selected, in words and fields; without a selection the page itself.
 import { DifferenceDetails } from "../compare/sign.tsx";
 import { OwnProblems } from "../problems/own_problems.tsx";
+import { isEquipment } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { transitionOf } from "../states/flow.ts";
+import { EquipmentNodeDetails } from "./equipment_details.tsx";
 import { GroupDetails } from "./group_details.tsx";
 import { NodeDetails } from "./node_details.tsx";
 import { NoteDetails } from "./note_details.tsx";
 import { PageDetails } from "./page_details.tsx";
+import { MemberDetails } from "./society_details.tsx";
 import { StateDetails } from "./state_details.tsx";
 import { TransitionDetails } from "./transition_details.tsx";
 import { WireDetails } from "./wire_details.tsx";
@@ -48,6 +51,8 @@ function SelectedDetails({ drawing, id }: { drawing: Drawing; id: string }) {
     if (state) return <StateDetails key={id} drawing={drawing} state={state} />;
   }
   const node = drawing.nodes.find((one) => one.name === id);
+  if (node && isEquipment(drawing)) return <EquipmentNodeDetails key={id} drawing={drawing} node={node} />;
+  if (node && drawing.kind === Drawing_Kind.SOCIETY) return <MemberDetails key={id} drawing={drawing} node={node} />;
   if (node) return <NodeDetails key={id} drawing={drawing} node={node} />;
   const note = drawing.notes.find((one) => one.id === id);
   if (note) return <NoteDetails key={id} drawing={drawing} note={note} />;

@@ -2,6 +2,7 @@ import { Button } from "../../ui/controls/controls.tsx";
 import { alignSelection } from "../actions/arranging.ts";
 import { frameSelection } from "../actions/editing.ts";
 import type { Edge } from "../arrange/arrange.ts";
+import { groupMembers } from "../palette/societies.ts";
 import { lastPart } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useIsReadOnly } from "../session/use.ts";
@@ -44,6 +45,11 @@ export function GroupDetails({ drawing, selection }: { drawing: Drawing; selecti
               {isFlow && (
                 <Button tone="primary" onPress={() => designer.store.setState({ dialog: "group" })}>
                   Make an assemblage of them…
+                </Button>
+              )}
+              {drawing.kind === Drawing_Kind.SOCIETY && (
+                <Button tone="primary" onPress={() => void groupMembers(designer, drawing, selection)}>
+                  Make a caste of them
                 </Button>
               )}
               <Button onPress={() => frameSelection(designer)}>Frame</Button>

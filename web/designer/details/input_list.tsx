@@ -15,13 +15,30 @@ interface InputListProps {
   drawing: Drawing;
   node: Node;
   fieldOf?: FieldOf;
+  /** Nothing is placed on the page to drive an input. */
+  isFlow?: boolean;
+  canExpose?: boolean;
 }
 
-export function InputList({ drawing, node, fieldOf = () => undefined }: InputListProps) {
+export function InputList({
+  drawing,
+  node,
+  fieldOf = () => undefined,
+  isFlow = true,
+  canExpose = true,
+}: InputListProps) {
   return (
     <ul className="inputs">
       {node.inputs.map((port) => (
-        <Input key={rowId(port.name, port.index)} drawing={drawing} node={node} port={port} fieldOf={fieldOf} />
+        <Input
+          key={rowId(port.name, port.index)}
+          drawing={drawing}
+          node={node}
+          port={port}
+          fieldOf={fieldOf}
+          isFlow={isFlow}
+          canExpose={canExpose}
+        />
       ))}
     </ul>
   );
@@ -32,9 +49,11 @@ interface InputProps {
   node: Node;
   port: Port;
   fieldOf: FieldOf;
+  isFlow: boolean;
+  canExpose: boolean;
 }
 
-function Input({ drawing, node, port, fieldOf }: InputProps) {
+function Input({ drawing, node, port, fieldOf, isFlow, canExpose }: InputProps) {
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const page = drawing.page?.path ?? "";
@@ -64,6 +83,7 @@ function Input({ drawing, node, port, fieldOf }: InputProps) {
             </span>
           </span>
           {!isReadOnly &&
+            isFlow &&
             (isWired ? (
               <IconButton
                 icon="close"
@@ -85,9 +105,17 @@ function Input({ drawing, node, port, fieldOf }: InputProps) {
   return (
     <li className="input-row">
       {fieldOf(port, "value") ?? (
-        <ValueField page={page} node={node} port={port} what="value" isCompact onDone={() => {}} />
+        <ValueField
+          page={page}
+          node={node}
+          port={port}
+          what="value"
+          isCompact
+          canExpose={canExpose}
+          onDone={() => {}}
+        />
       )}
-      {!isReadOnly && (
+      {!isReadOnly && isFlow && (
         <IconButton className="input-drive" icon="plus" label={`Place something for ${label}`} onPress={drive} />
       )}
     </li>

@@ -1,9 +1,10 @@
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { typeWords } from "../drawing/value_words.ts";
 import { nameOf } from "../session/designer.ts";
-import { lastPart } from "../session/pages.ts";
+import { isEquipment, lastPart } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind, type Parameter } from "../session/protocol.ts";
 import { useDesigner, useDocument, useIsReadOnly } from "../session/use.ts";
+import { BindingDetails, EquipmentDetails } from "./equipment_details.tsx";
 import { Heading, Section, SentText } from "./parts.tsx";
 import { RobotDetails } from "./robot_details.tsx";
 import { SocietyDetails } from "./society_details.tsx";
@@ -32,10 +33,18 @@ export function PageDetails({ drawing }: { drawing: Drawing }) {
       {page === "" && <FileSummary />}
       {drawing.robot && <RobotDetails robot={drawing.robot} name={page} />}
       {drawing.kind === Drawing_Kind.SOCIETY && <SocietyDetails drawing={drawing} />}
-      {isDeclaration && drawing.kind !== Drawing_Kind.SOCIETY && <Parameters drawing={drawing} />}
+      {drawing.equipment && isEquipment(drawing) && (
+        <EquipmentDetails drawing={drawing} equipment={drawing.equipment} />
+      )}
+      {drawing.equipment && drawing.kind === Drawing_Kind.BINDING && (
+        <BindingDetails drawing={drawing} equipment={drawing.equipment} />
+      )}
+      {isDeclaration && !kWithoutParameters.has(drawing.kind) && <Parameters drawing={drawing} />}
     </div>
   );
 }
+
+const kWithoutParameters: ReadonlySet<Drawing_Kind> = new Set([Drawing_Kind.SOCIETY, Drawing_Kind.OPERATOR]);
 
 function kindOf(drawing: Drawing, declared: string): string {
   if (drawing.kind === Drawing_Kind.STATES)

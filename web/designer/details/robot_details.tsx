@@ -1,10 +1,12 @@
 // A robot's binding: its class, and for each binding point the device that serves it, with the checker's verdict.
 
 import { Choice } from "../../ui/controls/choice.tsx";
-import { Icon } from "../../ui/controls/icons.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
+import { askDevice } from "../palette/device_chooser.tsx";
 import type { Robot, Robot_Binding } from "../session/protocol.ts";
-import { useDesigner, useIsReadOnly } from "../session/use.ts";
+import { useDesigner, useIsReadOnly, usePart } from "../session/use.ts";
 import { Section } from "./parts.tsx";
+import { Verdict } from "./verdict.tsx";
 
 const kAbstract = "(abstract)";
 
@@ -12,6 +14,7 @@ export function RobotDetails({ robot, name }: { robot: Robot; name: string }) {
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const chosen = robot.classes.find((one) => one.name === robot.className);
+  const openCount = robot.bindings.filter(({ verdict }) => verdict !== "").length;
   return (
     <>
       <Section title="Robot class">
@@ -33,23 +36,26 @@ export function RobotDetails({ robot, name }: { robot: Robot; name: string }) {
           }}
         />
         {robot.className === "" ? (
-          <p className="small muted">Bind it to a class to see which devices serve it.</p>
+          <p className="small muted details-about">
+            Bind it to a class to see which devices serve it, or make a class of your own.
+          </p>
         ) : (
           <Verdict
             text={chosen?.verdict ?? ""}
             good={
-              robot.bindings.some(({ verdict }) => verdict !== "")
+              openCount > 0
                 ? "It can serve the robot, once devices are chosen below."
                 : "It has all that the robot needs."
             }
           />
         )}
+        <ClassButtons robot={robot} name={name} />
       </Section>
       {robot.bindings.length > 0 && (
         <Section title="Binding points">
           <ul className="inputs">
             {robot.bindings.map((binding) => (
-              <Binding key={binding.name} robot={name} binding={binding} isReadOnly={isReadOnly} />
+              <Binding key={binding.name} robot={robot} name={name} binding={binding} />
             ))}
           </ul>
         </Section>
@@ -58,14 +64,61 @@ export function RobotDetails({ robot, name }: { robot: Robot; name: string }) {
   );
 }
 
-function Binding({ robot, binding, isReadOnly }: { robot: string; binding: Robot_Binding; isReadOnly: boolean }) {
+/** To the class itself, to one of one's own. */
+function ClassButtons({ robot, name }: { robot: Robot; name: string }) {
   const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const isOwn = useIsOwnClass(robot);
+  const page = robot.classes.find((one) => one.name === robot.className)?.page;
+  const copy = async () => {
+    const { className } = robot;
+    const answer = await designer.edit(`own copy of ${className}`, {
+      case: "copyComponent",
+      value: { component: className, name: "" },
+    });
+    if (answer.ok) designer.goTo(designer.state.document, className);
+  };
+  return (
+    <div className="columns class-buttons">
+      {page && (
+        <Button icon="right" onPress={() => designer.goTo(page.document, page.path)}>
+          Body and devices
+        </Button>
+      )}
+      {!isReadOnly && robot.className !== "" && page && !isOwn && (
+        <Button icon="file" onPress={() => void copy()}>
+          Make my own copy
+        </Button>
+      )}
+      {!isReadOnly && (
+        <Button
+          icon="plus"
+          onPress={() => designer.store.setState({ dialog: "declaration", subject: `class ${name}` })}
+        >
+          New class…
+        </Button>
+      )}
+    </div>
+  );
+}
+
+/** Whether the robot's class stands in this file, so that it can be changed from here. */
+function useIsOwnClass(robot: Robot): boolean {
+  const document = usePart((state) => state.document);
+  return robot.classes.find((one) => one.name === robot.className)?.page?.document === document;
+}
+
+function Binding({ robot, name, binding }: { robot: Robot; name: string; binding: Robot_Binding }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const isOwnClass = useIsOwnClass(robot);
   const fitting = binding.devices.filter((device) => device.verdict === "");
   const only = fitting.length === 1 ? fitting[0] : undefined;
+  const isOpen = binding.verdict !== "";
   return (
-    <li className="binding" title={binding.help || undefined}>
+    <li className={`binding card ${isOpen ? "open" : ""}`} title={binding.help || undefined}>
       <span className="small">
-        <b>{binding.name}</b> <span className="muted">{binding.type}</span>
+        <b>{binding.name}</b> <span className="muted">{binding.type || "actuator"}</span>
       </span>
       {binding.devices.length > 1 ? (
         <Choice
@@ -81,7 +134,7 @@ function Binding({ robot, binding, isReadOnly }: { robot: string; binding: Robot
           onChange={(device) =>
             void designer.edit(`use ${device} for ${binding.name}`, {
               case: "useDevice",
-              value: { robot, binding: binding.name, device },
+              value: { robot: name, binding: binding.name, device },
             })
           }
         />
@@ -93,15 +146,14 @@ function Binding({ robot, binding, isReadOnly }: { robot: string; binding: Robot
         ))
       )}
       <Verdict text={binding.verdict} good="served" />
+      {isOpen && isOwnClass && !isReadOnly && fitting.length === 0 && (
+        <Button
+          icon="plus"
+          onPress={() => askDevice(designer, { owner: robot.className, device: "", binds: binding.name })}
+        >
+          Add a device to {robot.className}
+        </Button>
+      )}
     </li>
-  );
-}
-
-function Verdict({ text, good }: { text: string; good: string }) {
-  return (
-    <span className={`verdict ${text === "" ? "good" : "bad"}`}>
-      <Icon name={text === "" ? "check" : "warning"} />
-      {text || good}
-    </span>
   );
 }

@@ -1,111 +1,235 @@
-// A society: its members, in each other as they are drawn.
-
+// A society: its members, in each other as they are drawn; who they are, how many, who coordinates them.
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { addMember, groupMembers, memberChoices, siblingsOf } from "../palette/societies.ts";
+import type { Designer } from "../session/designer.ts";
 import { type Drawing, type Node, Node_Shape } from "../session/protocol.ts";
-import { useDesigner, useIsReadOnly, usePart } from "../session/use.ts";
-import { Section, SentField } from "./parts.tsx";
+import { useDesigner, useDocument, useIsReadOnly, usePart } from "../session/use.ts";
+import { Heading, Section, SentField } from "./parts.tsx";
+import { Verdict } from "./verdict.tsx";
 
 /** No operator: as a key of a list, which can't be empty. */
 const kNothing = "$nothing";
 
 export function SocietyDetails({ drawing }: { drawing: Drawing }) {
-  const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
-  const society = drawing.page?.path ?? "";
-  const set = (
-    name: string,
-    value: { path: number[]; name?: string; count?: number; by?: string; isCaste?: boolean },
-  ) => designer.edit(name, { case: "setMember", value: { society, ...value } }).then((answer) => answer.ok);
-  const robots = useRobots();
+  const isEmpty = drawing.nodes.length === 1 && drawing.nodes[0]!.shape === Node_Shape.CASTE;
   return (
     <Section title="Members">
-      <ul className="inputs">
+      {isEmpty && <Verdict text="It has no members yet: a mission can’t use it." good="" />}
+      <ul className="inputs members">
         {drawing.nodes.map((node) => (
-          <Member key={node.name} node={node} isReadOnly={isReadOnly} set={set} society={society} />
+          <li key={node.name} className="member card" style={{ marginLeft: Math.min(node.member.length, 5) * 10 }}>
+            <Member drawing={drawing} node={node} />
+          </li>
         ))}
       </ul>
-      {!isReadOnly && (
-        <div className="columns" style={{ gap: 4, marginTop: 12 }}>
-          {robots.map((robot) => (
-            <Button
-              key={robot}
-              icon="plus"
-              onPress={() =>
-                void set(`add ${robot}`, { path: [Math.max(1, memberCount(drawing))], name: robot, count: 1 })
-              }
-            >
-              {robot}
-            </Button>
-          ))}
-          {robots.length === 0 && <p className="small muted">This file has no robots to be members yet.</p>}
-        </div>
-      )}
+      {!isReadOnly && <AddMember drawing={drawing} />}
     </Section>
   );
 }
 
-interface MemberProps {
-  node: Node;
-  society: string;
-  isReadOnly: boolean;
-  set: (
-    name: string,
-    value: { path: number[]; name?: string; count?: number; by?: string; isCaste?: boolean },
-  ) => Promise<boolean>;
-}
-
-function Member({ node, society, isReadOnly, set }: MemberProps) {
-  const designer = useDesigner();
-  const path = node.member;
-  const isCaste = node.shape === Node_Shape.CASTE;
-  const by = node.inputs.find((port) => port.name === "by")?.value ?? "";
-  // Also what stands there and is not known, or has arguments.
-  const known = usePart((state) => state.palettes[state.document]?.coordinators) ?? [];
-  const coordinators = [...new Set([kNothing, ...known, by || kNothing])];
-  const same = { path, name: node.component, count: node.count, by, isCaste };
+/** What is selected on its page. */
+export function MemberDetails({ drawing, node }: { drawing: Drawing; node: Node }) {
   return (
-    <li className="member">
-      <div className="columns spread" style={{ flexWrap: "nowrap" }}>
-        <b className="ellipsis">{node.title || node.component || "caste"}</b>
-        {!isReadOnly && path.length > 0 && (
-          <IconButton
-            icon="close"
-            label={`Remove ${node.title || node.component}`}
-            onPress={() =>
-              void designer.edit(`remove ${node.component}`, { case: "removeMember", value: { society, path } })
-            }
-          />
-        )}
-      </div>
-      {!isCaste && (
-        <SentField
-          label="How many"
-          value={String(Math.max(1, node.count))}
-          send={(count) =>
-            set(`${count} ${node.component}`, { ...same, count: Math.max(1, Math.round(Number(count)) || 1) })
-          }
-        />
-      )}
-      <Choice
-        label="Coordinated by"
-        value={by || kNothing}
-        choices={coordinators.map((one) => [one, one === kNothing ? "nothing" : one] as const)}
-        isDisabled={isReadOnly}
-        onChange={(next) => void set(`coordinate ${node.component}`, { ...same, by: next === kNothing ? "" : next })}
-      />
-    </li>
+    <div className="details">
+      <Heading name={titleOf(node)} kind={kindOf(node)} help={node.help} />
+      <Member drawing={drawing} node={node} isWhole />
+    </div>
   );
 }
 
-function memberCount(drawing: Drawing): number {
-  return drawing.nodes.filter((node) => node.member.length === 1).length;
+function AddMember({ drawing }: { drawing: Drawing }) {
+  const designer = useDesigner();
+  const names = memberChoices(useDocument(), drawing);
+  return (
+    <div className="add-member">
+      <h4 className="small muted">Add a member</h4>
+      <div className="columns" style={{ gap: 4 }}>
+        {names.map(({ name }) => (
+          <Button key={name} icon="plus" onPress={() => void addMember(designer, drawing, [], name)}>
+            {name}
+          </Button>
+        ))}
+      </div>
+      {names.length === 0 && (
+        <p className="small muted">
+          This file has no robots to be members yet.{" "}
+          <Button tone="link" onPress={() => designer.store.setState({ dialog: "declaration", subject: "robot" })}>
+            Make a robot…
+          </Button>
+        </p>
+      )}
+    </div>
+  );
 }
 
-function useRobots(): string[] {
+interface MemberProps {
+  drawing: Drawing;
+  node: Node;
+  /** It is the only one that is shown: its heading stands above. */
+  isWhole?: boolean;
+}
+
+function Member({ drawing, node, isWhole = false }: MemberProps) {
   const designer = useDesigner();
-  return (designer.document?.declarations ?? [])
-    .filter((one) => one.kind === "robot" || one.kind === "society")
-    .map((one) => one.name)
-    .filter((name) => name !== designer.state.page);
+  const society = drawing.page?.path ?? "";
+  const isCaste = node.shape === Node_Shape.CASTE;
+  const by = node.inputs.find((port) => port.name === "by")?.value ?? "";
+  const same = { society, path: node.member, name: isCaste ? "" : node.component, count: node.count, by, isCaste };
+  const set = async (name: string, change: Partial<typeof same>) =>
+    (await designer.edit(name, { case: "setMember", value: { ...same, ...change } })).ok;
+  return (
+    <>
+      {!isWhole && (
+        <div className="columns spread" style={{ flexWrap: "nowrap" }}>
+          <Button tone="link" className="grow" onPress={() => designer.select([node.name])}>
+            <b>{titleOf(node)}</b> <span className="muted">{kindOf(node)}</span>
+          </Button>
+          <MemberTools drawing={drawing} node={node} />
+        </div>
+      )}
+      {!isCaste && (
+        <div className="columns even">
+          <Who drawing={drawing} node={node} onChange={(name) => void set(`${name} as a member`, { name })} />
+          <SentField
+            label="How many"
+            value={String(Math.max(1, node.count))}
+            send={(typed) => {
+              const count = wholeNumber(typed);
+              if (count === undefined) {
+                designer.tell(`“${typed}” is no number of robots: a whole one from 1 on`, "hold");
+                return false;
+              }
+              return set(`${count} ${node.component}`, { count });
+            }}
+          />
+        </div>
+      )}
+      <Coordinator by={by} onChange={(next) => void set(`coordinate ${titleOf(node)}`, { by: next })} />
+      {isWhole && <MemberTools drawing={drawing} node={node} isWhole />}
+    </>
+  );
+}
+
+function wholeNumber(typed: string): number | undefined {
+  return /^\d{1,6}$/.test(typed) && Number(typed) > 0 ? Number(typed) : undefined;
+}
+
+function Who({ drawing, node, onChange }: { drawing: Drawing; node: Node; onChange: (name: string) => void }) {
+  const isReadOnly = useIsReadOnly();
+  const known = memberChoices(useDocument(), drawing);
+  const all = known.some(({ name }) => name === node.component)
+    ? known
+    : [{ name: node.component, kind: node.shape === Node_Shape.UNKNOWN ? "nothing is called that" : "" }, ...known];
+  return (
+    <Choice
+      label="Who"
+      value={node.component}
+      choices={all.map(({ name, kind }) => [name, name, kind] as const)}
+      isDisabled={isReadOnly}
+      onChange={onChange}
+    />
+  );
+}
+
+/** Also what stands there and is not known. */
+function Coordinator({ by, onChange }: { by: string; onChange: (by: string) => void }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const known = usePart((state) => state.palettes[state.document]?.coordinators) ?? [];
+  const isOwn = useDocument()?.declarations.some((one) => one.kind === "operator" && one.name === by) ?? false;
+  const coordinators = [...new Set([kNothing, ...known, by || kNothing])];
+  return (
+    <div className="columns bottom" style={{ flexWrap: "nowrap", gap: 4 }}>
+      <div className="grow">
+        <Choice
+          label="Coordinated by"
+          value={by || kNothing}
+          choices={coordinators.map((one) => [one, one === kNothing ? "nothing" : one] as const)}
+          isDisabled={isReadOnly}
+          onChange={(next) => onChange(next === kNothing ? "" : next)}
+        />
+      </div>
+      {isOwn && (
+        <IconButton icon="right" label={`Open ${by}`} onPress={() => designer.goTo(designer.state.document, by)} />
+      )}
+    </div>
+  );
+}
+
+/** What can be done with a member as a whole: as icons, or in words where it is the only one shown. */
+function MemberTools({ drawing, node, isWhole = false }: MemberProps) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  if (isReadOnly) return null;
+  const tools = toolsOf(designer, drawing, node);
+  return (
+    <div className={isWhole ? "columns" : "member-tools"} style={{ gap: isWhole ? 4 : 0 }}>
+      {isWhole && node.inner && (
+        <Button icon="right" onPress={() => designer.enter(node.inner!)}>
+          Look inside
+        </Button>
+      )}
+      {tools.map(({ icon, label, run }) =>
+        isWhole ? (
+          <Button key={label} icon={icon} onPress={run}>
+            {label}
+          </Button>
+        ) : (
+          <IconButton key={label} icon={icon} label={`${label}: ${titleOf(node)}`} onPress={run} />
+        ),
+      )}
+    </div>
+  );
+}
+
+interface Tool {
+  icon: "up" | "down" | "layers" | "minus" | "close";
+  label: string;
+  run: () => void;
+}
+
+function toolsOf(designer: Designer, drawing: Drawing, node: Node): Tool[] {
+  const society = drawing.page?.path ?? "";
+  const path = node.member;
+  const isCaste = node.shape === Node_Shape.CASTE;
+  const [at, into] = [path.at(-1) ?? 0, path.slice(0, -1)];
+  const siblings = siblingsOf(drawing, path);
+  const move = (index: number) =>
+    void designer.edit(`move ${titleOf(node)}`, { case: "moveMember", value: { society, path, into, index } });
+  const tools: Tool[] = [];
+  if (path.length > 0 && at > 0) tools.push({ icon: "up", label: "Move up", run: () => move(at - 1) });
+  if (path.length > 0 && at + 1 < siblings) tools.push({ icon: "down", label: "Move down", run: () => move(at + 2) });
+  if (path.length > 0 && !isCaste)
+    tools.push({
+      icon: "layers",
+      label: "Make a caste of it",
+      run: () => void groupMembers(designer, drawing, [node.name]),
+    });
+  if (isCaste && path.length > 0)
+    tools.push({
+      icon: "minus",
+      label: "Take apart",
+      run: () =>
+        void designer.edit(`take ${titleOf(node)} apart`, { case: "ungroupMembers", value: { society, path } }),
+    });
+  if (path.length > 0 || !isCaste)
+    tools.push({
+      icon: "close",
+      label: "Remove",
+      run: () => void designer.edit(`remove ${titleOf(node)}`, { case: "removeMember", value: { society, path } }),
+    });
+  return tools;
+}
+
+function titleOf(node: Node): string {
+  if (node.shape !== Node_Shape.CASTE) return node.title || node.component;
+  return node.member.length === 0 ? node.title : `Caste ${node.member.map((at) => at + 1).join(".")}`;
+}
+
+function kindOf(node: Node): string {
+  if (node.shape === Node_Shape.CASTE) return node.member.length === 0 ? "the whole society" : "together";
+  if (node.shape === Node_Shape.TEAM) return `team of ${node.count}`;
+  return node.shape === Node_Shape.SOCIETY ? "society" : node.shape === Node_Shape.UNKNOWN ? "unknown" : "robot";
 }

@@ -129,21 +129,31 @@ function isOn({ nodes, states }: Drawing, name: string): boolean {
   return [...nodes, ...states].some((one) => one.name === name);
 }
 
-const kKinds: Record<string, string> = { assemblage: "an assemblage", robot: "a robot", society: "a society" };
+const kNaming = "Begins with a capital, as Wander or ForageTeam.";
+const kKinds: Record<string, readonly [title: string, help: string]> = {
+  assemblage: ["an assemblage", kNaming],
+  robot: ["a robot", kNaming],
+  society: ["a society", kNaming],
+  class: ["a class of robots", "Begins with a capital, as Cart or Scout."],
+  operator: ["an operator of societies", "Begins with a capital, as DistinctTargets."],
+  binding: ["a binding point", "In small letters, as sense_water."],
+};
 
+/** The subject is the kind; for a class, perhaps with the robot that is to be of it: `class Forager`. */
 export function DeclarationDialog() {
   const designer = useDesigner();
-  const kind = usePart((state) => state.subject);
+  const [kind = "", robot = ""] = usePart((state) => state.subject).split(" ");
+  const [title, help] = kKinds[kind] ?? [kind, kNaming];
   return (
     <Ask
-      title={`Add ${kKinds[kind] ?? kind}`}
+      title={robot ? `Make a class for ${robot}` : `Add ${title}`}
       label="Name"
-      first=""
+      first={robot ? `${robot}Body` : ""}
       button="Add"
-      help="Begins with a capital, as Wander or ForageTeam."
+      help={robot ? `It gets a device for all that ${robot} asks for, as far as the library has one.` : help}
       done={async (name) => {
         const answer = await designer.link.ask(
-          editOf(designer, `add ${kind} ${name}`, { case: "addDeclaration", value: { kind, name } }),
+          editOf(designer, `add ${kind} ${name}`, { case: "addDeclaration", value: { kind, name, robot } }),
         );
         if (answer.ok) designer.goTo(designer.state.document, name);
         return answer.error;

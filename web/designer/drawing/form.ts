@@ -80,6 +80,8 @@ const kLooks: Record<Node_Shape, Appearance> = {
   [Node_Shape.CASTE]: { outline: "octagon", tone: "society", symbol: "", kind: "caste" },
   [Node_Shape.SOCIETY]: { outline: "octagon", tone: "society", symbol: "", kind: "society" },
   [Node_Shape.FORMULA]: { outline: "box", tone: "value", symbol: "", kind: "formula" },
+  [Node_Shape.BODY]: { outline: "box", tone: "value", symbol: "", kind: "part of the body" },
+  [Node_Shape.SENSOR]: { outline: "box", tone: "sense", symbol: "", kind: "sensor" },
 };
 
 const kDeclarations: Record<string, Tone> = {
@@ -178,7 +180,7 @@ function shape(node: Node, wired: ReadonlySet<string>): Form {
 
 /** What has no value and is used all the same. */
 function isUsed(shape: Node_Shape): boolean {
-  return shape >= Node_Shape.DECLARATION || shape === Node_Shape.UNKNOWN;
+  return (shape >= Node_Shape.DECLARATION && shape <= Node_Shape.FORMULA) || shape === Node_Shape.UNKNOWN;
 }
 
 function extrasOf(rows: readonly Row[], wired: ReadonlySet<string>, headY: number): { id: string; y: number }[] {

@@ -71,6 +71,11 @@ export function isInPalette(component: Component, isStates: boolean): boolean {
   return isForPage(component, isStates) || isTrigger(component);
 }
 
+/** It gives nothing: a device of a class, or driven by a robot; no other page takes it. */
+export function isActuator({ group }: Component): boolean {
+  return group === "Actuators";
+}
+
 /** The first sentence of a component's documentation. */
 export function firstSentence(help: string): string {
   const end = /[.!?](\s|$)/.exec(help);

@@ -8,7 +8,8 @@ import { type Component, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../session/use.ts";
 import { canvasStore } from "../sight/canvas_store.ts";
 import { NodeIcon } from "../views/icons.tsx";
-import { firstSentence, found, groupsOf, isInPalette, isOpenAtFirst } from "./groups.ts";
+import { firstSentence, found, groupsOf, isActuator, isInPalette, isOpenAtFirst } from "./groups.ts";
+import { palettePage } from "./palette_pages.tsx";
 import { place } from "./place.ts";
 import { dragByTouch, kDragged } from "./touch_drag.ts";
 import { keepUnfolded, readUnfolded } from "./unfolded.ts";
@@ -23,13 +24,15 @@ export function PalettePanel() {
   // Nothing is a part of itself.
   const owner = usePart((state) => declarationOf(state.page));
   const isStates = drawing?.kind === Drawing_Kind.STATES;
+  const isRobot = drawing?.kind === Drawing_Kind.ROBOT;
   const groups = useMemo(() => {
-    const usable = components.filter((one) => one.name !== owner && isInPalette(one, isStates));
+    const usable = components.filter(
+      (one) => one.name !== owner && isInPalette(one, isStates) && (isRobot || !isActuator(one)),
+    );
     return groupsOf(query ? found(query, usable) : usable);
-  }, [components, query, isStates, owner]);
-  const kind = drawing?.kind ?? Drawing_Kind.FILE;
-  if (kind === Drawing_Kind.FILE || kind === Drawing_Kind.SOCIETY)
-    return <Declarations isSociety={kind === Drawing_Kind.SOCIETY} />;
+  }, [components, query, isStates, isRobot, owner]);
+  const own = palettePage(drawing);
+  if (own) return own;
   const fold = (name: string, isOpen: boolean) => {
     const next = { ...unfolded, [name]: !isOpen };
     setUnfolded(next);
@@ -107,45 +110,5 @@ function Entry({ component }: { component: Component }) {
         </span>
       </button>
     </li>
-  );
-}
-
-const kKinds = [
-  ["assemblage", "Assemblage", "A skill, put together out of behaviors and other skills."],
-  ["robot", "Robot", "What one robot does, and which body it has."],
-  ["society", "Society", "Robots together: teams of the same, castes of different ones."],
-] as const;
-
-/** What can be added to a file. */
-function Declarations({ isSociety }: { isSociety: boolean }) {
-  const designer = useDesigner();
-  const isReadOnly = useIsReadOnly();
-  if (isSociety) return <p className="empty small">Members are added and changed in the details at the right.</p>;
-  return (
-    <div className="palette">
-      <section aria-label="New in this file">
-        <h3 className="palette-group">New in this file</h3>
-        <ul>
-          {kKinds.map(([kind, title, help]) => (
-            <li key={kind}>
-              <button
-                type="button"
-                className={`palette-entry tone-${kind === "assemblage" ? "skill" : kind === "robot" ? "body" : "society"}`}
-                disabled={isReadOnly}
-                onClick={() => designer.store.setState({ dialog: "declaration", subject: kind })}
-              >
-                <span className="node-icon">
-                  <Icon name="plus" />
-                </span>
-                <span className="palette-names">
-                  <span>{title}</span>
-                  <span className="small muted">{help}</span>
-                </span>
-              </button>
-            </li>
-          ))}
-        </ul>
-      </section>
-    </div>
   );
 }

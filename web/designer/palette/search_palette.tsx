@@ -6,7 +6,7 @@ import { lastPart } from "../session/pages.ts";
 import { type Component, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { NodeIcon } from "../views/icons.tsx";
-import { firstSentence, found, isForPage } from "./groups.ts";
+import { firstSentence, found, isActuator, isForPage } from "./groups.ts";
 import { place } from "./place.ts";
 
 const kNone: readonly Component[] = [];
@@ -19,9 +19,13 @@ export function SearchPalette() {
   const fits = useFitting();
   const isElsewhere = placing?.page !== undefined && placing.page !== drawing?.page?.path;
   const isStates = !isElsewhere && drawing?.kind === Drawing_Kind.STATES;
+  const isRobot = !isElsewhere && drawing?.kind === Drawing_Kind.ROBOT;
   const usable = useMemo(
-    () => components.filter((one) => isForPage(one, isStates) && (fits === null || fits.has(one.name))),
-    [components, isStates, fits],
+    () =>
+      components.filter(
+        (one) => isForPage(one, isStates) && (isRobot || !isActuator(one)) && (fits === null || fits.has(one.name)),
+      ),
+    [components, isStates, isRobot, fits],
   );
   const title = placing?.replace
     ? `Replace ${placing.replace} by`

@@ -1,10 +1,15 @@
 // Pages of a document: `Forage.Searching` is what stands inside of the state Searching of Forage; empty is the file.
 
-import type { Drawing } from "./protocol.ts";
+import { type Drawing, Drawing_Kind } from "./protocol.ts";
 
 /** Nothing that does anything stands on it. */
 export function isEmptyDrawing({ nodes, states }: Drawing): boolean {
   return nodes.length + states.length === 0;
+}
+
+/** Devices that serve binding points stand on it: of a class of robots, or of an operator. */
+export function isEquipment({ kind }: Drawing): boolean {
+  return kind === Drawing_Kind.CLASS || kind === Drawing_Kind.OPERATOR;
 }
 
 /** Everybody's, so nobody can change it. */

@@ -33,6 +33,7 @@ export type DialogName =
   | "rename-name" // of a text, or what was typed into a field
   | "parameter"
   | "declaration"
+  | "device" // what serves a binding point
   | "compare"
   | "welcome";
 
@@ -61,6 +62,16 @@ export interface Notice {
   tone: "danger" | "hold" | "accent";
   /** What can be done about it. */
   action?: { label: string; run: () => void };
+}
+
+/** What a device, or a new one, is asked for. */
+export interface DeviceChoice {
+  /** The class of robots or the operator. */
+  owner: string;
+  /** Empty: a new one. */
+  device: string;
+  /** The binding point that it serves; empty: that is asked first. */
+  binds: string;
 }
 
 /** What is given another name. */
@@ -133,6 +144,7 @@ export interface State {
   dialog: DialogName;
   placing: Placing | null;
   triggerChoice: TriggerChoice | null;
+  deviceChoice: DeviceChoice | null;
   /** What a dialog is about: the node that is renamed, say. */
   subject: string;
   shown: ShownPanes;
@@ -196,6 +208,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
     dialog: "",
     placing: null,
     triggerChoice: null,
+    deviceChoice: null,
     subject: "",
     shown: readShown(stored.shown, firstShown(windowWidth)),
     theme: stored.theme === "light" || stored.theme === "dark" ? stored.theme : "auto",

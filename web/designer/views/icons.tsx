@@ -58,6 +58,8 @@ const kByShape: Partial<Record<Node_Shape, string>> = {
   [Node_Shape.CASTE]: "society",
   [Node_Shape.SOCIETY]: "society",
   [Node_Shape.FORMULA]: "formula",
+  [Node_Shape.BODY]: "body",
+  [Node_Shape.SENSOR]: "sense",
 };
 
 /** The path of an icon: by what the palette calls it, by what the component's name says, by its shape. */

@@ -79,10 +79,12 @@ interface ValueFieldProps {
   onDone: () => void;
   /** In the details: more of them stand below each other, and none takes the focus. */
   isCompact?: boolean;
+  /** Whether it may become a parameter. */
+  canExpose?: boolean;
 }
 
 /** Also in the details, where it stays. */
-export function ValueField({ page, node, port, what, onDone, isCompact = false }: ValueFieldProps) {
+export function ValueField({ page, node, port, what, onDone, isCompact = false, canExpose = true }: ValueFieldProps) {
   const designer = useDesigner();
   const isReadOnly = useIsReadOnly();
   const given = what === "weight" ? port.weight : port.value;
@@ -144,6 +146,7 @@ export function ValueField({ page, node, port, what, onDone, isCompact = false }
           node={node}
           port={port}
           isCompact={isCompact}
+          canExpose={canExpose}
           onDefault={() => void send("")}
           onDone={onDone}
         />
@@ -181,11 +184,12 @@ interface ValueToolsProps {
   node: Node;
   port: Port;
   isCompact: boolean;
+  canExpose: boolean;
   onDefault: () => void;
   onDone: () => void;
 }
 
-function ValueTools({ page, node, port, isCompact, onDefault, onDone }: ValueToolsProps) {
+function ValueTools({ page, node, port, isCompact, canExpose, onDefault, onDone }: ValueToolsProps) {
   const designer = useDesigner();
   const expose = () => {
     const value = { page, node: node.name, port: port.name, ...indexOf(port) };
@@ -197,7 +201,9 @@ function ValueTools({ page, node, port, isCompact, onDefault, onDone }: ValueToo
       {port.initial !== "" && port.value !== "" && (
         <Tool icon="restart" label={`Default: ${port.initial}`} isCompact={isCompact} onPress={onDefault} />
       )}
-      {!port.isExposed && <Tool icon="gear" label="Make it a parameter" isCompact={isCompact} onPress={expose} />}
+      {canExpose && !port.isExposed && port.type !== "" && (
+        <Tool icon="gear" label="Make it a parameter" isCompact={isCompact} onPress={expose} />
+      )}
     </div>
   );
 }

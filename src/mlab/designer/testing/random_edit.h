@@ -118,10 +118,156 @@ class RandomEdit {
     change.set_component(word({"Near", "IsAtGoal", "Detect", "Wander"}));
   }
 
+  // ---- classes, operators, binding points, societies
+
+  // Of that kind, now and then one that is not there.
+  template <class Kind>
+  std::string declared() {
+    std::vector<std::string> names;
+    for (const cdl::Item& item : model_.tree().items) {
+      if (const auto* one = std::get_if<Kind>(&item)) names.push_back(one->name.text);
+    }
+    return names.empty() || rarely() ? "Nobody" : word(names);
+  }
+  std::string equipped_owner() {
+    return below(3) == 0 ? declared<cdl::SocietyOperator>() : declared<cdl::RobotClass>();
+  }
+  // Of the class's page: a device, a part of the body, a binding point.
+  void aim_at_equipment(SetValue& change) {
+    const Drawing drawing = drawing_of(equipped_owner());
+    change.set_page(drawing.page().path());
+    if (drawing.nodes().empty()) return;
+    const Node& node = one_of(drawing.nodes());
+    change.set_node(node.name());
+    if (!node.inputs().empty()) change.set_port(one_of(node.inputs()).name());
+  }
+  std::string device_of(const Drawing& drawing) {
+    const auto& devices = drawing.equipment().devices();
+    return devices.empty() || rarely() ? "nothing" : one_of(devices).name();
+  }
+  Drawing drawing_of(const std::string& page) {
+    return draw(model_, page, {"a.cdl", 1, false, [](std::string_view) { return std::string(); }});
+  }
+  std::string binding_point() {
+    return word({"sense_obstacles", "sense_robots", "movement", "pantilt", "choose_target", "sense_nothing"});
+  }
+  std::string server() {
+    return word({"DetectObstacles", "DetectRobots", "DriveAndSpin", "Drive", "PanTilt", "Noise", "Nothing"});
+  }
+
+  void set_device(SetDevice& change) {
+    const Drawing drawing = drawing_of(equipped_owner());
+    change.set_owner(drawing.page().path());
+    if (below(2) == 0) change.set_device(device_of(drawing));
+    if (change.device().empty() || below(2) == 0) change.set_binds(binding_point());
+    if (change.device().empty() || below(2) == 0) change.set_component(server());
+  }
+
+  // What also stands on other pages: values, names, help, parameters, places, wires.
+  void change_equipment(Change& change) {
+    const Drawing drawing = drawing_of(equipped_owner());
+    const std::string page = drawing.page().path();
+    switch (below(8)) {
+      case 0:
+      case 1:
+        aim_at_equipment(*change.mutable_set_value());
+        change.mutable_set_value()->set_value(
+            below(3) == 0 ? value() : word({"", "30 deg", "2 m", "0.5", "car", "differential", "24"}));
+        return;
+      case 2: {
+        SetValue there;
+        aim_at_equipment(there);
+        change.mutable_expose()->set_page(there.page());
+        change.mutable_expose()->set_node(there.node());
+        change.mutable_expose()->set_port(there.port());
+        return;
+      }
+      case 3:
+        change.mutable_rename()->set_page(page);
+        change.mutable_rename()->set_node(device_of(drawing));
+        change.mutable_rename()->set_name(word({"eyes", "wheels", "not a name", "base"}));
+        return;
+      case 4:
+        change.mutable_remove()->set_page(page);
+        change.mutable_remove()->add_nodes(
+            below(4) == 0 && !drawing.nodes().empty() ? one_of(drawing.nodes()).name() : device_of(drawing));
+        return;
+      case 5: {
+        change.mutable_arrange()->set_page(page);
+        Arrange::At& at = *change.mutable_arrange()->add_nodes();
+        at.set_node(drawing.nodes().empty() ? "nothing" : one_of(drawing.nodes()).name());
+        at.set_x(static_cast<double>(below(500)));
+        at.set_y(40.0);
+        return;
+      }
+      case 6:
+        change.mutable_connect()->set_page(page);
+        change.mutable_connect()->set_from_node(device_of(drawing));
+        change.mutable_connect()->set_to_node("$point." + binding_point());
+        return;
+      default:
+        change.mutable_set_help()->set_page(page);
+        change.mutable_set_help()->set_node(device_of(drawing));
+        change.mutable_set_help()->set_text(word({"", "what it is", "two\nlines"}));
+    }
+  }
+
+  template <class Path>
+  void lead_to_member(const Drawing& drawing, Path& path) {
+    if (drawing.nodes().empty()) return;
+    const Node& node = one_of(drawing.nodes());
+    for (const std::uint32_t at : node.member()) path.Add(at);
+    if (below(4) == 0) path.Add(static_cast<std::uint32_t>(below(3)));
+  }
+
+  void change_society(Change& change) {
+    const std::string society = declared<cdl::Society>();
+    const Drawing drawing = drawing_of(society);
+    switch (below(6)) {
+      case 0:
+      case 1: {
+        SetMember& one = *change.mutable_set_member();
+        one.set_society(society);
+        lead_to_member(drawing, *one.mutable_path());
+        one.set_name(below(4) == 0 ? declared<cdl::Society>() : declared<cdl::Robot>());
+        one.set_count(static_cast<std::uint32_t>(below(4)));
+        one.set_is_caste(below(3) == 0);
+        if (below(3) == 0) one.set_by(declared<cdl::SocietyOperator>());
+        return;
+      }
+      case 2:
+        change.mutable_remove_member()->set_society(society);
+        lead_to_member(drawing, *change.mutable_remove_member()->mutable_path());
+        return;
+      case 3: {
+        GroupMembers& one = *change.mutable_group_members();
+        one.set_society(society);
+        lead_to_member(drawing, *one.mutable_path());
+        for (int i = 0; i < 2; ++i) one.add_members(static_cast<std::uint32_t>(below(3)));
+        return;
+      }
+      case 4:
+        change.mutable_ungroup_members()->set_society(society);
+        lead_to_member(drawing, *change.mutable_ungroup_members()->mutable_path());
+        return;
+      default:
+        change.mutable_move_member()->set_society(society);
+        lead_to_member(drawing, *change.mutable_move_member()->mutable_path());
+        lead_to_member(drawing, *change.mutable_move_member()->mutable_into());
+        change.mutable_move_member()->set_index(static_cast<std::uint32_t>(below(3)));
+    }
+  }
+
+  void declare(AddDeclaration& change) {
+    change.set_kind(word({"class", "operator", "binding", "robot", "society"}));
+    change.set_name(word({"Fresh", "Other", "fresh_point", "not a name"}));
+    if (change.kind() == "class" && below(2) == 0) change.set_robot(declared<cdl::Robot>());
+  }
+
   // NOLINTNEXTLINE(readability-function-size): a row for each change
   void fill(Change& change) {
     look_at_page();
-    switch (below(27)) {
+    switch (below(33)) {
       case 0:
       case 1:
       case 2: {
@@ -247,6 +393,25 @@ class RandomEdit {
         return;
       case 25:
         change_trigger(*change.mutable_change_trigger());
+        return;
+      case 26:
+        set_device(*change.mutable_set_device());
+        return;
+      case 27:
+      case 28:
+        change_equipment(change);
+        return;
+      case 29:
+      case 30:
+        change_society(change);
+        return;
+      case 31:
+        if (below(2) == 0) {
+          declare(*change.mutable_add_declaration());
+          return;
+        }
+        change.mutable_set_binding()->set_binding(declared<cdl::Binding>());
+        change.mutable_set_binding()->set_type(word({"", "Obstacles", "Vector", "no type"}));
         return;
       default:
         change.mutable_remove_transition()->set_page(page_);

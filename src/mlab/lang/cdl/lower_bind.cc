@@ -26,11 +26,6 @@ std::string described(const PortType& type) {
   return fmt::format("{}{}", type.name(), bracketed(type.unit));
 }
 
-std::string quoted_number(const Value& value) {
-  return value.unit.empty() ? fmt::format("{}", value.number)
-                            : fmt::format("{} {}", value.number, value.unit);
-}
-
 bool parses(const flow::TypeInfo& type, const std::string& text) {
   alignas(flow::Frame::kAlignment) std::byte scratch[512];
   return type.parse != nullptr && type.size <= sizeof scratch && type.parse(text, scratch);
@@ -45,6 +40,11 @@ flow::Source constant(std::string text, const text::Place& place) {
 }
 
 }  // namespace
+
+std::string quoted_number(const Value& value) {
+  return value.unit.empty() ? fmt::format("{}", value.number)
+                            : fmt::format("{} {}", value.number, value.unit);
+}
 
 std::string bracketed(const std::string& unit) {
   return unit.empty() ? "" : fmt::format(" [{}]", unit);

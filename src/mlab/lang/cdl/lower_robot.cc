@@ -1,7 +1,6 @@
 // Robots: parameters that missions set, devices that serve binding points, what drives the actuators.
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "mlab/flow/port_types.h"
+#include "mlab/lang/cdl/body.h"
 #include "mlab/lang/cdl/lowering.h"
 #include "mlab/lang/cdl/units.h"
 
@@ -23,35 +23,6 @@ double in_unit(const Number& number, const std::string& unit) {
   return from && to ? converted(number.value, *from, *to).value_or(number.value) : number.value;
 }
 
-// What `drive` may be, by the number that a body has for it.
-// What a class can say of its body besides its drive, and in which unit.
-const std::map<std::string, std::string, std::less<>> kBodySettings = {{"radius", "m"},
-                                                                       {"max_speed", "m/s"},
-                                                                       {"max_acceleration", ""},
-                                                                       {"max_turn_rate", "rad/s"},
-                                                                       {"max_turn_acceleration", ""},
-                                                                       {"axle", "m"},
-                                                                       {"max_wheel_speed", "m/s"},
-                                                                       {"wheelbase", "m"},
-                                                                       {"max_steer", "rad"},
-                                                                       {"ring_count", ""},
-                                                                       {"ring_arc", "rad"},
-                                                                       {"ring_range", "m"},
-                                                                       {"ring_beam_width", "rad"},
-                                                                       {"ring_noise", "m"},
-                                                                       {"ring_dropout", ""},
-                                                                       {"ring_obstacles", ""},
-                                                                       {"odometry_noise", ""},
-                                                                       {"camera_field_of_view", "rad"},
-                                                                       {"camera_max_pan", "rad"},
-                                                                       {"camera_pan_rate", "rad/s"}};
-
-std::vector<std::string> body_settings() {
-  std::vector<std::string> out = {"drive"};
-  for (const auto& [name, unit] : kBodySettings) out.push_back(name);
-  return out;
-}
-
 const NamesBelow kNothing;
 
 // What stands for a named place until a mission says where it is.
@@ -63,8 +34,6 @@ Value some_place(const text::Place& place) {
   out.place = place;
   return out;
 }
-
-constexpr std::array<std::string_view, 4> kDrives = {"holonomic", "differential", "car", "synchro"};
 
 }  // namespace
 
@@ -184,29 +153,44 @@ void Lowering::lower_body(const RobotClass& robot_class, Scope& scope, LoweredRo
       }
       continue;
     }
-    const auto known = kBodySettings.find(setting.name.text);
-    if (known == kBodySettings.end()) {
+    const BodyProperty* property = body_property(setting.name.text);
+    if (property == nullptr) {
       text::Diagnostic& d = error("unknown-body-setting", setting.name.place,
                                   fmt::format("a body has no `{}`", setting.name.text));
       hint_nearest(d, setting.name.text, body_settings());
       if (d.hints.empty()) d.hints.push_back(fmt::format("it has {}", fmt::join(body_settings(), ", ")));
       continue;
     }
-    const std::optional<Unit> unit = unit_named(value.unit);
-    if (value.kind != Value::Kind::kNumber || !unit) {
-      error("wrong-type", setting.value->place, "what a body has is a number").label =
-          fmt::format("`{}` takes a number with its unit", setting.name.text);
-      continue;
-    }
-    const std::optional<Unit> wanted = unit_named(known->second);
-    if (!value.unit.empty() && wanted && !unit->same_dimension(*wanted)) {
-      error("wrong-unit", setting.value->place, fmt::format("`{}` is no quantity of this kind", value.unit))
-          .label = known->second.empty() ? fmt::format("`{}` takes a plain number", setting.name.text)
-                                         : fmt::format("`{}` takes {}", setting.name.text, known->second);
-      continue;
-    }
-    out.body[setting.name.text] = value.number * unit->numerator / unit->denominator;
+    if (const auto number = body_number(setting, *property, value)) out.body[setting.name.text] = *number;
   }
+}
+
+// In SI units; nothing where it is no number of the body's.
+std::optional<double> Lowering::body_number(const BodySetting& setting, const BodyProperty& property,
+                                            const Value& value) {
+  const std::optional<Unit> unit = unit_named(value.unit);
+  const std::optional<Unit> wanted = unit_named(property.unit);
+  if (value.kind != Value::Kind::kNumber || !unit || !wanted) {
+    error("wrong-type", setting.value->place, "what a body has is a number").label =
+        fmt::format("`{}` takes a number with its unit", property.name);
+    return std::nullopt;
+  }
+  if (!value.unit.empty() && !unit->same_dimension(*wanted)) {
+    error("wrong-unit", setting.value->place, fmt::format("`{}` is no quantity of this kind", value.unit))
+        .label = property.unit.empty() ? fmt::format("`{}` takes a plain number", property.name)
+                                       : fmt::format("`{}` takes {}", property.name, property.unit);
+    return std::nullopt;
+  }
+  const double number = value.number * unit->numerator / unit->denominator;
+  const double in_range = number * wanted->denominator / wanted->numerator;
+  constexpr double kRounding = 1e-9;  // of what was converted there and back
+  if (in_range < property.min * (1 - kRounding) || in_range > property.max * (1 + kRounding)) {
+    error("out-of-range", setting.value->place, fmt::format("{} is out of range", quoted_number(value)))
+        .label = fmt::format("`{}` takes {} .. {}{}", property.name, property.min, property.max,
+                             bracketed(std::string(property.unit)));
+    return std::nullopt;
+  }
+  return number;
 }
 
 // The actuator that a drive speaks of, by the device's name or by the binding point.

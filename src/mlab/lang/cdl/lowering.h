@@ -13,6 +13,7 @@
 
 #include "mlab/flow/library.h"
 #include "mlab/flow/network.h"
+#include "mlab/lang/cdl/body.h"
 #include "mlab/lang/cdl/configuration.h"
 #include "mlab/lang/cdl/elaboration.h"
 #include "mlab/lang/cdl/lower.h"
@@ -52,6 +53,9 @@ struct Value {
   text::Place place;                    ///< where the author wrote it: for a constant, where it was given
   const struct Scope* scope = nullptr;  ///< kWord: where it was looked up in vain
 };
+
+/// A number with its unit, as it is quoted in messages.
+std::string quoted_number(const Value& value);
 
 /// Where a node goes.
 struct Spot {
@@ -227,6 +231,8 @@ class Lowering {
                     const text::Place& place);
   const DeviceUse* actuator_of(const Drive& drive);
   void lower_body(const RobotClass& robot_class, Scope& scope, LoweredRobot& out);
+  std::optional<double> body_number(const BodySetting& setting, const BodyProperty& property,
+                                    const Value& value);
   void check_device(const Device& device);
   void declare_lets(const std::vector<Let>& lets, Scope& scope);
   void declare_typed(const std::vector<Parameter>& parameters, Scope& scope);
