@@ -30,7 +30,8 @@ std::vector<fs::path> guides() {
 class Pages : public testing::Test {
  protected:
   void SetUp() override {
-    here_.take("missions", "missions");
+    for (const char* folder : {"missions", "library/assemblages", "examples/18_tests"})
+      here_.take(folder, folder);
     for (const char* file : {"patrol.mdl", "patrol.odl"})
       here_.take(fs::path("missions/patrol") / file, fs::path("my") / file);
     for (const char* file : {"wander.mdl", "wander.cnl", "field.odl"})

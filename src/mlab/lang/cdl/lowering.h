@@ -237,7 +237,7 @@ class Lowering {
   void declare_lets(const std::vector<Let>& lets, Scope& scope);
   void declare_typed(const std::vector<Parameter>& parameters, Scope& scope);
 
-  // lower_test.cc
+  // lower_tests.cc
   void lower_percept(const TestStep& step, LoweredStep& out);
   void lower_percept_value(const Given& given, const TestInput& input, LoweredStep& out);
   void lower_condition(const TestStep& step, Scope& scope, LoweredStep& out);

@@ -41,9 +41,10 @@ bool parse_test_wait(Cursor& cursor, TestStep& into) {
   return parse_test_span(cursor, into.span);
 }
 
-// `state Searching`, `no action PickUp`. Where no name follows these are names of a condition.
+// `state Searching`, `no action PickUp`. Where something else follows these are names of a condition.
 bool at_fact(const Cursor& cursor) {
-  return cursor.is_any({"state", "action"}) && cursor.is_before_name();
+  const bool is_typed = cursor.keeps_parts() && cursor.is_before(Token::Kind::kEnd);
+  return cursor.is_any({"state", "action"}) && (cursor.is_before_name() || is_typed);
 }
 
 bool parse_fact(Cursor& cursor, TestStep& into) {
