@@ -74,7 +74,10 @@ test("a value on a wire is held, shown as held, and released", async () => {
   const field = details.getByRole("textbox", { name: /^Hold it for .* at \[Vector/ });
   await field.fill("nonsense");
   await details.getByRole("button", { name: "Hold", exact: true }).click();
-  await page.getByText(/nonsense.* is no Vector/).first().waitFor({ timeout: 15_000 });
+  await page
+    .getByText(/nonsense.* is no Vector/)
+    .first()
+    .waitFor({ timeout: 15_000 });
   await field.fill("0.5, 0");
   await details.getByRole("button", { name: "Hold", exact: true }).click();
   await details.getByText("Held at", { exact: false }).waitFor();
