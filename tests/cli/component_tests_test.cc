@@ -48,6 +48,10 @@ TEST_F(Command, TestComponentsTellsWhatItCannotRead) {
   EXPECT_TRUE(has(bad.err, "bad.cdl:1:13: error:")) << bad.err;
   EXPECT_EQ(mlab("test-components nowhere.cdl").status, 2);
   EXPECT_TRUE(has(mlab("test-components m.mdl").err, "this is no configuration"));
+  fs::create_symlink("nowhere.cdl", folder_ / "lost.cdl");
+  const Outcome folder = mlab("test-components .");
+  EXPECT_EQ(folder.status, 2);
+  EXPECT_TRUE(has(folder.err, "lost.cdl")) << folder.err;
   const Outcome none = mlab("test-components --only homw good.cdl");
   EXPECT_EQ(none.status, 2);
   EXPECT_TRUE(has(none.err, "no test has `homw` in its name")) << none.err;

@@ -54,24 +54,39 @@ bool is_asked_for(const TestOptions& options, std::string_view name) {
   return options.only.empty() || small(name).find(small(options.only)) != std::string::npos;
 }
 
-/// Configurations in a folder that have tests, in the order of their names. Folders that begin with a dot,
-/// and links to folders, are left out.
-std::vector<std::string> files_with_tests(const std::string& folder) {
-  std::vector<std::string> out;
+/// What a folder has for who looks for tests, in the order of names.
+struct Folder {
+  std::vector<std::string> files;
+  std::vector<std::string> unread;  ///< sentences: folders that can't be looked into
+};
+
+bool has_tests(const std::string& file) {
+  const text::Result<text::SourcePtr> source = text::read_source(file);
+  if (!source) return true;  // which is said where it is read
+  return (*source)->text().find("test") != std::string_view::npos &&
+         !cdl::tests_of(cdl::read_as_written(*source).tree).empty();
+}
+
+/// Configurations in a folder that have tests or can't be read. Folders that begin with a dot, and links to
+/// folders, are left out.
+void look_for_tests(const fs::path& folder, Folder& out) {
   std::error_code failure;
-  fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, failure);
-  for (; !failure && each != fs::recursive_directory_iterator(); each.increment(failure)) {
+  fs::directory_iterator each(folder, failure);
+  for (; !failure && each != fs::directory_iterator(); each.increment(failure)) {
     const std::string name = each->path().filename().string();
     std::error_code ignored;
-    if (each->is_directory(ignored) && (name.starts_with('.') || name == "node_modules"))
-      each.disable_recursion_pending();
-    if (!name.ends_with(".cdl") || !each->is_regular_file(ignored)) continue;
-    const text::Result<text::SourcePtr> source = text::read_source(each->path().string());
-    if (!source || (*source)->text().find("test") == std::string_view::npos) continue;
-    if (!cdl::tests_of(cdl::read_as_written(*source).tree).empty()) out.push_back(each->path().string());
+    if (each->is_directory(ignored)) {
+      const bool is_meant = !name.starts_with('.') && name != "node_modules" && !each->is_symlink(ignored);
+      if (is_meant) look_for_tests(each->path(), out);
+    } else if (!each->is_regular_file(ignored) && each->exists(ignored)) {
+      continue;  // a pipe, say
+    } else if (small(name).ends_with(".cdl") && has_tests(each->path().string())) {
+      out.files.push_back(each->path().string());
+    }
   }
-  std::ranges::sort(out);
-  return out;
+  if (failure)
+    out.unread.push_back(fmt::format("cannot look into `{}`: {}", text::shown(folder.string(), kLongestName),
+                                     failure.message()));
 }
 
 // On a terminal, what runs now; it is written over by what came of it.
@@ -102,17 +117,16 @@ void run_file(const text::SourcePtr& source, const TestOptions& options, Tally& 
   const robot::ProgramSources sources =
       program_sources(folder, permission_to_run(code, cell::Grounds::People::kHere, folder));
   text::Diagnostics sink;
-  const component_test::Tests all = component_test::load(source, sources, sink);
+  const component_test::Tests all = component_test::load(
+      source, sources, sink, [&](std::string_view name) { return is_asked_for(options, name); });
   tell(sink);
   if (sink.has_errors()) {
     ++tally.unread;
     return;
   }
+  tally.names.insert(tally.names.end(), all.names.begin(), all.names.end());
   bool has_title = false;
   for (const Test& test : all.tests) {
-    const std::string& name = test.lowered.test->name.text;
-    tally.names.push_back(name);
-    if (!is_asked_for(options, name)) continue;
     if (!has_title && !options.quiet) fmt::print("{}\n", text::shown(source->name(), kLongestName));
     has_title = true;
     show_progress(test);
@@ -120,7 +134,7 @@ void run_file(const text::SourcePtr& source, const TestOptions& options, Tally& 
     tell_outcome(options, outcome);
     ++(outcome.has_passed() ? tally.passed : tally.failed);
   }
-  if (all.tests.empty()) fmt::print("{}: no tests\n", text::shown(source->name(), kLongestName));
+  if (all.names.empty()) fmt::print("{}: no tests\n", text::shown(source->name(), kLongestName));
 }
 
 bool is_configuration(const text::SourcePtr& source) {
@@ -135,7 +149,12 @@ bool is_configuration(const text::SourcePtr& source) {
 void run_named(const std::string& file, const TestOptions& options, Tally& tally) {
   std::error_code ignored;
   if (!is_standard_input(file) && fs::is_directory(file, ignored)) {
-    for (const std::string& one : files_with_tests(file)) run_named(one, options, tally);
+    Folder found;
+    look_for_tests(file, found);
+    std::ranges::sort(found.files);
+    for (const std::string& problem : found.unread) fmt::print(stderr, "mlab test-components: {}\n", problem);
+    tally.unread += found.unread.size();
+    for (const std::string& one : found.files) run_named(one, options, tally);
     return;
   }
   const text::Result<text::SourcePtr> source = read_input(file);

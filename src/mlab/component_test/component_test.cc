@@ -42,7 +42,7 @@ void set_places(const cdl::LoweredTest& lowered, robot::RobotProgram& program) {
 /// One test while it runs.
 class Run {
  public:
-  Run(const Test& test, std::uint64_t seed) : test_(test), runners_(seed, 1) {
+  Run(const Test& test, std::uint64_t seed) : test_(test), runners_(seed, 1), situation_(test.lowered.steps) {
     outcome_.name = test.lowered.test->name.text;
     most_cycles_ =
         kMostWork / (1 + test.program.program->instruction_count() + 4 * test.lowered.steps.size());
@@ -85,8 +85,10 @@ class Run {
   void expect(const cdl::LoweredStep& step) {
     if (!std::exchange(is_looked_at_, true)) cycle();
     const bool is_within = step.written->when == TestStep::When::kWithin;
+    const std::vector<const flow::Port*> operands = operands_of(step);
     for (std::uint32_t i = 1; !outcome_.failure; ++i) {
-      const bool is_so = holds(step);
+      check_numbers(step, operands);
+      const bool is_so = !outcome_.failure && holds(step);
       if (outcome_.failure || (is_within && is_so)) return;
       const bool is_last = i >= step.cycles;
       const bool is_lasting = step.written->when == TestStep::When::kFor;
@@ -112,23 +114,33 @@ class Run {
     }
     const flow::Source& condition = step.condition;
     if (condition.kind == flow::Source::Kind::kConstant) return condition.text == "true";
-    check_subject(step);
     const flow::Port* port = program().find(condition.text);
     return port != nullptr && frame()[port->offset] != std::byte{0};
   }
 
+  std::vector<const flow::Port*> operands_of(const cdl::LoweredStep& step) const {
+    if (step.written->about != TestStep::About::kCondition) return {};
+    std::vector<const flow::Port*> out =
+        written_below(test_.lowered.network, program(), step.condition.text, whole_test());
+    out.push_back(program().find(test_.lowered.subject));
+    std::erase_if(out,
+                  [](const flow::Port* port) { return port == nullptr || port->type->is_finite == nullptr; });
+    return out;
+  }
+
   // What is no number compares as it likes.
-  void check_subject(const cdl::LoweredStep& step) {
-    const flow::Port* port = program().find(test_.lowered.subject);
-    if (port == nullptr || port->type->is_finite == nullptr) return;
-    if (!port->type->is_finite(frame() + port->offset))
-      fail(step, fmt::format("can't be told: `{}` is no number", port->path));
+  void check_numbers(const cdl::LoweredStep& step, const std::vector<const flow::Port*>& operands) {
+    for (const flow::Port* port : operands) {
+      if (!port->type->is_finite(frame() + port->offset))
+        return fail(step, fmt::format("can't be told: `{}` is no number", port->path));
+    }
   }
 
   void cycle() {
     if (++outcome_.cycles > most_cycles_) {
       --outcome_.cycles;
-      fail_anywhere("takes more work than a test may");
+      fail_anywhere(fmt::format("takes more work than a test may: {} of this size",
+                                base::counted(most_cycles_, "cycle")));
       return;
     }
     program().sequence_states(frame(), before_);
@@ -221,7 +233,8 @@ class Run {
 
 }  // namespace
 
-Tests load(const text::SourcePtr& source, const robot::ProgramSources& sources, text::Diagnostics& sink) {
+Tests load(const text::SourcePtr& source, const robot::ProgramSources& sources, text::Diagnostics& sink,
+           const IsWanted& is_wanted) {
   const std::size_t errors_before = sink.error_count();
   Tests out;
   const text::Files files = robot::files_of(sources);
@@ -235,6 +248,8 @@ Tests load(const text::SourcePtr& source, const robot::ProgramSources& sources, 
   cdl::check_tests(out.configuration, library->library, sink, said);
   if (sink.error_count() > errors_before) return {};
   for (const cdl::Test* test : cdl::tests_of(*out.configuration.trees.front())) {
+    out.names.push_back(test->name.text);
+    if (!is_wanted(test->name.text)) continue;
     Test& one = out.tests.emplace_back();
     one.lowered = cdl::lower(out.configuration, *test, library->library, sink, said);
     auto program = cdl::build({one.lowered.network, {}}, library->library, sink, said);

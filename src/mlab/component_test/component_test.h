@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mlab/component_test/feeding.h"
@@ -23,13 +25,19 @@ struct Test {
 /// The tests of one configuration.
 struct Tests {
   cdl::Configuration configuration;  ///< whose trees the tests point into
-  std::vector<Test> tests;           ///< in the order of the text
+  std::vector<std::string> names;    ///< of all, in the order of the text
+  std::vector<Test> tests;           ///< those that are wanted, in that order
 };
 
-/// Reads a configuration and makes the programs of its tests.
+/// Which tests are wanted, by their names.
+using IsWanted = std::function<bool(std::string_view)>;
+
+/// Reads a configuration and makes the programs of those of its tests that are wanted. All are checked.
 ///
 /// @return  nothing where there are errors in it, in what it uses or in a test
-Tests load(const text::SourcePtr& source, const robot::ProgramSources& sources, text::Diagnostics& sink);
+Tests load(
+    const text::SourcePtr& source, const robot::ProgramSources& sources, text::Diagnostics& sink,
+    const IsWanted& is_wanted = [](std::string_view) { return true; });
 
 /// Why a test failed.
 struct Failure {

@@ -229,6 +229,46 @@ test "x" of DivideVector(Noise(), 0) { expect length(it) > 100; }
   EXPECT_NE(told.find("is no number"), std::string::npos) << told;
 }
 
+TEST(ComponentTest, WhatIsNoNumberOnTheWayToAConditionIsToldAsSuch) {
+  const std::string told = failure_of(R"(
+test "x" of Stand() { let n = 1 / length(it); expect not (n > 1); }
+)");
+  EXPECT_NE(told.find("`n` is no number"), std::string::npos) << told;
+}
+
+TEST(ComponentTest, ALetRunsThoughNobodyReadsIt) {
+  const std::string kComing = R"(
+assemblage S() { sequence { start P: Stand(); when Detect(Mine) goto Q; Q: Wander(); } }
+test "x" of Wander() {
+  let other = S();
+  expect state P;
+  given object(Mine, [2 m, 0 m]);
+)";
+  EXPECT_TRUE(outcome_of(kComing + "  expect state other.Q;\n}\n").has_passed());
+  EXPECT_NE(failure_of(kComing + "  expect no state Q;\n}\n"), "");
+}
+
+TEST(ComponentTest, MayRunAsManyCyclesAsAreAllowed) {
+  const std::string given = "given obstacle([2 m, 0 m]); given no obstacle; given object(Mine, [1 m, 0 m]);";
+  for (const std::string& steps : {given + " after 99999 cycles; expect length(it) == 0;",
+                                   std::string("after 100000 cycles; expect for 1 cycle: length(it) == 0;")})
+    EXPECT_TRUE(outcome_of("test \"x\" of Stand() { " + steps + " }").has_passed()) << steps;
+  EXPECT_NE(errors_of("test \"x\" of Stand() { after 100000 cycles; given no obstacle; expect it == it; }"),
+            "");
+}
+
+TEST(ComponentTest, NumbersThatNobodySaidAreOfNothingElse) {
+  const Outcome outcome = outcome_of(R"(
+test "x" of Stand() {
+  given object(Mine, [1 m, 0 m], id = 1);
+  given object(Mine, [2 m, 0 m]);
+  given claim(1, 7);
+  expect IsValidObject(ClosestObject(UnclaimedObjects(sense_objects())));
+}
+)");
+  EXPECT_TRUE(outcome.has_passed());
+}
+
 TEST(ComponentTest, TestWordsMayStillBeNames) {
   text::Diagnostics sink;
   load(std::make_shared<const text::Source>("names.cdl", R"(

@@ -28,11 +28,13 @@ std::vector<std::string> sources_of(const Node& node) {
   return out;
 }
 
+bool is_inside(const text::Place& at, const text::Place& inside) {
+  return at.source && at.source == inside.source && at.span.begin >= inside.span.begin &&
+         at.span.end <= inside.span.end && at.span.begin < at.span.end;
+}
+
 std::string words_of(const Node& node, const text::Place& inside) {
-  const text::Place& at = node.place;
-  const bool is_inside = at.source && at.source == inside.source && at.span.begin >= inside.span.begin &&
-                         at.span.end <= inside.span.end && at.span.begin < at.span.end;
-  return is_inside ? in_short(at.source->text(at.span), 48) : node.name;
+  return is_inside(node.place, inside) ? in_short(node.place.source->text(node.place.span), 48) : node.name;
 }
 
 // Digits that nobody reads are left out.
@@ -63,6 +65,24 @@ std::string in_short(std::string_view text, std::size_t most) {
     std::size_t end = most - 3;
     while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0U) == 0x80U) --end;
     return out.substr(0, end) + "...";
+  }
+  return out;
+}
+
+std::vector<const flow::Port*> written_below(const flow::Network& network, const flow::Program& program,
+                                             const std::string& node, const text::Place& inside) {
+  std::map<std::string_view, const Node*> nodes;
+  for (const Node& one : network.nodes) nodes.try_emplace(one.name, &one);
+  std::vector<const flow::Port*> out;
+  std::set<std::string> seen = {node};
+  std::vector<std::string> next = {node};
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const auto found = nodes.find(next[i]);
+    if (found == nodes.end() || !is_inside(found->second->place, inside)) continue;
+    if (const flow::Port* port = program.find(next[i])) out.push_back(port);
+    for (std::string& source : sources_of(*found->second)) {
+      if (seen.insert(source).second) next.push_back(std::move(source));
+    }
   }
   return out;
 }

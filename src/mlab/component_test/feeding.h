@@ -30,6 +30,10 @@ std::vector<Said> feeding(const flow::Network& network, const flow::Program& pro
                           std::span<const std::uint32_t> ran, const std::string& node,
                           const text::Place& inside);
 
+/// Of a node, and of those that it takes its value from, those which the author wrote in there.
+std::vector<const flow::Port*> written_below(const flow::Network& network, const flow::Program& program,
+                                             const std::string& node, const text::Place& inside);
+
 /// On one line, and not a long one.
 std::string in_short(std::string_view text, std::size_t most = 72);
 

@@ -48,9 +48,8 @@ percept::ObjectClass class_in(const LoweredStep& step) {
   return bit > last ? percept::ObjectClass::kUnknown : static_cast<percept::ObjectClass>(bit);
 }
 
-std::uint32_t id_or_next(const LoweredStep& step, std::uint32_t& next) {
-  const auto id = static_cast<std::uint32_t>(value<int>(step, "id"));
-  return id != 0 ? id : next++;
+std::uint32_t said_id(const LoweredStep& step) {
+  return static_cast<std::uint32_t>(value<int>(step, "id"));
 }
 
 percept::ObjectStyle style_of(const LoweredStep& step) {
@@ -66,6 +65,20 @@ void sort_nearest_first(auto& readings) {
 }
 
 }  // namespace
+
+Situation::Situation(const std::vector<LoweredStep>& steps) {
+  for (const LoweredStep& step : steps) {
+    if (step.percept == nullptr || step.written->kind != cdl::TestStep::Kind::kGiven) continue;
+    if (step.percept->percept == TestPercept::kRobot) robot_ids_.said.insert(said_id(step));
+    if (step.percept->percept == TestPercept::kObject) object_ids_.said.insert(said_id(step));
+  }
+}
+
+std::uint32_t Situation::id_of(const LoweredStep& step, Ids& ids) {
+  if (const std::uint32_t id = said_id(step); id != 0) return id;
+  while (ids.said.contains(ids.next)) ++ids.next;
+  return ids.next++;
+}
 
 void Situation::forget(TestPercept what) {
   switch (what) {
@@ -152,7 +165,7 @@ void Situation::take_unit(const LoweredStep& step) {
 
 void Situation::take_robot(const LoweredStep& step) {
   Robot one{value<geom::Point>(step, "at"), number(step, "heading"), {}};
-  one.reading.id = {id_or_next(step, next_robot_)};
+  one.reading.id = {id_of(step, robot_ids_)};
   one.reading.radius = number(step, "radius");
   one.reading.is_unit_mate = value<bool>(step, "mate");
   one.reading.object_class = class_in(step);
@@ -161,7 +174,7 @@ void Situation::take_robot(const LoweredStep& step) {
 
 void Situation::take_object(const LoweredStep& step) {
   Object one{value<geom::Point>(step, "at"), {}};
-  one.reading.id = {id_or_next(step, next_object_)};
+  one.reading.id = {id_of(step, object_ids_)};
   one.reading.object_class = class_in(step);
   one.reading.style = style_of(step);
   one.reading.radius = number(step, "radius");

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace mlab::component_test {
 /// What a test says that its robot senses, from one `given` to the next.
 class Situation {
  public:
+  /// @param steps  all of the test: what has no number of its own gets one that none of them says
+  explicit Situation(const std::vector<cdl::LoweredStep>& steps);
+
   /// `given ...`, `given no ...`
   void take(const cdl::LoweredStep& step);
   /// Valid until something else is called.
@@ -34,8 +38,14 @@ class Situation {
     geom::Point at;
     percept::ObjectReading reading;
   };
+  /// Numbers of things of a kind.
+  struct Ids {
+    std::set<std::uint32_t> said;
+    std::uint32_t next = 1;  ///< that may be free
+  };
 
   void forget(cdl::TestPercept what);
+  static std::uint32_t id_of(const cdl::LoweredStep& step, Ids& ids);
   void take_order(const cdl::LoweredStep& step);
   void take_unit(const cdl::LoweredStep& step);
   void take_robot(const cdl::LoweredStep& step);
@@ -61,8 +71,8 @@ class Situation {
   bool has_center_ = false;
   bool has_leader_ = false;
   bool has_neighbor_ = false;
-  std::uint32_t next_robot_ = 2;  // the tested one is 1
-  std::uint32_t next_object_ = 1;
+  Ids robot_ids_ = {{1}, 2};  // the tested one is 1
+  Ids object_ids_;
 
   // Of the cycle, nearest first.
   std::vector<percept::Obstacle> seen_obstacles_;

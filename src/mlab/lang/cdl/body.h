@@ -17,6 +17,7 @@ struct BodyProperty {
   double min = 0.0;          ///< [unit]
   double max = 0.0;          ///< [unit]
   std::string_view help;
+  bool is_whole = false;  ///< a count, or yes and no
 
   bool is_angle() const { return unit.starts_with("deg"); }
 };

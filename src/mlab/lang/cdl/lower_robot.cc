@@ -1,6 +1,7 @@
 // Robots: parameters that missions set, devices that serve binding points, what drives the actuators.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -140,7 +141,14 @@ void Lowering::choose_devices(const Robot& robot) {
 }
 
 void Lowering::lower_body(const RobotClass& robot_class, Scope& scope, LoweredRobot& out) {
+  std::map<std::string_view, const BodySetting*> set;
   for (const BodySetting& setting : robot_class.body) {
+    const auto [first, is_new] = set.try_emplace(setting.name.text, &setting);
+    if (!is_new) {
+      error("duplicate-name", setting.name.place, fmt::format("`{}` is set twice", setting.name.text))
+          .notes.push_back({"the first is here", first->second->name.place});
+      continue;
+    }
     const Value value = lower(*setting.value, scope);
     if (value.kind == Value::Kind::kNone) continue;
     if (setting.name.text == "drive") {
@@ -188,6 +196,11 @@ std::optional<double> Lowering::body_number(const BodySetting& setting, const Bo
     error("out-of-range", setting.value->place, fmt::format("{} is out of range", quoted_number(value)))
         .label = fmt::format("`{}` takes {} .. {}{}", property.name, property.min, property.max,
                              bracketed(std::string(property.unit)));
+    return std::nullopt;
+  }
+  if (property.is_whole && in_range != std::floor(in_range)) {
+    error("out-of-range", setting.value->place, fmt::format("{} is no whole number", quoted_number(value)))
+        .label = fmt::format("`{}` takes {} .. {}", property.name, property.min, property.max);
     return std::nullopt;
   }
   return number;

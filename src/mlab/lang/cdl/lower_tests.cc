@@ -41,6 +41,29 @@ Robot robot_of(const Test& test, const Configuration& configuration) {
   return out;
 }
 
+// That a test may run: what is expected is looked at in the first cycle since something was given.
+std::uint64_t most_cycles(const std::vector<LoweredStep>& steps) {
+  std::uint64_t out = 0;
+  bool is_looked_at = false;
+  for (const LoweredStep& step : steps) {
+    switch (step.written->kind) {
+      case TestStep::Kind::kGiven:
+      case TestStep::Kind::kGivenNo:
+        is_looked_at = false;
+        break;
+      case TestStep::Kind::kAfter:
+        out += step.cycles;
+        is_looked_at = true;
+        break;
+      case TestStep::Kind::kExpect:
+        out += step.cycles - (is_looked_at ? 1 : 0);
+        is_looked_at = true;
+        break;
+    }
+  }
+  return out;
+}
+
 std::vector<std::string> percept_names() {
   std::vector<std::string> out;
   for (const TestPerceptInfo& one : test_percepts()) out.emplace_back(one.name);
@@ -227,7 +250,6 @@ LoweredTest Lowering::test(const Test& test) {
   if (subject.kind == Value::Kind::kWord || subject.kind == Value::Kind::kText)
     bind(subject, types_.named("Vector"), nullptr, "test", test.subject->place);
   std::set<std::string> awake = {subject.text};
-  std::uint64_t cycles = 0;
   for (const TestStep& step : test.steps) {
     LoweredStep& one = out.steps.emplace_back();
     one.written = &step;
@@ -238,16 +260,18 @@ LoweredTest Lowering::test(const Test& test) {
     if (one.condition.kind == flow::Source::Kind::kName) awake.insert(one.condition.text);
     const bool waits = step.kind == TestStep::Kind::kAfter || step.when != TestStep::When::kNow;
     if (waits) one.cycles = cycles_of(step);
-    cycles += one.cycles;
   }
-  if (cycles > kMostTestCycles)
+  if (most_cycles(out.steps) > kMostTestCycles)
     error("out-of-range", test.name.place,
           fmt::format("a test runs at most {} cycles in all", kMostTestCycles));
   const bool expects = std::ranges::any_of(
       test.steps, [](const TestStep& step) { return step.kind == TestStep::Kind::kExpect; });
   if (!expects)
     warning("expects-nothing", test.name.place, "this test expects nothing").label = "so it can't fail";
-  for (const Let& let : test.lets) lower_let(scope.names[let.name.text], scope);
+  for (const Let& let : test.lets) {
+    const Value value = lower_let(scope.names[let.name.text], scope);
+    if (value.kind == Value::Kind::kWire) awake.insert(value.text);
+  }
   keep_awake(awake);
   for (LoweredStep& step : out.steps) {
     if (!step.written->fact.text.empty()) lower_fact(*step.written, step);
