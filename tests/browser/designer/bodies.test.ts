@@ -152,6 +152,7 @@ robot R is Cart {
       ),
   });
   const { page, details } = designer;
+  await designer.verdict.waitFor();
   await designer.toDeclaration("Cart");
   // What R asks for stands there, and nothing serves it.
   const open = designer.node("$point.look_ahead");
