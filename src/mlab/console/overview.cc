@@ -129,6 +129,7 @@ void encode_port(const flow::Program& program, const flow::Port& port, Port& out
   for (std::string& word : words_of(*port.type)) out.add_choices(std::move(word));
   const std::byte* const initial = program.initial_frame().data();
   out.set_is_number(flow::Program::number(initial, port).has_value());
+  out.set_can_be_held(!flow::Interventions::why_never_held(program, port));
   if (port.role != flow::Port::Role::kOutput) out.set_initial(clean(flow::Program::print(initial, port)));
 }
 

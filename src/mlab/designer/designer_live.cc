@@ -391,15 +391,16 @@ void Designer::Parts::read_field(console::ConnectionId from, std::uint32_t numbe
                   reading](bool was_read) {
                    const bool is_read = was_read && reading->problem().empty();
                    const auto arrows = is_read ? std::optional(reading->arrows()) : std::nullopt;
-                   inbox->post([this, from, number, request, what, part, grid, arrows] {
-                     answer_field(from, number, request, what, part, grid, arrows);
+                   const bool is_as_is = reading->is_as_is();
+                   inbox->post([this, from, number, request, what, part, grid, arrows, is_as_is] {
+                     answer_field(from, number, request, what, part, grid, arrows, is_as_is);
                    });
                  });
 }
 
 void Designer::Parts::answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
                                    const Planned& what, const FieldProgram& part, const FieldGrid& grid,
-                                   const std::optional<std::string>& arrows) {
+                                   const std::optional<std::string>& arrows, bool is_as_is) {
   FromDesigner message;
   Answer& out = *message.mutable_answer();
   out.set_request(number);
@@ -407,9 +408,9 @@ void Designer::Parts::answer_field(console::ConnectionId from, std::uint32_t num
   const OpenConfiguration* one = desk_.find(request.document());
   if (arrows) {
     out.mutable_field()->set_arrows(*arrows);
-    out.mutable_field()->set_note(request.robot() == 0
-                                      ? "a robot that has just started, among those that run"
-                                      : fmt::format("robot {} with its state as it is now", request.robot()));
+    out.mutable_field()->set_note(is_as_is
+                                      ? fmt::format("robot {} with its state as it is now", request.robot())
+                                      : "a robot that has just started, among those that run");
   } else if (request.robot() != 0 || one == nullptr) {
     fail(out, not_known("that robot does not run").error());
   } else if (const text::Result<std::string> alone = field_alone(*one, what, part, grid); alone) {

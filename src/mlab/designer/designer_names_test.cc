@@ -90,6 +90,23 @@ TEST_F(DesignerNamesTest, APlanSaysWhatChangesInAllFiles) {
   EXPECT_EQ(browser_.read("robots.cdl"), kRobots) << "nothing is done yet";
 }
 
+TEST(DesignerNames, AFolderBehindTheMostFilesIsNotLookedAtAndThatIsSaid) {
+  Browser browser;
+  const auto left_out = [&] {
+    return browser
+        .ask([](ToDesigner& m) {
+          m.mutable_search()->set_query("Scout");
+          m.mutable_search()->set_most(9);
+        })
+        .hits()
+        .left_out();
+  };
+  for (int i = 0; i < 2000; ++i) browser.write("a/" + std::to_string(i) + ".cdl", "");
+  EXPECT_EQ(left_out(), "");
+  browser.write("b/more.cdl", "");
+  EXPECT_NE(left_out(), "");
+}
+
 TEST_F(DesignerNamesTest, WhatIsNotLookedAtIsSaid) {
   const auto search = [&] {
     return browser_.ask([](ToDesigner& m) {

@@ -163,7 +163,7 @@ class Designer::Parts {
   /// @param arrows  nothing: there is no run that could give them
   void answer_field(console::ConnectionId from, std::uint32_t number, const ReadField& request,
                     const Planned& what, const FieldProgram& part, const FieldGrid& grid,
-                    const std::optional<std::string>& arrows);
+                    const std::optional<std::string>& arrows, bool is_as_is);
 
   // ---- designer_compare.cc
 

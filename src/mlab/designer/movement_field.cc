@@ -74,9 +74,12 @@ FieldReading::FieldReading(FieldProgram part, FieldGrid grid, bool as_is)
 
 void FieldReading::begin(const fleet::MissionRun& run, const fleet::FleetRobot& body) {
   const flow::Program& program = *program_.program;
+  const robot::Workings robot = body.workings();
+  // What a stranger's process has left may be anything, and our own code would stand on it.
+  const bool is_trusted = program_.hosted || (body.program != nullptr && !body.program->hosted);
+  as_is_ = as_is_ && robot && is_trusted;
   find_places(run);
-  if (const robot::Workings robot = body.workings(); as_is_ && robot)
-    program.take_over(start_.data(), *robot.program, robot.frame);
+  if (as_is_) program.take_over(start_.data(), *robot.program, robot.frame);
   needs_ = program.needs(start_.data());
   runners_.emplace(run.seed(), 1);
   runner_ = runners_->runner_of(program_);

@@ -47,7 +47,8 @@ struct FieldGrid {
 /// grid in pieces, so that the run need not wait for all of it.
 class FieldReading {
  public:
-  /// @param as_is   it has the robot's state, as when reading began; else it has just started
+  /// @param as_is   it has the robot's state, as when reading began; else it has just started. State that a
+  ///                process of its own has computed is for such a process only
   FieldReading(FieldProgram part, FieldGrid grid, bool as_is);
 
   FieldReading(const FieldReading&) = delete;  // runners know where the program is
@@ -59,6 +60,8 @@ class FieldReading {
   bool read(const fleet::MissionRun& run, const fleet::FleetRobot& body, double budget);
   /// Why it can't be read, as a sentence: the mission lacks a place that the part wants. Empty: it can.
   const std::string& problem() const { return problem_; }
+  /// What has been read is of the robot's state; once reading has begun.
+  bool is_as_is() const { return as_is_; }
   /// What has been read.
   const std::string& arrows() const { return arrows_; }
 

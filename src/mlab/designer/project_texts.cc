@@ -33,15 +33,15 @@ void ProjectTexts::find(const std::string& folder, int depth, std::vector<std::s
   }
   is_cut_ = is_cut_ || entries->size() == documents::ProjectFolder::kMostEntries;
   for (const documents::ProjectFolder::Entry& entry : *entries) {
-    if (entry.is_folder) {
-      if (out.size() < kMostFiles) find(entry.path, depth + 1, out);
-    } else if (is_in_a_language(entry.path)) {
-      if (out.size() == kMostFiles) {
-        is_cut_ = true;
-        return;
-      }
-      out.push_back(entry.path);
+    if (!entry.is_folder && !is_in_a_language(entry.path)) continue;
+    if (out.size() == kMostFiles) {
+      is_cut_ = true;
+      return;
     }
+    if (entry.is_folder)
+      find(entry.path, depth + 1, out);
+    else
+      out.push_back(entry.path);
   }
 }
 

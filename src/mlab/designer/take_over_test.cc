@@ -86,6 +86,13 @@ TEST_F(TakingOver, WhatCanNotBeTakenOverIsRefusedAndTheRunGoesOn) {
   EXPECT_TRUE(take_over().ok());
 }
 
+TEST_F(TakingOver, ARestartAfterOneThatWasRefusedIsOfWhatRan) {
+  type("assemblage Turns() { Nothing(); }\n");
+  EXPECT_FALSE(take_over().ok());
+  desk().browser().control(Control::RESTART);
+  EXPECT_TRUE(desk().browser().wait([&] { return desk().browser().status().mode() == Status::READY; }));
+}
+
 TEST_F(TakingOver, OfAnotherMissionIsRefused) {
   const double before = time();
   desk().browser().control(Control::RESTART);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/core.h>
@@ -48,12 +49,11 @@ std::string why_not(const Fleet& fleet, const Crew& crew) {
 
 std::vector<Takeover::Restart> by_path(const std::vector<std::pair<base::RobotId, flow::Restart>>& all) {
   std::vector<Takeover::Restart> out;
+  std::map<flow::Restart, std::size_t> known;  // index in `out`
   for (const auto& [robot, restart] : all) {
-    auto known = std::ranges::find_if(out, [&](const Takeover::Restart& one) {
-      return one.path == restart.path && one.why == restart.why;
-    });
-    if (known == out.end()) known = out.insert(out.end(), {restart.path, restart.why, {}});
-    known->robots.push_back(robot);
+    const auto [at, is_new] = known.try_emplace(restart, out.size());
+    if (is_new) out.push_back({restart.path, restart.why, {}});
+    out[at->second].robots.push_back(robot);
   }
   return out;
 }

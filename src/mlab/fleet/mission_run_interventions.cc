@@ -30,7 +30,11 @@ std::optional<std::string> MissionRun::hold_value(base::RobotId robot, const std
 }
 
 std::optional<std::string> MissionRun::release_value(base::RobotId robot, const std::string& port) {
+  const FleetRobot* const known = fleet_->find(robot);
+  const flow::Interventions* const before = known == nullptr ? nullptr : known->workings().interventions;
+  const bool holds_something = before != nullptr && !before->held().empty();
   if (auto problem = fleet_->release(robot, port)) return problem;
+  if (!holds_something) return std::nullopt;
   interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kRelease, port, ""});
   return std::nullopt;
 }

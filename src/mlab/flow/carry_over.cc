@@ -113,7 +113,11 @@ void CarryOver::carry_settings() {
       continue;
     const bool was_set =
         std::memcmp(old_ + theirs->offset, before_.initial.data() + theirs->offset, size) != 0;
-    if (was_set) copy(mine.offset, theirs->offset, size);
+    if (!was_set) continue;
+    if (Program::is_in_range(mine, old_ + theirs->offset))
+      copy(mine.offset, theirs->offset, size);
+    else
+      out_.restarts.push_back({mine.path, kOutOfRange});
   }
 }
 

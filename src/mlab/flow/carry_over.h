@@ -17,6 +17,9 @@ struct Restart {
   friend auto operator<=>(const Restart&, const Restart&) = default;
 };
 
+/// Of a parameter that somebody has set, behind its path.
+inline constexpr const char* kOutOfRange = "is as the text says: what was set is out of its range now";
+
 /// A program with the values of its robots before their first cycle.
 struct ProgramVersion {
   const Program& program;
@@ -31,8 +34,8 @@ struct CarriedOver {
 /// What a robot's values become when another program takes the place of its own between two cycles. Nodes are
 /// the same that have the same path and behavior: they keep state, output, and when they fired. Sequences
 /// stay in their state where there is one of its name. Parameters and constants become those of the program
-/// after, but for those that somebody has set meanwhile. Asynchronous procedures begin what they compute
-/// anew. Of the same program everything is kept, bit for bit.
+/// after, but for those that somebody has set meanwhile, where they are still in range. Asynchronous
+/// procedures begin what they compute anew. Of the same program everything is kept, bit for bit.
 ///
 /// @param frame          of the program before; any bytes
 /// @param has_same_code  behaviors that only a process elsewhere can fire do the same under the same name

@@ -122,6 +122,22 @@ TEST(CarryOver, TheTextsValuesHoldUnlessSomebodyHasSetThem) {
   EXPECT_EQ(changed.runner.number("b"), 73.0) << "it goes on counting";
 }
 
+TEST(CarryOver, WhatSomebodyHasSetIsNotKeptWhereItIsOutOfRangeNow) {
+  CarryingRobot robot(counting());
+  robot.steps(4);
+  const Port& bias = *robot.runner.program->find("bias");
+  ASSERT_EQ(robot.runner.program->set(robot.runner.frame.data(), bias, "2000"), std::nullopt);
+  Network narrow = counting();
+  narrow.parameters[0].max = 1500.0;
+  CarryingRobot changed(narrow);
+  EXPECT_EQ(changed.take_over(robot), (std::vector<Restart>{{"bias", kOutOfRange}}));
+  EXPECT_EQ(changed.runner.number("bias"), 1000.0);
+  narrow.parameters[0].max = 2000.0;
+  CarryingRobot wide(narrow);
+  EXPECT_TRUE(wide.take_over(robot).empty());
+  EXPECT_EQ(wide.runner.number("bias"), 2000.0);
+}
+
 TEST(CarryOver, ASequenceWhoseStateIsGoneBeginsAndSaysSo) {
   CarryingRobot robot(counting());
   robot.steps(4);

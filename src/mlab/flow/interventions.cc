@@ -38,17 +38,26 @@ std::optional<std::string> Interventions::force(const Program& program, const st
   return std::nullopt;
 }
 
+std::optional<std::string> Interventions::why_never_held(const Program& program, const Port& port) {
+  if (port.role != Port::Role::kOutput)
+    return fmt::format("`{}` is not computed: set it instead of holding it", port.path);
+  if (program.is_news(port))
+    return fmt::format("`{}` says when a value has come, and can't be held: hold the value", port.path);
+  if (port.type->parse == nullptr)
+    return fmt::format("`{}` is of type {}, which has no constants", port.path, port.type->name);
+  if (port.type->size > kLargest)
+    return fmt::format("a {} has {} bytes, and at most {} can be held", port.type->name, port.type->size,
+                       kLargest);
+  return std::nullopt;
+}
+
 std::optional<std::string> Interventions::hold(const Program& program, const std::byte* frame,
                                                std::string_view path, std::string_view value) {
   const Port* port = program.find(path);
   if (port == nullptr) return fmt::format("the program has no `{}`", text::shown(path));
-  if (port->role != Port::Role::kOutput)
-    return fmt::format("`{}` is not computed: set it instead of holding it", path);
+  if (auto problem = why_never_held(program, *port)) return problem;
   alignas(Frame::kAlignment) Program::ValueBytes bytes{};
   if (auto problem = program.read(*port, value, bytes)) return problem;
-  if (port->type->size > kLargest)
-    return fmt::format("a {} has {} bytes, and at most {} can be held", port->type->name, port->type->size,
-                       kLargest);
   Held* known = held_at(port->offset);
   if (known == nullptr) {
     if (held_count_ == kMostHeld)
@@ -66,18 +75,15 @@ std::optional<std::string> Interventions::hold(const Program& program, const std
 
 std::optional<std::string> Interventions::release(const Program& program, std::byte* frame,
                                                   std::string_view path) {
-  const auto let_go = [&](const Held& one) {
-    std::memcpy(frame + one.offset, one.computed.data(), one.size);
-  };
   if (path.empty()) {
-    std::ranges::for_each(held(), let_go);
+    let_go(frame);
     held_count_ = 0;
     return std::nullopt;
   }
   const Port* port = program.find(path);
   Held* known = port == nullptr ? nullptr : held_at(port->offset);
   if (known == nullptr) return fmt::format("`{}` is not held", text::shown(path));
-  let_go(*known);
+  std::memcpy(frame + known->offset, known->computed.data(), known->size);
   std::move(known + 1, held_.data() + held_count_, known);
   --held_count_;
   return std::nullopt;
@@ -94,27 +100,49 @@ void Interventions::begin_anew(const std::byte* frame) {
     std::memcpy(held_[i].computed.data(), frame + held_[i].offset, held_[i].size);
 }
 
-std::vector<std::string> Interventions::carry_over(const Program& before, const Program& after,
-                                                   const std::byte* frame) {
-  std::vector<std::string> lost;
+void Interventions::let_go(std::byte* frame) const {
+  for (const Held& one : held()) std::memcpy(frame + one.offset, one.computed.data(), one.size);
+}
+
+std::optional<std::string> Interventions::why_not_held(const Port* mine, const Port& theirs, const Held& held,
+                                                       const Program& after, bool has_same_code) {
+  if (mine == nullptr) return "nothing of that name is left";
+  if (mine->type != theirs.type && !(has_same_code && same_type(*mine->type, *theirs.type)))
+    return fmt::format("it is a {} now", mine->type->name);
+  if (auto problem = why_never_held(after, *mine)) return problem;
+  if (held_at(mine->offset) != nullptr) return "it is one with another that is held";
+  if (!Program::is_in_range(*mine, held.value.data())) return "the value is out of its range now";
+  return std::nullopt;
+}
+
+std::vector<Interventions::Lost> Interventions::carry_over(const Program& before,
+                                                           const std::byte* before_frame,
+                                                           const Program& after, std::byte* frame,
+                                                           bool has_same_code) {
+  std::vector<Lost> lost;
   const Interventions old = std::exchange(*this, {});
   for (const Held& one : old.held()) {
     const Port& theirs = before.ports()[one.port];
     const Port* const mine = after.find(theirs.path);
-    if (mine == nullptr || mine->role != Port::Role::kOutput || mine->type != theirs.type ||
-        held_at(mine->offset) != nullptr) {
-      lost.push_back(theirs.path);
+    if (const auto why = why_not_held(mine, theirs, one, after, has_same_code)) {
+      lost.push_back({theirs.path, fmt::format("is not held any more: {}", *why)});
       continue;
     }
     Held& held = held_[held_count_++];
     held = one;
     held.port = static_cast<std::uint32_t>(mine - after.ports().data());
     held.offset = mine->offset;
+    // Of the node before, or of one that begins anew.
+    std::memcpy(held.computed.data(), frame + held.offset, held.size);
+    const bool was_seen =
+        before_frame != nullptr && std::memcmp(before_frame + one.offset, one.computed.data(), one.size) != 0;
+    if (was_seen) std::memcpy(frame + held.offset, before_frame + one.offset, held.size);
   }
   for (std::uint32_t i = 0; i < old.coming_count_; ++i) {
-    const auto& [sequence, state, was_done] = old.coming_[i];
-    static_cast<void>(
-        force(after, frame, before.sequence_name(sequence), before.state_names(sequence)[state]));
+    const std::string& sequence = before.sequence_name(old.coming_[i].sequence);
+    const std::string& state = before.state_names(old.coming_[i].sequence)[old.coming_[i].state];
+    if (const auto why = force(after, frame, sequence, state))
+      lost.push_back({sequence, fmt::format("is not sent to {} any more: {}", state, *why)});
   }
   return lost;
 }

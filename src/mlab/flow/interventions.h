@@ -12,6 +12,7 @@
 namespace mlab::flow {
 
 class Program;
+struct Port;
 
 /// What a person makes one robot's program do against what it computes: outputs of nodes are held at values,
 /// sequences go to states. Belongs to the program's frame, and is handed over with it, byte by byte.
@@ -23,6 +24,9 @@ class Interventions {
   static constexpr std::size_t kMostHeld = 16;
   static constexpr std::size_t kMostForced = 8;
   static constexpr std::size_t kLargest = 64;  ///< value that can be held [bytes]
+
+  /// Why the port can't be held at any value, as a sentence; nothing: it can.
+  static std::optional<std::string> why_never_held(const Program& program, const Port& port);
 
   struct Held {
     std::uint32_t port = 0;  ///< index in Program::ports
@@ -43,7 +47,7 @@ class Interventions {
                                    std::string_view state);
   /// From the coming cycle on, who reads the output sees the value; instead of that before, where it is held.
   /// @param value  as a person writes it, in the port's edge_unit
-  /// @errors  a sentence that says why not; nothing has changed
+  /// @errors  a sentence that says why not: as `why_never_held`, it is no such value; nothing has changed
   std::optional<std::string> hold(const Program& program, const std::byte* frame, std::string_view port,
                                   std::string_view value);
   /// The output is again what its node computes, at once what it has computed last.
@@ -60,11 +64,20 @@ class Interventions {
   void finish();
   /// The frame is another one of the same program; nothing is to be forced any more.
   void begin_anew(const std::byte* frame);
+  /// Something that is left out where the program is exchanged.
+  struct Lost {
+    std::string path;  ///< of the port or sequence
+    std::string why;   ///< behind the path: `is not held any more: ...`
+  };
+  /// What a frame is without them: outputs are what their nodes have computed.
+  void let_go(std::byte* frame) const;
   /// These of a robot whose program is exchanged, for the program after; what that has no place for is left
   /// out.
-  /// @param frame  that goes on
-  /// @return  paths of values that are not held any more
-  std::vector<std::string> carry_over(const Program& before, const Program& after, const std::byte* frame);
+  /// @param before_frame   of the program before, with held values; null: it is not to be trusted
+  /// @param frame          that goes on, made from what `let_go` left
+  /// @param has_same_code  as flow::carry_over
+  std::vector<Lost> carry_over(const Program& before, const std::byte* before_frame, const Program& after,
+                               std::byte* frame, bool has_same_code);
   /// What a process that is not trusted has noted of its cycle. These went to it.
   void take_notes_of(const Interventions& other);
 
@@ -89,6 +102,9 @@ class Interventions {
   }
 
  private:
+  std::optional<std::string> why_not_held(const Port* mine, const Port& theirs, const Held& held,
+                                          const Program& after, bool has_same_code);
+
   std::uint32_t held_count_ = 0;
   std::uint32_t coming_count_ = 0;
   std::uint32_t last_count_ = 0;

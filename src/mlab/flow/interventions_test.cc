@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/count_allocations.h"
+#include "mlab/flow/carry_over.h"
 #include "mlab/flow/testing/behaviors.h"
 
 namespace mlab::flow {
@@ -214,6 +215,89 @@ TEST(Interventions, RefuseWhatCanNotBeHeld) {
   EXPECT_EQ(robot.release("job"), "`job` is not held");
   EXPECT_EQ(robot.release("nobody"), "`nobody` is not held");
   EXPECT_TRUE(robot.hands().is_empty());
+}
+
+TEST(Interventions, WhetherAValueIsFreshCanNotBeHeldButTheValueCan) {
+  Network network;
+  network.nodes.push_back(node("slow", "SlowSquare", {{"x", constant("3")}}));
+  network.nodes.push_back(node("sink", "Show", {{"value", name("slow")}}));
+  HandledRobot robot(network);
+  EXPECT_EQ(robot.hold("slow.fresh", "true"),
+            "`slow.fresh` says when a value has come, and can't be held: hold the value");
+  EXPECT_TRUE(robot.hands().is_empty());
+  EXPECT_EQ(robot.hold("slow", "7"), "");
+  EXPECT_EQ(robot.step(), 7.0);
+}
+
+using Losses = std::vector<std::string>;
+
+// The robot's interventions with another program, whose `frame` it goes on with.
+Losses carried_over(HandledRobot& robot, HandledRobot& other, bool has_same_code = true) {
+  Frame free = robot.values();
+  robot.hands().let_go(free.data());
+  const CarriedOver carried = carry_over({robot.program(), robot.program().initial_frame()}, free.data(),
+                                         {other.program(), other.program().initial_frame()}, has_same_code);
+  std::memcpy(other.frame(), carried.frame.data(), carried.frame.size());
+  other.hands() = robot.hands();
+  Losses out;
+  for (const auto& [path, why] : other.hands().carry_over(robot.program(), robot.frame(), other.program(),
+                                                          other.frame(), has_same_code))
+    out.push_back(path + " " + why);
+  return out;
+}
+
+TEST(Interventions, AnotherProgramGoesOnWithThemBitForBit) {
+  for (int cycles = 0; cycles < 6; ++cycles) {
+    HandledRobot robot(three_states());
+    robot.steps(2);
+    robot.hold("job", "7");
+    robot.steps(cycles);
+    robot.hold("job", "8");
+    robot.force("job", "C");
+    HandledRobot other(three_states());
+    EXPECT_EQ(carried_over(robot, other), Losses());
+    EXPECT_TRUE(other.values() == robot.values());
+    EXPECT_EQ(other.steps(3), robot.steps(3));
+    robot.release("");
+    other.release("");
+    EXPECT_TRUE(other.values() == robot.values());
+    EXPECT_EQ(other.steps(3), robot.steps(3));
+  }
+}
+
+TEST(Interventions, ThatAnotherProgramHasNoPlaceForAreTold) {
+  HandledRobot robot(three_states());
+  robot.step();
+  robot.hold("sum", "7");
+  robot.hold("t0", "false");
+  robot.force("job", "C");
+  Network changed = three_states();
+  changed.nodes[3] = node("t0", "Count");
+  changed.nodes[3].is_public = true;
+  changed.nodes[5].states[0].transitions.clear();
+  changed.nodes[5].states[2].name = "D";
+  changed.nodes[6].name = "total";
+  changed.nodes[7].links[0].source = name("total");
+  HandledRobot other(changed);
+  EXPECT_EQ(carried_over(robot, other), (Losses{"sum is not held any more: nothing of that name is left",
+                                                "t0 is not held any more: it is a int now",
+                                                "job is not sent to C any more: `job` has no state `C`"}));
+  EXPECT_TRUE(other.hands().is_empty());
+}
+
+TEST(Interventions, ANodeThatBeginsAnewIsReleasedToItsOwnValue) {
+  HandledRobot robot(three_states());
+  robot.steps(2);
+  robot.hold("sum", "7");
+  robot.step();
+  Network changed = three_states();
+  changed.nodes[6] = node("sum", "Heading", {{"angle", constant("0.5")}});
+  HandledRobot other(changed);
+  const double before = other.number("sum");
+  EXPECT_EQ(carried_over(robot, other), Losses());
+  EXPECT_EQ(other.number("sum"), 7.0);
+  EXPECT_EQ(other.release("sum"), "");
+  EXPECT_EQ(other.number("sum"), before) << "not what another component has computed";
 }
 
 TEST(Interventions, HoldAsManyValuesAsThereIsRoomForAndSaySo) {

@@ -347,6 +347,25 @@ std::optional<std::string> Program::read(const Port& port, std::string_view text
   return std::nullopt;
 }
 
+// Within what converting units may have cost.
+bool Program::is_in_range(const Port& port, const std::byte* value) {
+  double number = 0.0;
+  if (port.type->kind == TypeKind::kReal)
+    std::memcpy(&number, value, sizeof number);
+  else if (port.type->kind == TypeKind::kInteger)
+    number = static_cast<double>(integer_at(value, 0, port.type->size));
+  else
+    return true;
+  if (port.edge_unit == "deg" && port.unit != "deg") number = base::degrees(number);
+  const auto slack = [](double limit) { return 1e-9 * std::fabs(limit); };
+  return number >= port.min - slack(port.min) && number <= port.max + slack(port.max);
+}
+
+bool Program::is_news(const Port& port) const {
+  return port.role == Port::Role::kOutput &&
+         std::ranges::find(asyncs_, port.offset, &AsyncCode::fresh) != asyncs_.end();
+}
+
 std::optional<std::string> Program::set(std::byte* frame, const Port& port, std::string_view text) const {
   if (port.role == Port::Role::kOutput)
     return fmt::format("`{}` is the output of a node, not a parameter", port.path);

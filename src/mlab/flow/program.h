@@ -188,6 +188,11 @@ class Program {
   /// @errors  a sentence that says what is wrong: not of the type, out of range
   static std::optional<std::string> read(const Port& port, std::string_view text, ValueBytes& out);
 
+  /// False: a number that stands in a frame, at `value`, is none that may be set at the port.
+  static bool is_in_range(const Port& port, const std::byte* value);
+  /// The output says whether the value of an asynchronous procedure came in this cycle (`X.fresh`).
+  bool is_news(const Port& port) const;
+
   /// Sets a parameter or constant, as a person writes it (in edge_unit). Nothing changes where there is an
   /// error.
   /// @errors  a sentence that says what is wrong: not settable, not of the type, out of range

@@ -75,29 +75,43 @@ bool RobotValues::take_over(const RobotProgram& after) {
 
 std::vector<flow::Restart> RobotValues::go_on_from(const RobotValues& before) {
   has_started_ = before.has_started_;
-  for (const auto& [port, value] : before.set_) {
-    const flow::Port* const mine = program().find(before.program().ports()[port].path);
-    if (mine != nullptr) set_[static_cast<std::uint32_t>(mine - program().ports().data())] = value;
-  }
   std::vector<flow::Restart> restarts;
-  if (before.program_->hosted && !program_->hosted) {
-    // What a stranger's process has left may be anything, and our own code would stand on it.
-    start();
+  const bool is_same_code = has_same_code(*before.program_, *program_);
+  // What a stranger's process has left may be anything, and our own code would stand on it.
+  const bool is_trusted = !before.program_->hosted || program_->hosted;
+  if (is_trusted) {
+    flow::Frame free = before.frame_;
+    if (before.interventions_) before.interventions_->let_go(free.data());
+    flow::CarriedOver carried = flow::carry_over({before.program(), before.program_->initial}, free.data(),
+                                                 {program(), program_->initial}, is_same_code);
+    frame_ = std::move(carried.frame);
+    restarts = std::move(carried.restarts);
+  } else {
+    frame_ = program_->initial;
     restarts.push_back({program_->type, "begins anew as a whole: a process of its own has computed it"});
-    return restarts;
   }
-  flow::CarriedOver carried =
-      flow::carry_over({before.program(), before.program_->initial}, before.frame_.data(),
-                       {program(), program_->initial}, has_same_code(*before.program_, *program_));
-  frame_ = std::move(carried.frame);
-  restarts = std::move(carried.restarts);
-  for (const auto& [port, value] : set_) program().set(frame_.data(), program().ports()[port], value);
+  set_again(before, restarts);
   if (before.interventions_) {
     interventions_ = std::make_unique<flow::Interventions>(*before.interventions_);
-    for (std::string& path : interventions_->carry_over(before.program(), program(), frame_.data()))
-      restarts.push_back({std::move(path), "is not held any more"});
+    const std::byte* const old_frame = is_trusted ? before.frame_.data() : nullptr;
+    for (auto& [path, why] :
+         interventions_->carry_over(before.program(), old_frame, program(), frame_.data(), is_same_code))
+      restarts.push_back({std::move(path), std::move(why)});
+    if (interventions_->is_empty()) interventions_.reset();
   }
   return restarts;
+}
+
+void RobotValues::set_again(const RobotValues& before, std::vector<flow::Restart>& restarts) {
+  for (const auto& [index, value] : before.set_) {
+    const flow::Port* const mine = program().find(before.program().ports()[index].path);
+    if (mine == nullptr) continue;
+    const auto problem = program().set(frame_.data(), *mine, value);
+    if (!problem)
+      set_[static_cast<std::uint32_t>(mine - program().ports().data())] = value;
+    else if (std::ranges::find(restarts, flow::Restart{mine->path, flow::kOutOfRange}) == restarts.end())
+      restarts.push_back({mine->path, fmt::format("is as the text says: {}", *problem)});
+  }
 }
 
 bool RobotValues::restore(const flow::Frame& frame) {

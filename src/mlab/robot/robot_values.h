@@ -50,6 +50,8 @@ class RobotValues {
   std::string find_fault() const;
 
  private:
+  void set_again(const RobotValues& before, std::vector<flow::Restart>& restarts);
+
   base::RobotId robot_;
   const RobotProgram* program_ = nullptr;
   flow::Frame frame_;

@@ -110,6 +110,7 @@ TEST(Interventions, StandInTheReportWhereThereWereAny) {
   EXPECT_NE(run->hold_value({1}, port, "nonsense"), std::nullopt);
   EXPECT_NE(run->hold_value({7}, port, "{1, 0}"), std::nullopt);
   EXPECT_NE(run->release_value({1}, port), std::nullopt);
+  EXPECT_EQ(run->release_value({1}, ""), std::nullopt) << "all of none";
   EXPECT_FALSE(report().contains("interventions")) << "what is refused has not happened";
   ASSERT_EQ(run->hold_value({1}, port, "{1, 0}"), std::nullopt);
   run->step();

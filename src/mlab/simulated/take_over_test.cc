@@ -1,6 +1,7 @@
 // Robots that go on with other programs while a mission runs.
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <random>
 #include <string>
@@ -9,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "mlab/fleet/report.h"
+#include "mlab/robot/robot_values.h"
+#include "mlab/robot_host/hosted_program.h"
 #include "mlab/simulated/run.h"
 
 namespace mlab::fleet {
@@ -119,6 +122,30 @@ TEST(TakeOver, WhatPeopleSetAndHoldStays) {
   EXPECT_EQ(with.interventions->held().size(), 1U);
   EXPECT_EQ(flow::Program::vector(with.frame, *with.program->find(held)), (geom::Vector{0.5, 0.0, 0.0}));
   EXPECT_EQ(run->release_value({2}, held), std::nullopt);
+}
+
+TEST(TakeOver, OfAStrangersStateBeginsAnewAndWhatPeopleHoldStays) {
+  const auto run = started(three_travellers());
+  const robot::RobotProgram& own = *run->fleet().find({1})->program;
+  robot::RobotProgram elsewhere = own;
+  elsewhere.hosted = std::make_shared<robot_host::HostedProgram>();
+  const auto port = std::ranges::find_if(own.program->ports(), [](const flow::Port& one) {
+    return one.role == flow::Port::Role::kOutput && one.type->kind == flow::TypeKind::kVector;
+  });
+  ASSERT_NE(port, own.program->ports().end());
+  robot::RobotValues before({1}, elsewhere);
+  before.start();
+  ASSERT_EQ(before.hold(port->path, "{0.5, 0}"), std::nullopt);
+  std::memset(before.frame(), 0x5a, own.program->frame_size());
+  robot::RobotValues after({1}, own);
+  EXPECT_EQ(after.go_on_from(before),
+            (std::vector<flow::Restart>{
+                {"ROBOT", "begins anew as a whole: a process of its own has computed it"}}));
+  EXPECT_TRUE(after.saved() == own.initial);
+  ASSERT_NE(after.interventions(), nullptr);
+  ASSERT_EQ(after.interventions()->held().size(), 1U);
+  EXPECT_EQ(after.release(port->path), std::nullopt);
+  EXPECT_TRUE(after.saved() == own.initial);
 }
 
 TEST(TakeOver, OfOtherRobotsOrBodiesIsRefusedAndNothingHasChanged) {

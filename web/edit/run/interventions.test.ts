@@ -1,6 +1,6 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { HeldValues_HeldSchema, Port_Role, PortSchema } from "../../core/protocol.ts";
+import { HeldValues_HeldSchema, PortSchema } from "../../core/protocol.ts";
 import { canBeHeld, heldAt, heldPorts, stateOf } from "./interventions.ts";
 
 const held = [
@@ -16,13 +16,13 @@ test("a value is held for one robot, and for all nodes that compute the same", (
   expect(heldPorts(held, 3).size).toBe(0);
 });
 
-test("only what a node computes and a person can write can be held", () => {
-  const port = (role: Port_Role, type: string, choices: string[] = []) =>
-    canBeHeld(create(PortSchema, { role, type, choices }));
-  expect(port(Port_Role.OUTPUT, "double")).toBe(true);
-  expect(port(Port_Role.OUTPUT, "Formation", ["Column", "Line"])).toBe(true);
-  expect(port(Port_Role.OUTPUT, "Obstacles")).toBe(false);
-  expect(port(Port_Role.PARAMETER, "double")).toBe(false);
+test("only what may be held and a person can write can be held", () => {
+  const port = (isHoldable: boolean, type: string, choices: string[] = []) =>
+    canBeHeld(create(PortSchema, { canBeHeld: isHoldable, type, choices }));
+  expect(port(true, "double")).toBe(true);
+  expect(port(true, "Formation", ["Column", "Line"])).toBe(true);
+  expect(port(true, "Obstacles")).toBe(false);
+  expect(port(false, "bool")).toBe(false);
 });
 
 test("a state is told from those of the sequences inside of it", () => {

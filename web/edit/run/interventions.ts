@@ -1,5 +1,5 @@
 // What a person makes a robot do against its program: values that are held, states that it is sent to.
-import { type HeldValues_Held as Held, type Port, Port_Role, type RobotDetail } from "../../core/protocol.ts";
+import type { HeldValues_Held as Held, Port, RobotDetail } from "../../core/protocol.ts";
 
 /** What holds the robot's port; nodes that compute the same are held together. */
 export function heldAt(held: readonly Held[], robot: number, port: string): Held | undefined {
@@ -13,9 +13,9 @@ export function heldPorts(held: readonly Held[], robot: number): ReadonlySet<str
 
 const kWritten = new Set(["bool", "int", "double", "Vector", "Point", "Text", "ObjectClasses"]);
 
-/** Whether a person can write a value of it, and a node computes it. */
-export function canBeHeld({ role, type, choices }: Pick<Port, "role" | "type" | "choices">): boolean {
-  return role === Port_Role.OUTPUT && (choices.length > 0 || kWritten.has(type));
+/** Whether it may be held, and a person can write a value of it. */
+export function canBeHeld(port: Pick<Port, "canBeHeld" | "type" | "choices">): boolean {
+  return port.canBeHeld && (port.choices.length > 0 || kWritten.has(port.type));
 }
 
 /** How a value of the type is written, where nobody could guess it. */

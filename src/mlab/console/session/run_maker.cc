@@ -61,8 +61,12 @@ void RunMaker::end() {
 }
 
 robot::ProgramSources RunMaker::program_sources() const {
+  return program_sources_with(trial_files_.get());
+}
+
+robot::ProgramSources RunMaker::program_sources_with(const text::Files* trial_files) const {
   robot::ProgramSources out = {settings_.permission, documents_.mission_folder(), settings_.include_root,
-                               settings_.version, documents_.is_trial() ? trial_files_.get() : nullptr};
+                               settings_.version, documents_.is_trial() ? trial_files : nullptr};
   // What is tried reads through the project by itself.
   if (out.files == nullptr) out.project = root_of(documents_.mission_folder(), settings_);
   out.limits = settings_.limits;
@@ -122,24 +126,29 @@ void RunMaker::take_over(const Trial& trial, const TrialDone& done) {
     done({*refused, "", {}});
     return;
   }
-  trial_files_ = trial.files;
   const std::uint64_t number = ++number_;
-  workshop_->start([this, number, mission = plain_, sources = program_sources(), files = trial_files_, done] {
+  workshop_->start([this, number, mission = plain_, sources = program_sources_with(trial.files.get()),
+                    files = trial.files, done] {
     const auto problems = std::make_shared<text::Diagnostics>();
     const CrewPtr crew = number == number_ ? fleet::make_crew(mission, sources, *problems) : nullptr;
-    inbox_.post([this, number, crew, problems, done] {
+    inbox_.post([this, number, crew, problems, files, done] {
       if (number == number_ && run_.live() != nullptr)
-        finish_takeover(crew, *problems, done);
+        finish_takeover(crew, files, *problems, done);
       else
         done({"another run has taken its place", "", {}});
     });
   });
 }
 
-void RunMaker::finish_takeover(const CrewPtr& crew, const text::Diagnostics& problems,
+void RunMaker::finish_takeover(const CrewPtr& crew, const FilesPtr& files, const text::Diagnostics& problems,
                                const TrialDone& done) {
   if (!crew) {
     done({"it can't run: it has errors", "", problems});
+    return;
+  }
+  // It may have been stopped, or have quit, while the programs were made.
+  if (const Answered refused = run_.why_not_now()) {
+    done({*refused, "", {}});
     return;
   }
   const auto taken = run_.take_over(crew);
@@ -147,6 +156,7 @@ void RunMaker::finish_takeover(const CrewPtr& crew, const text::Diagnostics& pro
     done({taken.error(), "", problems});
     return;
   }
+  trial_files_ = files;
   report_problems(problems);
   done({"", fleet::text_of(*taken), problems});
 }

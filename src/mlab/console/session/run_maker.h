@@ -58,13 +58,18 @@ class RunMaker {
  private:
   using CrewPtr = std::shared_ptr<const fleet::Crew>;
   using MissionPtr = std::shared_ptr<const mission::Mission>;
+  using FilesPtr = std::shared_ptr<const text::Files>;
+
+  /// @param trial_files  that programs of a trial are read with; null: those on disk
+  robot::ProgramSources program_sources_with(const text::Files* trial_files) const;
 
   /// @param known  programs that need not be built again; null: none
   void load(std::uint64_t seed, const CrewPtr& known = nullptr);
   void adopt(const CrewPtr& crew, std::unique_ptr<fleet::MissionRun> run, const text::Diagnostics& problems);
   void take_over(const Trial& trial, const TrialDone& done);
   Answered why_not_taken_over(const Trial& trial) const;
-  void finish_takeover(const CrewPtr& crew, const text::Diagnostics& problems, const TrialDone& done);
+  void finish_takeover(const CrewPtr& crew, const FilesPtr& files, const text::Diagnostics& problems,
+                       const TrialDone& done);
   void answer_trial(const std::string& error, const text::Diagnostics& problems);
   void take_notices();
   /// What was typed holds for the documents' new mission, too, as far as it can.
@@ -86,11 +91,11 @@ class RunMaker {
   /// Number of the last load or change of the mission; what older ones bring is thrown away.
   std::atomic<std::uint64_t> number_ = 0;
   std::uint64_t seed_ = 1;
-  MissionPtr from_documents_;                       // that the run follows
-  MissionPtr plain_;                                // the same with what was typed
-  std::vector<std::string> typed_edits_;            // lines that added to the mission
-  std::shared_ptr<const text::Files> trial_files_;  // that programs of a trial are read with
-  TrialDone trial_done_;                            // who waits for it; empty: nobody
+  MissionPtr from_documents_;             // that the run follows
+  MissionPtr plain_;                      // the same with what was typed
+  std::vector<std::string> typed_edits_;  // lines that added to the mission
+  FilesPtr trial_files_;                  // that programs of a trial are read with
+  TrialDone trial_done_;                  // who waits for it; empty: nobody
   bool executes_trial_ = false;
 
   std::stop_source jobs_end_;           // stops a C++ compiler that a job waits for
