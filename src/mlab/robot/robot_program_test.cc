@@ -1,8 +1,11 @@
 #include "mlab/robot/robot_program.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/source_folder.h"
@@ -109,7 +112,7 @@ class ProjectTest : public ::testing::Test {
 
   static constexpr const char* kRunner =
       "node ahead is MoveForward with amount = 1; nend\nnode wheels is Drive with v = ahead; nend\n";
-  const fs::path folder_ = fs::path(testing::TempDir()) / "mlab_robot_project_test";
+  const fs::path folder_ = fs::path(testing::TempDir()) / fmt::format("mlab_robot_project_test_{}", getpid());
 };
 
 TEST_F(ProjectTest, ProgramsComeFromTheProjectByWhateverName) {

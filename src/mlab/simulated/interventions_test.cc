@@ -10,6 +10,7 @@
 
 #include "mlab/fleet/report.h"
 #include "mlab/simulated/run.h"
+#include "mlab/simulated/testing/values.h"
 
 namespace mlab::fleet {
 namespace {
@@ -59,7 +60,7 @@ bool are_alike(const MissionRun& a, const MissionRun& b) {
     const FleetRobot& mine = robot_of(a, id);
     const FleetRobot& theirs = robot_of(b, id);
     if (a.fleet().pose(mine) != b.fleet().pose(theirs)) return false;
-    if (!(mine.runner->save(mine.member) == theirs.runner->save(theirs.member))) return false;
+    if (simulated::testing::values_of(mine) != simulated::testing::values_of(theirs)) return false;
   }
   return true;
 }

@@ -13,6 +13,7 @@
 #include "mlab/robot/robot_values.h"
 #include "mlab/robot_host/hosted_program.h"
 #include "mlab/simulated/run.h"
+#include "mlab/simulated/testing/values.h"
 
 namespace mlab::fleet {
 namespace {
@@ -56,7 +57,7 @@ bool have_same_values(const MissionRun& a, const MissionRun& b) {
   for (const FleetRobot& mine : a.fleet().robots()) {
     const FleetRobot& theirs = *b.fleet().find(mine.id);
     if (a.fleet().pose(mine) != b.fleet().pose(theirs)) return false;
-    if (!(mine.runner->save(mine.member) == theirs.runner->save(theirs.member))) return false;
+    if (simulated::testing::values_of(mine) != simulated::testing::values_of(theirs)) return false;
   }
   return a.time() == b.time();
 }
