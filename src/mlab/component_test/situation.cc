@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <utility>
 
 #include "mlab/base/hash.h"
 #include "mlab/flow/port_types.h"
@@ -58,10 +60,21 @@ percept::ObjectStyle style_of(const LoweredStep& step) {
   return word == "container" ? percept::ObjectStyle::kContainer : percept::ObjectStyle::kMovable;
 }
 
-// By the way to the edge; what is as near stays in the order of the text.
+// What has the same key stays in the order of the text.
+template <class Thing, class KeyOf>
+void sort_by(std::vector<Thing>& things, const KeyOf& key_of) {
+  using Key = std::decay_t<decltype(key_of(things.front()))>;
+  std::vector<std::pair<Key, std::size_t>> order;
+  for (std::size_t i = 0; i < things.size(); ++i) order.emplace_back(key_of(things[i]), i);
+  std::ranges::sort(order);
+  std::vector<Thing> sorted;
+  for (const auto& [key, at] : order) sorted.push_back(std::move(things[at]));
+  things = std::move(sorted);
+}
+
+// By the way to the edge.
 void sort_nearest_first(auto& readings) {
-  std::ranges::stable_sort(readings, {},
-                           [](const auto& one) { return geom::length(one.center) - one.radius; });
+  sort_by(readings, [](const auto& one) { return geom::length(one.center) - one.radius; });
 }
 
 }  // namespace
@@ -300,9 +313,9 @@ void Situation::sense() {
   std::ranges::sort(messages_);
   messages_.erase(std::ranges::unique(messages_).begin(), messages_.end());
   percepts_.notifications = messages_;
-  std::ranges::stable_sort(shared_places_, {}, [](const auto& one) { return one.from.value; });
+  sort_by(shared_places_, [](const auto& one) { return one.from.value; });
   percepts_.shared_places = shared_places_;
-  std::ranges::stable_sort(claims_, {}, [](const auto& one) { return one.object.value; });
+  sort_by(claims_, [](const auto& one) { return one.object.value; });
   percepts_.claims = claims_;
 }
 

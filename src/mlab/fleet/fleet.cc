@@ -331,6 +331,7 @@ std::optional<std::string> Fleet::hold(base::RobotId id, std::string_view port, 
   return (*robot)->runner->hold((*robot)->member, port, value);
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): it changes one of the robots
 std::optional<std::string> Fleet::release(base::RobotId id, std::string_view port) {
   const FleetRobot* found = find(id);
   if (found == nullptr || found->runner == nullptr)

@@ -57,7 +57,7 @@ std::optional<std::string> Interventions::hold(const Program& program, const std
   if (port == nullptr) return fmt::format("the program has no `{}`", text::shown(path));
   if (auto problem = why_never_held(program, *port)) return problem;
   alignas(Frame::kAlignment) Program::ValueBytes bytes{};
-  if (auto problem = program.read(*port, value, bytes)) return problem;
+  if (auto problem = Program::read(*port, value, bytes)) return problem;
   Held* known = held_at(port->offset);
   if (known == nullptr) {
     if (held_count_ == kMostHeld)
