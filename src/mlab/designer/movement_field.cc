@@ -79,7 +79,7 @@ void FieldReading::begin(const fleet::MissionRun& run, const fleet::FleetRobot& 
   const bool is_trusted = program_.hosted || (body.program != nullptr && !body.program->hosted);
   as_is_ = as_is_ && robot && is_trusted;
   find_places(run);
-  if (as_is_) program.take_over(start_.data(), *robot.program, robot.frame);
+  if (as_is_ && robot.program != nullptr) program.take_over(start_.data(), *robot.program, robot.frame);
   needs_ = program.needs(start_.data());
   runners_.emplace(run.seed(), 1);
   runner_ = runners_->runner_of(program_);
