@@ -11,6 +11,7 @@
 
 #include "mlab/console/wire.h"
 #include "mlab/fleet/places.h"
+#include "mlab/flow/carry_over.h"
 #include "mlab/robot/places.h"
 #include "mlab/text/shown.h"
 
@@ -79,7 +80,12 @@ void FieldReading::begin(const fleet::MissionRun& run, const fleet::FleetRobot& 
   const bool is_trusted = program_.hosted || (body.program != nullptr && !body.program->hosted);
   as_is_ = as_is_ && robot && is_trusted;
   find_places(run);
-  if (as_is_ && robot.program != nullptr) program.take_over(start_.data(), *robot.program, robot.frame);
+  if (as_is_ && robot.program != nullptr) {
+    // What the mission has set counts as set, like what somebody sets while it runs.
+    start_ = flow::carry_over({*robot.program, robot.program->initial_frame()}, robot.frame,
+                              {program, start_}, program_.hosted != nullptr)
+                 .frame;
+  }
   needs_ = program.needs(start_.data());
   runners_.emplace(run.seed(), 1);
   runner_ = runners_->runner_of(program_);

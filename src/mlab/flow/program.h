@@ -264,11 +264,6 @@ class Program {
   std::vector<std::uint32_t> ran(const std::byte* frame, std::span<const SequenceState> before,
                                  const Interventions* interventions = nullptr) const;
 
-  /// Takes over what a frame of another program, a larger one with the same nodes, say, has under the same
-  /// paths: parameters, values, states of nodes and sequences, and its cycle. Asynchronous procedures begin
-  /// anew.
-  void take_over(std::byte* frame, const Program& other, const std::byte* other_frame) const;
-
  private:
   friend class ProgramBuilder;
   friend class CarryOver;
@@ -322,7 +317,7 @@ class Program {
   bool needs_are_fixed_ = false;
   std::size_t node_count_ = 0;
   Frame initial_;
-  std::vector<KeptCode> kept_;  ///< for `take_over` and `carry_over` only
+  std::vector<KeptCode> kept_;  ///< for `carry_over` only
 };
 
 /// The same program with other values before the first cycle.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
 #include <new>
 
 #include "mlab/flow/program.h"
@@ -150,42 +149,6 @@ std::vector<std::uint32_t> Program::ran(const std::byte* frame, std::span<const 
   std::ranges::sort(out);
   out.erase(std::ranges::unique(out).begin(), out.end());
   return out;
-}
-
-void Program::take_over(std::byte* frame, const Program& other, const std::byte* other_frame) const {
-  const auto copy = [&](std::uint32_t to, std::uint32_t from, std::size_t size) {
-    std::memcpy(frame + to, other_frame + from, size);
-  };
-  copy(0, 0, sizeof(std::uint64_t));  // the cycle
-  for (const Port& port : ports_) {
-    const Port* theirs = other.find(port.path);
-    if (theirs != nullptr && same_type(*theirs->type, *port.type))
-      copy(port.offset, theirs->offset, port.type->size);
-  }
-  for (const KeptCode& kept : kept_) {
-    const auto theirs = std::ranges::find(other.kept_, kept.path_hash, &KeptCode::path_hash);
-    if (theirs != other.kept_.end() && theirs->size == kept.size)
-      copy(kept.offset, theirs->offset, kept.size);
-  }
-  for (std::size_t s = 0; s < sequences_.size(); ++s) {
-    const auto name = std::ranges::find(other.sequence_names_, sequence_names_[s]);
-    const auto t = static_cast<std::size_t>(name - other.sequence_names_.begin());
-    if (name == other.sequence_names_.end() || other.state_names_[t] != state_names_[s]) continue;
-    copy(sequences_[s].active, other.sequences_[t].active, sizeof(std::uint32_t));
-  }
-  std::map<std::uint64_t, const Instruction*> theirs;
-  for (const Instruction& one : other.instructions_) theirs.try_emplace(one.path_hash, &one);
-  for (const Instruction& mine : instructions_) {
-    const auto found = theirs.find(mine.path_hash);
-    if (found == theirs.end() || found->second->kind != mine.kind ||
-        mine.kind == Instruction::Kind::kStartAsync)
-      continue;
-    const Instruction& one = *found->second;
-    if (mine.stamp != kNone && one.stamp != kNone) copy(mine.stamp, one.stamp, sizeof(std::uint32_t));
-    if (mine.kind == Instruction::Kind::kDelay &&
-        delays_[mine.data].value_size == other.delays_[one.data].value_size)
-      copy(delays_[mine.data].next, other.delays_[one.data].next, delays_[mine.data].value_size);
-  }
 }
 
 }  // namespace mlab::flow
