@@ -140,11 +140,7 @@ class FileComparison {
 
   // ---- one declaration
 
-  void compare_declaration(const Declaration& was, const Declaration& is) {
-    out_.owners.emplace_back(was.name->text, is.name->text);
-    Renames renames(renames_);
-    if (const auto found = renames_.parameters.find(was.name->text); found != renames_.parameters.end())
-      renames.own = found->second;
+  static Difference of_declaration(const Declaration& was, const Declaration& is) {
     Difference one;
     one.thing = Thing::kDeclaration;
     one.kind = is.kind;
@@ -152,6 +148,15 @@ class FileComparison {
     one.name_after = is.name->text;
     one.place_before = was.name->place;
     one.place_after = is.name->place;
+    return one;
+  }
+
+  void compare_declaration(const Declaration& was, const Declaration& is) {
+    out_.owners.emplace_back(was.name->text, is.name->text);
+    Renames renames(renames_);
+    if (const auto found = renames_.parameters.find(was.name->text); found != renames_.parameters.end())
+      renames.own = found->second;
+    Difference one = of_declaration(was, is);
     note(one, "name", was.name->text, is.name->text);
     note(one, "help", *was.help, *is.help);
     std::visit(
@@ -193,13 +198,7 @@ class FileComparison {
 
   // Arguments without a name go by it.
   void tell_order(const Declaration& was, const Declaration& is) {
-    Difference one;
-    one.thing = Thing::kDeclaration;
-    one.kind = is.kind;
-    one.name_before = was.name->text;
-    one.name_after = is.name->text;
-    one.place_before = was.name->place;
-    one.place_after = is.name->place;
+    Difference one = of_declaration(was, is);
     const auto names = [](const std::vector<cdl::Parameter>& all) {
       std::string out;
       for (const cdl::Parameter& one_name : all) out += (out.empty() ? "" : ", ") + one_name.name.text;
