@@ -58,15 +58,20 @@ std::string why_not_property(const cdl::BodyProperty& property, const cdl::Expre
   const bool is_word = std::holds_alternative<cdl::Name>(value.what);
   const bool is_computed = std::holds_alternative<cdl::Arithmetic>(value.what);
   if (number == nullptr) return is_word || is_computed ? "" : fmt::format("`{}` is a number", property.name);
-  const auto from = cdl::unit_named(number->unit.text);
-  const auto to = cdl::unit_named(property.unit);
-  const auto in_unit = from && to ? cdl::converted(number->value, *from, *to) : std::nullopt;
-  if (!in_unit)
-    return property.unit.empty() ? fmt::format("`{}` is a plain number", property.name)
-                                 : fmt::format("`{}` is in {}", property.name, property.unit);
-  if (*in_unit >= property.min && *in_unit <= property.max) return "";
-  return fmt::format("`{}` is {} .. {}{}{}", property.name, property.min, property.max,
-                     property.unit.empty() ? "" : " ", property.unit);
+  const auto unit = cdl::unit_named(number->unit.text);
+  switch (unit ? cdl::body_misfit(property, number->value, *unit) : cdl::BodyMisfit::kUnit) {
+    case cdl::BodyMisfit::kNone:
+      return "";
+    case cdl::BodyMisfit::kUnit:
+      return property.unit.empty() ? fmt::format("`{}` is a plain number", property.name)
+                                   : fmt::format("`{}` is in {}", property.name, property.unit);
+    case cdl::BodyMisfit::kRange:
+      return fmt::format("`{}` is {} .. {}{}{}", property.name, property.min, property.max,
+                         property.unit.empty() ? "" : " ", property.unit);
+    case cdl::BodyMisfit::kFraction:
+      return fmt::format("`{}` is a whole number", property.name);
+  }
+  return "";
 }
 
 }  // namespace

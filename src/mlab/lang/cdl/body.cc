@@ -1,6 +1,8 @@
 #include "mlab/lang/cdl/body.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace mlab::cdl {
 namespace {
@@ -45,6 +47,18 @@ std::span<const BodyProperty> body_properties() {
 const BodyProperty* body_property(std::string_view name) {
   const auto* const found = std::ranges::find(kProperties, name, &BodyProperty::name);
   return found == std::end(kProperties) ? nullptr : found;
+}
+
+BodyMisfit body_misfit(const BodyProperty& property, double number, const Unit& unit) {
+  const std::optional<Unit> wanted = unit_named(property.unit);
+  const std::optional<double> converted_number = wanted ? converted(number, unit, *wanted) : std::nullopt;
+  if (!converted_number) return BodyMisfit::kUnit;
+  constexpr double kRounding = 1e-9;  // of what was converted there and back
+  const bool is_in_range = *converted_number >= property.min * (1 - kRounding) &&
+                           *converted_number <= property.max * (1 + kRounding);
+  if (!is_in_range) return BodyMisfit::kRange;
+  const bool is_fraction = property.is_whole && *converted_number != std::floor(*converted_number);
+  return is_fraction ? BodyMisfit::kFraction : BodyMisfit::kNone;
 }
 
 std::vector<std::string> body_settings() {

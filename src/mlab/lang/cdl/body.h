@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "mlab/lang/cdl/units.h"
 
 namespace mlab::cdl {
 
@@ -26,6 +29,16 @@ struct BodyProperty {
 std::span<const BodyProperty> body_properties();
 /// Null where a body has no such number.
 const BodyProperty* body_property(std::string_view name);
+
+/// Why a property can't be a number.
+enum class BodyMisfit : std::uint8_t {
+  kNone,      ///< it can
+  kUnit,      ///< it is another kind of quantity
+  kRange,     ///< it is out of range
+  kFraction,  ///< it is no whole number
+};
+/// @param unit  in which the number is
+BodyMisfit body_misfit(const BodyProperty& property, double number, const Unit& unit);
 
 /// What `drive` may be, by the number that a body has for it; the first where nothing is said.
 inline constexpr std::array<std::string_view, 4> kDrives = {"holonomic", "differential", "car", "synchro"};

@@ -1,7 +1,6 @@
 // Robots: parameters that missions set, devices that serve binding points, what drives the actuators.
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -183,27 +182,27 @@ std::optional<double> Lowering::body_number(const BodySetting& setting, const Bo
         fmt::format("`{}` takes a number with its unit", property.name);
     return std::nullopt;
   }
-  if (!value.unit.empty() && !unit->same_dimension(*wanted)) {
-    error("wrong-unit", setting.value->place, fmt::format("`{}` is no quantity of this kind", value.unit))
-        .label = property.unit.empty() ? fmt::format("`{}` takes a plain number", property.name)
-                                       : fmt::format("`{}` takes {}", property.name, property.unit);
-    return std::nullopt;
+  // Without a unit it is in SI units.
+  switch (body_misfit(property, value.number,
+                      value.unit.empty() ? unit_named(si_unit(*wanted)).value() : *unit)) {
+    case BodyMisfit::kNone:
+      return value.number * unit->numerator / unit->denominator;
+    case BodyMisfit::kUnit:
+      error("wrong-unit", setting.value->place, fmt::format("`{}` is no quantity of this kind", value.unit))
+          .label = property.unit.empty() ? fmt::format("`{}` takes a plain number", property.name)
+                                         : fmt::format("`{}` takes {}", property.name, property.unit);
+      break;
+    case BodyMisfit::kRange:
+      error("out-of-range", setting.value->place, fmt::format("{} is out of range", quoted_number(value)))
+          .label = fmt::format("`{}` takes {} .. {}{}", property.name, property.min, property.max,
+                               bracketed(std::string(property.unit)));
+      break;
+    case BodyMisfit::kFraction:
+      error("out-of-range", setting.value->place, fmt::format("{} is no whole number", quoted_number(value)))
+          .label = fmt::format("`{}` takes {} .. {}", property.name, property.min, property.max);
+      break;
   }
-  const double number = value.number * unit->numerator / unit->denominator;
-  const double in_range = number * wanted->denominator / wanted->numerator;
-  constexpr double kRounding = 1e-9;  // of what was converted there and back
-  if (in_range < property.min * (1 - kRounding) || in_range > property.max * (1 + kRounding)) {
-    error("out-of-range", setting.value->place, fmt::format("{} is out of range", quoted_number(value)))
-        .label = fmt::format("`{}` takes {} .. {}{}", property.name, property.min, property.max,
-                             bracketed(std::string(property.unit)));
-    return std::nullopt;
-  }
-  if (property.is_whole && in_range != std::floor(in_range)) {
-    error("out-of-range", setting.value->place, fmt::format("{} is no whole number", quoted_number(value)))
-        .label = fmt::format("`{}` takes {} .. {}", property.name, property.min, property.max);
-    return std::nullopt;
-  }
-  return number;
+  return std::nullopt;
 }
 
 // The actuator that a drive speaks of, by the device's name or by the binding point.
