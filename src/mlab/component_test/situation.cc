@@ -55,9 +55,7 @@ std::uint32_t said_id(const LoweredStep& step) {
 }
 
 percept::ObjectStyle style_of(const LoweredStep& step) {
-  const std::string word = text(step, "style");
-  if (word == "fixed") return percept::ObjectStyle::kFixed;
-  return word == "container" ? percept::ObjectStyle::kContainer : percept::ObjectStyle::kMovable;
+  return cdl::test_object_style_named(text(step, "style"))->style;  // lowering lets no other word through
 }
 
 // What has the same key stays in the order of the text.

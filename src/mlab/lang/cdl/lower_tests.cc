@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -136,10 +137,10 @@ void Lowering::lower_percept_value(const Given& given, const TestInput& input, L
     return;
   }
   const bool is_style = out.percept->percept == TestPercept::kObject && input.name == "style";
-  static const std::set<std::string_view> kStyles = {"movable", "fixed", "container"};
-  if (is_style && !kStyles.contains(bound->text)) {
+  if (is_style && test_object_style_named(bound->text) == nullptr) {
+    const auto names = test_object_styles() | std::views::transform(&TestObjectStyle::name);
     error("unknown-name", place, fmt::format("an object has no style `{}`", text::shown(bound->text)))
-        .hints = {fmt::format("there are {}", fmt::join(kStyles, ", "))};
+        .hints = {fmt::format("there are {}", fmt::join(names, ", "))};
     return;
   }
   out.values[at] = bound->text;

@@ -98,6 +98,11 @@ constexpr std::array kPercepts = {
 };
 static_assert(base::has_a_row_for_each<kPercepts, &TestPerceptInfo::percept>());
 
+constexpr std::array kObjectStyles = {TestObjectStyle{"fixed", percept::ObjectStyle::kFixed},
+                                      TestObjectStyle{"movable", percept::ObjectStyle::kMovable},
+                                      TestObjectStyle{"container", percept::ObjectStyle::kContainer}};
+static_assert(base::has_a_row_for_each<kObjectStyles, &TestObjectStyle::style>());
+
 using Request = percept::Request::Kind;
 constexpr TestAction kActions[] = {
     {"PickUp", Request::kPickUp, "picks something up"},
@@ -129,6 +134,15 @@ std::span<const TestPerceptInfo> test_percepts() {
 const TestPerceptInfo* test_percept_named(std::string_view name) {
   const auto* const found = std::ranges::find(kPercepts, name, &TestPerceptInfo::name);
   return found == kPercepts.end() ? nullptr : found;
+}
+
+std::span<const TestObjectStyle> test_object_styles() {
+  return kObjectStyles;
+}
+
+const TestObjectStyle* test_object_style_named(std::string_view name) {
+  const auto* const found = std::ranges::find(kObjectStyles, name, &TestObjectStyle::name);
+  return found == kObjectStyles.end() ? nullptr : found;
 }
 
 std::span<const TestAction> test_actions() {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mlab/percept/action.h"
+#include "mlab/percept/percepts.h"
 
 // What tests of components may say: what is sensed, and what is done. Parser, checks, completion, help and
 // who runs them read these tables.
@@ -54,6 +55,14 @@ struct TestPerceptInfo {
 std::span<const TestPerceptInfo> test_percepts();
 /// Null where there is none of the name.
 const TestPerceptInfo* test_percept_named(std::string_view name);
+
+/// What can be done with an object: `style = "fixed"`.
+struct TestObjectStyle {
+  std::string_view name;
+  percept::ObjectStyle style;
+};
+std::span<const TestObjectStyle> test_object_styles();
+const TestObjectStyle* test_object_style_named(std::string_view name);
 
 /// What a robot may do besides moving: `expect action PickUp;`
 struct TestAction {
