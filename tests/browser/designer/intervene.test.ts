@@ -1,39 +1,11 @@
 // What a person does to robots that run what is drawn: sends them to a state, holds a value, lets them take over a change.
 import { expect, test } from "vitest";
 import { picture } from "../picture.ts";
-import { begin, type DesignerPage } from "./designer.ts";
-
-const kWander = `assemblage Wander() {
-  cooperate {
-    1: Noise(persistence = 2 s);
-    0.5: AvoidStaticObstacles(readings = sense_obstacles(range = 2 m), sphere = 1 m, safety_margin = 0.3 m);
-  }
-}
-`;
+import type { DesignerPage } from "./designer.ts";
+import { kWander, opened, run, time, turns } from "./running.ts";
 
 // Nothing leads anywhere by itself within this test.
-const kTurns = `assemblage Turns() {
-  sequence {
-    start Waiting: Stand();
-      when Wait(delay = 1000 s) goto Moving;
-    Moving: Noise(persistence = 2 s);
-      when Wait(delay = 1000 s) goto Waiting;
-  }
-}
-`;
-
-const opened = (text: string) =>
-  begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", text), width: 1600, height: 900 });
-
-async function time({ page }: DesignerPage): Promise<number> {
-  const text = (await page.getByTestId("sim-time").textContent()) ?? "";
-  return text.split(":").reduce((sum, part) => sum * 60 + Number(part), 0);
-}
-
-async function run(designer: DesignerPage): Promise<void> {
-  await designer.run();
-  await expect.poll(() => time(designer)).toBeGreaterThan(0.5);
-}
+const kTurns = turns(1000);
 
 const active = ({ page }: DesignerPage, state: string) =>
   page.locator(`.react-flow__node[data-id="${state}"] .state.active`);

@@ -2,33 +2,9 @@
 // text.
 import { expect, test } from "vitest";
 import { begin, type DesignerPage } from "./designer.ts";
+import { kWander, opened, run, time, turns } from "./running.ts";
 
-const kWander = `assemblage Wander() {
-  cooperate {
-    1: Noise(persistence = 2 s);
-    0.5: AvoidStaticObstacles(readings = sense_obstacles(range = 2 m), sphere = 1 m, safety_margin = 0.3 m);
-  }
-}
-`;
-
-const kTurns = `assemblage Turns() {
-  sequence {
-    start Waiting: Stand();
-      when Wait(delay = 1 s) goto Moving;
-    Moving: Noise(persistence = 2 s);
-      when Wait(delay = 1 s) goto Waiting;
-  }
-}
-`;
-
-const opened = (text: string) =>
-  begin({ file: "one.cdl", prepare: (project) => project.write("one.cdl", text), width: 1600, height: 900 });
-
-/** Simulated time [s]. */
-async function time({ page }: DesignerPage): Promise<number> {
-  const text = (await page.getByTestId("sim-time").textContent()) ?? "";
-  return text.split(":").reduce((sum, part) => sum * 60 + Number(part), 0);
-}
+const kTurns = turns(1);
 
 /** The time, once it stands: the last cycle's may come a moment later. */
 async function standsAt(designer: DesignerPage): Promise<number> {
@@ -39,11 +15,6 @@ async function standsAt(designer: DesignerPage): Promise<number> {
     before = now;
     await designer.page.waitForTimeout(500);
   }
-}
-
-async function run(designer: DesignerPage): Promise<void> {
-  await designer.run();
-  await expect.poll(() => time(designer)).toBeGreaterThan(0.5);
 }
 
 async function pause(designer: DesignerPage): Promise<void> {

@@ -6,7 +6,7 @@ import { spokenPath } from "../../core/port_words.ts";
 import type { HeldValues_Held as Held, Port } from "../../core/protocol.ts";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field, IconButton } from "../../ui/controls/controls.tsx";
-import { canBeHeld, heldAt, writtenAs } from "../run/interventions.ts";
+import { heldAt, writtenAs } from "../run/interventions.ts";
 import { shownText } from "../run/shown_value.ts";
 import { useLivePage } from "./use_live_part.ts";
 
@@ -16,7 +16,7 @@ export function HoldValue({ path }: { path: string }) {
   const robot = useSessionPart("selection").robots[0] ?? 0;
   const held = heldAt(useSessionPart("held"), robot, path);
   const port = roster.portsOf(robot).find((one) => one.path === path);
-  if (!port || !canBeHeld(port)) return null;
+  if (!port?.canBeHeld) return null;
   return <Holder port={port} held={held} whose={roster.nameOf(robot)} robot={robot} />;
 }
 

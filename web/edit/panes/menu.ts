@@ -7,7 +7,7 @@ import type { Drawing, Mark } from "../../designer/session/protocol.ts";
 import { transitionOf } from "../../designer/states/flow.ts";
 import { isNoTrigger } from "../../designer/states/trigger_words.ts";
 import { atCondition, atTransition } from "../run/break_points.ts";
-import { canBeHeld, heldAt, stateOf } from "../run/interventions.ts";
+import { heldAt, stateOf } from "../run/interventions.ts";
 import { knownLive, type Live } from "../run/live.ts";
 import { breakAtTransition, breaksWhen, isOnSame, markAt, marksOfPage } from "../run/marks.ts";
 import { joined } from "../run/places.ts";
@@ -176,12 +176,7 @@ function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "va
       group: "Run",
       icon: "pause",
       blocked,
-      run: () => {
-        designer.select([id]);
-        designer.show({ details: true });
-        // The field stands there once the details are drawn.
-        setTimeout(() => breakField()?.focus(), 100);
-      },
+      run: () => typeInDetails(live, id, ".break-when input"),
     });
   }
   const held = holdAction(live, target, id);
@@ -213,7 +208,7 @@ function holdAction(live: Live, target: Target & { kind: "value" }, id: string):
     .get("roster")
     .portsOf(robot)
     .find((one) => one.path === path);
-  if (!port || !canBeHeld(port)) return undefined;
+  if (!port?.canBeHeld) return undefined;
   const isHeld = heldAt(live.model.get("held"), robot, path) !== undefined;
   return {
     id: "hold",
@@ -221,20 +216,16 @@ function holdAction(live: Live, target: Target & { kind: "value" }, id: string):
     group: "Run",
     icon: isHeld ? "release" : "lock",
     run: () => {
-      if (isHeld) {
-        void live.release(robot, path);
-        return;
-      }
-      live.designer.select([id]);
-      live.designer.show({ details: true });
-      setTimeout(
-        () => window.document.querySelector<HTMLElement>(".hold-value input, .hold-value button")?.focus(),
-        100,
-      );
+      if (isHeld) void live.release(robot, path);
+      else typeInDetails(live, id, ".hold-value input, .hold-value button");
     },
   };
 }
 
-function breakField(): HTMLInputElement | null {
-  return window.document.querySelector<HTMLInputElement>(".break-when input");
+/** Selects the node, and puts the focus into a field of its details. */
+function typeInDetails({ designer }: Live, id: string, field: string): void {
+  designer.select([id]);
+  designer.show({ details: true });
+  // It stands there once the details are drawn.
+  setTimeout(() => window.document.querySelector<HTMLElement>(field)?.focus(), 100);
 }

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { HeldValues_HeldSchema, PortSchema } from "../../core/protocol.ts";
-import { canBeHeld, heldAt, heldPorts, stateOf } from "./interventions.ts";
+import { HeldValues_HeldSchema } from "../../core/protocol.ts";
+import { heldAt, heldPorts, stateOf } from "./interventions.ts";
 
 const held = [
   create(HeldValues_HeldSchema, { robot: 1, port: "movement.near", value: "true", also: ["movement.close"] }),
@@ -14,15 +14,6 @@ test("a value is held for one robot, and for all nodes that compute the same", (
   expect(heldAt(held, 2, "movement.near")).toBeUndefined();
   expect([...heldPorts(held, 1)]).toEqual(["movement.near", "movement.close"]);
   expect(heldPorts(held, 3).size).toBe(0);
-});
-
-test("only what may be held and a person can write can be held", () => {
-  const port = (isHoldable: boolean, type: string, choices: string[] = []) =>
-    canBeHeld(create(PortSchema, { canBeHeld: isHoldable, type, choices }));
-  expect(port(true, "double")).toBe(true);
-  expect(port(true, "Formation", ["Column", "Line"])).toBe(true);
-  expect(port(true, "Obstacles")).toBe(false);
-  expect(port(false, "bool")).toBe(false);
 });
 
 test("a state is told from those of the sequences inside of it", () => {

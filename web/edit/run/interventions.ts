@@ -1,5 +1,5 @@
 // What a person makes a robot do against its program: values that are held, states that it is sent to.
-import type { HeldValues_Held as Held, Port, RobotDetail } from "../../core/protocol.ts";
+import type { HeldValues_Held as Held, RobotDetail } from "../../core/protocol.ts";
 
 /** What holds the robot's port; nodes that compute the same are held together. */
 export function heldAt(held: readonly Held[], robot: number, port: string): Held | undefined {
@@ -9,13 +9,6 @@ export function heldAt(held: readonly Held[], robot: number, port: string): Held
 /** Paths of all ports of the robot that show a held value. */
 export function heldPorts(held: readonly Held[], robot: number): ReadonlySet<string> {
   return new Set(held.filter((one) => one.robot === robot).flatMap(({ port, also }) => [port, ...also]));
-}
-
-const kWritten = new Set(["bool", "int", "double", "Vector", "Point", "Text", "ObjectClasses"]);
-
-/** Whether it may be held, and a person can write a value of it. */
-export function canBeHeld(port: Pick<Port, "canBeHeld" | "type" | "choices">): boolean {
-  return port.canBeHeld && (port.choices.length > 0 || kWritten.has(port.type));
 }
 
 /** How a value of the type is written, where nobody could guess it. */
