@@ -19,7 +19,7 @@
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/load.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
 #include "mlab/sim/bench_run.h"
 
 namespace {

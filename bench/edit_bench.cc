@@ -13,10 +13,10 @@
 
 #include <fmt/core.h>
 
-#include "mlab/designer/edit.h"
-#include "mlab/designer/model.h"
-#include "mlab/lang/cdl/format.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/designer/drawing/model.h"
+#include "mlab/designer/edit/edit.h"
+#include "mlab/lang/cdl/print/format.h"
+#include "mlab/robot/program/configuration_file.h"
 
 namespace mlab::designer {
 namespace {

@@ -42,14 +42,14 @@ endif()
 # What most tests spend their time in. With sanitizers it is optimised even where nothing else is: it takes twice as long to
 # compile, and their longest tests a fifth of the time to run. They look at what is left of reads and writes once it is
 # optimised, so at none whose result nobody uses.
-set(MLAB_BUSY_MODULES base geom text overlay flow mission odl envchange mdl cnl cdl cdl_historic sim language)
+set(MLAB_BUSY_MODULES base geom text overlay flow mission odl envchange mdl cnl cdl cdl_historic sim assist)
 
 # Everything that `./mlab test` builds for the sanitizers: all unit tests; the tests of code with threads; the fuzzers.
 add_custom_target(unit_tests)
 add_custom_target(threaded_tests)
 add_custom_target(fuzzers)
 # Whose tests run robots with procedures of their own, in the program that hosts those.
-set(MLAB_HOSTING_MODULES robot robot_build simulated language lsp console designer)
+set(MLAB_HOSTING_MODULES robot robot_build simulated assist lsp console designer)
 
 # mlab_module(NAME [SOURCES file...] [TESTS file...] [THREADED_TESTS file...] [LINK target...] [TEST_LINK target...])
 #

@@ -9,13 +9,13 @@
 #include <string>
 
 #include "mlab/lang/cdl/emit_cnl.h"
-#include "mlab/lang/cdl/format.h"
-#include "mlab/lang/cdl/lower.h"
-#include "mlab/lang/cdl/parser.h"
-#include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/lower/lower.h"
+#include "mlab/lang/cdl/print/format.h"
+#include "mlab/lang/cdl/print/print.h"
+#include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/parser.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/robot/program/robot_program.h"
 #include "mlab/text/diagnostic.h"
 
 namespace {

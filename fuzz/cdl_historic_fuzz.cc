@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "mlab/flow/library.h"
-#include "mlab/lang/cdl/parser.h"
-#include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/print/print.h"
+#include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/library/library.h"
 #include "mlab/text/diagnostic.h"

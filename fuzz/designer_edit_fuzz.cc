@@ -10,9 +10,9 @@
 #include <string>
 
 #include "mlab/base/random.h"
-#include "mlab/designer/edit.h"
+#include "mlab/designer/edit/edit.h"
 #include "mlab/designer/testing/random_edit.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
 #include "mlab/text/utf8.h"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "mlab/lang/cdl/formula.h"
-#include "mlab/lang/cdl/formula_parser.h"
+#include "mlab/lang/cdl/formula/formula.h"
+#include "mlab/lang/cdl/formula/formula_parser.h"
 
 // libFuzzer's name, not ours.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

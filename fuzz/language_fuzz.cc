@@ -10,18 +10,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mlab/language/testing/ask_everything.h"
+#include "mlab/assist/testing/ask_everything.h"
 #include "mlab/lsp/framing.h"
 #include "mlab/lsp/server.h"
 
 namespace {
 
-namespace language = mlab::language;
+namespace assist = mlab::assist;
 namespace lsp = mlab::lsp;
 using Json = nlohmann::json;
 
 void ask_over_the_protocol(const std::string& content, std::uint32_t line, std::uint32_t character) {
-  lsp::Server server({"1", language::testing::nowhere(), ""}, [](const std::string&) {});
+  lsp::Server server({"1", assist::testing::nowhere(), ""}, [](const std::string&) {});
   const auto say = [&](const Json& message) {
     server.receive(message.dump(-1, ' ', false, Json::error_handler_t::replace));
   };
@@ -48,12 +48,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint32_t cursor = size < 2 ? 0 : static_cast<std::uint32_t>(data[0]) * 256U + data[1];
   const std::string content = bytes.substr(size < 2 ? size : 2);
   for (const auto& [name, kind] :
-       {std::pair{"x.cdl", language::Language::kConfiguration},
-        std::pair{"x.cnl", language::Language::kNetwork}, std::pair{"x.mdl", language::Language::kMission},
-        std::pair{"x.odl", language::Language::kOverlay}}) {
-    const language::Text text{std::make_shared<const mlab::text::Source>(name, content), kind};
+       {std::pair{"x.cdl", assist::Language::kConfiguration}, std::pair{"x.cnl", assist::Language::kNetwork},
+        std::pair{"x.mdl", assist::Language::kMission}, std::pair{"x.odl", assist::Language::kOverlay}}) {
+    const assist::Text text{std::make_shared<const mlab::text::Source>(name, content), kind};
     const auto at = static_cast<std::uint32_t>(cursor % (content.size() + 1));
-    const std::string wrong = language::testing::ask_everything(text, at, language::testing::nowhere());
+    const std::string wrong = assist::testing::ask_everything(text, at, assist::testing::nowhere());
     if (wrong.empty()) continue;
     std::fprintf(stderr, "%s at %u: %s\n", name, at, wrong.c_str());
     std::abort();

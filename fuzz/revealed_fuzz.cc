@@ -8,7 +8,7 @@
 
 #include <google/protobuf/stubs/logging.h>
 
-#include "mlab/robot/brought_code.h"
+#include "mlab/robot/program/brought_code.h"
 
 // libFuzzer's name, not ours.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

@@ -14,10 +14,10 @@
 #include <google/protobuf/stubs/logging.h>
 
 #include "mlab/flow/testing/behaviors.h"
-#include "mlab/robot_process/conversation.h"
-#include "mlab/robot_wire/action_wire.h"
-#include "mlab/robot_wire/framing.h"
-#include "mlab/robot_wire/testing/same_bits.h"
+#include "mlab/robot/process/conversation.h"
+#include "mlab/robot/wire/action_wire.h"
+#include "mlab/robot/wire/framing.h"
+#include "mlab/robot/wire/testing/same_bits.h"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "../testing/library_probe.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
 
 namespace mlab::library_test {
 namespace {

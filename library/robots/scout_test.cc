@@ -9,7 +9,7 @@
 
 #include "mlab/base/hash.h"
 #include "mlab/base/random.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
 
 #include "../testing/network.h"
 

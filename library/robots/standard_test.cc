@@ -10,7 +10,7 @@
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/program.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
 
 #include "../testing/network.h"
 

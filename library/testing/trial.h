@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
 #include "mlab/sim/simulator.h"
 
 namespace mlab::library_test {

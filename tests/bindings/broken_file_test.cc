@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "mlab/robot_wire/framing.h"
+#include "mlab/robot/wire/framing.h"
 #include "recorded.h"
 
 namespace mlab::testing {

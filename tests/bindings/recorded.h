@@ -11,13 +11,13 @@
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
-#include "mlab/fleet/crew.h"
-#include "mlab/fleet/mission_run.h"
-#include "mlab/fleet/report.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/recording/recorded_binding.h"
 #include "mlab/recording/recording_binding.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/run/crew.h"
+#include "mlab/run/mission_run.h"
+#include "mlab/run/report.h"
 #include "mlab/simulated/run.h"
 
 namespace mlab::testing {
@@ -48,8 +48,8 @@ class TemporaryFile {
 
 /// What the robots of one of the project's missions are made of; all questions are answered with yes.
 struct Plan {
-  std::shared_ptr<const fleet::Crew> crew;
-  fleet::RunSettings settings;
+  std::shared_ptr<const run::Crew> crew;
+  run::RunSettings settings;
 
   explicit Plan(const std::string& mission, std::uint64_t seed = 3, int threads = 1) {
     const auto file =
@@ -60,7 +60,7 @@ struct Plan {
     options.seed = seed;
     options.societies = robot::society_reader(sources);
     const auto plan = mdl::load_mission(file.string(), sink, options);
-    if (plan) crew = fleet::make_crew(plan, sources, sink);
+    if (plan) crew = run::make_crew(plan, sources, sink);
     EXPECT_TRUE(crew) << text::render(sink);
     settings.seed = seed;
     settings.threads = threads;
@@ -68,15 +68,15 @@ struct Plan {
   }
 };
 
-inline void carry_out(fleet::MissionRun& run, int cycles) {
+inline void carry_out(run::MissionRun& run, int cycles) {
   run.post(mission::event::Execute{});
-  for (int i = 0; i < cycles && run.step() == fleet::MissionRun::Progress::kStepped; ++i) {
+  for (int i = 0; i < cycles && run.step() == run::MissionRun::Progress::kStepped; ++i) {
   }
 }
 
 /// What happened, without what differs from run to run.
-inline std::string report_of(const fleet::MissionRun& run) {
-  return fleet::report_json(run, {}, fleet::RunEnd::kTimeIsUp);
+inline std::string report_of(const run::MissionRun& run) {
+  return run::report_json(run, {}, run::RunEnd::kTimeIsUp);
 }
 
 /// Carries a mission out in simulation, and writes what the robots sense into a file. @return its report
@@ -86,7 +86,7 @@ inline std::string record(const Plan& plan, int cycles, const std::string& path)
   const std::shared_ptr<recording::PerceptsWriter> writer = std::move(*file);
   auto bodies = std::make_unique<recording::RecordingBinding>(
       simulated::make_bodies(*plan.crew->mission, plan.settings), writer);
-  fleet::MissionRun run(plan.crew, plan.settings, std::move(bodies));
+  run::MissionRun run(plan.crew, plan.settings, std::move(bodies));
   carry_out(run, cycles);
   EXPECT_FALSE(writer->finish());
   return report_of(run);
@@ -95,7 +95,7 @@ inline std::string record(const Plan& plan, int cycles, const std::string& path)
 /// The same mission on what is in a file.
 struct Replay {
   const recording::RecordedBinding* bodies = nullptr;
-  std::unique_ptr<fleet::MissionRun> run;
+  std::unique_ptr<run::MissionRun> run;
 
   Replay(const Plan& plan, const std::string& path) {
     auto file = recording::PerceptsReader::open(path);
@@ -103,7 +103,7 @@ struct Replay {
     if (!file) return;
     auto recorded = std::make_unique<recording::RecordedBinding>(std::move(*file), plan.settings.threads);
     bodies = recorded.get();
-    run = std::make_unique<fleet::MissionRun>(plan.crew, plan.settings, std::move(recorded));
+    run = std::make_unique<run::MissionRun>(plan.crew, plan.settings, std::move(recorded));
   }
 };
 

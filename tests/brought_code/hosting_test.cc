@@ -15,8 +15,8 @@
 #include "mlab/lang/cnl/elaborate.h"
 #include "mlab/lang/cnl/load.h"
 #include "mlab/lang/cnl/native_module.h"
-#include "mlab/robot/network_file.h"
-#include "mlab/robot_host/hosted_cycle.h"
+#include "mlab/robot/host/hosted_cycle.h"
+#include "mlab/robot/program/network_file.h"
 #include "team.h"
 
 namespace mlab::brought_code {

@@ -12,8 +12,8 @@
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/permission.h"
-#include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
 
 /// Missions whose robots bring procedures of their own.
@@ -66,7 +66,7 @@ inline robot::ProgramSources sources_in(const std::string& folder, const cell::P
 struct Team {
   text::Diagnostics sink;
   std::vector<std::string> told;
-  std::unique_ptr<fleet::MissionRun> run;
+  std::unique_ptr<run::MissionRun> run;
 
   /// Robots that drive by one network.
   /// @param network  in CNL; has to bring what it uses and is not in the component library
@@ -79,7 +79,7 @@ struct Team {
   Team(const std::string& mission, const robot::ProgramSources& sources, int threads = 1) {
     const auto plan = mdl::load_mission((fs::path(sources.folder) / mission).string(), sink, {1, {}});
     if (!plan) return;
-    fleet::RunSettings settings;
+    run::RunSettings settings;
     settings.seed = 5;
     settings.threads = threads;
     settings.executive.proceed_all = true;

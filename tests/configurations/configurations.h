@@ -7,10 +7,10 @@
 #include <string>
 
 #include "mlab/base/testing/source_folder.h"
-#include "mlab/designer/spread.h"
+#include "mlab/designer/edit/spread.h"
 #include "mlab/lang/cdl_historic/import.h"
-#include "mlab/robot/configuration_file.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/robot/program/robot_program.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/testing/golden.h"
 

@@ -19,11 +19,11 @@
 
 #include "configurations.h"
 #include "mlab/base/hash.h"
-#include "mlab/designer/drawing.h"
+#include "mlab/designer/drawing/drawing.h"
 #include "mlab/lang/cdl/emit_cnl.h"
-#include "mlab/lang/cdl/format.h"
-#include "mlab/lang/cdl/parser.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/lang/cdl/print/format.h"
+#include "mlab/lang/cdl/syntax/parser.h"
+#include "mlab/robot/program/configuration_file.h"
 
 namespace mlab {
 namespace {

@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "mlab/designer/components.h"
-#include "mlab/lang/cdl/port_type.h"
-#include "mlab/language/component.h"
-#include "mlab/robot/configuration_file.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/assist/component.h"
+#include "mlab/designer/drawing/components.h"
+#include "mlab/lang/cdl/types/port_type.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/robot/program/robot_program.h"
 
 namespace mlab {
 namespace {
@@ -75,8 +75,8 @@ TEST(Fits, IsTheSameForTheCheckerTheDesignerAndTheCompletion) {
                                            taker.first, taker.second, want.name(), want.unit);
       EXPECT_EQ(said_by_the_checker(have, taker.first, taker.second), misfit) << pair;
       EXPECT_EQ(designer::why_not(have, want).empty(), misfit == cdl::Misfit::kNone) << pair;
-      EXPECT_EQ(language::fits(language::value_type(have.name(), have.unit),
-                               language::value_type(want.name(), want.unit)),
+      EXPECT_EQ(assist::fits(assist::value_type(have.name(), have.unit),
+                             assist::value_type(want.name(), want.unit)),
                 misfit == cdl::Misfit::kNone)
           << pair;
     }

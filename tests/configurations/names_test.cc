@@ -11,12 +11,12 @@
 #include <gtest/gtest.h>
 
 #include "configurations.h"
-#include "mlab/designer/model.h"
-#include "mlab/lang/cdl/elaboration.h"
-#include "mlab/lang/cdl/naming.h"
-#include "mlab/lang/cdl/walk.h"
-#include "mlab/robot/configuration_file.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/designer/drawing/model.h"
+#include "mlab/lang/cdl/lower/elaboration.h"
+#include "mlab/lang/cdl/lower/naming.h"
+#include "mlab/lang/cdl/syntax/walk.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/robot/program/robot_program.h"
 
 namespace mlab {
 namespace {

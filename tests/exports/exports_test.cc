@@ -28,8 +28,8 @@
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/export/format.h"
 #include "mlab/flow/program.h"
-#include "mlab/robot/brought_code.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/brought_code.h"
+#include "mlab/robot/program/configuration_file.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab {

@@ -11,14 +11,14 @@
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/program.h"
-#include "mlab/lang/cdl/format.h"
-#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl/print/format.h"
+#include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/lang/cdl_historic/layout.h"
 #include "mlab/lang/cdl_historic/library_names.h"
 #include "mlab/percept/percepts.h"
-#include "mlab/robot/configuration_file.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/robot/program/robot_program.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab {

@@ -18,10 +18,10 @@
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
-#include "mlab/fleet/mission_run.h"
-#include "mlab/fleet/report.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/run/mission_run.h"
+#include "mlab/run/report.h"
 #include "mlab/simulated/run.h"
 
 namespace mlab {
@@ -35,7 +35,7 @@ const fs::path kMissions = fs::path(base::source_folder()) / "missions";
 const fs::path kCorpus = fs::path(base::source_folder()) / ".." / "shared" / "corpus" / "missions";
 
 // With the standard clock, all questions answered with yes.
-std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads) {
+std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads) {
   text::Diagnostics sink;
   const robot::ProgramSources sources = {cell::testing::code_permitted(), file.parent_path().string()};
   mdl::LoadOptions options;
@@ -46,7 +46,7 @@ std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t s
     ADD_FAILURE() << text::render(sink);
     return nullptr;
   }
-  fleet::RunSettings settings;
+  run::RunSettings settings;
   settings.seed = seed;
   settings.threads = threads;
   settings.executive.proceed_all = true;
@@ -55,9 +55,9 @@ std::unique_ptr<fleet::MissionRun> prepare(const fs::path& file, std::uint64_t s
   return run;
 }
 
-void carry_out(fleet::MissionRun& run, double most_seconds) {
+void carry_out(run::MissionRun& run, double most_seconds) {
   run.post(mission::event::Execute{});
-  while (run.time() < most_seconds && run.step() == fleet::MissionRun::Progress::kStepped) {
+  while (run.time() < most_seconds && run.step() == run::MissionRun::Progress::kStepped) {
   }
 }
 
@@ -66,7 +66,7 @@ Json read_json(const fs::path& file) {
   return Json::parse(stream, nullptr, false);
 }
 
-geom::Point center_of(const fleet::MissionRun& run, const std::string& unit_name) {
+geom::Point center_of(const run::MissionRun& run, const std::string& unit_name) {
   geom::Offset sum;
   std::size_t count = 0;
   for (const mission::Unit& unit : run.mission().units) {
@@ -90,7 +90,7 @@ TEST_P(Mission, ArrivesWithAnySeedWithoutAContact) {
     const auto run = prepare(folder / (GetParam() + ".mdl"), seed, 1);
     ASSERT_TRUE(run);
     carry_out(*run, expected["at_most_s"]);
-    EXPECT_EQ(fleet::outcome_name(*run, fleet::RunEnd::kInterrupted), expected["outcome"].get<std::string>());
+    EXPECT_EQ(run::outcome_name(*run, run::RunEnd::kInterrupted), expected["outcome"].get<std::string>());
     EXPECT_EQ(run->state().steps.size(), expected["steps"].get<std::size_t>());
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       ASSERT_NE(robot.life, fleet::RobotLife::kNotStarted);
@@ -110,7 +110,7 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
   const auto report_with = [&](int threads) {
     const auto run = prepare(kMissions / GetParam() / (GetParam() + ".mdl"), 7, threads);
     carry_out(*run, 3600.0);
-    Json report = Json::parse(fleet::report_json(*run, {}, fleet::RunEnd::kByItself));
+    Json report = Json::parse(run::report_json(*run, {}, run::RunEnd::kByItself));
     report.erase("performance");
     return report.dump();
   };
@@ -138,7 +138,7 @@ TEST(Missions, EveryFolderIsTried) {
 }
 
 // What the foragers that are after an attractor go for, by object.
-std::map<std::uint32_t, int> targets_of(const fleet::MissionRun& run) {
+std::map<std::uint32_t, int> targets_of(const run::MissionRun& run) {
   std::map<std::uint32_t, int> out;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     const flow::Program& program = *robot.workings().program;
@@ -160,7 +160,7 @@ TEST(Forage, NoTwoRobotsGoForTheSameAttractorForLongerThanACycle) {
     ASSERT_TRUE(run);
     run->post(mission::event::Execute{});
     std::map<std::uint32_t, int> shared_for;  // by object [cycles]
-    while (run->time() < 300.0 && run->step() == fleet::MissionRun::Progress::kStepped) {
+    while (run->time() < 300.0 && run->step() == run::MissionRun::Progress::kStepped) {
       const std::map<std::uint32_t, int> targets = targets_of(*run);
       cycles_with_target += targets.empty() ? 0 : 1;
       std::erase_if(shared_for, [&](const auto& one) {
@@ -196,7 +196,7 @@ TEST(Minefield, NoRobotIsEverInside) {
   ASSERT_TRUE(is_inside(outline->points, outline->center()));
   double nearest = std::numeric_limits<double>::infinity();
   run->post(mission::event::Execute{});
-  while (run->time() < 900.0 && run->step() == fleet::MissionRun::Progress::kStepped) {
+  while (run->time() < 900.0 && run->step() == run::MissionRun::Progress::kStepped) {
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       if (robot.life == fleet::RobotLife::kNotStarted) continue;
       const geom::Point at = run->fleet().pose(robot).position;
@@ -240,7 +240,7 @@ TEST(Herd, RunsFromTheWolfAndKeepsTogether) {
   std::set<std::string> seen;
   double nearest = std::numeric_limits<double>::infinity();
   run->post(mission::event::Execute{});
-  while (run->time() < 900.0 && run->step() == fleet::MissionRun::Progress::kStepped) {
+  while (run->time() < 900.0 && run->step() == run::MissionRun::Progress::kStepped) {
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       if (robot.id == wolf->id || robot.life != fleet::RobotLife::kRunning) continue;
       const robot::Workings workings = robot.workings();
@@ -297,7 +297,7 @@ TEST(HistoricMissions, ArriveOrSayWhereTheyAreStuck) {
       if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) said += told->text + "\n";
     });
     carry_out(*run, 20'000.0);
-    const std::string outcome = fleet::outcome_name(*run, fleet::RunEnd::kInterrupted);
+    const std::string outcome = run::outcome_name(*run, run::RunEnd::kInterrupted);
     if (outcome == "done") continue;
     EXPECT_EQ(outcome, "failed");
     EXPECT_NE(said.find("no progress"), std::string::npos) << said;

@@ -11,15 +11,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "mlab/lang/cdl/formula.h"
-#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl/formula/formula.h"
+#include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl_historic/parser.h"
 #include "mlab/lang/cnl/parser.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
 #include "mlab/lang/odl/odl.h"
-#include "mlab/robot/network_file.h"
+#include "mlab/robot/program/network_file.h"
 
 namespace mlab {
 namespace {

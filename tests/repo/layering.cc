@@ -21,15 +21,15 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"cell", {"base", "text"}},
     {"percept", {"geom"}},
     {"flow", {"percept", "text"}},
-    {"robot_wire", {"flow"}},
-    {"robot_process", {"flow", "robot_wire"}},
-    {"robot_host", {"cell", "robot_wire", "text"}},
+    {"robot/wire", {"flow"}},
+    {"robot/process", {"flow", "robot/wire"}},
+    {"robot/host", {"cell", "robot/wire", "text"}},
     {"schema", {"flow"}},
     {"overlay", {"geom", "text"}},
     {"mission", {"overlay", "percept"}},
     {"binding", {"percept", "overlay"}},
     {"sim", {"binding"}},
-    {"recording", {"binding", "robot_wire", "text"}},
+    {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},
     {"lang/envchange", {"text", "overlay"}},
     {"lang/mdl", {"text", "mission", "lang/odl"}},
@@ -40,17 +40,18 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"git", {"text"}},
     {"export", {"flow", "lang/cdl"}},
     {"library", {"schema"}},
-    {"robot", {"cell", "percept", "robot_host", "flow", "lang/cnl", "lang/cdl", "library"}},
-    {"robot_runner", {"library", "robot_process"}},
-    {"robot_build", {"cell", "robot", "robot_process"}},
-    {"component_test", {"robot", "lang/cdl", "percept"}},
-    {"fleet", {"robot", "mission", "binding"}},
-    {"simulated", {"fleet"}},
-    {"language", {"fleet", "lang/mdl", "lang/odl", "lang/envchange"}},
-    {"lsp", {"documents", "language"}},
+    {"robot/program", {"cell", "percept", "robot/host", "flow", "lang/cnl", "lang/cdl", "library"}},
+    {"robot/runner", {"library", "robot/process"}},
+    {"robot/executable", {"cell", "robot/program", "robot/process"}},
+    {"component_test", {"robot/program", "lang/cdl", "percept"}},
+    {"fleet", {"robot/program", "mission", "binding"}},
+    {"run", {"fleet"}},
+    {"simulated", {"run"}},
+    {"assist", {"run", "lang/mdl", "lang/odl", "lang/envchange"}},
+    {"lsp", {"documents", "assist"}},
     {"console/server", {"base"}},
     {"console",
-     {"cell", "documents", "simulated", "language", "lang/mdl", "lang/odl", "lang/envchange",
+     {"cell", "documents", "simulated", "assist", "lang/mdl", "lang/odl", "lang/envchange",
       "console/server"}},
     {"designer", {"console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
     {"tables", {"lang/mdl"}},
@@ -64,7 +65,7 @@ const std::map<std::string, Modules, std::less<>> kKept = {
 
 /// Whose messages a file of proto/mlab holds, by how its name begins.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMessages = {{
-    {"robot", "robot_wire"},
+    {"robot", "robot/wire"},
     {"percepts_file", "recording"},
     {"console", "console"},
     {"designer", "designer"},
@@ -82,7 +83,8 @@ std::string module_of(std::string_view path) {
     return found == kMessages.end() ? std::string(path) : std::string(found->second);
   }
   std::size_t end = path.find('/');
-  if (path.starts_with("lang/") || path.starts_with("console/server/")) end = path.find('/', end + 1);
+  if (path.starts_with("lang/") || path.starts_with("robot/") || path.starts_with("console/server/"))
+    end = path.find('/', end + 1);
   return end == std::string_view::npos ? std::string{} : std::string(path.substr(0, end));
 }
 

@@ -38,13 +38,14 @@ TEST(Layering, WhatAModuleKeepsToItselfNobodyAboveItAndNoHeaderOfItKnows) {
   const std::string line = "#include \"mlab/sim/simulator.h\"\n";
   EXPECT_EQ(upward_includes({{"src/mlab/simulated/run.cc", line}}), Findings{});
   EXPECT_EQ(
-      upward_includes({{"src/mlab/simulated/run.h", line}, {"src/mlab/console/alarms.cc", line}}).size(), 2U);
+      upward_includes({{"src/mlab/simulated/run.h", line}, {"src/mlab/console/run/alarms.cc", line}}).size(),
+      2U);
 }
 
 TEST(Layering, MessagesBelongToTheModuleThatSpeaksByThem) {
   const Tree tree = {{"src/mlab/console/server/server.cc", "#include \"mlab/console_map.pb.h\"\n"},
                      {"src/mlab/console/session.cc", "#include \"mlab/console_map.pb.h\"\n"},
-                     {"src/mlab/designer/desk.cc", "#include \"mlab/misc.pb.h\"\n"}};
+                     {"src/mlab/designer/session/desk.cc", "#include \"mlab/misc.pb.h\"\n"}};
   const Findings findings = upward_includes(tree);
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].message, "`console/server` must not include `console`, which stands above it");
@@ -68,7 +69,7 @@ TEST(Gate, ADecisionElsewhereIsFoundAtItsLine) {
 }
 
 TEST(Layering, TheLibraryKnowsWhatProceduresAreWrittenAgainstAndItsTestsMore) {
-  const std::string line = "#include \"mlab/robot/configuration_file.h\"\n";
+  const std::string line = "#include \"mlab/robot/program/configuration_file.h\"\n";
   const Tree tree = {{"library/robots/robots.cc", line},
                      {"library/robots/standard_test.cc", line},
                      {"library/testing/network.h", line}};

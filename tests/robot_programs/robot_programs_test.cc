@@ -15,10 +15,10 @@
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
-#include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/robot/network_file.h"
-#include "mlab/robot_build/executable.h"
+#include "mlab/robot/executable/executable.h"
+#include "mlab/robot/program/network_file.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
 
 namespace mlab {
@@ -81,9 +81,9 @@ class RobotProgramsTest : public testing::Test {
     fs::permissions(shared_folder / name, fs::perms::owner_all);
     return "./" + name;
   }
-  std::unique_ptr<fleet::MissionRun> prepare(const std::string& program, int threads,
-                                             const std::string& parameters = "(pace = 3)",
-                                             bool allow_native = true, bool in_cell = true) {
+  std::unique_ptr<run::MissionRun> prepare(const std::string& program, int threads,
+                                           const std::string& parameters = "(pace = 3)",
+                                           bool allow_native = true, bool in_cell = true) {
     std::ofstream(shared_folder / "m.mdl")
         << "MISSION NAME Test\nOVERLAY map.odl\nNEW-ROBOT walker \"" << program << "\" " << parameters
         << "\nUNIT <u> walker walker walker walker walker\nCOMMAND LIST:\n0. UNIT u START Here 0 10\n"
@@ -91,7 +91,7 @@ class RobotProgramsTest : public testing::Test {
     sink_ = {};
     const auto mission = mdl::load_mission((shared_folder / "m.mdl").string(), sink_, {1, {}});
     if (!mission) return nullptr;
-    fleet::RunSettings settings;
+    run::RunSettings settings;
     settings.seed = 5;
     settings.threads = threads;
     settings.executive.proceed_all = true;
@@ -111,10 +111,10 @@ class RobotProgramsTest : public testing::Test {
     return run;
   }
   // Where all robots are, cycle by cycle.
-  static std::vector<geom::Pose> ways(fleet::MissionRun& run, int cycles) {
+  static std::vector<geom::Pose> ways(run::MissionRun& run, int cycles) {
     std::vector<geom::Pose> out;
     run.post(mission::event::Execute{});
-    for (int i = 0; i < cycles && run.step() == fleet::MissionRun::Progress::kStepped; ++i) {
+    for (int i = 0; i < cycles && run.step() == run::MissionRun::Progress::kStepped; ++i) {
       for (const fleet::FleetRobot& robot : run.fleet().robots()) out.push_back(run.fleet().pose(robot));
     }
     return out;
@@ -216,7 +216,7 @@ TEST_F(RobotProgramsTest, ForageTogetherAsTheEmbeddedProgramsDo) {
     text::Diagnostics sink;
     const auto mission = mdl::load_mission((folder / "m.mdl").string(), sink, {1, {}});
     ASSERT_TRUE(mission) << text::render(sink);
-    fleet::RunSettings settings;
+    run::RunSettings settings;
     settings.seed = 4;
     settings.executive.proceed_all = true;
     robot::ProgramSources sources{cell::testing::all_permitted(), folder.string(),
@@ -240,7 +240,7 @@ TEST_F(RobotProgramsTest, TakeParametersWhileTheyRun) {
   const auto closed = prepare("./closed", 2);
   ASSERT_TRUE(embedded && native && closed);
   std::vector<std::vector<geom::Pose>> all;
-  for (fleet::MissionRun* run : {embedded.get(), native.get(), closed.get()}) {
+  for (run::MissionRun* run : {embedded.get(), native.get(), closed.get()}) {
     ways(*run, 50);
     EXPECT_EQ(run->set_parameter({2}, "pace", "0.5"), std::nullopt);
     EXPECT_EQ(run->set_parameter({2}, "obstacles.range", "3"), std::nullopt);

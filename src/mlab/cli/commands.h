@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/robot_host/limits.h"
+#include "mlab/robot/host/limits.h"
 
 namespace mlab::cli {
 

@@ -10,9 +10,9 @@
 #include "mlab/cli/describe_historic.h"
 #include "mlab/cli/input.h"
 #include "mlab/cli/terminal.h"
-#include "mlab/lang/cdl/parser.h"
-#include "mlab/lang/cdl/print.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/lang/cdl/print/print.h"
+#include "mlab/lang/cdl/syntax/parser.h"
+#include "mlab/robot/program/configuration_file.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {

@@ -83,8 +83,8 @@ std::vector<std::string> overlay_folders() {
   return {(prefix() / "share" / "mlab" / "overlays").string()};
 }
 
-language::Surroundings surroundings(const cell::Permission& permission) {
-  language::Surroundings out;
+assist::Surroundings surroundings(const cell::Permission& permission) {
+  assist::Surroundings out;
   out.overlay_folders = overlay_folders();
   out.programs = program_sources("", permission);
   return out;

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "mlab/assist/service.h"
 #include "mlab/cell/permission.h"
-#include "mlab/language/service.h"
-#include "mlab/robot/robot_program.h"
-#include "mlab/robot_build/executable.h"
+#include "mlab/robot/executable/executable.h"
+#include "mlab/robot/program/robot_program.h"
 
 namespace mlab::cli {
 
@@ -29,7 +29,7 @@ std::vector<std::string> overlay_folders();
 /// The component library's texts: of the installation, or of what it was built from.
 std::string library_folder();
 /// What stands beside a text that is checked or edited.
-language::Surroundings surroundings(const cell::Permission& permission);
+assist::Surroundings surroundings(const cell::Permission& permission);
 /// The web client of the operator console, and the missions that come with mlab: of the installation, or of
 /// what it was built from.
 std::string web_folder();

@@ -18,7 +18,7 @@
 #include <CLI/CLI.hpp>
 
 #include "mlab/cli/commands.h"
-#include "mlab/cli/export_command.h"
+#include "mlab/cli/commands/export.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"

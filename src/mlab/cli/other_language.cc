@@ -10,10 +10,10 @@
 
 namespace mlab::cli {
 
-using language::Language;
+using assist::Language;
 
 std::string other_language(const std::string& file, std::initializer_list<Language> wanted) {
-  const std::optional<Language> language = language::language_of(text::Source(file, ""));
+  const std::optional<Language> language = assist::language_of(text::Source(file, ""));
   if (!language || std::ranges::count(wanted, *language) > 0) return "";
   const std::filesystem::path path(file);
   const std::string name = path.filename().string();

@@ -27,7 +27,7 @@ struct View {
 };
 
 // The mission area, or less of it where nothing but emptiness would be shown.
-View view_of(const fleet::MissionRun& run, const std::vector<std::vector<geom::Point>>& ways) {
+View view_of(const run::MissionRun& run, const std::vector<std::vector<geom::Point>>& ways) {
   View view;
   const overlay::Area area = run.mission().overlay.mission_area();
   view.high = {area.width, area.height};
@@ -135,7 +135,7 @@ constexpr std::string_view kColors[] = {"#2563eb", "#dc2626", "#059669", "#d9770
 
 }  // namespace
 
-void Plot::note(const fleet::MissionRun& run) {
+void Plot::note(const run::MissionRun& run) {
   if (run.time() < next_) return;
   next_ = run.time() + kEvery;
   const auto& robots = run.fleet().robots();
@@ -146,7 +146,7 @@ void Plot::note(const fleet::MissionRun& run) {
   }
 }
 
-std::string Plot::svg(const fleet::MissionRun& run) const {
+std::string Plot::svg(const run::MissionRun& run) const {
   const View view = view_of(run, ways_);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/fleet/mission_run.h"
+#include "mlab/run/mission_run.h"
 
 namespace mlab::cli {
 
@@ -11,9 +11,9 @@ namespace mlab::cli {
 class Plot {
  public:
   /// Notes where the robots are; call it after each cycle. Every `kEvery` seconds a point is kept.
-  void note(const fleet::MissionRun& run);
+  void note(const run::MissionRun& run);
   /// The picture as SVG. A file of its own: it needs no other, and no fonts but the viewer's.
-  std::string svg(const fleet::MissionRun& run) const;
+  std::string svg(const run::MissionRun& run) const;
 
  private:
   static constexpr double kEvery = 1.0;      // [s]

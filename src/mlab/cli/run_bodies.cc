@@ -30,11 +30,11 @@ bool RunBodies::open(RunOptions& options) {
   return true;
 }
 
-std::unique_ptr<fleet::MissionRun> RunBodies::make_run(const std::shared_ptr<const mission::Mission>& mission,
-                                                       const robot::ProgramSources& sources,
-                                                       const fleet::RunSettings& settings,
-                                                       text::Diagnostics& sink) {
-  std::shared_ptr<const fleet::Crew> crew = fleet::check_crew(mission, sources, sink);
+std::unique_ptr<run::MissionRun> RunBodies::make_run(const std::shared_ptr<const mission::Mission>& mission,
+                                                     const robot::ProgramSources& sources,
+                                                     const run::RunSettings& settings,
+                                                     text::Diagnostics& sink) {
+  std::shared_ptr<const run::Crew> crew = run::check_crew(mission, sources, sink);
   if (!crew) return nullptr;
   std::unique_ptr<binding::Binding> bodies;
   if (file_) {
@@ -58,7 +58,7 @@ std::unique_ptr<fleet::MissionRun> RunBodies::make_run(const std::shared_ptr<con
     written_ = std::move(*file);
     bodies = std::make_unique<recording::RecordingBinding>(std::move(bodies), written_);
   }
-  return std::make_unique<fleet::MissionRun>(std::move(crew), settings, std::move(bodies));
+  return std::make_unique<run::MissionRun>(std::move(crew), settings, std::move(bodies));
 }
 
 bool RunBodies::conclude() {

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "mlab/cli/commands.h"
-#include "mlab/fleet/mission_run.h"
 #include "mlab/mission/mission.h"
 #include "mlab/recording/recorded_binding.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/robot/program/robot_program.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
@@ -22,9 +22,9 @@ class RunBodies {
   bool open(RunOptions& options);
   /// Once, after `open`.
   /// @return null where there were errors, all in `sink`
-  std::unique_ptr<fleet::MissionRun> make_run(const std::shared_ptr<const mission::Mission>& mission,
-                                              const robot::ProgramSources& sources,
-                                              const fleet::RunSettings& settings, text::Diagnostics& sink);
+  std::unique_ptr<run::MissionRun> make_run(const std::shared_ptr<const mission::Mission>& mission,
+                                            const robot::ProgramSources& sources,
+                                            const run::RunSettings& settings, text::Diagnostics& sink);
 
   /// After the run, which is still there: finishes the file that is written, and tells how robots acted
   /// otherwise than in the one that was read.

@@ -96,7 +96,7 @@ void RunScreen::end_prompt(bool is_answered) {
 
 // The commands say which step they belong to, so a line for the step itself would only repeat them. Quietly:
 // what is wrong, and why the mission has failed.
-bool RunScreen::is_worth_a_line(const fleet::MissionRun& run, const Tell& told) {
+bool RunScreen::is_worth_a_line(const run::MissionRun& run, const Tell& told) {
   if (told.kind == Tell::Kind::kWarning) return warnings_.admit(told.text);
   if (quiet_)
     return told.kind == Tell::Kind::kCommandEnded &&
@@ -111,7 +111,7 @@ void RunScreen::clear_progress() {
   has_bar_ = false;
 }
 
-void RunScreen::show_start(const fleet::MissionRun& run) {
+void RunScreen::show_start(const run::MissionRun& run) {
   if (quiet_) return;
   const mission::Mission& mission = run.mission();
   line(fmt::format("{}: {}, {}, seed {}, cycle {} s",
@@ -120,7 +120,7 @@ void RunScreen::show_start(const fleet::MissionRun& run) {
                    run.seed(), run.cycle_duration()));
 }
 
-void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect) {
+void RunScreen::show(const run::MissionRun& run, const mission::Effect& effect) {
   if (const auto* print = std::get_if<mission::effect::Print>(&effect))
     print->robot_info ? show_robots(run) : show_database(run);
   const auto* told = std::get_if<Tell>(&effect);
@@ -131,7 +131,7 @@ void RunScreen::show(const fleet::MissionRun& run, const mission::Effect& effect
                    text::shown(told->text, kMostCharacters)));
 }
 
-void RunScreen::show_database(const fleet::MissionRun& run) {
+void RunScreen::show_database(const run::MissionRun& run) {
   for (const overlay::ControlMeasure& measure : run.mission().overlay.measures) {
     const geom::Point at = measure.center();
     line(fmt::format("  {:<10} {:<20} at ({:.2f}, {:.2f})", keyword(measure.kind), text::shown(measure.name),
@@ -145,7 +145,7 @@ void RunScreen::show_database(const fleet::MissionRun& run) {
   }
 }
 
-void RunScreen::show_robots(const fleet::MissionRun& run) {
+void RunScreen::show_robots(const run::MissionRun& run) {
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     const geom::Pose pose = run.fleet().pose(robot);
     line(fmt::format("  robot {:<6} {:<16} {:<12} at ({:.2f}, {:.2f}) heading {:.1f} deg", robot.id.value,
@@ -154,7 +154,7 @@ void RunScreen::show_robots(const fleet::MissionRun& run) {
   }
 }
 
-void RunScreen::show_progress(const fleet::MissionRun& run) {
+void RunScreen::show_progress(const run::MissionRun& run) {
   if (!is_terminal_ || quiet_ || !prompt_.empty()) return;
   const double now = steady_seconds();
   if (now - last_drawn_ < kRedrawSeconds) return;
@@ -174,7 +174,7 @@ void RunScreen::show_progress(const fleet::MissionRun& run) {
   has_bar_ = true;
 }
 
-void RunScreen::show_summary(const fleet::MissionRun& run, const std::string& outcome, double wall_seconds) {
+void RunScreen::show_summary(const run::MissionRun& run, const std::string& outcome, double wall_seconds) {
   clear_progress();
   fmt::print("\n{} after {:.1f} s simulated, {:.2f} s real ({:.0f} robot-cycles per second)\n",
              colored(outcome, outcome == "done" ? Color::kGood : Color::kBad), run.time(), wall_seconds,
@@ -198,7 +198,7 @@ void RunScreen::show_summary(const fleet::MissionRun& run, const std::string& ou
     fmt::print("  ... and {} more; {} in all\n", shown_robots - kMostRobots,
                base::counted(contacts, "collision"));
   for (std::size_t i = 0; i < run.mission().units.size() && i < run.unit_metrics().size(); ++i) {
-    const fleet::UnitMetrics& metrics = run.unit_metrics()[i];
+    const run::UnitMetrics& metrics = run.unit_metrics()[i];
     if (metrics.samples == 0) continue;
     fmt::print(
         "  unit {}: formation error {:.1f} m on average, {:.1f} m at most, out of formation {:.0f} % of the "

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/fleet/mission_run.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
@@ -39,10 +39,10 @@ class RunScreen {
  public:
   explicit RunScreen(bool quiet);
 
-  void show_start(const fleet::MissionRun& run);
-  void show(const fleet::MissionRun& run, const mission::Effect& effect);
+  void show_start(const run::MissionRun& run);
+  void show(const run::MissionRun& run, const mission::Effect& effect);
   /// Draws the progress bar anew, at most ten times a second.
-  void show_progress(const fleet::MissionRun& run);
+  void show_progress(const run::MissionRun& run);
   /// One line, the bar out of the way.
   void line(const std::string& text);
   /// The bar disappears.
@@ -52,14 +52,14 @@ class RunScreen {
   /// @param is_answered  the line has been ended by who answered
   void end_prompt(bool is_answered);
   /// PRINT: the places and units of the mission, or its robots.
-  void show_database(const fleet::MissionRun& run);
-  void show_robots(const fleet::MissionRun& run);
-  void show_summary(const fleet::MissionRun& run, const std::string& outcome, double wall_seconds);
+  void show_database(const run::MissionRun& run);
+  void show_robots(const run::MissionRun& run);
+  void show_summary(const run::MissionRun& run, const std::string& outcome, double wall_seconds);
   /// Once more what was warned of when the mission was loaded, and what was not shown of later warnings.
   void show_warnings(const text::Diagnostics& at_load) const;
 
  private:
-  bool is_worth_a_line(const fleet::MissionRun& run, const mission::effect::Tell& told);
+  bool is_worth_a_line(const run::MissionRun& run, const mission::effect::Tell& told);
 
   bool quiet_;
   bool is_terminal_;

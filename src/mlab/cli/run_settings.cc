@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/cli/files.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
 
 namespace mlab::cli {
 namespace {

@@ -6,9 +6,9 @@
 #include "mlab/cell/permission.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
-#include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/robot/program/robot_program.h"
+#include "mlab/run/mission_run.h"
 
 namespace mlab::cli {
 
@@ -16,7 +16,7 @@ namespace mlab::cli {
 struct RunManner {
   double speed = 0.0;  ///< simulated seconds per second; 0: as fast as it goes
   MissionClock clock;
-  fleet::RunSettings settings;  ///< all but the environment, which belongs to a mission
+  run::RunSettings settings;  ///< all but the environment, which belongs to a mission
 };
 
 /// @param default_speed  where the options name none

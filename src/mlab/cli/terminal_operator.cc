@@ -35,7 +35,7 @@ Answers::Kind Answers::poll_line(int wait_ms, std::string& line) {
   return poll_line(0, line);
 }
 
-TerminalOperator::TerminalOperator(fleet::MissionRun& run, RunScreen& screen)
+TerminalOperator::TerminalOperator(run::MissionRun& run, RunScreen& screen)
     : run_(run), screen_(screen), is_person_(isatty(STDIN_FILENO) == 1) {}
 
 void TerminalOperator::see(const mission::Effect& effect) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mlab/cli/run_screen.h"
-#include "mlab/fleet/mission_run.h"
+#include "mlab/run/mission_run.h"
 
 namespace mlab::cli {
 
@@ -24,7 +24,7 @@ class Answers {
 /// The operator of a headless run: shows what is asked and takes the answers from standard input.
 class TerminalOperator {
  public:
-  TerminalOperator(fleet::MissionRun& run, RunScreen& screen);
+  TerminalOperator(run::MissionRun& run, RunScreen& screen);
 
   void see(const mission::Effect& effect);
   bool is_needed() const { return !asked_.empty() || !teleoperated_.empty(); }
@@ -48,7 +48,7 @@ class TerminalOperator {
   void withdraw(std::uint32_t question);
   void take(std::string line);
 
-  fleet::MissionRun& run_;
+  run::MissionRun& run_;
   RunScreen& screen_;
   Answers answers_;
   std::map<std::uint32_t, Question> asked_;

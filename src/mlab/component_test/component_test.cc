@@ -10,10 +10,10 @@
 
 #include "mlab/base/counted.h"
 #include "mlab/component_test/situation.h"
-#include "mlab/lang/cdl/lower.h"
-#include "mlab/robot/brought_code.h"
-#include "mlab/robot/configuration_file.h"
-#include "mlab/robot/program_runners.h"
+#include "mlab/lang/cdl/lower/lower.h"
+#include "mlab/robot/program/brought_code.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/robot/program/program_runners.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::component_test {

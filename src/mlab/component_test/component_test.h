@@ -10,8 +10,8 @@
 
 #include "mlab/component_test/feeding.h"
 #include "mlab/flow/frame.h"
-#include "mlab/lang/cdl/tests.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/lang/cdl/lower/tests.h"
+#include "mlab/robot/program/robot_program.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::component_test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/lang/cdl/tests.h"
+#include "mlab/lang/cdl/lower/tests.h"
 #include "mlab/percept/percepts.h"
 
 namespace mlab::component_test {

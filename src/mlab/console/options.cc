@@ -1,7 +1,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/console/live_run.h"
+#include "mlab/console/run/live_run.h"
 
 namespace mlab::console {
 namespace {

@@ -9,8 +9,8 @@
 #include "mlab/cell/permission.h"
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
-#include "mlab/fleet/mission_run.h"
-#include "mlab/robot_host/limits.h"
+#include "mlab/robot/host/limits.h"
+#include "mlab/run/mission_run.h"
 
 namespace mlab::console {
 
@@ -32,7 +32,7 @@ struct SessionSettings {
   /// process. Empty: it would not.
   std::function<void(const std::string& why)> tell_not_kept = {};
   double speed = 10.0;  ///< simulated seconds per second; 0: as fast as it goes
-  fleet::RunSettings run;
+  run::RunSettings run;
 };
 
 /// One mission with its documents, its run, and the people who look at it. Has a thread of its own, on which

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/console/frame_encoder.h"
+#include "mlab/console/published/frame_encoder.h"
 #include "mlab/console/testing/browser.h"
 
 namespace mlab::console {

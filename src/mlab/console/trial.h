@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "mlab/fleet/mission_run.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/files.h"
 
@@ -35,7 +35,7 @@ struct TrialResult {
 
 /// Called once, on the session's thread, with the run as it stands between two cycles; null: there is none.
 /// Must not keep the pointer, and must not take long.
-using RunLook = std::function<void(const fleet::MissionRun* run)>;
+using RunLook = std::function<void(const run::MissionRun* run)>;
 
 /// Called once, on the session's thread; must not block.
 using TrialDone = std::function<void(TrialResult result)>;

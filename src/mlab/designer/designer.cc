@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/designer/designer_parts.h"
+#include "mlab/designer/session/parts.h"
 #include "mlab/text/shown.h"
 #include "mlab/text/utf8.h"
 

@@ -8,7 +8,7 @@
 #include "mlab/cell/permission.h"
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
-#include "mlab/robot_host/limits.h"
+#include "mlab/robot/host/limits.h"
 
 namespace mlab::designer {
 

@@ -1,5 +1,5 @@
 #include "mlab/designer/designer.h"
-#include "mlab/designer/titles.h"
+#include "mlab/designer/drawing/titles.h"
 
 #include <filesystem>
 

@@ -9,7 +9,7 @@
 #include "mlab/difference/declarations.h"
 #include "mlab/difference/difference.h"
 #include "mlab/difference/layouts.h"
-#include "mlab/lang/cdl/lexer.h"
+#include "mlab/lang/cdl/syntax/lexer.h"
 
 namespace mlab::difference {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/print/print.h"
 
 namespace mlab::difference {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "mlab/difference/difference.h"
 #include "mlab/difference/match.h"
-#include "mlab/lang/cdl/owner_model.h"
+#include "mlab/lang/cdl/lower/owner_model.h"
 
 namespace mlab::difference {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cdl/lexer.h"
-#include "mlab/lang/cdl/node_names.h"
+#include "mlab/lang/cdl/lower/node_names.h"
+#include "mlab/lang/cdl/syntax/lexer.h"
 
 namespace mlab::difference {
 namespace {

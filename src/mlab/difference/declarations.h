@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mlab/difference/match.h"
-#include "mlab/lang/cdl/tree.h"
+#include "mlab/lang/cdl/syntax/tree.h"
 
 namespace mlab::difference {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "mlab/lang/cdl/elaboration.h"
-#include "mlab/lang/cdl/tree.h"
+#include "mlab/lang/cdl/lower/elaboration.h"
+#include "mlab/lang/cdl/syntax/tree.h"
 #include "mlab/text/source.h"
 
 namespace mlab::difference {

@@ -12,7 +12,7 @@
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/difference/tell.h"
-#include "mlab/lang/cdl/signs.h"
+#include "mlab/lang/cdl/syntax/signs.h"
 
 namespace mlab::difference {
 namespace {

@@ -9,8 +9,8 @@
 #include <unordered_map>
 
 #include "mlab/base/hash.h"
-#include "mlab/lang/cdl/parts.h"
-#include "mlab/lang/cdl/tree.h"
+#include "mlab/lang/cdl/syntax/parts.h"
+#include "mlab/lang/cdl/syntax/tree.h"
 
 namespace mlab::difference {
 

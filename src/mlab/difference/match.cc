@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cdl/node_names.h"
+#include "mlab/lang/cdl/lower/node_names.h"
 
 namespace mlab::difference {
 namespace {

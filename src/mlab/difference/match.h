@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mlab/difference/fingerprint.h"
-#include "mlab/lang/cdl/owner_model.h"
+#include "mlab/lang/cdl/lower/owner_model.h"
 
 namespace mlab::difference {
 

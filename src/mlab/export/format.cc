@@ -4,7 +4,7 @@
 #include "mlab/export/graph.h"
 #include "mlab/export/sausages.h"
 #include "mlab/export/scxml.h"
-#include "mlab/lang/cdl/formula.h"
+#include "mlab/lang/cdl/formula/formula.h"
 
 namespace mlab::exports {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cdl/units.h"
+#include "mlab/lang/cdl/types/units.h"
 
 namespace mlab::exports {
 namespace {

@@ -22,8 +22,8 @@
 #include "mlab/mission/mission.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/needs.h"
-#include "mlab/robot/program_runners.h"
-#include "mlab/robot/robot_program.h"
+#include "mlab/robot/program/program_runners.h"
+#include "mlab/robot/program/robot_program.h"
 
 namespace mlab::fleet {
 

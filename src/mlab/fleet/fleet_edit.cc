@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "mlab/fleet/fleet.h"
-#include "mlab/robot/robot_values.h"
+#include "mlab/robot/program/robot_values.h"
 
 namespace mlab::fleet {
 

@@ -45,7 +45,7 @@ std::string Server::uri_for(const text::SourcePtr& source) const {
 
 Json Server::definition(const Json& params) {
   const Document& in = document(params);
-  const auto found = language::definition(in.text, cursor(in, params), project());
+  const auto found = assist::definition(in.text, cursor(in, params), project());
   if (!found || file_of(found->source).empty()) return nullptr;
   return Locations(*this).at(*found);
 }
@@ -55,7 +55,7 @@ Json Server::references(const Json& params) {
   const bool wants_declaration = params.value("context", Json::object()).value("includeDeclaration", true);
   Json out = Json::array();
   Locations locations(*this);
-  for (const language::Use& use : language::uses(in.text, cursor(in, params), project()).places) {
+  for (const assist::Use& use : assist::uses(in.text, cursor(in, params), project()).places) {
     if (wants_declaration || !use.is_declaration) out.push_back(locations.at(use.place));
   }
   return out;
@@ -63,7 +63,7 @@ Json Server::references(const Json& params) {
 
 Json Server::prepare_rename(const Json& params) {
   const Document& in = document(params);
-  const auto found = language::renamable(in.text, cursor(in, params), project());
+  const auto found = assist::renamable(in.text, cursor(in, params), project());
   if (!found) return nullptr;
   return {{"range", range_json(*in.lines, *found)},
           {"placeholder", std::string(in.text.source->text(*found))}};
@@ -77,10 +77,10 @@ void Server::show(const std::string& message) {
 }
 
 // Of a text that is open, for the version that it was computed of.
-Json Server::document_edit(const language::Change& change, const std::string& annotation) const {
+Json Server::document_edit(const assist::Change& change, const std::string& annotation) const {
   const LineIndex lines(change.source->text());
   Json edits = Json::array();
-  for (const language::Splice& splice : change.splices) {
+  for (const assist::Splice& splice : change.splices) {
     Json edit = {{"range", range_json(lines, splice.span)}, {"newText", splice.text}};
     if (!annotation.empty()) edit["annotationId"] = annotation;
     edits.push_back(std::move(edit));
@@ -97,7 +97,7 @@ Json Server::rename(const Json& params) {
   constexpr const char* kAnnotation = "rename";
   const Document& in = document(params);
   const std::string name = params.at("newName");
-  const auto done = language::rename(in.text, cursor(in, params), name, project());
+  const auto done = assist::rename(in.text, cursor(in, params), name, project());
   if (!done) {
     std::string why = done.error().message;
     if (const text::Place& place = done.error().place; place.source)
@@ -113,7 +113,7 @@ Json Server::rename(const Json& params) {
   if (!notes.empty() && !takes_annotations_) show(notes);
   if (!takes_versions_) {
     Json changes = Json::object();
-    for (const language::Change& change : done->changes) {
+    for (const assist::Change& change : done->changes) {
       const Json edit = document_edit(change, "");
       changes[edit["textDocument"]["uri"].get<std::string>()] = edit["edits"];
     }
@@ -121,7 +121,7 @@ Json Server::rename(const Json& params) {
   }
   Json out = {{"documentChanges", Json::array()}};
   const bool is_annotated = takes_annotations_ && is_wide;
-  for (const language::Change& change : done->changes)
+  for (const assist::Change& change : done->changes)
     out["documentChanges"].push_back(document_edit(change, is_annotated ? kAnnotation : ""));
   if (is_annotated) {
     out["changeAnnotations"][kAnnotation] = {
@@ -138,7 +138,7 @@ Json Server::workspace_symbols(const Json& params) {
   index_.update(all_texts(), surroundings());
   Json out = Json::array();
   Locations locations(*this);
-  const auto add = [&](const language::Entry& one) {
+  const auto add = [&](const assist::Entry& one) {
     if (one.kind == "call" || one.kind == "file" || out.size() == kMost) return;
     Json symbol = {{"name", one.name},
                    {"kind", symbol_kind(one.kind)},
@@ -147,9 +147,9 @@ Json Server::workspace_symbols(const Json& params) {
     out.push_back(std::move(symbol));
   };
   if (query.empty()) {
-    for (const language::Entry* one : index_.all()) add(*one);
+    for (const assist::Entry* one : index_.all()) add(*one);
   } else {
-    for (const language::ProjectIndex::Hit& hit : index_.find(query, kMost * 2)) add(*hit.entry);
+    for (const assist::ProjectIndex::Hit& hit : index_.find(query, kMost * 2)) add(*hit.entry);
   }
   return out;
 }

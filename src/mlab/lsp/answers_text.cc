@@ -62,8 +62,8 @@ Json Server::completion(const Json& params) {
   const std::string_view all = in.text.source->text();
   const Json context = params.value("context", Json::object());
   const bool is_space = context.is_object() && context.value("triggerCharacter", Json()) == " ";
-  const bool is_wordy = in.text.language == language::Language::kConfiguration ||
-                        in.text.language == language::Language::kNetwork;
+  const bool is_wordy =
+      in.text.language == assist::Language::kConfiguration || in.text.language == assist::Language::kNetwork;
   // A space asks for something only where it is clear what follows.
   if (is_space && is_wordy) {
     constexpr std::string_view kAsking[] = {"= ",  "goto ", "by ", "is ",       "for ", "binds ", "use ",
@@ -72,11 +72,11 @@ Json Server::completion(const Json& params) {
     if (std::ranges::none_of(kAsking, [&](std::string_view word) { return before.ends_with(word); }))
       return nullptr;
   }
-  const language::Completions found = language::complete(in.text, at, surroundings());
+  const assist::Completions found = assist::complete(in.text, at, surroundings());
   const bool has_call = at < all.size() && all[at] == '(';
   Json items = Json::array();
   for (std::size_t i = 0; i < found.candidates.size(); ++i) {
-    const language::Candidate& one = found.candidates[i];
+    const assist::Candidate& one = found.candidates[i];
     std::string written = one.text;
     const bool is_call = one.is_call && !has_call && takes_snippets_;
     if (takes_snippets_) written = snippet_text(written);
@@ -97,18 +97,18 @@ Json Server::completion(const Json& params) {
 
 Json Server::hover(const Json& params) {
   const Document& in = document(params);
-  const auto found = language::hover(in.text, cursor(in, params), surroundings());
+  const auto found = assist::hover(in.text, cursor(in, params), surroundings());
   if (!found) return nullptr;
   return {{"contents", markdown(found->markdown)}, {"range", range_json(*in.lines, found->span)}};
 }
 
 Json Server::signature_help(const Json& params) {
   const Document& in = document(params);
-  const auto found = language::signature(in.text, cursor(in, params), surroundings());
+  const auto found = assist::signature(in.text, cursor(in, params), surroundings());
   if (!found) return nullptr;
   const LineIndex label(found->label);
   Json parts = Json::array();
-  for (const language::Signature::Part& part : found->parts) {
+  for (const assist::Signature::Part& part : found->parts) {
     parts.push_back(
         {{"label", {label.position(part.span.begin).character, label.position(part.span.end).character}},
          {"documentation", markdown(part.help)}});
@@ -120,12 +120,12 @@ Json Server::signature_help(const Json& params) {
 
 namespace {
 
-Json symbol_json(const LineIndex& lines, const language::Symbol& symbol) {
+Json symbol_json(const LineIndex& lines, const assist::Symbol& symbol) {
   // The name stands inside of the whole, as the protocol wants it.
   const text::Span whole{std::min(symbol.span.begin, symbol.name_span.begin),
                          std::max(symbol.span.end, symbol.name_span.end)};
   Json parts = Json::array();
-  for (const language::Symbol& part : symbol.parts) parts.push_back(symbol_json(lines, part));
+  for (const assist::Symbol& part : symbol.parts) parts.push_back(symbol_json(lines, part));
   return {{"name", symbol.name},
           {"detail", symbol.detail},
           {"kind", symbol_kind(symbol.kind)},
@@ -139,7 +139,7 @@ Json symbol_json(const LineIndex& lines, const language::Symbol& symbol) {
 Json Server::document_symbols(const Json& params) {
   const Document& in = document(params);
   Json out = Json::array();
-  for (const language::Symbol& symbol : language::symbols(in.text, surroundings()))
+  for (const assist::Symbol& symbol : assist::symbols(in.text, surroundings()))
     out.push_back(symbol_json(*in.lines, symbol));
   return out;
 }
@@ -147,7 +147,7 @@ Json Server::document_symbols(const Json& params) {
 Json Server::folding_ranges(const Json& params) {
   const Document& in = document(params);
   Json out = Json::array();
-  for (const language::Fold& one : language::folds(in.text, surroundings())) {
+  for (const assist::Fold& one : assist::folds(in.text, surroundings())) {
     Json fold = {{"startLine", one.first - 1}, {"endLine", one.last - 1}};
     if (one.is_comment) fold["kind"] = "comment";
     out.push_back(std::move(fold));
@@ -160,14 +160,14 @@ Json Server::inlay_hints(const Json& params) {
   const Document& in = document(params);
   const text::Span range = span_of(*in.lines, params.at("range"));
   Json out = Json::array();
-  for (const language::Hint& one : language::hints(in.text, surroundings())) {
+  for (const assist::Hint& one : assist::hints(in.text, surroundings())) {
     if (one.at < range.begin || one.at > range.end) continue;
     const Json at = position_json(*in.lines, one.at);
     Json hint = {{"position", at}, {"label", one.text}, {one.is_unit ? "paddingLeft" : "paddingRight", true}};
     if (!one.is_unit) hint["kind"] = kParameter;
     if (!one.help.empty()) hint["tooltip"] = one.help;
     // Taking the hint over writes the unit, where the language has them.
-    if (one.is_unit && in.text.language == language::Language::kConfiguration)
+    if (one.is_unit && in.text.language == assist::Language::kConfiguration)
       hint["textEdits"] =
           Json::array({{{"range", {{"start", at}, {"end", at}}}, {"newText", " " + one.text}}});
     out.push_back(std::move(hint));
@@ -178,7 +178,7 @@ Json Server::inlay_hints(const Json& params) {
 Json Server::formatting(const Json& params) {
   const Document& in = document(params);
   text::Diagnostics unsaid;  // is told anyway
-  const auto wanted = language::formatted(in.text, unsaid);
+  const auto wanted = assist::formatted(in.text, unsaid);
   const std::string_view now = in.text.source->text();
   if (!wanted || *wanted == now) return Json::array();
   // Only what differs, by whole lines, so that the cursor stays where it is.
@@ -202,11 +202,11 @@ Json Server::formatting(const Json& params) {
 
 Json Server::semantic_tokens(const Json& params) {
   const Document& in = document(params);
-  // By language::Shade::Kind, into the legend of `initialize`.
+  // By assist::Shade::Kind, into the legend of `initialize`.
   constexpr int kTypes[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   Json data = Json::array();
   Position last;
-  for (const language::Shade& shade : language::shades(in.text, surroundings())) {
+  for (const assist::Shade& shade : assist::shades(in.text, surroundings())) {
     // A token stands on one line.
     for (std::uint32_t at = shade.span.begin; at < shade.span.end;) {
       const Position begin = in.lines->position(at);
@@ -267,9 +267,9 @@ Json Server::code_actions(const Json& params) {
   if (!is_wanted) return Json::array();
   if (in.is_unchecked || in.known != in.text.source) {
     const Check check = check_of(in, false);
-    tell(check, language::problems(check.text, check.around));
+    tell(check, assist::problems(check.text, check.around));
   }
-  const language::Surroundings around = surroundings();
+  const assist::Surroundings around = surroundings();
   Json out = Json::array();
   Locations locations(*this);
   for (const text::Diagnostic& problem : in.problems.items()) {
@@ -277,9 +277,9 @@ Json Server::code_actions(const Json& params) {
     if (problem.place.source == nullptr || span.begin > range.end ||
         range.begin > std::max(span.end, span.begin + 1))
       continue;
-    for (const language::Fix& fix : language::fixes(in.text, problem, around)) {
+    for (const assist::Fix& fix : assist::fixes(in.text, problem, around)) {
       Json edits = Json::array();
-      for (const language::Splice& splice : fix.splices)
+      for (const assist::Splice& splice : fix.splices)
         edits.push_back({{"range", range_json(*in.lines, splice.span)}, {"newText", splice.text}});
       out.push_back({{"title", fix.title},
                      {"kind", "quickfix"},

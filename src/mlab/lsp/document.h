@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mlab/language/service.h"
+#include "mlab/assist/service.h"
 #include "mlab/lsp/position.h"
 #include "mlab/lsp/server.h"
 
@@ -18,7 +18,7 @@ namespace mlab::lsp {
 struct Server::Document {
   std::string uri;
   std::int64_t version = 0;
-  language::Text text;
+  assist::Text text;
   std::unique_ptr<LineIndex> lines;
   text::Diagnostics problems;      ///< as they were told last
   text::SourcePtr known;           ///< the text that has them; null: none was told yet
@@ -69,7 +69,7 @@ inline nlohmann::json position_json(const LineIndex& lines, std::uint32_t offset
 inline nlohmann::json range_json(const LineIndex& lines, text::Span span) {
   return {{"start", position_json(lines, span.begin)}, {"end", position_json(lines, span.end)}};
 }
-/// SymbolKind of language::Symbol::kind
+/// SymbolKind of assist::Symbol::kind
 int symbol_kind(const std::string& kind);
 /// @return the first line's start where it is no position
 Position position_of(const nlohmann::json& json);

@@ -77,7 +77,7 @@ class Checker {
     while (wakes_.wait(lock, end, [this] { return wanted_.has_value(); })) {
       Server::Check check = *std::exchange(wanted_, std::nullopt);
       lock.unlock();
-      text::Diagnostics problems = language::problems(check.text, check.around);
+      text::Diagnostics problems = assist::problems(check.text, check.around);
       lock.lock();
       found_ = CheckResult{std::move(check), std::move(problems)};
       const std::uint64_t one = 1;

@@ -35,11 +35,11 @@ std::vector<std::string> files_in(const std::string& folder) {
   return out;
 }
 
-std::optional<language::Language> language_named(const std::string& id) {
-  if (id == "mdl") return language::Language::kMission;
-  if (id == "odl") return language::Language::kOverlay;
-  if (id == "cnl") return language::Language::kNetwork;
-  if (id == "cdl") return language::Language::kConfiguration;
+std::optional<assist::Language> language_named(const std::string& id) {
+  if (id == "mdl") return assist::Language::kMission;
+  if (id == "odl") return assist::Language::kOverlay;
+  if (id == "cnl") return assist::Language::kNetwork;
+  if (id == "cdl") return assist::Language::kConfiguration;
   return std::nullopt;
 }
 
@@ -245,9 +245,9 @@ void Server::open(const Json& params) {
   made->version = item.value("version", std::int64_t{0});
   made->text.source = std::make_shared<const text::Source>(path_of(uri), "");
   made->set(item.at("text").get<std::string>());
-  const auto told = language::language_of(*made->text.source);
+  const auto told = assist::language_of(*made->text.source);
   const auto named = language_named(item.value("languageId", std::string()));
-  made->text.language = named ? *named : told.value_or(language::Language::kConfiguration);
+  made->text.language = named ? *named : told.value_or(assist::Language::kConfiguration);
   documents_[uri] = std::move(made);
   files_changed();
 }
@@ -303,10 +303,10 @@ std::uint32_t Server::cursor(const Document& in, const Json& params) const {
 }
 
 // The open texts as they stand now, above the files on disk: they may be read from any thread.
-language::Surroundings Server::surroundings() const {
+assist::Surroundings Server::surroundings() const {
   std::vector<text::SourcePtr> texts;
   for (const auto& [uri, one] : documents_) texts.push_back(one->text.source);
-  language::Surroundings out = options_.around;
+  assist::Surroundings out = options_.around;
   out.files = documents::with_texts(texts, options_.around.files, normal);
   out.list = [texts](const std::string& folder) {
     std::vector<std::string> names = files_in(folder);
@@ -323,19 +323,19 @@ language::Surroundings Server::surroundings() const {
 }
 
 // All open texts, and those of the project's folders.
-std::vector<language::Text> Server::all_texts() {
-  std::vector<language::Text> out;
+std::vector<assist::Text> Server::all_texts() {
+  std::vector<assist::Text> out;
   std::set<std::string> open;
   for (const auto& [uri, one] : documents_) {
     out.push_back(one->text);
     open.insert(normal(one->text.source->name()));
   }
-  for (language::Text& one : workspace_.texts(open, options_.around.files)) out.push_back(std::move(one));
+  for (assist::Text& one : workspace_.texts(open, options_.around.files)) out.push_back(std::move(one));
   return out;
 }
 
-language::Surroundings Server::project() {
-  language::Surroundings out = surroundings();
+assist::Surroundings Server::project() {
+  assist::Surroundings out = surroundings();
   out.project = [this] { return all_texts(); };
   out.fixed = why_fixed;
   out.given_up = [this] { return is_cancelled(); };

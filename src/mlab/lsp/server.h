@@ -10,9 +10,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "mlab/assist/search.h"
+#include "mlab/assist/service.h"
 #include "mlab/cell/permission.h"
-#include "mlab/language/search.h"
-#include "mlab/language/service.h"
 #include "mlab/lsp/workspace.h"
 
 namespace mlab::lsp {
@@ -20,7 +20,7 @@ namespace mlab::lsp {
 /// What the server is told by who starts it.
 struct Options {
   std::string version;
-  language::Surroundings around;  ///< its `files` are those under the open ones
+  assist::Surroundings around;  ///< its `files` are those under the open ones
   /// Where the texts of the component library are as files; empty: nowhere.
   std::string library_folder;
   /// Whether C++ in texts may be compiled where the editor trusts the folder, and where it doesn't.
@@ -48,14 +48,14 @@ class Server {
   /// A text whose faults are to be found, with all that it is read with, as it stands now.
   struct Check {
     std::string uri;
-    language::Text text;
-    language::Surroundings around;
+    assist::Text text;
+    assist::Surroundings around;
   };
   /// Some text has changed since its faults were told.
   bool has_work() const;
   /// One of those texts; nothing where there is none.
   std::optional<Check> next_check();
-  /// What `language::problems` found of it, on whatever thread. Nobody is told where the text has changed
+  /// What `assist::problems` found of it, on whatever thread. Nobody is told where the text has changed
   /// meanwhile.
   void tell(const Check& check, text::Diagnostics problems);
 
@@ -100,12 +100,12 @@ class Server {
   std::uint32_t cursor(const Document& document, const Json& params) const;
   std::string uri_for(const text::SourcePtr& source) const;
   std::string file_of(const text::SourcePtr& source) const;
-  std::vector<language::Text> all_texts();
-  language::Surroundings surroundings() const;
+  std::vector<assist::Text> all_texts();
+  assist::Surroundings surroundings() const;
   /// The same with all texts of the project; for this thread only.
-  language::Surroundings project();
+  assist::Surroundings project();
   bool is_cancelled();
-  Json document_edit(const language::Change& change, const std::string& annotation) const;
+  Json document_edit(const assist::Change& change, const std::string& annotation) const;
   void show(const std::string& message);
   static Json diagnostic_json(const Document& document, const text::Diagnostic& diagnostic,
                               Locations& locations);
@@ -116,7 +116,7 @@ class Server {
   Send send_;
   std::map<std::string, std::unique_ptr<Document>> documents_;  ///< by URI
   Workspace workspace_;
-  language::ProjectIndex index_;
+  assist::ProjectIndex index_;
   std::string answering_;  // id of the request that is being answered, as JSON
   bool was_cancelled_ = false;
   bool is_initialized_ = false;

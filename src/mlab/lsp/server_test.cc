@@ -55,7 +55,7 @@ class ServerTest : public ::testing::Test {
   /// The diagnostics that were published last for a text.
   Json diagnostics(const std::string& uri) {
     while (auto check = server_.next_check())
-      server_.tell(*check, language::problems(check->text, check->around));
+      server_.tell(*check, assist::problems(check->text, check->around));
     Json out;
     for (const Json& one : got_) {
       if (one.value("method", "") == "textDocument/publishDiagnostics" && one["params"]["uri"] == uri)

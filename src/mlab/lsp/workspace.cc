@@ -38,11 +38,11 @@ void Workspace::look_at(const fs::directory_entry& entry, const text::Files& fil
   const auto known = files_.find(path);
   if (failure || (known != files_.end() && known->second.time == time && known->second.size == size)) return;
   const auto source = files.read(entry.path().string());
-  const auto language = source ? language::language_of(**source) : std::nullopt;
+  const auto language = source ? assist::language_of(**source) : std::nullopt;
   if (language) files_[path] = {time, size, {*source, *language}};
 }
 
-std::vector<language::Text> Workspace::texts(const std::set<std::string>& known, const text::Files& files) {
+std::vector<assist::Text> Workspace::texts(const std::set<std::string>& known, const text::Files& files) {
   std::set<std::string> there;
   std::vector<std::string> homes;
   for (const std::string& folder : folders_) homes.push_back(normal(folder));
@@ -71,7 +71,7 @@ std::vector<language::Text> Workspace::texts(const std::set<std::string>& known,
     }
   }
   std::erase_if(files_, [&](const auto& one) { return !there.contains(one.first); });
-  std::vector<language::Text> out;
+  std::vector<assist::Text> out;
   for (const auto& [path, file] : files_) {
     if (!known.contains(path)) out.push_back(file.text);
   }

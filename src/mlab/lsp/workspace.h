@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/language/service.h"
+#include "mlab/assist/service.h"
 
 namespace mlab::lsp {
 
@@ -23,7 +23,7 @@ class Workspace {
 
   void add_folder(std::string folder) { folders_.push_back(std::move(folder)); }
   /// @param known  normal paths of those that are left out
-  std::vector<language::Text> texts(const std::set<std::string>& known, const text::Files& files);
+  std::vector<assist::Text> texts(const std::set<std::string>& known, const text::Files& files);
   /// Whether there was more than kMostFiles or kMostDepth when the texts were asked for last.
   bool is_cut() const { return is_cut_; }
 
@@ -31,7 +31,7 @@ class Workspace {
   struct File {
     std::filesystem::file_time_type time;
     std::uintmax_t size = 0;
-    language::Text text;
+    assist::Text text;
   };
   void look_at(const std::filesystem::directory_entry& entry, const text::Files& files);
 
@@ -40,7 +40,7 @@ class Workspace {
   bool is_cut_ = false;
 };
 
-/// Why a file can't be written, as language::Surroundings::fixed; one that is not there can.
+/// Why a file can't be written, as assist::Surroundings::fixed; one that is not there can.
 std::string why_fixed(const std::string& path);
 
 }  // namespace mlab::lsp

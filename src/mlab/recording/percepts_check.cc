@@ -11,8 +11,8 @@
 #include <google/protobuf/wire_format_lite.h>
 
 #include "mlab/percept/action.h"
-#include "mlab/robot_wire/action_wire.h"
-#include "mlab/robot_wire/percepts_wire.h"
+#include "mlab/robot/wire/action_wire.h"
+#include "mlab/robot/wire/percepts_wire.h"
 
 namespace mlab::recording {
 namespace {

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/recording/percepts_check.h"
-#include "mlab/robot_wire/framing.h"
+#include "mlab/robot/wire/framing.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::recording {

@@ -7,7 +7,7 @@
 
 #include "mlab/base/counted.h"
 #include "mlab/recording/action_difference.h"
-#include "mlab/robot_wire/action_wire.h"
+#include "mlab/robot/wire/action_wire.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::recording {

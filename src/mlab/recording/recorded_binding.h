@@ -8,7 +8,7 @@
 
 #include "mlab/binding/binding.h"
 #include "mlab/recording/percepts_file.h"
-#include "mlab/robot_wire/percepts_wire.h"
+#include "mlab/robot/wire/percepts_wire.h"
 
 namespace mlab::recording {
 

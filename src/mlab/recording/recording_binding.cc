@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "mlab/robot_wire/action_wire.h"
-#include "mlab/robot_wire/percepts_wire.h"
+#include "mlab/robot/wire/action_wire.h"
+#include "mlab/robot/wire/percepts_wire.h"
 
 namespace mlab::recording {
 namespace {

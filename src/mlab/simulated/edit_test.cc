@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/fleet/mission_run.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
 
-namespace mlab::fleet {
+namespace mlab::run {
 namespace {
 
 using mission::UnitCommand;
@@ -85,7 +85,7 @@ TEST(Edit, ARobotThatIsAddedCanBeStartedAndTheOthersGoOn) {
   start.goal = {10.0, 20.0};
   run->post(mission::event::Typed{{start}});
   for (int i = 0; i < 5; ++i) run->step();
-  EXPECT_EQ(run->fleet().find({3})->life, RobotLife::kRunning);
+  EXPECT_EQ(run->fleet().find({3})->life, fleet::RobotLife::kRunning);
 }
 
 std::vector<std::uint32_t> mates_of(const MissionRun& run, std::uint32_t id) {
@@ -131,7 +131,7 @@ TEST(Edit, ARobotThatIsTakenOutOfThePlanStaysInTheWorld) {
   fewer->units[0].members.erase(fewer->units[0].members.begin());
   edit(*run, fewer);
   ASSERT_NE(run->fleet().find({1}), nullptr);
-  EXPECT_EQ(run->fleet().find({1})->life, RobotLife::kRunning);
+  EXPECT_EQ(run->fleet().find({1})->life, fleet::RobotLife::kRunning);
   run->step();
 }
 
@@ -148,7 +148,7 @@ TEST(Edit, ChangesOfParametersReachRobotsThatAreUnderWay) {
   ASSERT_NE(slow_crew, nullptr);
   EXPECT_EQ(slow_crew->programs[0].program, crew->programs[0].program) << "not built again";
   run.edit(slow_crew);
-  const FleetRobot& robot = *run.fleet().find({1});
+  const fleet::FleetRobot& robot = *run.fleet().find({1});
   const flow::Program& program = *robot.workings().program;
   EXPECT_EQ(flow::Program::number(robot.workings().frame, *program.find("base_velocity")), 0.5);
   EXPECT_EQ(flow::Program::number(robot.workings().frame, *program.find("max_velocity")), 7.0);
@@ -201,10 +201,10 @@ TEST(SetParameter, ChangesOneRobotAndOutlivesItsStart) {
   run->post(mission::event::Abort{});
   run->post(mission::event::Execute{});
   run->step();
-  const FleetRobot& robot = *run->fleet().find({1});
+  const fleet::FleetRobot& robot = *run->fleet().find({1});
   const flow::Program& program = *robot.workings().program;
   EXPECT_EQ(flow::Program::number(robot.workings().frame, *program.find("base_velocity")), 0.25);
 }
 
 }  // namespace
-}  // namespace mlab::fleet
+}  // namespace mlab::run

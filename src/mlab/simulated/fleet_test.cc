@@ -8,7 +8,7 @@
 #include "mlab/flow/testing/behaviors.h"
 #include "mlab/sim/simulated_binding.h"
 
-namespace mlab::fleet {
+namespace mlab::run {
 namespace {
 
 // A mission of `count` robots of one type, and a program that drives at the speed `speed`.
@@ -16,7 +16,7 @@ struct TestFleet {
   mission::Mission mission;
   std::vector<robot::RobotProgram> programs;
   sim::SimulatedBinding bodies;
-  Fleet fleet;
+  fleet::Fleet fleet;
 
   explicit TestFleet(std::uint32_t count, int threads = 1)
       : mission(mission_of(count)),
@@ -51,7 +51,7 @@ struct TestFleet {
     return all;
   }
   void set_speed(std::uint32_t robot, double speed) {
-    const FleetRobot& changed = *fleet.find({robot});
+    const fleet::FleetRobot& changed = *fleet.find({robot});
     flow::Frame frame = changed.runner->save(changed.member);
     std::memcpy(frame.data() + programs[0].program->find("speed")->offset, &speed, sizeof speed);
     EXPECT_TRUE(changed.runner->restore(changed.member, frame));
@@ -59,7 +59,7 @@ struct TestFleet {
 };
 
 // What a robot calls when its program does as `acts` says.
-std::vector<RobotCall> calls_of(void (*acts)(flow::Call&)) {
+std::vector<fleet::RobotCall> calls_of(void (*acts)(flow::Call&)) {
   static flow::Behavior behavior;
   behavior = {};
   behavior.name = "Act";
@@ -75,14 +75,14 @@ std::vector<RobotCall> calls_of(void (*acts)(flow::Call&)) {
   programs[0].initial = programs[0].program->make_frame();
   const mission::Mission mission = TestFleet::mission_of(1);
   sim::SimulatedBinding bodies(sim::World{});
-  Fleet fleet(mission, programs, {binding::BodySpec{}}, bodies, 1);
+  fleet::Fleet fleet(mission, programs, {binding::BodySpec{}}, bodies, 1);
   EXPECT_TRUE(fleet.start({1}, {}));
   fleet.step(0.1);
   return fleet.take_calls();
 }
 
 TEST(Fleet, PassesOnWhatARobotCalls) {
-  const std::vector<RobotCall> calls = calls_of([](flow::Call& call) {
+  const std::vector<fleet::RobotCall> calls = calls_of([](flow::Call& call) {
     percept::Action& action = *call.cycle->action;
     action.alert = {'f', 'i', 'r', 'e'};
     percept::Request halt;
@@ -90,9 +90,9 @@ TEST(Fleet, PassesOnWhatARobotCalls) {
     action.ask(halt);
   });
   ASSERT_EQ(calls.size(), 2U);
-  EXPECT_EQ(calls[0].kind, RobotCall::Kind::kAlert);
+  EXPECT_EQ(calls[0].kind, fleet::RobotCall::Kind::kAlert);
   EXPECT_EQ(calls[0].text, "fire");
-  EXPECT_EQ(calls[1].kind, RobotCall::Kind::kHalt);
+  EXPECT_EQ(calls[1].kind, fleet::RobotCall::Kind::kHalt);
   EXPECT_TRUE(calls_of([](flow::Call&) {}).empty());
 }
 
@@ -108,7 +108,7 @@ TEST(Fleet, ARobotWhoseProgramGoesWrongStandsAndTheOthersGoOn) {
   t.set_speed(2, 1e308);  // twice that is infinite
   t.fleet.step(0.1);
   t.fleet.step(0.1);
-  EXPECT_EQ(t.fleet.find({2})->life, RobotLife::kFaulted);
+  EXPECT_EQ(t.fleet.find({2})->life, fleet::RobotLife::kFaulted);
   EXPECT_EQ(t.fleet.find({2})->fault, "twice");
   EXPECT_EQ(t.fleet.pose(*t.fleet.find({2})).position.x, 0.0);
   EXPECT_NEAR(t.fleet.pose(*t.fleet.find({3})).position.x, 0.4, 1e-12);
@@ -120,7 +120,7 @@ TEST(Fleet, AStoppedRobotKeepsStanding) {
   TestFleet t(1);
   t.fleet.stop({1});
   t.fleet.step(0.1);
-  EXPECT_EQ(t.fleet.find({1})->life, RobotLife::kStopped);
+  EXPECT_EQ(t.fleet.find({1})->life, fleet::RobotLife::kStopped);
   EXPECT_EQ(t.fleet.pose(*t.fleet.find({1})).position.x, 0.0);
 }
 
@@ -166,12 +166,12 @@ TEST(Fleet, StepsTheSameWithOneThreadAndWithEight) {
     one.fleet.step(0.1);
     eight.fleet.step(0.1);
   }
-  for (const FleetRobot& robot : one.fleet.robots()) {
+  for (const fleet::FleetRobot& robot : one.fleet.robots()) {
     EXPECT_EQ(one.fleet.pose(robot), eight.fleet.pose(*eight.fleet.find(robot.id)));
-    const FleetRobot& same = *eight.fleet.find(robot.id);
+    const fleet::FleetRobot& same = *eight.fleet.find(robot.id);
     EXPECT_EQ(robot.runner->save(robot.member), same.runner->save(same.member));
   }
 }
 
 }  // namespace
-}  // namespace mlab::fleet
+}  // namespace mlab::run

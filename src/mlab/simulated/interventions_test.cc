@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "mlab/fleet/report.h"
+#include "mlab/run/report.h"
 #include "mlab/simulated/run.h"
 #include "mlab/simulated/testing/values.h"
 
-namespace mlab::fleet {
+namespace mlab::run {
 namespace {
 
 // Two standard robots that travel.
@@ -40,7 +40,7 @@ std::unique_ptr<MissionRun> travelling(int threads = 1) {
   return run;
 }
 
-const FleetRobot& robot_of(const MissionRun& run, std::uint32_t id) {
+const fleet::FleetRobot& robot_of(const MissionRun& run, std::uint32_t id) {
   return *run.fleet().find({id});
 }
 
@@ -57,8 +57,8 @@ std::string driven_port(const MissionRun& run) {
 
 bool are_alike(const MissionRun& a, const MissionRun& b) {
   for (const std::uint32_t id : {1U, 2U}) {
-    const FleetRobot& mine = robot_of(a, id);
-    const FleetRobot& theirs = robot_of(b, id);
+    const fleet::FleetRobot& mine = robot_of(a, id);
+    const fleet::FleetRobot& theirs = robot_of(b, id);
     if (a.fleet().pose(mine) != b.fleet().pose(theirs)) return false;
     if (simulated::testing::values_of(mine) != simulated::testing::values_of(theirs)) return false;
   }
@@ -96,7 +96,7 @@ TEST(Interventions, AHeldValueOutlivesANewStart) {
   const auto run = travelling();
   const std::string port = driven_port(*run);
   ASSERT_EQ(run->hold_value({1}, port, "{0.5, 0}"), std::nullopt);
-  const FleetRobot& one = robot_of(*run, 1);
+  const fleet::FleetRobot& one = robot_of(*run, 1);
   ASSERT_EQ(one.runner->start(one.member), std::nullopt);
   run->step();
   EXPECT_EQ(flow::Program::vector(one.workings().frame, *one.workings().program->find(port)),
@@ -127,4 +127,4 @@ TEST(Interventions, StandInTheReportWhereThereWereAny) {
 }
 
 }  // namespace
-}  // namespace mlab::fleet
+}  // namespace mlab::run

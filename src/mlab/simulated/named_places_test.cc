@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/fleet/mission_run.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
 
-namespace mlab::fleet {
+namespace mlab::run {
 namespace {
 
 constexpr const char* kPlacesText =
@@ -107,4 +107,4 @@ TEST(NamedPlace, IsSetWhileTheRobotRuns) {
 }
 
 }  // namespace
-}  // namespace mlab::fleet
+}  // namespace mlab::run

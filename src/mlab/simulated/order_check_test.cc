@@ -1,4 +1,4 @@
-#include "mlab/fleet/order_check.h"
+#include "mlab/run/order_check.h"
 
 #include <map>
 #include <memory>
@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/fleet/mission_run.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
 
-namespace mlab::fleet {
+namespace mlab::run {
 namespace {
 
 using mission::UnitCommand;
@@ -133,4 +133,4 @@ TEST(MissionRun, ShowsARobotToTheOthersAsItsColourSays) {
 }
 
 }  // namespace
-}  // namespace mlab::fleet
+}  // namespace mlab::run

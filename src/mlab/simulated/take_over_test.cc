@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "mlab/fleet/report.h"
-#include "mlab/robot/robot_values.h"
-#include "mlab/robot_host/hosted_program.h"
+#include "mlab/robot/host/hosted_program.h"
+#include "mlab/robot/program/robot_values.h"
+#include "mlab/run/report.h"
 #include "mlab/simulated/run.h"
 #include "mlab/simulated/testing/values.h"
 
-namespace mlab::fleet {
+namespace mlab::run {
 namespace {
 
 std::shared_ptr<const Crew> crew_for(const std::shared_ptr<const mission::Mission>& mission) {
@@ -54,8 +54,8 @@ void step_run(MissionRun& run, int cycles) {
 }
 
 bool have_same_values(const MissionRun& a, const MissionRun& b) {
-  for (const FleetRobot& mine : a.fleet().robots()) {
-    const FleetRobot& theirs = *b.fleet().find(mine.id);
+  for (const fleet::FleetRobot& mine : a.fleet().robots()) {
+    const fleet::FleetRobot& theirs = *b.fleet().find(mine.id);
     if (a.fleet().pose(mine) != b.fleet().pose(theirs)) return false;
     if (simulated::testing::values_of(mine) != simulated::testing::values_of(theirs)) return false;
   }
@@ -107,7 +107,7 @@ TEST(TakeOver, WhatPeopleSetAndHoldStays) {
   const auto run = started(mission);
   step_run(*run, 40);
   ASSERT_EQ(run->set_parameter({2}, "base_velocity", "0.3"), std::nullopt);
-  const FleetRobot& two = *run->fleet().find({2});
+  const fleet::FleetRobot& two = *run->fleet().find({2});
   const auto& ports = two.workings().program->ports();
   const auto port = std::ranges::find_if(ports, [](const flow::Port& one) {
     return one.role == flow::Port::Role::kOutput && one.type->kind == flow::TypeKind::kVector;
@@ -172,4 +172,4 @@ TEST(TakeOver, OfOtherRobotsOrBodiesIsRefusedAndNothingHasChanged) {
 }
 
 }  // namespace
-}  // namespace mlab::fleet
+}  // namespace mlab::run

@@ -1,5 +1,5 @@
-// The server guesses how large things are drawn where it makes room between them (src/mlab/designer/sizes.cc). Both are held
-// to the same drawings of every kind of node and state: src/mlab/designer/sizes_test.cc writes them.
+// The server guesses how large things are drawn where it makes room between them (src/mlab/designer/drawing/sizes.cc). Both are held
+// to the same drawings of every kind of node and state: src/mlab/designer/drawing/sizes_test.cc writes them.
 import { readFileSync } from "node:fs";
 import { fromJson, type JsonValue } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";

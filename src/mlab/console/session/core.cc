@@ -9,10 +9,10 @@
 
 #include <fmt/core.h>
 
+#include "mlab/console/published/status_encoder.h"
 #include "mlab/console/session/order.h"
-#include "mlab/console/status_encoder.h"
-#include "mlab/fleet/report.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/run/report.h"
 
 namespace mlab::console {
 namespace {
@@ -131,14 +131,14 @@ std::string SessionCore::report() {
       answer->set_value("");
       return;
     }
-    const fleet::MissionRun& run = run_.live()->run();
-    fleet::Performance performance;
+    const run::MissionRun& run = run_.live()->run();
+    run::Performance performance;
     performance.wall_seconds = wall_time() - began_;
     performance.cpu_seconds = cpu_seconds();
     performance.started_at = started_at_;
     performance.program_version = settings_.version;
     performance.mission_clock = clock_time(run.state().options, 0.0);
-    answer->set_value(fleet::report_json(run, performance, fleet::RunEnd::kInterrupted));
+    answer->set_value(run::report_json(run, performance, run::RunEnd::kInterrupted));
   });
   constexpr std::chrono::seconds kMost{5};
   return report.wait_for(kMost) == std::future_status::ready ? report.get() : "";

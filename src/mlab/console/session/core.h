@@ -6,9 +6,9 @@
 #include <thread>
 #include <vector>
 
-#include "mlab/console/documents.h"
-#include "mlab/console/event_log.h"
+#include "mlab/console/documents/documents.h"
 #include "mlab/console/inbox.h"
+#include "mlab/console/run/event_log.h"
 #include "mlab/console/session.h"
 #include "mlab/console/session/document_orders.h"
 #include "mlab/console/session/frames.h"

@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/check_text.h"
-#include "mlab/console/completion.h"
-#include "mlab/console/overview.h"
+#include "mlab/console/documents/check_text.h"
+#include "mlab/console/documents/completion.h"
+#include "mlab/console/published/overview.h"
 
 namespace mlab::console {
 namespace {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "mlab/console/documents.h"
-#include "mlab/console/event_log.h"
+#include "mlab/console/documents/documents.h"
+#include "mlab/console/run/event_log.h"
 #include "mlab/console/session/request.h"
 #include "mlab/console/session/run_maker.h"
 #include "mlab/documents/project_folder.h"

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "mlab/console/measure_series.h"
-#include "mlab/console/robot_detail.h"
+#include "mlab/console/published/robot_detail.h"
+#include "mlab/console/run/measure_series.h"
 
 namespace mlab::console {
 namespace {
@@ -117,7 +117,7 @@ void Frames::fill(Channel& channel, Frame& out) {
 
 void Frames::fill_details(const Watch& watch, Frame& out) {
   const LiveRun& live = *run_.live();
-  const fleet::MissionRun& run = live.run();
+  const run::MissionRun& run = live.run();
   const std::vector<std::string> paths(watch.ports().begin(), watch.ports().end());
   for (const std::uint32_t id : watch.details()) {
     const fleet::FleetRobot* robot = run.fleet().find({id});

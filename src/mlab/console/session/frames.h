@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/console/frame_encoder.h"
+#include "mlab/console/published/frame_encoder.h"
 #include "mlab/console/session/people.h"
 #include "mlab/console/session/request.h"
 #include "mlab/console/session/run_control.h"

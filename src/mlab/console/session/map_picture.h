@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <mutex>
 
-#include "mlab/console/documents.h"
+#include "mlab/console/documents/documents.h"
 #include "mlab/console/session.h"
 #include "mlab/documents/project_folder.h"
 

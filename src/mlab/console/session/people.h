@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "mlab/console/event_log.h"
+#include "mlab/console/run/event_log.h"
 #include "mlab/console/session.h"
 #include "mlab/console/session/request.h"
 

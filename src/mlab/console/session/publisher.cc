@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "mlab/base/hash.h"
-#include "mlab/console/held_values.h"
-#include "mlab/console/overview.h"
-#include "mlab/console/status_encoder.h"
+#include "mlab/console/published/overview.h"
+#include "mlab/console/published/status_encoder.h"
+#include "mlab/console/run/held_values.h"
 
 namespace mlab::console {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mlab/console/documents.h"
-#include "mlab/console/event_log.h"
+#include "mlab/console/documents/documents.h"
+#include "mlab/console/run/event_log.h"
 #include "mlab/console/session/frames.h"
 #include "mlab/console/session/people.h"
 #include "mlab/console/session/run_control.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mlab/console.pb.h"
-#include "mlab/console/channel.h"
+#include "mlab/console/published/channel.h"
 #include "mlab/console/roles.h"
 
 namespace mlab::console {

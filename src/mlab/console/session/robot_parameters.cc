@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/overview.h"
+#include "mlab/console/published/overview.h"
 
 namespace mlab::console {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mlab/console/documents.h"
-#include "mlab/console/event_log.h"
+#include "mlab/console/documents/documents.h"
+#include "mlab/console/run/event_log.h"
 #include "mlab/console/session/request.h"
 #include "mlab/console/session/run_control.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/held_values.h"
+#include "mlab/console/run/held_values.h"
 
 namespace mlab::console {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kSlice = 0.008;
 
 // ---- which run
 
-void RunControl::adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run) {
+void RunControl::adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run) {
   is_expected_ = false;
   breakpoints_.begin(nullptr);
   if (live_) release_held();
@@ -53,12 +53,12 @@ void RunControl::release_held() {
   ++held_revision_;
 }
 
-void RunControl::exchange(std::shared_ptr<const fleet::Crew> crew) {
+void RunControl::exchange(std::shared_ptr<const run::Crew> crew) {
   live_->edit(std::move(crew));
   follow_exchange();
 }
 
-std::expected<fleet::Takeover, std::string> RunControl::take_over(std::shared_ptr<const fleet::Crew> crew) {
+std::expected<run::Takeover, std::string> RunControl::take_over(std::shared_ptr<const run::Crew> crew) {
   auto out = live_->take_over(std::move(crew));
   if (out) follow_exchange();
   return out;
@@ -142,7 +142,7 @@ void RunControl::advance() {
 
 bool RunControl::step_once() {
   halted_.Clear();
-  if (live_->step() != fleet::MissionRun::Progress::kStepped) return false;
+  if (live_->step() != run::MissionRun::Progress::kStepped) return false;
   ++world_version_;
   if (breakpoints_.are_on()) look_at_breakpoints();
   return true;

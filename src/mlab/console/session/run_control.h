@@ -7,12 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "mlab/console/breakpoints.h"
-#include "mlab/console/event_log.h"
-#include "mlab/console/live_run.h"
-#include "mlab/console/pace.h"
+#include "mlab/console/run/breakpoints.h"
+#include "mlab/console/run/event_log.h"
+#include "mlab/console/run/live_run.h"
+#include "mlab/console/run/pace.h"
+#include "mlab/console/run/teleoperations.h"
 #include "mlab/console/session/request.h"
-#include "mlab/console/teleoperations.h"
 
 namespace mlab::console {
 
@@ -34,11 +34,11 @@ class RunControl {
   void expect() { is_expected_ = true; }
   bool is_expected() const { return is_expected_; }
   /// Takes the place of the run before; null: there is none any more.
-  void adopt(std::shared_ptr<const fleet::Crew> crew, std::unique_ptr<fleet::MissionRun> run);
+  void adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run);
   /// The run goes on with other robots or another plan.
-  void exchange(std::shared_ptr<const fleet::Crew> crew);
+  void exchange(std::shared_ptr<const run::Crew> crew);
   /// The run goes on with other programs. @errors  why it can't
-  std::expected<fleet::Takeover, std::string> take_over(std::shared_ptr<const fleet::Crew> crew);
+  std::expected<run::Takeover, std::string> take_over(std::shared_ptr<const run::Crew> crew);
   /// The mission has ended, and begins anew: trails and alerts are of before.
   void forget_earlier_run();
 

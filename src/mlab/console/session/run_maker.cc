@@ -8,8 +8,8 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/overview.h"
-#include "mlab/console/targets.h"
+#include "mlab/console/published/overview.h"
+#include "mlab/console/run/targets.h"
 #include "mlab/simulated/run.h"
 
 namespace mlab::console {
@@ -130,7 +130,7 @@ void RunMaker::take_over(const Trial& trial, const TrialDone& done) {
   workshop_->start([this, number, mission = plain_, sources = program_sources_with(trial.files.get()),
                     files = trial.files, done] {
     const auto problems = std::make_shared<text::Diagnostics>();
-    const CrewPtr crew = number == number_ ? fleet::make_crew(mission, sources, *problems) : nullptr;
+    const CrewPtr crew = number == number_ ? run::make_crew(mission, sources, *problems) : nullptr;
     inbox_.post([this, number, crew, problems, files, done] {
       if (number == number_ && run_.live() != nullptr)
         finish_takeover(crew, files, *problems, done);
@@ -158,7 +158,7 @@ void RunMaker::finish_takeover(const CrewPtr& crew, const FilesPtr& files, const
   }
   trial_files_ = files;
   report_problems(problems);
-  done({"", fleet::text_of(*taken), problems});
+  done({"", run::text_of(*taken), problems});
 }
 
 // At most once.
@@ -179,15 +179,15 @@ void RunMaker::load(std::uint64_t seed, const CrewPtr& known) {
     return;
   }
   run_.expect();
-  fleet::RunSettings run_settings = settings_.run;
+  run::RunSettings run_settings = settings_.run;
   run_settings.seed = seed;
   if (documents_.is_trial()) run_settings.executive.patience = 0.0;  // what is tried need not get anywhere
   workshop_->start([this, number, mission = plain_, run_settings, known, sources = program_sources(),
                     files = trial_files_] {
     if (number != number_) return;
     const auto problems = std::make_shared<text::Diagnostics>();
-    const CrewPtr crew = fleet::make_crew(mission, sources, *problems, known.get());
-    const auto run = std::make_shared<std::unique_ptr<fleet::MissionRun>>();
+    const CrewPtr crew = run::make_crew(mission, sources, *problems, known.get());
+    const auto run = std::make_shared<std::unique_ptr<run::MissionRun>>();
     if (crew) *run = simulated::make_run(crew, run_settings);
     inbox_.post([this, number, crew, run, problems] {
       if (number == number_) adopt(crew, std::move(*run), *problems);
@@ -195,7 +195,7 @@ void RunMaker::load(std::uint64_t seed, const CrewPtr& known) {
   });
 }
 
-void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<fleet::MissionRun> run,
+void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run,
                      const text::Diagnostics& problems) {
   report_problems(problems);
   if (run) run->set_meanwhile(meanwhile_);
@@ -259,7 +259,7 @@ bool RunMaker::change_mission(MissionPtr plain) {
   });
   if (is_quick) {
     text::Diagnostics problems;
-    const CrewPtr crew = fleet::make_crew(plain_, program_sources(), problems, before.get());
+    const CrewPtr crew = run::make_crew(plain_, program_sources(), problems, before.get());
     exchange(number, crew, problems);
     return true;
   }
@@ -268,7 +268,7 @@ bool RunMaker::change_mission(MissionPtr plain) {
       [this, number, mission = plain_, before, sources = program_sources(), files = trial_files_] {
         if (number != number_) return;
         const auto problems = std::make_shared<text::Diagnostics>();
-        const CrewPtr crew = fleet::make_crew(mission, sources, *problems, before.get());
+        const CrewPtr crew = run::make_crew(mission, sources, *problems, before.get());
         inbox_.post([this, number, crew, problems] { exchange(number, crew, *problems); });
       });
   return false;

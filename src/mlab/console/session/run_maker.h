@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/console/documents.h"
+#include "mlab/console/documents/documents.h"
 #include "mlab/console/inbox.h"
 #include "mlab/console/session.h"
 #include "mlab/console/session/robot_parameters.h"
@@ -56,7 +56,7 @@ class RunMaker {
   robot::ProgramSources program_sources() const;
 
  private:
-  using CrewPtr = std::shared_ptr<const fleet::Crew>;
+  using CrewPtr = std::shared_ptr<const run::Crew>;
   using MissionPtr = std::shared_ptr<const mission::Mission>;
   using FilesPtr = std::shared_ptr<const text::Files>;
 
@@ -65,7 +65,7 @@ class RunMaker {
 
   /// @param known  programs that need not be built again; null: none
   void load(std::uint64_t seed, const CrewPtr& known = nullptr);
-  void adopt(const CrewPtr& crew, std::unique_ptr<fleet::MissionRun> run, const text::Diagnostics& problems);
+  void adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run, const text::Diagnostics& problems);
   void take_over(const Trial& trial, const TrialDone& done);
   Answered why_not_taken_over(const Trial& trial) const;
   void finish_takeover(const CrewPtr& crew, const FilesPtr& files, const text::Diagnostics& problems,

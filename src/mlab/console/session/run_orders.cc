@@ -5,9 +5,9 @@
 
 #include <fmt/core.h>
 
-#include "mlab/console/held_values.h"
-#include "mlab/console/overview.h"
-#include "mlab/console/status_encoder.h"
+#include "mlab/console/published/overview.h"
+#include "mlab/console/published/status_encoder.h"
+#include "mlab/console/run/held_values.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/wording.h"
 
@@ -28,14 +28,14 @@ bool is_running(const mission::State& state) {
 }
 
 // Where they are is where the stick takes over.
-void teleoperate(const fleet::MissionRun& run, mission::UnitCommand& command) {
+void teleoperate(const run::MissionRun& run, mission::UnitCommand& command) {
   command.task = mission::Task::kTeleoperate;
   const auto& members = mission::members_of(run.mission(), command);
   const fleet::FleetRobot* leader = members.empty() ? nullptr : run.fleet().find(members.front());
   if (leader != nullptr) command.goal = run.fleet().pose(*leader).position;
 }
 
-bool has_running_robot(const fleet::MissionRun& run, const mission::UnitCommand& command) {
+bool has_running_robot(const run::MissionRun& run, const mission::UnitCommand& command) {
   return std::ranges::any_of(mission::members_of(run.mission(), command), [&](base::RobotId id) {
     const fleet::FleetRobot* robot = run.fleet().find(id);
     return robot != nullptr && robot->life == fleet::RobotLife::kRunning;
@@ -48,7 +48,7 @@ bool has_running_robot(const fleet::MissionRun& run, const mission::UnitCommand&
 
 Answered RunOrders::why_not(const Control& control) const {
   if (auto refused = run_.why_not_now()) return refused;
-  const fleet::MissionRun& run = run_.live()->run();
+  const run::MissionRun& run = run_.live()->run();
   const mission::State& state = run.state();
   const std::size_t steps = state.mission->steps.size();
   switch (control.action()) {
@@ -76,7 +76,7 @@ Answered RunOrders::control(const Sender& sender, const Control& control) {
     return std::nullopt;
   }
   if (auto refused = why_not(control)) return refused;
-  const fleet::MissionRun& run = run_.live()->run();
+  const run::MissionRun& run = run_.live()->run();
   const bool has_ended = mode_of(run) == Status::ENDED;
   if (has_ended && control.action() != Control::ABORT) run_.forget_earlier_run();
   run_.note(who, control.action() == Control::JUMP
@@ -191,7 +191,7 @@ Answered RunOrders::answer(const Sender& sender, const Answer& answer) {
 
 Answered RunOrders::start_teleoperation(const Sender& sender, const StartTeleoperation& start) {
   if (auto refused = run_.why_not_now()) return refused;
-  const fleet::MissionRun& run = run_.live()->run();
+  const run::MissionRun& run = run_.live()->run();
   mission::UnitCommand command;
   if (start.robot() != 0) {
     if (run.fleet().find({start.robot()}) == nullptr)

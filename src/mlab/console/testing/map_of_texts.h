@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "mlab/console/overlay_edit.h"
-#include "mlab/console/scene_encoder.h"
+#include "mlab/console/documents/overlay_edit.h"
+#include "mlab/console/published/scene_encoder.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
 

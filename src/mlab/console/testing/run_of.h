@@ -5,20 +5,20 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/fleet/mission_run.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
 
 namespace mlab::console::testing {
 
 /// A run of a mission that is given as text.
-inline std::unique_ptr<fleet::MissionRun> run_of(const std::string& text, std::uint64_t seed = 1) {
+inline std::unique_ptr<run::MissionRun> run_of(const std::string& text, std::uint64_t seed = 1) {
   text::Diagnostics sink;
   const auto source = std::make_shared<const text::Source>("test.mdl", text);
   const auto mission = mdl::check_mission(source, "", sink);
   EXPECT_NE(mission, nullptr) << text::render(sink);
   if (!mission) return nullptr;
-  fleet::RunSettings settings;
+  run::RunSettings settings;
   settings.seed = seed;
   auto run = simulated::make_run(mission, {}, settings, sink);
   EXPECT_NE(run, nullptr) << text::render(sink);
@@ -34,7 +34,7 @@ inline constexpr const char* kTravel =
     "0. UNIT pair START 100 100 0 40\n"
     "1. UNIT pair MOVETO 700 120 FORMATION Line\n";
 
-inline void step(fleet::MissionRun& run, int cycles) {
+inline void step(run::MissionRun& run, int cycles) {
   for (int i = 0; i < cycles; ++i) run.step();
 }
 

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/designer/edit.h"
-#include "mlab/designer/graph.h"
-#include "mlab/designer/model.h"
-#include "mlab/robot/configuration_file.h"
+#include "mlab/designer/drawing/graph.h"
+#include "mlab/designer/drawing/model.h"
+#include "mlab/designer/edit/edit.h"
+#include "mlab/robot/program/configuration_file.h"
 
 namespace mlab::designer::testing {
 

@@ -5,8 +5,8 @@
 
 #include "mlab/base/random.h"
 #include "mlab/designer.pb.h"
-#include "mlab/designer/drawing.h"
-#include "mlab/designer/model.h"
+#include "mlab/designer/drawing/drawing.h"
+#include "mlab/designer/drawing/model.h"
 
 namespace mlab::designer::testing {
 

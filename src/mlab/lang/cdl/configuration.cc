@@ -9,8 +9,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include "mlab/lang/cdl/formula.h"
-#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl/formula/formula.h"
+#include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/load.h"
 #include "mlab/text/shown.h"

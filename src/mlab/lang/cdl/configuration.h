@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mlab/lang/cdl/tree.h"
+#include "mlab/lang/cdl/syntax/tree.h"
 #include "mlab/lang/cnl/tree.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/files.h"

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cdl/signs.h"
+#include "mlab/lang/cdl/syntax/signs.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cdl_historic {

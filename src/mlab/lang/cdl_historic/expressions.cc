@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cdl/units.h"
+#include "mlab/lang/cdl/types/units.h"
 #include "mlab/lang/cdl_historic/constants.h"
 #include "mlab/lang/cdl_historic/converter.h"
 #include "mlab/lang/cdl_historic/library_names.h"

@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/print/print.h"
 #include "mlab/lang/cdl_historic/converter.h"
 #include "mlab/lang/cdl_historic/library_names.h"
 #include "mlab/lang/cdl_historic/parser.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "mlab/lang/cdl/tree.h"
+#include "mlab/lang/cdl/syntax/tree.h"
 #include "mlab/lang/cdl_historic/vocabulary.h"
 #include "mlab/text/diagnostic.h"
 

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/source_folder.h"
-#include "mlab/lang/cdl/parser.h"
-#include "mlab/lang/cdl/print.h"
+#include "mlab/lang/cdl/print/print.h"
+#include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/text/testing/golden.h"
 
 /// The procedures of the component library, which stands above this module and is linked to its tests only.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mlab/lang/cdl/tree.h"
+#include "mlab/lang/cdl/syntax/tree.h"
 
 namespace mlab::cdl_historic {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/lang/cdl/parser.h"
+#include "mlab/lang/cdl/syntax/parser.h"
 
 namespace mlab::cdl_historic {
 namespace {

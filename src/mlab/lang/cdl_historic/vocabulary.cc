@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "mlab/lang/cdl/units.h"
-#include "mlab/lang/cdl/walk.h"
+#include "mlab/lang/cdl/syntax/walk.h"
+#include "mlab/lang/cdl/types/units.h"
 
 namespace mlab::cdl_historic {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mlab/flow/library.h"
-#include "mlab/lang/cdl/tree.h"
+#include "mlab/lang/cdl/syntax/tree.h"
 
 namespace mlab::cdl_historic {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "mlab/lang/cdl/formula_term.h"
+#include "mlab/lang/cdl/formula/formula_term.h"
 
 namespace mlab::cdl::testing {
 

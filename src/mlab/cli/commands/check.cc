@@ -1,0 +1,117 @@
+#include <cstdio>
+#include <string>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "mlab/assist/service.h"
+#include "mlab/base/counted.h"
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
+#include "mlab/cli/permission.h"
+#include "mlab/cli/terminal.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::cli {
+
+using assist::Language;
+using assist::language_of;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Checked {
+  std::string file;
+  std::optional<Language> language;
+  text::Diagnostics sink;
+};
+
+void check_source(const text::SourcePtr& source, const CheckOptions& options, Checked& out) {
+  out.language = language_of(*source);
+  if (!out.language) {
+    out.sink
+        .error("unknown-language", {source, {0, 0}}, "this is no mission, overlay, network or configuration")
+        .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
+    return;
+  }
+  out.sink =
+      assist::problems({source, *out.language}, surroundings(permission_to_check(true, options.no_cell)));
+}
+
+Json place_json(const text::Place& place) {
+  if (!place.source) return nullptr;
+  const text::LineColumn begin = place.source->line_column(place.span.begin);
+  const text::LineColumn end = place.source->line_column(place.span.end);
+  return {{"file", place.source->name()},
+          {"line", begin.line},
+          {"column", begin.column},
+          {"end_line", end.line},
+          {"end_column", end.column}};
+}
+
+Json diagnostic_json(const text::Diagnostic& d) {
+  Json out;
+  out["level"] = name(d.severity);
+  out["kind"] = d.kind;
+  out["message"] = d.message;
+  out["place"] = place_json(d.place);
+  out["label"] = d.label;
+  out["hints"] = d.hints;
+  out["notes"] = Json::array();
+  for (const text::Note& note : d.notes)
+    out["notes"].push_back({{"message", note.message}, {"place", place_json(note.place)}});
+  return out;
+}
+
+Json checked_json(const Checked& checked) {
+  Json out;
+  out["file"] = checked.file;
+  out["language"] = checked.language ? Json(name(*checked.language)) : Json(nullptr);
+  out["errors"] = checked.sink.error_count();
+  out["warnings"] = checked.sink.warning_count();
+  out["diagnostics"] = Json::array();
+  for (const text::Diagnostic& d : checked.sink.items()) out["diagnostics"].push_back(diagnostic_json(d));
+  return out;
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  Json files = Json::array();
+  for (const std::string& file : options.files) {
+    Checked checked;
+    checked.file = file;
+    if (text::Result<text::SourcePtr> source = read_input(file)) {
+      check_source(*source, options, checked);
+    } else {
+      checked.sink.report(source.error());
+    }
+    errors += checked.sink.error_count();
+    warnings += checked.sink.warning_count();
+    if (options.format == "json") {
+      files.push_back(checked_json(checked));
+      continue;
+    }
+    tell(checked.sink);
+    fmt::print("{}: {}", file, checked.language ? name(*checked.language) : "unreadable");
+    if (checked.sink.items().empty()) {
+      fmt::print(", ok\n");
+    } else {
+      fmt::print(
+          ", {}, {}{}\n", base::counted(checked.sink.error_count(), "error"),
+          base::counted(checked.sink.warning_count(), "warning"),
+          checked.sink.note_count() == 0 ? "" : ", " + base::counted(checked.sink.note_count(), "note"));
+    }
+  }
+  if (options.format == "json") {
+    const Json out = {{"version", 1}, {"files", files}};
+    fmt::print("{}\n", out.dump(2, ' ', false, Json::error_handler_t::replace));
+  }
+  if (errors > 0) return kBadInput;
+  return options.strict && warnings > 0 ? kFailed : kDone;
+}
+
+}  // namespace mlab::cli

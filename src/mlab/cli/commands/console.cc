@@ -1,0 +1,391 @@
+// `mlab run` without --headless: a session, the server that shows it, and a terminal that says where.
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "mlab/base/counted.h"
+#include "mlab/cli/browser.h"
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
+#include "mlab/cli/kept_address.h"
+#include "mlab/cli/other_language.h"
+#include "mlab/cli/output.h"
+#include "mlab/cli/permission.h"
+#include "mlab/cli/run_settings.h"
+#include "mlab/cli/terminal.h"
+#include "mlab/cli/version.h"
+#include "mlab/console.pb.h"
+#include "mlab/console/server/server.h"
+#include "mlab/console/session.h"
+#include "mlab/designer.pb.h"
+#include "mlab/designer/designer.h"
+#include "mlab/documents/draft_place.h"
+#include "mlab/documents/project_folder.h"
+#include "mlab/documents/state_folder.h"
+#include "mlab/lang/envchange/envchange.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What comes by a socket of the server goes to the one who is spoken to by it.
+template <class Message>
+console::SocketHandlers socket_of(auto& listener) {
+  return {[&listener](console::ConnectionId from, std::string_view bytes) {
+            auto message = std::make_unique<Message>();
+            if (!message->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
+            listener.receive(from, std::move(message));
+            return true;
+          },
+          [&listener](console::ConnectionId connection) { listener.closed(connection); }};
+}
+
+constexpr double kConsoleSpeed = 10.0;
+constexpr std::uint16_t kUsualPort = 8642;
+
+int interrupt = -1;  // eventfd that the signal handler writes to
+volatile std::sig_atomic_t was_interrupted = 0;
+timespec first_interrupt{};
+
+// The first Ctrl-C ends everything in an orderly way; who presses it again wants out at once. One key press
+// can come as several signals: from the terminal, and from a program that stands between.
+void on_interrupt(int) {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  if (was_interrupted == 0) first_interrupt = now;
+  was_interrupted = 1;
+  output_hurries = 1;
+  const double seconds = static_cast<double>(now.tv_sec - first_interrupt.tv_sec) +
+                         1e-9 * static_cast<double>(now.tv_nsec - first_interrupt.tv_nsec);
+  if (seconds > 0.5) _exit(kFailed);
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = ::write(interrupt, &one, sizeof one);
+}
+
+// From here on Ctrl-C, the end of the terminal and `kill` are waited for.
+bool listen_for_interrupts() {
+  interrupt = ::eventfd(0, EFD_CLOEXEC);
+  if (interrupt < 0) return false;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_interrupt);
+  return true;
+}
+
+void wait_for_interrupt() {
+  pollfd descriptor{interrupt, POLLIN, 0};
+  while (was_interrupted == 0) ::poll(&descriptor, 1, -1);
+}
+
+std::optional<std::uint16_t> port_of(std::string_view text) {
+  std::uint16_t port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return port;
+}
+
+// ADDRESS, ADDRESS:PORT, [ADDRESS]:PORT; an IPv6 address without brackets has no port.
+bool read_listen(const std::string& text, console::ServerSettings& out) {
+  std::string_view address = text;
+  std::string_view port;
+  if (text.starts_with('[')) {
+    const std::size_t end = text.find(']');
+    if (end == std::string::npos) return false;
+    address = std::string_view(text).substr(1, end - 1);
+    port = std::string_view(text).substr(end + 1);
+    if (!port.empty() && !port.starts_with(':')) return false;
+  } else if (const std::size_t colon = text.find(':');
+             colon != std::string::npos && colon == text.rfind(':')) {
+    address = std::string_view(text).substr(0, colon);
+    port = std::string_view(text).substr(colon);
+  }
+  out.address = address == "localhost" ? "127.0.0.1" : std::string(address);
+  if (port.empty()) return true;
+  const std::optional<std::uint16_t> number = port_of(port.substr(1));
+  if (number) out.ports = {*number};
+  return number.has_value();
+}
+
+std::optional<console::ServerSettings> server_settings(const RunOptions& options) {
+  console::ServerSettings out;
+  out.ports =
+      options.port ? std::vector<std::uint16_t>{*options.port} : std::vector<std::uint16_t>{kUsualPort, 0};
+  if (!options.listen.empty() && !read_listen(options.listen, out)) {
+    usage_error(
+        fmt::format("--listen {}: expected an IP address of this machine, as 192.168.1.5 or 0.0.0.0:8642",
+                    options.listen));
+    return std::nullopt;
+  }
+  out.certificate = options.certificate;
+  out.key = options.key;
+  out.web_folder = web_folder();
+  return out;
+}
+
+// What an open page knows of the last server is good for this one, where it gets the same port. Whoever has
+// that port by now may have been told the token, so on another one there is a new one.
+void take_over(const KeptAddress& kept, const RunOptions& options, console::ServerSettings& out) {
+  if (kept.found() == KeptAddress::Lookup::kUnsafe)
+    fmt::print(stderr, "mlab: warning: the address of the last start is not used again: {}\n",
+               kept.problem());
+  if (kept.found() != KeptAddress::Lookup::kAddress || kept.address().host != out.address) return;
+  const bool may_choose = out.ports.size() > 1;
+  if (may_choose) out.ports.insert(out.ports.begin(), kept.address().port);
+  if (options.new_token) return;
+  out.token = kept.address().token;
+  out.token_port = kept.address().port;
+}
+
+// The mission, for what the terminal says about it; what is wrong with it is shown here and in the console.
+struct Look {
+  std::shared_ptr<const mission::Mission> mission;
+  std::size_t warnings = 0;
+  bool is_readable = true;  ///< there is such a file
+  bool is_usable = true;    ///< what else the command line names could be read
+};
+
+Look look_at(const RunOptions& options, run::RunSettings& settings) {
+  Look out;
+  if (options.mission.empty()) return out;
+  text::Diagnostics sink;
+  std::error_code error;
+  out.is_readable = fs::is_regular_file(options.mission, error);
+  out.mission = mdl::load_mission(options.mission, sink, load_options(options, mission_sources(options, {})));
+  if (out.mission && !options.environment.empty()) {
+    const auto changes = envchange::load(options.environment, out.mission->overlay.origin, sink);
+    out.is_usable = changes.has_value() && !sink.has_errors();
+    settings.environment = changes.value_or(overlay::EnvironmentChanges{});
+  }
+  tell(sink);
+  out.warnings = sink.warning_count();
+  return out;
+}
+
+/// Says at this terminal when what is not saved begins or ceases to be kept. Two threads may tell it.
+class KeepingTold {
+ public:
+  explicit KeepingTold(std::string folder) : folder_(std::move(folder)) {}
+
+  /// @param why  it is not kept; empty: it is
+  void tell(const std::string& who, const std::string& why) {
+    const std::scoped_lock lock(mutex_);
+    const bool was_kept = is_kept();
+    why_[who] = why;
+    if (!why.empty() && why != told_)
+      fmt::print(stderr, "mlab: warning: what is not saved is not kept: {}{}\n", why,
+                 folder_.empty() ? "" : fmt::format(" (in {})", folder_));
+    if (!was_kept && is_kept()) fmt::print(stderr, "mlab: what is not saved is kept again\n");
+    told_ = is_kept() ? "" : why.empty() ? told_ : why;
+  }
+
+ private:
+  bool is_kept() const {
+    return std::ranges::all_of(why_, [](const auto& entry) { return entry.second.empty(); });
+  }
+
+  const std::string folder_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> why_;
+  std::string told_;
+};
+
+void show_start(const console::Server& server, const RunOptions& options, const Look& look, bool was_opened,
+                bool is_kept) {
+  const std::vector<std::string> urls = server.urls(options.edits ? "designer.html" : "");
+  if (options.edits)
+    fmt::print("The designer{}.\n", options.configuration.empty() ? "" : " for " + options.configuration);
+  else if (options.mission.empty())
+    fmt::print("The operator console, without a mission: open one or write one there.\n");
+  else if (!look.mission)
+    fmt::print("The operator console; {} has errors, and can be mended there.\n", options.mission);
+  else
+    fmt::print("The operator console for {}: {}, {}. Nothing moves before Execute.\n", options.mission,
+               base::counted(look.mission->robots.size(), "robot"),
+               base::counted(look.mission->steps.size(), "step"));
+  fmt::print("{} in a browser:\n\n", was_opened ? "It opens" : "Open this address");
+  for (const std::string& url : urls) fmt::print("    {}\n", url);
+  fmt::print("\nCtrl-C here ends {}; what is not saved is {}.\n",
+             options.edits ? "the designer" : "the run and the console", is_kept ? "kept" : "lost then");
+  std::fflush(stdout);
+  if (!server.is_loopback() && !server.is_encrypted()) {
+    fmt::print(
+        stderr,
+        "mlab run: warning: other machines can reach this console, and nothing is encrypted: who listens on "
+        "the way learns the token. --certificate and --key switch TLS on\n");
+  }
+}
+
+// As headless, but for a mission that nobody started: looking at it is not to fail.
+int exit_status(const std::string& report) {
+  if (report.empty()) return kDone;
+  const auto json = nlohmann::json::parse(report, nullptr, false);
+  if (json.is_discarded() || !json.contains("outcome")) return kFailed;
+  const bool was_started = json.contains("steps") && !json["steps"].empty();
+  return !was_started || json["outcome"] == "done" ? kDone : kFailed;
+}
+
+console::SessionSettings session_settings(const RunOptions& options, RunManner manner) {
+  console::SessionSettings out;
+  const std::string& first = options.edits ? options.configuration : options.mission;
+  out.project_folder = !options.project.empty() ? options.project
+                       : first.empty()          ? "."
+                                                : fs::absolute(first).parent_path().string();
+  out.example_folder = example_folder();
+  out.overlay_folders = overlay_folders();
+  out.mission = options.mission;
+  out.version = kVersion;
+  out.include_root = program_sources("", {}).include_root;
+  out.state_folder = state_folder();
+  out.limits = options.limits;
+  out.speed = manner.speed;
+  out.run = std::move(manner.settings);
+  return out;
+}
+
+designer::DesignerSettings designer_settings(const RunOptions& options,
+                                             const console::SessionSettings& settings) {
+  designer::DesignerSettings out;
+  out.project_folder = settings.project_folder;
+  out.example_folder = settings.example_folder;
+  out.open = options.configuration;
+  out.version = settings.version;
+  out.include_root = settings.include_root;
+  out.state_folder = settings.state_folder;
+  out.permission = settings.permission;
+  out.limits = settings.limits;
+  return out;
+}
+
+int serve(const RunOptions& options, console::SessionSettings settings, const Look& look,
+          console::Server& server) {
+  KeepingTold keeping(settings.state_folder);
+  settings.tell_not_kept = [&](const std::string& why) { keeping.tell("console", why); };
+  const std::string& kept_in = settings.state_folder;
+  const std::string project = documents::ProjectFolder({settings.project_folder, ""}).folder();
+  const bool is_kept = documents::StateFolder(kept_in, project).problem().empty();
+  const auto send = [&server](console::ConnectionId to, auto bytes) { server.send(to, std::move(bytes)); };
+  designer::DesignerSettings drawing = designer_settings(options, settings);
+  console::Session session(std::move(settings), send);
+  drawing.try_out = [&session](console::Trial trial, console::TrialDone done) {
+    session.try_out(std::move(trial), std::move(done));
+  };
+  drawing.tell_not_kept = [&](const std::string& why) { keeping.tell("designer", why); };
+  drawing.look_at_run = [&session](console::RunLook shown) { session.look_at_run(std::move(shown)); };
+  std::unique_ptr<designer::Designer> designer;  // ends first: it asks the session
+  if (options.edits) designer = std::make_unique<designer::Designer>(std::move(drawing), send);
+  console::ServerHandlers handlers = {
+      socket_of<console::ToServer>(session),
+      designer ? socket_of<designer::ToDesigner>(*designer) : console::SocketHandlers{},
+      [&] { session.emergency_stop(); },
+      [&](std::uint64_t revision) {
+        console::Session::Picture picture = session.picture(revision);
+        return console::Content{std::move(picture.content_type), std::move(picture.bytes)};
+      },
+      [&] { return session.report(); },
+  };
+  server.start(std::move(handlers));
+  Browser browser;
+  const std::string page = options.edits ? "designer.html" : "";
+  show_start(server, options, look, !options.no_browser && browser.open(server.urls(page).front()), is_kept);
+  wait_for_interrupt();
+  fmt::print("\nending\n");
+  const std::string report = session.report();
+  server.stop();
+  std::vector<std::string> lost = designer ? designer->end() : std::vector<std::string>{};
+  std::ranges::move(session.end(), std::back_inserter(lost));
+  for (const std::string& what : lost)
+    fmt::print(stderr, "mlab: error: what was not saved is lost: {}\n", what);
+  if (!options.report.empty() && !report.empty() && !deliver("report", options.report, report))
+    return kFailed;
+  if (!lost.empty()) return kFailed;
+  return options.strict && look.warnings > 0 ? kFailed : exit_status(report);
+}
+
+// Who else has the project open, and what that means for what is not saved here.
+void tell_place(const documents::DraftPlace& place) {
+  if (place.is_beside())
+    fmt::print(
+        stderr,
+        "mlab: note: another server has this project open: what is not saved here is kept apart from what "
+        "is not saved there, in {}\n",
+        place.state_folder());
+  for (const std::string& path : place.left_beside())
+    fmt::print(
+        stderr,
+        "mlab: warning: {} was edited in two servers at once, and neither saved it: this one has the text of "
+        "the first; start another one beside it for the other text\n",
+        text::shown(path, 200));
+}
+
+}  // namespace
+
+int run_console(const RunOptions& options) {
+  if (!options.plot.empty() || options.limit || options.duration || options.quiet)
+    return usage_error("--plot, --limit, --for and --quiet go with --headless");
+  if (!options.percepts.empty() || !options.save_percepts.empty())
+    return usage_error("--percepts and --save-percepts go with --headless");
+  if (is_standard_input(options.mission)) return usage_error("-, standard input, goes with --headless");
+  if (const std::string reason = why_web_is_missing(); !reason.empty())
+    return usage_error("there is no page to show; --headless carries a mission out without\n" + reason);
+  std::optional<RunManner> manner = run_manner(options, kConsoleSpeed);
+  std::optional<console::ServerSettings> where = manner ? server_settings(options) : std::nullopt;
+  if (!where) return kBadInput;
+  const Look look = look_at(options, manner->settings);
+  if (!look.is_readable || !look.is_usable) return kBadInput;
+  console::SessionSettings settings = session_settings(options, std::move(*manner));
+  const std::string project = documents::ProjectFolder({settings.project_folder, ""}).folder();
+  const KeptAddress kept(settings.state_folder, project, options.edits ? "edit" : "run");
+  const documents::DraftPlace place(settings.state_folder, project, {"", "designer"});
+  settings.state_folder = place.state_folder();
+  take_over(kept, options, *where);
+  std::string error;
+  const std::unique_ptr<console::Server> server = console::Server::open(*where, error);
+  if (!server) return usage_error(error);
+  if (!listen_for_interrupts()) return usage_error("the operating system has no descriptor left");
+  tell_place(place);
+  if (const std::string why = kept.keep({where->address, server->port(), server->token()}); !why.empty())
+    fmt::print(stderr, "mlab: warning: a page that is left open will not find the next server: {}\n", why);
+  const auto people =
+      server->is_loopback() ? cell::Grounds::People::kHere : cell::Grounds::People::kElsewhere;
+  settings.permission = permission_to_run(options, people, settings.project_folder);
+  return serve(options, std::move(settings), look, *server);
+}
+
+int edit(RunOptions options) {
+  options.edits = true;
+  std::error_code error;
+  if (!options.configuration.empty() && !fs::is_regular_file(options.configuration, error)) {
+    fmt::print(stderr, "mlab edit: {}: there is no such file\n", options.configuration);
+    return kBadInput;
+  }
+  if (const std::string why = other_language(options.configuration, {assist::Language::kConfiguration});
+      !why.empty()) {
+    fmt::print(stderr, "mlab edit: {}\n", why);
+    return kBadInput;
+  }
+  return run_console(options);
+}
+
+}  // namespace mlab::cli

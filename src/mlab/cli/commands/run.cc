@@ -1,0 +1,212 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include "mlab/base/counted.h"
+#include "mlab/cli/clock.h"
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/input.h"
+#include "mlab/cli/other_language.h"
+#include "mlab/cli/output.h"
+#include "mlab/cli/permission.h"
+#include "mlab/cli/plot.h"
+#include "mlab/cli/run_bodies.h"
+#include "mlab/cli/run_screen.h"
+#include "mlab/cli/run_settings.h"
+#include "mlab/cli/terminal.h"
+#include "mlab/cli/terminal_operator.h"
+#include "mlab/cli/version.h"
+#include "mlab/lang/envchange/envchange.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/run/mission_run.h"
+#include "mlab/run/report.h"
+
+namespace mlab::cli {
+namespace {
+
+volatile std::sig_atomic_t run_interrupts = 0;
+timespec first_run_interrupt{};
+
+// The first Ctrl-C ends the run in an orderly way; who presses it again wants out at once. One key press can
+// come as several signals: from the terminal, and from a program that stands between.
+void on_run_interrupt(int) {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  if (run_interrupts == 0) first_run_interrupt = now;
+  run_interrupts = 1;
+  output_hurries = 1;
+  const double seconds = static_cast<double>(now.tv_sec - first_run_interrupt.tv_sec) +
+                         1e-9 * static_cast<double>(now.tv_nsec - first_run_interrupt.tv_nsec);
+  if (seconds > 0.5) _exit(kFailed);
+}
+
+// Until then, or until somebody wants an end.
+void pass_time(double seconds) {
+  const double end = steady_seconds() + seconds;
+  while (run_interrupts == 0 && steady_seconds() < end)
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.1, end - steady_seconds())));
+}
+
+struct Prepared {
+  RunBodies bodies;
+  std::unique_ptr<run::MissionRun> run;
+  MissionClock clock;
+  double speed = 0.0;
+  text::Diagnostics warnings;  // of loading
+};
+
+std::shared_ptr<const mission::Mission> load(const RunOptions& options, const robot::ProgramSources& sources,
+                                             text::Diagnostics& sink) {
+  const mdl::LoadOptions around = load_options(options, sources);
+  if (!is_standard_input(options.mission)) return mdl::load_mission(options.mission, sink, around);
+  const text::Result<text::SourcePtr> source = read_input(options.mission);
+  if (source) return mdl::check_mission(*source, "", sink, around);
+  sink.report(source.error());
+  return nullptr;
+}
+
+// Everything that can be wrong before the first cycle. Diagnostics are printed here.
+std::optional<Prepared> prepare(RunOptions options, int& status) {
+  status = kBadInput;
+  Prepared out;
+  if (!out.bodies.open(options)) return std::nullopt;
+  std::optional<RunManner> manner = run_manner(options, 0.0);
+  if (!manner) return std::nullopt;
+  out.clock = manner->clock;
+  out.speed = manner->speed;
+  text::Diagnostics& sink = out.warnings;
+  const std::string folder = std::filesystem::path(options.mission).parent_path().string();
+  const robot::ProgramSources sources =
+      mission_sources(options, permission_to_run(options, cell::Grounds::People::kHere, folder));
+  const std::shared_ptr<const mission::Mission> mission = load(options, sources, sink);
+  if (mission) {
+    run::RunSettings& settings = manner->settings;
+    settings.goes_on_when_done = options.duration.has_value();
+    if (!options.environment.empty()) {
+      const text::Result<text::SourcePtr> source = read_input(options.environment);
+      if (!source) sink.report(source.error());
+      if (source)
+        settings.environment =
+            envchange::parse(*source, mission->overlay.origin, sink).value_or(overlay::EnvironmentChanges{});
+    }
+    if (!sink.has_errors()) out.run = out.bodies.make_run(mission, sources, settings, sink);
+  }
+  tell(sink);
+  if (!out.run) return std::nullopt;
+  if (options.strict && sink.warning_count() > 0) {
+    fmt::print(stderr, "mlab run: not run, because of {} and --strict\n",
+               base::counted(sink.warning_count(), "warning"));
+    status = kFailed;
+    return std::nullopt;
+  }
+  return out;
+}
+
+// Steps until the mission has ended, its time is up or somebody ends it.
+run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
+                      TerminalOperator& person, Plot& plot) {
+  run::MissionRun& run = *prepared.run;
+  const double began = steady_seconds();
+  double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
+  run.post(mission::event::Execute{});
+  while (run_interrupts == 0) {
+    if (const double ahead = person.ahead(); ahead > 0.0) {
+      const double before = steady_seconds();
+      person.attend(static_cast<int>(std::min(ahead * 1000.0, 100.0)) + 1);
+      idle += steady_seconds() - before;
+      continue;
+    }
+    if (options.limit && run.time() >= *options.limit) {
+      screen.line(fmt::format("[{:9.1f} s] ended by --limit", run.time()));
+      return run::RunEnd::kInterrupted;
+    }
+    if (options.duration && run.time() >= *options.duration) {
+      screen.line(fmt::format("[{:9.1f} s] the time is up (--for)", run.time()));
+      return run::RunEnd::kTimeIsUp;
+    }
+    const run::MissionRun::Progress progress = run.step();
+    if (progress == run::MissionRun::Progress::kOver) return run::RunEnd::kByItself;
+    screen.show_progress(run);
+    if (!options.plot.empty()) plot.note(run);
+    const bool waits = progress == run::MissionRun::Progress::kWaits;
+    if (person.is_needed()) {
+      const double before = steady_seconds();
+      // A question that answers itself needs nobody.
+      if (!person.attend(waits ? 100 : 0) &&
+          (person.is_steering() || mission::awaits_only_operator(run.state()))) {
+        screen.line(
+            "no answer: standard input has ended. The mission is aborted; --proceed answers every question "
+            "with yes");
+        run.post(mission::event::Abort{});
+        return run::RunEnd::kByItself;
+      }
+      if (waits) idle += steady_seconds() - before;
+    } else if (waits) {
+      return run::RunEnd::kByItself;
+    }
+    if (prepared.speed > 0.0) {
+      const double ahead = run.time() / prepared.speed - (steady_seconds() - began - idle);
+      if (ahead > 0.0) pass_time(ahead);
+    }
+  }
+  return run::RunEnd::kInterrupted;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  if (const std::string why = other_language(options.mission, {assist::Language::kMission}); !why.empty())
+    return usage_error(why);
+  if (!options.headless) return run_console(options);
+  if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
+  int status = kDone;
+  std::optional<Prepared> prepared = prepare(options, status);
+  if (!prepared) return status;
+  run::MissionRun& run = *prepared->run;
+  RunScreen screen(options.quiet);
+  TerminalOperator person(run, screen);
+  Plot plot;
+  run.set_observer([&](const mission::Effect& effect) {
+    screen.show(run, effect);
+    person.see(effect);
+  });
+  run.set_meanwhile([] { return run_interrupts != 0; });
+  std::signal(SIGINT, on_run_interrupt);
+  std::signal(SIGTERM, on_run_interrupt);
+
+  run::Performance performance;
+  performance.started_at = print(wall_clock());
+  performance.mission_clock = print(prepared->clock);
+  performance.program_version = kVersion;
+  screen.show_start(run);
+  for (const mission::Print& wanted : run.mission().prints)
+    screen.show(run, mission::effect::Print{wanted.robot_info});
+  const double began = steady_seconds();
+  const double cpu_began = cpu_seconds();
+  const run::RunEnd end = carry_out(*prepared, options, screen, person, plot);
+  performance.wall_seconds = steady_seconds() - began;
+  performance.cpu_seconds = cpu_seconds() - cpu_began;
+
+  const std::string outcome = run::outcome_name(run, end);
+  screen.show_summary(run, outcome, performance.wall_seconds);
+  screen.show_warnings(prepared->warnings);
+  const bool is_as_recorded = prepared->bodies.conclude();
+  if (!options.report.empty() && !deliver("report", options.report, run::report_json(run, performance, end)))
+    return kFailed;
+  if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
+  return outcome == "done" && is_as_recorded ? kDone : kFailed;
+}
+
+}  // namespace mlab::cli

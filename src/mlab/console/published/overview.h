@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "mlab/console.pb.h"
+#include "mlab/console/published/scene_encoder.h"
+#include "mlab/flow/program.h"
+#include "mlab/mission/mission.h"
+#include "mlab/run/mission_run.h"
+
+namespace mlab::console {
+
+/// The steps of a mission as its author planned them.
+void encode_plan(const mission::Mission& mission, std::uint64_t revision, const PlaceOf& place_of, Plan& out);
+
+/// Robots, named units and robot programs with their ports.
+/// @param count_units  so many units are told; later ones were made up for a single robot
+void encode_roster(const run::MissionRun& run, Roster& out);
+
+/// A port as a browser shows it.
+void encode_port(const flow::Program& program, const flow::Port& port, Port& out);
+
+/// Text of a mission's author for a browser: as it is, but for control characters and what is no UTF-8.
+std::string clean(std::string_view text);
+
+}  // namespace mlab::console

@@ -1,0 +1,131 @@
+#include "mlab/console/published/status_encoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include <fmt/core.h>
+
+#include "mlab/console/published/overview.h"
+#include "mlab/mission/wording.h"
+
+namespace mlab::console {
+namespace {
+
+using mission::State;
+
+// The enumerations count alike.
+Status::Outcome outcome_of(mission::Outcome outcome) {
+  static_assert(static_cast<int>(mission::Outcome::kSkipped) == Status::SKIPPED);
+  static_assert(static_cast<int>(mission::Outcome::kDone) == Status::DONE);
+  return static_cast<Status::Outcome>(outcome);
+}
+
+// Only where the unit's name does not say it.
+void encode_followers(const State& state, const mission::Run& run, Status::Command& out) {
+  const bool is_whole = run.unit < state.mission->units.size() &&
+                        state.mission->units[run.unit].members.size() == run.needed.size();
+  if (is_whole) return;
+  for (const base::RobotId id : run.needed) out.add_followers(id.value);
+}
+
+void encode_command(const State& state, std::uint32_t record, const Estimates& estimates,
+                    Status::Command& out) {
+  const mission::CommandRecord& command = state.commands[record];
+  out.set_text(clean(command.text));
+  out.set_unit(clean(command.unit));
+  out.set_outcome(outcome_of(command.outcome));
+  out.set_start(command.start);
+  if (command.outcome != mission::Outcome::kRunning) out.set_end(command.end);
+  out.set_message(clean(command.message));
+  out.set_remaining(-1.0);
+  out.set_arrival(-1.0);
+  if (command.outcome == mission::Outcome::kDone) out.set_progress(1.0);
+  const auto run = std::ranges::find(state.runs, record, &mission::Run::record);
+  if (run == state.runs.end()) return;
+  const Estimates::Estimate estimate = estimates.of(state, *run);
+  out.set_robots(estimate.robots);
+  out.set_robots_done(estimate.robots_done);
+  if (command.outcome != mission::Outcome::kRunning) return;
+  encode_followers(state, *run, out);
+  out.set_waits_for(clean(mission::waiting_text(state, *run)));
+  out.set_is_held(run->phase == mission::Run::Phase::kHeld);
+  out.set_remaining(estimate.remaining);
+  out.set_arrival(estimate.arrival);
+  out.set_progress(estimate.progress);
+}
+
+}  // namespace
+
+Status::Mode mode_of(const run::MissionRun& run) {
+  const State& state = run.state();
+  if (run.is_stopped()) return Status::STOPPED;
+  if (state.mode == State::Mode::kQuit) return Status::ENDED;
+  if (state.mode == State::Mode::kRunning) {
+    if (state.paused) return Status::PAUSED;
+    return mission::awaits_only_operator(state) ? Status::WAITING : Status::RUNNING;
+  }
+  switch (state.outcome) {
+    case mission::Outcome::kPending:
+      return state.steps.empty() ? Status::READY : Status::PAUSED;
+    case mission::Outcome::kRunning:
+      return Status::PAUSED;
+    default:
+      return Status::ENDED;
+  }
+}
+
+std::string clock_time(const mission::ExecutiveOptions& options, double run_time) {
+  const auto seconds =
+      static_cast<std::time_t>(std::floor(options.epoch_seconds + options.zone_offset + run_time));
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}", parts.tm_year + 1900, parts.tm_mon + 1,
+                     parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
+}
+
+void encode_run(const run::MissionRun& run, const Estimates& estimates, Status& out) {
+  const State& state = run.state();
+  out.set_mode(mode_of(run));
+  out.set_time(run.time());
+  out.set_cycle(run.cycle());
+  out.set_cycle_duration(run.cycle_duration());
+  out.set_current_step(state.step);
+  out.set_outcome(outcome_of(state.outcome));
+  out.set_stops_after_step(state.mode == State::Mode::kRunning && state.single);
+  out.set_seed(run.seed());
+  out.set_mission_clock(clock_time(state.options, run.time()));
+  const std::size_t first = state.steps.size() - std::min(state.steps.size(), kMostSteps);
+  for (std::size_t i = 0; i < state.steps.size(); ++i) {
+    const mission::StepRecord& step = state.steps[i];
+    if (i < first && step.outcome != mission::Outcome::kRunning) continue;
+    Status::Step& told = *out.add_steps();
+    told.set_label(clean(step.label));
+    told.set_step(step.step);
+    told.set_outcome(outcome_of(step.outcome));
+    told.set_start(step.start);
+    if (step.outcome != mission::Outcome::kRunning) told.set_end(step.end);
+    for (std::uint32_t c = 0; c < step.command_count; ++c)
+      encode_command(state, step.first_command + c, estimates, *told.add_commands());
+  }
+  for (const std::string& line : mission::waits_for(state)) out.add_waits_for(clean(line));
+}
+
+void encode_questions(const State& state, const std::map<std::uint32_t, double>& asked,
+                      const std::map<std::uint32_t, std::string>& texts, Questions& out) {
+  for (const mission::Question& question : state.questions) {
+    Questions::Question& told = *out.add_questions();
+    told.set_id(question.id);
+    if (const auto text = texts.find(question.id); text != texts.end()) told.set_text(clean(text->second));
+    told.set_robot(question.robot.value);
+    if (question.robot.value == 0 && question.run < state.runs.size()) {
+      const mission::CommandRecord& record = state.commands[state.runs[question.run].record];
+      told.set_unit(clean(record.unit));
+      told.set_command(clean(record.text));
+    }
+    if (question.expires) told.set_expires(*question.expires);
+    if (const auto time = asked.find(question.id); time != asked.end()) told.set_asked(time->second);
+  }
+}
+
+}  // namespace mlab::console

@@ -1,0 +1,90 @@
+#include "mlab/console/published/status_encoder.h"
+
+#include <gtest/gtest.h>
+
+#include "mlab/console/testing/run_of.h"
+
+namespace mlab::console {
+namespace {
+
+Status status_of(const run::MissionRun& run, const Estimates& estimates) {
+  Status out;
+  encode_run(run, estimates, out);
+  return out;
+}
+
+TEST(Status, FollowsTheRunFromReadyToEnded) {
+  const auto run = testing::run_of(testing::kTravel);
+  Estimates estimates;
+  EXPECT_EQ(mode_of(*run), Status::READY);
+  run->post(mission::event::Execute{});
+  EXPECT_EQ(mode_of(*run), Status::RUNNING);
+  run->post(mission::event::Pause{});
+  EXPECT_EQ(mode_of(*run), Status::PAUSED);
+  run->post(mission::event::Resume{});
+  run->set_emergency_stop(true);
+  EXPECT_EQ(mode_of(*run), Status::STOPPED);
+  run->set_emergency_stop(false);
+  run->post(mission::event::Abort{});
+  EXPECT_EQ(mode_of(*run), Status::ENDED);
+  EXPECT_EQ(status_of(*run, estimates).outcome(), Status::ABORTED);
+}
+
+TEST(Status, TellsWhatRemainsAndWhenItWillBeDone) {
+  const auto run = testing::run_of(testing::kTravel);
+  Estimates estimates;
+  run->post(mission::event::Execute{});
+  for (int i = 0; i < 600; ++i) {
+    run->step();
+    estimates.look(run->state());
+  }
+  const Status status = status_of(*run, estimates);
+  ASSERT_EQ(status.steps_size(), 2);
+  EXPECT_EQ(status.steps(0).outcome(), Status::DONE);
+  const Status::Command& travel = status.steps(1).commands(0);
+  EXPECT_EQ(travel.outcome(), Status::UNDER_WAY);
+  EXPECT_EQ(travel.robots(), 2U);
+  EXPECT_GT(travel.remaining(), 0.0);
+  EXPECT_LT(travel.remaining(), 590.0);
+  EXPECT_GT(travel.progress(), 0.1);
+  EXPECT_LT(travel.progress(), 1.0);
+  ASSERT_GT(travel.arrival(), status.time());
+  const double estimated = travel.arrival();
+  while (run->step() == run::MissionRun::Progress::kStepped) estimates.look(run->state());
+  EXPECT_NEAR(run->time(), estimated, 0.25 * estimated);
+  EXPECT_EQ(mode_of(*run), Status::ENDED);
+  EXPECT_EQ(status_of(*run, estimates).steps(1).commands(0).progress(), 1.0);
+}
+
+TEST(Status, TellsWhoFollowsACommandThatRobotsWereOrderedAwayFrom) {
+  const auto run = testing::run_of(testing::kTravel);
+  run->post(mission::event::Execute{});
+  testing::step(*run, 20);
+  text::Diagnostics problems;
+  const auto order = mdl::parse_immediate("ROBOT 2 MOVETO 10 10", run->mission(), problems);
+  ASSERT_TRUE(order.has_value()) << text::render(problems);
+  run->post(mission::event::Typed{order->commands});
+  testing::step(*run, 5);
+  const Status status = status_of(*run, {});
+  ASSERT_EQ(status.steps_size(), 3);
+  const Status::Command& left = status.steps(1).commands(0);
+  EXPECT_EQ(left.outcome(), Status::UNDER_WAY);
+  ASSERT_EQ(left.followers_size(), 1);
+  EXPECT_EQ(left.followers(0), 1U);
+  const Status::Command& own = status.steps(2).commands(0);
+  EXPECT_EQ(own.unit(), "robot 2");
+  ASSERT_EQ(own.followers_size(), 1);
+  EXPECT_EQ(own.followers(0), 2U);
+  EXPECT_EQ(own.waits_for(), "1 of 1 robot");
+  EXPECT_EQ(mode_of(*run), Status::RUNNING);
+}
+
+TEST(Status, TellsTheMissionClock) {
+  mission::ExecutiveOptions options;
+  options.epoch_seconds = 86400.0;
+  options.zone_offset = 3600.0;
+  EXPECT_EQ(clock_time(options, 61.5), "1970-01-02T01:01:01");
+}
+
+}  // namespace
+}  // namespace mlab::console

@@ -1,0 +1,35 @@
+#include "mlab/console/run/event_log.h"
+
+#include <utility>
+
+#include "mlab/text/shown.h"
+
+namespace mlab::console {
+
+void EventLog::add(double time, Entry entry) {
+  constexpr std::size_t kMostCharacters = 1000;  // of a text that a mission's author had a hand in
+  Log::Entry told;
+  told.set_number(++last_);
+  told.set_time(time);
+  told.set_kind(entry.kind);
+  told.set_text(text::shown(entry.text, kMostCharacters));
+  told.set_robot(entry.robot);
+  told.set_unit(text::shown(entry.unit));
+  told.set_is_alert(entry.is_alert);
+  if (entry.place) {
+    told.mutable_place()->set_x(entry.place->x);
+    told.mutable_place()->set_y(entry.place->y);
+  }
+  entries_.push_back(std::move(told));
+  if (entries_.size() > kMost) entries_.pop_front();
+}
+
+void EventLog::encode_since(std::uint64_t number, Log& out) const {
+  const std::uint64_t first = last_ - entries_.size() + 1;
+  out.set_alerts_after(alerts_after_);
+  out.set_is_whole(number + 1 < first || number == 0);
+  for (std::uint64_t n = std::max(number + 1, first); n <= last_; ++n)
+    *out.add_entries() = entries_[static_cast<std::size_t>(n - first)];
+}
+
+}  // namespace mlab::console

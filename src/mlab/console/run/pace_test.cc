@@ -1,0 +1,64 @@
+#include "mlab/console/run/pace.h"
+
+#include <gtest/gtest.h>
+
+namespace mlab::console {
+namespace {
+
+TEST(Pace, ACycleIsDueWhenAsMuchTimeHasPassedAsTheSpeedWants) {
+  Pace pace(10.0);
+  pace.start(100.0, 5.0);
+  EXPECT_DOUBLE_EQ(pace.due(5.0), 100.0);
+  EXPECT_DOUBLE_EQ(pace.due(6.0), 100.1);
+}
+
+TEST(Pace, AtFullSpeedEveryCycleIsDueAndNoneIsLate) {
+  Pace pace(0.0);
+  pace.start(100.0, 5.0);
+  EXPECT_LE(pace.due(1e6), 100.0);
+  EXPECT_EQ(pace.behind(200.0, 5.0), 0.0);
+}
+
+TEST(Pace, SpeedsOutOfRangeAreBroughtIntoIt) {
+  EXPECT_EQ(Pace(1e9).speed(), Pace::kFastest);
+  EXPECT_EQ(Pace(1e-9).speed(), Pace::kSlowest);
+  EXPECT_EQ(Pace(-1.0).speed(), 0.0);
+}
+
+TEST(Pace, WhatItIsLateDoesNotPileUp) {
+  Pace pace(1.0);
+  pace.start(0.0, 0.0);
+  EXPECT_DOUBLE_EQ(pace.behind(10.0, 2.0), 8.0);
+  pace.forgive(10.0, 2.0);
+  EXPECT_DOUBLE_EQ(pace.behind(10.0, 2.0), Pace::kMostBehind);
+  EXPECT_DOUBLE_EQ(pace.due(3.0), 10.0 - Pace::kMostBehind + 1.0);
+}
+
+TEST(Pace, ASmallDelayIsMadeUpFor) {
+  Pace pace(1.0);
+  pace.start(0.0, 0.0);
+  pace.forgive(2.3, 2.0);
+  EXPECT_NEAR(pace.behind(2.3, 2.0), 0.3, 1e-12);
+}
+
+TEST(SpeedMeter, TellsTheSpeedOfTheLastSecond) {
+  SpeedMeter meter;
+  for (int i = 0; i <= 300; ++i) meter.note(i * 0.01, i <= 150 ? i * 0.1 : 15.0 + (i - 150) * 0.05);
+  EXPECT_NEAR(meter.speed(3.0), 5.0, 0.1);
+}
+
+TEST(SpeedMeter, IsZeroWhenTimeStands) {
+  SpeedMeter meter;
+  for (int i = 0; i <= 100; ++i) meter.note(i * 0.01, i * 0.1);
+  EXPECT_EQ(meter.speed(2.0), 0.0);
+}
+
+TEST(SpeedMeter, BeginsAnewWithTheRun) {
+  SpeedMeter meter;
+  meter.note(0.0, 100.0);
+  meter.note(0.1, 0.0);
+  EXPECT_GE(meter.speed(0.1), 0.0);
+}
+
+}  // namespace
+}  // namespace mlab::console

@@ -1,0 +1,265 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mlab/designer.pb.h"
+#include "mlab/designer/drawing/graph.h"
+#include "mlab/designer/drawing/serving.h"
+#include "mlab/designer/edit/workspace.h"
+
+namespace mlab::designer {
+
+/// One page of a workspace's text as it stands.
+struct PageView {
+  const OwnerGraph* graph = nullptr;
+  const GraphPage* page = nullptr;
+
+  const GraphNode& node(int at) const { return page->nodes[static_cast<std::size_t>(at)]; }
+  const std::vector<cdl::Let>& lets() const { return graph->lets(); }
+};
+
+/// An input that a change speaks of: of a node, or what the page gives.
+struct Spot {
+  PageView view;
+  int node = -1;  ///< -1: what the page gives
+  int input = -1;
+  std::string drive;  ///< an actuator that nothing drives yet
+
+  bool is_result() const { return node < 0 && drive.empty(); }
+  const GraphInput* at() const {
+    return node < 0 ? nullptr : &view.node(node).inputs[static_cast<std::size_t>(input)];
+  }
+};
+
+/// Does the changes of an Edit to a workspace. The methods stand in edit_*.cc by what they change.
+class Editor {
+ public:
+  explicit Editor(Workspace& work) : work_(work) {}
+  Done apply(const Change& change);
+
+ private:
+  // ---- edit_find.cc: what the names of a change stand for
+  text::Result<PageView> page(const std::string& path) const;
+  text::Result<int> node(const PageView& view, const std::string& name) const;
+  /// @param for_new  an open place of a list is meant where no index is said
+  text::Result<Spot> spot(const PageView& view, const std::string& node, const std::string& port,
+                          std::optional<std::uint32_t> index, bool for_new) const;
+  /// The expression that stands there; null: nothing.
+  const cdl::Expression* written(const Spot& spot) const;
+  /// The node that drives it and is written there; -1: none.
+  int inline_node(const Spot& spot) const;
+  /// Of a node that is written there, and would be lost.
+  bool is_kept(const Spot& spot) const { return inline_node(spot) >= 0 && spot.view.page->asks == nullptr; }
+  cdl::PortType wanted(const Spot& spot) const;
+  cdl::PortType given(const PageView& view, int node) const;
+  std::string free_name(const PageView& view, const std::string& wanted) const;
+  bool is_taken(const PageView& view, std::string_view name) const;
+  /// Whether a value of `to` goes, directly or not, into `from` without a delay: a wire from `from` to `to`
+  /// would close a loop.
+  bool reaches(const PageView& view, int from, int to) const;
+
+  /// An input that a name drives, or a page that it gives.
+  static std::optional<Spot> reader_of(const OwnerGraph& graph, std::string_view name);
+
+  // ---- edit_wires.cc: primitives and wires. They note what is to change; who calls them commits.
+  /// What stands at the spot afterwards. What stood there before is lost, unless it is a node that can be
+  /// drawn alone: then it gets a `let`.
+  Done write(const Spot& spot, const cdl::ExpressionPtr& what);
+  Done write_new(const Spot& spot, const cdl::ExpressionPtr& what);
+  Done write_argument(const Spot& spot, const cdl::ExpressionPtr& what);
+  void write_member(const cdl::Expression& expression, const cdl::ExpressionPtr& what);
+  Done clear(const Spot& spot);
+  void clear_argument(const Spot& spot);
+  void clear_operand(const Spot& spot);
+  void clear_member(const Spot& spot);
+  /// A `let` for the node that is written at a spot, with its help. @return its name
+  std::string save_inline(const Spot& spot);
+  /// The same, and the spot reads it from then on.
+  std::string make_let(const Spot& spot);
+  std::string add_let(const PageView& view, const std::string& name, cdl::ExpressionPtr value,
+                      const std::string& help = "");
+  /// @param how  takes an Assemblage& or a Robot&
+  void change_owner(const PageView& view, const auto& how) {
+    if (view.graph->assemblage != nullptr)
+      work_.changes().change<cdl::Assemblage>(*view.graph->assemblage, how);
+    else
+      work_.changes().change<cdl::Robot>(*view.graph->robot, how);
+  }
+  /// Whether a block or a big call may stand there.
+  bool takes(const Spot& spot, const cdl::Expression& expression) const;
+  cdl::ExpressionPtr zero_of(const cdl::PortType& type) const;
+  cdl::ExpressionPtr neutral(const cdl::PortType& type) const;
+  int follow(const PageView& view, int node);
+  /// Where it is now: its page and its place there.
+  std::optional<std::pair<PageView, int>> followed(const std::string& owner, int handle) const;
+
+  // ---- edit_connect.cc
+  Done connect(const Connect& change);
+  Done connect_let(const PageView& view, int from, const Spot& to);
+  Done disconnect(const Disconnect& change);
+  Done set_value(const SetValue& change);
+  Done place(const Place& change);
+  Done place_sink(const PageView& view, const Place& change);
+  Done remove(const Remove& change);
+  Done remove_node(const std::string& page, int handle, const std::vector<int>& others);
+  Done set_active(const SetActive& change);
+  Done replace(const Replace& change);
+  Done replace_operator(const PageView& view, int at, const cdl::Expression& other);
+  Done replace_call(const std::string& owner, int handle, const Callable& other);
+  Done expose(const Expose& change);
+
+  // ---- edit_names.cc
+  Done rename(const Rename& change);
+  Done rename_declaration(const std::string& from, const std::string& to);
+  Done rename_local(const PageView& view, const std::string& from, const std::string& to);
+  Done rename_state(const PageView& view, const std::string& from, const std::string& to);
+  void for_each_call(std::string_view callee, const std::function<void(const cdl::Call&)>& visit) const;
+  Done arrange(const Arrange& change);
+  /// @param where  has x and y; both 0: nobody said where
+  Done arrange_one(const std::string& page, const std::string& node, const auto& where) {
+    if (where.x() == 0.0 && where.y() == 0.0) return true;
+    Arrange change;
+    change.set_page(page);
+    Arrange::At& at = *change.add_nodes();
+    at.set_node(node);
+    at.set_x(where.x());
+    at.set_y(where.y());
+    return arrange(change);
+  }
+  Done set_note(const SetNote& change);
+  Done change_layout(const std::string& page, const std::function<void(cdl::Layout&)>& how);
+  Done set_help(const SetHelp& change);
+  Done set_declaration_help(const std::string& name, const std::string& help);
+  template <class X>
+  Done write_help(const X& what, const std::string& help);
+
+  // ---- edit_declarations.cc
+  bool is_declared(const std::string& name) const;
+  Done add_declaration(const AddDeclaration& change);
+  Done set_parameter(const SetParameter& change);
+  text::Result<cdl::Parameter> parameter_of(const SetParameter& change) const;
+  void change_parameter(const cdl::Parameter& old, const cdl::Parameter& said, bool stays);
+  Done remove_parameter(const RemoveParameter& change);
+  Done copy_component(const CopyComponent& change);
+  Done remove_declarations(const Remove& change);
+  /// Of an assemblage, a robot, a class; null: there is none.
+  const std::vector<cdl::Parameter>* parameters(std::string_view owner) const;
+  void visit_owner(std::string_view name, const auto& visit) const;
+
+  // ---- edit_states.cc
+  text::Result<const cdl::Sequence*> sequence(const std::string& page) const;
+  Done add_state(const AddState& change);
+  Done set_state(const SetState& change);
+  Done add_transition(const AddTransition& change);
+  Done set_transition(const SetTransition& change);
+  Done remove_transition(const RemoveTransition& change);
+  text::Result<const cdl::Transition*> transition(const std::string& page, const std::string& from,
+                                                  std::uint32_t index) const;
+  Done remove_states(const PageView& view, const Remove& change);
+
+  // ---- edit_triggers.cc
+  Done change_trigger(const ChangeTrigger& change);
+  text::Result<cdl::ExpressionPtr> condition(const std::string& component) const;
+  cdl::ExpressionPtr chosen(const cdl::Expression& old, const Callable& component,
+                            const OwnerGraph& graph) const;
+  Done place_in_trigger(const PageView& view, const Place& change);
+
+  // ---- edit_robots.cc
+  Done set_class(const SetClass& change);
+  Done use_device(const UseDevice& change);
+
+  // ---- edit_devices.cc
+  struct DeviceSpot {
+    Equipped owner;
+    const cdl::Device* device = nullptr;
+    const Callable* by = nullptr;  ///< null: nothing answers to its name
+  };
+  text::Result<DeviceSpot> device(const std::string& owner, const std::string& name) const;
+  /// Whether a page is that of a class or an operator.
+  bool is_equipment(const std::string& page) const;
+  text::Result<const cdl::Binding*> binding(const std::string& name) const;
+  /// A component that can serve the binding point.
+  text::Result<Callable> server(const std::string& component, const cdl::Binding& binding) const;
+  std::string free_device_name(const Equipped& owner, const std::string& binding) const;
+  Done set_device(const SetDevice& change);
+  Done add_device(const Equipped& owner, const SetDevice& change);
+  void drop_choices(const std::string& robot_class, const std::string& device);
+  Done remove_devices(const Remove& change);
+  Done rename_device(const Rename& change);
+  Done set_equipment_value(const SetValue& change);
+  bool name_arguments(const cdl::Call& call, const Callable& component, const cdl::Argument* gone);
+  Done set_body(const SetValue& change);
+  Done expose_equipment(const Expose& change);
+  text::Result<SetParameter> exposed(const Expose& change, const cdl::RobotClass& robot_class) const;
+  std::string text_of(const cdl::Expression& expression) const;
+  Done connect_device(const Connect& change);
+  Done place_device(const Place& change);
+  std::string point_for(const Equipped& owner, const Callable& by) const;
+  Done help_device(const SetHelp& change);
+  Done set_binding(const SetBinding& change);
+  Done add_class_for(const std::string& name, const std::string& robot_name);
+
+  // ---- edit_societies.cc
+  text::Result<const cdl::Society*> society(const std::string& name) const;
+  Done set_member(const SetMember& change);
+  Done put_member(const cdl::Society& society, const SetMember& change);
+  Done set_coordinator(const cdl::SocietyMember& member, const std::string& by);
+  Done remove_member(const RemoveMember& change);
+  Done group_members(const GroupMembers& change);
+  Done ungroup_members(const UngroupMembers& change);
+  Done move_member(const MoveMember& change);
+
+  // ---- edit_groups.cc
+  /// A node that is followed, and where it stood [px].
+  struct NodePosition {
+    int handle = -1;
+    double x = 0.0;
+    double y = 0.0;
+  };
+  Done group(const Group& change);
+  text::Result<int> output_of(const PageView& view, const std::set<int>& chosen) const;
+  std::vector<NodePosition> places(const PageView& view, const std::string& page, const std::set<int>& nodes);
+  Done arrange_group(const Group& change, const std::vector<NodePosition>& stood);
+  Done ungroup(const Ungroup& change);
+  text::Result<std::map<std::string, cdl::ExpressionPtr>> values_of(const cdl::Call& call,
+                                                                    const cdl::Assemblage& assemblage) const;
+
+  // ---- edit_clipboard.cc
+  using Renamed = std::vector<std::pair<std::string, std::string>>;  // what they were called, and are
+  Done paste(const Paste& change);
+  Done paste_declarations(const std::string& text);
+  text::Result<Renamed> paste_states(const PageView& view, std::vector<cdl::State> states);
+  text::Result<Renamed> paste_lets(const PageView& view, std::vector<cdl::Let> lets);
+  Done arrange_pasted(const Paste& change, const Renamed& renamed,
+                      const std::vector<cdl::LayoutEntry>& places);
+
+  Workspace& work_;
+  /// Owners and names of `let`s that this edit made: those of one commit are not in the model yet.
+  std::set<std::pair<std::string, std::string>> given_names_;
+};
+
+/// Calls `visit` with the declaration of a name. @return whether there is one
+bool visit_declaration(const cdl::Tree& tree, std::string_view name, const auto& visit) {
+  for (const cdl::Item& item : tree.items) {
+    const bool is_it = std::visit(
+        [&](const auto& one) {
+          if constexpr (requires { one.name.text, one.help; }) {
+            if (one.name.text == name) visit(one);
+            return one.name.text == name;
+          }
+          return false;
+        },
+        item);
+    if (is_it) return true;
+  }
+  return false;
+}
+
+}  // namespace mlab::designer

@@ -1,0 +1,121 @@
+// Questions, which change nothing.
+
+#include <fmt/core.h>
+
+#include "mlab/assist/service.h"
+#include "mlab/designer/drawing/shapes.h"
+#include "mlab/designer/edit/edit.h"
+#include "mlab/designer/session/parts.h"
+#include "mlab/text/shown.h"
+#include "mlab/text/utf8.h"
+
+namespace mlab::designer {
+
+namespace {
+
+console::Completions completions_of(const assist::Completions& found) {
+  console::Completions out;
+  out.set_begin(found.replaced.begin);
+  for (const assist::Candidate& one : found.candidates) {
+    console::Completions::Item& item = *out.add_items();
+    item.set_text(text::as_utf8(one.text));
+    item.set_kind(one.kind);
+    const bool has_both = !one.detail.empty() && !one.help.empty();
+    item.set_help(text::as_utf8(one.detail + (has_both ? "\n" : "") + one.help));
+  }
+  return out;
+}
+
+void add_location(const Model& model, const std::string& document, text::Span span, Answer& out) {
+  const DrawnAt drawn = drawn_at(model, span.begin);
+  Location& location = *out.mutable_location();
+  location.set_document(document);
+  location.set_begin(span.begin);
+  location.set_end(span.end);
+  location.set_page(drawn.page);
+  location.set_node(drawn.node);
+}
+
+}  // namespace
+
+void Designer::Parts::fits(const Fits& request, Answer& out) {
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
+  *out.mutable_fits() = fitting(*one->drawn, request, desk_.offered(*one));
+}
+
+void Designer::Parts::describe(const Describe& request, Answer& out) {
+  OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
+  const std::vector<Offered> offered = desk_.offered(*one);
+  const Offered* file = find_offered(offered, *one->drawn, request.component());
+  const Model& model = file != nullptr ? *file->model : *one->drawn;
+  const std::optional<Callable> component = model.components().find(request.component());
+  if (!component) {
+    out.set_ok(false);
+    out.set_error(fmt::format("nothing answers to `{}`", text::shown(request.component())));
+    return;
+  }
+  *out.mutable_component() = palette_entry(*component, model, desk_.context(*one));
+  out.mutable_component()->set_help(component->help);
+  if (file == nullptr) return;
+  out.mutable_component()->set_group("This project");
+  out.mutable_component()->set_source(file->document);
+}
+
+void Designer::Parts::ask_language(const AskLanguage& request, Answer& out) {
+  const OpenConfiguration* one = opened(request.document(), out);
+  if (one == nullptr) return;
+  const assist::Text text{one->model->source(), assist::Language::kConfiguration};
+  switch (request.what()) {
+    case AskLanguage::COMPLETE: {
+      const assist::Completions found = assist::complete(text, request.cursor(), desk_.surroundings());
+      *out.mutable_completions() = completions_of(found);
+      return;
+    }
+    case AskLanguage::HOVER: {
+      Hover& hover = *out.mutable_hover();
+      const auto found = assist::hover(text, request.cursor(), desk_.surroundings());
+      if (!found) return;
+      hover.set_markdown(text::as_utf8(found->markdown));
+      hover.set_begin(found->span.begin);
+      hover.set_end(found->span.end);
+      return;
+    }
+    case AskLanguage::DEFINITION:
+      find_definition(*one, request.cursor(), out);
+      return;
+    case AskLanguage::PAGE:
+      add_location(*one->drawn, one->path, {request.cursor(), request.cursor()}, out);
+      return;
+    default:
+      out.set_ok(false);
+      out.set_error("this designer does not know that question");
+  }
+}
+
+void Designer::Parts::find_definition(const OpenConfiguration& one, std::uint32_t cursor, Answer& out) {
+  const assist::Text text{one.model->source(), assist::Language::kConfiguration};
+  const std::optional<text::Place> found = assist::definition(text, cursor, desk_.surroundings());
+  const auto refuse = [&](std::string why) {
+    out.set_ok(false);
+    out.set_error(std::move(why));
+  };
+  if (!found || !found->source) {
+    refuse("this is declared in no text that could be shown");
+    return;
+  }
+  if (found->source == one.model->source()) {
+    add_location(*one.drawn, one.path, found->span, out);
+    return;
+  }
+  const std::string document = desk_.document_of(found->source->name());
+  if (!document.ends_with(".cdl") && !document.starts_with("new:")) {
+    refuse(fmt::format("it is declared in `{}`, line {}", text::shown(found->source->name(), 200),
+                       found->source->line_column(found->span.begin).line));
+    return;
+  }
+  add_location(Model(found->source, desk_.environment()), document, found->span, out);
+}
+
+}  // namespace mlab::designer

@@ -1,0 +1,307 @@
+// Tests: their subject and conditions as nodes of one network, what is sensed as constants.
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "mlab/flow/port_types.h"
+#include "mlab/lang/cdl/lower/lowering.h"
+#include "mlab/lang/cdl/lower/static_check.h"
+#include "mlab/lang/cdl/lower/tests.h"
+#include "mlab/lang/cdl/types/units.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::cdl {
+namespace {
+
+constexpr std::string_view kUsualClass = "Scout";
+
+// No name that anybody can write, so that it is in nobody's way.
+std::string name_of_condition(std::size_t step) {
+  return fmt::format("expect {}", step + 1);
+}
+
+// The robot that a test runs on: what is tested, and what is expected of it, as values that nothing drives.
+Robot robot_of(const Test& test, const Configuration& configuration) {
+  Robot out;
+  out.name = test.name;
+  out.class_name = test.class_name;
+  if (out.class_name.text.empty() && configuration.classes.contains(kUsualClass))
+    out.class_name = {std::string(kUsualClass), test.name.place};
+  out.lets.push_back({subject_name(test), test.subject, "", {}});
+  out.lets.insert(out.lets.end(), test.lets.begin(), test.lets.end());
+  for (std::size_t i = 0; i < test.steps.size(); ++i) {
+    const TestStep& step = test.steps[i];
+    if (step.condition) out.lets.push_back({{name_of_condition(i), step.place}, step.condition, "", {}});
+  }
+  return out;
+}
+
+// That a test may run: what is expected is looked at in the first cycle since something was given.
+std::uint64_t most_cycles(const std::vector<LoweredStep>& steps) {
+  std::uint64_t out = 0;
+  bool is_looked_at = false;
+  for (const LoweredStep& step : steps) {
+    switch (step.written->kind) {
+      case TestStep::Kind::kGiven:
+      case TestStep::Kind::kGivenNo:
+        is_looked_at = false;
+        break;
+      case TestStep::Kind::kAfter:
+        out += step.cycles;
+        is_looked_at = true;
+        break;
+      case TestStep::Kind::kExpect:
+        out += step.cycles - (is_looked_at ? 1 : 0);
+        is_looked_at = true;
+        break;
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> percept_names() {
+  std::vector<std::string> out;
+  for (const TestPerceptInfo& one : test_percepts()) out.emplace_back(one.name);
+  return out;
+}
+
+}  // namespace
+
+bool is_named_so(std::string_view path, std::string_view wanted) {
+  if (path.size() == wanted.size()) return path == wanted;
+  return path.size() > wanted.size() && path.ends_with(wanted) &&
+         path[path.size() - wanted.size() - 1] == '.';
+}
+
+Word subject_name(const Test& test) {
+  if (test.subject && !test.subject->as.text.empty()) return test.subject->as;
+  return {"it", test.subject ? test.subject->place : test.name.place};
+}
+
+std::vector<const Test*> tests_of(const Tree& tree) {
+  std::vector<const Test*> out;
+  for (const Item& item : tree.items) {
+    if (const auto* test = std::get_if<Test>(&item)) out.push_back(test);
+  }
+  return out;
+}
+
+void Lowering::lower_percept(const TestStep& step, LoweredStep& out) {
+  const Word& name = step.percept.callee;
+  out.percept = test_percept_named(name.text);
+  if (out.percept == nullptr) {
+    text::Diagnostic& d = error("unknown-percept", name.place,
+                                fmt::format("nothing is sensed as `{}`", text::shown(name.text)));
+    hint_nearest(d, name.text, percept_names());
+    if (d.hints.empty()) d.hints.push_back(fmt::format("there are {}", fmt::join(percept_names(), ", ")));
+    return;
+  }
+  if (step.kind == TestStep::Kind::kGivenNo) return;
+  Scope& scope = new_scope();
+  scope.nodes = &kUnnamed;
+  const std::span<const TestInput> inputs = out.percept->inputs;
+  out.values.resize(inputs.size());
+  std::vector<std::string> names;
+  for (const TestInput& input : inputs) names.emplace_back(input.name);
+  const std::vector<Given> given = given_by(step.percept, scope);
+  const std::vector<int> matched = match(name, given, names);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (matched[i] >= 0) lower_percept_value(given[i], inputs[static_cast<std::size_t>(matched[i])], out);
+  }
+  static const std::set<std::string_view> kMayLack = {"heading", "center", "leader", "neighbor"};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const bool is_asked = std::ranges::find(matched, static_cast<int>(i)) != matched.end();
+    if (is_asked || !inputs[i].initial.empty()) continue;
+    if (std::ranges::find(matched, -1) != matched.end() || kMayLack.contains(inputs[i].name)) continue;
+    say_missing(name, names[i], types_.named(inputs[i].type), std::string(inputs[i].help));
+  }
+}
+
+void Lowering::lower_percept_value(const Given& given, const TestInput& input, LoweredStep& out) {
+  const auto at = static_cast<std::size_t>(&input - out.percept->inputs.data());
+  flow::Input range;
+  range.min = input.min;
+  range.max = input.max;
+  const text::Place& place = given.value->place;
+  const auto bound = bind(lower(*given.value, *given.scope), types_.named(input.type), &range,
+                          std::string(input.name), place);
+  if (!bound) return;
+  if (bound->kind == flow::Source::Kind::kName) {
+    error("wrong-type", place, "what is sensed is a constant");
+    return;
+  }
+  const bool is_style = out.percept->percept == TestPercept::kObject && input.name == "style";
+  if (is_style && test_object_style_named(bound->text) == nullptr) {
+    const auto names = test_object_styles() | std::views::transform(&TestObjectStyle::name);
+    error("unknown-name", place, fmt::format("an object has no style `{}`", text::shown(bound->text)))
+        .hints = {fmt::format("there are {}", fmt::join(names, ", "))};
+    return;
+  }
+  out.values[at] = bound->text;
+}
+
+// `10 cycles`, `2 s`
+std::uint32_t Lowering::cycles_of(const TestStep& step) {
+  const Number& span = step.span;
+  const text::Place place = {step.place.source, span.whole};
+  const std::string& unit = span.unit.text;
+  double cycles = span.value;
+  if (unit != "cycle" && unit != "cycles") {
+    const std::optional<Unit> time = unit_named(unit);
+    if (unit.empty() || !time || !time->same_dimension(*unit_named("s"))) {
+      error("wrong-unit", place,
+            unit.empty() ? "how long is a number of cycles, or a time"
+                         : fmt::format("`{}` is no time", text::shown(unit)))
+          .hints = {"`10 cycles`, `2 s`"};
+      return 1;
+    }
+    cycles = std::ceil(time->in_si(span.value) / kTestCycle - 1e-9);
+  }
+  if (cycles < 1.0 || cycles > kMostTestCycles || cycles != std::floor(cycles)) {
+    error("out-of-range", place,
+          fmt::format("a test runs a whole number of cycles, 1 .. {}", kMostTestCycles));
+    return 1;
+  }
+  return static_cast<std::uint32_t>(cycles);
+}
+
+void Lowering::lower_fact(const TestStep& step, LoweredStep& out) {
+  if (step.about == TestStep::About::kAction) {
+    out.action = test_action_named(step.fact.text);
+    if (out.action != nullptr) return;
+    std::vector<std::string> names;
+    for (const TestAction& one : test_actions()) names.emplace_back(one.name);
+    text::Diagnostic& d = error("unknown-action", step.fact.place,
+                                fmt::format("a robot has no action `{}`", text::shown(step.fact.text)));
+    hint_nearest(d, step.fact.text, names);
+    if (d.hints.empty()) d.hints.push_back(fmt::format("there are {}", fmt::join(names, ", ")));
+    return;
+  }
+  const std::string_view name = std::string_view(step.fact.text).substr(step.fact.text.rfind('.') + 1);
+  const auto paths = tested_states_.find(name);
+  const bool is_there =
+      paths != tested_states_.end() && std::ranges::any_of(paths->second, [&](const std::string& path) {
+        return is_named_so(path, step.fact.text);
+      });
+  if (is_there) return;
+  text::Diagnostic& d = error("unknown-state", step.fact.place,
+                              fmt::format("what is tested has no state `{}`", text::shown(step.fact.text)));
+  if (tested_states_.empty()) d.hints = {"it has no states at all"};
+  if (sink_.error_count() > text::Diagnostics::kMaxErrors) return;
+  std::vector<std::string> names;
+  for (const auto& [known, where] : tested_states_) names.push_back(known);
+  hint_nearest(d, name, names);
+}
+
+// They are evaluated though nobody reads them.
+void Lowering::keep_awake(const std::set<std::string>& nodes) {
+  for (flow::Node& node : network_.nodes) {
+    node.is_public = node.is_public || nodes.contains(node.name);
+    for (const flow::State& state : node.states)
+      tested_states_[state.name].push_back(joined_path(node.name, state.name));
+  }
+}
+
+void Lowering::lower_condition(const TestStep& step, Scope& scope, LoweredStep& out) {
+  const auto named = scope.names.find(name_of_condition(out.number));
+  if (named == scope.names.end()) return;
+  const PortType truth{&flow::type_info<bool>(), ""};
+  const Value value = lower_let(named->second, scope);
+  const auto bound = bind(value, truth, nullptr, "expect", step.condition->place);
+  if (!bound) return;
+  out.condition = *bound;
+}
+
+void Lowering::check_places(const LoweredTest& test) {
+  std::set<std::string, std::less<>> given;
+  for (const LoweredStep& step : test.steps) {
+    if (step.percept != nullptr && step.percept->percept == TestPercept::kPlace && !step.values.empty())
+      given.insert(step.values[0].value_or(""));
+  }
+  for (const flow::Parameter& parameter : network_.parameters) {
+    const std::string& name = parameter.place_name.text;
+    if (name.empty() || given.contains(name)) continue;
+    error("unknown-place", parameter.place_name.place,
+          fmt::format("the test doesn't say where the place `{}` is", text::shown(name)))
+        .hints = {fmt::format("`given place(\"{}\", at = [0 m, 0 m]);`", text::shown(name))};
+  }
+}
+
+LoweredTest Lowering::test(const Test& test) {
+  LoweredTest out;
+  out.test = &test;
+  const Robot robot = robot_of(test, configuration_);
+  StaticCheck(configuration_, library_, sink_).errors_of(robot);
+  robot_name_ = robot.name;
+  network_.name = robot.name.text;
+  Scope& scope = new_scope();
+  scope.nodes = &elaboration_.names(robot);
+  robot_names_ = &scope.nodes->top();
+  declare_lets(robot.lets, scope);
+  LoweredRobot body;
+  find_devices(robot, scope, body);
+  const Value subject = lower_let(scope.names[robot.lets.front().name.text], scope);
+  if (subject.kind == Value::Kind::kWire) out.subject = subject.text;
+  if (subject.kind == Value::Kind::kWord || subject.kind == Value::Kind::kText)
+    bind(subject, types_.named("Vector"), nullptr, "test", test.subject->place);
+  std::set<std::string> awake = {subject.text};
+  for (const TestStep& step : test.steps) {
+    LoweredStep& one = out.steps.emplace_back();
+    one.written = &step;
+    one.number = out.steps.size() - 1;
+    if (step.kind == TestStep::Kind::kGiven || step.kind == TestStep::Kind::kGivenNo)
+      lower_percept(step, one);
+    if (step.condition) lower_condition(step, scope, one);
+    if (one.condition.kind == flow::Source::Kind::kName) awake.insert(one.condition.text);
+    const bool waits = step.kind == TestStep::Kind::kAfter || step.when != TestStep::When::kNow;
+    if (waits) one.cycles = cycles_of(step);
+  }
+  if (most_cycles(out.steps) > kMostTestCycles)
+    error("out-of-range", test.name.place,
+          fmt::format("a test runs at most {} cycles in all", kMostTestCycles));
+  const bool expects = std::ranges::any_of(
+      test.steps, [](const TestStep& step) { return step.kind == TestStep::Kind::kExpect; });
+  if (!expects)
+    warning("expects-nothing", test.name.place, "this test expects nothing").label = "so it can't fail";
+  for (const Let& let : test.lets) {
+    const Value value = lower_let(scope.names[let.name.text], scope);
+    if (value.kind == Value::Kind::kWire) awake.insert(value.text);
+  }
+  keep_awake(awake);
+  for (LoweredStep& step : out.steps) {
+    if (!step.written->fact.text.empty()) lower_fact(*step.written, step);
+  }
+  check_places(out);
+  out.network = std::move(network_);
+  return out;
+}
+
+LoweredTest lower(const Configuration& configuration, const Test& test, const flow::Library& library,
+                  text::Diagnostics& sink, Said& said) {
+  return Lowering(configuration, library, sink, said).test(test);
+}
+
+void check_tests(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink,
+                 Said& said) {
+  std::map<std::string_view, const Test*> first;
+  for (const Test* test : tests_of(*configuration.trees.front())) {
+    const auto [it, is_new] = first.try_emplace(test->name.text, test);
+    if (!is_new) {
+      sink.error("duplicate-declaration", test->name.place,
+                 fmt::format("test \"{}\" is declared twice", text::shown(test->name.text)))
+          .notes.push_back({"the first is here", it->second->name.place});
+      continue;
+    }
+    const std::size_t errors_before = sink.error_count();
+    const LoweredTest lowered = lower(configuration, *test, library, sink, said);
+    if (sink.error_count() == errors_before) build({lowered.network, {}}, library, sink, said);
+  }
+}
+
+}  // namespace mlab::cdl

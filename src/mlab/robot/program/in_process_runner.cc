@@ -1,0 +1,34 @@
+#include "mlab/robot/program/in_process_runner.h"
+
+namespace mlab::robot {
+
+ProgramRunner::Member InProcessRunner::add(base::RobotId robot, const RobotProgram& program) {
+  if (program.program->has_asynchronous() && !async_) async_ = std::make_unique<flow::AsyncRunner>(1);
+  return members_.add({robot, program});
+}
+
+std::optional<std::string> InProcessRunner::start(Member member) {
+  if (members_[member].robot_program().is_described_only) return "brings procedures that were only checked";
+  members_[member].start();
+  return std::nullopt;
+}
+
+void InProcessRunner::needs(std::span<const Member> members, std::span<percept::Needs> out) const {
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Workings robot = members_[members[i]].workings();
+    out[i] = robot.program->needs(robot.frame, robot.interventions);
+  }
+}
+
+void InProcessRunner::act(std::span<const Turn> turns) {
+  for (const Turn& turn : turns) {
+    RobotValues& robot = members_[turn.member];
+    *turn.action = {};
+    robot.program().step(robot.frame(), *turn.percepts, *turn.action, seed_, robot.robot().value,
+                         async_.get(), robot.interventions());
+    if (robot.interventions() != nullptr) robot.finish();
+    if (!is_number(*turn.action)) *turn.fault = robot.find_fault();
+  }
+}
+
+}  // namespace mlab::robot

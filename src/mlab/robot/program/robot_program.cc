@@ -1,0 +1,290 @@
+#include "mlab/robot/program/robot_program.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/library/library.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/robot/program/native_program.h"
+#include "mlab/robot/program/network_file.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::robot {
+namespace {
+
+std::string last_part(const std::string& program) {
+  return std::filesystem::path(program).filename().string();
+}
+
+bool lies_in(const std::string& path, const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  const fs::path real = fs::weakly_canonical(fs::absolute(path, failure), failure);
+  if (failure) return false;
+  const fs::path root = fs::weakly_canonical(fs::absolute(folder, failure), failure);
+  if (failure) return false;
+  return std::ranges::mismatch(root, real).in1 == root.end();
+}
+
+// Parameters that may be named in the mission: named by the network, not the constants inside of it.
+std::vector<std::string> parameter_names(const flow::Program& program) {
+  std::vector<std::string> out;
+  for (const flow::Port& port : program.ports()) {
+    if (port.role == flow::Port::Role::kParameter) out.push_back(port.path);
+  }
+  return out;
+}
+
+// Whether something in it may tell the mission about an order; nobody knows that of what a mission brings
+// itself.
+bool may_report(const flow::Network& network) {
+  return std::ranges::any_of(network.nodes, [](const flow::Node& node) {
+    if (node.kind != flow::Node::Kind::kBehavior) return false;
+    const flow::Behavior* known = component_library().find(node.behavior).behavior;
+    constexpr std::string_view kTellers[] = {"ReportStatus", "ReportFlags", "ReportDone", "ReportStep"};
+    return known == nullptr || std::ranges::find(kTellers, known->name) != std::end(kTellers);
+  });
+}
+
+// What a mission says of the values of a program.
+struct Told {
+  std::span<const Setting> settings;
+  const Places* places = nullptr;
+  const text::Place& type_place;  // of the program's name
+};
+
+// Places that nobody set.
+void find_places(const Told& told, RobotProgram& robot, text::Diagnostics& sink) {
+  const auto& [settings, places, type_place] = told;
+  if (places == nullptr) return;
+  for (const PlaceParameter& parameter : robot.places) {
+    const flow::Port* port = robot.program->find(parameter.path);
+    if (port == nullptr || std::ranges::find(settings, parameter.path, &Setting::key) != settings.end())
+      continue;
+    if (const std::optional<geom::Point> point = places->find(parameter.name)) {
+      robot.program->set(robot.initial.data(), *port, point_words(*point));
+      continue;
+    }
+    const text::Place& at = parameter.place.source ? parameter.place : type_place;
+    text::Diagnostic& d = sink.error(
+        "unknown-place", at, fmt::format("the mission has no place `{}`", text::shown(parameter.name)));
+    places->explain(parameter.name, d);
+    if (parameter.place.source && type_place.source)
+      d.notes.push_back({"the mission has robots of this program here", type_place});
+  }
+}
+
+void set_parameters(std::span<const Setting> settings, const std::vector<std::string>& known_keys,
+                    const Places* places, RobotProgram& robot, text::Diagnostics& sink) {
+  for (const Setting& parameter : settings) {
+    if (std::find(known_keys.begin(), known_keys.end(), parameter.key) != known_keys.end()) continue;
+    const flow::Port* port = robot.program->find(parameter.key);
+    if (port == nullptr || port->role == flow::Port::Role::kOutput) {
+      std::vector<std::string> names = parameter_names(*robot.program);
+      names.insert(names.end(), known_keys.begin(), known_keys.end());
+      text::Diagnostic& d =
+          sink.warning("unknown-parameter", parameter.place,
+                       fmt::format("program `{}` has no parameter `{}`", robot.name, parameter.key));
+      const std::string nearest = text::nearest_name(parameter.key, names);
+      if (!nearest.empty()) d.hints.push_back(fmt::format("did you mean `{}`?", nearest));
+      continue;
+    }
+    const std::string value =
+        places == nullptr ? parameter.value : in_coordinates(*port, parameter.value, *places);
+    if (const auto problem = robot.program->set(robot.initial.data(), *port, value)) {
+      text::Diagnostic& d = sink.error("bad-parameter", parameter.place, *problem);
+      if (places != nullptr && port->type->kind == flow::TypeKind::kPoint)
+        places->explain(parameter.value, d);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<PlaceParameter> places_of(const flow::Network& network) {
+  std::vector<PlaceParameter> out;
+  for (const flow::Parameter& parameter : network.parameters) {
+    if (!parameter.place_name.text.empty())
+      out.push_back({parameter.name, parameter.place_name.text, parameter.place_name.place});
+  }
+  return out;
+}
+
+namespace {
+
+void set_values(const Told& told, const std::vector<std::string>& known_keys, RobotProgram& robot,
+                text::Diagnostics& sink) {
+  robot.initial = robot.program->make_frame();
+  find_places(told, robot, sink);
+  set_parameters(told.settings, known_keys, told.places, robot, sink);
+}
+
+}  // namespace
+
+std::string point_words(geom::Point point) {
+  return fmt::format("{{{}, {}}}", point.x, point.y);
+}
+
+std::string in_coordinates(const flow::Port& port, const std::string& value, const Places& places) {
+  const bool is_exact = value.starts_with('{') || value.starts_with('[');
+  if (port.type->kind != flow::TypeKind::kPoint || is_exact) return value;
+  const std::optional<geom::Point> point = places.find(value);
+  return point ? point_words(*point) : value;
+}
+
+std::optional<double> RobotProgram::number(std::string_view path) const {
+  if (native) {
+    const wire::Port* port = native->find(path);
+    return port != nullptr && port->value().has_number() ? std::optional(port->value().number())
+                                                         : std::nullopt;
+  }
+  const flow::Port* port = program ? program->find(path) : nullptr;
+  return port != nullptr ? flow::Program::number(initial.data(), *port) : std::nullopt;
+}
+
+const flow::Library& component_library() {
+  static const flow::Library kLibrary = [] {
+    flow::Library library;
+    library.add(mlab_library_behaviors());
+    return library;
+  }();
+  return kLibrary;
+}
+
+text::Files files_of(const ProgramSources& sources) {
+  text::Files out = sources.files != nullptr ? *sources.files : text::files_on_disk();
+  if (sources.project.empty()) return out;
+  out.read = [read = out.read, project = sources.project](const std::string& path) {
+    if (lies_in(path, project)) return read(path);
+    text::Diagnostic refused;
+    refused.kind = "outside-project";
+    refused.message = fmt::format("`{}` lies outside of the project folder `{}`", text::shown(path), project);
+    refused.hints = {"--project names a folder that holds both"};
+    return text::Result<text::SourcePtr>(std::unexpected(refused));
+  };
+  return out;
+}
+
+text::SourcePtr read_program(const std::string& path, const text::Place& place, const ProgramSources& sources,
+                             text::Diagnostics& sink) {
+  const text::Files files = files_of(sources);
+  // An absolute path stays as it is.
+  auto source = files.read((std::filesystem::path(sources.folder) / path).string());
+  if (source) return *source;
+  text::Diagnostic problem = source.error();
+  problem.place = place;
+  sink.report(std::move(problem));
+  return nullptr;
+}
+
+namespace {
+
+// What was built for another robot of the type.
+void take_built(const RobotProgram& built, RobotProgram& robot) {
+  robot.program = built.program;
+  robot.hosted = built.hosted;
+  robot.is_described_only = built.is_described_only;
+  robot.body = built.body;
+  robot.is_own = built.is_own;
+  robot.reports = built.reports;
+  robot.places = built.places;
+}
+
+// An executable outside of the project is started for nobody.
+bool refuse_outside(const std::string& name, const text::Place& place, const ProgramSources& sources,
+                    text::Diagnostics& sink) {
+  if (sources.project.empty() ||
+      lies_in((std::filesystem::path(sources.folder) / name).string(), sources.project))
+    return false;
+  sink.error("outside-project", place,
+             fmt::format("`{}` lies outside of the project folder `{}`", text::shown(name), sources.project));
+  return true;
+}
+
+void warn_of_parked(std::string_view code, const text::Place& place, std::string message, std::string hint,
+                    text::Diagnostics& sink) {
+  text::Diagnostic& d = sink.warning(std::string(code), place, std::move(message));
+  d.label = "robots of this type stand parked";
+  d.hints.push_back(std::move(hint));
+}
+
+void warn_of_unknown(std::string_view name, const text::Place& place, text::Diagnostics& sink) {
+  warn_of_parked("unknown-program", place,
+                 fmt::format("nothing here answers to the robot program `{}`", name),
+                 "`robot` is the standard robot; a network or a configuration is named by its file: "
+                 "`mine.cnl`, `mine.cdl`",
+                 sink);
+}
+
+}  // namespace
+
+std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
+                                         std::span<const Setting> settings, const ProgramSources& sources,
+                                         const std::vector<std::string>& known_keys, text::Diagnostics& sink,
+                                         const RobotProgram* built, std::string_view type) {
+  const std::size_t errors_before = sink.error_count();
+  RobotProgram robot;
+  robot.name = name;
+  robot.type = type;
+  const auto take = [&robot](BuiltProgram program) {
+    robot.program = std::move(program.program);
+    robot.hosted = std::move(program.hosted);
+    robot.is_described_only = program.is_described_only;
+  };
+  if (built != nullptr) {
+    take_built(*built, robot);
+  } else if (const std::string_view known = library::find_robot(last_part(name)); !known.empty()) {
+    if (auto configured = library_robot(known, sink)) {
+      take(std::move(configured->built));
+      robot.body = std::move(configured->lowered.body);
+    }
+  } else if (last_part(name).ends_with(".cnl")) {
+    robot.is_own = true;
+    if (auto network = read_network(name, place, sources, sink)) {
+      robot.reports = may_report(network->network);
+      take(std::move(network->built));
+    }
+  } else if (names_configuration(last_part(name))) {
+    robot.is_own = true;
+    if (auto configured = load_configuration(name, type, place, sources, sink)) {
+      robot.reports = may_report(configured->lowered.network);
+      robot.places = places_of(configured->lowered.network);
+      take(std::move(configured->built));
+      robot.body = std::move(configured->lowered.body);
+    }
+  } else if (is_executable(name, sources)) {
+    if (refuse_outside(name, place, sources, sink)) return std::nullopt;
+    const auto wall = sources.permission.to_start(name);
+    if (!wall) {
+      warn_of_parked("native-program", place, wall.error(), "where you trust it, say `--allow-native`", sink);
+      return robot;
+    }
+    auto revealed = load_revealed_program(name, *wall, sources);
+    if (!revealed) {
+      refuse_executable(name, place, revealed.error(), sink);
+      return std::nullopt;
+    }
+    if (!*revealed)
+      return load_native_program(std::move(robot), place, settings, *wall, sources, known_keys, sink);
+    robot.reports = may_report((*revealed)->network);
+    robot.places = places_of((*revealed)->network);
+    take(std::move((*revealed)->built));
+    robot.body = std::move((*revealed)->body);
+  } else {
+    warn_of_unknown(name, place, sink);
+    return robot;
+  }
+  if (!robot.program) return std::nullopt;
+  set_values({settings, sources.places, place}, known_keys, robot, sink);
+  if (sink.error_count() > errors_before) return std::nullopt;
+  return robot;
+}
+
+}  // namespace mlab::robot

@@ -1,0 +1,29 @@
+#include "mlab/robot/wire/shared_number.h"
+
+#include <linux/futex.h>
+#include <sched.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace mlab::robot_wire {
+
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
+
+void SharedNumber::set(std::uint32_t number) {
+  number_.store(number);
+  if (is_awaited_.load() != 0) syscall(SYS_futex, &number_, FUTEX_WAKE, 1, nullptr, nullptr, 0);
+}
+
+void SharedNumber::pause(int look) {
+  constexpr int kYieldEvery = 400;  // the other side may need this processor
+  if (look % kYieldEvery == 0) sched_yield();
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+void SharedNumber::sleep(std::uint32_t before, const timespec& patience) {
+  syscall(SYS_futex, &number_, FUTEX_WAIT, before, &patience, nullptr, 0);
+}
+
+}  // namespace mlab::robot_wire

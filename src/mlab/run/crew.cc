@@ -1,0 +1,116 @@
+#include "mlab/run/crew.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "mlab/run/order_check.h"
+#include "mlab/run/places.h"
+#include "mlab/run/vehicle.h"
+
+namespace mlab::run {
+namespace {
+
+const robot::RobotProgram* known_program(const mission::RobotType& type, const Crew* before) {
+  if (before == nullptr) return nullptr;
+  for (const robot::RobotProgram& program : before->programs) {
+    if (program.name == type.program && program.type == type.name && program.program) return &program;
+  }
+  return nullptr;
+}
+
+// What is said of the types that societies consist of. Those of one society come from one statement and one
+// file: what is said of several is said once, and a parameter is unknown where none of them knows it.
+class SaidOfSocieties {
+ public:
+  void add(const mission::RobotType& type, const text::Diagnostics& said) {
+    for (const mission::RobotParameter& parameter : type.parameters) ++takers_[key_of(parameter.place)];
+    all_.insert(all_.end(), said.items().begin(), said.items().end());
+  }
+
+  void report(text::Diagnostics& sink) const {
+    std::map<Key, int> refused;
+    std::set<std::tuple<std::string, Key, std::string>> told;
+    for (const text::Diagnostic& one : all_) {
+      const Key key = key_of(one.place);
+      if (one.kind == "unknown-parameter") {
+        if (++refused[key] == takers_.at(key)) sink.report(one);
+      } else if (told.emplace(one.kind, key, one.message).second) {
+        sink.report(one);
+      }
+    }
+  }
+
+ private:
+  using Key = std::tuple<std::string, std::uint32_t, std::uint32_t>;  // each type reads the file by itself
+  static Key key_of(const text::Place& place) {
+    return {place.source ? place.source->name() : "", place.span.begin, place.span.end};
+  }
+
+  std::vector<text::Diagnostic> all_;
+  std::map<Key, int> takers_;  // types that are given the parameter that stands there
+};
+
+std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& type,
+                                                   const robot::ProgramSources& sources, const Crew* before,
+                                                   text::Diagnostics& sink) {
+  std::vector<robot::Setting> settings;
+  for (const mission::RobotParameter& parameter : type.parameters)
+    settings.push_back({parameter.key, parameter.value, parameter.place});
+  const robot::RobotProgram* known = known_program(type, before);
+  auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink, known,
+                                 type.name);
+  return out;
+}
+
+}  // namespace
+
+std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mission,
+                                      const robot::ProgramSources& sources, text::Diagnostics& sink,
+                                      const Crew* before) {
+  auto crew = std::make_shared<Crew>();
+  crew->mission = std::move(mission);
+  const mission::Mission& plan = *crew->mission;
+  std::vector<bool> is_used(plan.types.size(), false);
+  for (const mission::Robot& robot : plan.robots) is_used[robot.type] = true;
+  std::vector<bool> is_of_society(plan.types.size(), false);
+  for (const mission::Society& society : plan.societies) {
+    for (const mission::Society::Part& part : society.parts) is_of_society[part.type] = true;
+  }
+  SaidOfSocieties of_societies;
+  const MissionPlaces places(plan);
+  robot::ProgramSources with_places = sources;
+  with_places.places = &places;
+  const std::size_t errors_before = sink.error_count();
+  for (std::size_t i = 0; i < plan.types.size(); ++i) {
+    // A type that nobody uses costs nothing, but what is wrong in it is said all the same; ROBOT alone has no
+    // author.
+    text::Diagnostics own;
+    text::Diagnostics& said = is_of_society[i] ? own : sink;
+    std::optional<robot::RobotProgram> program;
+    if (is_used[i] || plan.types[i].place.source)
+      program = load_program_of(plan.types[i], with_places, before, said);
+    crew->bodies.push_back(
+        body_of(plan.types[i], program ? program->body : std::map<std::string, double>{}, said));
+    crew->programs.push_back(
+        program ? std::move(*program)
+                : robot::RobotProgram{.name = plan.types[i].program, .type = plan.types[i].name});
+    if (is_of_society[i]) of_societies.add(plan.types[i], own);
+  }
+  of_societies.report(sink);
+  if (sink.error_count() > errors_before) return nullptr;
+  return crew;
+}
+
+std::shared_ptr<const Crew> check_crew(std::shared_ptr<const mission::Mission> mission,
+                                       const robot::ProgramSources& sources, text::Diagnostics& sink) {
+  auto crew = make_crew(std::move(mission), sources, sink);
+  if (crew) check_orders(*crew, sink);
+  return crew;
+}
+
+}  // namespace mlab::run

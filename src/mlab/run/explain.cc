@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "mlab/base/angle.h"
+#include "mlab/run/mission_run.h"
+
+namespace mlab::run {
+namespace {
+
+// What adds less than this to the motion is left out [share of full strength].
+constexpr double kWorthTelling = 0.02;
+constexpr double kNear = 50.0;   // [m]
+constexpr double kAtEdge = 0.1;  // farther from where the edge holds a robot than this, it does not [m]
+
+std::string direction_word(geom::Vector v) {
+  const double angle = base::degrees(geom::direction(v));
+  if (std::abs(angle) <= 22.5) return "ahead";
+  if (std::abs(angle) >= 157.5) return "back";
+  const char* side = angle > 0 ? "left" : "right";
+  if (std::abs(angle) < 67.5) return fmt::format("ahead {}", side);
+  if (std::abs(angle) > 112.5) return fmt::format("back {}", side);
+  return side;
+}
+
+std::string compass_word(geom::Offset o) {
+  constexpr const char* kWords[] = {"east", "north-east", "north", "north-west",
+                                    "west", "south-west", "south", "south-east"};
+  const auto sector = static_cast<int>(std::lround(geom::direction(o) / (std::numbers::pi / 4.0)));
+  return kWords[(sector + 8) % 8];
+}
+
+std::string what_moves(const fleet::FleetRobot& robot) {
+  std::string motion;
+  // What a process of its own sums up, it keeps to itself.
+  std::vector<flow::Contribution> parts;
+  if (const robot::Workings workings = robot.workings())
+    parts = workings.program->contributions(workings.frame);
+  for (const flow::Contribution& part : parts) {
+    const double strength = geom::length(part.weighted);
+    if (strength < kWorthTelling) continue;
+    const std::string size = strength > 1e6 ? "absolute" : fmt::format("{:.2f}", strength);
+    motion += fmt::format("{}{} {} {}", motion.empty() ? "" : ", ", part.member, size,
+                          direction_word(part.weighted));
+  }
+  if (!motion.empty()) return motion;
+  const geom::Vector v = robot.action.velocity;
+  const double speed = geom::length(v);
+  return speed > 0.0 ? fmt::format("its program drives it at {:.2f} m/s {}", speed, direction_word(v))
+                     : "nothing moves it";
+}
+
+void add_nearest_disc(const binding::WorldView& world, geom::Point at, double radius,
+                      std::vector<std::string>& out) {
+  const binding::Disc* nearest = nullptr;
+  double nearest_gap = kNear;
+  for (const binding::Disc& disc : world.discs()) {
+    const double gap = geom::distance(disc.center, at) - disc.radius - radius;
+    if (gap < nearest_gap) {
+      nearest_gap = gap;
+      nearest = &disc;
+    }
+  }
+  if (nearest == nullptr) return;
+  out.push_back(fmt::format("  obstacle of radius {:.1f} m at ({:.1f}, {:.1f}), {:.1f} m away to the {}",
+                            nearest->radius, nearest->center.x, nearest->center.y, nearest_gap,
+                            compass_word(nearest->center - at)));
+}
+
+void add_nearest_wall(const binding::WorldView& world, geom::Point at, std::vector<std::string>& out) {
+  double nearest = kNear;
+  geom::Point place;
+  for (const binding::Wall& wall : world.walls()) {
+    if (!wall.is_solid) continue;
+    const geom::Point p = geom::nearest_point(wall.segment, at);
+    if (geom::distance(p, at) < nearest) {
+      nearest = geom::distance(p, at);
+      place = p;
+    }
+  }
+  if (nearest < kNear)
+    out.push_back(fmt::format("  wall {:.1f} m away to the {}", nearest, compass_word(place - at)));
+}
+
+// The edge holds whoever wants to go on through it.
+void add_edges(const overlay::Area& area, geom::Point at, std::vector<std::string>& out) {
+  const auto at_edge = [&](double gap, const char* where) {
+    if (std::abs(gap - binding::kAreaMargin) < kAtEdge)
+      out.push_back(fmt::format("  edge of the mission area to the {}", where));
+  };
+  at_edge(at.x, "west");
+  at_edge(area.width - at.x, "east");
+  at_edge(at.y, "south");
+  at_edge(area.height - at.y, "north");
+}
+
+}  // namespace
+
+std::vector<std::string> MissionRun::explain(const fleet::FleetRobot& robot) const {
+  const geom::Point at = fleet_->pose(robot).position;
+  const std::string who = fmt::format("robot {} at ({:.1f}, {:.1f})", robot.id.value, at.x, at.y);
+  if (robot.life == fleet::RobotLife::kParked) {
+    return {
+        fmt::format("{} stands parked: nothing here answers to its program `{}`", who, robot.program->name)};
+  }
+  if (const std::string failure = failure_of(robot); !failure.empty())
+    return {fmt::format("{} stands: {}", who, failure)};
+  if (robot.life == fleet::RobotLife::kFaulted)
+    return {fmt::format("{} stands: fault at `{}`", who, robot.fault)};
+  if (robot.life != fleet::RobotLife::kRunning) return {fmt::format("{} is {}", who, name(robot.life))};
+
+  std::vector<std::string> out = {fmt::format("{}: {}", who, what_moves(robot))};
+  add_nearest_disc(world(), at, robot.capabilities.radius, out);
+  add_nearest_wall(world(), at, out);
+  add_edges(mission().overlay.mission_area(), at, out);
+  for (const fleet::FleetRobot& other : fleet_->robots()) {
+    if (&other == &robot || other.life == fleet::RobotLife::kNotStarted) continue;
+    const geom::Offset to = fleet_->pose(other).position - at;
+    if (geom::length(to) < 5.0 * (robot.capabilities.radius + other.capabilities.radius)) {
+      out.push_back(fmt::format("  robot {} {:.1f} m away to the {}", other.id.value, geom::length(to),
+                                compass_word(to)));
+    }
+  }
+  return out;
+}
+
+}  // namespace mlab::run

@@ -1,0 +1,309 @@
+#include "mlab/run/mission_run.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "mlab/mission/command.h"
+#include "mlab/mission/wording.h"
+#include "mlab/run/places.h"
+
+namespace mlab::run {
+
+using mission::effect::Tell;
+
+namespace {
+
+constexpr std::size_t kMostMoved = 8;  // robots that are named, each with what happened to it
+
+// The operator's yes to a robot that asked by itself, under the name that it has always had.
+constexpr const char* kMayProceed = "CONSOLE->ROBOT PROCEED MISSION";
+
+}  // namespace
+
+MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
+                       std::unique_ptr<binding::Binding> binding)
+    : settings_(std::move(settings)),
+      state_(mission::initial_state(crew->mission, settings_.executive)),
+      binding_(std::move(binding)) {
+  const mission::Mission& plan = *state_.mission;
+  dt_ = plan.options.cycle_duration.value_or(dt_);
+  metrics_.resize(plan.units.size());
+  fleet_ = std::make_unique<fleet::Fleet>(plan, crew->programs, crew->bodies, *binding_, settings_.seed);
+  crews_.push_back(std::move(crew));
+}
+
+void MissionRun::post(const mission::Event& event) {
+  if (const auto* answer = std::get_if<mission::event::Answer>(&event))
+    answers_.push_back({cycle_, answer->question, answer->proceed});
+  mission::Advance advanced = mission::advance(std::move(state_), event);
+  state_ = std::move(advanced.state);
+  moved_at_start_ = 0;
+  for (const mission::Effect& effect : advanced.effects) apply(effect);
+  if (moved_at_start_ > kMostMoved) {
+    tell(Tell::Kind::kWarning,
+         fmt::format("{} more robots start at the nearest free place, since theirs is taken",
+                     moved_at_start_ - kMostMoved));
+  }
+}
+
+void MissionRun::apply(const mission::Effect& effect) {
+  if (const auto* start = std::get_if<mission::effect::Start>(&effect)) start_robot(*start);
+  if (const auto* order = std::get_if<mission::effect::Order>(&effect)) fleet_->order(*order);
+  if (const auto* stop = std::get_if<mission::effect::Stop>(&effect)) fleet_->stop(stop->robot);
+  if (const auto* answered = std::get_if<mission::effect::LetProceed>(&effect))
+    fleet_->notify(answered->robot, kMayProceed);
+  if (const auto* set = std::get_if<mission::effect::Set>(&effect)) {
+    const auto* number = std::get_if<mission::SetNumber>(&set->option);
+    if (number != nullptr && number->option == mission::NumberOption::kCycleDuration) {
+      start_of_duration_ = time();
+      first_of_duration_ = cycle_;
+      dt_ = number->value;
+    }
+  }
+  if (observer_) observer_(effect);
+  const auto* told = std::get_if<Tell>(&effect);
+  if (told != nullptr && told->kind == Tell::Kind::kCommandEnded) explain_failures(told->command);
+}
+
+void MissionRun::start_robot(const mission::effect::Start& start) {
+  const std::expected<binding::Placement, std::string> placement = fleet_->start(start.robot, start.pose);
+  if (!placement) {
+    tell(Tell::Kind::kWarning, fmt::format("robot {} {}", start.robot.value, placement.error()));
+  } else if (placement->moved && ++moved_at_start_ <= kMostMoved) {
+    const geom::Point to = placement->pose.position;
+    tell(Tell::Kind::kWarning,
+         fmt::format("robot {} starts at ({:.2f}, {:.2f}): its place ({:.2f}, {:.2f}) is taken",
+                     start.robot.value, to.x, to.y, start.pose.position.x, start.pose.position.y));
+  }
+}
+
+std::vector<PlannedStart> MissionRun::planned_starts() {
+  std::vector<PlannedStart> starts;
+  std::vector<binding::BodySetup> setups;
+  std::vector<bool> is_planned(fleet_->robots().size());
+  const auto plan = [&](const mission::UnitCommand& command) {
+    std::size_t rank = 0;
+    for (const base::RobotId id : mission::members_of(mission(), command)) {
+      const fleet::FleetRobot* robot = fleet_->find(id);
+      if (robot == nullptr) continue;
+      const geom::Pose wanted = mission::start_pose(mission(), command, rank++);
+      const auto place = static_cast<std::size_t>(robot - fleet_->robots().data());
+      if (robot->life != fleet::RobotLife::kNotStarted || is_planned[place]) continue;
+      is_planned[place] = true;
+      setups.push_back({robot->body_spec, wanted, id, 0});
+    }
+  };
+  for (const mission::Step& step : mission().steps) {
+    for (const mission::Command& one : step.commands) {
+      const auto* command = std::get_if<mission::UnitCommand>(&one);
+      if (command != nullptr && command->task == mission::Task::kStart) plan(*command);
+    }
+  }
+  const std::vector<std::optional<geom::Pose>> places = binding_->places_for(setups);
+  for (std::size_t i = 0; i < setups.size(); ++i) {
+    if (places[i]) starts.push_back({setups[i].robot, *places[i]});
+  }
+  return starts;
+}
+
+void MissionRun::tell(Tell::Kind kind, std::string text) {
+  Tell told;
+  told.kind = kind;
+  told.text = std::move(text);
+  if (observer_) observer_(told);
+}
+
+bool MissionRun::is_over() const {
+  return state_.mode == mission::State::Mode::kQuit ||
+         (state_.mode == mission::State::Mode::kIdle && state_.outcome != mission::Outcome::kPending);
+}
+
+std::size_t MissionRun::steps_done() const {
+  const std::size_t all = state_.mission->steps.size();
+  if (state_.mode == mission::State::Mode::kRunning) return state_.step;
+  if (state_.outcome == mission::Outcome::kDone) return all;
+  std::vector<bool> is_done(all);
+  for (const mission::StepRecord& step : state_.steps) {
+    if (step.step < all) is_done[step.step] = step.outcome == mission::Outcome::kDone;
+  }
+  return static_cast<std::size_t>(std::ranges::count(is_done, true));
+}
+
+std::optional<std::string> MissionRun::set_parameter(base::RobotId robot, std::string_view port,
+                                                     const std::string& value) {
+  const fleet::FleetRobot* found = fleet_->find(robot);
+  const flow::Program* program =
+      found == nullptr || found->runner == nullptr ? nullptr : found->workings().program;
+  const flow::Port* parameter = program == nullptr ? nullptr : program->find(port);
+  if (parameter == nullptr || parameter->type->kind != flow::TypeKind::kPoint)
+    return fleet_->set_parameter(robot, port, value);
+  return fleet_->set_parameter(
+      robot, port, robot::in_coordinates(*parameter, value, MissionPlaces(*crews_.back()->mission)));
+}
+
+MissionRun::Progress MissionRun::step() {
+  if (is_stopped_) return brake();
+  report_.time = time();
+  if (cycle_ == 0 || !state_.paused) {
+    fleet_->report(report_.robots);
+    post(report_);
+  }
+  if (is_over() && !(settings_.goes_on_when_done && state_.outcome == mission::Outcome::kDone))
+    return Progress::kOver;
+  if (state_.paused || (settings_.stands_still_for_operator && mission::awaits_only_operator(state_)))
+    return Progress::kWaits;
+  ++cycle_;
+  change_environment();
+  fleet_->step(dt_);
+  if (!forced_.empty()) tell_not_forced();
+  tell_faults();
+  answer_calls();
+  measure();
+  return Progress::kStepped;
+}
+
+void MissionRun::answer_calls() {
+  bool is_to_end = false;
+  for (const fleet::RobotCall& call : fleet_->take_calls()) {
+    const std::uint32_t id = call.robot.value;
+    switch (call.kind) {
+      case fleet::RobotCall::Kind::kAlert:
+        tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
+        break;
+      case fleet::RobotCall::Kind::kProceed:
+        post(mission::event::RobotAsks{call.robot});
+        break;
+      case fleet::RobotCall::Kind::kHalt:
+        fleet_->stop(call.robot);
+        tell(Tell::Kind::kMessage, fmt::format("the program of robot {} has ended", id));
+        break;
+      case fleet::RobotCall::Kind::kEndMission:
+        if (!is_to_end) tell(Tell::Kind::kMessage, fmt::format("robot {} ends the mission", id));
+        is_to_end = true;
+        break;
+    }
+  }
+  if (is_to_end) post(mission::event::Abort{});
+}
+
+void MissionRun::tell_faults() {
+  const std::vector<base::RobotId> faults = fleet_->take_new_faults();
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    const fleet::FleetRobot& robot = *fleet_->find(faults[i]);
+    if (i == kMostMoved) {
+      tell(Tell::Kind::kWarning, fmt::format("{} more robots stand, because of faults", faults.size() - i));
+      break;
+    }
+    const std::string failure = failure_of(robot);
+    tell(Tell::Kind::kWarning,
+         failure.empty()
+             ? fmt::format("robot {} stands: its program put out something that is no number, first at `{}`",
+                           robot.id.value, robot.fault)
+             : fmt::format("robot {} stands: {}", robot.id.value, failure));
+  }
+}
+
+MissionRun::Progress MissionRun::brake() {
+  if (has_braked_ && fleet_->bodies().moving == 0) return Progress::kWaits;
+  has_braked_ = true;
+  ++cycle_;
+  fleet_->brake(dt_);
+  return Progress::kStepped;
+}
+
+void MissionRun::change_environment() {
+  for (const overlay::EnvironmentEvent& event : settings_.environment.events) {
+    const std::uint64_t due = overlay::executions(event, time());
+    for (std::uint64_t n = overlay::executions(event, time() - dt_); n < due; ++n) happen(event, n);
+  }
+}
+
+void MissionRun::happen(const overlay::EnvironmentEvent& event, std::uint64_t execution) {
+  std::vector<overlay::ObstacleDisc> before;
+  for (const binding::Disc& disc : world().discs()) before.push_back({disc.center, disc.radius, 0.0, {}});
+  std::vector<overlay::ObstacleDisc> after = before;
+  std::vector<overlay::ObstacleDisc> bodies;
+  for (const fleet::FleetRobot& robot : fleet_->robots()) {
+    if (robot.life != fleet::RobotLife::kNotStarted)
+      bodies.push_back({fleet_->pose(robot).position, robot.capabilities.radius, 0.0, {}});
+  }
+  if (!overlay::apply(event, execution, settings_.seed, bodies, after)) {
+    if (!std::exchange(is_full_, true))
+      tell(Tell::Kind::kWarning, "the environment has no room for as many obstacles as its file wants");
+  }
+  const auto less = [](const overlay::ObstacleDisc& a, const overlay::ObstacleDisc& b) {
+    return std::tuple(a.center.x, a.center.y, a.radius) < std::tuple(b.center.x, b.center.y, b.radius);
+  };
+  std::sort(before.begin(), before.end(), less);
+  std::sort(after.begin(), after.end(), less);
+  const auto difference = [&](const auto& from, const auto& without) {
+    std::vector<binding::Disc> out;
+    for (const overlay::ObstacleDisc& disc : from) {
+      if (!std::binary_search(without.begin(), without.end(), disc, less))
+        out.push_back({disc.center, disc.radius});
+    }
+    return out;
+  };
+  tell_moved(binding_->change_obstacles(difference(before, after), difference(after, before)), "an obstacle");
+}
+
+void MissionRun::note_deliveries() {
+  for (const binding::Object& object : world().objects()) {
+    if (object.id.value >= carriers_.size()) carriers_.resize(object.id.value + 1);
+    base::RobotId& carrier = carriers_[object.id.value];
+    if (object.basket.value != 0 && carrier.value != 0)
+      deliveries_.push_back({time(), carrier, object.id, object.basket});
+    carrier = object.carrier;
+  }
+}
+
+void MissionRun::measure() {
+  note_deliveries();
+  for (const fleet::FleetRobot& robot : fleet_->robots()) {
+    if (robot.life != fleet::RobotLife::kRunning) continue;
+    ++robot_cycles_;
+    const fleet::Group* group = fleet_->group(robot);
+    if (group == nullptr || !group->command || group->order.formation == percept::Formation::kNone ||
+        group->members.size() < 2 || group->command->unit == mission::kNoUnit)
+      continue;
+    if (group->command->unit >= metrics_.size()) metrics_.resize(state_.mission->units.size());
+    UnitMetrics& metrics = metrics_[group->command->unit];
+    const double error = fleet_->station_error(robot);
+    metrics.error_sum += error;
+    metrics.max_error = std::max(metrics.max_error, error);
+    ++metrics.samples;
+    if (error > group->slop) ++metrics.out_of_formation;
+  }
+}
+
+std::vector<base::RobotId> MissionRun::commanded(std::uint32_t command) const {
+  const std::string& whom = state_.commands[command].unit;
+  const auto unit = std::ranges::find(state_.mission->units, whom, &mission::Unit::name);
+  if (!whom.empty() && unit != state_.mission->units.end()) return unit->members;
+  for (const fleet::FleetRobot& robot : fleet_->robots()) {
+    const fleet::Group* group = fleet_->group(robot);
+    if (group != nullptr && group->command && group->command->unit == mission::kNoUnit &&
+        mission::robots_name(group->command->robots) == whom)
+      return group->command->robots;
+  }
+  return {};
+}
+
+void MissionRun::explain_failures(std::uint32_t command) {
+  if (command >= state_.commands.size() || state_.commands[command].outcome != mission::Outcome::kFailed)
+    return;
+  constexpr int kMostRobots = 8;
+  int said = 0;
+  for (const base::RobotId id : commanded(command)) {
+    const fleet::FleetRobot* robot = fleet_->find(id);
+    if (robot == nullptr || robot->action.status.done || said >= kMostRobots) continue;
+    ++said;
+    for (std::string& line : explain(*robot)) tell(Tell::Kind::kMessage, std::move(line));
+  }
+}
+
+}  // namespace mlab::run

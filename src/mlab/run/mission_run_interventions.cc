@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/run/mission_run.h"
+
+namespace mlab::run {
+
+std::string_view name(InterventionRecord::Kind kind) {
+  constexpr std::array<std::string_view, 3> kNames = {"force", "hold", "release"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<std::string> MissionRun::force_state(base::RobotId robot, const std::string& sequence,
+                                                   const std::string& state) {
+  if (auto problem = fleet_->force(robot, sequence, state)) return problem;
+  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kForce, sequence, state});
+  const auto at = std::ranges::lower_bound(forced_, robot);
+  if (at == forced_.end() || *at != robot) forced_.insert(at, robot);
+  return std::nullopt;
+}
+
+std::optional<std::string> MissionRun::hold_value(base::RobotId robot, const std::string& port,
+                                                  const std::string& value) {
+  if (auto problem = fleet_->hold(robot, port, value)) return problem;
+  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kHold, port, value});
+  return std::nullopt;
+}
+
+std::optional<std::string> MissionRun::release_value(base::RobotId robot, const std::string& port) {
+  const fleet::FleetRobot* const known = fleet_->find(robot);
+  const flow::Interventions* const before = known == nullptr ? nullptr : known->workings().interventions;
+  const bool holds_something = before != nullptr && !before->held().empty();
+  if (auto problem = fleet_->release(robot, port)) return problem;
+  if (!holds_something) return std::nullopt;
+  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kRelease, port, ""});
+  return std::nullopt;
+}
+
+// What the sequence is part of may have come to an end in the same cycle.
+void MissionRun::tell_not_forced() {
+  for (const base::RobotId id : std::exchange(forced_, {})) {
+    const fleet::FleetRobot* const robot = fleet_->find(id);
+    const robot::Workings with = robot != nullptr ? robot->workings() : robot::Workings{};
+    if (!with || with.interventions == nullptr) continue;
+    for (const flow::Interventions::Forced& one : with.interventions->forced()) {
+      if (one.was_done) continue;
+      tell(mission::effect::Tell::Kind::kWarning,
+           fmt::format("robot {}: {} did not go to {}: it did not run any more", id.value,
+                       with.program->sequence_name(one.sequence),
+                       with.program->state_names(one.sequence)[one.state]));
+    }
+  }
+}
+
+}  // namespace mlab::run
