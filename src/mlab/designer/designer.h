@@ -12,6 +12,7 @@
 
 namespace mlab::designer {
 
+class DesignerCore;
 class ToDesigner;
 
 /// What a designer is started with.
@@ -55,8 +56,7 @@ class Designer {
   void closed(console::ConnectionId connection);
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<DesignerCore> core_;
 };
 
 }  // namespace mlab::designer

@@ -182,6 +182,29 @@ TEST(Designer, TellsWhoComesLaterThatPeopleHaveToDecide) {
   EXPECT_TRUE(browser.changed(1).back().is_same_again());
 }
 
+TEST(Designer, TellsWhoMayNotSaveThatPeopleHaveToDecide) {
+  Browser browser;
+  browser.write("a.cdl", kText);
+  browser.open("a.cdl");
+  browser.type("a.cdl", "// mine\n");
+  browser.write("a.cdl", "// theirs\n");
+  ASSERT_TRUE(browser.waits_for([&] { return !browser.seen_changes(1).empty(); }));
+  const std::size_t before = browser.changed(1).size();
+  EXPECT_FALSE(browser.ask([](ToDesigner& m) { m.mutable_save()->set_document("a.cdl"); }).ok());
+  ASSERT_EQ(browser.changed(1).size(), before + 1) << "who has put it out of sight is told again";
+  EXPECT_TRUE(browser.changed(1).back().is_dirty_here());
+}
+
+TEST(Designer, TellsEverythingAnewToWhomOpensADocumentAgain) {
+  Browser browser;
+  browser.write("a.cdl", kText);
+  browser.open("a.cdl");
+  const std::size_t before = browser.times_told("a.cdl");
+  browser.send([](ToDesigner& m) { m.mutable_close()->set_document("a.cdl"); });
+  browser.open("a.cdl");
+  EXPECT_GT(browser.times_told("a.cdl"), before);
+}
+
 TEST(Designer, OpensWhatIsKeptOfAFileThatIsGone) {
   Browser browser;
   browser.write("a.cdl", kText);

@@ -2,6 +2,7 @@
 
 #include "mlab/console.pb.h"
 #include "mlab/console/inbox.h"
+#include "mlab/console/order_table.h"
 #include "mlab/console/session/core.h"
 #include "mlab/console/session/request.h"
 
@@ -10,11 +11,11 @@ namespace mlab::console {
 /// Who may send a message, when it is done, and what does it.
 struct Order {
   enum class From { kAnybody, kOperator };
-  using Take = Answered (*)(SessionCore& core, const Sender& sender, const ToServer& message, Reply& reply);
+  using Table = OrderTable<SessionCore, Sender, ToServer, Reply, Answered>;
 
   From from = From::kAnybody;
   Inbox::Kind when = Inbox::Kind::kAfterCycle;
-  Take take = nullptr;  ///< null: it is no request of somebody who has been taken in
+  Table::Take take = nullptr;  ///< null: it is no request of somebody who has been taken in
 
   /// The one table of all messages.
   static Order of(ToServer::BodyCase body);

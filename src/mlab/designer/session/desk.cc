@@ -142,6 +142,7 @@ OpenConfiguration* Desk::add(const std::shared_ptr<OpenConfiguration>& one) {
 void Desk::model(OpenConfiguration& one) {
   auto source = std::make_shared<const text::Source>(source_name(one.path), std::string(one.text.text()));
   one.model = std::make_shared<Model>(std::move(source), environment());
+  one.modelled = one.text.source();
   one.is_started = false;
   one.compiled.reset();
   one.used = stamps(one);
@@ -160,6 +161,12 @@ void Desk::changed(OpenConfiguration& one) {
     const auto& files = other->model->configuration().files;
     if (std::ranges::find(files, name) != files.end()) model(*other);
   }
+}
+
+void Desk::follow_texts() {
+  std::vector<OpenConfiguration*> behind = all();
+  std::erase_if(behind, [](const OpenConfiguration* one) { return one->modelled == one->text.source(); });
+  for (OpenConfiguration* one : behind) changed(*one);
 }
 
 OpenConfiguration* Desk::next_to_compile() {
@@ -294,13 +301,25 @@ void Desk::discard(const std::string& path) {
   store_.close(path);
   if (const auto one = open_.find(path); one != open_.end()) open_.erase(one);
   store_.drafts().drop(path);
+  ++lists_number_;
 }
 
 bool Desk::is_new(std::string_view path) {
   return path.starts_with(kNew);
 }
 
+// Whoever has to decide about the file, or had to, is told.
 text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request) {
+  using Disk = documents::Document::Disk;
+  follow_texts();
+  const Disk before = one.disk;
+  text::Result<std::string> path = save_text(one, request);
+  const bool is_news = path ? before != Disk::kSame : one.disk != Disk::kSame;
+  if (is_news) ++one.file_news;
+  return path;
+}
+
+text::Result<std::string> Desk::save_text(OpenConfiguration& one, const Save& request) {
   if (!request.library().empty()) {
     const text::Result<bool> done = save_to_library(one, request.library());
     if (!done) return std::unexpected(done.error());
@@ -320,6 +339,7 @@ text::Result<std::string> Desk::save(OpenConfiguration& one, const Save& request
     node.key() = path;
     open_.insert(std::move(node));
     changed(one);
+    ++lists_number_;
   }
   store_.drafts().add_recent(path, "");
   look_beside();
@@ -379,12 +399,14 @@ text::Result<bool> Desk::write_library(std::string_view before, std::string_view
 }
 
 text::Result<bool> Desk::reload(OpenConfiguration& one, bool merge, double now) {
+  const bool was_asked = one.disk != documents::Document::Disk::kSame;
   const text::Result<bool> done = store_.reload(one, merge, now);
+  if (done && was_asked) ++one.file_news;
   if (done) changed(one);
   return done;
 }
 
-std::vector<documents::Store::Seen> Desk::look_at_disk(double now) {
+void Desk::look_at_disk(double now) {
   look_beside();
   for (const auto& [path, one] : open_) {
     const bool misses_file = std::ranges::any_of(
@@ -392,11 +414,11 @@ std::vector<documents::Store::Seen> Desk::look_at_disk(double now) {
     const bool may_have_come = misses_file && one->beside_seen != beside_number_;
     if (may_have_come || stamps(*one) != one->used) model(*one);
   }
-  std::vector<documents::Store::Seen> out = store_.look_at_disk(now);
-  for (const documents::Store::Seen& seen : out) {
-    if (seen.news == documents::Store::News::kTakenOver) changed(*find(seen.document->path));
+  for (const documents::Store::Seen& seen : store_.look_at_disk(now)) {
+    OpenConfiguration* one = find(seen.document->path);
+    if (one != nullptr) ++one->file_news;
   }
-  return out;
+  follow_texts();
 }
 
 std::vector<std::string> Desk::configurations(std::string_view folder) const {

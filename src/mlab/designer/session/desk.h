@@ -30,6 +30,8 @@ struct OpenConfiguration : documents::Document {
   std::shared_ptr<Model> model;  ///< of the text as it stands
   std::shared_ptr<Model> drawn;  ///< of the last text without slips of grammar
   std::uint64_t drawn_revision = 0;
+  text::SourcePtr modelled;                  ///< what of `text` the model is of
+  std::uint64_t file_news = 0;               ///< grows with everything that people should know of its file
   bool is_started = false;                   ///< the model's text has been given to the compiler
   std::shared_ptr<const Compiled> compiled;  ///< of the model's text; null: not yet
   std::shared_ptr<const CheckedCode> code;   ///< of the C++ that was used last; null: none yet
@@ -70,8 +72,8 @@ class Desk {
   static bool is_new(std::string_view path);
   std::vector<OpenConfiguration*> all();
 
-  /// The text has changed: everything anew that follows from it, also in those that use it.
-  void changed(OpenConfiguration& one);
+  /// Everything anew that follows from texts that have changed, also in those that use them.
+  void follow_texts();
   /// One that has not been given to the compiler since it changed; null where all are.
   OpenConfiguration* next_to_compile();
   Compiler::Task task(const OpenConfiguration& one) const;
@@ -79,11 +81,11 @@ class Desk {
   bool take(const std::string& document, std::shared_ptr<const Compiled> compiled);
   bool take(const std::string& document, std::shared_ptr<const CheckedCode> code);
 
-  /// @return  its path afterwards
+  /// @return  its path afterwards; where it is another one, there is another thing to open
   text::Result<std::string> save(OpenConfiguration& one, const Save& request);
   text::Result<bool> reload(OpenConfiguration& one, bool merge, double now);
   /// Looks at the files on disk, and reads anew what has changed there.
-  std::vector<documents::Store::Seen> look_at_disk(double now);
+  void look_at_disk(double now);
   /// What would be lost with this process: ``a.cdl`: No space left on device`.
   std::vector<std::string> losses() const;
   std::string not_kept() const;
@@ -103,6 +105,8 @@ class Desk {
   std::uint64_t offered_number() const { return beside_number_; }
   /// What stands beside a text, for questions about it. Valid as long as this desk.
   assist::Surroundings surroundings();
+  /// Grows when there is something else to open: saved under a new name, or thrown away.
+  std::uint64_t lists_number() const { return lists_number_; }
   /// Configurations below a folder (`""`, `examples:`).
   std::vector<std::string> configurations(std::string_view folder) const;
   std::vector<std::string> overlays() const;
@@ -112,6 +116,9 @@ class Desk {
   std::shared_ptr<OpenConfiguration> make(const std::string& path, std::string text);
   OpenConfiguration* add(const std::shared_ptr<OpenConfiguration>& one);
   void model(OpenConfiguration& one);
+  /// The text has changed.
+  void changed(OpenConfiguration& one);
+  text::Result<std::string> save_text(OpenConfiguration& one, const Save& request);
   text::Result<OpenConfiguration*> open_new(std::string path, double now);
   text::Result<OpenConfiguration*> open_kept(const std::string& path, double now);
   text::Result<OpenConfiguration*> import(const std::string& path, const std::string& content, double now);
@@ -135,6 +142,7 @@ class Desk {
   };
   std::map<std::string, Beside> beside_;  // by id
   std::uint64_t beside_number_ = 0;
+  std::uint64_t lists_number_ = 0;
 };
 
 }  // namespace mlab::designer

@@ -75,7 +75,6 @@ text::Result<bool> ProjectRenaming::write(const std::vector<Step>& steps) {
 void ProjectRenaming::edit(const Step& step, const std::string& name, double now) {
   OpenConfiguration& one = *desk_.find(step.path);
   desk_.store().change(one, step.after, name, now, false);
-  desk_.changed(one);
   if (!step.was_saved) return;
   Save save;
   save.set_document(step.path);

@@ -96,6 +96,11 @@ class Browser {
     const std::scoped_lock lock(mutex_);
     return palettes_[document];
   }
+  /// How often that browser has been sent the document.
+  std::size_t times_told(const std::string& path, std::uint32_t who = 1) {
+    const std::scoped_lock lock(mutex_);
+    return times_told_[{who, path}];
+  }
   /// As they are after everything that was asked so far.
   MarkList marks(const std::string& document) {
     ask([](ToDesigner& m) { m.mutable_list_files(); });
@@ -140,7 +145,10 @@ class Browser {
   void take(std::uint32_t who, const FromDesigner& message) {
     if (message.has_answer()) answers_[message.answer().request()] = message.answer();
     if (message.has_hello()) hello_ = message.hello();
-    if (message.has_document()) documents_[{who, message.document().path()}] = message.document();
+    if (message.has_document()) {
+      documents_[{who, message.document().path()}] = message.document();
+      ++times_told_[{who, message.document().path()}];
+    }
     if (message.has_palette()) palettes_[message.palette().document()] = message.palette();
     if (message.has_drawing()) drawings_[message.drawing().page().path()] = message.drawing();
     if (message.has_marks()) marks_[message.marks().document()] = message.marks();
@@ -158,6 +166,7 @@ class Browser {
   std::condition_variable arrived_;
   std::map<std::uint32_t, Answer> answers_;
   std::map<std::pair<std::uint32_t, std::string>, Document> documents_;
+  std::map<std::pair<std::uint32_t, std::string>, std::size_t> times_told_;
   std::map<std::string, Drawing> drawings_;
   std::map<std::string, Palette> palettes_;
   std::map<std::string, MarkList> marks_;

@@ -1,11 +1,10 @@
-// Names of the whole project: uses, renaming, search.
+#include "mlab/designer/session/name_orders.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
 #include "mlab/designer/edit/name_places.h"
-#include "mlab/designer/session/parts.h"
 #include "mlab/text/shown.h"
 #include "mlab/text/utf8.h"
 
@@ -55,46 +54,45 @@ names::Use use_message(const text::Place& place) {
 
 }  // namespace
 
-std::optional<Designer::Parts::Asked> Designer::Parts::asked_name(const NameAt& at, Answer& out) {
-  const OpenConfiguration* one = opened(at.document(), out);
-  if (one == nullptr) return std::nullopt;
-  const Model& model = at.is_drawn() ? *one->drawn : *one->model;
+std::optional<NameOrders::NamePlace> NameOrders::asked_name(const NameAt& at, Answer& out) {
+  const OpenConfiguration* document = opened(desk_, at.document(), out);
+  if (document == nullptr) return std::nullopt;
+  const Model& model = at.is_drawn() ? *document->drawn : *document->model;
   const std::optional<std::uint32_t> cursor = at.is_drawn() ? name_place(model, at) : at.cursor();
-  if (cursor) return Asked{{model.source(), assist::Language::kConfiguration}, *cursor};
+  if (cursor) return NamePlace{{model.source(), assist::Language::kConfiguration}, *cursor};
   fail(out, {text::Severity::kError, "no-name", "this has no name of its own", {}, {}, {}, {}});
   return std::nullopt;
 }
 
-std::string Designer::Parts::path_of(const text::SourcePtr& source) const {
+std::string NameOrders::path_of(const text::SourcePtr& source) const {
   std::string out = texts_.path_of(source);
   return out.empty() ? source->name() : out;
 }
 
-names::File& Designer::Parts::file_message(const text::SourcePtr& source,
-                                           google::protobuf::RepeatedPtrField<names::File>& files) {
+names::File& NameOrders::file_message(const text::SourcePtr& source,
+                                      google::protobuf::RepeatedPtrField<names::File>& files) {
   const std::string path = path_of(source);
   if (files.empty() || files.rbegin()->path() != path) {
     names::File& file = *files.Add();
     file.set_path(text::as_utf8(path));
     file.set_can_open(is_configuration(path));
-    const OpenConfiguration* one = desk_.find(path);
-    file.set_is_unsaved(one != nullptr && (one->is_dirty() || !one->saved));
+    const OpenConfiguration* document = desk_.find(path);
+    file.set_is_unsaved(document != nullptr && (document->is_dirty() || !document->saved));
   }
   return *files.rbegin();
 }
 
-void Designer::Parts::find_uses(const FindUses& request, Answer& out) {
+void NameOrders::find_uses(const FindUses& request, Answer& out) {
   // What has no name of its own is one of many.
   NameAt at = request.at();
-  if (const OpenConfiguration* one = desk_.find(at.document());
-      one != nullptr && at.is_drawn() && !name_place(*one->drawn, at))
+  if (const OpenConfiguration* document = desk_.find(at.document());
+      document != nullptr && at.is_drawn() && !name_place(*document->drawn, at))
     at.set_of_component(true);
-  const std::optional<Asked> asked = asked_name(at, out);
+  const std::optional<NamePlace> asked = asked_name(at, out);
   if (!asked) return;
   const assist::Uses found = assist::uses(asked->text, asked->cursor, texts_.surroundings());
   if (found.name.empty()) {
-    out.set_ok(false);
-    out.set_error("there is no name here");
+    refuse(out, "there is no name here");
     return;
   }
   names::UseList& list = *out.mutable_uses();
@@ -111,9 +109,8 @@ void Designer::Parts::find_uses(const FindUses& request, Answer& out) {
   }
 }
 
-void Designer::Parts::refuse_name(const assist::Refusal& refusal, Answer& out) {
-  out.set_ok(false);
-  out.set_error(text::as_utf8(refusal.message));
+void NameOrders::refuse_name(const assist::Refusal& refusal, Answer& out) {
+  refuse(out, text::as_utf8(refusal.message));
   if (!refusal.place.source) return;
   const std::string document = texts_.path_of(refusal.place.source);
   out.set_error(fmt::format("{} ({}, line {})", out.error(), document,
@@ -124,9 +121,8 @@ void Designer::Parts::refuse_name(const assist::Refusal& refusal, Answer& out) {
   location.set_end(refusal.place.span.end);
 }
 
-std::optional<assist::Renaming> Designer::Parts::plan(const NameAt& at, const std::string& name,
-                                                      Answer& out) {
-  const std::optional<Asked> asked = asked_name(at, out);
+std::optional<assist::Renaming> NameOrders::plan(const NameAt& at, const std::string& name, Answer& out) {
+  const std::optional<NamePlace> asked = asked_name(at, out);
   if (!asked) return std::nullopt;
   auto done = assist::rename(asked->text, asked->cursor, name, texts_.surroundings());
   if (!done) {
@@ -162,24 +158,27 @@ std::optional<assist::Renaming> Designer::Parts::plan(const NameAt& at, const st
   return std::move(*done);
 }
 
-void Designer::Parts::rename_everywhere(const RenameEverywhere& request, Answer& out) {
+void NameOrders::plan_rename(const PlanRename& request, Answer& out) {
+  plan(request.at(), request.name(), out);
+}
+
+void NameOrders::rename_everywhere(const RenameEverywhere& request, Answer& out) {
   const std::optional<assist::Renaming> planned = plan(request.at(), request.name(), out);
   if (!planned) return;
   if (out.plan().seal() != request.seal()) {
-    out.set_ok(false);
-    out.set_error("the project has changed meanwhile: look at it again");
+    refuse(out, "the project has changed meanwhile: look at it again");
     return;
   }
-  const text::Result<bool> done = renaming_.carry_out(*planned, request.name(), now());
+  const text::Result<bool> done = renaming_.carry_out(*planned, request.name(), wall_time());
   if (!done) fail(out, done.error());
 }
 
-void Designer::Parts::undo_rename(Answer& out) {
-  const text::Result<bool> done = renaming_.take_back(now());
+void NameOrders::undo_rename(Answer& out) {
+  const text::Result<bool> done = renaming_.take_back(wall_time());
   if (!done) fail(out, done.error());
 }
 
-void Designer::Parts::search(const Search& request, Answer& out) {
+void NameOrders::search(const Search& request, Answer& out) {
   index_.update(texts_.all(), texts_.surroundings());
   const std::size_t most = std::clamp<std::size_t>(request.most(), 1, kMostHits);
   names::HitList& list = *out.mutable_hits();

@@ -1,11 +1,10 @@
-// Questions, which change nothing.
+#include "mlab/designer/session/questions.h"
 
 #include <fmt/core.h>
 
 #include "mlab/assist/service.h"
 #include "mlab/designer/drawing/shapes.h"
 #include "mlab/designer/edit/edit.h"
-#include "mlab/designer/session/parts.h"
 #include "mlab/text/shown.h"
 #include "mlab/text/utf8.h"
 
@@ -38,35 +37,34 @@ void add_location(const Model& model, const std::string& document, text::Span sp
 
 }  // namespace
 
-void Designer::Parts::fits(const Fits& request, Answer& out) {
-  const OpenConfiguration* one = opened(request.document(), out);
-  if (one == nullptr) return;
-  *out.mutable_fits() = fitting(*one->drawn, request, desk_.offered(*one));
+void Questions::fits(const Fits& request, Answer& out) {
+  const OpenConfiguration* document = opened(desk_, request.document(), out);
+  if (document == nullptr) return;
+  *out.mutable_fits() = fitting(*document->drawn, request, desk_.offered(*document));
 }
 
-void Designer::Parts::describe(const Describe& request, Answer& out) {
-  OpenConfiguration* one = opened(request.document(), out);
-  if (one == nullptr) return;
-  const std::vector<Offered> offered = desk_.offered(*one);
-  const Offered* file = find_offered(offered, *one->drawn, request.component());
-  const Model& model = file != nullptr ? *file->model : *one->drawn;
+void Questions::describe(const Describe& request, Answer& out) {
+  OpenConfiguration* document = opened(desk_, request.document(), out);
+  if (document == nullptr) return;
+  const std::vector<Offered> offered = desk_.offered(*document);
+  const Offered* file = find_offered(offered, *document->drawn, request.component());
+  const Model& model = file != nullptr ? *file->model : *document->drawn;
   const std::optional<Callable> component = model.components().find(request.component());
   if (!component) {
-    out.set_ok(false);
-    out.set_error(fmt::format("nothing answers to `{}`", text::shown(request.component())));
+    refuse(out, fmt::format("nothing answers to `{}`", text::shown(request.component())));
     return;
   }
-  *out.mutable_component() = palette_entry(*component, model, desk_.context(*one));
+  *out.mutable_component() = palette_entry(*component, model, desk_.context(*document));
   out.mutable_component()->set_help(component->help);
   if (file == nullptr) return;
   out.mutable_component()->set_group("This project");
   out.mutable_component()->set_source(file->document);
 }
 
-void Designer::Parts::ask_language(const AskLanguage& request, Answer& out) {
-  const OpenConfiguration* one = opened(request.document(), out);
-  if (one == nullptr) return;
-  const assist::Text text{one->model->source(), assist::Language::kConfiguration};
+void Questions::ask_language(const AskLanguage& request, Answer& out) {
+  const OpenConfiguration* document = opened(desk_, request.document(), out);
+  if (document == nullptr) return;
+  const assist::Text text{document->model->source(), assist::Language::kConfiguration};
   switch (request.what()) {
     case AskLanguage::COMPLETE: {
       const assist::Completions found = assist::complete(text, request.cursor(), desk_.surroundings());
@@ -83,39 +81,34 @@ void Designer::Parts::ask_language(const AskLanguage& request, Answer& out) {
       return;
     }
     case AskLanguage::DEFINITION:
-      find_definition(*one, request.cursor(), out);
+      find_definition(*document, request.cursor(), out);
       return;
     case AskLanguage::PAGE:
-      add_location(*one->drawn, one->path, {request.cursor(), request.cursor()}, out);
+      add_location(*document->drawn, document->path, {request.cursor(), request.cursor()}, out);
       return;
     default:
-      out.set_ok(false);
-      out.set_error("this designer does not know that question");
+      refuse(out, "this designer does not know that question");
   }
 }
 
-void Designer::Parts::find_definition(const OpenConfiguration& one, std::uint32_t cursor, Answer& out) {
-  const assist::Text text{one.model->source(), assist::Language::kConfiguration};
+void Questions::find_definition(const OpenConfiguration& document, std::uint32_t cursor, Answer& out) {
+  const assist::Text text{document.model->source(), assist::Language::kConfiguration};
   const std::optional<text::Place> found = assist::definition(text, cursor, desk_.surroundings());
-  const auto refuse = [&](std::string why) {
-    out.set_ok(false);
-    out.set_error(std::move(why));
-  };
   if (!found || !found->source) {
-    refuse("this is declared in no text that could be shown");
+    refuse(out, "this is declared in no text that could be shown");
     return;
   }
-  if (found->source == one.model->source()) {
-    add_location(*one.drawn, one.path, found->span, out);
+  if (found->source == document.model->source()) {
+    add_location(*document.drawn, document.path, found->span, out);
     return;
   }
-  const std::string document = desk_.document_of(found->source->name());
-  if (!document.ends_with(".cdl") && !document.starts_with("new:")) {
-    refuse(fmt::format("it is declared in `{}`, line {}", text::shown(found->source->name(), 200),
-                       found->source->line_column(found->span.begin).line));
+  const std::string path = desk_.document_of(found->source->name());
+  if (!path.ends_with(".cdl") && !path.starts_with("new:")) {
+    refuse(out, fmt::format("it is declared in `{}`, line {}", text::shown(found->source->name(), 200),
+                            found->source->line_column(found->span.begin).line));
     return;
   }
-  add_location(Model(found->source, desk_.environment()), document, found->span, out);
+  add_location(Model(found->source, desk_.environment()), path, found->span, out);
 }
 
 }  // namespace mlab::designer
