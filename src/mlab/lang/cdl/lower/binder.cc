@@ -1,4 +1,4 @@
-// From values to what is linked to an input: types, units, ranges.
+#include "mlab/lang/cdl/lower/binder.h"
 
 #include <cmath>
 #include <cstddef>
@@ -8,7 +8,6 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/frame.h"
-#include "mlab/lang/cdl/lower/lowering.h"
 #include "mlab/lang/cdl/types/quantities.h"
 #include "mlab/lang/cdl/types/units.h"
 
@@ -41,44 +40,38 @@ flow::Source constant(std::string text, const text::Place& place) {
 
 }  // namespace
 
-std::string quoted_number(const Value& value) {
-  return value.unit.empty() ? fmt::format("{}", value.number)
-                            : fmt::format("{} {}", value.number, value.unit);
-}
-
-std::string bracketed(const std::string& unit) {
-  return unit.empty() ? "" : fmt::format(" [{}]", unit);
-}
-
-PortType Lowering::type_named(const Word& name) {
+PortType Binder::type_named(const Word& name) {
   PortType known = types_.named(name.text);
   if (known.type != nullptr) return known;
-  text::Diagnostic& d = error("unknown-type", name.place, fmt::format("unknown type `{}`", name.text));
-  hint_nearest(d, name.text, type_names());
+  text::Diagnostic& d =
+      findings_.error("unknown-type", name.place, fmt::format("unknown type `{}`", name.text));
+  Findings::hint_nearest(d, name.text, type_names());
   return {};
 }
 
-PortType Lowering::type_of(const Parameter& parameter) {
+PortType Binder::type_of(const Parameter& parameter) {
   PortType out = type_named(parameter.type);
   if (out.type == nullptr || parameter.unit.text.empty()) return out;
   const std::optional<Unit> unit = unit_named(parameter.unit.text);
   if (!unit) {
-    text::Diagnostic& d =
-        error("unknown-unit", parameter.unit.place, fmt::format("unknown unit `{}`", parameter.unit.text));
-    hint_nearest(d, parameter.unit.text, unit_names());
+    text::Diagnostic& d = findings_.error("unknown-unit", parameter.unit.place,
+                                          fmt::format("unknown unit `{}`", parameter.unit.text));
+    Findings::hint_nearest(d, parameter.unit.text, unit_names());
     return {};
   }
   const std::optional<Unit> quantity = unit_named(out.unit);
   if (!out.unit.empty() && !unit->same_dimension(*quantity)) {
-    error("wrong-unit", parameter.unit.place,
-          fmt::format("`{}` is no unit of the type `{}`", parameter.unit.text, parameter.type.text));
+    findings_.error(
+        "wrong-unit", parameter.unit.place,
+        fmt::format("`{}` is no unit of the type `{}`", parameter.unit.text, parameter.type.text));
     return {};
   }
   // Values flow in SI units; only angles may be thought of in degrees.
   const bool is_si = unit->numerator == unit->denominator;
   if (!is_si && parameter.unit.text != "deg") {
-    error("wrong-unit", parameter.unit.place,
-          fmt::format("a parameter is in SI units or in `deg`, not in `{}`", parameter.unit.text))
+    findings_
+        .error("wrong-unit", parameter.unit.place,
+               fmt::format("a parameter is in SI units or in `deg`, not in `{}`", parameter.unit.text))
         .hints = {"its values may be given in any unit: `50 cm`"};
     return {};
   }
@@ -86,51 +79,52 @@ PortType Lowering::type_of(const Parameter& parameter) {
   return out;
 }
 
-bool Lowering::fits(const PortType& have, const PortType& want, const std::string& name,
-                    const text::Place& place, const Value* about) {
+bool Binder::fits(const PortType& have, const PortType& want, const std::string& name,
+                  const text::Place& place, const Value* about) {
   const Misfit misfit = cdl::misfit(have, want);
   if (misfit == Misfit::kType) {
-    text::Diagnostic& d = report(
-        text::Severity::kError, "wrong-type", place,
-        fmt::format("{} stands where {} is expected", with_article(have.name()), with_article(want.name())),
-        about == nullptr ? "" : about->named);
+    text::Diagnostic& d = findings_.error_about(
+        about == nullptr ? "" : about->named, "wrong-type", place,
+        fmt::format("{} stands where {} is expected", with_article(have.name()), with_article(want.name())));
     d.label = fmt::format("`{}` takes {}", name, described(want));
     const bool is_elsewhere = about != nullptr && !about->named.empty() && about->declared.source;
     if (is_elsewhere) d.notes.push_back({fmt::format("`{}` comes from here", about->named), about->declared});
     return false;
   }
   if (misfit == Misfit::kNone) return true;
-  error("wrong-unit", place, fmt::format("a value in {} stands where {} is expected", have.unit, want.unit))
+  findings_
+      .error("wrong-unit", place,
+             fmt::format("a value in {} stands where {} is expected", have.unit, want.unit))
       .label = fmt::format("`{}` takes {}", name, described(want));
   return false;
 }
 
-void Lowering::declare_unit(Value& value, const PortType& declared) {
+void Binder::declare_unit(Value& value, const PortType& declared) {
   if (value.kind != Value::Kind::kWire || value.type.type == nullptr || declared.unit.empty()) return;
   // Vectors of whatever unit fit each other: one that has its own keeps it.
   const bool is_own = !is_number(value.type.type->kind) && !value.type.unit.empty();
   if (!is_own) value.type.unit = declared.unit;
 }
 
-bool Lowering::is_convertible(const Value& value, const PortType& want, const std::string& name,
-                              const text::Place& place) {
+bool Binder::is_convertible(const Value& value, const PortType& want, const std::string& name,
+                            const text::Place& place) {
   const std::string& have = value.type.unit;
   const bool is_angle = have == "deg" || have == "rad";
   if (!value.counted_in.empty() || !is_angle || want.unit.empty() || want.unit == have) return true;
-  text::Diagnostic& d = error("wrong-unit", place,
-                              fmt::format("a plain number that is declared in {} can't be converted", have));
+  text::Diagnostic& d = findings_.error(
+      "wrong-unit", place, fmt::format("a plain number that is declared in {} can't be converted", have));
   d.label = fmt::format("`{}` takes {}", name, described(want));
   d.hints = {fmt::format("give it its unit where it comes from: `* 1 {}`", have)};
   return false;
 }
 
-std::optional<flow::Source> Lowering::bind(const Value& value, const PortType& type, const flow::Input* input,
-                                           const std::string& name, const text::Place& place) {
+std::optional<flow::Source> Binder::bind(const Value& value, const PortType& type, const flow::Input* input,
+                                         const std::string& name, const text::Place& place) {
   switch (value.kind) {
     case Value::Kind::kNone:
       return std::nullopt;
     case Value::Kind::kSink:
-      error("sink-as-value", place, fmt::format("`{}` gives no value", value.text)).label =
+      findings_.error("sink-as-value", place, fmt::format("`{}` gives no value", value.text)).label =
           fmt::format("`{}` takes {}", name, type.type == nullptr ? "a value" : described(type));
       return std::nullopt;
     case Value::Kind::kWire:
@@ -148,16 +142,16 @@ std::optional<flow::Source> Lowering::bind(const Value& value, const PortType& t
   return bind_word(value, type, name, place);
 }
 
-std::optional<flow::Source> Lowering::bind_number(const Value& value, const PortType& type,
-                                                  const flow::Input* input, const std::string& name,
-                                                  const text::Place& place) {
+std::optional<flow::Source> Binder::bind_number(const Value& value, const PortType& type,
+                                                const flow::Input* input, const std::string& name,
+                                                const text::Place& place) {
   const TypeKind kind = type.type->kind;
   if (!is_number(kind)) {
     const std::string text = fmt::format("{}", value.number);
     const bool takes_numbers = kind == TypeKind::kMask || kind == TypeKind::kChoice;
     if (takes_numbers && value.unit.empty() && parses(*type.type, text)) return constant(text, value.place);
-    error("wrong-type", place, fmt::format("`{}` is no {}", quoted_number(value), type.type->name)).label =
-        fmt::format("`{}` takes {}", name, described(type));
+    findings_.error("wrong-type", place, fmt::format("`{}` is no {}", quoted_number(value), type.type->name))
+        .label = fmt::format("`{}` takes {}", name, described(type));
     return std::nullopt;
   }
   double number = value.number;
@@ -166,10 +160,11 @@ std::optional<flow::Source> Lowering::bind_number(const Value& value, const Port
     const std::optional<Unit> to = unit_named(type.unit);
     const std::optional<double> in_unit = from && to ? converted(number, *from, *to) : std::nullopt;
     if (!in_unit && !(value.type.type != nullptr && type.unit.empty())) {
-      error("wrong-unit", place,
-            type.unit.empty()
-                ? fmt::format("`{}` stands where a plain number is expected", quoted_number(value))
-                : fmt::format("`{}` stands where {} is expected", quoted_number(value), type.unit))
+      findings_
+          .error("wrong-unit", place,
+                 type.unit.empty()
+                     ? fmt::format("`{}` stands where a plain number is expected", quoted_number(value))
+                     : fmt::format("`{}` stands where {} is expected", quoted_number(value), type.unit))
           .label = fmt::format("`{}` takes {}", name, described(type));
       return std::nullopt;
     }
@@ -177,30 +172,32 @@ std::optional<flow::Source> Lowering::bind_number(const Value& value, const Port
   }
   if (kind == TypeKind::kInteger &&
       (number != std::floor(number) || std::abs(number) > std::numeric_limits<int>::max())) {
-    error("wrong-type", place, fmt::format("`{}` is no whole number", quoted_number(value))).label =
+    findings_.error("wrong-type", place, fmt::format("`{}` is no whole number", quoted_number(value))).label =
         fmt::format("`{}` takes {}", name, described(type));
     return std::nullopt;
   }
   if (input != nullptr && (number < input->min || number > input->max)) {
-    error("out-of-range", value.place, fmt::format("{} is out of range", quoted_number(value))).label =
-        fmt::format("`{}` takes {} .. {}{}", name, input->min, input->max, bracketed(type.unit));
+    findings_.error("out-of-range", value.place, fmt::format("{} is out of range", quoted_number(value)))
+        .label = fmt::format("`{}` takes {} .. {}{}", name, input->min, input->max, bracketed(type.unit));
     return std::nullopt;
   }
   return constant(fmt::format("{}", number), value.place);
 }
 
-std::optional<flow::Source> Lowering::bind_word(const Value& value, const PortType& type,
-                                                const std::string& name, const text::Place& place) {
+std::optional<flow::Source> Binder::bind_word(const Value& value, const PortType& type,
+                                              const std::string& name, const text::Place& place) {
   const TypeKind kind = type.type->kind;
   const bool is_word = value.kind == Value::Kind::kWord;
   if (!(is_word ? kind == TypeKind::kText : is_number(kind)) && parses(*type.type, value.text))
     return constant(value.text, value.place);
   const std::string label = fmt::format("`{}` takes {}", name, described(type));
   if (!is_word) {
-    error("wrong-type", place, fmt::format("\"{}\" is no {}", value.text, type.type->name)).label = label;
+    findings_.error("wrong-type", place, fmt::format("\"{}\" is no {}", value.text, type.type->name)).label =
+        label;
     return std::nullopt;
   }
-  text::Diagnostic& d = error("unknown-name", value.place, fmt::format("unknown name `{}`", value.text));
+  text::Diagnostic& d =
+      findings_.error("unknown-name", value.place, fmt::format("unknown name `{}`", value.text));
   d.label = label;
   std::vector<std::string> names;
   if (value.scope != nullptr) {
@@ -210,14 +207,14 @@ std::optional<flow::Source> Lowering::bind_word(const Value& value, const PortTy
       library_.find(value.text).behavior != nullptr) {
     d.hints.push_back(fmt::format("`{}()` makes one", value.text));
   } else {
-    hint_nearest(d, value.text, names);
+    Findings::hint_nearest(d, value.text, names);
   }
   return std::nullopt;
 }
 
 // `[1 m, 2 m]` for a vector or a point.
-std::optional<flow::Source> Lowering::bind_coordinates(const Value& value, const PortType& type,
-                                                       const std::string& name, const text::Place& place) {
+std::optional<flow::Source> Binder::bind_coordinates(const Value& value, const PortType& type,
+                                                     const std::string& name, const text::Place& place) {
   const TypeKind kind = type.type->kind;
   if (kind == TypeKind::kVector || kind == TypeKind::kPoint) {
     std::string text;
@@ -232,12 +229,14 @@ std::optional<flow::Source> Lowering::bind_coordinates(const Value& value, const
     }
     if (is_right) return constant(text + "}", value.place);
   }
-  error("wrong-type", place, fmt::format("a list stands where {} is expected", with_article(type.type->name)))
+  findings_
+      .error("wrong-type", place,
+             fmt::format("a list stands where {} is expected", with_article(type.type->name)))
       .label = fmt::format("`{}` takes {}", name, described(type));
   return std::nullopt;
 }
 
-bool Lowering::check_range(const Value& value, const Parameter& parameter, const PortType& type) {
+bool Binder::check_range(const Value& value, const Parameter& parameter, const PortType& type) {
   if (value.kind != Value::Kind::kNumber || !parameter.low || !parameter.high || type.type == nullptr)
     return true;
   const std::optional<Unit> to = unit_named(type.unit);
@@ -250,13 +249,13 @@ bool Lowering::check_range(const Value& value, const Parameter& parameter, const
   const double high = in_unit(parameter.high->value, parameter.high->unit.text);
   const double number = in_unit(value.number, value.unit);
   if (number >= low && number <= high) return true;
-  error("out-of-range", value.place, fmt::format("{} is out of range", quoted_number(value))).label =
-      fmt::format("`{}` takes {} .. {}{}", parameter.name.text, low, high, bracketed(type.unit));
+  findings_.error("out-of-range", value.place, fmt::format("{} is out of range", quoted_number(value)))
+      .label = fmt::format("`{}` takes {} .. {}{}", parameter.name.text, low, high, bracketed(type.unit));
   return false;
 }
 
-Value Lowering::pass(const Value& value, const Parameter& parameter, const PortType& type,
-                     const text::Place& place) {
+Value Binder::pass(const Value& value, const Parameter& parameter, const PortType& type,
+                   const text::Place& place) {
   if (value.kind == Value::Kind::kNone || type.type == nullptr) return {};
   // Members of a list are checked by the input that takes the list.
   const bool is_list = value.kind == Value::Kind::kList && type.type->kind != TypeKind::kVector &&
