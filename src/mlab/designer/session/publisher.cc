@@ -52,7 +52,7 @@ void Publisher::publish_to(console::ConnectionId to, const Client& client) {
 }
 
 void Publisher::tell(const View& view, const std::string& topic, const std::optional<std::string>& version,
-                     const std::function<void(FromDesigner& out)>& write) {
+                     const std::function<void(FromDesigner& out)>& write) const {
   const auto [known, is_new] = view.told.topics.try_emplace(topic);
   Told& told = known->second;
   told.round = round_;
@@ -69,7 +69,7 @@ void Publisher::tell(const View& view, const std::string& topic, const std::opti
 // ---- the topics of a document
 
 // What has become of its file. Whoever opens a document that is as its file need not be told.
-void Publisher::publish_file(const View& view) {
+void Publisher::publish_file(const View& view) const {
   using Disk = documents::Document::Disk;
   const OpenConfiguration& document = view.document;
   Opening& told = view.told;
@@ -88,7 +88,7 @@ void Publisher::publish_file(const View& view) {
   from_.clients.send(view.to, message);
 }
 
-void Publisher::publish_document(const View& view) {
+void Publisher::publish_document(const View& view) const {
   const OpenConfiguration& document = view.document;
   tell(
       view, "document",
@@ -110,7 +110,7 @@ void Publisher::publish_document(const View& view) {
        });
 }
 
-void Publisher::publish_pages(const View& view) {
+void Publisher::publish_pages(const View& view) const {
   const OpenConfiguration& document = view.document;
   for (const Page& page : view.client.pages) {
     if (page.document() != document.path) continue;
@@ -124,7 +124,7 @@ void Publisher::publish_pages(const View& view) {
   }
 }
 
-void Publisher::publish_differences(const View& view) {
+void Publisher::publish_differences(const View& view) const {
   const OpenConfiguration& document = view.document;
   const Comparisons::Shown* shown = from_.comparisons.find(view.to, document.path);
   if (shown == nullptr) return;

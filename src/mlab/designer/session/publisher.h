@@ -61,14 +61,14 @@ class Publisher {
   };
 
   void publish_to(console::ConnectionId to, const Client& client);
-  void publish_file(const View& view);
-  void publish_document(const View& view);
-  void publish_pages(const View& view);
-  void publish_differences(const View& view);
+  void publish_file(const View& view) const;
+  void publish_document(const View& view) const;
+  void publish_pages(const View& view) const;
+  void publish_differences(const View& view) const;
   /// Sends the message where the topic's version is another one than was told last, and says something else.
   /// @param version  nothing: the message is made, and compared
   void tell(const View& view, const std::string& topic, const std::optional<std::string>& version,
-            const std::function<void(FromDesigner& out)>& write);
+            const std::function<void(FromDesigner& out)>& write) const;
   Document document_message(const OpenConfiguration& document) const;
   void add_found_problems(const OpenConfiguration& document, Document& out) const;
 
