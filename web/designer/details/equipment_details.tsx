@@ -1,5 +1,6 @@
 // The body of a class of robots, its devices, what an operator of societies serves, and binding points, as forms.
 import { useEffect, useState } from "react";
+import { kSensedTypeNames } from "../../core/value_types.ts";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { drawnAt } from "../names/at.ts";
@@ -320,9 +321,6 @@ function PointDetails({ drawing, point }: { drawing: Drawing; point: Equipment_P
   );
 }
 
-/** Types that a sensor may give, as people choose them first. */
-const kGiven = ["Obstacles", "Robots", "Objects", "Object", "Pose", "Ranges", "Vector", "Point", "bool", "double"];
-
 /** Of the page of a binding point. */
 export function BindingDetails({ drawing, equipment }: { drawing: Drawing; equipment: Equipment }) {
   const designer = useDesigner();
@@ -330,7 +328,7 @@ export function BindingDetails({ drawing, equipment }: { drawing: Drawing; equip
   const name = drawing.page?.path ?? "";
   const type = equipment.points[0]?.type ?? "";
   const kNothing = "$nothing";
-  const types = kGiven.includes(type) || type === "" ? kGiven : [type, ...kGiven];
+  const types = kSensedTypeNames.includes(type) || type === "" ? kSensedTypeNames : [type, ...kSensedTypeNames];
   return (
     <>
       <Choice

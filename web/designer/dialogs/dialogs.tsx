@@ -1,5 +1,6 @@
 // Small dialogs about what is on the page: names, new declarations, parameters, groups.
 import { type ReactNode, useRef, useState } from "react";
+import { kParameterTypeNames } from "../../core/value_types.ts";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
@@ -162,23 +163,6 @@ export function DeclarationDialog() {
   );
 }
 
-const kTypes = [
-  "gain",
-  "number",
-  "length",
-  "speed",
-  "angle",
-  "duration",
-  "turning",
-  "flag",
-  "count",
-  "text",
-  "object_class",
-  "Vector",
-  "Point",
-  "Object",
-];
-
 export function ParameterDialog() {
   const designer = useDesigner();
   const drawing = useDrawing();
@@ -211,7 +195,7 @@ export function ParameterDialog() {
     // Its name may stand in other files as well.
     if (now !== name) await renameNow(designer, { ...drawnAt(designer, now), page: owner }, name, () => {});
   };
-  const types = kTypes.includes(type) ? kTypes : [type, ...kTypes];
+  const types = kParameterTypeNames.includes(type) ? kParameterTypeNames : [type, ...kParameterTypeNames];
   return (
     <DialogBox
       title={before ? `Parameter ${before.name}` : "Add a parameter"}

@@ -1,6 +1,7 @@
 // A Drawing as what the canvas shows: nodes with their sizes and handles, wires between them. Pure, and what did not
 // change keeps its identity, so that only what changed is drawn anew.
 import { type Edge, type Node as FlowNode, Position } from "@xyflow/react";
+import { type Flow, flowOf } from "../../core/value_types.ts";
 import {
   type Drawing,
   Drawing_Kind,
@@ -11,7 +12,6 @@ import {
   type Wire,
 } from "../session/protocol.ts";
 import { type Form, formOf, rowId, type Wired } from "./form.ts";
-import { type Flow, flowOf } from "./types.ts";
 
 export interface At {
   readonly x: number;

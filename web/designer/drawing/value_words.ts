@@ -1,5 +1,5 @@
 // What an input takes, in words: its unit, its range, what it is where nothing is said.
-import { flowOf } from "./types.ts";
+import { flowOf, isWholeNumber } from "../../core/value_types.ts";
 
 const kUnits: Readonly<Record<string, string>> = {
   m: "metres",
@@ -24,7 +24,7 @@ export function unitWords(unit: string): string {
 /** `a number, in seconds`; what is not a number keeps its name. */
 export function typeWords(type: string, unit: string): string {
   if (flowOf(type) === "flag") return "true or false";
-  const plain = flowOf(type) === "number" ? (/^(int|count|Integer)/.test(type) ? "a whole number" : "a number") : type;
+  const plain = flowOf(type) === "number" ? (isWholeNumber(type) ? "a whole number" : "a number") : type;
   return unit ? `${plain}, in ${unitWords(unit)}` : plain;
 }
 

@@ -1,10 +1,10 @@
 // A drawing as SVG that stands alone: what the canvas shows, from the same forms, without the page.
 
+import { flowOf } from "../../core/value_types.ts";
 import { hasResult, kResultHeight, kResultWidth, type Places, resultPlace, wiredOf, wireId } from "../drawing/flow.ts";
 import { type Form, formOf } from "../drawing/form.ts";
 import { outlinePath } from "../drawing/outline.ts";
 import { kFont } from "../drawing/text_width.ts";
-import { flowOf } from "../drawing/types.ts";
 import { wirePath } from "../drawing/wire_path.ts";
 import { type Drawing, Drawing_Kind, kResult } from "../session/protocol.ts";
 import type { Rect } from "../states/curve.ts";

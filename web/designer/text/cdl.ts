@@ -1,5 +1,6 @@
 // Colours for CDL: enough to read by; what is right or wrong, the server says.
 import { LanguageSupport, StreamLanguage, type StreamParser } from "@codemirror/language";
+import { kQuantityNames } from "../../core/value_types.ts";
 
 const kDeclarations = words(
   "use architecture assemblage binding class robot operator society layout alias let body sensor actuator binds is for",
@@ -7,7 +8,7 @@ const kDeclarations = words(
 const kOperators = words(
   "cooperate compete coordinate fuse sequence select delay by priority strength active as when goto restart start final case otherwise team of caste in not and or initial",
 );
-const kTypes = words("gain number length speed angle duration turning flag count text object_class");
+const kTypes: ReadonlySet<string> = new Set(kQuantityNames);
 const kValues = words("true false");
 
 interface Reading {

@@ -1,12 +1,12 @@
 // A node: its outline, what it is called, its inputs with their values.
 import { Handle, type NodeProps, Position } from "@xyflow/react";
 import { memo } from "react";
+import { flowOf } from "../../core/value_types.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { DifferenceSign, useDifferenceClass } from "../compare/sign.tsx";
 import { type CanvasNode, kOut } from "../drawing/flow.ts";
 import { type Form, kindOf, type Row } from "../drawing/form.ts";
 import { outlinePath } from "../drawing/outline.ts";
-import { flowOf } from "../drawing/types.ts";
 import { typeWords } from "../drawing/value_words.ts";
 import { LiveBadge } from "../running/badge.tsx";
 import { BreakDot } from "../running/break_dot.tsx";

@@ -1,8 +1,8 @@
 // What stands on the canvas beside nodes: where the page's value goes, comments, frames.
 import { Handle, type NodeProps, NodeResizer, Position } from "@xyflow/react";
 import { memo, useEffect, useRef, useState } from "react";
+import { flowOf } from "../../core/value_types.ts";
 import type { CanvasNode } from "../drawing/flow.ts";
-import { flowOf } from "../drawing/types.ts";
 import { kResult } from "../session/protocol.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { canvasStore, useCanvas } from "../sight/canvas_store.ts";

@@ -4,9 +4,10 @@ import { parameterProblem } from "../../console/selection/parameter.ts";
 import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { spokenPath } from "../../core/port_words.ts";
 import type { HeldValues_Held as Held, Port } from "../../core/protocol.ts";
+import { formatOf } from "../../core/value_types.ts";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field, IconButton } from "../../ui/controls/controls.tsx";
-import { heldAt, writtenAs } from "../run/interventions.ts";
+import { heldAt } from "../run/interventions.ts";
 import { shownText } from "../run/shown_value.ts";
 import { useLivePage } from "./use_live_part.ts";
 
@@ -50,7 +51,7 @@ function Holder({ port, held, robot, whose }: HolderProps) {
           value={typed}
           committed=""
           problem={problem}
-          placeholder={writtenAs(port.type)}
+          placeholder={formatOf(port.type)}
           inputMode={port.isNumber && !isList ? "decimal" : "text"}
           onChange={setTyped}
         />

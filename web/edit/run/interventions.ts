@@ -11,18 +11,6 @@ export function heldPorts(held: readonly Held[], robot: number): ReadonlySet<str
   return new Set(held.filter((one) => one.robot === robot).flatMap(({ port, also }) => [port, ...also]));
 }
 
-/** How a value of the type is written, where nobody could guess it. */
-export function writtenAs(type: string): string {
-  switch (type) {
-    case "Vector":
-      return "ahead, left";
-    case "Point":
-      return "x, y";
-    default:
-      return "";
-  }
-}
-
 /** The state in which a sequence of the robot is; empty: not known. `sequence`: its path. */
 export function stateOf(detail: Pick<RobotDetail, "states"> | undefined, sequence: string): string {
   const before = `${sequence}.`;
