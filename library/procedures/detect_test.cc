@@ -36,7 +36,7 @@ TEST(DetectObstacles, DropsTheFarthestOfTooMany) {
 TEST(DetectObstacles, TellsHowFarItLooks) {
   const flow::Behavior& b = behavior("DETECT_OBSTACLES");
   ASSERT_EQ(b.needs.size(), 1U);
-  EXPECT_EQ(b.needs[0].device, flow::Need::Device::kObstacles);
+  EXPECT_EQ(b.needs[0].sensor, percept::Sensor::kObstacles);
   EXPECT_EQ(b.needs[0].range_input, 0);
 }
 

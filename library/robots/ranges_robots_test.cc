@@ -39,7 +39,7 @@ percept::Action act(const flow::Program& program, const std::vector<percept::Ran
   percepts.range_limit = 1.0;
   percept::Action action;
   program.step(frame.data(), percepts, action, 1, 1);
-  EXPECT_TRUE(program.needs(frame.data()).ranges);
+  EXPECT_TRUE(program.needs(frame.data()).has(percept::Sensor::kRanges));
   return action;
 }
 

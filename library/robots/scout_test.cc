@@ -98,8 +98,8 @@ std::uint64_t deeds(const flow::Program& program,
     hash = base::combine_bits(hash, action.status.sequence * 8U + (action.drives ? 4U : 0U) +
                                         (action.spins ? 2U : 0U) + (action.status.done ? 1U : 0U));
     const percept::Needs needs = program.needs(frame.data());
-    add(needs.obstacles);
-    add(needs.robots);
+    add(needs[percept::Sensor::kObstacles]);
+    add(needs[percept::Sensor::kRobots]);
   }
   return hash;
 }

@@ -202,11 +202,11 @@ TEST(StandardRobot, SensesNoFartherThanItsTaskNeeds) {
       .set("detect_obs_range", "33");
   robot.step();
   const percept::Needs needs = standard().needs(robot.frame.data());
-  EXPECT_GE(needs.obstacles, 33.0);
-  EXPECT_GE(needs.robots, 40.0);
-  EXPECT_LE(needs.robots, 45.0);
-  EXPECT_DOUBLE_EQ(needs.objects, 0.0);
-  EXPECT_FALSE(needs.ranges);
+  EXPECT_GE(needs[percept::Sensor::kObstacles], 33.0);
+  EXPECT_GE(needs[percept::Sensor::kRobots], 40.0);
+  EXPECT_LE(needs[percept::Sensor::kRobots], 45.0);
+  EXPECT_DOUBLE_EQ(needs[percept::Sensor::kObjects], 0.0);
+  EXPECT_FALSE(needs.has(percept::Sensor::kRanges));
 }
 
 TEST(StandardRobot, DriftsByItsNoise) {

@@ -83,8 +83,7 @@ class Trial {
  private:
   void step() {
     const percept::Needs needs = program_->needs(frame_.data());
-    simulator_.sense(body_, {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges}, buffer_,
-                     percepts_);
+    simulator_.sense(body_, needs, buffer_, percepts_);
     percepts_.notifications = inbox_;
     percepts_.unit.center = percepts_.pose.position;
     percept::Action action;

@@ -10,7 +10,10 @@ namespace mlab::testing {
 namespace {
 
 constexpr double kCycle = 0.1;
-const percept::Needs kNeeds{.obstacles = 20.0, .robots = 20.0, .objects = 20.0, .ranges = true};
+const percept::Needs kNeeds{{percept::Sensor::kObstacles, 20.0},
+                            {percept::Sensor::kRobots, 20.0},
+                            {percept::Sensor::kObjects, 20.0},
+                            {percept::Sensor::kRanges}};
 
 std::unique_ptr<binding::Binding> simulated_bodies() {
   sim::World world;

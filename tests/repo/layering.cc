@@ -54,7 +54,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
      {"cell", "documents", "simulated", "assist", "lang/mdl", "lang/odl", "lang/envchange",
       "console/server"}},
     {"designer", {"console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
-    {"tables", {"lang/mdl"}},
+    {"tables", {"lang/mdl", "lang/cdl"}},
 };
 
 /// What the sources of a module use besides, and keep to themselves: neither its headers nor who stands above

@@ -1,4 +1,5 @@
-// Types of values in configurations and programs: the one list of them in the page, and what is asked of it.
+// Types of values in configurations and programs, and what is asked of them. `tools/tables` writes what stands between
+// the marks from src/mlab/flow/value_types.h.
 
 /** What flows in a wire, which gives the wire its colour. */
 export type Flow = "movement" | "flag" | "number" | "percept" | "thing" | "text";
@@ -20,6 +21,7 @@ export interface ValueType {
 
 /** In the order in which they are offered; a library may bring more. */
 const kValueTypes: readonly ValueType[] = [
+  // [[table value_type_rows]]
   { name: "gain", flow: "number", isQuantity: true, isForParameters: true },
   { name: "number", flow: "number", isQuantity: true, isForParameters: true },
   { name: "length", flow: "number", isQuantity: true, isForParameters: true },
@@ -30,7 +32,7 @@ const kValueTypes: readonly ValueType[] = [
   { name: "flag", flow: "flag", isQuantity: true, isForParameters: true },
   { name: "count", flow: "number", isQuantity: true, isWhole: true, isForParameters: true },
   { name: "text", flow: "text", isQuantity: true, isForParameters: true },
-  { name: "object_class", flow: "percept", isQuantity: true, isForParameters: true },
+  { name: "object_class", flow: "thing", isQuantity: true, isForParameters: true },
   { name: "Obstacles", flow: "percept", isSensed: true },
   { name: "Robots", flow: "thing", isSensed: true },
   { name: "Objects", flow: "thing", isSensed: true },
@@ -41,13 +43,14 @@ const kValueTypes: readonly ValueType[] = [
   { name: "Point", flow: "percept", isForParameters: true, isSensed: true, format: "x, y" },
   { name: "bool", flow: "flag", isSensed: true },
   { name: "double", flow: "number", isSensed: true },
-  { name: "float", flow: "number" },
   { name: "int", flow: "number", isWhole: true },
   { name: "ObjectClasses", flow: "thing" },
   { name: "Formation", flow: "percept" },
   { name: "FormationReference", flow: "percept" },
   { name: "Task", flow: "percept" },
   { name: "Text", flow: "text" },
+  // [[end]]
+  { name: "float", flow: "number" },
   // Of drawings and of other tools.
   { name: "Action", flow: "movement" },
   { name: "Movement", flow: "movement" },

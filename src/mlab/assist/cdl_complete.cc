@@ -10,9 +10,9 @@
 #include "mlab/assist/cdl_world.h"
 #include "mlab/assist/languages.h"
 #include "mlab/assist/words.h"
+#include "mlab/flow/value_types.h"
 #include "mlab/lang/cdl/test_words.h"
 #include "mlab/lang/cdl/types/body.h"
-#include "mlab/lang/cdl/types/quantities.h"
 #include "mlab/lang/cdl/types/units.h"
 
 namespace mlab::assist {
@@ -142,7 +142,7 @@ class CdlCompleter {
         for (const NameKind kind : {NameKind::kAssemblage, NameKind::kRobot, NameKind::kSociety}) own(kind);
         break;
       case CdlWant::Kind::kPercept:
-        for (const cdl::TestPerceptInfo& one : cdl::test_percepts())
+        for (const cdl::TestPerceptInfo& one : cdl::kTestPercepts)
           out_.add({.text = std::string(one.name),
                     .kind = "percept",
                     .detail = inputs_of(one),
@@ -254,11 +254,11 @@ class CdlCompleter {
   }
 
   void types() {
-    for (const cdl::Quantity& one : cdl::quantities()) {
-      out_.add(one.name, "type",
-               one.unit.empty() ? std::string(one.type) : fmt::format("{} in {}", one.type, one.unit), kGood);
+    for (const flow::QuantityInfo& one : flow::kQuantities) {
+      const std::string type(flow::info(one.type).name);
+      out_.add(one.name, "type", one.unit.empty() ? type : fmt::format("{} in {}", type, one.unit), kGood);
     }
-    for (const std::string& name : cdl::type_names()) out_.add(name, "type", "", kLikely);
+    for (const flow::ValueTypeInfo& one : flow::kValueTypes) out_.add(one.name, "type", "", kLikely);
   }
 
   void states(std::uint32_t sequence) {

@@ -13,7 +13,6 @@
 #include "mlab/assist/component.h"
 #include "mlab/assist/languages.h"
 #include "mlab/assist/words.h"
-#include "mlab/lang/cdl/types/quantities.h"
 #include "mlab/lang/cdl/types/units.h"
 #include "mlab/lang/cnl/parser.h"
 
@@ -265,11 +264,7 @@ class CnlCompleter {
       if (one.kind == NameKind::kType) out_.add(one.name, "type", "", 0);
     }
     out_.add("void", "type", "a sink: it has no output", 2);
-    for (const std::string& name : cdl::type_names()) {
-      const bool is_type =
-          std::ranges::none_of(cdl::quantities(), [&](const auto& q) { return q.name == name; });
-      if (is_type) out_.add(name, "type");
-    }
+    for (const flow::ValueTypeInfo& one : flow::kValueTypes) out_.add(one.name, "type");
   }
 
   void code() {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mlab/lang/cnl/cursor.h"
+#include "mlab/percept/sensors.h"
 
 namespace mlab::assist {
 namespace {
@@ -241,7 +242,9 @@ class CnlReader {
       if (is("senses")) {
         take_word("senses");
         if (at_end()) need_senses();
+        const percept::SensorInfo* const sensor = percept::sensor_named(text());
         if (is_name()) add_name(NameKind::kWord);
+        if (sensor != nullptr && sensor->has_own_reach) continue;
         if (at_end()) want_words({"within"});
         take_word("within");
       } else if (!take_word("pure") && !take_word("latency") && !take_word("alias")) {
@@ -253,7 +256,9 @@ class CnlReader {
   }
 
   void need_senses() {
-    want_words({"obstacles", "robots", "objects", "ranges"});
+    CnlWant one;
+    for (const percept::SensorInfo& sensor : percept::kSensors) one.words.emplace_back(sensor.name);
+    want(std::move(one));
     is_done_ = true;
   }
 

@@ -11,7 +11,6 @@
 
 #include "mlab/flow/frame.h"
 #include "mlab/lang/cdl/types/port_type.h"
-#include "mlab/lang/cdl/types/quantities.h"
 #include "mlab/lang/cdl/types/types.h"
 #include "mlab/lang/cdl/types/units.h"
 #include "mlab/percept/formation.h"
@@ -194,10 +193,8 @@ std::string markdown_of(const Component& component) {
 }
 
 ValueType value_type(std::string_view type, std::string_view unit) {
-  for (const cdl::Quantity& quantity : cdl::quantities()) {
-    if (quantity.name == type)
-      return {std::string(quantity.type), std::string(unit.empty() ? quantity.unit : unit)};
-  }
+  if (const flow::QuantityInfo* quantity = flow::quantity_named(type))
+    return {std::string(flow::info(quantity->type).name), std::string(unit.empty() ? quantity->unit : unit)};
   const flow::TypeInfo* const known = robot::component_library().find_type(type);
   return {std::string(known == nullptr ? type : known->name), std::string(unit)};
 }
@@ -221,30 +218,9 @@ bool fits(const ValueType& have, const ValueType& want) {
 std::vector<std::string> words_of(std::string_view type) {
   std::vector<std::string> out;
   const flow::TypeInfo* const known = robot::component_library().find_type(type);
-  if (known == nullptr || known->parse == nullptr || known->print == nullptr) return out;
-  if (known->kind == flow::TypeKind::kBool) return {"true", "false"};
-  if (known->name == "Formation") {
-    for (int i = 1; i < percept::kFormationCount; ++i)
-      out.push_back(as_name(std::string(percept::name(static_cast<percept::Formation>(i)))));
-    return out;
-  }
-  const bool is_mask = known->kind == flow::TypeKind::kMask;
-  if (!is_mask && known->kind != flow::TypeKind::kChoice) return out;
-  // Each value that prints as a word which reads back is one.
-  constexpr std::uint32_t kMostWords = 64;
-  constexpr std::size_t kMostBytes = 64;
-  if (known->size > kMostBytes) return out;
-  for (std::uint32_t i = 0; i < kMostWords; ++i) {
-    alignas(flow::Frame::kAlignment) std::array<std::byte, kMostBytes> value{};
-    alignas(flow::Frame::kAlignment) std::array<std::byte, kMostBytes> again{};
-    if (is_mask && i >= 32) break;
-    const std::uint32_t bits = is_mask ? 1U << i : i;
-    std::memcpy(value.data(), &bits, std::min<std::size_t>(known->size, sizeof bits));
-    const std::string word = as_name(known->print(value.data()));
-    if (word.empty() || std::isalpha(static_cast<unsigned char>(word[0])) == 0) continue;
-    if (!known->parse(word, again.data()) || again != value) continue;
-    if (std::ranges::find(out, word) == out.end()) out.push_back(word);
-  }
+  if (known == nullptr) return out;
+  for (const std::string_view word : known->words) out.push_back(as_name(std::string(word)));
+  if (known->kind == flow::TypeKind::kBool) std::ranges::reverse(out);
   return out;
 }
 

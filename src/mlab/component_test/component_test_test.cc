@@ -153,7 +153,7 @@ test "to the gate" of MoveToGoal(DetectGoal(place("Gate"))) {
 }
 
 TEST(ComponentTest, EveryPerceptAndActionIsKnown) {
-  for (const cdl::TestPerceptInfo& one : cdl::test_percepts()) {
+  for (const cdl::TestPerceptInfo& one : cdl::kTestPercepts) {
     const std::string text =
         fmt::format("test \"x\" of Noise() {{ given no {}; expect length(it) >= 0; }}", one.name);
     EXPECT_TRUE(outcome_of(text).has_passed()) << one.name;
@@ -290,7 +290,7 @@ TEST(Documentation, NamesAllThatTestsMaySay) {
   const auto has = [&](std::string_view name) {
     return (*page)->text().find(fmt::format("`{}`", name)) != std::string_view::npos;
   };
-  for (const cdl::TestPerceptInfo& one : cdl::test_percepts()) {
+  for (const cdl::TestPerceptInfo& one : cdl::kTestPercepts) {
     EXPECT_TRUE(has(one.name)) << one.name;
     for (const cdl::TestInput& input : one.inputs)
       EXPECT_TRUE(has(input.name)) << one.name << " " << input.name;

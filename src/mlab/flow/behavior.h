@@ -11,6 +11,7 @@
 #include "mlab/flow/type_info.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/percept/sensors.h"
 
 namespace mlab::flow {
 
@@ -43,10 +44,9 @@ struct Alias {
 
 /// A sensor that a behavior reads, and how far at most.
 struct Need {
-  enum class Device : std::uint8_t { kObstacles, kRobots, kObjects, kRanges };
-  Device device = Device::kObstacles;
+  percept::Sensor sensor = percept::Sensor::kObstacles;
   int range_input = -1;  ///< the input that holds the range [m]; -1: `range` does
-  double range = 0.0;    ///< [m]; 0 with kRanges: the ring's own range
+  double range = 0.0;    ///< [m]; 0 where the sensor has its own
 };
 
 /// What all nodes of one robot share in one cycle.

@@ -1,16 +1,21 @@
 #include "mlab/flow/port_types.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "mlab/base/counted.h"
+#include "mlab/base/table.h"
 #include "mlab/flow/library.h"
+#include "mlab/percept/formation_names.h"
 #include "mlab/percept/object_classes.h"
 
 namespace mlab::flow {
@@ -122,10 +127,22 @@ bool parse_text(std::string_view text, void* out) {
   return static_cast<Text*>(out)->assign(text);
 }
 
-// Enumerations: the words in the order of their values.
-constexpr std::string_view kReferences[] = {"unit-center", "leader", "neighbor"};
-constexpr std::string_view kTasks[] = {"none",    "start",  "moveto", "teleoperate",
-                                       "sweepto", "follow", "occupy", "stop"};
+// The words of values in the order of their numbers.
+constexpr std::array<std::string_view, 2> kTruths = {"false", "true"};
+constexpr std::array<std::string_view, 3> kReferences = {"unit-center", "leader", "neighbor"};
+static_assert(!base::is_enumerator<static_cast<FormationReference>(kReferences.size())>());
+constexpr std::array<std::string_view, 8> kTasks = {"none",    "start",  "moveto", "teleoperate",
+                                                    "sweepto", "follow", "occupy", "stop"};
+static_assert(!base::is_enumerator<static_cast<Task>(kTasks.size())>());
+
+template <const auto& kRows>
+consteval auto names_of() {
+  std::array<std::string_view, std::size(kRows)> out;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = kRows[i].name;
+  return out;
+}
+constexpr auto kClassNames = names_of<kObjectClasses>();
+constexpr auto kFormationNames = names_of<percept::kFormations>();
 
 // Other words for a class than its name and its colour: what historic configurations call it.
 constexpr struct {
@@ -230,160 +247,115 @@ std::string print_classes(const void* value) {
   return out.empty() ? "0" : out;
 }
 
-template <class List>
-constexpr TypeInfo list_type(std::string_view name) {
-  return {name,         TypeKind::kList,
-          sizeof(List), alignof(List),
-          nullptr,      [](const void* value) { return base::counted(as<List>(value).count, "reading"); },
-          nullptr};
+// How values of a type are read and shown.
+struct Form {
+  bool (*parse)(std::string_view text, void* out) = nullptr;
+  std::string (*print)(const void* value) = nullptr;
+  bool (*is_finite)(const void* value) = nullptr;
+  std::span<const std::string_view> words = {};
+};
+
+template <class T>
+struct Of {};
+
+constexpr Form form(Of<bool> /*type*/) {
+  return {.parse = parse_bool,
+          .print = [](const void* v) { return std::string(kTruths[as<std::uint8_t>(v) != 0 ? 1 : 0]); },
+          .words = kTruths};
+}
+constexpr Form form(Of<int> /*type*/) {
+  return {.parse = parse_int, .print = [](const void* v) { return fmt::format("{}", as<int>(v)); }};
+}
+constexpr Form form(Of<double> /*type*/) {
+  return {parse_double, [](const void* v) { return fmt::format("{}", as<double>(v)); },
+          [](const void* v) { return std::isfinite(as<double>(v)); }};
+}
+constexpr Form form(Of<geom::Vector> /*type*/) {
+  return {parse_vector,
+          [](const void* v) {
+            const auto& a = as<geom::Vector>(v);
+            return fmt::format("{{{}, {}, {}}}", a.x, a.y, a.z);
+          },
+          [](const void* v) {
+            const auto& a = as<geom::Vector>(v);
+            return std::isfinite(a.x + a.y + a.z);
+          }};
+}
+constexpr Form form(Of<geom::Point> /*type*/) {
+  return {parse_point,
+          [](const void* v) { return fmt::format("{{{}, {}}}", as<geom::Point>(v).x, as<geom::Point>(v).y); },
+          [](const void* v) { return std::isfinite(as<geom::Point>(v).x + as<geom::Point>(v).y); }};
+}
+constexpr Form form(Of<geom::Pose> /*type*/) {
+  return {nullptr,
+          [](const void* v) {
+            const auto& p = as<geom::Pose>(v);
+            return fmt::format("{{{}, {}, {} rad}}", p.position.x, p.position.y, p.heading);
+          },
+          [](const void* v) {
+            const auto& p = as<geom::Pose>(v);
+            return std::isfinite(p.position.x + p.position.y + p.heading);
+          }};
+}
+template <class Reading>
+constexpr Form form(Of<IndexList<Reading>> /*type*/) {
+  return {.print = [](const void* v) { return base::counted(as<IndexList<Reading>>(v).count, "reading"); }};
+}
+constexpr Form form(Of<Ranges> /*type*/) {
+  return {.print = [](const void* v) { return base::counted(as<Ranges>(v).count, "reading"); }};
+}
+constexpr Form form(Of<ObjectReading> /*type*/) {
+  return {.print = [](const void* v) {
+    const auto& o = as<ObjectReading>(v);
+    return o.id.value == 0 ? std::string("none")
+                           : fmt::format("object {} at {{{}, {}}}", o.id.value, o.center.x, o.center.y);
+  }};
+}
+constexpr Form form(Of<ObjectClasses> /*type*/) {
+  return {.parse = parse_classes, .print = print_classes, .words = kClassNames};
+}
+constexpr Form form(Of<Formation> /*type*/) {
+  return {.parse = parse_formation,
+          .print = [](const void* v) { return std::string(percept::name(as<Formation>(v))); },
+          .words = kFormationNames};
+}
+constexpr Form form(Of<FormationReference> /*type*/) {
+  return {.parse = parse_choice<FormationReference, kReferences>,
+          .print = print_choice<FormationReference, kReferences>,
+          .words = kReferences};
+}
+constexpr Form form(Of<Task> /*type*/) {
+  return {.parse = parse_choice<Task, kTasks>, .print = print_choice<Task, kTasks>, .words = kTasks};
+}
+constexpr Form form(Of<Text> /*type*/) {
+  return {.parse = parse_text, .print = [](const void* v) { return std::string(as<Text>(v).view()); }};
 }
 
 template <class T>
-constexpr TypeInfo plain_type(std::string_view name, TypeKind kind, bool (*parse)(std::string_view, void*),
-                              std::string (*print)(const void*), bool (*is_finite)(const void*) = nullptr) {
-  return {name, kind, sizeof(T), alignof(T), parse, print, is_finite};
+constexpr TypeInfo info_of(const ValueTypeInfo& row) {
+  const Form its = form(Of<T>{});
+  return {row.name, row.kind, sizeof(T), alignof(T), its.parse, its.print, its.is_finite, its.words};
 }
+
+template <std::size_t... kNumbers>
+constexpr std::array<TypeInfo, sizeof...(kNumbers)> infos(std::index_sequence<kNumbers...> /*numbers*/) {
+  return {info_of<std::tuple_element_t<kNumbers, ValueTypes>>(info(static_cast<ValueType>(kNumbers)))...};
+}
+
+constexpr std::array kInfos = infos(std::make_index_sequence<kValueTypes.size()>());
 
 }  // namespace
 
-const TypeInfo& PortTraits<bool>::info() {
-  static constexpr TypeInfo kInfo = plain_type<bool>("bool", TypeKind::kBool, parse_bool, [](const void* v) {
-    return std::string(as<std::uint8_t>(v) != 0 ? "true" : "false");
-  });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<int>::info() {
-  static constexpr TypeInfo kInfo = plain_type<int>(
-      "int", TypeKind::kInteger, parse_int, [](const void* v) { return fmt::format("{}", as<int>(v)); });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<double>::info() {
-  static constexpr TypeInfo kInfo = plain_type<double>(
-      "double", TypeKind::kReal, parse_double, [](const void* v) { return fmt::format("{}", as<double>(v)); },
-      [](const void* v) { return std::isfinite(as<double>(v)); });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<geom::Vector>::info() {
-  static constexpr TypeInfo kInfo = plain_type<geom::Vector>(
-      "Vector", TypeKind::kVector, parse_vector,
-      [](const void* v) {
-        const auto& a = as<geom::Vector>(v);
-        return fmt::format("{{{}, {}, {}}}", a.x, a.y, a.z);
-      },
-      [](const void* v) {
-        return std::isfinite(as<geom::Vector>(v).x + as<geom::Vector>(v).y + as<geom::Vector>(v).z);
-      });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<geom::Point>::info() {
-  static constexpr TypeInfo kInfo = plain_type<geom::Point>(
-      "Point", TypeKind::kPoint, parse_point,
-      [](const void* v) { return fmt::format("{{{}, {}}}", as<geom::Point>(v).x, as<geom::Point>(v).y); },
-      [](const void* v) { return std::isfinite(as<geom::Point>(v).x + as<geom::Point>(v).y); });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<geom::Pose>::info() {
-  static constexpr TypeInfo kInfo = plain_type<geom::Pose>(
-      "Pose", TypeKind::kPose, nullptr,
-      [](const void* v) {
-        const auto& p = as<geom::Pose>(v);
-        return fmt::format("{{{}, {}, {} rad}}", p.position.x, p.position.y, p.heading);
-      },
-      [](const void* v) {
-        const auto& p = as<geom::Pose>(v);
-        return std::isfinite(p.position.x + p.position.y + p.heading);
-      });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<Obstacles>::info() {
-  static constexpr TypeInfo kInfo = list_type<Obstacles>("Obstacles");
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<Robots>::info() {
-  static constexpr TypeInfo kInfo = list_type<Robots>("Robots");
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<Objects>::info() {
-  static constexpr TypeInfo kInfo = list_type<Objects>("Objects");
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<Ranges>::info() {
-  static constexpr TypeInfo kInfo = list_type<Ranges>("Ranges");
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<ObjectReading>::info() {
-  static constexpr TypeInfo kInfo =
-      plain_type<ObjectReading>("Object", TypeKind::kOther, nullptr, [](const void* v) {
-        const auto& o = as<ObjectReading>(v);
-        return o.id.value == 0 ? std::string("none")
-                               : fmt::format("object {} at {{{}, {}}}", o.id.value, o.center.x, o.center.y);
-      });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<ObjectClasses>::info() {
-  static constexpr TypeInfo kInfo =
-      plain_type<ObjectClasses>("ObjectClasses", TypeKind::kMask, parse_classes, print_classes);
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<Formation>::info() {
-  static constexpr TypeInfo kInfo =
-      plain_type<Formation>("Formation", TypeKind::kChoice, parse_formation,
-                            [](const void* v) { return std::string(percept::name(as<Formation>(v))); });
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<FormationReference>::info() {
-  static constexpr TypeInfo kInfo = plain_type<FormationReference>(
-      "FormationReference", TypeKind::kChoice, parse_choice<FormationReference, kReferences>,
-      print_choice<FormationReference, kReferences>);
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<Task>::info() {
-  static constexpr TypeInfo kInfo =
-      plain_type<Task>("Task", TypeKind::kChoice, parse_choice<Task, kTasks>, print_choice<Task, kTasks>);
-  return kInfo;
-}
-
-const TypeInfo& PortTraits<Text>::info() {
-  static constexpr TypeInfo kInfo = plain_type<Text>(
-      "Text", TypeKind::kText, parse_text, [](const void* v) { return std::string(as<Text>(v).view()); });
-  return kInfo;
+const TypeInfo& type_info(ValueType type) {
+  return kInfos.at(static_cast<std::size_t>(type));
 }
 
 void add_port_types(Library& library) {
-  const auto add = [&](const TypeInfo& type, std::initializer_list<std::string_view> aliases) {
+  for (const ValueTypeInfo& row : kValueTypes) {
+    const TypeInfo& type = type_info(row.type);
     library.add_type(type);
-    for (const std::string_view alias : aliases) library.add_type(type, alias);
-  };
-  add(type_info<bool>(), {"boolean"});
-  add(type_info<int>(), {});
-  add(type_info<double>(), {"float"});
-  add(type_info<geom::Vector>(), {});
-  add(type_info<geom::Point>(), {});
-  add(type_info<geom::Pose>(), {"robot_position"});
-  add(type_info<Obstacles>(), {"obs_array"});
-  add(type_info<Robots>(), {});
-  add(type_info<Objects>(), {"ObjectList"});
-  add(type_info<Ranges>(), {});
-  add(type_info<ObjectReading>(), {"ObjectReading"});
-  add(type_info<ObjectClasses>(), {"OneObjectClass"});
-  add(type_info<Formation>(), {"gt_Formation"});
-  add(type_info<FormationReference>(), {});
-  add(type_info<Task>(), {});
-  add(type_info<Text>(), {"CNLString_t"});
+    if (!row.historic.empty()) library.add_type(type, row.historic);
+  }
 }
 
 }  // namespace mlab::flow

@@ -5,9 +5,12 @@
 #include <cstdint>
 #include <cstring>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 
 #include "mlab/flow/lists.h"
 #include "mlab/flow/type_info.h"
+#include "mlab/flow/value_types.h"
 #include "mlab/geom/pose.h"
 #include "mlab/geom/vector.h"
 #include "mlab/percept/formation.h"
@@ -40,69 +43,26 @@ struct Text {
   }
 };
 
-template <>
-struct PortTraits<bool> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<int> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<double> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<geom::Vector> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<geom::Point> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<geom::Pose> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<Obstacles> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<Robots> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<Objects> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<Ranges> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<percept::ObjectReading> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<ObjectClasses> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<percept::Formation> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<percept::FormationReference> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<percept::Task> {
-  static const TypeInfo& info();
-};
-template <>
-struct PortTraits<Text> {
-  static const TypeInfo& info();
+/// How values of the types of `kValueTypes` are kept, by the numbers of ValueType.
+using ValueTypes = std::tuple<bool, int, double, geom::Vector, geom::Point, geom::Pose, Obstacles, Robots,
+                              Objects, percept::ObjectReading, Ranges, ObjectClasses, percept::Formation,
+                              percept::FormationReference, percept::Task, Text>;
+static_assert(std::tuple_size_v<ValueTypes> == kValueTypes.size());
+
+const TypeInfo& type_info(ValueType type);
+
+/// The number of a type among `ValueTypes`; their count where it is none of them.
+template <class T>
+inline constexpr std::size_t kValueTypeNumber = []<class... Types>(std::tuple<Types...>*) {
+  std::size_t number = 0;
+  static_cast<void>(((std::is_same_v<T, Types> ? false : (++number, true)) && ...));
+  return number;
+}(static_cast<ValueTypes*>(nullptr));
+
+template <class T>
+  requires(kValueTypeNumber<T> < kValueTypes.size())
+struct PortTraits<T> {
+  static const TypeInfo& info() { return type_info(static_cast<ValueType>(kValueTypeNumber<T>)); }
 };
 
 /// Adds all of the above to a library, with their historic names.

@@ -283,20 +283,7 @@ void Program::add_needs(const Block& block, const std::byte* frame, bool starts_
   for (std::uint32_t n = block.first_need; n < block.first_need + block.need_count; ++n) {
     const NeedCode& need = needs_[n];
     const double range = need.range_offset == kNone ? need.range : at<double>(frame, need.range_offset);
-    switch (need.device) {
-      case Need::Device::kObstacles:
-        needs.obstacles = std::max(needs.obstacles, range);
-        break;
-      case Need::Device::kRobots:
-        needs.robots = std::max(needs.robots, range);
-        break;
-      case Need::Device::kObjects:
-        needs.objects = std::max(needs.objects, range);
-        break;
-      case Need::Device::kRanges:
-        needs.ranges = true;
-        break;
-    }
+    needs.want(need.sensor, range);
   }
   if (needs_are_fixed_) return;
   const auto last = static_cast<std::uint32_t>(cycle(frame));
@@ -404,9 +391,14 @@ std::optional<double> Program::number(const std::byte* frame, const Port& port) 
     case TypeKind::kChoice:
     case TypeKind::kMask:
       return static_cast<double>(integer_at(frame, port.offset, port.type->size));
-    default:
+    case TypeKind::kPoint:
+    case TypeKind::kPose:
+    case TypeKind::kText:
+    case TypeKind::kList:
+    case TypeKind::kOther:
       return std::nullopt;
   }
+  return std::nullopt;
 }
 
 std::vector<Contribution> Program::contributions(const std::byte* frame) const {

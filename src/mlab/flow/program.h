@@ -127,7 +127,7 @@ class Program {
     std::uint32_t output_size = 0;
   };
   struct NeedCode {
-    Need::Device device = Need::Device::kObstacles;
+    percept::Sensor sensor = percept::Sensor::kObstacles;
     std::uint32_t range_offset = kNone;  ///< of a double
     double range = 0.0;
   };

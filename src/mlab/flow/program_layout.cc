@@ -295,7 +295,8 @@ std::uint32_t ProgramBuilder::emit_async(const Op& op, std::uint32_t words) {
 void ProgramBuilder::emit_needs(const Op& op) {
   if (op.behavior == nullptr) return;
   for (const Need& need : op.behavior->needs) {
-    Program::NeedCode code{need.device, kNone, need.range};
+    const bool has_own_reach = percept::info(need.sensor).has_own_reach;
+    Program::NeedCode code{need.sensor, kNone, has_own_reach ? percept::kOwnReach : need.range};
     if (need.range_input >= 0)
       code.range_offset = offset_of(op.inputs[static_cast<std::size_t>(need.range_input)].front());
     program_->needs_.push_back(code);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -37,6 +38,8 @@ struct TypeInfo {
   std::string (*print)(const void* value) = nullptr;
   /// False where some number in it is NaN or infinite. Null: has no such number.
   bool (*is_finite)(const void* value) = nullptr;
+  /// Of a truth or a choice: what its values are called, by their numbers; of a mask, by its bits.
+  std::span<const std::string_view> words = {};
 };
 
 /// Specialise for a type to let it flow: `static const TypeInfo& info();`

@@ -8,6 +8,7 @@
 #include "mlab/base/counted.h"
 #include "mlab/recording/action_difference.h"
 #include "mlab/robot/wire/action_wire.h"
+#include "mlab/robot/wire/percepts_wire.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::recording {
@@ -34,19 +35,14 @@ std::vector<base::RobotId> robots_of(const google::protobuf::RepeatedField<std::
 }
 
 // What is wanted, and was not asked for when percepts were recorded.
-std::string lack_of(const percept::Needs& wanted, const wire::Needs& recorded) {
-  struct Device {
-    const char* name;
-    double wanted, recorded;
-  };
-  for (const Device& device : {Device{"obstacles", wanted.obstacles, recorded.obstacles()},
-                               Device{"robots", wanted.robots, recorded.robots()},
-                               Device{"objects", wanted.objects, recorded.objects()}}) {
-    if (device.wanted > device.recorded)
-      return fmt::format("wants to see {} {} m far; recorded are {} m", device.name, device.wanted,
-                         device.recorded);
+std::string lack_of(const percept::Needs& wanted, const percept::Needs& recorded) {
+  for (const percept::SensorInfo& sensor : percept::kSensors) {
+    if (wanted[sensor.sensor] <= recorded[sensor.sensor]) continue;
+    if (sensor.has_own_reach) return fmt::format("wants {}, which were not recorded", sensor.label);
+    return fmt::format("wants to see {} {} m far; recorded are {} m", sensor.label, wanted[sensor.sensor],
+                       recorded[sensor.sensor]);
   }
-  return wanted.ranges && !recorded.ranges() ? "wants range sensors, which were not recorded" : "";
+  return "";
 }
 
 }  // namespace
@@ -135,7 +131,7 @@ void RecordedBinding::percepts(std::span<const binding::Sensing> robots, int /*w
     Body& body = bodies_[sensing.body.value];
     body.has_acted = true;
     if (body.recorded == nullptr) continue;
-    body.lack = lack_of(*sensing.needs, body.recorded->needs());
+    body.lack = lack_of(*sensing.needs, robot_wire::needs_of(body.recorded->needs()));
     // What can't be decoded was refused when the file was opened.
     if (!body.percepts.decode(body.recorded->percepts())) *sensing.out = body.percepts.percepts();
   }

@@ -73,11 +73,7 @@ void RecordingBinding::percepts(std::span<const binding::Sensing> robots, int wo
     Body& body = bodies_[sensing.body.value];
     body.has_acted = true;
     body.told.set_robot(body.robot.value);
-    wire::Needs& needs = *body.told.mutable_needs();
-    needs.set_obstacles(sensing.needs->obstacles);
-    needs.set_robots(sensing.needs->robots);
-    needs.set_objects(sensing.needs->objects);
-    needs.set_ranges(sensing.needs->ranges);
+    robot_wire::encode(*sensing.needs, *body.told.mutable_needs());
     robot_wire::encode(*sensing.out, *body.told.mutable_percepts());
   }
 }

@@ -113,7 +113,7 @@ class Bench {
   };
 
   void run_piece(Worker& worker, std::size_t first, std::size_t last, bool counts_hits) {
-    const SenseNeeds needs{.ranges = true};
+    const percept::Needs needs{{percept::Sensor::kRanges}};
     const auto begin = Clock::now();
     for (std::size_t i = first; i < last; ++i) {
       simulator_.sense({static_cast<std::uint32_t>(i)}, needs, worker.buffers[i - first],

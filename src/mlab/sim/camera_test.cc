@@ -82,7 +82,7 @@ struct Watcher {
     action.pan = pan;
     simulator.step({&action, 1}, 0.1);
     percept::Percepts out;
-    simulator.sense(body, {.object_range = 100}, buffer, out);
+    simulator.sense(body, {{percept::Sensor::kObjects, 100}}, buffer, out);
     return out;
   }
 };

@@ -7,16 +7,6 @@
 
 namespace mlab::sim {
 
-/// What is to be sensed for one robot in one cycle; the rest costs nothing and stays empty.
-struct SenseNeeds {
-  double obstacle_range =
-      0.0;  ///< discs whose centre is within this + radius, wall hits within this [m]; 0: none
-  double robot_range = 0.0;      ///< [m]; 0: none
-  double object_range = 0.0;     ///< [m]; 0: none
-  std::uint32_t max_robots = 0;  ///< only the nearest so many; 0: all
-  bool ranges = false;           ///< the ring of range sensors, with its own range
-};
-
 /// The objects list has robots and obstacles in it too, as things seen by their colour; these ids tell them
 /// apart from objects that can be carried: the base plus the robot's id, or plus the place of the disc in the
 /// world.

@@ -87,6 +87,31 @@ Sensors::Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer)
       ahead_(scene.bodies.ahead[body]),
       buffer_(buffer) {}
 
+void Sensors::forget(percept::Percepts& out) {
+  out.obstacles = {};
+  out.robots = {};
+  out.objects = {};
+  out.ranges = {};
+  out.range_limit = 0.0;
+}
+
+void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out) {
+  switch (sensor) {
+    case percept::Sensor::kObstacles:
+      sense_obstacles(reach, out);
+      break;
+    case percept::Sensor::kRobots:
+      sense_robots(reach, out);
+      break;
+    case percept::Sensor::kObjects:
+      sense_objects(reach, out);
+      break;
+    case percept::Sensor::kRanges:
+      sense_ranges(out);
+      break;
+  }
+}
+
 Vector Sensors::to_robot(Point point) const {
   const geom::Offset o = point - here_;
   return {ahead_.x * o.x + ahead_.y * o.y, ahead_.x * o.y - ahead_.y * o.x, 0.0};
@@ -188,17 +213,10 @@ void Sensors::collect_robots(double range) {
   });
 }
 
-void Sensors::sense_robots(double range, std::uint32_t most, percept::Percepts& out) {
+void Sensors::sense_robots(double range, percept::Percepts& out) {
   const Bodies& bodies = scene_.bodies;
-  // Where only the nearest are wanted, look near first.
-  double reach = most > 0 ? std::min(range, scene_.grid.cell()) : range;
-  collect_robots(reach);
-  while (reach < range && buffer_.seen_.size() < most) {
-    reach = std::min(range, 2.0 * reach);
-    collect_robots(reach);
-  }
+  collect_robots(range);
   sort_seen();
-  if (most > 0 && buffer_.seen_.size() > most) buffer_.seen_.resize(most);
   buffer_.robots_.clear();
   for (const auto& seen : buffer_.seen_) {
     buffer_.robots_.push_back(
@@ -260,6 +278,7 @@ void Sensors::sense_ranges(percept::Percepts& out) {
   const Kind& kind = scene_.kinds[bodies.kind[body_]];
   const RangeRing& ring = kind.spec.ring;
   const RingBeams& beams = kind.beams;
+  if (beams.count() == 0) return;
   const double reach = beams.reach();
   out.range_limit = ring.range;
   buffer_.beams_.assign(beams.count(), reach);

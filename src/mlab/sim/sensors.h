@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mlab/percept/percepts.h"
+#include "mlab/percept/sensors.h"
 #include "mlab/sim/bodies.h"
 #include "mlab/sim/objects.h"
 #include "mlab/sim/range_ring.h"
@@ -32,12 +33,16 @@ class Sensors {
   };
   Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer);
 
-  void sense_obstacles(double range, percept::Percepts& out);
-  void sense_robots(double range, std::uint32_t most, percept::Percepts& out);
-  void sense_objects(double range, percept::Percepts& out);
-  void sense_ranges(percept::Percepts& out);
+  /// Empties all that only sensors tell.
+  static void forget(percept::Percepts& out);
+  /// @param reach  [m]; means nothing where the sensor has its own
+  void sense(percept::Sensor sensor, double reach, percept::Percepts& out);
 
  private:
+  void sense_obstacles(double range, percept::Percepts& out);
+  void sense_robots(double range, percept::Percepts& out);
+  void sense_objects(double range, percept::Percepts& out);
+  void sense_ranges(percept::Percepts& out);
   geom::Vector to_robot(geom::Point point) const;
   void see_by_ring(double range, percept::Percepts& out);
   void collect_walls(double reach);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@ namespace {
 
 using geom::Point;
 using percept::Percepts;
+using percept::Sensor;
 
 BodyIndex add(Simulator& simulator, geom::Pose pose, const BodySpec& spec = {}, std::uint32_t unit = 0) {
   const auto robot = static_cast<std::uint32_t>(simulator.body_count() + 1);
@@ -33,7 +35,7 @@ BodySpec with_ring(std::uint16_t count, double range, double beam_width = 0.0) {
 
 /// What one body senses, with the memory that holds it.
 struct Sensed {
-  Sensed(const Simulator& simulator, BodyIndex body, const SenseNeeds& needs) {
+  Sensed(const Simulator& simulator, BodyIndex body, const percept::Needs& needs) {
     simulator.sense(body, needs, buffer, percepts);
   }
   SenseBuffer buffer;
@@ -45,7 +47,7 @@ TEST(Obstacles, AreSensedWhereTheirEdgeIsInRange) {
   world.discs = {{{10, 0}, 2.0}, {{0, 13.1}, 3.0}, {{-12.9, 0}, 3.0}};
   Simulator simulator(world);
   const BodyIndex body = add(simulator, {{0, 0}, std::numbers::pi / 2});
-  const Sensed sensed(simulator, body, {.obstacle_range = 10.0});
+  const Sensed sensed(simulator, body, {{Sensor::kObstacles, 10.0}});
   ASSERT_EQ(sensed.percepts.obstacles.size(), 2U);
   EXPECT_NEAR(sensed.percepts.obstacles[0].center.x, 0.0, 1e-12);  // nearest edge first
   EXPECT_NEAR(sensed.percepts.obstacles[0].center.y, -10.0, 1e-12);
@@ -58,7 +60,7 @@ TEST(Obstacles, WallsAreSensedAsSmallDiscsWhereSixteenRaysHitThem) {
   world.walls.push_back({{{5, -100}, {5, 100}}, 0});
   Simulator simulator(world);
   const BodyIndex body = add(simulator, {{0, 0}, 0.0});
-  const Sensed sensed(simulator, body, {.obstacle_range = 6.0});
+  const Sensed sensed(simulator, body, {{Sensor::kObstacles, 6.0}});
   // Rays at 0 and +-22.5 degrees: 5 / cos(22.5) = 5.41; at 45 degrees it is 7.07.
   ASSERT_EQ(sensed.percepts.obstacles.size(), 3U);
   EXPECT_NEAR(sensed.percepts.obstacles[0].center.x, 5.0, 1e-12);
@@ -79,8 +81,8 @@ World with_avoided_square() {
 TEST(Obstacles, AnAvoidedAreaIsSensedAtItsNearestPointWhereThatIsInRange) {
   Simulator simulator(with_avoided_square());
   const BodyIndex body = add(simulator, {{4, 2}, 0.0});
-  EXPECT_TRUE(Sensed(simulator, body, {.obstacle_range = 5.9}).percepts.obstacles.empty());
-  const Sensed sensed(simulator, body, {.obstacle_range = 6.1});
+  EXPECT_TRUE(Sensed(simulator, body, {{Sensor::kObstacles, 5.9}}).percepts.obstacles.empty());
+  const Sensed sensed(simulator, body, {{Sensor::kObstacles, 6.1}});
   ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
   EXPECT_NEAR(sensed.percepts.obstacles[0].center.x, 6.0, 1e-12);
   EXPECT_NEAR(sensed.percepts.obstacles[0].center.y, 0.0, 1e-12);
@@ -90,7 +92,7 @@ TEST(Obstacles, AnAvoidedAreaIsSensedAtItsNearestPointWhereThatIsInRange) {
 TEST(Obstacles, AnAvoidedAreaPushesWhoIsInsideToTheNearestWayOut) {
   Simulator simulator(with_avoided_square());
   const BodyIndex body = add(simulator, {{15, 3}, 0.0});
-  const Sensed sensed(simulator, body, {.obstacle_range = 10.0});
+  const Sensed sensed(simulator, body, {{Sensor::kObstacles, 10.0}});
   ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
   const auto& [center, radius] = sensed.percepts.obstacles[0];
   EXPECT_NEAR(center.x, 0.0, 1e-12);
@@ -102,7 +104,7 @@ TEST(Obstacles, AnAvoidedAreaHidesAndStopsNothing) {
   Simulator simulator(with_avoided_square());
   const BodyIndex body = add(simulator, {{5, 0}, 0.0}, with_ring(8, 20.0));
   add(simulator, {{15, 0}, 0.0});
-  const Sensed sensed(simulator, body, {.robot_range = 20.0, .ranges = true});
+  const Sensed sensed(simulator, body, {{Sensor::kRobots, 20.0}, {Sensor::kRanges}});
   ASSERT_EQ(sensed.percepts.robots.size(), 1U) << "one stands inside";
   EXPECT_NEAR(static_cast<double>(sensed.percepts.ranges[0].distance), 9.6, 1e-6) << "between the two bodies";
 }
@@ -111,7 +113,7 @@ TEST(Obstacles, OnlyTheNearestWallOnARayIsSensed) {
   World world;
   for (int i = 0; i < 20; ++i) world.walls.push_back({{{5.0 + i, -0.5}, {5.0 + i, 0.5}}, 0});
   Simulator simulator(world);
-  const Sensed sensed(simulator, add(simulator, {{0, 0}, 0.0}), {.obstacle_range = 50.0});
+  const Sensed sensed(simulator, add(simulator, {{0, 0}, 0.0}), {{Sensor::kObstacles, 50.0}});
   ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
   EXPECT_NEAR(sensed.percepts.obstacles[0].center.x, 5.0, 1e-12);
 }
@@ -125,7 +127,7 @@ TEST(Robots, AreSensedNearestFirstButNotThroughWalls) {
   add(simulator, {{0, 4}, 0.0});
   add(simulator, {{-10, 0}, 0.0});
   add(simulator, {{30, 0}, 0.0});
-  const Sensed sensed(simulator, self, {.robot_range = 20.0});
+  const Sensed sensed(simulator, self, {{Sensor::kRobots, 20.0}});
   ASSERT_EQ(sensed.percepts.robots.size(), 2U);
   EXPECT_EQ(sensed.percepts.robots[0].id.value, 3U);
   EXPECT_FALSE(sensed.percepts.robots[0].is_unit_mate);
@@ -142,36 +144,19 @@ TEST(Robots, HaveTheClassOfTheirColour) {
       .spec = {}, .pose = {{5, 0}, 0.0}, .robot = {2}, .seen_as = percept::ObjectClass::kEnemyRobot};
   ASSERT_TRUE(simulator.add_body(enemy));
   add(simulator, {{9, 0}, 0.0});
-  const Sensed sensed(simulator, body, {.robot_range = 20.0});
+  const Sensed sensed(simulator, body, {{Sensor::kRobots, 20.0}});
   ASSERT_EQ(sensed.percepts.robots.size(), 2U);
   EXPECT_EQ(sensed.percepts.robots[0].object_class, percept::ObjectClass::kEnemyRobot);
   EXPECT_EQ(sensed.percepts.robots[1].object_class, percept::ObjectClass::kFriendlyRobot);
-}
-
-TEST(Robots, OnlyTheNearestAreSensedWhereTheirNumberIsLimited) {
-  Simulator simulator({});
-  base::Random random(1);
-  const BodyIndex self = add(simulator, {{0, 0}, 0.0});
-  for (int i = 0; i < 300; ++i) {
-    simulator.add_body({.spec = {},
-                        .pose = {{random.uniform(-60, 60), random.uniform(-60, 60)}, 0.0},
-                        .robot = {static_cast<std::uint32_t>(i + 2)},
-                        .unit = 0});
-  }
-  const Sensed all(simulator, self, {.robot_range = 500.0});
-  const Sensed ten(simulator, self, {.robot_range = 500.0, .max_robots = 10});
-  ASSERT_EQ(all.percepts.robots.size(), 300U);
-  ASSERT_EQ(ten.percepts.robots.size(), 10U);
-  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(ten.percepts.robots[i].id, all.percepts.robots[i].id);
 }
 
 TEST(Robots, ThatWereRemovedAreNotSensed) {
   Simulator simulator({});
   const BodyIndex self = add(simulator, {{0, 0}, 0.0});
   const BodyIndex other = add(simulator, {{2, 0}, 0.0});
-  EXPECT_EQ(Sensed(simulator, self, {.robot_range = 5}).percepts.robots.size(), 1U);
+  EXPECT_EQ(Sensed(simulator, self, {{Sensor::kRobots, 5}}).percepts.robots.size(), 1U);
   simulator.remove_body(other);
-  EXPECT_EQ(Sensed(simulator, self, {.robot_range = 5}).percepts.robots.size(), 0U);
+  EXPECT_EQ(Sensed(simulator, self, {{Sensor::kRobots, 5}}).percepts.robots.size(), 0U);
 }
 
 TEST(Objects, AreSensedWithRobotsAndObstaclesButNotThroughWalls) {
@@ -197,7 +182,7 @@ TEST(Objects, AreSensedWithRobotsAndObstaclesButNotThroughWalls) {
   Simulator simulator(world);
   const BodyIndex self = add(simulator, {{0, 0}, 0.0});
   add(simulator, {{0, -6}, 0.0});
-  const Sensed sensed(simulator, self, {.object_range = 20.0});
+  const Sensed sensed(simulator, self, {{Sensor::kObjects, 20.0}});
   ASSERT_EQ(sensed.percepts.objects.size(), 3U);
   EXPECT_EQ(sensed.percepts.objects[0].id.value, 1U);
   EXPECT_EQ(sensed.percepts.objects[0].style, ObjectStyle::kMovable);
@@ -214,7 +199,7 @@ TEST(Ring, MeasuresFromTheSurfaceOfTheBody) {
   Simulator simulator(world);
   const BodyIndex body = add(simulator, {{0, 0}, 0.0}, with_ring(4, 5.0));
   add(simulator, {{-2, 0}, 0.0});
-  const Sensed sensed(simulator, body, {.ranges = true});
+  const Sensed sensed(simulator, body, {{Sensor::kRanges}});
   const auto ranges = sensed.percepts.ranges;
   ASSERT_EQ(ranges.size(), 4U);
   EXPECT_EQ(sensed.percepts.range_limit, 5.0);
@@ -233,7 +218,7 @@ TEST(Ring, IsEmptyWhereTheBodyHasNone) {
   Simulator simulator(world);
   const BodyIndex body = add(simulator, {{0, 0}, 0.0});
   add(simulator, {{-2, 0}, 0.0});
-  const Sensed sensed(simulator, body, {.ranges = true});
+  const Sensed sensed(simulator, body, {{Sensor::kRanges}});
   EXPECT_TRUE(sensed.percepts.ranges.empty());
 }
 
@@ -242,10 +227,10 @@ TEST(Ring, AConeSeesWhatARayMisses) {
   world.discs.push_back({{3, 1.5}, 1.0});
   Simulator simulator(world);
   const BodyIndex ray = add(simulator, {{0, 0}, 0.0}, with_ring(1, 5.0));
-  EXPECT_FALSE(Sensed(simulator, ray, {.ranges = true}).percepts.ranges[0].hit);
+  EXPECT_FALSE(Sensed(simulator, ray, {{Sensor::kRanges}}).percepts.ranges[0].hit);
   Simulator other(world);
   const BodyIndex cone = add(other, {{0, 0}, 0.0}, with_ring(1, 5.0, base::radians(60.0)));
-  const Sensed seen(other, cone, {.ranges = true});
+  const Sensed seen(other, cone, {{Sensor::kRanges}});
   EXPECT_FLOAT_EQ(seen.percepts.ranges[0].distance, static_cast<float>(std::hypot(3, 1.5) - 1.0 - 0.2));
 }
 
@@ -263,8 +248,8 @@ TEST(Ring, NoiseAndDropoutHaveTheirMeasureAndRepeat) {
   double squares = 0.0;
   constexpr int kCycles = 4000;
   for (int i = 0; i < kCycles; ++i) {
-    const Sensed first(simulator, body, {.ranges = true});
-    const Sensed again(simulator, body, {.ranges = true});
+    const Sensed first(simulator, body, {{Sensor::kRanges}});
+    const Sensed again(simulator, body, {{Sensor::kRanges}});
     ASSERT_EQ(first.percepts.ranges[0].distance, again.percepts.ranges[0].distance);
     if (first.percepts.ranges[0].hit) {
       ++hits;
@@ -328,7 +313,7 @@ TEST(Ring, AgreesWithRayCastingInRandomWorlds) {
       simulator.add_body({.spec = spec, .pose = {place(), random.angle()}, .robot = {i + 1}, .unit = 0});
     }
     for (std::uint32_t i = 0; i < 20; ++i) {
-      const Sensed sensed(simulator, {i}, {.ranges = true});
+      const Sensed sensed(simulator, {i}, {{Sensor::kRanges}});
       for (int beam = 0; beam < spec.ring.count; ++beam) {
         const double angle = simulator.pose({i}).heading + spec.ring.first_angle + spacing * beam;
         const double expected = ray_cast(simulator, {i}, angle, spec.ring.range + spec.radius) - spec.radius;
@@ -351,7 +336,7 @@ TEST(Ring, AScannerLooksOnlyOverItsArc) {
   const BodyIndex self = simulator.add_body({.spec = spec, .pose = {}, .robot = {1}, .unit = 0})->body;
   add(simulator, {{-2, 0}, 0.0});
   add(simulator, {{0, 3}, 0.0});
-  const Sensed sensed(simulator, self, {.ranges = true});
+  const Sensed sensed(simulator, self, {{Sensor::kRanges}});
   ASSERT_EQ(sensed.percepts.ranges.size(), 3U);
   EXPECT_FALSE(sensed.percepts.ranges[0].hit) << "right";
   EXPECT_FALSE(sensed.percepts.ranges[1].hit) << "ahead; what is behind is not seen";
@@ -365,12 +350,12 @@ TEST(Obstacles, AreWhatTheRingHitsWhereTheBodySeesByIt) {
   BodySpec spec = with_ring(4, 5.0);
   spec.has_ring_obstacles = true;
   const BodyIndex self = simulator.add_body({.spec = spec, .pose = {}, .robot = {1}, .unit = 0})->body;
-  const Sensed sensed(simulator, self, {.obstacle_range = 5.0});
+  const Sensed sensed(simulator, self, {{Sensor::kObstacles, 5.0}});
   ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
   EXPECT_NEAR(sensed.percepts.obstacles[0].center.x, 2.0, 1e-6);
   EXPECT_EQ(sensed.percepts.obstacles[0].radius, 0.0);
   EXPECT_TRUE(sensed.percepts.ranges.empty()) << "not asked for";
-  EXPECT_TRUE(Sensed(simulator, self, {.obstacle_range = 1.5}).percepts.obstacles.empty());
+  EXPECT_TRUE(Sensed(simulator, self, {{Sensor::kObstacles, 1.5}}).percepts.obstacles.empty());
 }
 
 TEST(Ring, AConeTellsTheNearestOfAllRaysInIt) {
@@ -383,7 +368,7 @@ TEST(Ring, AConeTellsTheNearestOfAllRaysInIt) {
     Simulator simulator(world);
     const BodySpec spec = with_ring(8, 5.0, random.uniform(0.02, 3.0));
     simulator.add_body({.spec = spec, .pose = {place(), random.angle()}, .robot = {1}, .unit = 0});
-    const Sensed sensed(simulator, {0}, {.ranges = true});
+    const Sensed sensed(simulator, {0}, {{Sensor::kRanges}});
     for (int beam = 0; beam < 8; ++beam) {
       const double axis = simulator.pose({0}).heading + std::numbers::pi / 4 * beam;
       double nearest = HUGE_VAL;
@@ -425,7 +410,7 @@ TEST(Obstacles, AndRobotsAgreeWithLookingAtEverythingInRandomWorlds) {
             world.walls, [&](const Wall& w) { return intersects(w.segment, geom::Segment{here, there}); });
         robots += j != i && distance(here, there) <= range && !is_hidden ? 1 : 0;
       }
-      const Sensed sensed(simulator, {i}, {.obstacle_range = range, .robot_range = range});
+      const Sensed sensed(simulator, {i}, {{Sensor::kObstacles, range}, {Sensor::kRobots, range}});
       const auto sensed_discs = std::ranges::count_if(
           sensed.percepts.obstacles, [](const percept::Obstacle& o) { return o.radius != 0.1; });
       ASSERT_EQ(sensed_discs, discs) << "seed " << seed;
@@ -441,9 +426,9 @@ TEST(Sensing, RangesThatAreNoNumbersSenseNothing) {
   Simulator simulator({});
   const BodyIndex self = add(simulator, {{0, 0}, 0.0});
   add(simulator, {{1, 0}, 0.0});
-  EXPECT_TRUE(Sensed(simulator, self, {.robot_range = NAN}).percepts.robots.empty());
-  EXPECT_TRUE(Sensed(simulator, self, {.robot_range = -3}).percepts.robots.empty());
-  EXPECT_EQ(Sensed(simulator, self, {.robot_range = INFINITY}).percepts.robots.size(), 1U);
+  EXPECT_TRUE(Sensed(simulator, self, {{Sensor::kRobots, NAN}}).percepts.robots.empty());
+  EXPECT_TRUE(Sensed(simulator, self, {{Sensor::kRobots, -3}}).percepts.robots.empty());
+  EXPECT_EQ(Sensed(simulator, self, {{Sensor::kRobots, INFINITY}}).percepts.robots.size(), 1U);
 }
 
 }  // namespace

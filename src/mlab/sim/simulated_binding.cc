@@ -8,10 +8,6 @@
 namespace mlab::sim {
 namespace {
 
-SenseNeeds senses_for(const percept::Needs& needs) {
-  return {needs.obstacles, needs.robots, needs.objects, 0, needs.ranges};
-}
-
 bool is_before(const Disc& a, const Disc& b) {
   return std::tuple(a.center.x, a.center.y, a.radius) < std::tuple(b.center.x, b.center.y, b.radius);
 }
@@ -42,7 +38,7 @@ std::expected<Placement, std::string> SimulatedBinding::embody(const BodySetup& 
 void SimulatedBinding::percepts(std::span<const binding::Sensing> robots, int worker) {
   auto& buffers = buffers_[static_cast<std::size_t>(worker)];
   for (std::size_t i = 0; i < robots.size(); ++i)
-    simulator_.sense(robots[i].body, senses_for(*robots[i].needs), buffers[i], *robots[i].out);
+    simulator_.sense(robots[i].body, *robots[i].needs, buffers[i], *robots[i].out);
 }
 
 void SimulatedBinding::carry_out(std::span<const percept::Action> actions, double dt) {
@@ -120,14 +116,14 @@ binding::BodyState SimulatedBinding::body(BodyIndex body) const {
 
 percept::Percepts SimulatedBinding::sense(BodyIndex body, const percept::Needs& needs) const {
   percept::Percepts out;
-  simulator_.sense(body, senses_for(needs), view_buffer_, out);
+  simulator_.sense(body, needs, view_buffer_, out);
   return out;
 }
 
 percept::Percepts SimulatedBinding::sense_at(BodyIndex body, const geom::Pose& pose,
                                              const percept::Needs& needs) const {
   percept::Percepts out;
-  simulator_.sense_at(body, pose, senses_for(needs), view_buffer_, out);
+  simulator_.sense_at(body, pose, needs, view_buffer_, out);
   return out;
 }
 

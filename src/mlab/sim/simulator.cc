@@ -339,7 +339,7 @@ void Simulator::set_unit(BodyIndex body, std::uint32_t unit) {
   parts_->state.bodies.unit[body.value] = unit;
 }
 
-void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buffer,
+void Simulator::sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& buffer,
                       percept::Percepts& out) const {
   parts_->refresh();
   const State& state = parts_->state;
@@ -348,11 +348,7 @@ void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buff
   out.pose = parts_->counts_wheels(i) ? bodies.counted[i] : pose(body);
   out.map = state.site.map();
   out.time = state.time;
-  out.obstacles = {};
-  out.robots = {};
-  out.objects = {};
-  out.ranges = {};
-  out.range_limit = 0.0;
+  Sensors::forget(out);
   out.camera = {bodies.pan[i], spec(body).camera.field_of_view};
   const std::uint32_t carried = bodies.carried[i];
   out.carried = carried == 0 ? base::ObjectId{} : state.objects.list()[carried - 1].id;
@@ -361,18 +357,19 @@ void Simulator::sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buff
   const Sensors::Scene scene{bodies,        parts_->grid,          *state.statics, state.objects,
                              parts_->kinds, parts_->settings.seed, state.cycle};
   Sensors sensors(scene, i, buffer);
-  const bool uses_ring = needs.ranges || (needs.obstacle_range > 0.0 && spec(body).has_ring_obstacles);
+  using percept::Sensor;
+  const bool uses_ring =
+      needs.has(Sensor::kRanges) || (needs.has(Sensor::kObstacles) && spec(body).has_ring_obstacles);
   const double ring = uses_ring ? spec(body).ring.range : 0.0;
   parts_->note_reach(
-      static_cast<float>(usable_range(std::max({needs.robot_range, needs.object_range, ring}))));
-  if (needs.obstacle_range > 0.0) sensors.sense_obstacles(usable_range(needs.obstacle_range), out);
-  if (needs.robot_range > 0.0) sensors.sense_robots(usable_range(needs.robot_range), needs.max_robots, out);
-  if (needs.object_range > 0.0) sensors.sense_objects(usable_range(needs.object_range), out);
-  if (needs.ranges && spec(body).ring.count > 0) sensors.sense_ranges(out);
+      static_cast<float>(usable_range(std::max({needs[Sensor::kRobots], needs[Sensor::kObjects], ring}))));
+  for (const percept::SensorInfo& sensor : percept::kSensors) {
+    if (needs.has(sensor.sensor)) sensors.sense(sensor.sensor, usable_range(needs[sensor.sensor]), out);
+  }
 }
 
-void Simulator::sense_at(BodyIndex body, const geom::Pose& pose, const SenseNeeds& needs, SenseBuffer& buffer,
-                         percept::Percepts& out) const {
+void Simulator::sense_at(BodyIndex body, const geom::Pose& pose, const percept::Needs& needs,
+                         SenseBuffer& buffer, percept::Percepts& out) const {
   parts_->refresh();
   Bodies& bodies = parts_->state.bodies;
   const std::uint32_t i = body.value;

@@ -76,11 +76,11 @@ class Simulator {
   /// ranges, map, range_limit, carried, carried_class. All others are left alone. Lists live in `buffer`.
   /// Threads may sense at the same time, each with buffers of its own. Sensing twice gives the same, noise
   /// included.
-  void sense(BodyIndex body, const SenseNeeds& needs, SenseBuffer& buffer, percept::Percepts& out) const;
+  void sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& buffer, percept::Percepts& out) const;
 
   /// What `sense` would give if the body stood elsewhere and knew its place exactly. Nothing has changed
   /// afterwards; meanwhile no other thread may use the simulator.
-  void sense_at(BodyIndex body, const geom::Pose& pose, const SenseNeeds& needs, SenseBuffer& buffer,
+  void sense_at(BodyIndex body, const geom::Pose& pose, const percept::Needs& needs, SenseBuffer& buffer,
                 percept::Percepts& out) const;
 
   /// One cycle: all bodies move by their actions, as their kinematics and whatever is in the way allow; then

@@ -81,7 +81,11 @@ struct Crowd {
       for (std::size_t i = begin; i < end; ++i) {
         percept::Percepts percepts;
         const BodyIndex body{static_cast<std::uint32_t>(i)};
-        simulator.sense(body, {.obstacle_range = 3, .robot_range = 3, .object_range = 2, .ranges = true},
+        simulator.sense(body,
+                        {{percept::Sensor::kObstacles, 3},
+                         {percept::Sensor::kRobots, 3},
+                         {percept::Sensor::kObjects, 2},
+                         {percept::Sensor::kRanges}},
                         buffers[static_cast<std::size_t>(worker)], percepts);
         actions[i] = decide(percepts);
       }
@@ -321,7 +325,10 @@ TEST(Simulator, ManyWallsCostNoMoreThanThoseNearby) {
   // milliseconds.
   const double seconds = base::processor_seconds([&] {
     for (std::uint32_t i = 0; i < 200; ++i) {
-      simulator.sense({i}, {.obstacle_range = 50, .robot_range = 500, .ranges = true}, buffer, percepts);
+      simulator.sense(
+          {i},
+          {{percept::Sensor::kObstacles, 50}, {percept::Sensor::kRobots, 500}, {percept::Sensor::kRanges}},
+          buffer, percepts);
     }
   });
   EXPECT_LT(seconds, 1.0 * base::kSlowness);
@@ -348,7 +355,7 @@ TEST(Objects, ArePickedUpWithinReachCarriedAndDropped) {
   EXPECT_EQ(simulator.carried(body).value, 1U);
   SenseBuffer buffer;
   percept::Percepts percepts;
-  simulator.sense(body, {.object_range = 10}, buffer, percepts);
+  simulator.sense(body, {{percept::Sensor::kObjects, 10}}, buffer, percepts);
   EXPECT_EQ(percepts.carried.value, 1U);
   ASSERT_EQ(percepts.objects.size(), 1U);
   EXPECT_EQ(percepts.objects[0].id.value, 2U);

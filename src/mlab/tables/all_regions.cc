@@ -3,7 +3,10 @@
 #include "mlab/tables/class_tables.h"
 #include "mlab/tables/measure_tables.h"
 #include "mlab/tables/regions.h"
+#include "mlab/tables/sensor_tables.h"
 #include "mlab/tables/task_tables.h"
+#include "mlab/tables/test_tables.h"
+#include "mlab/tables/type_tables.h"
 
 namespace mlab::tables {
 
@@ -35,6 +38,17 @@ std::span<const Region> all_regions() {
       Region{"mdl_dictionary", mdl_dictionary},
       Region{"object_class_enum", object_class_enum},
       Region{"object_class_documentation", object_class_documentation},
+      Region{"sensor_documentation", sensor_documentation},
+      Region{"sensor_words", sensor_words},
+      Region{"sensor_dictionary", sensor_dictionary},
+      Region{"test_percept_documentation", test_percept_documentation},
+      Region{"value_type_rows", value_type_rows},
+      Region{"value_type_documentation", value_type_documentation},
+      Region{"value_type_words", value_type_words},
+      Region{"historic_type_words", historic_type_words},
+      Region{"value_type_dictionary", value_type_dictionary},
+      Region{"quantity_documentation", quantity_documentation},
+      Region{"quantity_words", quantity_words},
   };
   return kAll;
 }

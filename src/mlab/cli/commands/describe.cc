@@ -40,8 +40,7 @@ std::string range_text(const flow::Input& input) {
 }
 
 std::string need_text(const Behavior& b, const flow::Need& need) {
-  constexpr const char* kDevices[] = {"obstacles", "robots", "objects", "range sensors"};
-  std::string out = kDevices[static_cast<std::size_t>(need.device)];
+  std::string out(percept::info(need.sensor).label);
   if (need.range_input >= 0)
     out += fmt::format(" within {}", b.inputs[static_cast<std::size_t>(need.range_input)].name);
   else if (need.range > 0.0)

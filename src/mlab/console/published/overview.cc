@@ -79,21 +79,9 @@ std::map<base::RobotId, std::size_t> smallest_units(const mission::Mission& miss
 
 // The words of a choice, in the order of their numbers.
 std::vector<std::string> words_of(const flow::TypeInfo& type) {
-  if (type.kind == flow::TypeKind::kBool) return {"false", "true"};
-  std::vector<std::string> words;
-  if (type.kind != flow::TypeKind::kChoice || type.parse == nullptr || type.print == nullptr) return words;
-  if (flow::same_type(type, flow::type_info<percept::Formation>())) {
-    for (int i = 0; i < percept::kFormationCount; ++i)
-      words.emplace_back(percept::name(static_cast<percept::Formation>(i)));
-    return words;
-  }
-  constexpr unsigned kMostChoices = 64;
-  for (unsigned i = 0; i < kMostChoices; ++i) {
-    alignas(16) std::array<std::byte, 64> value{};
-    if (type.size > value.size() || !type.parse(std::to_string(i), value.data())) break;
-    words.push_back(type.print(value.data()));
-  }
-  return words;
+  // Sets are typed, not chosen.
+  if (type.kind == flow::TypeKind::kMask) return {};
+  return {type.words.begin(), type.words.end()};
 }
 
 }  // namespace

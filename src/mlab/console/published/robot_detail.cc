@@ -97,8 +97,9 @@ void encode_ports(const FleetRobot& robot, const DetailWishes& wishes, RobotDeta
 
 void encode_readings(const run::MissionRun& run, const FleetRobot& robot, RobotDetail& out) {
   const percept::Needs needs = robot.workings().program->needs(robot.workings().frame);
-  const percept::Percepts percepts = run.world().sense(
-      robot.body, {.obstacles = needs.obstacles, .ranges = robot.capabilities.range_sensors > 0});
+  percept::Needs shown{{percept::Sensor::kObstacles, needs[percept::Sensor::kObstacles]}};
+  if (robot.capabilities.range_sensors > 0) shown.want(percept::Sensor::kRanges);
+  const percept::Percepts percepts = run.world().sense(robot.body, shown);
   for (const percept::RangeReading& beam : percepts.ranges)
     append(*out.mutable_ranges(), Beam{beam.angle, beam.distance, beam.hit ? 1.0F : 0.0F});
   for (const percept::Obstacle& obstacle : percepts.obstacles) {

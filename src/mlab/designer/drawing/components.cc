@@ -11,7 +11,6 @@
 #include "mlab/flow/frame.h"
 #include "mlab/lang/cdl/print/print.h"
 #include "mlab/lang/cdl/syntax/lexer.h"
-#include "mlab/lang/cdl/types/quantities.h"
 #include "mlab/lang/cdl/types/units.h"
 #include "mlab/percept/formation.h"
 
@@ -161,25 +160,10 @@ std::string why_not(const cdl::PortType& have, const cdl::PortType& want) {
 
 std::vector<std::string> choices_of(const cdl::PortType& type) {
   std::vector<std::string> out;
-  if (type.type == nullptr || type.type->print == nullptr) return out;
-  if (type.type->kind == TypeKind::kBool) return {"true", "false"};
-  alignas(flow::Frame::kAlignment) std::array<std::byte, 64> value{};
-  const auto add = [&](std::size_t bits) {
-    value.fill(std::byte{0});
-    for (std::size_t i = 0; i < type.type->size; ++i) value[i] = static_cast<std::byte>(bits >> (8 * i));
-    const std::string word = type.type->print(value.data());
-    const bool is_word = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0;
-    if (is_word) out.push_back(as_cdl(word, type.type));
-    return is_word;
-  };
-  constexpr std::size_t kMost = 64;
-  if (type.type->kind == TypeKind::kMask && type.type->size == 4) {
-    for (std::size_t i = 0; i < 32 && add(std::size_t{1} << i);) ++i;
-  } else if (type.type->kind == TypeKind::kChoice && type.type->size == 1) {
-    const std::size_t count =
-        type.type->name == "Formation" ? static_cast<std::size_t>(percept::kFormationCount) : kMost;
-    for (std::size_t i = 0; i < count && add(i);) ++i;
-  }
+  if (type.type == nullptr) return out;
+  for (const std::string_view word : type.type->words) out.push_back(as_cdl(std::string(word), type.type));
+  // Who chooses looks for what is there first.
+  if (type.type->kind == TypeKind::kBool) std::ranges::reverse(out);
   return out;
 }
 

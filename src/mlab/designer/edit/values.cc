@@ -7,10 +7,10 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/drawing/graph.h"
+#include "mlab/flow/value_types.h"
 #include "mlab/lang/cdl/syntax/lexer.h"
 #include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl/syntax/walk.h"
-#include "mlab/lang/cdl/types/quantities.h"
 
 namespace mlab::designer {
 
@@ -106,13 +106,11 @@ std::vector<cdl::Item> items_of(const std::string& words) {
 std::string type_words(const cdl::PortType& type) {
   const std::string name = type.name();
   if (name == "double" && type.unit == "deg") return "angle [deg]";
-  constexpr std::array<std::string_view, 9> kShown = {"number",  "length", "speed", "angle",       "duration",
-                                                      "turning", "flag",   "count", "object_class"};
-  for (const std::string_view one : kShown) {
-    const cdl::Quantity* quantity = cdl::quantity_named(one);
-    if (quantity->type == name && quantity->unit == type.unit) return std::string(one);
+  for (const flow::QuantityInfo& quantity : flow::kQuantities) {
+    // That a number is a share, nobody can see.
+    if (quantity.name != "gain" && flow::info(quantity.type).name == name && quantity.unit == type.unit)
+      return std::string(quantity.name);
   }
-  if (name == "Text") return "text";
   return type.unit.empty() ? name : fmt::format("{} [{}]", name, type.unit);
 }
 

@@ -8,6 +8,7 @@
 #include "mlab/designer/drawing/shapes.h"
 #include "mlab/designer/edit/editor.h"
 #include "mlab/designer/edit/values.h"
+#include "mlab/flow/value_types.h"
 #include "mlab/lang/cdl/types/units.h"
 
 namespace mlab::designer {
@@ -49,7 +50,7 @@ bool Editor::takes(const Spot& spot, const cdl::Expression& expression) const {
 cdl::ExpressionPtr Editor::neutral(const cdl::PortType& type) const {
   const auto is = [&](flow::TypeKind kind) { return type.type != nullptr && type.type->kind == kind; };
   if (is(flow::TypeKind::kBool)) return named("false");
-  if (is(flow::TypeKind::kVector)) return called("Stand");
+  if (is(flow::TypeKind::kVector)) return called(std::string(flow::info(flow::ValueType::kVector).neutral));
   return value_of(is(flow::TypeKind::kPoint) ? "[0, 0]" : "0");
 }
 

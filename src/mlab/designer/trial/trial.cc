@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/edit/edit.h"
+#include "mlab/flow/value_types.h"
 #include "mlab/lang/cdl/lower/lower.h"
 
 namespace mlab::designer {
@@ -91,26 +92,14 @@ std::string free_name(const Model& model, const std::string& wanted) {
 
 // What a parameter that has to be given could be; empty: nobody can know.
 std::string stand_in(const cdl::Parameter& parameter) {
-  static const std::map<std::string, std::string, std::less<>> kStandIns = {
-      {"Vector", "DetectGoal(goal = GetOrderGoal())"},
-      {"Pose", "sense_location()"},
-      {"Object", "ClosestObject(sense_objects())"},
-      {"Objects", "sense_objects()"},
-      {"Obstacles", "sense_obstacles()"},
-      {"Robots", "sense_robots()"},
-      {"Ranges", "sense_ranges()"},
-      {"bool", "true"},
-      {"gain", "1"},
-      {"length", "1 m"},
-      {"speed", "1 m/s"},
-      {"angle", "0 deg"},
-      {"duration", "1 s"},
-      {"object_class", "Mine"},
-  };
-  if (const auto known = kStandIns.find(parameter.type.text); known != kStandIns.end()) return known->second;
-  if (parameter.type.text != "double" && parameter.type.text != "int") return "";
+  const std::string& type = parameter.type.text;
+  if (const flow::QuantityInfo* quantity = flow::quantity_named(type)) return std::string(quantity->sample);
+  const flow::ValueTypeInfo* const known = flow::value_type_named(type);
+  const bool is_number =
+      known != nullptr && (known->kind == flow::TypeKind::kReal || known->kind == flow::TypeKind::kInteger);
+  if (!is_number) return std::string(known == nullptr ? "" : known->sample);
   const std::string unit = parameter.unit.text.empty() ? "" : " " + parameter.unit.text;
-  if (!parameter.low && !parameter.high) return "1" + unit;
+  if (!parameter.low && !parameter.high) return std::string(known->sample) + unit;
   const cdl::Number& bound = parameter.low ? *parameter.low : *parameter.high;
   return fmt::format("{}{}", bound.value, bound.unit.text.empty() ? unit : " " + bound.unit.text);
 }

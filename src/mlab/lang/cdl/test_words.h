@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "mlab/lang/cdl/test_percepts.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 
@@ -13,46 +14,6 @@
 
 namespace mlab::cdl {
 
-/// What a test tells a component that it senses.
-enum class TestPercept : std::uint8_t {
-  kSelf,
-  kObstacle,
-  kRobot,
-  kObject,
-  kCarrying,
-  kOrder,
-  kWaypoint,
-  kUnit,
-  kStick,
-  kMessage,
-  kCamera,
-  kBeam,
-  kSharedPlace,
-  kClaim,
-  kDoor,
-  kHallway,
-  kPlace
-};
-
-struct TestInput {
-  std::string_view name;
-  std::string_view type;     ///< as parameters have it: `length`, `Point`
-  std::string_view initial;  ///< a constant of the type, in SI units; empty: it has to be given
-  std::string_view help;
-  double min = -1e300;
-  double max = 1e300;
-};
-
-struct TestPerceptInfo {
-  TestPercept percept;
-  std::string_view name;  ///< `given NAME(...);`
-  bool is_many;           ///< each `given` adds one; else it takes the place of the one before
-  std::span<const TestInput> inputs;
-  std::string_view help;
-};
-
-/// By their numbers.
-std::span<const TestPerceptInfo> test_percepts();
 /// Null where there is none of the name.
 const TestPerceptInfo* test_percept_named(std::string_view name);
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "mlab/flow/value_types.h"
 #include "mlab/lang/cdl/syntax/walk.h"
 #include "mlab/lang/cdl/types/units.h"
 
@@ -212,16 +213,12 @@ bool Vocabulary::is_taken(std::string_view name) const {
 }
 
 std::string Vocabulary::type(std::string_view name) const {
-  static const std::map<std::string_view, std::string_view> kQuantities = {
-      {"gain", "double"},     {"length", "double"},
-      {"speed", "double"},    {"angle", "double"},
-      {"duration", "double"}, {"flag", "bool"},
-      {"count", "int"},       {"object_class", "ObjectClasses"},
-      {"text", "Text"},       {"number", "double"},
-      {"string", "Text"},     {"direction", "double"},
-      {"location", "Pose"},   {"displacement", "Vector"},
-      {"UTM", "Point"},       {"Map_Location", "Point"}};
-  if (const auto it = kQuantities.find(name); it != kQuantities.end()) return std::string(it->second);
+  if (const flow::QuantityInfo* quantity = flow::quantity_named(name))
+    return std::string(flow::info(quantity->type).name);
+  static const std::map<std::string_view, std::string_view> kHistoric = {
+      {"string", "Text"},         {"direction", "double"}, {"location", "Pose"},
+      {"displacement", "Vector"}, {"UTM", "Point"},        {"Map_Location", "Point"}};
+  if (const auto it = kHistoric.find(name); it != kHistoric.end()) return std::string(it->second);
   const flow::TypeInfo* info = procedures_.find_type(name);
   return info == nullptr ? std::string{} : std::string(info->name);
 }

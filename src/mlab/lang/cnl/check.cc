@@ -13,11 +13,10 @@
 #include "mlab/lang/cnl/lexer.h"
 #include "mlab/lang/cnl/types.h"
 #include "mlab/lang/cnl/user_code.h"
+#include "mlab/percept/sensors.h"
 
 namespace mlab::cnl {
 namespace {
-
-constexpr std::string_view kDevices[] = {"obstacles", "robots", "objects", "ranges"};
 
 /// The sections of a procedure, cut into words once.
 struct Sections {
@@ -205,10 +204,12 @@ class Checker {
 
   void check_needs(const Procedure& procedure) {
     for (const NeedDecl& need : procedure.needs) {
-      if (std::ranges::find(kDevices, need.device.text) == std::end(kDevices)) {
-        auto& diagnostic = diagnostics_.error("unknown-device", need.device.place,
-                                              fmt::format("unknown sensor `{}`", need.device.text));
-        add_nearest(diagnostic, need.device.text, {std::begin(kDevices), std::end(kDevices)});
+      if (percept::sensor_named(need.sensor.text) == nullptr) {
+        std::vector<std::string> known;
+        for (const percept::SensorInfo& sensor : percept::kSensors) known.emplace_back(sensor.name);
+        auto& diagnostic = diagnostics_.error("unknown-device", need.sensor.place,
+                                              fmt::format("unknown sensor `{}`", need.sensor.text));
+        add_nearest(diagnostic, need.sensor.text, known);
       }
       if (need.range.text.empty() || !is_name(need.range.text)) continue;
       const InputDecl* input = find_input(procedure, need.range.text);
@@ -217,7 +218,7 @@ class Checker {
             diagnostics_.error("unknown-input", need.range.place,
                                fmt::format("`{}` has no input `{}`", procedure.name.text, need.range.text));
         add_nearest(diagnostic, need.range.text, input_names(procedure));
-      } else if (const PortType* type = find_port_type(input->type.text);
+      } else if (const flow::ValueTypeInfo* type = find_port_type(input->type.text);
                  !type || type->name != "double" || input->is_list) {
         diagnostics_.error(
             "unknown-input", need.range.place,
@@ -305,7 +306,7 @@ class Checker {
     };
     if (procedure.once) impure(procedure.name.place, "a pure procedure has no `once`");
     if (procedure.latency) impure(procedure.name.place, "a pure procedure has no latency");
-    if (!procedure.needs.empty()) impure(procedure.needs[0].device.place, "a pure procedure reads no sensor");
+    if (!procedure.needs.empty()) impure(procedure.needs[0].sensor.place, "a pure procedure reads no sensor");
     if (sections.header) {
       for (const UserCode::Variable& variable : sections.header->variables()) {
         if (!variable.is_constant) impure(variable.place, fmt::format("`{}` is state", variable.name));

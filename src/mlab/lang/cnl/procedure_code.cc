@@ -12,7 +12,7 @@ namespace mlab::cnl {
 namespace {
 
 std::string cpp_type(const Word& type) {
-  const PortType* known = find_port_type(type.text);
+  const flow::ValueTypeInfo* known = find_port_type(type.text);
   return known ? std::string(known->cpp) : "::" + type.text;
 }
 
@@ -25,7 +25,7 @@ struct Argument {
 
 Argument input_argument(const InputDecl& input) {
   const std::string type = cpp_type(input.type);
-  const PortType* known = find_port_type(input.type.text);
+  const flow::ValueTypeInfo* known = find_port_type(input.type.text);
   const std::string& name = input.name.text;
   if (input.is_list) {
     return {name, fmt::format("const mlab::flow::InputList<{}>&", type),
@@ -33,8 +33,8 @@ Argument input_argument(const InputDecl& input) {
   }
   const std::string made = fmt::format(
       "[[maybe_unused]] decltype(auto) {} = mlab::flow::take<{}>(mlab_call, mlab_next);", name, type);
-  if (known && known->is_reading) return {name, fmt::format("const mlab::flow::ViewOf<{}>&", type), made};
-  return {name, fmt::format("const {}{}", type, known && known->is_scalar ? "" : "&"), made};
+  if (known && is_reading(*known)) return {name, fmt::format("const mlab::flow::ViewOf<{}>&", type), made};
+  return {name, fmt::format("const {}{}", type, known && is_scalar(*known) ? "" : "&"), made};
 }
 
 Argument context_argument(std::string_view name) {
@@ -313,12 +313,12 @@ class ProcedureCode {
     if (procedure_.needs.empty()) return;
     out_.line("  static constexpr mlab::flow::Need kNeeds[] = {");
     for (const NeedDecl& need : procedure_.needs) {
-      std::string device = need.device.text;
-      device[0] = static_cast<char>(device[0] - 'a' + 'A');
+      std::string sensor = need.sensor.text;
+      sensor[0] = static_cast<char>(sensor[0] - 'a' + 'A');
       const auto input = std::ranges::find_if(
           procedure_.inputs, [&](const InputDecl& i) { return i.name.text == need.range.text; });
       const bool by_input = input != procedure_.inputs.end();
-      out_.line(fmt::format("      {{mlab::flow::Need::Device::k{}, {}, {}}},", device,
+      out_.line(fmt::format("      {{mlab::percept::Sensor::k{}, {}, {}}},", sensor,
                             by_input ? std::distance(procedure_.inputs.begin(), input) : -1,
                             by_input || need.range.text.empty() ? "0.0" : need.range.text));
     }

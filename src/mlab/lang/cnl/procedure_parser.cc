@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/cnl/cursor.h"
+#include "mlab/percept/sensors.h"
 
 namespace mlab::cnl {
 namespace {
@@ -40,13 +41,23 @@ bool parse_alias(Cursor& cursor, Procedure& procedure) {
   return true;
 }
 
-// Behind `senses`: `ranges`, or `DEVICE within NUMBER_OR_INPUT`.
+std::string sensor_names() {
+  std::string out;
+  for (std::size_t i = 0; i < percept::kSensors.size(); ++i) {
+    const std::string_view before = i == 0 ? "" : i + 1 == percept::kSensors.size() ? " or " : ", ";
+    out += fmt::format("{}`{}`", before, percept::kSensors[i].name);
+  }
+  return out;
+}
+
+// Behind `senses`: `SENSOR`, or `SENSOR within NUMBER_OR_INPUT`.
 bool parse_need(Cursor& cursor, Procedure& procedure) {
   NeedDecl need;
-  const auto device = cursor.expect_name("`obstacles`, `robots`, `objects` or `ranges`");
-  if (!device) return false;
-  need.device = *device;
-  if (device->text != "ranges") {
+  const auto name = cursor.expect_name(sensor_names());
+  if (!name) return false;
+  need.sensor = *name;
+  const percept::SensorInfo* const sensor = percept::sensor_named(name->text);
+  if (sensor == nullptr || !sensor->has_own_reach) {
     if (!cursor.expect("within", "and the range of the sensor")) return false;
     need.range = {std::string(cursor.text()), cursor.here()};
     if (cursor.is(Token::Kind::kNumber)) need.range.text = canonical_number(cursor.text());

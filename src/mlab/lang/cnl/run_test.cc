@@ -163,9 +163,9 @@ TEST(CompiledDescriptor, TellsWhatTheAuthorWrote) {
 TEST(CompiledDescriptor, TellsSensorsAliasesAndTypes) {
   const flow::Behavior& context = behavior("Context");
   ASSERT_EQ(context.needs.size(), 2U);
-  EXPECT_EQ(context.needs[0].device, flow::Need::Device::kObstacles);
+  EXPECT_EQ(context.needs[0].sensor, percept::Sensor::kObstacles);
   EXPECT_EQ(context.needs[0].range_input, 0);
-  EXPECT_EQ(context.needs[1].device, flow::Need::Device::kRanges);
+  EXPECT_EQ(context.needs[1].sensor, percept::Sensor::kRanges);
   EXPECT_EQ(context.inputs[0].max, 100.0);
   const flow::Behavior& sum = behavior("SumPair");
   EXPECT_TRUE(sum.is_pure);

@@ -13,12 +13,9 @@ namespace mlab::cnl {
 namespace {
 
 flow::Need need_of(const Procedure& procedure, const NeedDecl& decl) {
-  using Device = flow::Need::Device;
   flow::Need need;
-  need.device = decl.device.text == "robots"    ? Device::kRobots
-                : decl.device.text == "objects" ? Device::kObjects
-                : decl.device.text == "ranges"  ? Device::kRanges
-                                                : Device::kObstacles;
+  if (const percept::SensorInfo* sensor = percept::sensor_named(decl.sensor.text))
+    need.sensor = sensor->sensor;
   const auto input =
       std::ranges::find(procedure.inputs, decl.range.text, [](const InputDecl& i) { return i.name.text; });
   if (input != procedure.inputs.end()) {
@@ -48,7 +45,7 @@ Signatures::Signatures(const Tree& tree,
 const flow::TypeInfo* Signatures::type(const Word& name) {
   const auto own = std::ranges::find(own_types_, name.text, &flow::TypeInfo::name);
   if (own != own_types_.end()) return &*own;
-  const PortType* known = find_port_type(name.text);
+  const flow::ValueTypeInfo* known = find_port_type(name.text);
   return find_type_(known ? known->name : std::string_view(name.text));
 }
 

@@ -65,7 +65,7 @@ TEST(Signatures, SayWhatTheCompiledDescriptorsSay) {
     }
     ASSERT_EQ(a.needs.size(), b.needs.size());
     for (std::size_t j = 0; j < a.needs.size(); ++j) {
-      EXPECT_EQ(a.needs[j].device, b.needs[j].device);
+      EXPECT_EQ(a.needs[j].sensor, b.needs[j].sensor);
       EXPECT_EQ(a.needs[j].range_input, b.needs[j].range_input);
       EXPECT_EQ(a.needs[j].range, b.needs[j].range);
     }

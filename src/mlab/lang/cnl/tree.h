@@ -52,8 +52,8 @@ struct AliasDecl {
 
 /// `senses DEVICE within WHAT`
 struct NeedDecl {
-  Word device;
-  Word range;  ///< number or input; empty for `ranges`
+  Word sensor;
+  Word range;  ///< number or input; empty where the sensor has its own
 };
 
 struct Procedure {

@@ -7,19 +7,13 @@
 #include <fmt/core.h>
 
 #include "mlab/robot/wire/action_wire.h"
+#include "mlab/robot/wire/percepts_wire.h"
 
 namespace mlab::robot_process {
 namespace {
 
 using flow::Port;
 using flow::Program;
-
-void put(const percept::Needs& needs, wire::Needs& out) {
-  out.set_obstacles(needs.obstacles);
-  out.set_robots(needs.robots);
-  out.set_objects(needs.objects);
-  out.set_ranges(needs.ranges);
-}
 
 void put(const std::byte* frame, const Port& port, wire::PortValue& out) {
   out.set_text(Program::print(frame, port));
@@ -108,7 +102,7 @@ void Conversation::start(const wire::Start& message) {
       return;
     }
   }
-  put(program_->needs(robot.frame.data()), *ready.mutable_needs());
+  robot_wire::encode(program_->needs(robot.frame.data()), *ready.mutable_needs());
   robots_.insert_or_assign(message.robot(), std::move(robot));
 }
 
@@ -145,7 +139,7 @@ void Conversation::act(std::uint32_t id, const percept::Percepts& percepts, wire
   program_->step(robot.frame.data(), percepts, action, robot.seed, id);
   out.set_robot(id);
   robot_wire::encode(action, *out.mutable_action());
-  put(program_->needs(robot.frame.data()), *out.mutable_needs());
+  robot_wire::encode(program_->needs(robot.frame.data()), *out.mutable_needs());
   const geom::Vector v = action.velocity;
   if (!std::isfinite(v.x + v.y + v.z + action.spin)) {
     const Port* port = program_->find_fault(robot.frame.data());
@@ -161,7 +155,7 @@ void Conversation::set(const wire::Set& message) {
   }
   wire::Ready& ready = *reply().mutable_ready();
   if (auto problem = take(*program_, message.setting(), robot->frame)) ready.set_problem(std::move(*problem));
-  put(program_->needs(robot->frame.data()), *ready.mutable_needs());
+  robot_wire::encode(program_->needs(robot->frame.data()), *ready.mutable_needs());
 }
 
 void Conversation::read_ports(const wire::ReadPorts& read) {

@@ -1,11 +1,10 @@
 #include "mlab/robot/program/executable_runner.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "mlab/robot/program/bounded_needs.h"
 #include "mlab/robot/program/native_program.h"
 #include "mlab/robot/program/process_share.h"
 #include "mlab/robot/wire/action_wire.h"
@@ -14,12 +13,6 @@
 
 namespace mlab::robot {
 namespace {
-
-percept::Needs needs_of(const wire::Needs& message) {
-  // What a stranger's program wants is no reason to look farther than there is a world, or nowhere.
-  const auto range = [](double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1e9) : 0.0; };
-  return {range(message.obstacles()), range(message.robots()), range(message.objects()), message.ranges()};
-}
 
 void put(const std::string& port, const std::string& value, wire::Setting& out) {
   out.set_port(port);
@@ -73,7 +66,7 @@ std::optional<std::string> ExecutableRunner::start(Member member) {
   if (answer == nullptr) return process.running->failure();
   if (!answer->ready().problem().empty())
     return fmt::format("refuses a setting: {}", text::shown(answer->ready().problem(), 200));
-  robot.needs = needs_of(answer->ready().needs());
+  robot.needs = bounded(robot_wire::needs_of(answer->ready().needs()));
   return std::nullopt;
 }
 
@@ -99,7 +92,7 @@ std::optional<std::string> ExecutableRunner::tell(Robot& robot, const std::strin
   const wire::FromRobot* answer = process.running->ask(message, wire::FromRobot::kReady);
   if (answer == nullptr) return fmt::format("its program {}", process.running->failure());
   if (!answer->ready().problem().empty()) return text::shown(answer->ready().problem(), 200);
-  robot.needs = needs_of(answer->ready().needs());
+  robot.needs = bounded(robot_wire::needs_of(answer->ready().needs()));
   return std::nullopt;
 }
 
@@ -190,7 +183,7 @@ void ExecutableRunner::take_answer(Process& process, const wire::Actions& action
     }
     *robot.turn.fault = text::shown(acted.fault(), 200);
     if (robot.turn.fault->empty() && !is_number(*robot.turn.action)) *robot.turn.fault = "its action";
-    robot.needs = needs_of(acted.needs());
+    robot.needs = bounded(robot_wire::needs_of(acted.needs()));
   }
 }
 

@@ -1,11 +1,11 @@
 #include "mlab/robot/program/hosted_runner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <thread>
 #include <utility>
 
+#include "mlab/robot/program/bounded_needs.h"
 #include "mlab/robot/program/process_share.h"
 
 namespace mlab::robot {
@@ -52,14 +52,11 @@ void HostedRunner::open() {
   }
 }
 
-// Its frame may hold anything, and what a stranger's program wants is no reason to look farther than there is
-// a world, or nowhere.
+// Its frame may hold anything.
 void HostedRunner::needs(std::span<const Member> members, std::span<percept::Needs> out) const {
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Workings robot = members_[members[i]].values.workings();
-    out[i] = robot.program->needs(robot.frame, robot.interventions);
-    for (double* range : {&out[i].obstacles, &out[i].robots, &out[i].objects})
-      *range = std::isfinite(*range) ? std::clamp(*range, 0.0, 1e9) : 0.0;
+    out[i] = bounded(robot.program->needs(robot.frame, robot.interventions));
   }
 }
 

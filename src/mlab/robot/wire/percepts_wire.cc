@@ -1,7 +1,10 @@
 #include "mlab/robot/wire/percepts_wire.h"
 
+#include <array>
 #include <limits>
 #include <span>
+
+#include "mlab/base/table.h"
 
 namespace mlab::robot_wire {
 namespace {
@@ -161,6 +164,26 @@ percept::Joystick joystick_of(const wire::Joystick& message) {
   return {message.x(), message.y(), message.magnitude(), message.is_robot_frame(), message.complete()};
 }
 
+// Where the message has what is wanted of a sensor.
+struct NeedField {
+  percept::Sensor sensor;
+  double (*read)(const wire::Needs& message);
+  void (*write)(double reach, wire::Needs& message);
+};
+
+constexpr std::array kNeedFields = {
+    NeedField{percept::Sensor::kObstacles, [](const wire::Needs& message) { return message.obstacles(); },
+              [](double reach, wire::Needs& message) { message.set_obstacles(reach); }},
+    NeedField{percept::Sensor::kRobots, [](const wire::Needs& message) { return message.robots(); },
+              [](double reach, wire::Needs& message) { message.set_robots(reach); }},
+    NeedField{percept::Sensor::kObjects, [](const wire::Needs& message) { return message.objects(); },
+              [](double reach, wire::Needs& message) { message.set_objects(reach); }},
+    NeedField{percept::Sensor::kRanges,
+              [](const wire::Needs& message) { return message.ranges() ? percept::kOwnReach : 0.0; },
+              [](double reach, wire::Needs& message) { message.set_ranges(reach > 0.0); }},
+};
+static_assert(base::has_a_row_for_each<kNeedFields, &NeedField::sensor>());
+
 bool fits(int value, auto last) {
   return value >= 0 && value <= static_cast<int>(last);
 }
@@ -171,9 +194,19 @@ bool are(int length, auto... lengths) {
 
 }  // namespace
 
+void encode(const percept::Needs& needs, wire::Needs& out) {
+  for (const NeedField& field : kNeedFields) field.write(needs[field.sensor], out);
+}
+
+percept::Needs needs_of(const wire::Needs& message) {
+  percept::Needs out;
+  for (const NeedField& field : kNeedFields) out.want(field.sensor, field.read(message));
+  return out;
+}
+
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
-  const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, map,
-               carried, carried_class, order, unit, joystick, notifications, shared_places, claims] =
+  const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit,
+               map, carried, carried_class, order, unit, joystick, notifications, shared_places, claims] =
       percepts;
   out.Clear();
   out.set_id(id.value);

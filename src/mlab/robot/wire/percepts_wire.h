@@ -5,10 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "mlab/percept/needs.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot.pb.h"
 
 namespace mlab::robot_wire {
+
+void encode(const percept::Needs& needs, wire::Needs& out);
+/// As it stands there: a reach may be infinite.
+percept::Needs needs_of(const wire::Needs& message);
 
 /// Writes everything that a robot perceives; `out` loses what it held, and keeps its memory.
 void encode(const percept::Percepts& percepts, wire::Percepts& out);

@@ -4,8 +4,10 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <type_traits>
 
+#include "mlab/base/fields.h"
 #include "mlab/flow/module.h"
 
 namespace mlab::robot_wire {
@@ -16,27 +18,29 @@ using percept::Percepts;
 
 static_assert(std::is_trivially_copyable_v<Percepts> && std::is_trivially_copyable_v<Action>);
 
-// Every list of the percepts, but for the rooms of the map, whose outlines are lists themselves. A field that
-// is added to Percepts does not compile until somebody has decided here whether it is a list.
+template <class T>
+constexpr bool kIsList = false;
+template <class T>
+constexpr bool kIsList<std::span<T>> = true;
+
+// Every list of the percepts, but for the rooms of the map, whose outlines are lists themselves.
 template <class P, class Visit>
-void for_each_list(P& percepts, Visit visit) {
-  auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, map,
-         carried, carried_class, order, unit, joystick, notifications, shared_places, claims] = percepts;
-  auto& [doors, rooms, hallways] = map;
-  auto& [sequence, task, goal, route, formation, reference, heading, has_heading, speed, halted] = order;
-  visit(obstacles);
-  visit(robots);
-  visit(objects);
-  visit(ranges);
-  visit(doors);
-  visit(hallways);
-  visit(route);
-  visit(notifications);
-  visit(shared_places);
-  visit(claims);
+constexpr void for_each_list(P& part, Visit&& visit) {
+  base::for_each_field(part, [&](auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if constexpr (kIsList<Field> && !std::is_same_v<Field, std::span<const percept::Room>>)
+      visit(field);
+    else if constexpr (std::is_class_v<Field> && !kIsList<Field>)
+      for_each_list(field, visit);
+  });
 }
 
-constexpr std::size_t kLists = 10;
+constexpr std::size_t kLists = [] {
+  std::size_t count = 0;
+  Percepts percepts;
+  for_each_list(percepts, [&](const auto&) { ++count; });
+  return count;
+}();
 constexpr std::size_t kAlignment = 16;
 
 struct Head {

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/frame.h"
-#include "mlab/lang/cdl/types/quantities.h"
+#include "mlab/lang/cdl/types/types.h"
 #include "mlab/lang/cdl/types/units.h"
 
 namespace mlab::cdl {

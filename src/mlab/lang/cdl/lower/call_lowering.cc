@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "mlab/flow/value_types.h"
 #include "mlab/lang/cdl/types/arithmetic.h"
 
 namespace mlab::cdl {
@@ -201,40 +202,19 @@ Value CallLowering::check_value(const Assemblage& assemblage, Scope& scope) {
 // An assemblage that is declared and empty.
 Value CallLowering::stand_still(const Assemblage& assemblage, Scope& scope, const PortType& result,
                                 const text::Place& place) {
-  // What stands in the place of each type, and what that means.
-  struct Nothing {
-    std::string_view type, behavior, means;
-  };
-  static constexpr Nothing kNothing[] = {
-      {"Vector", "Stand", "the robot stands still in its place"},
-      {"bool", "Constant", "it is never true"},
-      {"Objects", "NoObjects", "it sees none"},
-      {"Obstacles", "NoObstacles", "it sees none"},
-      {"Robots", "NoRobots", "it sees none"},
-      {"Ranges", "NoRanges", "it measures nothing"},
-      {"Object", "NoObject", "it gives no object"},
-      {"ObjectClasses", "NoClasses", "it gives no class"},
-      {"Formation", "NoFormation", "it gives none"},
-      {"FormationReference", "NoFormationReference", "it gives the usual one"},
-      {"Task", "NoTask", "it gives none"},
-      {"Text", "NoText", "it gives the empty text"},
-      {"double", "ZeroNumber", "it is always 0"},
-      {"int", "ZeroCount", "it is always 0"},
-      {"Point", "ZeroPoint", "it is always the origin"},
-      {"Pose", "ZeroPose", "it is always the origin"}};
   const std::string_view type = result.type == nullptr ? "Vector" : result.type->name;
-  const auto* nothing = std::ranges::find(kNothing, type, &Nothing::type);
-  if (nothing == std::end(kNothing) || parts_.library.find(nothing->behavior).behavior == nullptr) {
+  const flow::ValueTypeInfo* const known = flow::value_type_named(type);
+  if (known == nullptr || parts_.library.find(known->neutral).behavior == nullptr) {
     parts_.findings.error("empty-assemblage", assemblage.name.place,
                           fmt::format("`{}` is empty, so it gives no {}", assemblage.name.text, type));
     return {};
   }
   parts_.findings
       .warning("empty-assemblage", assemblage.name.place, fmt::format("`{}` is empty", assemblage.name.text))
-      .label = nothing->means;
+      .label = known->neutral_means;
   flow::Node node;
   node.name = scope.path;
-  node.behavior = nothing->behavior;
+  node.behavior = known->neutral;
   node.place = node.behavior_place = place;
   if (type == "bool") node.links.push_back({"value", {flow::Source::Kind::kConstant, "false", place}, place});
   parts_.network.nodes.push_back(node);

@@ -48,7 +48,7 @@ std::uint64_t most_cycles(const std::vector<LoweredStep>& steps) {
 
 std::vector<std::string> percept_names() {
   std::vector<std::string> out;
-  for (const TestPerceptInfo& one : test_percepts()) out.emplace_back(one.name);
+  for (const TestPerceptInfo& one : kTestPercepts) out.emplace_back(one.name);
   return out;
 }
 

@@ -30,9 +30,16 @@ Sort sort_of(const PortType& type) {
       return Sort::kVector;
     case flow::TypeKind::kPoint:
       return Sort::kPoint;
-    default:
+    case flow::TypeKind::kBool:
+    case flow::TypeKind::kPose:
+    case flow::TypeKind::kText:
+    case flow::TypeKind::kChoice:
+    case flow::TypeKind::kMask:
+    case flow::TypeKind::kList:
+    case flow::TypeKind::kOther:
       return Sort::kOther;
   }
+  return Sort::kOther;
 }
 
 PortType number_in(const Unit& unit) {

@@ -29,9 +29,16 @@ bool is_wired(const PortType& type) {
     case flow::TypeKind::kList:
     case flow::TypeKind::kOther:
       return true;
-    default:
+    case flow::TypeKind::kBool:
+    case flow::TypeKind::kInteger:
+    case flow::TypeKind::kReal:
+    case flow::TypeKind::kPoint:
+    case flow::TypeKind::kText:
+    case flow::TypeKind::kChoice:
+    case flow::TypeKind::kMask:
       return type.type->parse == nullptr;
   }
+  return false;
 }
 
 }  // namespace mlab::cdl

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "mlab/flow/library.h"
+#include "mlab/flow/value_types.h"
 
 namespace mlab::cdl {
 

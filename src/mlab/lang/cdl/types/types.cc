@@ -5,7 +5,6 @@
 
 #include "mlab/base/overloaded.h"
 #include "mlab/flow/port_types.h"
-#include "mlab/lang/cdl/types/quantities.h"
 
 namespace mlab::cdl {
 namespace {
@@ -69,9 +68,16 @@ void settle_lists(std::vector<PortType>& operands, const std::vector<bool>& is_l
   }
 }
 
+std::vector<std::string> type_names() {
+  std::vector<std::string> names;
+  for (const flow::ValueTypeInfo& type : flow::kValueTypes) names.emplace_back(type.name);
+  for (const flow::QuantityInfo& quantity : flow::kQuantities) names.emplace_back(quantity.name);
+  return names;
+}
+
 PortType Types::named(std::string_view type) const {
-  if (const Quantity* quantity = quantity_named(type))
-    return {library_.find_type(quantity->type), std::string(quantity->unit)};
+  if (const flow::QuantityInfo* quantity = flow::quantity_named(type))
+    return {library_.find_type(flow::info(quantity->type).name), std::string(quantity->unit)};
   return {library_.find_type(type), ""};
 }
 

@@ -30,6 +30,9 @@ std::vector<InputView> inputs_of(const Function& function, const flow::Library& 
 /// `[1 m, 2 m]` among operands is what it stands beside: a point beside points, else a vector.
 void settle_lists(std::vector<PortType>& operands, const std::vector<bool>& is_list);
 
+/// All types that a parameter may have, quantities too, for "did you mean"; a library finds more.
+std::vector<std::string> type_names();
+
 /// What types things of one configuration have, from its declarations and from descriptors: nothing is
 /// lowered, and nothing reported. Both must outlive it.
 class Types {

@@ -41,7 +41,7 @@ inline std::string meaning(const text::SourcePtr& source) {
         say(a.name.text + a.output_unit.text);
         for (const auto& port : a.ports) say(port.name.text + port.unit.text + port.input.text);
       }
-      for (const auto& n : p->needs) say(n.device.text + n.range.text);
+      for (const auto& n : p->needs) say(n.sensor.text + n.range.text);
       say_code(p->once);
       say_code(p->header);
       say_code(p->body);

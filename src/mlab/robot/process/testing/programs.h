@@ -24,7 +24,7 @@ inline const flow::Behavior& wander() {
   static const flow::Input kInputs[] = {
       {"pace", &flow::type_info<double>(), "", "", false, "", -1e300, 1e300},
       {"range", &flow::type_info<double>(), "m", "", false, "7", 0.0, 100.0}};
-  static const flow::Need kNeeds[] = {{flow::Need::Device::kObstacles, 1, 0.0}};
+  static const flow::Need kNeeds[] = {{percept::Sensor::kObstacles, 1, 0.0}};
   static const flow::Behavior kBehavior = [] {
     flow::Behavior b;
     b.name = "Wander";

@@ -2,11 +2,18 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <rapidcheck.h>
 
+#include "mlab/base/fields.h"
+#include "mlab/base/table.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 
@@ -37,106 +44,50 @@ template <class Enum>
 Enum any_of(Enum last) {
   return static_cast<Enum>(*rc::gen::inRange(0, static_cast<int>(last) + 1));
 }
-inline geom::Vector any_vector() {
-  return {any_double(), any_double(), any_double()};
-}
-inline geom::Point any_point() {
-  return {any_double(), any_double()};
-}
-inline geom::Pose any_pose() {
-  return {any_point(), any_double()};
+template <class Enum>
+consteval Enum last_of() {
+  return []<std::size_t... kNumbers>(std::index_sequence<kNumbers...>) {
+    return static_cast<Enum>((std::size_t{base::is_enumerator<static_cast<Enum>(kNumbers)>()} + ...) - 1);
+  }(std::make_index_sequence<64>());
 }
 
 /// Percepts with the lists that they are views of.
-struct AnyPercepts {
-  std::vector<percept::Obstacle> obstacles;
-  std::vector<percept::RobotReading> robots;
-  std::vector<percept::ObjectReading> objects;
-  std::vector<percept::RangeReading> ranges;
-  std::vector<geom::Point> route;
-  std::vector<std::uint64_t> notifications;
-  std::vector<percept::SharedPlace> shared_places;
-  std::vector<percept::Claim> claims;
-  std::vector<percept::Door> doors;
-  std::vector<std::vector<geom::Point>> outlines;
-  std::vector<percept::Room> rooms;
-  std::vector<percept::Hallway> hallways;
-  percept::Percepts percepts;
-
-  AnyPercepts() {
-    const auto count = [] { return *rc::gen::inRange(0, 5); };
-    for (int n = count(); n > 0; --n) obstacles.push_back({any_vector(), any_double()});
-    for (int n = count(); n > 0; --n)
-      robots.push_back({{any_id()},
-                        any_vector(),
-                        any_double(),
-                        any_double(),
-                        any_bool(),
-                        any_of(percept::kLastObjectClass)});
-    for (int n = count(); n > 0; --n) {
-      objects.push_back({{any_id()},
-                         any_of(percept::ObjectClass::kFriendlyRobot),
-                         any_of(percept::ObjectStyle::kContainer),
-                         any_vector(),
-                         any_double()});
-    }
-    for (int n = count(); n > 0; --n) ranges.push_back({any_float(), any_float(), any_bool()});
-    for (int n = count(); n > 0; --n) route.push_back(any_point());
-    for (int n = count(); n > 0; --n) notifications.push_back(*rc::gen::arbitrary<std::uint64_t>());
-    for (int n = count(); n > 0; --n) {
-      shared_places.push_back(
-          {{any_id()}, {any_id()}, any_of(percept::ObjectClass::kFriendlyRobot), any_point(), any_double()});
-    }
-    for (int n = count(); n > 0; --n) claims.push_back({{any_id()}, {any_id()}});
-    for (int n = count(); n > 0; --n) doors.push_back({any_point(), any_point(), any_bool()});
-    for (int n = count(); n > 0; --n) hallways.push_back({any_point(), any_point(), any_double()});
-    for (int n = count(); n > 0; --n) {
-      std::vector<geom::Point>& outline = outlines.emplace_back();
-      for (int m = count(); m > 0; --m) outline.push_back(any_point());
-    }
-    for (const auto& outline : outlines) rooms.push_back({outline});
-    percepts.map = {doors, rooms, hallways};
-    percepts.id = {any_id()};
-    percepts.camera = {any_double(), any_double()};
-    percepts.pose = any_pose();
-    percepts.time = any_double();
-    percepts.cycle_duration = any_double();
-    percepts.range_limit = any_double();
-    percepts.carried = {any_id()};
-    percepts.carried_class = any_of(percept::ObjectClass::kFriendlyRobot);
-    percepts.order = {any_id(),
-                      any_of(percept::Task::kStop),
-                      any_point(),
-                      route,
-                      any_of(percept::Formation::kSweep),
-                      any_of(percept::FormationReference::kNeighbor),
-                      any_double(),
-                      any_bool(),
-                      any_double(),
-                      any_bool()};
-    percepts.unit = {*rc::gen::arbitrary<std::uint16_t>(),
-                     *rc::gen::arbitrary<std::uint16_t>(),
-                     any_point(),
-                     {any_double(), any_double()},
-                     any_pose(),
-                     any_pose(),
-                     any_double()};
-    percepts.joystick = {any_double(), any_double(), any_double(), any_bool(), any_bool()};
-    percepts.obstacles = obstacles;
-    percepts.robots = robots;
-    percepts.objects = objects;
-    percepts.ranges = ranges;
-    percepts.notifications = notifications;
-    percepts.shared_places = shared_places;
-    percepts.claims = claims;
-  }
+class AnyPercepts {
+ public:
+  AnyPercepts() { fill(percepts); }
   AnyPercepts(const AnyPercepts&) = delete;
   AnyPercepts& operator=(const AnyPercepts&) = delete;
+
+  percept::Percepts percepts;
+
+ private:
+  template <class T>
+  void fill(std::span<const T>& list) {
+    auto values = std::make_shared<std::vector<T>>();
+    for (int n = *rc::gen::inRange(0, 5); n > 0; --n) fill(values->emplace_back());
+    list = *values;
+    lists_.push_back(std::move(values));
+  }
+  template <class T>
+  void fill(T& value) {
+    if constexpr (std::is_same_v<T, double>)
+      value = any_double();
+    else if constexpr (std::is_same_v<T, float>)
+      value = any_float();
+    else if constexpr (std::is_enum_v<T>)
+      value = any_of(last_of<T>());
+    else if constexpr (std::is_class_v<T>)
+      base::for_each_field(value, [&](auto& field) { fill(field); });
+    else
+      value = *rc::gen::arbitrary<T>();
+  }
+
+  std::vector<std::shared_ptr<void>> lists_;
 };
 
 inline percept::Action any_action() {
   percept::Action action;
-  action.velocity = any_vector();
+  action.velocity = {any_double(), any_double(), any_double()};
   action.spin = any_double();
   action.drives = any_bool();
   action.spins = any_bool();
@@ -151,7 +102,7 @@ inline percept::Action any_action() {
                 any_double(),
                 any_double(),
                 *rc::gen::arbitrary<std::uint64_t>(),
-                any_point(),
+                {any_double(), any_double()},
                 any_double()});
   }
   for (int n = *rc::gen::inRange(0, 127); n > 0; --n) action.alert[static_cast<std::size_t>(n - 1)] = 'a';
