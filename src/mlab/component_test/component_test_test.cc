@@ -164,6 +164,21 @@ TEST(ComponentTest, EveryPerceptAndActionIsKnown) {
   }
 }
 
+TEST(ComponentTest, TellsWhatTheBodyTouches) {
+  EXPECT_TRUE(outcome_of(R"(
+test "x" of BackOff(duration = 0.3 s) {
+  expect length(it) == 0;
+  given touch(direction = 90 deg);
+  expect abs(direction(it) + 90 deg) < 1 deg;
+  given no touch;
+  expect length(it) > 0.9;
+  after 10 cycles;
+  expect length(it) == 0;
+}
+)")
+                  .has_passed());
+}
+
 TEST(ComponentTest, EveryInputOfAPerceptIsTakenAndBoundToItsType) {
   const std::string outcome = errors_of(R"(
 test "x" of Noise() {

@@ -146,6 +146,9 @@ void Situation::forget(TestPercept what) {
       break;
     case TestPercept::kPlace:
       break;
+    case TestPercept::kTouch:
+      percepts_.touch = {};
+      break;
   }
 }
 
@@ -260,6 +263,9 @@ void Situation::take(const LoweredStep& step) {
       hallways_.push_back({point("from"), point("to"), number(step, "width")});
       break;
     case TestPercept::kPlace:
+      break;
+    case TestPercept::kTouch:
+      percepts_.touch = geom::polar(1.0, number(step, "direction"));
       break;
   }
 }

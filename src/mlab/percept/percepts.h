@@ -147,6 +147,7 @@ struct Percepts {
   Camera camera;
   std::span<const RangeReading> ranges;
   double range_limit = 0.0;  ///< how far the ring sees [m]
+  geom::Vector touch;        ///< to the nearest thing that the body touches, of length 1; 0: nothing does
   SiteMap map;               ///< of the building around
   base::ObjectId carried;    ///< 0: hands are free
   ObjectClass carried_class = ObjectClass::kUnknown;

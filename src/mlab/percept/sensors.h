@@ -10,7 +10,7 @@
 namespace mlab::percept {
 
 /// What senses only where somebody asks for it. All else of `Percepts` is always told.
-enum class Sensor : std::uint8_t { kObstacles, kRobots, kObjects, kRanges };
+enum class Sensor : std::uint8_t { kObstacles, kRobots, kObjects, kRanges, kTouch };
 
 /// All that is to be known of a sensor but how it senses. CNL, `mlab describe`, completion, messages between
 /// processes, recordings and the documentation take it from here; `tools/tables` writes what is not C++.
@@ -42,6 +42,10 @@ inline constexpr std::array kSensors = {
         Sensor::kRanges, "ranges", true, "range sensors",
         "a ring of `count` beams, beam i at first_angle + i 2 pi / count (with an `arc`: spread over it, "
         "ahead in the middle), from the body's surface; they see walls, discs and robots, not objects"},
+    SensorInfo{
+        Sensor::kTouch, "touch", true, "touch sensors",
+        "the direction of the nearest disc, wall or robot whose edge is less than 1 cm from the body's, "
+        "as a vector of length 1 in the robot's frame; of length 0 where nothing is. Every body has it"},
 };
 static_assert(base::has_a_row_for_each<kSensors, &SensorInfo::sensor>());
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mlab/base/angle.h"
 #include "mlab/base/random.h"
@@ -68,6 +69,31 @@ void visit_areas(std::span<const Wall> walls, Point here, Visit&& visit) {
   }
 }
 
+// The middle of the nearest thing that the body touches, or the nearest point of a wall.
+std::optional<Point> touched(const Sensors::Scene& scene, std::uint32_t body) {
+  constexpr double kFeelsWithin = 0.01;  // more than the contact solver keeps bodies apart [m]
+  const Point here = scene.bodies.position(body);
+  const double radius = scene.bodies.radius[body];
+  std::optional<Point> out;
+  double nearest = kFeelsWithin;
+  const auto feel = [&](Point thing, double its_radius) {
+    const double gap = geom::distance(here, thing) - radius - its_radius;
+    if (gap >= nearest) return;
+    nearest = gap;
+    out = thing;
+  };
+  const double reach = radius + kFeelsWithin;
+  const Box box = Box::around(here.x, here.y, reach);
+  scene.statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) { feel(disc.center, disc.radius); });
+  scene.statics.visit_walls(
+      box, [&](std::uint32_t, const Wall& wall) { feel(nearest_point(wall.segment, here), 0.0); });
+  scene.grid.visit(Box::around(here.x, here.y, reach + scene.grid.max_radius()),
+                   [&](const PointGrid::Item& item) {
+                     if (item.id != body) feel({item.x, item.y}, scene.bodies.radius[item.id]);
+                   });
+  return out;
+}
+
 }  // namespace
 
 void SenseBuffer::reserve(std::size_t obstacles, std::size_t robots, std::size_t objects, std::size_t beams) {
@@ -93,6 +119,7 @@ void Sensors::forget(percept::Percepts& out) {
   out.objects = {};
   out.ranges = {};
   out.range_limit = 0.0;
+  out.touch = {};
 }
 
 void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out) {
@@ -108,6 +135,9 @@ void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out
       break;
     case percept::Sensor::kRanges:
       sense_ranges(out);
+      break;
+    case percept::Sensor::kTouch:
+      if (const auto thing = touched(scene_, body_)) out.touch = geom::unit(to_robot(*thing));
       break;
   }
 }

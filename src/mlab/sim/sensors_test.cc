@@ -431,5 +431,62 @@ TEST(Sensing, RangesThatAreNoNumbersSenseNothing) {
   EXPECT_EQ(Sensed(simulator, self, {{Sensor::kRobots, INFINITY}}).percepts.robots.size(), 1U);
 }
 
+TEST(Touch, TellsWhereTheNearestThingThatTouchesTheBodyIs) {
+  World world;
+  world.discs = {{{0, 1.205}, 1.0}};
+  world.walls.push_back({{{-0.209, -1}, {-0.209, 1}}, 0});
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{0, 0}, std::numbers::pi / 2});
+  const Sensed sensed(simulator, body, {{Sensor::kTouch}});
+  EXPECT_NEAR(sensed.percepts.touch.x, 1.0, 1e-12) << "the disc is nearer than the wall, and ahead";
+  EXPECT_NEAR(sensed.percepts.touch.y, 0.0, 1e-12);
+}
+
+TEST(Touch, FeelsWalls) {
+  World world;
+  world.walls.push_back({{{-1, -0.205}, {1, -0.205}}, 0});
+  Simulator simulator(world);
+  const Sensed sensed(simulator, add(simulator, {{0, 0}, 0.0}), {{Sensor::kTouch}});
+  EXPECT_NEAR(sensed.percepts.touch.x, 0.0, 1e-12);
+  EXPECT_NEAR(sensed.percepts.touch.y, -1.0, 1e-12);
+}
+
+TEST(Touch, FeelsRobotsOfAnySize) {
+  Simulator simulator({});
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0});
+  BodySpec large;
+  large.radius = 2.0;
+  const BodyIndex other = add(simulator, {{-2.205, 0}, 0.0}, large);
+  EXPECT_NEAR(Sensed(simulator, body, {{Sensor::kTouch}}).percepts.touch.x, -1.0, 1e-12);
+  EXPECT_NEAR(Sensed(simulator, other, {{Sensor::kTouch}}).percepts.touch.x, 1.0, 1e-12);
+}
+
+TEST(Touch, IsNothingWhereNothingIsNearerThanACentimetre) {
+  World world;
+  world.discs = {{{0, 1.211}, 1.0}};
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0});
+  EXPECT_EQ(Sensed(simulator, body, {{Sensor::kTouch}}).percepts.touch, geom::Vector{});
+  world.discs = {{{0, 1.209}, 1.0}};
+  Simulator nearer(world);
+  const BodyIndex touches = add(nearer, {{0, 0}, 0.0});
+  EXPECT_EQ(Sensed(nearer, touches, {{Sensor::kTouch}}).percepts.touch, (geom::Vector{0, 1, 0}));
+  EXPECT_EQ(Sensed(nearer, touches, {{Sensor::kRobots, 5.0}}).percepts.touch, geom::Vector{})
+      << "not asked for";
+}
+
+TEST(Touch, IsFeltByABodyThatDrivesAgainstAWall) {
+  World world;
+  world.walls.push_back({{{1, -5}, {1, 5}}, 0});
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{0, 0}, 0.0});
+  percept::Action ahead;
+  ahead.velocity = {1.0, 0.0, 0.0};
+  ahead.drives = true;
+  for (int i = 0; i < 20; ++i) simulator.step(std::span(&ahead, 1), 0.1);
+  const Sensed sensed(simulator, body, {{Sensor::kTouch}});
+  EXPECT_NEAR(sensed.percepts.touch.x, 1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace mlab::sim

@@ -29,7 +29,8 @@ enum class TestPercept : std::uint8_t {
   kClaim,
   kDoor,
   kHallway,
-  kPlace
+  kPlace,
+  kTouch
 };
 
 struct TestInput {
@@ -121,6 +122,8 @@ inline constexpr TestInput kTestHallway[] = {
 inline constexpr TestInput kTestPlace[] = {{"name", "text", "", "as `place(\"Gate\")` says it"},
                                            {"at", "Point", "", "where it lies"}};
 
+inline constexpr TestInput kTestTouch[] = {
+    {"direction", "angle", "", "of what is touched, counter-clockwise from ahead"}};
 
 /// By their numbers.
 inline constexpr std::array kTestPercepts = {
@@ -146,6 +149,7 @@ inline constexpr std::array kTestPercepts = {
     TestPerceptInfo{TestPercept::kDoor, "door", true, kTestDoor, "a door of the building"},
     TestPerceptInfo{TestPercept::kHallway, "hallway", true, kTestHallway, "a hallway of the building"},
     TestPerceptInfo{TestPercept::kPlace, "place", true, kTestPlace, "where a named place lies"},
+    TestPerceptInfo{TestPercept::kTouch, "touch", false, kTestTouch, "what the body touches"},
 };
 static_assert(base::has_a_row_for_each<kTestPercepts, &TestPerceptInfo::percept>());
 

@@ -181,6 +181,9 @@ constexpr std::array kNeedFields = {
     NeedField{percept::Sensor::kRanges,
               [](const wire::Needs& message) { return message.ranges() ? percept::kOwnReach : 0.0; },
               [](double reach, wire::Needs& message) { message.set_ranges(reach > 0.0); }},
+    NeedField{percept::Sensor::kTouch,
+              [](const wire::Needs& message) { return message.touch() ? percept::kOwnReach : 0.0; },
+              [](double reach, wire::Needs& message) { message.set_touch(reach > 0.0); }},
 };
 static_assert(base::has_a_row_for_each<kNeedFields, &NeedField::sensor>());
 
@@ -205,7 +208,7 @@ percept::Needs needs_of(const wire::Needs& message) {
 }
 
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
-  const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit,
+  const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, touch,
                map, carried, carried_class, order, unit, joystick, notifications, shared_places, claims] =
       percepts;
   out.Clear();
@@ -218,6 +221,9 @@ void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   if (!objects.empty()) encode(objects, *out.mutable_objects());
   if (!ranges.empty()) encode(ranges, *out.mutable_ranges());
   out.set_range_limit(range_limit);
+  out.set_touch_x(touch.x);
+  out.set_touch_y(touch.y);
+  out.set_touch_z(touch.z);
   encode(map, out);
   out.set_carried(carried.value);
   out.set_carried_class(static_cast<wire::ObjectClass>(carried_class));
@@ -372,6 +378,7 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
   percepts_.objects = objects_;
   percepts_.ranges = ranges_;
   percepts_.range_limit = message.range_limit();
+  percepts_.touch = {message.touch_x(), message.touch_y(), message.touch_z()};
   percepts_.carried = {message.carried()};
   percepts_.carried_class = static_cast<percept::ObjectClass>(message.carried_class());
   percepts_.unit = {static_cast<std::uint16_t>(unit.size()),
