@@ -9,7 +9,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -28,6 +27,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/interrupt.h"
 #include "mlab/cli/kept_address.h"
 #include "mlab/cli/other_language.h"
 #include "mlab/cli/output.h"
@@ -68,20 +68,9 @@ constexpr double kConsoleSpeed = 10.0;
 constexpr std::uint16_t kUsualPort = 8642;
 
 int interrupt = -1;  // eventfd that the signal handler writes to
-volatile std::sig_atomic_t was_interrupted = 0;
-timespec first_interrupt{};
 
-// The first Ctrl-C ends everything in an orderly way; who presses it again wants out at once. One key press
-// can come as several signals: from the terminal, and from a program that stands between.
 void on_interrupt(int) {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  if (was_interrupted == 0) first_interrupt = now;
-  was_interrupted = 1;
-  output_hurries = 1;
-  const double seconds = static_cast<double>(now.tv_sec - first_interrupt.tv_sec) +
-                         1e-9 * static_cast<double>(now.tv_nsec - first_interrupt.tv_nsec);
-  if (seconds > 0.5) _exit(kFailed);
+  note_interrupt();
   const std::uint64_t one = 1;
   [[maybe_unused]] const ssize_t written = ::write(interrupt, &one, sizeof one);
 }
@@ -96,7 +85,7 @@ bool listen_for_interrupts() {
 
 void wait_for_interrupt() {
   pollfd descriptor{interrupt, POLLIN, 0};
-  while (was_interrupted == 0) ::poll(&descriptor, 1, -1);
+  while (!was_interrupted()) ::poll(&descriptor, 1, -1);
 }
 
 std::optional<std::uint16_t> port_of(std::string_view text) {

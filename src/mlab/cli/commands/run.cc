@@ -4,7 +4,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/interrupt.h"
 #include "mlab/cli/other_language.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/permission.h"
@@ -36,26 +36,14 @@
 namespace mlab::cli {
 namespace {
 
-volatile std::sig_atomic_t run_interrupts = 0;
-timespec first_run_interrupt{};
-
-// The first Ctrl-C ends the run in an orderly way; who presses it again wants out at once. One key press can
-// come as several signals: from the terminal, and from a program that stands between.
 void on_run_interrupt(int) {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  if (run_interrupts == 0) first_run_interrupt = now;
-  run_interrupts = 1;
-  output_hurries = 1;
-  const double seconds = static_cast<double>(now.tv_sec - first_run_interrupt.tv_sec) +
-                         1e-9 * static_cast<double>(now.tv_nsec - first_run_interrupt.tv_nsec);
-  if (seconds > 0.5) _exit(kFailed);
+  note_interrupt();
 }
 
-// Until then, or until somebody wants an end.
+// Until the time is over, or until somebody wants an end.
 void pass_time(double seconds) {
   const double end = steady_seconds() + seconds;
-  while (run_interrupts == 0 && steady_seconds() < end)
+  while (!was_interrupted() && steady_seconds() < end)
     std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.1, end - steady_seconds())));
 }
 
@@ -121,7 +109,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
   const double began = steady_seconds();
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
   run.post(mission::event::Execute{});
-  while (run_interrupts == 0) {
+  while (!was_interrupted()) {
     if (const double ahead = person.ahead(); ahead > 0.0) {
       const double before = steady_seconds();
       person.attend(static_cast<int>(std::min(ahead * 1000.0, 100.0)) + 1);
@@ -182,7 +170,7 @@ int run(const RunOptions& options) {
     screen.show(run, effect);
     person.see(effect);
   });
-  run.set_meanwhile([] { return run_interrupts != 0; });
+  run.set_meanwhile(was_interrupted);
   std::signal(SIGINT, on_run_interrupt);
   std::signal(SIGTERM, on_run_interrupt);
 
