@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -120,10 +121,12 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
   EXPECT_EQ(one, report_with(8));
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission,
-                         testing::Values("demo_c", "forage", "robot_lab", "formations", "herd", "minefield",
-                                         "mrv2", "patrol", "rally", "rover", "squeeze", "split_rejoin",
-                                         "survey", "ugv"),
+// In the order of the alphabet.
+const std::string kAllMissions[] = {"demo_c",       "forage",  "formations", "herd",      "minefield",
+                                    "mrv2",         "patrol",  "rally",      "robot_lab", "rover",
+                                    "split_rejoin", "squeeze", "survey",     "ugv"};
+
+INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission, testing::ValuesIn(kAllMissions),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {
@@ -132,9 +135,7 @@ TEST(Missions, EveryFolderIsTried) {
     if (entry.is_directory()) folders.push_back(entry.path().filename().string());
   }
   std::sort(folders.begin(), folders.end());
-  EXPECT_EQ(folders, (std::vector<std::string>{"demo_c", "forage", "formations", "herd", "minefield", "mrv2",
-                                               "patrol", "rally", "robot_lab", "rover", "split_rejoin",
-                                               "squeeze", "survey", "ugv"}));
+  EXPECT_EQ(folders, std::vector<std::string>(std::begin(kAllMissions), std::end(kAllMissions)));
 }
 
 // What the foragers that are after an attractor go for, by object.
