@@ -6,6 +6,7 @@ import { MapView } from "../../core/map/map_view.ts";
 import { IconButton } from "../../ui/controls/controls.tsx";
 import { kFieldKey } from "../run/keys.ts";
 import { isMoving } from "../run/run_button.ts";
+import { situationOf } from "../run/situation.ts";
 import { StartsTool } from "./starts_tool.ts";
 import { useField } from "./use_field.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
@@ -111,7 +112,7 @@ function useStartsTool(): void {
           live.store.setState({ starts, robots });
         },
         done: () => {
-          if (!isMoving(live.situation.mode)) void live.tryOut(false);
+          if (!isMoving(situationOf(live).mode)) void live.trials.tryOut(false);
         },
       }),
     );
