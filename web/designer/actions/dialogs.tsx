@@ -80,7 +80,7 @@ function componentShown(designer: Designer, one: Component): Omit<Found, "points
 
 /** Its page, where it has one; else it is placed where that can be done, and explained where it can't. */
 function lookAt(designer: Designer, { name, title, source, help }: Component): void {
-  if (source.endsWith(".cdl")) void designer.open(source, name);
+  if (source.endsWith(".cdl")) void designer.navigation.open(source, name);
   else if (designer.drawing?.isReadOnly || designer.state.page === "")
     designer.tell(`${title || name}: ${help}`, "accent");
   else void place(designer, name, null);

@@ -2,6 +2,7 @@
 import { takeBack } from "../names/rename.ts";
 import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
+import { redo, undo } from "../session/documents.ts";
 import { arrangeAll } from "./arranging.ts";
 import type { Blocks } from "./blocks.ts";
 import { copySelection, cutSelection, duplicate, nudge, parted, paste, removeSelection, walk } from "./editing.ts";
@@ -16,7 +17,7 @@ export function historyActions(designer: Designer): Action[] {
       icon: "undo",
       shortcut: "ctrl+z",
       blocked: document?.undo ? undefined : "Nothing to undo",
-      run: () => designer.undo(),
+      run: () => undo(designer),
     },
     {
       id: "redo",
@@ -26,7 +27,7 @@ export function historyActions(designer: Designer): Action[] {
       shortcut: "ctrl+shift+z",
       also: ["ctrl+y"],
       blocked: document?.redo ? undefined : "Nothing to redo",
-      run: () => designer.redo(),
+      run: () => redo(designer),
     },
   ];
 }

@@ -1,7 +1,9 @@
 // What is done with files: opened, saved, exported, left.
 import { withToken } from "../../core/server_link.ts";
 import type { Action } from "../session/action.ts";
-import { type Designer, isNew } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { save } from "../session/documents.ts";
+import { isNew } from "../session/titles.ts";
 import { kClosed } from "./blocks.ts";
 
 export function fileActions(designer: Designer): Action[] {
@@ -10,7 +12,13 @@ export function fileActions(designer: Designer): Action[] {
   const dialog = (name: typeof state.dialog) => () => store.setState({ dialog: name, subject: "" });
   const unwritten = document && (document.isReadOnly || isNew(document.path));
   return [
-    { id: "new", label: "New configuration", group: "File", icon: "plus", run: () => void designer.open("", "") },
+    {
+      id: "new",
+      label: "New configuration",
+      group: "File",
+      icon: "plus",
+      run: () => void designer.navigation.open("", ""),
+    },
     {
       id: "open",
       label: "Open…",
@@ -28,7 +36,7 @@ export function fileActions(designer: Designer): Action[] {
       shortcut: "ctrl+s",
       everywhere: true,
       blocked: closed,
-      run: () => void designer.save(),
+      run: () => void save(designer),
     },
     {
       id: "save-as",
@@ -53,7 +61,7 @@ export function fileActions(designer: Designer): Action[] {
       label: "Close: back to the start page",
       group: "File",
       blocked: closed,
-      run: () => designer.leave(),
+      run: () => designer.navigation.leave(),
     },
     {
       id: "console",

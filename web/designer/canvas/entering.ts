@@ -11,7 +11,7 @@ export function entering(designer: Designer, drawing: Drawing): Pick<ReactFlowPr
       // The browser has taken it for a word: what it found to select is in a pane beside the canvas.
       window.getSelection()?.removeAllRanges();
       const inner = innerOf(drawing, id);
-      if (inner) designer.enter(inner);
+      if (inner) designer.navigation.enter(inner);
     },
   };
 }

@@ -6,7 +6,7 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { drawnAt } from "../names/at.ts";
 import { renameNow } from "../names/rename.ts";
 import { askDevice } from "../palette/device_chooser.tsx";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
 import {
   type Drawing,
   Drawing_Kind,
@@ -17,6 +17,7 @@ import {
   type Node,
   Node_Shape,
 } from "../session/protocol.ts";
+import { soon } from "../session/soon.ts";
 import { useDesigner, useIsReadOnly, usePart } from "../session/use.ts";
 import { InputList } from "./input_list.tsx";
 import { Heading, Section, SentField, SentText } from "./parts.tsx";
@@ -46,7 +47,7 @@ function Users({ robots }: { robots: readonly string[] }) {
     <p className="small details-users">
       <span className="muted">Robots of this class:</span>
       {robots.slice(0, 12).map((robot) => (
-        <Button key={robot} tone="link" onPress={() => designer.goTo(designer.state.document, robot)}>
+        <Button key={robot} tone="link" onPress={() => designer.navigation.goTo(designer.state.document, robot)}>
           {robot}
         </Button>
       ))}

@@ -156,7 +156,7 @@ export function DeclarationDialog() {
         const answer = await designer.link.ask(
           editOf(designer, `add ${kind} ${name}`, { case: "addDeclaration", value: { kind, name, robot } }),
         );
-        if (answer.ok) designer.goTo(designer.state.document, name);
+        if (answer.ok) designer.navigation.goTo(designer.state.document, name);
         return answer.error;
       }}
     />

@@ -3,9 +3,10 @@
 import { Button } from "../../ui/controls/controls.tsx";
 import { parted } from "../actions/editing.ts";
 import { onPitch } from "../arrange/elk.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
 import { lastPart } from "../session/pages.ts";
 import { type ChangeInit, type Drawing, Node_Shape } from "../session/protocol.ts";
+import { soon } from "../session/soon.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { isArranged, placesOf, sizesOf } from "../sight/use_places.ts";
 import { Ask, editOf } from "./dialogs.tsx";

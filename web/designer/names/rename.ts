@@ -81,7 +81,7 @@ export function pageAfter(page: string, { from, to, kind }: Pick<Plan, "from" | 
 function followPage(designer: Designer, plan: Plan): void {
   const { document, page } = designer.state;
   const now = pageAfter(page, plan);
-  if (now !== page) designer.goTo(document, now);
+  if (now !== page) designer.navigation.goTo(document, now);
 }
 
 /**

@@ -3,8 +3,9 @@
 import { beside, sideOf } from "../arrange/beside.ts";
 import { onPitch } from "../arrange/elk.ts";
 import { rowId } from "../drawing/form.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
 import { type ChangeInit, Drawing_Kind } from "../session/protocol.ts";
+import { soon } from "../session/soon.ts";
 import type { Placing } from "../session/state.ts";
 import { canvasStore } from "../sight/canvas_store.ts";
 import { placesOf, sizesOf } from "../sight/use_places.ts";

@@ -2,9 +2,10 @@
 import { useEffect, useMemo, useState } from "react";
 import { Chooser } from "../../ui/commands/chooser.tsx";
 import { toneOf } from "../drawing/form.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
 import { pageKey } from "../session/pages.ts";
 import type { Component } from "../session/protocol.ts";
+import { soon } from "../session/soon.ts";
 import type { TriggerChoice } from "../session/state.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { changeTrigger, joinedPart, termIn, termOf, triggerPage } from "../states/trigger.ts";

@@ -48,8 +48,8 @@ function Entry({ problem }: { problem: Problem }) {
   if (!diagnostic) return null;
   const go = () => {
     const path = diagnostic.document || document.path;
-    if (path !== document.path) designer.goTo(path, page, node);
-    else if (page !== "" || node !== "") designer.goTo(path, page, node);
+    if (path !== document.path) designer.navigation.goTo(path, page, node);
+    else if (page !== "" || node !== "") designer.navigation.goTo(path, page, node);
     designer.store.setState({ reveal: { begin: diagnostic.begin, end: diagnostic.end, focus: false } });
     if (page === "" && node === "") designer.show({ text: true });
   };

@@ -318,3 +318,8 @@ export function readShown(stored: unknown, first: ShownPanes): ShownPanes {
   }
   return shown as unknown as ShownPanes;
 }
+
+/** The page that is shown. */
+export function drawingOf(state: State): Drawing | undefined {
+  return state.drawings[pageKey(state.document, state.page)];
+}

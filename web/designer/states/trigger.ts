@@ -1,7 +1,8 @@
 // Triggers of transitions, put together by choosing.
 import { rowId } from "../drawing/form.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
 import { ChangeTrigger_How, type Drawing, type Node } from "../session/protocol.ts";
+import { soon } from "../session/soon.ts";
 import type { TriggerChoice } from "../session/state.ts";
 
 /** A part of a trigger: `and`, `or` or `not` with what stands in it, or a question. */

@@ -108,7 +108,7 @@ function EnterButton({ node }: { node: Node }) {
       data-page={node.inner!.path}
       onClick={(event) => {
         event.stopPropagation();
-        designer.enter(node.inner!);
+        designer.navigation.enter(node.inner!);
       }}
     >
       <Icon name="right" />

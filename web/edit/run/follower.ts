@@ -3,8 +3,8 @@
 import { placeOfPort } from "../../core/port_values.ts";
 import { Traces } from "../../designer/running/traces.ts";
 import { type LiveValue, liveKey, liveValues } from "../../designer/running/values.ts";
-import { drawingOf } from "../../designer/session/designer.ts";
 import type { Drawing } from "../../designer/session/protocol.ts";
+import { drawingOf } from "../../designer/session/state.ts";
 import { heldPorts } from "./interventions.ts";
 import { choosePlace, guessPlaces, witnessesOf } from "./places.ts";
 import { livesOf, type Plan, planOf, portReader, portsOf, valuesOf, withTrace } from "./reading.ts";

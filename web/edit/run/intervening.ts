@@ -1,4 +1,4 @@
-// What a person does to a robot that runs: parameters, held values, states that it is sent to.
+// What a person does to a robot that runs: held values, and states that it is sent to.
 import { spokenPath } from "../../core/port_words.ts";
 import type { Follower } from "./follower.ts";
 import type { Operator } from "./operator.ts";
@@ -10,14 +10,6 @@ export class Intervening {
     private readonly operator: Operator,
     private readonly follower: Follower,
   ) {}
-
-  /** The live parameter of all robots with the selected one's program. */
-  async setParameter(port: string, value: string): Promise<boolean> {
-    const roster = this.context.model.get("roster");
-    const program = roster.robot(this.follower.robot)?.program;
-    const robots = roster.robots.filter((robot) => robot.program === program).map(({ id }) => id);
-    return (await this.operator.order({ case: "setParameter", value: { robots, port, value } })).ok;
-  }
 
   /** In the next cycle the selected robot's sequence goes to the state; `sequence`: its path. */
   async force(sequence: string, state: string): Promise<void> {

@@ -52,7 +52,7 @@ export class Live implements RunContext {
 
   /** To where it is drawn. */
   goTo({ document, page, id }: DrawnAt): void {
-    this.designer.goTo(document, page, id);
+    this.designer.navigation.goTo(document, page, id);
     this.designer.select([id]);
   }
 

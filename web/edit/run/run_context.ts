@@ -30,6 +30,6 @@ export function showProblem(designer: Designer): void {
   if (!problem) return;
   designer.tell(`It does not compile: ${problem.diagnostic?.message ?? ""}`, "hold");
   if (problem.page !== "" || problem.node !== "") {
-    designer.goTo(problem.diagnostic?.document || designer.state.document, problem.page, problem.node);
+    designer.navigation.goTo(problem.diagnostic?.document || designer.state.document, problem.page, problem.node);
   }
 }

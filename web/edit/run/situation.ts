@@ -11,7 +11,7 @@ export function situationOf({ designer, model, store }: RunContext): Situation {
   const document = designer.document;
   const isOurs =
     tried !== null &&
-    designer.nowCalled(tried.document) === document?.path &&
+    designer.navigation.nowCalled(tried.document) === document?.path &&
     isMission(tried.mission, model.get("documents")?.documents[0]?.path);
   return {
     isConnected: model.get("link").state === "open",
