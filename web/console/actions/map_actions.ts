@@ -17,7 +17,7 @@ export const kMapTable: ActionTable = {
       icon: "fit",
       shortcut: "f",
       unless: [noMap],
-      run: ({ ui }) => ui.get("map")?.fit(),
+      run: ({ ui }) => ui.get("map")?.framing.fit(),
     },
     {
       id: "zoom-in",
@@ -25,7 +25,7 @@ export const kMapTable: ActionTable = {
       icon: "plus",
       shortcut: "+",
       unless: [noMap],
-      run: ({ ui }) => ui.get("map")?.zoom(Math.SQRT2),
+      run: ({ ui }) => ui.get("map")?.framing.zoom(Math.SQRT2),
     },
     {
       id: "zoom-out",
@@ -33,7 +33,7 @@ export const kMapTable: ActionTable = {
       icon: "minus",
       shortcut: "-",
       unless: [noMap],
-      run: ({ ui }) => ui.get("map")?.zoom(Math.SQRT1_2),
+      run: ({ ui }) => ui.get("map")?.framing.zoom(Math.SQRT1_2),
     },
     {
       id: "military",

@@ -89,7 +89,7 @@ function usePlacesFound({ model, ui }: Session): FoundBy {
         run: () => {
           model.select(selectItem({ kind: "measure", index }));
           const at = measure.points[0];
-          if (at) ui.get("map")?.centreOn(at);
+          if (at) ui.get("map")?.framing.centreOn(at);
         },
       }),
     );

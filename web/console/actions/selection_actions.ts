@@ -41,11 +41,11 @@ export const kSelectionTable: ActionTable = {
       icon: "centre",
       shortcut: ".",
       unless: [nothingSelected],
-      run: ({ ui }) => ui.get("map")?.fitSelection(),
+      run: ({ ui }) => ui.get("map")?.framing.fitSelection(),
     },
     {
       id: "follow",
-      label: ({ ui }) => (ui.get("map")?.following ? "Stop following" : "Follow the selection"),
+      label: ({ ui }) => (ui.get("map")?.framing.following ? "Stop following" : "Follow the selection"),
       icon: "follow",
       shortcut: "shift+f",
       unless: [nobodyToFollow],
@@ -68,14 +68,14 @@ function selectNeighbour({ model }: Session, by: 1 | -1): void {
 }
 
 function nobodyToFollow({ model, ui }: Session): string | undefined {
-  const isPossible = ui.get("map")?.following || model.get("selection").robots.length > 0;
+  const isPossible = ui.get("map")?.framing.following || model.get("selection").robots.length > 0;
   return isPossible ? undefined : "No robot is selected.";
 }
 
 function follow({ model, ui }: Session): void {
   const map = ui.get("map");
   const { unit, robots } = model.get("selection");
-  if (map?.following) map.follow(null);
-  else if (unit) map?.follow({ unit });
-  else if (robots[0] !== undefined) map?.follow({ robot: robots[0] });
+  if (map?.framing.following) map.framing.follow(null);
+  else if (unit) map?.framing.follow({ unit });
+  else if (robots[0] !== undefined) map?.framing.follow({ robot: robots[0] });
 }

@@ -15,7 +15,12 @@ export function MapItemFacts({ item, others }: { item: MapItem; others: number }
     <>
       <header className="selection-head">
         <h3 className="grow ellipsis">{described.title}</h3>
-        <IconButton icon="centre" label="Show on the map" shortcut="." onPress={() => ui.get("map")?.fitSelection()} />
+        <IconButton
+          icon="centre"
+          label="Show on the map"
+          shortcut="."
+          onPress={() => ui.get("map")?.framing.fitSelection()}
+        />
       </header>
       <div className="rows tab-body">
         {others > 0 && <p className="small muted">And {others} more.</p>}

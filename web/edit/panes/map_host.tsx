@@ -67,14 +67,14 @@ function MapTools() {
         onPress={() => live.store.setState({ showsField: !shows, field: null, fieldError: "" })}
       />
       <hr />
-      <IconButton icon="fit" label="Fit the whole map" onPress={() => map?.fit()} />
-      <IconButton icon="plus" label="Zoom in on the map" onPress={() => map?.zoom(Math.SQRT2)} />
-      <IconButton icon="minus" label="Zoom out of the map" onPress={() => map?.zoom(Math.SQRT1_2)} />
+      <IconButton icon="fit" label="Fit the whole map" onPress={() => map?.framing.fit()} />
+      <IconButton icon="plus" label="Zoom in on the map" onPress={() => map?.framing.zoom(Math.SQRT2)} />
+      <IconButton icon="minus" label="Zoom out of the map" onPress={() => map?.framing.zoom(Math.SQRT1_2)} />
       <IconButton
         icon="follow"
         label="Follow the robot"
         isDisabled={robot === undefined}
-        onPress={() => robot !== undefined && map?.follow({ robot })}
+        onPress={() => robot !== undefined && map?.framing.follow({ robot })}
       />
     </div>
   );
