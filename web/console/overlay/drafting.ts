@@ -16,7 +16,7 @@ import {
   type Draft,
   emptyDraft,
   isFull,
-  missing,
+  missingInDraft,
   removeLastPoint,
 } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
@@ -82,8 +82,8 @@ export class Drafting {
   }
 
   finish(draft: Draft): void {
-    if (missing(draft) !== "") {
-      this.session.ui.tell(missing(draft), "hold");
+    if (missingInDraft(draft) !== "") {
+      this.session.ui.tell(missingInDraft(draft), "hold");
       return;
     }
     const scene = this.session.model.get("scene");

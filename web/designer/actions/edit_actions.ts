@@ -5,7 +5,16 @@ import type { Designer } from "../session/designer.ts";
 import { redo, undo } from "../session/documents.ts";
 import { arrangeAll } from "./arranging.ts";
 import type { Blocks } from "./blocks.ts";
-import { copySelection, cutSelection, duplicate, nudge, parted, paste, removeSelection, walk } from "./editing.ts";
+import {
+  copySelection,
+  cutSelection,
+  duplicate,
+  nudge,
+  paste,
+  removeSelection,
+  selectionByKind,
+  walk,
+} from "./editing.ts";
 
 export function historyActions(designer: Designer): Action[] {
   const { document } = designer;
@@ -35,7 +44,7 @@ export function historyActions(designer: Designer): Action[] {
 export function selectionActions(designer: Designer, blocks: Blocks): Action[] {
   const { store, drawing } = designer;
   const { closed, fixed, noSelection, notOneNode } = blocks;
-  const first = parted(designer).nodes[0] ?? "";
+  const first = selectionByKind(designer).nodes[0] ?? "";
   return [
     ...clipboardActions(designer, blocks),
     {

@@ -5,7 +5,7 @@ import type { Action } from "../session/action.ts";
 import { crumbsIn } from "../session/crumbs.ts";
 import type { Designer } from "../session/designer.ts";
 import { innerOf } from "../session/inside.ts";
-import { outer } from "../session/pages.ts";
+import { outerPath } from "../session/pages.ts";
 import { goToPane } from "../session/panes.ts";
 import { kClosed } from "./blocks.ts";
 
@@ -32,7 +32,7 @@ export function goActions(designer: Designer): Action[] {
       blocked: state.page === "" || !drawing ? "This is the whole file" : undefined,
       run: () => {
         const before = crumbsIn(designer.state).at(-2);
-        designer.navigation.goTo(before?.document ?? state.document, before?.page ?? outer(state.page) ?? "");
+        designer.navigation.goTo(before?.document ?? state.document, before?.page ?? outerPath(state.page) ?? "");
       },
     },
     {

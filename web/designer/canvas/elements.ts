@@ -17,7 +17,7 @@ import { stateNodes, transitionEdges } from "../states/flow.ts";
 import { spokenNode } from "../views/node_view.tsx";
 import { spokenState } from "../views/state_view.tsx";
 import { asGhost, asGhostEdge, ghostNodes, ghostWires } from "./ghosts.ts";
-import { allMarked, marked } from "./selected.ts";
+import { allAsSelected, asSelected } from "./selected.ts";
 import type { Selecting } from "./selecting.ts";
 
 export interface Elements {
@@ -49,15 +49,15 @@ export function useElements(
     if (!places || isMoving.current) return;
     const page = { drawing, difference };
     const chosen = new Set(designer.state.selection);
-    setNodes((before) => drawnNodes(page, places, before).map((node) => marked(withLabel(asGhost(node)), chosen)));
+    setNodes((before) => drawnNodes(page, places, before).map((node) => asSelected(withLabel(asGhost(node)), chosen)));
     setEdges((before) => drawnEdges(page, places, before, scale));
   }, [drawing, difference, places, designer, scale, isMoving]);
 
   // What is selected elsewhere (a problem, a link, the details) is selected here.
   useEffect(() => {
     const wanted = new Set(selection);
-    setNodes((before) => allMarked(before, wanted));
-    setEdges((before) => allMarked(before, wanted));
+    setNodes((before) => allAsSelected(before, wanted));
+    setEdges((before) => allAsSelected(before, wanted));
   }, [selection]);
 
   const found = useCanvas((state) => state.found);

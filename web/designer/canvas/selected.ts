@@ -31,11 +31,11 @@ function isMarked({ id, selected = false }: Selectable, wanted: ReadonlySet<stri
 }
 
 /** The same object where it is selected, or not, already. */
-export function marked<T extends Selectable>(item: T, wanted: ReadonlySet<string>): T {
+export function asSelected<T extends Selectable>(item: T, wanted: ReadonlySet<string>): T {
   return isMarked(item, wanted) ? item : { ...item, selected: wanted.has(item.id) };
 }
 
 /** The same list where nothing in it changes. */
-export function allMarked<T extends Selectable>(items: T[], wanted: ReadonlySet<string>): T[] {
-  return items.every((item) => isMarked(item, wanted)) ? items : items.map((item) => marked(item, wanted));
+export function allAsSelected<T extends Selectable>(items: T[], wanted: ReadonlySet<string>): T[] {
+  return items.every((item) => isMarked(item, wanted)) ? items : items.map((item) => asSelected(item, wanted));
 }

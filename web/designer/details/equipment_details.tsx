@@ -7,6 +7,7 @@ import { drawnAt } from "../names/at.ts";
 import { renameNow } from "../names/rename.ts";
 import { askDevice } from "../palette/device_chooser.tsx";
 import type { Designer } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import {
   type Drawing,
   Drawing_Kind,
@@ -17,7 +18,6 @@ import {
   type Node,
   Node_Shape,
 } from "../session/protocol.ts";
-import { soon } from "../session/soon.ts";
 import { useDesigner, useIsReadOnly, usePart } from "../session/use.ts";
 import { InputList } from "./input_list.tsx";
 import { Heading, Section, SentField, SentText } from "./parts.tsx";
@@ -245,7 +245,7 @@ async function renameDevice(designer: Designer, page: string, device: string, na
     () => void designer.edit("", { case: "rename", value: { page, node: device, name } }),
   );
   const isThere = () => designer.drawing?.nodes.some((node) => node.name === name) || undefined;
-  if (await soon(designer, isThere)) designer.select([name]);
+  if (await onceDrawn(designer, isThere)) designer.select([name]);
 }
 
 /** With the reason beside each binding point that its component can't serve. */

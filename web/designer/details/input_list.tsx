@@ -1,6 +1,6 @@
 // The inputs of a node as fields: of one on the page that is shown, and of one in a trigger.
 import { IconButton } from "../../ui/controls/controls.tsx";
-import { wiredOf } from "../drawing/flow.ts";
+import { wiredInputsOf } from "../drawing/flow.ts";
 import { rowId, rowLabel } from "../drawing/form.ts";
 import { typeWords } from "../drawing/value_words.ts";
 import type { FieldOf } from "../session/extensions.ts";
@@ -59,7 +59,7 @@ function Input({ drawing, node, port, fieldOf, isFlow, canExpose }: InputProps) 
   const page = drawing.page?.path ?? "";
   const row = rowId(port.name, port.index);
   const wires = drawing.wires.filter((wire) => wire.to === node.name && rowId(wire.port, wire.index) === row);
-  const isWired = (wiredOf(drawing).get(node.name)?.has(row) ?? false) && !port.isExposed;
+  const isWired = (wiredInputsOf(drawing).get(node.name)?.has(row) ?? false) && !port.isExposed;
   const label = rowLabel(port);
   const drive = () =>
     designer.store.setState({

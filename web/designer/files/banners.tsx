@@ -7,13 +7,13 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
 import { ChangedFile } from "../../ui/files/changed_file.tsx";
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
 import { crumbsIn } from "../session/crumbs.ts";
 import type { Designer } from "../session/designer.ts";
 import { save } from "../session/documents.ts";
 import { isEmptyDrawing, isOfLibrary } from "../session/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../session/protocol.ts";
-import { type State, withoutChanged } from "../session/state.ts";
+import { type State, withoutChangedFile } from "../session/state.ts";
 import { nameOf } from "../session/titles.ts";
 import { useDesigner, useDocument, useDrawing, usePart } from "../session/use.ts";
 
@@ -74,7 +74,7 @@ function NotKeptBanner() {
     <Banner tone={isDirty ? "danger" : "hold"} role="alert">
       <Icon name="warning" />
       <span className="grow">
-        What is not saved is not kept, and is lost when mlab ends: {unmarked(notKept)}.
+        What is not saved is not kept, and is lost when mlab ends: {withoutBackticks(notKept)}.
         {isDirty ? " There is something that is not saved." : ""}
       </span>
       {canSave && <Button onPress={() => void save(designer)}>Save</Button>}
@@ -108,7 +108,7 @@ function ChangedBanner() {
 }
 
 function forget(designer: ReturnType<typeof useDesigner>, { document }: FileChanged): void {
-  designer.store.setState(({ changed }) => ({ changed: withoutChanged(changed, document) }));
+  designer.store.setState(({ changed }) => ({ changed: withoutChangedFile(changed, document) }));
 }
 
 function ReadOnlyBanner() {
@@ -195,7 +195,7 @@ function NoticeBanner() {
   return (
     <Banner tone={notice.tone} role="alert">
       <Icon name="warning" />
-      <span className="grow">{sentence(notice.text, unmarked)}</span>
+      <span className="grow">{sentence(notice.text, withoutBackticks)}</span>
       {notice.action && <Button onPress={notice.action.run}>{notice.action.label}</Button>}
       <IconButton icon="close" label="Dismiss" onPress={() => designer.store.setState({ notice: null })} />
     </Banner>

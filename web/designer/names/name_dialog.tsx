@@ -2,12 +2,12 @@
 import { useEffect, useState } from "react";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import type { NameAt } from "./at.ts";
 import { goToText } from "./go.ts";
 import { PlanView } from "./plan_view.tsx";
-import { carryOut, type Planned, planned } from "./rename.ts";
+import { carryOut, planRenaming, type RenamingPlan } from "./rename.ts";
 
 interface NameDialogProps {
   at: NameAt;
@@ -42,7 +42,7 @@ export function NameDialog({ at, first, name = first, wrong, local, began, done 
   const go = async () => {
     if (value === first) return close();
     if (wrong(value) !== undefined) return;
-    const now = found ?? (await planned(designer, at, value));
+    const now = found ?? (await planRenaming(designer, at, value));
     began?.();
     if (now.is === "local" && local) finish(await local(value));
     else if (now.is === "plan") finish(await carryOut(designer, at, now.plan));
@@ -104,19 +104,19 @@ export function NameDialog({ at, first, name = first, wrong, local, began, done 
 }
 
 function told(why: string | undefined): string | undefined {
-  return why ? sentence(why, unmarked) : undefined;
+  return why ? sentence(why, withoutBackticks) : undefined;
 }
 
 /** Of the name as it stands; nothing while that is not known yet. */
-function usePlanned(at: NameAt, name: string): Planned | undefined {
+function usePlanned(at: NameAt, name: string): RenamingPlan | undefined {
   const designer = useDesigner();
-  const [known, setKnown] = useState<{ name: string; found: Planned } | undefined>();
+  const [known, setKnown] = useState<{ name: string; found: RenamingPlan } | undefined>();
   const key = JSON.stringify(at);
   useEffect(() => {
     if (name === "") return;
     let isOld = false;
     const timer = setTimeout(async () => {
-      const found = await planned(designer, JSON.parse(key) as NameAt, name);
+      const found = await planRenaming(designer, JSON.parse(key) as NameAt, name);
       if (!isOld) setKnown({ name, found });
     }, kPause);
     return () => {

@@ -45,7 +45,7 @@ export function crumbsOf(
 }
 
 /** What is left of the way for a page that is gone to without going inside of anything: a step back shortens it. */
-export function shortened(trail: readonly Crumb[], document: string, page: string): readonly Crumb[] {
+export function shortenedTrail(trail: readonly Crumb[], document: string, page: string): readonly Crumb[] {
   const at = trail.findIndex((one) => one.document === document && one.page === page);
   return at < 0 ? [] : trail.slice(0, at);
 }

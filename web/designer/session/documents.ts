@@ -1,7 +1,7 @@
 // What is done with a whole document: changed back, saved, compared, thrown away.
 import type { Designer } from "./designer.ts";
 import type { Request } from "./protocol.ts";
-import { without } from "./state.ts";
+import { withoutDocument } from "./state.ts";
 import { isNew } from "./titles.ts";
 
 type With = NonNullable<Extract<Request, { case: "compareWith" }>["value"]["with"]>;
@@ -58,5 +58,5 @@ export async function discard(designer: Designer, path: string): Promise<boolean
 
 /** It is no longer, or no longer called so. */
 export function forget(designer: Designer, path: string): void {
-  designer.store.setState((state) => without(state, path));
+  designer.store.setState((state) => withoutDocument(state, path));
 }

@@ -1,5 +1,5 @@
 // Which page is shown, and how one comes to it: from page to page, by the browser's steps, by the address.
-import { type Crumb, crumbsIn, shortened } from "./crumbs.ts";
+import { type Crumb, crumbsIn, shortenedTrail } from "./crumbs.ts";
 import type { Designer } from "./designer.ts";
 import { fromFragment, pageKey, toFragment } from "./pages.ts";
 import type { Drawing, Page } from "./protocol.ts";
@@ -55,7 +55,7 @@ export class Navigation {
   private turnTo(document: string, page: string, node: string, step: Step): void {
     const isSame = this.state.document === document && this.state.page === page;
     this.pendingNode = node;
-    const trail = isSame ? this.state.trail : (this.entered ?? shortened(this.state.trail, document, page));
+    const trail = isSame ? this.state.trail : (this.entered ?? shortenedTrail(this.state.trail, document, page));
     this.entered = null;
     this.designer.store.setState({
       trail,

@@ -19,7 +19,7 @@ export interface Step {
 
 const kMotors = ["Noise", "AvoidStaticObstacles", "Probe"];
 
-export const kSteps: readonly Step[] = [
+export const kTourSteps: readonly Step[] = [
   {
     title: "A first skill",
     text: "In a few minutes a robot will wander about in the simulator. Everything here can be undone with Ctrl Z, so try things. The file is empty: add an assemblage, which is a skill, and call it Wander.",

@@ -4,7 +4,7 @@ import { memo } from "react";
 import { flowOf } from "../../core/value_types.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { DifferenceSign, useDifferenceClass } from "../compare/sign.tsx";
-import { type CanvasNode, kOut } from "../drawing/flow.ts";
+import { type CanvasNode, kOutputHandle } from "../drawing/flow.ts";
 import { type Form, kindOf, type Row } from "../drawing/form.ts";
 import { outlinePath } from "../drawing/outline.ts";
 import { typeWords } from "../drawing/value_words.ts";
@@ -178,7 +178,7 @@ function Output({ node, form }: { node: Node; form: Form }) {
   return (
     <Handle
       type="source"
-      id={kOut}
+      id={kOutputHandle}
       position={Position.Right}
       className={`port out flow-${flowOf(node.type)} ${state}`}
       style={{ top: form.outputY }}

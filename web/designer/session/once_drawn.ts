@@ -1,7 +1,7 @@
 import type { Designer } from "./designer.ts";
 
 /** What the next drawing is to bring: it may come a moment after the answer. */
-export function soon<T>(designer: Designer, look: () => T | undefined): Promise<T | undefined> {
+export function onceDrawn<T>(designer: Designer, look: () => T | undefined): Promise<T | undefined> {
   return new Promise((resolve) => {
     const found = look();
     if (found !== undefined) return resolve(found);
