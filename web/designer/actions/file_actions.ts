@@ -3,14 +3,12 @@ import { withToken } from "../../core/server_link.ts";
 import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
 import { save } from "../session/documents.ts";
+import type { DialogName } from "../session/state.ts";
 import { isNew } from "../session/titles.ts";
 import { kClosed } from "./blocks.ts";
 
 export function fileActions(designer: Designer): Action[] {
-  const { store, state, document } = designer;
-  const closed = document ? undefined : kClosed;
-  const dialog = (name: typeof state.dialog) => () => store.setState({ dialog: name, subject: "" });
-  const unwritten = document && (document.isReadOnly || isNew(document.path));
+  const closed = designer.document ? undefined : kClosed;
   return [
     {
       id: "new",
@@ -26,8 +24,31 @@ export function fileActions(designer: Designer): Action[] {
       icon: "folder",
       shortcut: "ctrl+o",
       everywhere: true,
-      run: dialog("open"),
+      run: () => openDialog(designer, "open"),
     },
+    ...saveActions(designer, closed),
+    ...exportActions(designer, closed),
+    {
+      id: "close",
+      label: "Close: back to the start page",
+      group: "File",
+      blocked: closed,
+      run: () => designer.navigation.leave(),
+    },
+    {
+      id: "console",
+      label: "Open the operator console",
+      group: "File",
+      icon: "robots",
+      run: () => window.open(withToken(designer.page, "./"), "_blank", "noopener"),
+    },
+  ];
+}
+
+function saveActions(designer: Designer, closed: string | undefined): Action[] {
+  const { document } = designer;
+  const unwritten = document && (document.isReadOnly || isNew(document.path));
+  return [
     {
       id: "save",
       label: unwritten ? "Save…" : "Save",
@@ -45,7 +66,7 @@ export function fileActions(designer: Designer): Action[] {
       shortcut: "ctrl+shift+s",
       everywhere: true,
       blocked: closed,
-      run: dialog("save-as"),
+      run: () => openDialog(designer, "save-as"),
     },
     {
       id: "library",
@@ -53,24 +74,13 @@ export function fileActions(designer: Designer): Action[] {
       group: "File",
       icon: "layers",
       blocked: closed,
-      run: dialog("library"),
-    },
-    ...exportActions(designer, closed),
-    {
-      id: "close",
-      label: "Close: back to the start page",
-      group: "File",
-      blocked: closed,
-      run: () => designer.navigation.leave(),
-    },
-    {
-      id: "console",
-      label: "Open the operator console",
-      group: "File",
-      icon: "robots",
-      run: () => window.open(withToken(designer.page, "./"), "_blank", "noopener"),
+      run: () => openDialog(designer, "library"),
     },
   ];
+}
+
+function openDialog({ store }: Designer, dialog: DialogName): void {
+  store.setState({ dialog, subject: "" });
 }
 
 function exportActions(designer: Designer, closed: string | undefined): Action[] {

@@ -27,7 +27,8 @@ interface NameDialogProps {
 
 const kPause = 120; // behind a letter [ms]
 
-export function NameDialog({ at, first, name = first, wrong, local, began, done }: NameDialogProps) {
+/** The name as it is typed, what it would change, and how it is done. */
+function useNewName({ at, first, name = first, wrong, local, began, done }: NameDialogProps) {
   const designer = useDesigner();
   const [value, setValue] = useState(name);
   const [problem, setProblem] = useState("");
@@ -39,14 +40,30 @@ export function NameDialog({ at, first, name = first, wrong, local, began, done 
     close();
     done?.(value);
   };
-  const go = async () => {
-    if (value === first) return close();
-    if (wrong(value) !== undefined) return;
-    const now = found ?? (await planRenaming(designer, at, value));
-    began?.();
-    if (now.is === "local" && local) finish(await local(value));
-    else if (now.is === "plan") finish(await carryOut(designer, at, now.plan));
+  return {
+    value,
+    problem,
+    found,
+    close,
+    type: (next: string) => {
+      setValue(next);
+      setProblem("");
+    },
+    go: async () => {
+      if (value === first) return close();
+      if (wrong(value) !== undefined) return;
+      const now = found ?? (await planRenaming(designer, at, value));
+      began?.();
+      if (now.is === "local" && local) finish(await local(value));
+      else if (now.is === "plan") finish(await carryOut(designer, at, now.plan));
+    },
   };
+}
+
+export function NameDialog(props: NameDialogProps) {
+  const designer = useDesigner();
+  const { first, wrong } = props;
+  const { value, problem, found, close, type, go } = useNewName(props);
   const refused = found?.is === "refused" ? found : undefined;
   return (
     <DialogBox
@@ -73,10 +90,7 @@ export function NameDialog({ at, first, name = first, wrong, local, began, done 
         <Field
           label="Name"
           value={value}
-          onChange={(next) => {
-            setValue(next);
-            setProblem("");
-          }}
+          onChange={type}
           problem={told(problem || refused?.why) ?? (value === "" ? undefined : wrong(value))}
           autoFocus
         />
