@@ -84,10 +84,48 @@ export class MapLayers {
     }
   }
 
+  /** Newer places of robots and moved things have come. */
+  takeFrame(): void {
+    const moved = this.map.model.movedObjects.size;
+    const trails = this.trailLayer.isDue(this.map.model) ? Dirty.TRAILS : 0;
+    // An object that moves leaves the ground for the top.
+    const ground = moved !== this.movedObjects ? Dirty.GROUND : 0;
+    this.movedObjects = moved;
+    this.change(Dirty.ROBOTS | Dirty.TOP | trails | ground);
+  }
+
+  /** Draws parts anew, of Dirty, before the browser paints next. */
+  change(dirty: number): void {
+    this.dirty |= dirty;
+    if (this.scheduled) return;
+    this.scheduled = requestAnimationFrame(() => {
+      this.scheduled = 0;
+      this.draw();
+    });
+  }
+
   /** All of it, now. */
   drawAll(): void {
     this.dirty = Dirty.ALL;
     this.draw();
+  }
+
+  /** What the map shows now, as a picture. */
+  async toPng(): Promise<Blob> {
+    this.drawAll();
+    this.drawTrails(true);
+    const picture = document.createElement("canvas");
+    picture.width = this.ground.width;
+    picture.height = this.ground.height;
+    const context = picture.getContext("2d")!;
+    const layers = [...this.map.host.querySelectorAll("canvas")];
+    layers.sort((a, b) => Number(a.style.zIndex) - Number(b.style.zIndex));
+    for (const canvas of layers) {
+      if (canvas.style.display !== "none") context.drawImage(canvas, 0, 0, picture.width, picture.height);
+    }
+    const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, "image/png"));
+    if (!blob) throw new Error("the browser could not make a picture of the map");
+    return blob;
   }
 
   dispose(): void {
@@ -182,41 +220,5 @@ export class MapLayers {
     canvas.setAttribute("aria-hidden", "true");
     this.map.host.append(canvas);
     return canvas;
-  }
-
-  takeFrame(): void {
-    const moved = this.map.model.movedObjects.size;
-    const trails = this.trailLayer.isDue(this.map.model) ? Dirty.TRAILS : 0;
-    // An object that moves leaves the ground for the top.
-    const ground = moved !== this.movedObjects ? Dirty.GROUND : 0;
-    this.movedObjects = moved;
-    this.change(Dirty.ROBOTS | Dirty.TOP | trails | ground);
-  }
-
-  /** What the map shows now, as a picture. */
-  async toPng(): Promise<Blob> {
-    this.drawAll();
-    this.drawTrails(true);
-    const picture = document.createElement("canvas");
-    picture.width = this.ground.width;
-    picture.height = this.ground.height;
-    const context = picture.getContext("2d")!;
-    const layers = [...this.map.host.querySelectorAll("canvas")];
-    layers.sort((a, b) => Number(a.style.zIndex) - Number(b.style.zIndex));
-    for (const canvas of layers) {
-      if (canvas.style.display !== "none") context.drawImage(canvas, 0, 0, picture.width, picture.height);
-    }
-    const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, "image/png"));
-    if (!blob) throw new Error("the browser could not make a picture of the map");
-    return blob;
-  }
-
-  change(dirty: number): void {
-    this.dirty |= dirty;
-    if (this.scheduled) return;
-    this.scheduled = requestAnimationFrame(() => {
-      this.scheduled = 0;
-      this.draw();
-    });
   }
 }
