@@ -6,11 +6,11 @@ import {
   type Box,
   boundsOf,
   boxOf,
+  contains,
   crosses,
   distance,
   distanceToLine,
   distanceToSegment,
-  holds,
   isInside,
   lengthOf,
   offsetLine,
@@ -51,7 +51,7 @@ describe("boxes", () => {
     fc.assert(
       fc.property(line, (points) => {
         const box = boundsOf(points)!;
-        for (const one of points) expect(holds(box, one)).toBe(true);
+        for (const one of points) expect(contains(box, one)).toBe(true);
       }),
     );
     expect(boundsOf([])).toBeNull();
@@ -74,7 +74,7 @@ describe("boxes", () => {
           y: from.y + ((to.y - from.y) * i) / 20,
         }));
         const inner = { xMin: box.xMin - 1e-9, yMin: box.yMin - 1e-9, xMax: box.xMax + 1e-9, yMax: box.yMax + 1e-9 };
-        if (samples.some((one) => holds(box, one))) expect(crosses(inner, from, to)).toBe(true);
+        if (samples.some((one) => contains(box, one))) expect(crosses(inner, from, to)).toBe(true);
       }),
     );
     expect(crosses({ xMin: 0, yMin: 0, xMax: 1, yMax: 1 }, { x: 2, y: -1 }, { x: 2, y: 3 })).toBe(false);

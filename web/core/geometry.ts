@@ -20,7 +20,7 @@ export function add(a: Point, b: Point, factor = 1): Point {
   return { x: a.x + b.x * factor, y: a.y + b.y * factor };
 }
 
-export function between(a: Point, b: Point, share: number): Point {
+export function pointBetween(a: Point, b: Point, share: number): Point {
   return { x: a.x + (b.x - a.x) * share, y: a.y + (b.y - a.y) * share };
 }
 
@@ -31,7 +31,7 @@ export function direction(from: Point, to: Point): Point {
 }
 
 /** A quarter turn counter-clockwise where y points up. */
-export function normal(of: Point): Point {
+export function perpendicular(of: Point): Point {
   return { x: -of.y, y: of.x };
 }
 
@@ -79,7 +79,7 @@ export function overlaps(a: Box, b: Box): boolean {
   return a.xMin < b.xMax && b.xMin < a.xMax && a.yMin < b.yMax && b.yMin < a.yMax;
 }
 
-export function holds(box: Box, point: Point): boolean {
+export function contains(box: Box, point: Point): boolean {
   return point.x >= box.xMin && point.x <= box.xMax && point.y >= box.yMin && point.y <= box.yMax;
 }
 
@@ -93,7 +93,7 @@ export function distanceToSegment(point: Point, a: Point, b: Point): number {
   const dy = b.y - a.y;
   const square = dx * dx + dy * dy;
   const share = square > 0 ? ((point.x - a.x) * dx + (point.y - a.y) * dy) / square : 0;
-  return distance(point, between(a, b, Math.max(0, Math.min(1, share))));
+  return distance(point, pointBetween(a, b, Math.max(0, Math.min(1, share))));
 }
 
 /** Whether any of the segment lies in the box. @source Liang and Barsky 1984 */
@@ -154,7 +154,7 @@ export function alongLine(line: readonly Point[], way: number): { point: Point; 
     const b = line[i]!;
     const step = distance(a, b);
     if (step > 0 && (left <= step || i === line.length - 1)) {
-      return { point: between(a, b, left / step), direction: direction(a, b) };
+      return { point: pointBetween(a, b, left / step), direction: direction(a, b) };
     }
     left -= step;
   }
@@ -169,8 +169,8 @@ export function offsetLine(line: readonly Point[], by: number): Point[] {
   const points = line.filter((point, i) => i === 0 || distance(point, line[i - 1]!) > 0);
   if (points.length < 2) return [...points];
   return points.map((point, i) => {
-    const before = i > 0 ? normal(direction(points[i - 1]!, point)) : null;
-    const after = i < points.length - 1 ? normal(direction(point, points[i + 1]!)) : null;
+    const before = i > 0 ? perpendicular(direction(points[i - 1]!, point)) : null;
+    const after = i < points.length - 1 ? perpendicular(direction(point, points[i + 1]!)) : null;
     const first = before ?? after!;
     const second = after ?? before!;
     const sum = { x: first.x + second.x, y: first.y + second.y };

@@ -13,8 +13,8 @@ const state = createState(window.localStorage, window.innerWidth);
 const designer = new Designer(state, new URL(window.location.href), extensions);
 designer.link.connect();
 prepareLayout();
-window.addEventListener("popstate", () => designer.followAddress());
-window.addEventListener("hashchange", () => designer.followAddress());
+window.addEventListener("popstate", () => designer.navigation.followAddress());
+window.addEventListener("hashchange", () => designer.navigation.followAddress());
 
 createRoot(document.getElementById("root")!).render(
   <StrictMode>

@@ -171,14 +171,14 @@ describe("moving about", () => {
   test("a followed robot stays in the middle, until the map is dragged", async () => {
     const page = await open("scene=demo-c");
     await page.evaluate(() => {
-      window.map.follow({ robot: 2 });
+      window.map.framing.follow({ robot: 2 });
       window.map.draw();
     });
     const { x, y } = await camera(page);
     const place = await page.evaluate(() => window.model.placeOf(2));
     expect(Math.hypot(x - place.x, y - place.y)).toBeLessThan(0.5);
-    await page.evaluate(() => window.map.pan(10, 0));
-    expect(await page.evaluate(() => window.map.following)).toBeNull();
+    await page.evaluate(() => window.map.framing.pan(10, 0));
+    expect(await page.evaluate(() => window.map.framing.following)).toBeNull();
   });
 
   test("the pointer's place in the world is told", async () => {

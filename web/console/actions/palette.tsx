@@ -2,7 +2,7 @@
 import { useMemo } from "react";
 import { selectItem, selectRobots, selectUnit } from "../../core/selection.ts";
 import { KeySheet } from "../../ui/commands/commands.tsx";
-import { commandsFound, Everything, type Found, foundIn } from "../../ui/commands/everything.tsx";
+import { commandsFound, Everything, resultsIn, type SearchResult } from "../../ui/commands/everything.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { openMission } from "../session/orders.ts";
 import { type Session, usePart, useSession } from "../session/session.ts";
@@ -18,7 +18,7 @@ const kOnTheMap = {
   ],
 } as const;
 
-type FoundBy = (query: string) => Found[];
+type FoundBy = (query: string) => SearchResult[];
 
 /** Commands, who drives, places, steps, files, other missions. */
 export function Palette() {
@@ -43,7 +43,7 @@ export function Palette() {
 function useRosterFound({ model }: Session): FoundBy {
   const roster = usePart("roster");
   return (query) => [
-    ...foundIn(
+    ...resultsIn(
       query,
       roster.units,
       (unit) => unit.name,
@@ -56,7 +56,7 @@ function useRosterFound({ model }: Session): FoundBy {
         run: () => model.select(selectUnit(name, roster.robotsOf(name))),
       }),
     ),
-    ...foundIn(
+    ...resultsIn(
       query,
       roster.robots,
       (robot) => `${roster.nameOf(robot.id)} ${robot.type}`,
@@ -76,7 +76,7 @@ function usePlacesFound({ model, ui }: Session): FoundBy {
   const measures = usePart("scene")?.measures ?? [];
   const named = measures.map((measure, index) => ({ measure, index })).filter(({ measure }) => measure.name !== "");
   return (query) =>
-    foundIn(
+    resultsIn(
       query,
       named,
       ({ measure }) => measure.name,
@@ -89,7 +89,7 @@ function usePlacesFound({ model, ui }: Session): FoundBy {
         run: () => {
           model.select(selectItem({ kind: "measure", index }));
           const at = measure.points[0];
-          if (at) ui.get("map")?.centreOn(at);
+          if (at) ui.get("map")?.framing.centreOn(at);
         },
       }),
     );
@@ -98,7 +98,7 @@ function usePlacesFound({ model, ui }: Session): FoundBy {
 function useStepsFound({ ui }: Session): FoundBy {
   const steps = usePart("plan")?.steps ?? [];
   return (query) =>
-    foundIn(
+    resultsIn(
       query,
       steps,
       (step) => `Step ${step.label} ${step.commands.map((one) => one.text).join(" ")}`,
@@ -118,7 +118,7 @@ function useFilesFound(session: Session): FoundBy {
   const documents = usePart("documents")?.documents ?? [];
   const missions = usePart("project")?.missions ?? [];
   return (query) => [
-    ...foundIn(
+    ...resultsIn(
       query,
       documents,
       (document) => document.path,
@@ -131,7 +131,7 @@ function useFilesFound(session: Session): FoundBy {
         run: () => session.ui.set("reveal", { document: path, line: 1 }),
       }),
     ),
-    ...foundIn(
+    ...resultsIn(
       query,
       missions,
       ({ path, title }) => `${title} ${path}`,

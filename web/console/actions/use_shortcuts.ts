@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { isForPageInList, isTakenByFocus, matches } from "../../ui/commands/keys.ts";
+import { isForPageInList, isShortcut, isTakenByFocus } from "../../ui/commands/keys.ts";
 import type { Session } from "../session/session.ts";
 import { allActions } from "./shell_actions.ts";
 
@@ -10,7 +10,7 @@ export function useShortcuts(session: Session): void {
       // Before a list takes the letter to look for what begins with it.
       const isForPage = isForPageInList(event.target as Element | null, event);
       const action = allActions(session).find(
-        (one) => (one.everywhere || isForPage) && one.shortcut !== undefined && matches(one.shortcut, event),
+        (one) => (one.everywhere || isForPage) && one.shortcut !== undefined && isShortcut(one.shortcut, event),
       );
       if (!action || event.repeat) return;
       event.preventDefault();
@@ -19,7 +19,7 @@ export function useShortcuts(session: Session): void {
     };
     const late = (event: KeyboardEvent) => {
       if (event.defaultPrevented || isTakenByFocus(event.target as Element | null, event)) return;
-      const action = allActions(session).find((one) => one.shortcut !== undefined && matches(one.shortcut, event));
+      const action = allActions(session).find((one) => one.shortcut !== undefined && isShortcut(one.shortcut, event));
       if (!action) return;
       event.preventDefault();
       if (!action.blocked) action.run();

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef } from "react";
-import { plain } from "../../ui/words/format.ts";
+import { readableMessage } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { openAlerts } from "../log/alerts.ts";
 import { usePart, useUi } from "../session/session.ts";
@@ -24,7 +24,7 @@ export function useCalls(): void {
       ...questions.map(({ id, text, unit }) => ({
         tag: `question ${id} ${text}`,
         title: unit ? `Question of ${unit}` : "Question",
-        text: plain(text),
+        text: readableMessage(text),
       })),
       ...openAlerts(log, after, kNone).map(({ number, text }) => ({
         tag: `alert ${number}`,

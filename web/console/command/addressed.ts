@@ -6,7 +6,7 @@ interface UnitMembers {
   readonly robots: readonly number[];
 }
 
-export interface Addressed {
+export interface Addressees {
   readonly units: readonly string[];
   /** Robots that are a unit for as long as the order lasts; none where units are meant. */
   readonly robots: readonly number[];
@@ -21,7 +21,7 @@ export interface Addressed {
 export function addressedUnits(
   selection: { readonly unit: string; readonly robots: readonly number[] },
   units: readonly UnitMembers[],
-): Addressed {
+): Addressees {
   if (selection.unit !== "") return { units: [selection.unit], robots: [], note: "" };
   if (selection.robots.length === 0) return onlyUnit(units);
   const left = new Set(selection.robots);
@@ -36,7 +36,7 @@ export function addressedUnits(
   return { units: [], robots: [...new Set(selection.robots)].sort((a, b) => a - b), note: "" };
 }
 
-function onlyUnit(units: readonly UnitMembers[]): Addressed {
+function onlyUnit(units: readonly UnitMembers[]): Addressees {
   const all = new Set(units.flatMap((u) => u.robots));
   const whole = units.filter((u) => u.robots.length === all.size && all.size > 0);
   const first = whole[0];

@@ -4,7 +4,7 @@ import { type Log_Entry, Log_Kind } from "../../core/protocol.ts";
 import { Button, Search, Switch } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
-import { count, duration, plain } from "../../ui/words/format.ts";
+import { count, duration, readableMessage } from "../../ui/words/format.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { filterLog, kEverything, kKinds, kKindWords, type LogFilter, windowOf } from "./filter.ts";
 import { hasPlace, showPlace } from "./show_place.ts";
@@ -146,14 +146,14 @@ function Row({ entry, top }: { entry: Log_Entry; top: number }) {
           tone="link"
           className="ellipsis log-text"
           onPress={() => showPlace(session, entry)}
-          aria-label={`${plain(entry.text)}: show on the map`}
+          aria-label={`${readableMessage(entry.text)}: show on the map`}
         >
-          {plain(entry.text)}
+          {readableMessage(entry.text)}
           <Icon name="centre" />
         </Button>
       ) : (
-        <span className="ellipsis log-text" title={plain(entry.text)}>
-          {plain(entry.text)}
+        <span className="ellipsis log-text" title={readableMessage(entry.text)}>
+          {readableMessage(entry.text)}
         </span>
       )}
     </div>

@@ -9,7 +9,7 @@ export function showPlace({ model, ui }: Session, entry: Pick<Log_Entry, "robot"
   if (entry.robot !== 0 && roster.robot(entry.robot)) model.select(selectRobots([entry.robot]));
   const robots = entry.robot !== 0 ? [entry.robot] : roster.robotsOf(entry.unit);
   const place = entry.place ?? robots.map((id) => model.placeOf(id)).find((found) => found !== undefined);
-  if (place) map?.centreOn(place);
+  if (place) map?.framing.centreOn(place);
 }
 
 export function hasPlace(entry: Pick<Log_Entry, "robot" | "unit" | "place">): boolean {

@@ -60,7 +60,7 @@ export function ThingList({ label, things, onNudge }: Props) {
           const wanted = keys === "all" ? shown : shown.filter((t) => keys.has(keyOf(t.item)));
           session.model.select({ robots: [], unit: "", items: wanted.map((t) => t.item) });
         }}
-        onAction={() => session.ui.get("map")?.fitSelection()}
+        onAction={() => session.ui.get("map")?.framing.fitSelection()}
         renderEmptyState={() => <span className="muted small">{query ? "Nothing of that name." : "None yet."}</span>}
       >
         {(thing) => (

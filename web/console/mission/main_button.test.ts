@@ -2,7 +2,7 @@ import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { Control_Action, Status_Mode, Status_Outcome, StatusSchema } from "../../core/protocol.ts";
 import { mainButton, type Situation, skipWords, stepWords } from "./main_button.ts";
-import { kTyped } from "./steps.ts";
+import { kStepOfOrder } from "./steps.ts";
 
 function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): ReturnType<typeof mainButton> {
   return mainButton({
@@ -26,7 +26,7 @@ describe("Step and Skip", () => {
     expect(skipWords(running)).toContain("Gives up the step that runs");
   });
   it("speak of the next one where nothing runs", () => {
-    const order = create(StatusSchema, { steps: [{ step: kTyped, outcome: Status_Outcome.UNDER_WAY }] });
+    const order = create(StatusSchema, { steps: [{ step: kStepOfOrder, outcome: Status_Outcome.UNDER_WAY }] });
     for (const status of [standing, order, null]) {
       expect(stepWords(status)).toContain("next step");
       expect(skipWords(status)).toContain("Passes over");
@@ -45,7 +45,7 @@ describe("the main button", () => {
     });
   });
   it("resumes a step beside which an order has ended", () => {
-    const steps = [{ outcome: Status_Outcome.UNDER_WAY }, { step: kTyped, outcome: Status_Outcome.DONE }];
+    const steps = [{ outcome: Status_Outcome.UNDER_WAY }, { step: kStepOfOrder, outcome: Status_Outcome.DONE }];
     expect(at(Status_Mode.PAUSED, {}, { steps })).toMatchObject({ label: "Resume" });
   });
   it("goes on with the next step where it stands between two", () => {

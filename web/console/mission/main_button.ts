@@ -1,6 +1,6 @@
 // The main button: it always says what it will do, and there is always one next thing to do.
 import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../core/protocol.ts";
-import { kTyped } from "./steps.ts";
+import { kStepOfOrder } from "./steps.ts";
 
 export interface MainButton {
   label: string;
@@ -115,7 +115,7 @@ function isUnderWay(status: Status): boolean {
 
 /** Of the plan: orders may be under way beside it. */
 function isStepUnderWay(status: Status): boolean {
-  return status.steps.some((step) => step.step !== kTyped && step.outcome === Status_Outcome.UNDER_WAY);
+  return status.steps.some((step) => step.step !== kStepOfOrder && step.outcome === Status_Outcome.UNDER_WAY);
 }
 
 /** What Step does now. */

@@ -5,7 +5,7 @@ import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Bar, Button, Hint } from "../../ui/controls/controls.tsx";
 import { Icon, type IconName } from "../../ui/controls/icons.tsx";
 import { MenuButton, type MenuEntry } from "../../ui/controls/menus.tsx";
-import { distance, duration, plain } from "../../ui/words/format.ts";
+import { distance, duration, readableMessage } from "../../ui/words/format.ts";
 import { askFirst, control } from "../session/orders.ts";
 import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { skipWords, stepWords } from "./main_button.ts";
@@ -14,7 +14,7 @@ import { situationOf } from "./situation.ts";
 import {
   type CommandRow,
   kStateWords,
-  kTyped,
+  kStepOfOrder,
   missionProgress,
   type StepRow,
   type StepState,
@@ -130,7 +130,7 @@ function RunningNow() {
       <h3>Waits for</h3>
       <ul>
         {waits.map((text) => (
-          <li key={text}>{plain(text)}</li>
+          <li key={text}>{readableMessage(text)}</li>
         ))}
       </ul>
     </section>
@@ -144,7 +144,7 @@ function Steps() {
   usePart("documents");
   const hasErrors = situationOf(model).errors > 0;
   const rows = stepRows(plan ?? undefined, status ?? undefined);
-  const planned = rows.filter((row) => row.step !== kTyped);
+  const planned = rows.filter((row) => row.step !== kStepOfOrder);
   const done = planned.filter((row) => row.state === "done").length;
   const list = useRef<HTMLOListElement>(null);
   const current = rows.findIndex((row) => row.state === "running" || row.state === "next");
@@ -203,7 +203,7 @@ function Step({ row }: { row: StepRow }) {
             key={i}
             row={row}
             command={command}
-            label={i === 0 ? (row.step === kTyped ? "typed" : row.label) : ""}
+            label={i === 0 ? (row.step === kStepOfOrder ? "typed" : row.label) : ""}
           />
         ))}
         <StepFoot row={row} />
@@ -249,7 +249,7 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
         </div>
       )}
       {command.message && (
-        <p className={`small ${row.state === "failed" ? "problem" : "muted"}`}>{plain(command.message)}</p>
+        <p className={`small ${row.state === "failed" ? "problem" : "muted"}`}>{readableMessage(command.message)}</p>
       )}
     </div>
   );
@@ -287,7 +287,7 @@ function StepMenu({ row }: { row: StepRow }) {
   const isOperator = useIsOperator();
   const status = usePart("status");
   const hasEnded = status?.mode === Status_Mode.ENDED;
-  const isPlanned = row.step !== kTyped;
+  const isPlanned = row.step !== kStepOfOrder;
   const entries: MenuEntry[] = [];
   if (isPlanned) {
     entries.push({

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { PlanSchema, Status_Mode, Status_Outcome, StatusSchema } from "../../core/protocol.ts";
-import { kTyped, missionProgress, runningNow, splitCommand, stepRows } from "./steps.ts";
+import { kStepOfOrder, missionProgress, runningNow, splitCommand, stepRows } from "./steps.ts";
 
 const plan = create(PlanSchema, {
   steps: ["0", "1", "2"].map((label, i) => ({
@@ -53,9 +53,9 @@ describe("the steps", () => {
     const status = create(StatusSchema, {
       mode: Status_Mode.RUNNING,
       currentStep: 0,
-      steps: [run(0, Status_Outcome.UNDER_WAY), { ...run(0, Status_Outcome.UNDER_WAY), step: kTyped, label: "" }],
+      steps: [run(0, Status_Outcome.UNDER_WAY), { ...run(0, Status_Outcome.UNDER_WAY), step: kStepOfOrder, label: "" }],
     });
-    expect(stepRows(plan, status).map((row) => row.step)).toEqual([0, kTyped, 1, 2]);
+    expect(stepRows(plan, status).map((row) => row.step)).toEqual([0, kStepOfOrder, 1, 2]);
     expect(runningNow(status)).toHaveLength(2);
   });
   it("have no measure while a unit is steered by hand", () => {

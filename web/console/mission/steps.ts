@@ -1,7 +1,7 @@
 // The list of the mission's steps as a person sees it: what is planned, how far each has come, what runs now.
 import { type Plan, type Status, Status_Mode, Status_Outcome, type Status_Step } from "../../core/protocol.ts";
 
-export const kTyped = 0xffffffff; // step of an order
+export const kStepOfOrder = 0xffffffff; // step of an order
 
 export type StepState = "planned" | "next" | "running" | "done" | "failed" | "aborted" | "replaced" | "skipped";
 
@@ -47,7 +47,7 @@ export function stepRows(plan: Plan | undefined, status: Status | undefined): St
   const typedAfter = new Map<number, StepRow[]>();
   let before = -1;
   (status?.steps ?? []).forEach((step, i) => {
-    if (step.step === kTyped) {
+    if (step.step === kStepOfOrder) {
       const rows = typedAfter.get(before) ?? [];
       rows.push(rowOf(step, `typed-${i}`));
       typedAfter.set(before, rows);
@@ -91,7 +91,7 @@ export function runningNow(status: Status | undefined): CommandRow[] {
 
 /** Share of the planned steps that are behind us, 0..1. */
 export function missionProgress(rows: readonly StepRow[]): number {
-  const planned = rows.filter((row) => row.step !== kTyped);
+  const planned = rows.filter((row) => row.step !== kStepOfOrder);
   if (planned.length === 0) return 0;
   const weight = planned.reduce(
     (sum, row) => sum + (isBehind(row.state) ? 1 : row.state === "running" ? row.progress : 0),

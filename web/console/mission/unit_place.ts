@@ -10,11 +10,11 @@ export function unitPlace({ model, ui }: Session, units: readonly string[]): voi
   model.select(
     named.length === 1 ? selectUnit(named[0] as string, roster.robotsOf(named[0] as string)) : selectRobots(robots),
   );
-  ui.get("map")?.fitSelection();
+  ui.get("map")?.framing.fitSelection();
 }
 
 /** Selects one robot and brings it into view. */
 export function robotPlace({ model, ui }: Session, robot: number): void {
   model.select(selectRobots([robot]));
-  ui.get("map")?.fitSelection();
+  ui.get("map")?.framing.fitSelection();
 }

@@ -43,7 +43,7 @@ export function isFull(draft: Draft): boolean {
 }
 
 /** What is missing for it to be a measure, as a sentence; empty: nothing. */
-export function missing(draft: Draft): string {
+export function missingInDraft(draft: Draft): string {
   const info = kindInfo(draft.kind);
   const n = draft.points.length;
   if (n < info.minPoints) {
@@ -63,7 +63,7 @@ export function guidance(draft: Draft): string {
   if (info.shape === "hallway") return n === 0 ? "Click one end of the hallway’s centre line." : "Click its other end.";
   if (info.maxPoints === 2) return n === 0 ? "Click its first end." : "Click its second end.";
   if (n === 0 && canBeCircle(info)) return "Drag for a circle, or click the corners one by one.";
-  const rest = missing(draft);
+  const rest = missingInDraft(draft);
   if (rest !== "") return info.shape === "region" ? "Click the next corner." : "Click the next point.";
   return info.shape === "region"
     ? "Click the next corner; Enter or a double click closes it, Backspace takes one back."

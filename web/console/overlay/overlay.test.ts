@@ -10,7 +10,7 @@ import {
   hallwayPoints,
   isFull,
   measurePoints,
-  missing,
+  missingInDraft,
   removeLastPoint,
 } from "./draft.ts";
 import { nameProblem, proposeName } from "./names.ts";
@@ -55,15 +55,15 @@ describe("a draft", () => {
 
   it("says what is missing", () => {
     let draft = emptyDraft("axis");
-    expect(missing(draft)).toBe("Needs 2 more points.");
+    expect(missingInDraft(draft)).toBe("Needs 2 more points.");
     draft = addPoint(draft, { x: 0, y: 0 });
-    expect(missing(draft)).toBe("Needs one more point.");
-    expect(missing(addPoint(draft, { x: 5, y: 5 }))).toBe("");
+    expect(missingInDraft(draft)).toBe("Needs one more point.");
+    expect(missingInDraft(addPoint(draft, { x: 5, y: 5 }))).toBe("");
     let area = addPoint(emptyDraft("assembly_area"), { x: 0, y: 0 });
-    expect(missing(area)).toBe("");
+    expect(missingInDraft(area)).toBe("");
     area = addPoint(area, { x: 5, y: 5 });
-    expect(missing(area)).toMatch(/three/);
-    expect(missing(removeLastPoint(area))).toBe("");
+    expect(missingInDraft(area)).toMatch(/three/);
+    expect(missingInDraft(removeLastPoint(area))).toBe("");
   });
 
   it("becomes a circle by a drag", () => {

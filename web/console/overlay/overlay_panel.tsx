@@ -10,7 +10,7 @@ import { editMap } from "../map_editing/edit_map.ts";
 import { changeEditing, editStore } from "../map_editing/edit_store.ts";
 import { type ListedThing, ThingList } from "../map_editing/thing_list.tsx";
 import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
-import { type Draft, emptyDraft, guidance, missing } from "./draft.ts";
+import { type Draft, emptyDraft, guidance, missingInDraft } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
 import { KindIcon } from "./kind_icon.tsx";
 import { MeasureForm } from "./measure_form.tsx";
@@ -91,7 +91,7 @@ function Drawing({ draft }: { draft: Draft }) {
   const info = kindInfo(draft.kind);
   const name = proposeName(draft.kind, names);
   const measure = measureOfDraft(draft, name);
-  const lacks = missing(draft);
+  const lacks = missingInDraft(draft);
   const drop = () => {
     // As Enter on the map: a point, or a short line, in the middle of what is shown.
     const map = session.ui.get("map");

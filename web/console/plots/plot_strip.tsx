@@ -161,13 +161,7 @@ function rangeInside(
 }
 
 function optionsOf(latest: { current: Props }, width: number): uPlot.Options {
-  const { strip, colors, look } = latest.current;
-  const axis = {
-    stroke: look.text,
-    font: look.font,
-    grid: { stroke: look.grid, width: 1 },
-    ticks: { stroke: look.grid, width: 1, size: 4 },
-  };
+  const { strip, colors } = latest.current;
   return {
     width,
     height: kHeight,
@@ -184,25 +178,7 @@ function optionsOf(latest: { current: Props }, width: number): uPlot.Options {
         points: { show: false },
       })),
     ],
-    axes: [
-      {
-        ...axis,
-        size: 24,
-        gap: 2,
-        space: 70,
-        values: (_, ticks) => ticks.map((t) => `${Number(t.toPrecision(10))} s`),
-      },
-      {
-        ...axis,
-        size: 52,
-        gap: 4,
-        space: 26,
-        label: strip.unit === "" ? undefined : strip.unit,
-        labelSize: 16,
-        labelGap: 0,
-        labelFont: look.font,
-      },
-    ],
+    axes: axesOf(latest.current),
     cursor: {
       y: false,
       points: { size: 6 },
@@ -215,22 +191,56 @@ function optionsOf(latest: { current: Props }, width: number): uPlot.Options {
         },
       },
     },
-    hooks: {
-      setCursor: [
-        (u) => {
-          const left = u.cursor.left ?? -1;
-          latest.current.onCursor(left < 0 ? null : u.posToVal(left, "x"));
-        },
-      ],
-      setSelect: [
-        (u) => {
-          if (u.select.width < 5) return;
-          const from = u.posToVal(u.select.left, "x");
-          const to = u.posToVal(u.select.left + u.select.width, "x");
-          u.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
-          latest.current.onZoom(from, to);
-        },
-      ],
+    hooks: hooksOf(latest),
+  };
+}
+
+/** Of time, and of the strip's unit. */
+function axesOf({ strip, look }: Props): uPlot.Axis[] {
+  const axis = {
+    stroke: look.text,
+    font: look.font,
+    grid: { stroke: look.grid, width: 1 },
+    ticks: { stroke: look.grid, width: 1, size: 4 },
+  };
+  return [
+    {
+      ...axis,
+      size: 24,
+      gap: 2,
+      space: 70,
+      values: (_, ticks) => ticks.map((t) => `${Number(t.toPrecision(10))} s`),
     },
+    {
+      ...axis,
+      size: 52,
+      gap: 4,
+      space: 26,
+      label: strip.unit === "" ? undefined : strip.unit,
+      labelSize: 16,
+      labelGap: 0,
+      labelFont: look.font,
+    },
+  ];
+}
+
+/** Tells where the pointer is, and which time was chosen by dragging. */
+function hooksOf(latest: { current: Props }): uPlot.Hooks.Arrays {
+  return {
+    setCursor: [
+      (u) => {
+        const left = u.cursor.left ?? -1;
+        latest.current.onCursor(left < 0 ? null : u.posToVal(left, "x"));
+      },
+    ],
+    setSelect: [
+      (u) => {
+        if (u.select.width < 5) return;
+        const from = u.posToVal(u.select.left, "x");
+        const to = u.posToVal(u.select.left + u.select.width, "x");
+        u.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+        latest.current.onZoom(from, to);
+      },
+    ],
   };
 }

@@ -3,7 +3,7 @@ import { useLayoutEffect, useRef } from "react";
 import type { Questions_Question } from "../../core/protocol.ts";
 import { Bar, Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
-import { duration, plain } from "../../ui/words/format.ts";
+import { duration, readableMessage } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { robotPlace, unitPlace } from "../mission/unit_place.ts";
 import { answer } from "../session/orders.ts";
@@ -36,8 +36,8 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
     return () => handFocusOn(element);
   }, []);
   return (
-    <section ref={card} className="question" aria-label={plain(question.text)} data-question={question.id}>
-      <p className="question-text">{plain(question.text)}</p>
+    <section ref={card} className="question" aria-label={readableMessage(question.text)} data-question={question.id}>
+      <p className="question-text">{readableMessage(question.text)}</p>
       <div className="question-facts small">
         {where !== "" && (
           <Button

@@ -42,7 +42,7 @@ export function RobotsPanel() {
           onSelectionChange={(keys) =>
             select(selectionOf(keys === "all" ? rows.map((row) => row.key) : [...keys].map(String), roster))
           }
-          onAction={() => ui.get("map")?.fitSelection()}
+          onAction={() => ui.get("map")?.framing.fitSelection()}
           items={rows.map((row) => ({
             id: row.key,
             row,
@@ -98,7 +98,7 @@ function UnitRow({
       <AriaButton
         className="button quiet square"
         aria-label={`Follow ${row.name}`}
-        onPress={() => ui.get("map")?.follow({ unit: row.name })}
+        onPress={() => ui.get("map")?.framing.follow({ unit: row.name })}
       >
         <Icon name="follow" />
       </AriaButton>
@@ -128,7 +128,7 @@ function RobotRow({ row, followed }: { row: Extract<RosterRow, { kind: "robot" }
         aria-label={`Show ${row.name} on the map`}
         onPress={() => {
           const place = model.placeOf(row.id);
-          if (place) ui.get("map")?.centreOn(place);
+          if (place) ui.get("map")?.framing.centreOn(place);
         }}
       >
         <Icon name="centre" />
@@ -136,7 +136,7 @@ function RobotRow({ row, followed }: { row: Extract<RosterRow, { kind: "robot" }
       <AriaButton
         className="button quiet square"
         aria-label={`Follow ${row.name}`}
-        onPress={() => ui.get("map")?.follow({ robot: row.id })}
+        onPress={() => ui.get("map")?.framing.follow({ robot: row.id })}
       >
         <Icon name="follow" />
       </AriaButton>

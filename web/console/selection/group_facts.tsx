@@ -4,7 +4,7 @@ import { distance, duration } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { groupNumbers } from "./group.ts";
-import { Facts } from "./robot_facts.tsx";
+import { FactList } from "./robot_facts.tsx";
 
 /** A unit, or several robots, in short. */
 export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: string }) {
@@ -26,7 +26,7 @@ export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: 
           </Button>
         ))}
       </div>
-      <Facts
+      <FactList
         rows={[
           ...(unit ? [["Command", commandOfUnit(status, unit) || "none"] as const] : []),
           ["Farthest to go", distance(numbers.farthest)],

@@ -3,7 +3,7 @@ import type { MapItem } from "../../core/selection.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { distance } from "../../ui/words/format.ts";
 import { usePart, useSession } from "../session/session.ts";
-import { Facts } from "./robot_facts.tsx";
+import { FactList } from "./robot_facts.tsx";
 
 /** A control measure, an obstacle or an object. */
 export function MapItemFacts({ item, others }: { item: MapItem; others: number }) {
@@ -15,11 +15,16 @@ export function MapItemFacts({ item, others }: { item: MapItem; others: number }
     <>
       <header className="selection-head">
         <h3 className="grow ellipsis">{described.title}</h3>
-        <IconButton icon="centre" label="Show on the map" shortcut="." onPress={() => ui.get("map")?.fitSelection()} />
+        <IconButton
+          icon="centre"
+          label="Show on the map"
+          shortcut="."
+          onPress={() => ui.get("map")?.framing.fitSelection()}
+        />
       </header>
       <div className="rows tab-body">
         {others > 0 && <p className="small muted">And {others} more.</p>}
-        <Facts rows={described.rows} />
+        <FactList rows={described.rows} />
         {described.document ? (
           <Button tone="link" onPress={() => ui.set("reveal", { document: described.document, line: described.line })}>
             {described.document}:{described.line}

@@ -8,7 +8,7 @@ import { count } from "../../ui/words/format.ts";
 import { order } from "../session/orders.ts";
 import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { isSwitchedOn, parameterKind, parameterProblem, sliderOf, valueNumber } from "./parameter.ts";
-import { portGroups, spoken } from "./ports.ts";
+import { portGroups, spacedName } from "./ports.ts";
 import { usePortText } from "./ports_tab.tsx";
 import { usePorts } from "./use_watched.ts";
 
@@ -44,7 +44,7 @@ export function ParametersTab({ robots }: { robots: readonly number[] }) {
               key={row.index}
               port={row.port}
               index={row.index}
-              name={spoken(row.name)}
+              name={spacedName(row.name)}
               robots={same}
               isDisabled={!isOperator}
             />

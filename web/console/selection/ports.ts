@@ -37,6 +37,6 @@ export function splitPath(path: string): { node: string; name: string } {
 }
 
 /** `base_gain` is read more easily as `base gain`. */
-export function spoken(name: string): string {
+export function spacedName(name: string): string {
   return name.replaceAll("_", " ");
 }

@@ -2,7 +2,7 @@ import { useCallback, useMemo, useState, useSyncExternalStore } from "react";
 import { portText } from "../../core/port_values.ts";
 import { Search, Segments } from "../../ui/controls/controls.tsx";
 import { usePart, useSession } from "../session/session.ts";
-import { portGroups, type RoleFilter, spoken } from "./ports.ts";
+import { portGroups, type RoleFilter, spacedName } from "./ports.ts";
 import { usePorts } from "./use_watched.ts";
 
 /** Every port of the robot's program, live. */
@@ -33,7 +33,7 @@ export function PortsTab({ id }: { id: number }) {
           <dl className="facts">
             {group.rows.map((row) => (
               <div key={row.index} title={row.port.help}>
-                <dt>{spoken(row.name)}</dt>
+                <dt>{spacedName(row.name)}</dt>
                 <dd className="mono">
                   <PortValue id={id} index={row.index} />
                 </dd>

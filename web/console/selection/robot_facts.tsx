@@ -31,7 +31,7 @@ export function RobotFacts({ id }: { id: number }) {
         <span className="small muted">{typeText(roster.robot(id)?.type ?? "", roster.programOf(id))}</span>
       </div>
       {detail.fault && <p className="notice danger">{detail.fault}</p>}
-      <Facts
+      <FactList
         rows={[
           ["Command", detail.command || "none"],
           ["Assemblage", detail.task || "–"],
@@ -56,7 +56,7 @@ function typeText(type: string, program: string): string {
   return [type, program && `program ${program}`].filter((word) => word !== "").join(" · ");
 }
 
-export function Facts({ rows }: { rows: readonly (readonly [string, ReactNode])[] }) {
+export function FactList({ rows }: { rows: readonly (readonly [string, ReactNode])[] }) {
   return (
     <dl className="facts">
       {rows.map(([name, value]) => (

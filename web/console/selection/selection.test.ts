@@ -3,8 +3,8 @@ import { describe, expect, it } from "vitest";
 import { Port_Role, PortSchema, RobotDetail_ContributionSchema } from "../../core/protocol.ts";
 import { kSliderEnd, placeOnSlider, valueOnSlider } from "../../core/slider_scale.ts";
 import { isSwitchedOn, parameterKind, parameterProblem, sliderOf, valueNumber } from "./parameter.ts";
-import { portGroups, splitPath, spoken } from "./ports.ts";
-import { sums } from "./why.ts";
+import { portGroups, spacedName, splitPath } from "./ports.ts";
+import { vectorSums } from "./why.ts";
 
 const port = (path: string, role: Port_Role, more = {}) =>
   create(PortSchema, { path, role, type: "double", isNumber: true, ...more });
@@ -35,7 +35,7 @@ describe("the ports of a robot", () => {
   it("have paths with points or slashes", () => {
     expect(splitPath("a/b.c")).toEqual({ node: "a/b", name: "c" });
     expect(splitPath("c")).toEqual({ node: "", name: "c" });
-    expect(spoken("base_gain")).toBe("base gain");
+    expect(spacedName("base_gain")).toBe("base gain");
   });
 });
 
@@ -73,7 +73,7 @@ describe("a parameter", () => {
 
 describe("why", () => {
   it("adds the parts of each sum and says how large each share is", () => {
-    const [sum] = sums([
+    const [sum] = vectorSums([
       create(RobotDetail_ContributionSchema, { sum: "move", member: "goal", x: 1, y: 0 }),
       create(RobotDetail_ContributionSchema, { sum: "move", member: "avoid", x: -0.5, y: 0.5 }),
     ]);
@@ -83,12 +83,12 @@ describe("why", () => {
     expect(sum?.members[1]?.size).toBeCloseTo(Math.SQRT1_2);
   });
   it("calls a part against the sum's direction opposing", () => {
-    const [sum] = sums([
+    const [sum] = vectorSums([
       create(RobotDetail_ContributionSchema, { sum: "move", member: "goal", x: 2, y: 0 }),
       create(RobotDetail_ContributionSchema, { sum: "move", member: "avoid", x: -1, y: 0 }),
       create(RobotDetail_ContributionSchema, { sum: "move", member: "noise", x: 0, y: 0 }),
     ]);
     expect(sum?.members.map((member) => member.effect)).toEqual(["with", "against", "none"]);
   });
-  it("has nothing to say where nothing moves the robot", () => expect(sums([])).toEqual([]));
+  it("has nothing to say where nothing moves the robot", () => expect(vectorSums([])).toEqual([]));
 });

@@ -98,12 +98,17 @@ function Heading() {
           </Button>
         )}
       </div>
-      <IconButton icon="centre" label="Show on the map" shortcut="." onPress={() => ui.get("map")?.fitSelection()} />
+      <IconButton
+        icon="centre"
+        label="Show on the map"
+        shortcut="."
+        onPress={() => ui.get("map")?.framing.fitSelection()}
+      />
       <IconButton
         icon="follow"
         label="Follow"
         shortcut="Shift F"
-        onPress={() => ui.get("map")?.follow(selection.unit ? { unit: selection.unit } : { robot: first })}
+        onPress={() => ui.get("map")?.framing.follow(selection.unit ? { unit: selection.unit } : { robot: first })}
       />
       <IconButton icon="close" label="Clear the selection" shortcut="Esc" onPress={() => model.select(kNothing)} />
     </header>

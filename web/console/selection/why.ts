@@ -19,7 +19,7 @@ export interface VectorSum {
   members: Member[];
 }
 
-export function sums(contributions: readonly RobotDetail_Contribution[]): VectorSum[] {
+export function vectorSums(contributions: readonly RobotDetail_Contribution[]): VectorSum[] {
   const bySum = new Map<string, RobotDetail_Contribution[]>();
   for (const contribution of contributions) {
     const parts = bySum.get(contribution.sum) ?? [];

@@ -1,19 +1,19 @@
 // Why it moves as it does: what it follows, what each schema contributes, what it waits for.
 
 import { Bar } from "../../ui/controls/controls.tsx";
-import { plain, quantity } from "../../ui/words/format.ts";
+import { quantity, readableMessage } from "../../ui/words/format.ts";
 import { usePart } from "../session/session.ts";
-import { Facts } from "./robot_facts.tsx";
-import { direction, type Member, sums, type VectorSum } from "./why.ts";
+import { FactList } from "./robot_facts.tsx";
+import { direction, type Member, type VectorSum, vectorSums } from "./why.ts";
 
 export function WhyTab({ id }: { id: number }) {
   const detail = usePart("details").get(id);
   const theme = usePart("map").theme;
   if (!detail) return <p className="empty">Waiting for its data…</p>;
-  const all = sums(detail.contributions);
+  const all = vectorSums(detail.contributions);
   return (
     <div className="rows tab-body">
-      <Facts
+      <FactList
         rows={[
           ["Follows", detail.command || "no command"],
           ["With assemblage", detail.task || "–"],
@@ -25,7 +25,7 @@ export function WhyTab({ id }: { id: number }) {
         {detail.waitsFor.length === 0 && <p className="muted">Nothing.</p>}
         <ul className="why-waits">
           {detail.waitsFor.map((text) => (
-            <li key={text}>{plain(text)}</li>
+            <li key={text}>{readableMessage(text)}</li>
           ))}
         </ul>
       </section>

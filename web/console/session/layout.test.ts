@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import {
   activePanel,
   firstLayout,
-  fitted,
+  fittedLayout,
   isShown,
   kDocks,
   type Layout,
@@ -67,7 +67,7 @@ describe("a layout", () => {
 describe("in a window", () => {
   const small = { width: 1280, height: 800 };
   const open = (layout: Layout, ...docks: Dock[]) =>
-    docks.reduce((out, dock) => (out.docks[dock].open ? out : toggleDock(out, fitted(out, small), dock)), layout);
+    docks.reduce((out, dock) => (out.docks[dock].open ? out : toggleDock(out, fittedLayout(out, small), dock)), layout);
   const docksOf = (layout: Layout) => kDocks.filter((dock) => layout.docks[dock].open);
 
   it("of 1280 x 800 the map keeps half, whatever is opened, dragged or moved", () => {
@@ -77,8 +77,8 @@ describe("in a window", () => {
         (changes) => {
           let layout = firstLayout(1280);
           for (const [dock, size] of changes) {
-            layout = resizeDock(toggleDock(layout, fitted(layout, small), dock), dock, size);
-            const shown = fitted(layout, small);
+            layout = resizeDock(toggleDock(layout, fittedLayout(layout, small), dock), dock, size);
+            const shown = fittedLayout(layout, small);
             expect(mapShare(shown, small)).toBeGreaterThanOrEqual(0.5);
             if (layout.docks[dock].open && layout.recent === dock) expect(shown.docks[dock].open).toBe(true);
           }
@@ -88,23 +88,23 @@ describe("in a window", () => {
   });
   it("of 1280 x 800 there is room for both sides, and for the drawer beside one of them", () => {
     const sides = open(firstLayout(1280), "right");
-    expect(docksOf(fitted(sides, small))).toEqual(["left", "right"]);
-    expect(docksOf(fitted(open(sides, "bottom"), small))).toEqual(["left", "bottom"]);
+    expect(docksOf(fittedLayout(sides, small))).toEqual(["left", "right"]);
+    expect(docksOf(fittedLayout(open(sides, "bottom"), small))).toEqual(["left", "bottom"]);
   });
   it("what had no room is there again once it has, in its own size", () => {
     const all = open(firstLayout(1280), "right", "bottom");
-    const closed = toggleDock(all, fitted(all, small), "bottom");
-    expect(docksOf(fitted(closed, small))).toEqual(["left", "right"]);
-    expect(fitted(all, { width: 2560, height: 1440 })).toEqual(all);
+    const closed = toggleDock(all, fittedLayout(all, small), "bottom");
+    expect(docksOf(fittedLayout(closed, small))).toEqual(["left", "right"]);
+    expect(fittedLayout(all, { width: 2560, height: 1440 })).toEqual(all);
   });
   it("that is narrow one panel is shown at most, and none at first", () => {
     const phone = { width: 390, height: 844 };
-    expect(docksOf(fitted(firstLayout(390), phone))).toEqual([]);
-    const shown = togglePanel(firstLayout(390), fitted(firstLayout(390), phone), panels, robots);
-    expect(docksOf(fitted(shown, phone))).toEqual(["left"]);
-    const next = togglePanel(shown, fitted(shown, phone), panels, log);
-    expect(docksOf(fitted(next, phone))).toEqual(["bottom"]);
-    expect(docksOf(fitted(togglePanel(next, fitted(next, phone), panels, log), phone))).toEqual([]);
+    expect(docksOf(fittedLayout(firstLayout(390), phone))).toEqual([]);
+    const shown = togglePanel(firstLayout(390), fittedLayout(firstLayout(390), phone), panels, robots);
+    expect(docksOf(fittedLayout(shown, phone))).toEqual(["left"]);
+    const next = togglePanel(shown, fittedLayout(shown, phone), panels, log);
+    expect(docksOf(fittedLayout(next, phone))).toEqual(["bottom"]);
+    expect(docksOf(fittedLayout(togglePanel(next, fittedLayout(next, phone), panels, log), phone))).toEqual([]);
   });
   it("nothing opens by itself in the place of something else", () => {
     const view = { id: "view", title: "View", dock: "right" as const };

@@ -1,5 +1,5 @@
 // Which panel stands in which dock, which docks are open, and how large they are. Pure: every change gives a new layout.
-// What a window shows of it is `fitted`: the map keeps at least half of the window.
+// What a window shows of it is `fittedLayout`: the map keeps at least half of the window.
 import { isRecord } from "../../core/stored.ts";
 import type { Dock } from "./registry.ts";
 
@@ -124,7 +124,7 @@ export function mapShare(layout: Layout, room: Room): number {
  * The layout as a window of this size shows it: docks become smaller, then those that were not opened last are away
  * until there is room again, so that the map keeps its share of the window. A narrow window shows one panel, over the map.
  */
-export function fitted(layout: Layout, room: Room): Layout {
+export function fittedLayout(layout: Layout, room: Room): Layout {
   if (room.width < kNarrow) {
     return kDocks.reduce((out, dock) => (dock === layout.recent ? out : withDock(out, dock, { open: false })), layout);
   }
@@ -141,8 +141,8 @@ export function fitted(layout: Layout, room: Room): Layout {
 
 /** Whether a panel can be shown without another one going away, as when it opens by itself. */
 export function leavesAll(layout: Layout, panel: PanelPlace, room: Room): boolean {
-  const before = fitted(layout, room);
-  const after = fitted(showPanel(layout, panel), room);
+  const before = fittedLayout(layout, room);
+  const after = fittedLayout(showPanel(layout, panel), room);
   return room.width >= kNarrow && kDocks.every((dock) => !before.docks[dock].open || after.docks[dock].open);
 }
 

@@ -3,7 +3,7 @@
 
 import type { ComponentType } from "react";
 import type { MapTool } from "../../core/map/tool.ts";
-import type { Command } from "../../ui/commands/commands.tsx";
+import type { DeclaredAction, ActionTable as DeclaredTable } from "../../ui/commands/declared.ts";
 import type { IconName } from "../../ui/controls/icons.tsx";
 import type { Session } from "./session.ts";
 
@@ -40,11 +40,10 @@ export interface Tool {
   hidden?: boolean;
 }
 
-export interface Action extends Command {
-  group: ActionGroup;
-  /** Also while a text field has the focus. */
-  everywhere?: boolean;
-}
+export type Action = DeclaredAction<ActionGroup>;
+
+/** Actions of one group, as they are declared; see ui/commands/declared.ts. */
+export type ActionTable = DeclaredTable<Session, ActionGroup>;
 
 export type ActionGroup = "Run" | "Mission" | "Map" | "Tools" | "Selection" | "Edit" | "View" | "People";
 

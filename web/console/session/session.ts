@@ -2,7 +2,7 @@
 import { createContext, useCallback, useContext, useMemo, useSyncExternalStore } from "react";
 import type { Connection } from "../../core/connection.ts";
 import type { Model, Parts } from "../../core/model.ts";
-import { fitted, type Layout } from "./layout.ts";
+import { fittedLayout, type Layout } from "./layout.ts";
 import type { Ui, UiParts } from "./ui.ts";
 
 export interface Session {
@@ -39,7 +39,7 @@ export function useUi<Name extends keyof UiParts>(name: Name): UiParts[Name] {
 export function useLayout(): Layout {
   const layout = useUi("layout");
   const room = useUi("room");
-  return useMemo(() => fitted(layout, room), [layout, room]);
+  return useMemo(() => fittedLayout(layout, room), [layout, room]);
 }
 
 /** Whether this browser's person is the operator and can be heard. */

@@ -16,7 +16,7 @@ import {
   redoLocal,
   undoLocal,
 } from "./history.ts";
-import { fitted, type Layout, type Room, readLayout } from "./layout.ts";
+import { fittedLayout, type Layout, type Room, readLayout } from "./layout.ts";
 import { readMapSettings } from "./map_settings.ts";
 
 /** What a local edit changes: how the map looks. Panels come and go without one: Undo is for the mission. */
@@ -102,7 +102,7 @@ export class Ui extends Store<UiParts> {
 
   /** The layout as the window shows it. */
   get shownLayout(): Layout {
-    return fitted(this.get("layout"), this.get("room"));
+    return fittedLayout(this.get("layout"), this.get("room"));
   }
 
   /** Changes how the map looks; it can be undone. */

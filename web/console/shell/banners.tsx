@@ -4,7 +4,7 @@ import { Banner } from "../../ui/controls/banner.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
-import { count, plain } from "../../ui/words/format.ts";
+import { count, readableMessage } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, save, takeOperator } from "../session/orders.ts";
@@ -149,7 +149,7 @@ function NotKeptBanner() {
     <Banner tone={edits.isDirty ? "danger" : "hold"} role="alert">
       <Icon name="warning" />
       <span className="grow">
-        What is not saved is not kept, and is lost when mlab ends: {plain(edits.notKept)}.
+        What is not saved is not kept, and is lost when mlab ends: {readableMessage(edits.notKept)}.
         {edits.isDirty ? " There is something that is not saved." : ""}
       </span>
       {edits.isDirty && isOperator && <Button onPress={() => save(session)}>Save</Button>}

@@ -93,9 +93,9 @@ function MapTools() {
           />
         ))}
       <hr />
-      <IconButton icon="fit" label="Fit the whole map" shortcut="F" onPress={() => map?.fit()} />
-      <IconButton icon="plus" label="Zoom in" onPress={() => map?.zoom(Math.SQRT2)} />
-      <IconButton icon="minus" label="Zoom out" onPress={() => map?.zoom(Math.SQRT1_2)} />
+      <IconButton icon="fit" label="Fit the whole map" shortcut="F" onPress={() => map?.framing.fit()} />
+      <IconButton icon="plus" label="Zoom in" onPress={() => map?.framing.zoom(Math.SQRT2)} />
+      <IconButton icon="minus" label="Zoom out" onPress={() => map?.framing.zoom(Math.SQRT1_2)} />
       <IconButton
         icon="follow"
         label="Follow the selection"
@@ -103,8 +103,8 @@ function MapTools() {
         isDisabled={!hasSelection}
         onPress={() => {
           const { robots, unit } = model.get("selection");
-          if (unit) map?.follow({ unit });
-          else if (robots[0] !== undefined) map?.follow({ robot: robots[0] });
+          if (unit) map?.framing.follow({ unit });
+          else if (robots[0] !== undefined) map?.framing.follow({ robot: robots[0] });
         }}
       />
     </div>
@@ -131,14 +131,14 @@ function Following() {
   const map = useUi("map");
   const followed = useSyncExternalStore(
     (listener) => map?.subscribe(listener) ?? (() => {}),
-    () => map?.following ?? null,
+    () => map?.framing.following ?? null,
   );
   if (!followed) return null;
   const name = "robot" in followed ? model.get("roster").nameOf(followed.robot) : followed.unit;
   return (
     <div className="following">
       <span>Following {name}</span>
-      <IconButton icon="close" label="Stop following" onPress={() => map?.follow(null)} />
+      <IconButton icon="close" label="Stop following" onPress={() => map?.framing.follow(null)} />
     </div>
   );
 }

@@ -2,7 +2,7 @@ import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { duration } from "../../ui/words/format.ts";
-import { kStopShortcut } from "../actions/shell_actions.ts";
+import { kStopShortcut } from "../actions/run_actions.ts";
 import { People } from "../clients/people.tsx";
 import { RunButton, StepButton } from "../mission/run_button.tsx";
 import { situationOf } from "../mission/situation.ts";

@@ -90,7 +90,7 @@ export class MapInput {
       return;
     }
     if (this.panning === event.pointerId) {
-      this.map.pan(screen.x - this.last.x, screen.y - this.last.y);
+      this.map.framing.pan(screen.x - this.last.x, screen.y - this.last.y);
       this.last = screen;
       return;
     }
@@ -128,9 +128,9 @@ export class MapInput {
     if (!other) return;
     const before = Math.hypot(from.x - other[1].x, from.y - other[1].y);
     const after = Math.hypot(to.x - other[1].x, to.y - other[1].y);
-    this.map.pan((to.x - from.x) / 2, (to.y - from.y) / 2);
+    this.map.framing.pan((to.x - from.x) / 2, (to.y - from.y) / 2);
     if (before > 10 && after > 10) {
-      this.map.zoomAbout({ x: (to.x + other[1].x) / 2, y: (to.y + other[1].y) / 2 }, after / before);
+      this.map.framing.zoomAbout({ x: (to.x + other[1].x) / 2, y: (to.y + other[1].y) / 2 }, after / before);
     }
   }
 
@@ -140,7 +140,7 @@ export class MapInput {
     // Touch pads tell a pinch as a wheel with control, in far smaller steps.
     const speed = event.ctrlKey ? 0.012 : 0.0035;
     const turn = Math.max(-200, Math.min(200, event.deltaY * lines));
-    this.map.zoomAbout(this.place(event), Math.exp(-turn * speed));
+    this.map.framing.zoomAbout(this.place(event), Math.exp(-turn * speed));
   }
 
   private key(event: KeyboardEvent): void {
@@ -155,29 +155,29 @@ export class MapInput {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     switch (event.key) {
       case "ArrowLeft":
-        this.map.pan(kKeyPan, 0);
+        this.map.framing.pan(kKeyPan, 0);
         return true;
       case "ArrowRight":
-        this.map.pan(-kKeyPan, 0);
+        this.map.framing.pan(-kKeyPan, 0);
         return true;
       case "ArrowUp":
-        this.map.pan(0, kKeyPan);
+        this.map.framing.pan(0, kKeyPan);
         return true;
       case "ArrowDown":
-        this.map.pan(0, -kKeyPan);
+        this.map.framing.pan(0, -kKeyPan);
         return true;
       case "+":
       case "=":
-        this.map.zoom(kZoomStep);
+        this.map.framing.zoom(kZoomStep);
         return true;
       case "-":
       case "_":
-        this.map.zoom(1 / kZoomStep);
+        this.map.framing.zoom(1 / kZoomStep);
         return true;
       case "f":
       case "F":
-        if (event.shiftKey) this.map.fitSelection();
-        else this.map.fit();
+        if (event.shiftKey) this.map.framing.fitSelection();
+        else this.map.framing.fit();
         return true;
       case " ":
         this.isSpaceDown = true;

@@ -42,7 +42,7 @@ export function keepFitted(map: MapView, model: Model): () => void {
     size = { width: map.camera.width, height: map.camera.height };
     const scene = model.get("scene");
     if (!scene || (before.width === size.width && before.height === size.height)) return;
-    if (isFitted(map.camera, before, scene, map.coveredAtFit)) map.fit();
+    if (isFitted(map.camera, before, scene, map.framing.coveredAtFit)) map.framing.fit();
   });
   observer.observe(map.host);
   return () => observer.disconnect();

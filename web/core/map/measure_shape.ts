@@ -2,7 +2,6 @@
 import {
   add,
   type Box,
-  between,
   boundsOf,
   centreOf,
   direction,
@@ -10,9 +9,10 @@ import {
   distanceToLine,
   grow,
   isInside,
-  normal,
   offsetLine,
   type Point,
+  perpendicular,
+  pointBetween,
 } from "../geometry.ts";
 import type { Measure } from "../protocol.ts";
 import { kindOfWire, type MeasureSign } from "../tables/measures.ts";
@@ -93,7 +93,7 @@ export function axisOutline(measure: Measure): Point[] {
   const leg = distance(before, tip);
   const head = Math.min(width, leg * 0.8);
   const ahead = direction(before, tip);
-  const side = normal(ahead);
+  const side = perpendicular(ahead);
   const neck = add(tip, ahead, -head);
   const shaft = [...points.slice(0, -1), neck];
   const left = offsetLine(shaft, width / 2);
@@ -107,7 +107,7 @@ export function gapRails(measure: Measure): Point[][] {
   if (!a || !b) return [];
   const width = sizeOf(measure);
   const along = direction(a, b);
-  const side = normal(along);
+  const side = perpendicular(along);
   const flare = Math.min(width / 6, distance(a, b)) || width / 6;
   return [1, -1].map((hand) => {
     const rail = (from: Point, out: number): Point => add(from, side, (hand * width) / 2 + hand * out);
@@ -162,6 +162,6 @@ export function distanceTo(measure: Measure, point: Point, reach: number): { edg
 /** A place on the measure that a label or a line can point at: the middle of what is drawn. */
 export function middleOf(measure: Measure): Point {
   const { points } = measure;
-  if (signOf(measure) === "rails" && points.length > 1) return between(points[0]!, points[1]!, 0.5);
+  if (signOf(measure) === "rails" && points.length > 1) return pointBetween(points[0]!, points[1]!, 0.5);
   return centreOf(isClosed(measure) ? points.slice(1) : points);
 }

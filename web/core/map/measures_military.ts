@@ -1,6 +1,6 @@
 // Control measures as tactical graphics, drawn from what MIL-STD-2525 says of each: friendly ones in one ink, told apart
 // by shape and letters; where the standard has no sign for a thing, it looks as in the plain style.
-import { add, alongLine, between, direction, lengthOf, normal, type Point } from "../geometry.ts";
+import { add, alongLine, direction, lengthOf, type Point, perpendicular, pointBetween } from "../geometry.ts";
 import type { Measure } from "../protocol.ts";
 import { kindOfWire, type MeasureSign } from "../tables/measures.ts";
 import { colorOf } from "./measure_names.ts";
@@ -72,7 +72,7 @@ function drawEchelon(pen: Pen, measure: Measure, color: string): void {
   const at =
     shape.kind === "circle"
       ? camera.toScreen(add(shape.centre, { x: 0, y: shape.radius }))
-      : camera.toScreen(between(measure.points[0]!, measure.points[1] ?? measure.points[0]!, 0.5));
+      : camera.toScreen(pointBetween(measure.points[0]!, measure.points[1] ?? measure.points[0]!, 0.5));
   if (sizeOf(measure) * camera.scale < 24) return;
   context.fillStyle = palette.ground;
   context.fillRect(at.x - 10, at.y - 4, 20, 8);
@@ -102,7 +102,7 @@ function drawUnitBoundary(pen: Pen, measure: Measure, color: string): void {
   const along = direction({ x: 0, y: 0 }, { x: ahead.x, y: -ahead.y });
   const a = add(at, along, -12);
   const b = add(at, along, 12);
-  const side = normal(along);
+  const side = perpendicular(along);
   context.beginPath();
   context.moveTo(a.x, a.y);
   context.lineTo(b.x, b.y);

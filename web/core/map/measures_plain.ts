@@ -1,5 +1,5 @@
 // Control measures in the plain style: outlines and light fills, told apart by colour and shape.
-import { add, direction, distance, normal, type Point } from "../geometry.ts";
+import { add, direction, distance, type Point, perpendicular } from "../geometry.ts";
 import type { Measure } from "../protocol.ts";
 import { kindOfWire, type MeasureSign } from "../tables/measures.ts";
 import { colorOf } from "./measure_names.ts";
@@ -205,7 +205,7 @@ function drawDoor(pen: Pen, measure: Measure): void {
   stroke(pen, { color: palette.ground, width: Math.max(4, Math.min(9, 0.25 * camera.scale)) });
   if (width < 6) return;
   const along = direction(hinge, end);
-  const leaf = add(hinge, normal(along), -width);
+  const leaf = add(hinge, perpendicular(along), -width);
   const angle = Math.atan2(along.y, along.x);
   context.beginPath();
   context.arc(hinge.x, hinge.y, width, angle - Math.PI / 2, angle);

@@ -1,10 +1,13 @@
-// Finds the overlay's things under the pointer or in a box.
-import { type Box, distance, type Point } from "../geometry.ts";
+// Finds robots and the overlay's things under the pointer or in a box.
+import type { Camera } from "../camera.ts";
+import { type Box, boundsOf, distance, type Point, union } from "../geometry.ts";
 import type { MapSettings } from "../map_settings.ts";
+import type { Model } from "../model.ts";
 import type { Scene } from "../protocol.ts";
 import type { MapItem } from "../selection.ts";
 import { SpatialIndex } from "../spatial_index.ts";
 import { boxOfMeasure, distanceTo } from "./measure_shape.ts";
+import type { MapPick } from "./tool.ts";
 
 interface Hit {
   readonly item: MapItem;
@@ -87,6 +90,52 @@ export class SceneIndex {
     const object = this.scene?.objects[item.index];
     return object ? { x: object.x, y: object.y, radius: object.diameter / 2 } : null;
   }
+}
+
+/** With their bodies within `reach` [px] of a place on the screen, the nearest first. */
+export function robotsNear(model: Model, camera: Camera, screen: Point, reach: number): MapPick[] {
+  const world = camera.toWorld(screen);
+  const found: { id: number; distance: number }[] = [];
+  const { robotScale } = model.get("map");
+  const roster = model.get("roster");
+  const coarse = (reach + 60) / camera.scale + 2 * robotScale;
+  for (const robots of [model.robots, model.get("starts")]) {
+    for (let row = 0; row < robots.count; ++row) {
+      const dx = robots.x(row) - world.x;
+      const dy = robots.y(row) - world.y;
+      if (Math.abs(dx) > coarse || Math.abs(dy) > coarse) continue;
+      const id = robots.id(row);
+      const body = (roster.robot(id)?.radius ?? 0.2) * robotScale * camera.scale;
+      const distance = Math.hypot(dx, dy) * camera.scale;
+      if (distance <= Math.max(body, 6) + reach) found.push({ id, distance });
+    }
+  }
+  found.sort((a, b) => a.distance - b.distance);
+  return found.map(({ id }) => ({ kind: "robot", id }));
+}
+
+/** With their middles in the box. */
+export function robotsIn(model: Model, box: Box): number[] {
+  const found: number[] = [];
+  for (const robots of [model.robots, model.get("starts")]) {
+    for (let row = 0; row < robots.count; ++row) {
+      const x = robots.x(row);
+      const y = robots.y(row);
+      if (x >= box.xMin && x <= box.xMax && y >= box.yMin && y <= box.yMax) found.push(robots.id(row));
+    }
+  }
+  return found;
+}
+
+/** Round all selected robots and things; null: nothing is selected that stands anywhere. */
+export function selectionBox(model: Model, index: SceneIndex): Box | null {
+  const { robots, items } = model.get("selection");
+  let box = boundsOf(robots.flatMap((id) => model.placeOf(id) ?? []));
+  for (const item of items) {
+    const own = index.boxOf(item);
+    if (own) box = box ? union(box, own) : own;
+  }
+  return box;
 }
 
 function around(x: number, y: number, radius: number): Box {

@@ -1,5 +1,5 @@
 // Signs beside robots that need attention, and their names.
-import { type Box, holds } from "../geometry.ts";
+import { type Box, contains } from "../geometry.ts";
 import { type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { Model } from "../model.ts";
 import { Flag, Life, type RobotTable } from "../robots.ts";
@@ -140,7 +140,7 @@ function wishOf(
   if (!place) return null;
   const { camera } = pen;
   const { x, y } = camera.toScreen(place);
-  if (!holds(screen, { x, y })) return null;
+  if (!contains(screen, { x, y })) return null;
   const text = model.get("roster").nameOf(id);
   const width = textWidth(pen, text, kFont) + 4;
   const radius = ringRadius(styles, id, camera.scale);

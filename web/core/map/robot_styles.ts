@@ -90,7 +90,7 @@ export function leastLength(robots: number): number {
 }
 
 /** The shape, ahead to the right, its length 1: a notched arrow head. */
-export const kShape: readonly (readonly [number, number])[] = [
+export const kRobotShape: readonly (readonly [number, number])[] = [
   [0.56, 0],
   [-0.44, 0.4],
   [-0.26, 0],

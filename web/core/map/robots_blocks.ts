@@ -3,7 +3,7 @@
 import type { Camera } from "../camera.ts";
 import type { RobotTable } from "../robots.ts";
 import type { Palette } from "./palette.ts";
-import { kShape, type RobotStyles } from "./robot_styles.ts";
+import { kRobotShape, type RobotStyles } from "./robot_styles.ts";
 
 const kHeadings = 64;
 const kMostPixels = 64; // a larger robot is drawn by a path
@@ -121,7 +121,7 @@ function makeStamp(
   const context = canvas.getContext("2d", { willReadFrequently: true })!;
   context.translate(side / 2, side / 2);
   context.beginPath();
-  for (const [ahead, left] of kShape) {
+  for (const [ahead, left] of kRobotShape) {
     const x = (ahead * Math.cos(heading) - left * Math.sin(heading)) * length;
     const y = -(ahead * Math.sin(heading) + left * Math.cos(heading)) * length;
     context.lineTo(x, y);

@@ -2,7 +2,7 @@
 import type { Camera } from "../camera.ts";
 import type { RobotTable } from "../robots.ts";
 import type { Palette } from "./palette.ts";
-import { kShape, type RobotStyles } from "./robot_styles.ts";
+import { kRobotShape, type RobotStyles } from "./robot_styles.ts";
 
 /** `context` is in CSS pixels and empty. */
 export function drawRobotsByPath(
@@ -55,8 +55,8 @@ function traceArrow(
   const heading = robots.heading(row);
   const c = Math.cos(heading) * length;
   const s = Math.sin(heading) * length;
-  for (let i = 0; i < kShape.length; ++i) {
-    const [ahead, left] = kShape[i]!;
+  for (let i = 0; i < kRobotShape.length; ++i) {
+    const [ahead, left] = kRobotShape[i]!;
     const px = x + ahead * c - left * s;
     const py = y - ahead * s - left * c;
     if (i === 0) context.moveTo(px, py);

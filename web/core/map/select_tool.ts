@@ -113,7 +113,7 @@ export class SelectTool implements MapTool {
   private dragByFinger({ screen }: MapPointer): void {
     const last = this.finger ?? this.origin!.screen;
     if (!this.finger && distance(last, screen) <= kDragStart * 2) return;
-    this.map!.pan(screen.x - last.x, screen.y - last.y);
+    this.map!.framing.pan(screen.x - last.x, screen.y - last.y);
     this.finger = screen;
   }
 

@@ -1,5 +1,5 @@
 // The programs for the graphics card: arrows as plain geometry, rings as smooth circles in squares.
-import { kShape, kTableWidth } from "./robot_styles.ts";
+import { kRobotShape, kTableWidth } from "./robot_styles.ts";
 
 const kInstance = `#version 300 es
 precision highp float;
@@ -125,7 +125,7 @@ export function arrowMesh(): {
   const corners: number[][] = [];
   const layers: number[][] = [];
   const indices: number[] = [];
-  const outward = kShape.map((_, i) => mitre(i));
+  const outward = kRobotShape.map((_, i) => mitre(i));
   // Steps are in CSS pixels for the halo, in device pixels for the body.
   for (const [inner, outer, body] of [
     [0.8, 1.6, 0],
@@ -136,7 +136,7 @@ export function arrowMesh(): {
       [inner, 1],
       [outer, 0],
     ] as const) {
-      kShape.forEach(([x, y], i) => {
+      kRobotShape.forEach(([x, y], i) => {
         corners.push([x, y, ...outward[i]!]);
         layers.push([step, cover, body]);
       });
@@ -152,7 +152,7 @@ export function arrowMesh(): {
 
 /** How a corner moves when both of its edges move outward by 1; at most twice as far, so that the tip is no needle. */
 function mitre(i: number): [number, number] {
-  const [before, here, after] = [kShape[(i + 3) % 4]!, kShape[i]!, kShape[(i + 1) % 4]!];
+  const [before, here, after] = [kRobotShape[(i + 3) % 4]!, kRobotShape[i]!, kRobotShape[(i + 1) % 4]!];
   const first = outwardNormal(before, here);
   const second = outwardNormal(here, after);
   const x = first[0] + second[0];

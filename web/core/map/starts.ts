@@ -1,10 +1,10 @@
 // Robots that have not been started, where START will put them: outlines, so that nobody takes them for the real ones.
 import { idRanges } from "../format.ts";
-import { type Box, holds } from "../geometry.ts";
+import { type Box, contains } from "../geometry.ts";
 import { clustersOf, type LabelWish, placeLabels, TakenBoxes } from "../labels.ts";
 import type { Model } from "../model.ts";
 import type { RobotTable } from "../robots.ts";
-import { kShape, type RobotStyles } from "./robot_styles.ts";
+import { kRobotShape, type RobotStyles } from "./robot_styles.ts";
 import { ringRadius } from "./robots_canvas.ts";
 import { fill, isOnScreen, kSans, stroke, textWidth, writeText } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
@@ -63,7 +63,7 @@ function traceArrow({ context, camera }: Pen, starts: RobotTable, row: number, l
   const y = camera.toScreenY(starts.y(row));
   const c = Math.cos(starts.heading(row)) * length;
   const s = Math.sin(starts.heading(row)) * length;
-  kShape.forEach(([ahead, left], i) => {
+  kRobotShape.forEach(([ahead, left], i) => {
     if (i === 0) context.moveTo(x + ahead * c - left * s, y - ahead * s - left * c);
     else context.lineTo(x + ahead * c - left * s, y - ahead * s - left * c);
   });
@@ -124,7 +124,7 @@ function drawNames(pen: Pen, model: Model, styles: RobotStyles, rows: readonly n
     const [left, right] = [Math.min(...xs), Math.max(...xs)];
     const [above, below] = [Math.min(...ys), Math.max(...ys)];
     const [x, y] = [(left + right) / 2, (above + below) / 2];
-    if (!holds(screen, { x, y })) return [];
+    if (!contains(screen, { x, y })) return [];
     const places = [
       ...[0, 6, -6].flatMap((dy) => [
         { x: right + side, y: y + dy },

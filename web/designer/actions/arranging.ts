@@ -1,22 +1,22 @@
-import { aligned, arrangeChange, type Edge } from "../arrange/arrange.ts";
+import { alignedBoxes, arrangeChange, type Edge } from "../arrange/arrange.ts";
 import { layOut } from "../arrange/layout.ts";
 import type { Designer } from "../session/designer.ts";
 import { kResult } from "../session/protocol.ts";
 import { isArranged, keepMoved, placesOf, sizesOf } from "../sight/use_places.ts";
 import { fit } from "../sight/view.ts";
-import { parted } from "./editing.ts";
+import { selectionByKind } from "./editing.ts";
 
 export function alignSelection(designer: Designer, edge: Edge): void {
   const { drawing } = designer;
   const places = drawing && placesOf(drawing);
   if (!drawing || !places) return;
   const sizes = sizesOf(drawing);
-  const boxes = parted(designer).nodes.flatMap((id) => {
+  const boxes = selectionByKind(designer).nodes.flatMap((id) => {
     const at = places.get(id);
     const size = sizes.get(id);
     return at && size ? [{ position: at, ...size }] : [];
   });
-  const moved = aligned(boxes, edge);
+  const moved = alignedBoxes(boxes, edge);
   if (moved.length === 0) return;
   const { changes, places: now } = arrangeChange(drawing, moved, places, isArranged(drawing));
   keepMoved(drawing, now);

@@ -1,7 +1,7 @@
 // Why something can't be done now, as a sentence; nothing: it can.
 import type { Designer } from "../session/designer.ts";
 import { Drawing_Kind } from "../session/protocol.ts";
-import { parted } from "./editing.ts";
+import { selectionByKind } from "./editing.ts";
 
 const kWithoutComponents: ReadonlySet<Drawing_Kind> = new Set([
   Drawing_Kind.FILE,
@@ -28,7 +28,7 @@ export interface Blocks {
 
 export function blocksOf(designer: Designer): Blocks {
   const { document, drawing, state } = designer;
-  const { nodes } = parted(designer);
+  const { nodes } = selectionByKind(designer);
   const closed = drawing ? undefined : kClosed;
   const isReadOnly = drawing?.isReadOnly || document?.isReadOnly;
   const fixed = closed ?? (isReadOnly ? "This can't be changed: make a copy of your own" : undefined);

@@ -2,6 +2,7 @@
 import { comparedWith, entriesOf } from "../compare/compared.ts";
 import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
+import { stopComparing } from "../session/documents.ts";
 import type { Differences_Entry } from "../session/protocol.ts";
 import { camera, nodeElement } from "../sight/view.ts";
 import { kClosed } from "./blocks.ts";
@@ -43,7 +44,7 @@ export function compareActions(designer: Designer): Action[] {
       label: "Stop comparing",
       group: "Compare",
       blocked: not,
-      run: () => designer.stopComparing(),
+      run: () => stopComparing(designer),
     },
   ];
 }
@@ -64,7 +65,7 @@ export function goToDifference(designer: Designer, entry: Differences_Entry, at:
   const { document, page, node } = placeOf(designer, entry);
   designer.store.setState({ difference: at });
   designer.say(`Difference ${at + 1}: ${entry.text}`);
-  designer.goTo(document, page, node.startsWith("-") ? "" : node);
+  designer.navigation.goTo(document, page, node.startsWith("-") ? "" : node);
   if (node !== "") bringIntoSight(node);
 }
 

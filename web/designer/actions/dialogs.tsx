@@ -1,7 +1,7 @@
 // The box in which everything is found; the sheet of shortcuts.
 import { useState } from "react";
 import { KeySheet } from "../../ui/commands/commands.tsx";
-import { commandsFound, Everything, type Found, foundIn } from "../../ui/commands/everything.tsx";
+import { commandsFound, Everything, resultsIn, type SearchResult } from "../../ui/commands/everything.tsx";
 import { score } from "../../ui/commands/search.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
@@ -40,7 +40,7 @@ export function Commands() {
         commandsFound(wanted, actions),
         wanted.trim() === "" ? [] : hits.map((hit) => hitFound(designer, hit, wanted)),
         // Those of the project itself are found there.
-        foundIn(wanted, library, helpOf, (one) => componentShown(designer, one)),
+        resultsIn(wanted, library, helpOf, (one) => componentShown(designer, one)),
       ]}
       onQuery={setQuery}
       note={sentence(leftOut)}
@@ -51,7 +51,7 @@ export function Commands() {
 
 const kNone: readonly Component[] = [];
 
-function hitFound(designer: Designer, hit: Hit, query: string): Found {
+function hitFound(designer: Designer, hit: Hit, query: string): SearchResult {
   const place = hit.kind === "file" ? hit.path : `${hit.path}, line ${hit.line}`;
   return {
     id: `hit ${hit.path} ${hit.begin} ${hit.name}`,
@@ -66,7 +66,7 @@ function hitFound(designer: Designer, hit: Hit, query: string): Found {
   };
 }
 
-function componentShown(designer: Designer, one: Component): Omit<Found, "points"> {
+function componentShown(designer: Designer, one: Component): Omit<SearchResult, "points"> {
   return {
     id: `component ${one.name}`,
     label: one.title || one.name,
@@ -80,7 +80,7 @@ function componentShown(designer: Designer, one: Component): Omit<Found, "points
 
 /** Its page, where it has one; else it is placed where that can be done, and explained where it can't. */
 function lookAt(designer: Designer, { name, title, source, help }: Component): void {
-  if (source.endsWith(".cdl")) void designer.open(source, name);
+  if (source.endsWith(".cdl")) void designer.navigation.open(source, name);
   else if (designer.drawing?.isReadOnly || designer.state.page === "")
     designer.tell(`${title || name}: ${help}`, "accent");
   else void place(designer, name, null);

@@ -2,9 +2,19 @@
 import { takeBack } from "../names/rename.ts";
 import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
+import { redo, undo } from "../session/documents.ts";
 import { arrangeAll } from "./arranging.ts";
 import type { Blocks } from "./blocks.ts";
-import { copySelection, cutSelection, duplicate, nudge, parted, paste, removeSelection, walk } from "./editing.ts";
+import {
+  copySelection,
+  cutSelection,
+  duplicate,
+  nudge,
+  paste,
+  removeSelection,
+  selectionByKind,
+  walk,
+} from "./editing.ts";
 
 export function historyActions(designer: Designer): Action[] {
   const { document } = designer;
@@ -16,7 +26,7 @@ export function historyActions(designer: Designer): Action[] {
       icon: "undo",
       shortcut: "ctrl+z",
       blocked: document?.undo ? undefined : "Nothing to undo",
-      run: () => designer.undo(),
+      run: () => undo(designer),
     },
     {
       id: "redo",
@@ -26,7 +36,7 @@ export function historyActions(designer: Designer): Action[] {
       shortcut: "ctrl+shift+z",
       also: ["ctrl+y"],
       blocked: document?.redo ? undefined : "Nothing to redo",
-      run: () => designer.redo(),
+      run: () => redo(designer),
     },
   ];
 }
@@ -34,7 +44,7 @@ export function historyActions(designer: Designer): Action[] {
 export function selectionActions(designer: Designer, blocks: Blocks): Action[] {
   const { store, drawing } = designer;
   const { closed, fixed, noSelection, notOneNode } = blocks;
-  const first = parted(designer).nodes[0] ?? "";
+  const first = selectionByKind(designer).nodes[0] ?? "";
   return [
     ...clipboardActions(designer, blocks),
     {

@@ -3,7 +3,8 @@ import { arrangeChange } from "../arrange/arrange.ts";
 import { onPitch } from "../arrange/elk.ts";
 import { ownPlaces } from "../drawing/flow.ts";
 import { freePlace, showNode } from "../palette/place.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import { type ChangeInit, type ChangeOf, type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { canvasStore } from "../sight/canvas_store.ts";
 import { isArranged, keepMoved, layOutAnew, placesOf, sizesOf, wholePlaces } from "../sight/use_places.ts";
@@ -12,7 +13,7 @@ import { disconnectChange, endOf } from "../sight/wiring.ts";
 import { transitionOf } from "../states/flow.ts";
 
 /** The selection by what it is. */
-export function parted(designer: Designer): {
+export function selectionByKind(designer: Designer): {
   nodes: string[];
   notes: string[];
   wires: string[];
@@ -35,7 +36,7 @@ export function parted(designer: Designer): {
 export async function removeSelection(designer: Designer): Promise<void> {
   const { page, selection } = designer.state;
   const { drawing } = designer;
-  const { nodes, notes, wires, transitions } = parted(designer);
+  const { nodes, notes, wires, transitions } = selectionByKind(designer);
   const changes: ChangeInit[] = [];
   if (drawing?.kind === Drawing_Kind.SOCIETY) changes.push(...membersRemoved(drawing, nodes));
   for (const id of drawing?.kind === Drawing_Kind.SOCIETY ? [] : wires) {
@@ -86,7 +87,7 @@ function laterFirst(a: readonly number[], b: readonly number[]): number {
 /** Where the selected nodes stand, also those that the file says nothing of. */
 export function placesOfSelection(designer: Designer): { node: string; x: number; y: number }[] {
   const places = designer.drawing && placesOf(designer.drawing);
-  return parted(designer).nodes.flatMap((node) => {
+  return selectionByKind(designer).nodes.flatMap((node) => {
     const at = places?.get(node);
     return at ? [{ node, x: at.x, y: at.y }] : [];
   });
@@ -95,7 +96,7 @@ export function placesOfSelection(designer: Designer): { node: string; x: number
 /** CDL of the selected nodes. */
 async function textOf(designer: Designer): Promise<string> {
   const { document, page } = designer.state;
-  const { nodes } = parted(designer);
+  const { nodes } = selectionByKind(designer);
   if (nodes.length === 0) return "";
   const answer = await designer.ask({
     case: "copy",
@@ -166,7 +167,7 @@ export async function ungroup(designer: Designer, node: string): Promise<void> {
     value: { page: designer.state.page, node },
   });
   if (!answer.ok) return;
-  const now = await soon(designer, () => {
+  const now = await onceDrawn(designer, () => {
     const next = designer.drawing;
     return next && next !== drawing && next.page?.path === drawing.page?.path ? next : undefined;
   });
@@ -198,7 +199,7 @@ async function pasteAt(designer: Designer, name: string, text: string, at: { x: 
   const value = { page: designer.state.page, text, ...at, taken: name === "paste" ? takenBoxes(designer) : [] };
   const answer = await designer.edit(name, { case: "paste", value });
   if (!answer.ok) return;
-  const made = await soon(designer, () => {
+  const made = await onceDrawn(designer, () => {
     const fresh = all().filter((one) => !before.has(one));
     return fresh.length > 0 ? fresh : undefined;
   });
@@ -229,7 +230,7 @@ function finish(designer: Designer, dx: number, dy: number): void {
   const { drawing } = designer;
   const places = drawing && placesOf(drawing);
   if (!drawing || !places) return;
-  const { nodes, notes } = parted(designer);
+  const { nodes, notes } = selectionByKind(designer);
   const moved = [
     ...nodes.flatMap((id) => {
       const at = places.get(id);
@@ -251,7 +252,7 @@ async function makeNote(designer: Designer, name: string, note: ChangeOf<"setNot
   const value = { page: designer.state.page, id: "", ...note };
   const answer = await designer.edit(name, { case: "setNote", value });
   if (!answer.ok) return;
-  const made = await soon(designer, () => designer.drawing?.notes.find((one) => !before.has(one.id))?.id);
+  const made = await onceDrawn(designer, () => designer.drawing?.notes.find((one) => !before.has(one.id))?.id);
   if (!made) return;
   designer.select([made]);
   canvasStore.setState({ writing: made });
@@ -269,7 +270,7 @@ export function frameSelection(designer: Designer): void {
   const places = drawing && placesOf(drawing);
   if (!drawing || !places) return;
   const sizes = sizesOf(drawing);
-  const boxes = parted(designer).nodes.flatMap((id) => {
+  const boxes = selectionByKind(designer).nodes.flatMap((id) => {
     const at = places.get(id);
     const size = sizes.get(id);
     return at && size ? [{ ...at, right: at.x + size.width, bottom: at.y + size.height }] : [];
@@ -302,7 +303,7 @@ export function walk(designer: Designer, dx: number, dy: number): void {
   const { drawing } = designer;
   const places = drawing && placesOf(drawing);
   if (!drawing || !places || places.size === 0) return;
-  const from = parted(designer).nodes[0];
+  const from = selectionByKind(designer).nodes[0];
   const at = from ? places.get(from) : undefined;
   if (!at) {
     designer.select([[...places.keys()][0]!]);

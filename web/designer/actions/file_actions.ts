@@ -1,16 +1,22 @@
 // What is done with files: opened, saved, exported, left.
 import { withToken } from "../../core/server_link.ts";
 import type { Action } from "../session/action.ts";
-import { type Designer, isNew } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { save } from "../session/documents.ts";
+import type { DialogName } from "../session/state.ts";
+import { isNew } from "../session/titles.ts";
 import { kClosed } from "./blocks.ts";
 
 export function fileActions(designer: Designer): Action[] {
-  const { store, state, document } = designer;
-  const closed = document ? undefined : kClosed;
-  const dialog = (name: typeof state.dialog) => () => store.setState({ dialog: name, subject: "" });
-  const unwritten = document && (document.isReadOnly || isNew(document.path));
+  const closed = designer.document ? undefined : kClosed;
   return [
-    { id: "new", label: "New configuration", group: "File", icon: "plus", run: () => void designer.open("", "") },
+    {
+      id: "new",
+      label: "New configuration",
+      group: "File",
+      icon: "plus",
+      run: () => void designer.navigation.open("", ""),
+    },
     {
       id: "open",
       label: "Open…",
@@ -18,42 +24,16 @@ export function fileActions(designer: Designer): Action[] {
       icon: "folder",
       shortcut: "ctrl+o",
       everywhere: true,
-      run: dialog("open"),
+      run: () => openDialog(designer, "open"),
     },
-    {
-      id: "save",
-      label: unwritten ? "Save…" : "Save",
-      group: "File",
-      icon: "save",
-      shortcut: "ctrl+s",
-      everywhere: true,
-      blocked: closed,
-      run: () => void designer.save(),
-    },
-    {
-      id: "save-as",
-      label: "Save as…",
-      group: "File",
-      shortcut: "ctrl+shift+s",
-      everywhere: true,
-      blocked: closed,
-      run: dialog("save-as"),
-    },
-    {
-      id: "library",
-      label: "Save to the library…",
-      group: "File",
-      icon: "layers",
-      blocked: closed,
-      run: dialog("library"),
-    },
+    ...saveActions(designer, closed),
     ...exportActions(designer, closed),
     {
       id: "close",
       label: "Close: back to the start page",
       group: "File",
       blocked: closed,
-      run: () => designer.leave(),
+      run: () => designer.navigation.leave(),
     },
     {
       id: "console",
@@ -63,6 +43,44 @@ export function fileActions(designer: Designer): Action[] {
       run: () => window.open(withToken(designer.page, "./"), "_blank", "noopener"),
     },
   ];
+}
+
+function saveActions(designer: Designer, closed: string | undefined): Action[] {
+  const { document } = designer;
+  const unwritten = document && (document.isReadOnly || isNew(document.path));
+  return [
+    {
+      id: "save",
+      label: unwritten ? "Save…" : "Save",
+      group: "File",
+      icon: "save",
+      shortcut: "ctrl+s",
+      everywhere: true,
+      blocked: closed,
+      run: () => void save(designer),
+    },
+    {
+      id: "save-as",
+      label: "Save as…",
+      group: "File",
+      shortcut: "ctrl+shift+s",
+      everywhere: true,
+      blocked: closed,
+      run: () => openDialog(designer, "save-as"),
+    },
+    {
+      id: "library",
+      label: "Save to the library…",
+      group: "File",
+      icon: "layers",
+      blocked: closed,
+      run: () => openDialog(designer, "library"),
+    },
+  ];
+}
+
+function openDialog({ store }: Designer, dialog: DialogName): void {
+  store.setState({ dialog, subject: "" });
 }
 
 function exportActions(designer: Designer, closed: string | undefined): Action[] {

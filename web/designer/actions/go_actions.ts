@@ -2,9 +2,10 @@
 import { componentOf, drawnAt } from "../names/at.ts";
 import { showUses } from "../names/uses.ts";
 import type { Action } from "../session/action.ts";
+import { crumbsIn } from "../session/crumbs.ts";
 import type { Designer } from "../session/designer.ts";
 import { innerOf } from "../session/inside.ts";
-import { outer } from "../session/pages.ts";
+import { outerPath } from "../session/pages.ts";
 import { goToPane } from "../session/panes.ts";
 import { kClosed } from "./blocks.ts";
 
@@ -19,7 +20,7 @@ export function goActions(designer: Designer): Action[] {
       icon: "right",
       shortcut: "enter",
       blocked: to ? undefined : "Select something that has an inside",
-      run: () => designer.enter(to!),
+      run: () => designer.navigation.enter(to!),
     },
     ...findActions(designer),
     {
@@ -30,8 +31,8 @@ export function goActions(designer: Designer): Action[] {
       shortcut: "u",
       blocked: state.page === "" || !drawing ? "This is the whole file" : undefined,
       run: () => {
-        const before = designer.crumbs.at(-2);
-        designer.goTo(before?.document ?? state.document, before?.page ?? outer(state.page) ?? "");
+        const before = crumbsIn(designer.state).at(-2);
+        designer.navigation.goTo(before?.document ?? state.document, before?.page ?? outerPath(state.page) ?? "");
       },
     },
     {
@@ -40,7 +41,7 @@ export function goActions(designer: Designer): Action[] {
       group: "Go",
       shortcut: "home",
       blocked: drawing ? undefined : kClosed,
-      run: () => designer.goTo(state.document, ""),
+      run: () => designer.navigation.goTo(state.document, ""),
     },
     {
       id: "next-pane",
@@ -107,7 +108,7 @@ function findActions(designer: Designer): Action[] {
 
 async function copyLink(designer: Designer): Promise<void> {
   const { document, page, selection } = designer.state;
-  designer.goTo(document, page, selection[0] ?? "");
+  designer.navigation.goTo(document, page, selection[0] ?? "");
   await navigator.clipboard
     .writeText(window.location.href)
     .catch(() => designer.tell("The browser does not let the page write to the clipboard."));

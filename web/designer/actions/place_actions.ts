@@ -5,7 +5,7 @@ import type { Action } from "../session/action.ts";
 import type { Designer } from "../session/designer.ts";
 import { Drawing_Kind } from "../session/protocol.ts";
 import type { Blocks } from "./blocks.ts";
-import { addNote, frameSelection, parted, ungroup } from "./editing.ts";
+import { addNote, frameSelection, selectionByKind, ungroup } from "./editing.ts";
 
 export function placeActions(designer: Designer, blocks: Blocks): Action[] {
   return [...componentActions(designer, blocks), ...groupActions(designer, blocks), ...noteActions(designer, blocks)];
@@ -13,7 +13,7 @@ export function placeActions(designer: Designer, blocks: Blocks): Action[] {
 
 function componentActions(designer: Designer, { fixed, noPlace, notOneNode }: Blocks): Action[] {
   const { store, drawing } = designer;
-  const first = parted(designer).nodes[0] ?? "";
+  const first = selectionByKind(designer).nodes[0] ?? "";
   return [
     {
       id: "place",
@@ -46,7 +46,7 @@ function componentActions(designer: Designer, { fixed, noPlace, notOneNode }: Bl
 
 function groupActions(designer: Designer, { fixed, noNode, notOneNode }: Blocks): Action[] {
   const { store, document, drawing } = designer;
-  const first = parted(designer).nodes[0] ?? "";
+  const first = selectionByKind(designer).nodes[0] ?? "";
   const isFlow = drawing?.kind === Drawing_Kind.DATAFLOW || drawing?.kind === Drawing_Kind.ROBOT;
   const isSociety = drawing?.kind === Drawing_Kind.SOCIETY;
   return [
@@ -58,7 +58,7 @@ function groupActions(designer: Designer, { fixed, noNode, notOneNode }: Blocks)
       shortcut: "ctrl+g",
       blocked: fixed ?? noNode ?? (isFlow || isSociety ? undefined : "Only dataflow and members can be grouped"),
       run: () => {
-        if (isSociety) void groupMembers(designer, drawing, parted(designer).nodes);
+        if (isSociety) void groupMembers(designer, drawing, selectionByKind(designer).nodes);
         else store.setState({ dialog: "group", subject: "" });
       },
     },

@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { isTakenByFocus, matches } from "../../ui/commands/keys.ts";
+import { isShortcut, isTakenByFocus } from "../../ui/commands/keys.ts";
 import type { Designer } from "../session/designer.ts";
 import { allActions } from "./all_actions.ts";
 
@@ -20,7 +20,7 @@ export function useShortcuts(designer: Designer): void {
 function press(designer: Designer, event: KeyboardEvent): void {
   if (event.defaultPrevented || designer.state.dialog !== "") return;
   const action = allActions(designer).find((one) =>
-    [one.shortcut, ...(one.also ?? [])].some((key) => key !== undefined && matches(key, event)),
+    [one.shortcut, ...(one.also ?? [])].some((key) => key !== undefined && isShortcut(key, event)),
   );
   if (!action || (!action.everywhere && isOfFocus(event))) return;
   event.preventDefault();
@@ -41,7 +41,7 @@ function pressInField(designer: Designer, event: KeyboardEvent): void {
   const { target } = event;
   if (!(target instanceof HTMLInputElement || target instanceof HTMLTextAreaElement)) return;
   if (target.closest(".cm-editor") || designer.state.dialog !== "") return;
-  if (!allActions(designer).some((one) => one.everywhere && one.shortcut && matches(one.shortcut, event))) return;
+  if (!allActions(designer).some((one) => one.everywhere && one.shortcut && isShortcut(one.shortcut, event))) return;
   target.blur(); // sends what has been typed
   press(designer, event);
 }

@@ -2,7 +2,7 @@ import { create } from "@bufbuild/protobuf";
 import ELK from "elkjs/lib/elk.bundled.js";
 import { expect, test } from "vitest";
 import { DrawingSchema } from "../session/protocol.ts";
-import { aligned, arrangeChange } from "./arrange.ts";
+import { alignedBoxes, arrangeChange } from "./arrange.ts";
 import { fromElk, toElk } from "./elk.ts";
 import { graphOf } from "./graph.ts";
 
@@ -10,14 +10,14 @@ const box = (id: string, x: number, y: number, width = 100) => ({ id, position: 
 
 test("boxes are brought in line", () => {
   const boxes = [box("a", 0, 0), box("b", 56, 80, 200)];
-  expect(aligned(boxes, "left").map((one) => one.position.x)).toEqual([0, 0]);
-  expect(aligned(boxes, "right").map((one) => one.position.x)).toEqual([160, 56]);
-  expect(aligned(boxes, "top").map((one) => one.position.y)).toEqual([0, 0]);
-  expect(aligned([box("a", 0, 0)], "left")).toEqual([]);
+  expect(alignedBoxes(boxes, "left").map((one) => one.position.x)).toEqual([0, 0]);
+  expect(alignedBoxes(boxes, "right").map((one) => one.position.x)).toEqual([160, 56]);
+  expect(alignedBoxes(boxes, "top").map((one) => one.position.y)).toEqual([0, 0]);
+  expect(alignedBoxes([box("a", 0, 0)], "left")).toEqual([]);
 });
 
 test("boxes are spread with the same room between them", () => {
-  const spread = aligned([box("a", 0, 0), box("b", 110, 0), box("c", 400, 0)], "across");
+  const spread = alignedBoxes([box("a", 0, 0), box("b", 110, 0), box("c", 400, 0)], "across");
   expect(spread.map((one) => one.position.x)).toEqual([0, 200, 400]);
 });
 

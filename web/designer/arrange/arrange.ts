@@ -1,11 +1,11 @@
 // Places that a person or automatic layout gave, as changes of the document.
-import type { At, Places } from "../drawing/flow.ts";
+import type { NodePlace, Places } from "../drawing/flow.ts";
 import type { ChangeInit, Drawing } from "../session/protocol.ts";
 import { onPitch } from "./elk.ts";
 
 interface MovedNode {
   id: string;
-  position: At;
+  position: NodePlace;
 }
 
 /**
@@ -17,11 +17,11 @@ export function arrangeChange(
   moved: readonly MovedNode[],
   places: Places,
   isArranged: boolean,
-): { changes: ChangeInit[]; places: Map<string, At> } {
+): { changes: ChangeInit[]; places: Map<string, NodePlace> } {
   const page = drawing.page?.path ?? "";
   const notes = new Map(drawing.notes.map((note) => [note.id, note]));
   const changes: ChangeInit[] = [];
-  const now = new Map<string, At>(isArranged ? [] : places);
+  const now = new Map<string, NodePlace>(isArranged ? [] : places);
   for (const { id, position } of moved) {
     const at = { x: onPitch(position.x), y: onPitch(position.y) };
     const note = notes.get(id);
@@ -45,7 +45,7 @@ interface Box extends MovedNode {
 }
 
 /** Boxes with one edge in line, or (`across`, `down`) with the same room between them. */
-export function aligned(boxes: readonly Box[], edge: Edge): MovedNode[] {
+export function alignedBoxes(boxes: readonly Box[], edge: Edge): MovedNode[] {
   if (boxes.length < 2) return [];
   const left = Math.min(...boxes.map((box) => box.position.x));
   const right = Math.max(...boxes.map((box) => box.position.x + box.width));

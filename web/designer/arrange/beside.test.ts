@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { beside, sideOf } from "./beside.ts";
+import { placeAtSide, sideOf } from "./beside.ts";
 
 const noise = { type: "Vector", inputs: [{ type: "duration" }] };
 const avoid = { type: "Vector", inputs: [{ type: "Obstacles" }, { type: "length" }] };
@@ -22,7 +22,7 @@ test("of two sums the new one is further on, and what has no value is below", ()
 test("there is room between the two, on every side", () => {
   const box = { x: 100, y: 100, width: 200, height: 60 };
   const size = { width: 180, height: 80 };
-  expect(beside("right", box, size)).toEqual({ x: 364, y: 100 });
-  expect(beside("left", box, size)).toEqual({ x: -144, y: 100 });
-  expect(beside("below", box, size)).toEqual({ x: 100, y: 192 });
+  expect(placeAtSide("right", box, size)).toEqual({ x: 364, y: 100 });
+  expect(placeAtSide("left", box, size)).toEqual({ x: -144, y: 100 });
+  expect(placeAtSide("below", box, size)).toEqual({ x: 100, y: 192 });
 });

@@ -2,7 +2,7 @@
 import type { Rect } from "../states/curve.ts";
 
 /** What of a node or of a component counts. */
-export interface Ends {
+export interface PortTypes {
   readonly type: string;
   readonly inputs: readonly { readonly type: string }[];
 }
@@ -10,20 +10,20 @@ export interface Ends {
 export type Side = "right" | "left" | "below";
 
 /** Right of it what takes its value, left of it what it takes, and below it what has nothing to do with it. */
-export function sideOf(selected: Ends, placed: Ends): Side {
+export function sideOf(selected: PortTypes, placed: PortTypes): Side {
   if (takes(placed, selected)) return "right";
   if (takes(selected, placed)) return "left";
   return "below";
 }
 
-function takes(reader: Ends, from: Ends): boolean {
+function takes(reader: PortTypes, from: PortTypes): boolean {
   return from.type !== "" && reader.inputs.some(({ type }) => type === from.type || type === "" || type === "any");
 }
 
 const kRoom = { across: 64, down: 32 }; // px between the two
 
 /** Its upper left corner. */
-export function beside(side: Side, box: Rect, size: { width: number; height: number }): { x: number; y: number } {
+export function placeAtSide(side: Side, box: Rect, size: { width: number; height: number }): { x: number; y: number } {
   switch (side) {
     case "right":
       return { x: box.x + box.width + kRoom.across, y: box.y };

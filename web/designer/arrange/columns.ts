@@ -3,7 +3,7 @@
 // Linear in nodes and wires, but for how many columns are tried.
 import { onPitch, type Spot } from "./elk.ts";
 import type { LayoutGraph, LayoutNode } from "./graph.ts";
-import { kSight } from "./sight.ts";
+import { kUsualView } from "./sight.ts";
 
 const kBetweenColumns = 72; // [px]
 const kBetweenNodes = 28;
@@ -95,11 +95,11 @@ function folded(units: readonly Unit[], reader: LayoutNode | null): Unit[][] {
   for (let count = 1; count <= Math.min(units.length, kMostColumns); ++count) {
     const columns = inColumns(units, count);
     const { width, height } = sizeWith(columns, reader);
-    const zoom = Math.min(kSight.width / width, kSight.height / height);
+    const zoom = Math.min(kUsualView.width / width, kUsualView.height / height);
     if (zoom > largest) {
       largest = zoom;
       best = columns;
-    } else if (kSight.width / width < largest) break; // it only becomes wider
+    } else if (kUsualView.width / width < largest) break; // it only becomes wider
   }
   return best.toReversed();
 }

@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { columnSpots } from "./columns.ts";
 import { effortOf, methodFor } from "./effort.ts";
 import type { LayoutGraph } from "./graph.ts";
-import { gridSpots, readable, snakeSpots } from "./grid.ts";
+import { gridSpots, mostReadable, snakeSpots } from "./grid.ts";
 
 type Pair = readonly [number, number];
 
@@ -64,7 +64,7 @@ test("of two layouts the larger one in sight is taken; where neither can be read
   const page = graph("states", 30, chain(30));
   const across = page.nodes.map(({ id }, i) => ({ id, x: i * 100, y: 0 }));
   const down = page.nodes.map(({ id }, i) => ({ id, x: 0, y: i * 80 }));
-  expect(readable([across, down], page)).toBe(down);
+  expect(mostReadable([across, down], page)).toBe(down);
   const far = across.map((spot) => ({ ...spot, x: spot.x * 10 }));
-  expect(readable([far], page)).toEqual(snakeSpots(page));
+  expect(mostReadable([far], page)).toEqual(snakeSpots(page));
 });

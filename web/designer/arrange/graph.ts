@@ -1,6 +1,6 @@
 // What automatic layout is asked: boxes with ports, wires between them. For dataflow and for states alike.
 
-import { hasResult, kResultHeight, kResultWidth, wiredOf, wireId } from "../drawing/flow.ts";
+import { hasResult, kResultHeight, kResultWidth, wiredInputsOf, wireId } from "../drawing/flow.ts";
 import { formOf } from "../drawing/form.ts";
 import { type Drawing, Drawing_Kind, kResult } from "../session/protocol.ts";
 import { stateSize } from "../states/form.ts";
@@ -35,7 +35,7 @@ export interface LayoutGraph {
 
 export function graphOf(drawing: Drawing): LayoutGraph {
   if (drawing.kind === Drawing_Kind.STATES) return statesGraph(drawing);
-  const wired = wiredOf(drawing);
+  const wired = wiredInputsOf(drawing);
   const nodes = drawing.nodes.map((node): LayoutNode => {
     const form = formOf(node, wired);
     return {

@@ -19,7 +19,7 @@ export function snakeSpots(graph: LayoutGraph): Spot[] {
 }
 
 /** Of several layouts the one that is seen largest, or the snake where none of them could be read. */
-export function readable(layouts: readonly Spot[][], graph: LayoutGraph): Spot[] {
+export function mostReadable(layouts: readonly Spot[][], graph: LayoutGraph): Spot[] {
   const zooms = layouts.map((spots) => zoomOf(spots, graph));
   const best = Math.max(...zooms);
   return best < kLegible ? snakeSpots(graph) : layouts[zooms.indexOf(best)]!;

@@ -1,6 +1,6 @@
 // A page of which some nodes have a place and some have none: what automatic layout says is moved so that it fits to what
 // stands already, and nothing lies on anything.
-import type { At } from "../drawing/flow.ts";
+import type { NodePlace } from "../drawing/flow.ts";
 import { onPitch, type Spot } from "./elk.ts";
 
 export interface SizedNode {
@@ -13,11 +13,11 @@ const kRoom = 16;
 
 /** Places of all nodes: those of `own` as they are. */
 export function placeNew(
-  own: ReadonlyMap<string, At>,
+  own: ReadonlyMap<string, NodePlace>,
   laidOut: readonly Spot[],
   sizes: readonly SizedNode[],
-): Map<string, At> {
-  const places = new Map<string, At>(own);
+): Map<string, NodePlace> {
+  const places = new Map<string, NodePlace>(own);
   const shift = shiftOf(own, laidOut);
   const size = new Map(sizes.map((one) => [one.id, one]));
   for (const spot of laidOut) {
@@ -40,7 +40,7 @@ export function placeNew(
 }
 
 /** How far the layout is from what stands: on the average of the nodes that both know. */
-function shiftOf(own: ReadonlyMap<string, At>, laidOut: readonly Spot[]): At {
+function shiftOf(own: ReadonlyMap<string, NodePlace>, laidOut: readonly Spot[]): NodePlace {
   let x = 0;
   let y = 0;
   let count = 0;
@@ -54,7 +54,7 @@ function shiftOf(own: ReadonlyMap<string, At>, laidOut: readonly Spot[]): At {
   return count === 0 ? { x: 0, y: 0 } : { x: x / count, y: y / count };
 }
 
-function isOver(a: SizedNode & At, b: SizedNode & At): boolean {
+function isOver(a: SizedNode & NodePlace, b: SizedNode & NodePlace): boolean {
   return (
     a.x < b.x + b.width + kRoom &&
     b.x < a.x + a.width + kRoom &&

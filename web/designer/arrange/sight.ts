@@ -3,7 +3,7 @@ import type { Spot } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
 
 /** What a page is mostly looked at in [px]. */
-export const kSight = { width: 960, height: 800 };
+export const kUsualView = { width: 960, height: 800 };
 
 /** The zoom at which it is seen as a whole. */
 export function zoomOf(spots: readonly Spot[], { nodes }: LayoutGraph): number {
@@ -14,5 +14,5 @@ export function zoomOf(spots: readonly Spot[], { nodes }: LayoutGraph): number {
     [left, top] = [Math.min(left, x), Math.min(top, y)];
     [right, bottom] = [Math.max(right, x + width), Math.max(bottom, y + height)];
   }
-  return Math.min(1, kSight.width / Math.max(1, right - left), kSight.height / Math.max(1, bottom - top));
+  return Math.min(1, kUsualView.width / Math.max(1, right - left), kUsualView.height / Math.max(1, bottom - top));
 }

@@ -5,7 +5,7 @@ import { columnSpots } from "./columns.ts";
 import { methodFor } from "./effort.ts";
 import { fromElk, type Spot, toElk } from "./elk.ts";
 import type { LayoutGraph } from "./graph.ts";
-import { flowSpots, gridSpots, readable, snakeSpots } from "./grid.ts";
+import { flowSpots, gridSpots, mostReadable, snakeSpots } from "./grid.ts";
 
 const elk: Promise<ELK> = import("elkjs/lib/elk.bundled.js").then(({ default: Elk }) => {
   const made = new Elk();
@@ -29,5 +29,5 @@ async function laidOut(graph: LayoutGraph): Promise<Spot[]> {
   const engine = await elk;
   const across = fromElk(await engine.layout(toElk(graph, method)));
   if (graph.kind === "dataflow") return flowSpots(across, graph);
-  return readable([across, fromElk(await engine.layout(toElk(graph, method, "DOWN")))], graph);
+  return mostReadable([across, fromElk(await engine.layout(toElk(graph, method, "DOWN")))], graph);
 }

@@ -1,28 +1,22 @@
-// The canvas: what stands on the page that is shown, to be moved, wired and entered.
+// The canvas: what stands on the page that is shown, and what hands do to it, each in a file of its own.
 import {
   Background,
   BackgroundVariant,
   type Edge,
-  type Node as FlowNode,
   ReactFlow,
   type ReactFlowProps,
   SelectionMode,
   useReactFlow,
   useStoreApi,
 } from "@xyflow/react";
-import { type CSSProperties, type ReactNode, type RefObject, useEffect, useMemo, useRef } from "react";
+import { type CSSProperties, type ReactNode, useMemo, useRef } from "react";
 import { kPitch } from "../arrange/elk.ts";
 import { pageDifference, withGhosts } from "../compare/compared.ts";
-import { dropAt, kDragged } from "../palette/touch_drag.ts";
-import type { Designer } from "../session/designer.ts";
-import { isTabbed, offerFocus } from "../session/panes.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { canvasStore, useCanvas } from "../sight/canvas_store.ts";
 import { usePlaces } from "../sight/use_places.ts";
-import { kFarthest, nodeElement } from "../sight/view.ts";
-import { isTriggerHere, transitionAt } from "../states/drop_trigger.ts";
-import { transitionId } from "../states/flow.ts";
+import { kFarthest } from "../sight/view.ts";
 import { NodeView } from "../views/node_view.tsx";
 import { NoteView, ResultView } from "../views/small_views.tsx";
 import { StateView } from "../views/state_view.tsx";
@@ -31,12 +25,18 @@ import { ValueEditor } from "../views/value_editor.tsx";
 import { WireView } from "../views/wire_view.tsx";
 import { useCamera } from "./camera.ts";
 import { ConnectReason } from "./connect_reason.tsx";
-import { ContextMenu, openMenu } from "./context_menu.tsx";
+import { connecting } from "./connecting.ts";
+import { ContextMenu, menus } from "./context_menu.tsx";
+import { dropping } from "./dropping.ts";
 import { useElements } from "./elements.ts";
+import { entering } from "./entering.ts";
 import { FarWires } from "./far_wires.tsx";
-import { connecting, enter, moveNodes } from "./gestures.ts";
+import { selectTabbed, useKeptFocus } from "./focus.ts";
 import { useGivenHandles } from "./given_handles.ts";
+import { Markers } from "./markers.tsx";
+import { useMoving } from "./moving.ts";
 import { Overview } from "./overview.tsx";
+import { useSelecting } from "./selecting.ts";
 
 /** How React Flow behaves on every page. */
 const kBehaviour = {
@@ -63,61 +63,44 @@ const kBehaviour = {
 } satisfies ReactFlowProps;
 
 const kNoEdges: Edge[] = [];
+/** With more wires than these, those far away are drawn in one piece. */
+const kManyWires = 150;
+/** With more nodes than these, only those in sight are drawn. */
+const kManyNodes = 120;
 
 export function Canvas({ drawing }: { drawing: Drawing }) {
   const designer = useDesigner();
   const flow = useReactFlow();
   useGivenHandles(useStoreApi());
-  const { kind, isReadOnly } = drawing;
-  const isStates = kind === Drawing_Kind.STATES;
+  const { isReadOnly } = drawing;
+  const isStates = drawing.kind === Drawing_Kind.STATES;
   const shown = usePart((state) => state.shown);
-  const distance = useCanvas((state) => state.distance);
+  const isNear = useCanvas((state) => state.distance === "near");
   const difference = usePart(pageDifference);
   const places = usePlaces(useMemo(() => withGhosts(drawing, difference), [drawing, difference]));
-  const isDragging = useRef(false);
-  const { nodes, edges, ids, nodesChange, edgesChange } = useElements(drawing, difference, places, isDragging);
+  const selecting = useSelecting(drawing);
+  const moving = useMoving(drawing, places);
+  const { nodes, edges, ...changes } = useElements({ drawing, difference }, places, selecting, moving.isMoving);
   const camera = useCamera(drawing, nodes);
-  const showsFarWires = !isStates && distance !== "near" && edges.length > 150;
   const connects = useMemo(() => connecting(designer, drawing, flow), [designer, drawing, flow]);
-
-  const moveBegins = () => {
-    isDragging.current = true;
-  };
-  const moveEnds = (moved: readonly FlowNode[]) => {
-    isDragging.current = false;
-    const changed = moved.filter((node) => nodes.find((one) => one.id === node.id));
-    if (moved.length > 0 && !isReadOnly) moveNodes(designer, drawing, changed, places ?? new Map());
-  };
-  const showMenu = (event: React.MouseEvent, { id }: { id: string }) => {
-    event.preventDefault();
-    openMenu(designer, id, event);
-  };
+  const showsFarWires = !isStates && !isNear && edges.length > kManyWires;
   return (
-    <Frame drawing={drawing} ids={ids} isInSight={camera.isInSight}>
+    <Frame drawing={drawing} ids={selecting.ids} isInSight={camera.isInSight}>
       <ReactFlow
         {...kBehaviour}
         {...connects}
+        {...changes}
+        {...moving.handlers(nodes)}
+        {...menus(designer)}
+        {...entering(designer, drawing)}
         nodes={nodes}
         edges={showsFarWires ? kNoEdges : edges}
-        onNodesChange={nodesChange}
-        onEdgesChange={edgesChange}
-        onNodeDragStart={moveBegins}
-        onNodeDragStop={(_, __, moved) => moveEnds(moved)}
-        onSelectionDragStart={moveBegins}
-        onSelectionDragStop={(_, moved) => moveEnds(moved)}
-        onNodeContextMenu={showMenu}
-        onEdgeContextMenu={showMenu}
-        onNodeDoubleClick={(_, node) => {
-          // The browser has taken it for a word: what it found to select is in a pane beside the canvas.
-          window.getSelection()?.removeAllRanges();
-          enter(designer, drawing, node.id);
-        }}
         onMove={(event, view) => camera.moved(view, Boolean(event))}
         onInit={(started) => camera.moved(started.getViewport(), false)}
         nodesConnectable={!isReadOnly}
         nodesDraggable={!isReadOnly}
         edgesReconnectable={!isReadOnly && !isStates}
-        onlyRenderVisibleElements={nodes.length > 120}
+        onlyRenderVisibleElements={nodes.length > kManyNodes}
       >
         {shown.grid && <Background variant={BackgroundVariant.Dots} gap={kPitch * 3} size={1.6} />}
         {showsFarWires && <FarWires nodes={nodes} edges={edges} />}
@@ -147,30 +130,14 @@ function Frame({ drawing, ids, isInSight, children }: FrameProps) {
   const { isReadOnly, page } = drawing;
   return (
     <section
+      {...dropping(designer, isReadOnly)}
       className={`canvas ${distance} ${isReadOnly ? "read-only" : ""} ${scale > 1 ? "away" : ""} ${scale > 2 ? "farther" : ""}`}
       style={{ "--scale": scale } as CSSProperties}
       aria-label={`Drawing of ${page?.path || "the file"}`}
       aria-busy={!isInSight}
       ref={section}
       tabIndex={-1}
-      onFocus={({ target }) => {
-        // What the Tab key reaches is selected: keys do something to it.
-        const id = isTabbed() && target.matches(".react-flow__node") ? target.getAttribute("data-id") : null;
-        if (id && ids.has(id) && !designer.state.selection.includes(id)) designer.select([id]);
-      }}
-      onDragOver={(event) => {
-        if (!event.dataTransfer.types.includes(kDragged) || isReadOnly) return;
-        event.preventDefault();
-        event.dataTransfer.dropEffect = "copy";
-        aim(designer, event.clientX, event.clientY);
-      }}
-      onDrop={(event) => {
-        const component = event.dataTransfer.getData(kDragged);
-        if (!component || isReadOnly) return;
-        event.preventDefault();
-        canvasStore.setState({ dragged: "", aimedAt: "" });
-        dropAt(designer, component, event.clientX, event.clientY);
-      }}
+      onFocus={(event) => selectTabbed(designer, ids, event)}
       onMouseMove={(event) =>
         canvasStore.setState({ pointer: flow.screenToFlowPosition({ x: event.clientX, y: event.clientY }) })
       }
@@ -181,52 +148,5 @@ function Frame({ drawing, ids, isInSight, children }: FrameProps) {
       <ValueEditor />
       <ContextMenu />
     </section>
-  );
-}
-
-/** Shows which transition takes the trigger that is dragged over it. */
-function aim(designer: Designer, x: number, y: number): void {
-  const { dragged, aimedAt } = canvasStore.getState();
-  const over = isTriggerHere(designer, dragged) ? transitionAt(designer, x, y) : undefined;
-  const id = over ? transitionId(over) : "";
-  if (id !== aimedAt) canvasStore.setState({ aimedAt: id });
-}
-
-/** Who works with keys has the focus on what is selected, or on the drawing; else it would be lost with each dialog. */
-function useKeptFocus(section: RefObject<HTMLElement | null>): void {
-  const designer = useDesigner();
-  useEffect(() => {
-    if (designer.state.dialog !== "") return;
-    const { selection } = designer.state;
-    const chosen = selection.length === 1 ? nodeElement(selection[0]!) : null;
-    const focused = document.activeElement;
-    const isOurs = focused === section.current || (focused?.matches(".canvas .react-flow__node") ?? false);
-    if (chosen && isOurs && chosen !== focused) chosen.focus({ preventScroll: true });
-    else offerFocus(chosen ?? section.current);
-  });
-}
-
-/** Heads of transitions. */
-function Markers() {
-  return (
-    <svg className="markers" aria-hidden="true">
-      <defs>
-        {["arrow", "arrow-strong", "arrow-live"].map((id) => (
-          <marker
-            key={id}
-            id={id}
-            viewBox="0 0 10 10"
-            refX="9"
-            refY="5"
-            markerWidth="9"
-            markerHeight="9"
-            markerUnits="userSpaceOnUse"
-            orient="auto-start-reverse"
-          >
-            <path d="M0 0L10 5L0 10z" />
-          </marker>
-        ))}
-      </defs>
-    </svg>
   );
 }

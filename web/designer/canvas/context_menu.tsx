@@ -1,5 +1,6 @@
 // The menu of what is under the pointer: the right button, or the menu key on what is selected.
-import { useEffect, useRef } from "react";
+import type { ReactFlowProps } from "@xyflow/react";
+import { type MouseEvent, useEffect, useRef } from "react";
 import { Menu, MenuItem, Popover } from "react-aria-components";
 import { create } from "zustand";
 import { shownShortcut } from "../../ui/commands/keys.ts";
@@ -25,6 +26,15 @@ const kCommon = ["enter", "rename", "uses", "component-uses", "connect", "replac
 export function openMenu(designer: Designer, id: string, event: { clientX: number; clientY: number }): void {
   if (!designer.state.selection.includes(id)) designer.select([id]);
   useOpened.setState({ opened: { id, x: event.clientX, y: event.clientY } });
+}
+
+/** Handlers of React Flow: the right button. */
+export function menus(designer: Designer): Pick<ReactFlowProps, "onNodeContextMenu" | "onEdgeContextMenu"> {
+  const show = (event: MouseEvent, { id }: { id: string }) => {
+    event.preventDefault();
+    openMenu(designer, id, event);
+  };
+  return { onNodeContextMenu: show, onEdgeContextMenu: show };
 }
 
 function entriesOf(designer: Designer, id: string): Action[] {

@@ -50,7 +50,7 @@ export function EmptyHint({ drawing }: { drawing: Drawing }) {
       <div className="empty-hint">
         <h2>There is no {page}</h2>
         <p className="muted">It has gone from the file, or the text can't be read as it stands.</p>
-        <Button tone="primary" icon="folder" onPress={() => designer.goTo(designer.state.document, "")}>
+        <Button tone="primary" icon="folder" onPress={() => designer.navigation.goTo(designer.state.document, "")}>
           The whole file
         </Button>
       </div>

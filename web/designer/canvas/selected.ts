@@ -20,3 +20,22 @@ export function selectionAfter(
 export function stillThere(selection: readonly string[], ids: ReadonlySet<string>): readonly string[] {
   return selection.every((id) => ids.has(id)) ? selection : selection.filter((id) => ids.has(id));
 }
+
+interface Selectable {
+  id: string;
+  selected?: boolean;
+}
+
+function isMarked({ id, selected = false }: Selectable, wanted: ReadonlySet<string>): boolean {
+  return selected === wanted.has(id);
+}
+
+/** The same object where it is selected, or not, already. */
+export function asSelected<T extends Selectable>(item: T, wanted: ReadonlySet<string>): T {
+  return isMarked(item, wanted) ? item : { ...item, selected: wanted.has(item.id) };
+}
+
+/** The same list where nothing in it changes. */
+export function allAsSelected<T extends Selectable>(items: T[], wanted: ReadonlySet<string>): T[] {
+  return items.every((item) => isMarked(item, wanted)) ? items : items.map((item) => asSelected(item, wanted));
+}

@@ -6,7 +6,8 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { drawnAt } from "../names/at.ts";
 import { renameNow } from "../names/rename.ts";
 import { askDevice } from "../palette/device_chooser.tsx";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import {
   type Drawing,
   Drawing_Kind,
@@ -46,7 +47,7 @@ function Users({ robots }: { robots: readonly string[] }) {
     <p className="small details-users">
       <span className="muted">Robots of this class:</span>
       {robots.slice(0, 12).map((robot) => (
-        <Button key={robot} tone="link" onPress={() => designer.goTo(designer.state.document, robot)}>
+        <Button key={robot} tone="link" onPress={() => designer.navigation.goTo(designer.state.document, robot)}>
           {robot}
         </Button>
       ))}
@@ -244,7 +245,7 @@ async function renameDevice(designer: Designer, page: string, device: string, na
     () => void designer.edit("", { case: "rename", value: { page, node: device, name } }),
   );
   const isThere = () => designer.drawing?.nodes.some((node) => node.name === name) || undefined;
-  if (await soon(designer, isThere)) designer.select([name]);
+  if (await onceDrawn(designer, isThere)) designer.select([name]);
 }
 
 /** With the reason beside each binding point that its component can't serve. */

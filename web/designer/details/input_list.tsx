@@ -1,6 +1,6 @@
 // The inputs of a node as fields: of one on the page that is shown, and of one in a trigger.
 import { IconButton } from "../../ui/controls/controls.tsx";
-import { wiredOf } from "../drawing/flow.ts";
+import { wiredInputsOf } from "../drawing/flow.ts";
 import { rowId, rowLabel } from "../drawing/form.ts";
 import { typeWords } from "../drawing/value_words.ts";
 import type { FieldOf } from "../session/extensions.ts";
@@ -53,55 +53,13 @@ interface InputProps {
   canExpose: boolean;
 }
 
-function Input({ drawing, node, port, fieldOf, isFlow, canExpose }: InputProps) {
-  const designer = useDesigner();
+function Input(props: InputProps) {
+  const { drawing, node, port, fieldOf, isFlow, canExpose } = props;
   const isReadOnly = useIsReadOnly();
   const page = drawing.page?.path ?? "";
-  const row = rowId(port.name, port.index);
-  const wires = drawing.wires.filter((wire) => wire.to === node.name && rowId(wire.port, wire.index) === row);
-  const isWired = (wiredOf(drawing).get(node.name)?.has(row) ?? false) && !port.isExposed;
-  const label = rowLabel(port);
-  const drive = () =>
-    designer.store.setState({
-      dialog: "place",
-      placing: {
-        ...leftOf(node),
-        page,
-        to: { node: node.name, port: port.name, ...(port.index === undefined ? {} : { index: port.index }) },
-      },
-    });
-  if (isWired || (port.isList && port.index === undefined) || (port.isMember && port.value === "")) {
-    return (
-      <li className="input-row">
-        <div className="columns spread" style={{ flexWrap: "nowrap" }}>
-          <span className="small ellipsis">
-            <b>{label}</b>{" "}
-            <span className="muted">
-              {wires.length > 0
-                ? `from ${wires.map((wire) => lastPart(wire.from)).join(", ")}`
-                : typeWords(port.type, port.unit)}
-            </span>
-          </span>
-          {!isReadOnly &&
-            isFlow &&
-            (isWired ? (
-              <IconButton
-                icon="close"
-                label={`Disconnect ${label}`}
-                onPress={() => void designer.edit("", disconnectChange(page, node.name, row))}
-              />
-            ) : (
-              <IconButton icon="plus" label={`Place something for ${label}`} onPress={drive} />
-            ))}
-        </div>
-        {port.isMember &&
-          isWired &&
-          (fieldOf(port, "weight") ?? (
-            <ValueField page={page} node={node} port={port} what="weight" isCompact onDone={() => {}} />
-          ))}
-      </li>
-    );
-  }
+  const isWired = (wiredInputsOf(drawing).get(node.name)?.has(rowOf(port)) ?? false) && !port.isExposed;
+  if (isWired || (port.isList && port.index === undefined) || (port.isMember && port.value === ""))
+    return <WiredInput {...props} isWired={isWired} />;
   return (
     <li className="input-row">
       {fieldOf(port, "value") ?? (
@@ -115,11 +73,67 @@ function Input({ drawing, node, port, fieldOf, isFlow, canExpose }: InputProps) 
           onDone={() => {}}
         />
       )}
-      {!isReadOnly && isFlow && (
-        <IconButton className="input-drive" icon="plus" label={`Place something for ${label}`} onPress={drive} />
-      )}
+      {!isReadOnly && isFlow && <Drive className="input-drive" page={page} node={node} port={port} />}
     </li>
   );
+}
+
+/** What has no value of its own: a wire leads to it, or could. */
+function WiredInput({ drawing, node, port, fieldOf, isFlow, isWired }: InputProps & { isWired: boolean }) {
+  const designer = useDesigner();
+  const isReadOnly = useIsReadOnly();
+  const page = drawing.page?.path ?? "";
+  const row = rowOf(port);
+  const wires = drawing.wires.filter((wire) => wire.to === node.name && rowId(wire.port, wire.index) === row);
+  const label = rowLabel(port);
+  return (
+    <li className="input-row">
+      <div className="columns spread" style={{ flexWrap: "nowrap" }}>
+        <span className="small ellipsis">
+          <b>{label}</b>{" "}
+          <span className="muted">
+            {wires.length > 0
+              ? `from ${wires.map((wire) => lastPart(wire.from)).join(", ")}`
+              : typeWords(port.type, port.unit)}
+          </span>
+        </span>
+        {!isReadOnly &&
+          isFlow &&
+          (isWired ? (
+            <IconButton
+              icon="close"
+              label={`Disconnect ${label}`}
+              onPress={() => void designer.edit("", disconnectChange(page, node.name, row))}
+            />
+          ) : (
+            <Drive page={page} node={node} port={port} />
+          ))}
+      </div>
+      {port.isMember &&
+        isWired &&
+        (fieldOf(port, "weight") ?? (
+          <ValueField page={page} node={node} port={port} what="weight" isCompact onDone={() => {}} />
+        ))}
+    </li>
+  );
+}
+
+/** Asks for a component that drives the input. */
+function Drive({ page, node, port, className }: { page: string; node: Node; port: Port; className?: string }) {
+  const designer = useDesigner();
+  const to = { node: node.name, port: port.name, ...(port.index === undefined ? {} : { index: port.index }) };
+  return (
+    <IconButton
+      {...(className ? { className } : {})}
+      icon="plus"
+      label={`Place something for ${rowLabel(port)}`}
+      onPress={() => designer.store.setState({ dialog: "place", placing: { ...leftOf(node), page, to } })}
+    />
+  );
+}
+
+function rowOf({ name, index }: Port): string {
+  return rowId(name, index);
 }
 
 function leftOf(node: Node): { x: number; y: number } {

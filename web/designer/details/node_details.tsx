@@ -89,7 +89,7 @@ function NodeButtons({ designer, node, isReadOnly }: { designer: Designer; node:
   return (
     <div className="columns" style={{ gap: 4 }}>
       {canOpen && (
-        <Button icon="right" onPress={() => designer.enter(node.inner!)}>
+        <Button icon="right" onPress={() => designer.navigation.enter(node.inner!)}>
           Look inside
         </Button>
       )}

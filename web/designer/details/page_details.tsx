@@ -1,8 +1,8 @@
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { typeWords } from "../drawing/value_words.ts";
-import { nameOf } from "../session/designer.ts";
 import { isEquipment, lastPart } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind, type Parameter } from "../session/protocol.ts";
+import { nameOf } from "../session/titles.ts";
 import { useDesigner, useDocument, useIsReadOnly } from "../session/use.ts";
 import { BindingDetails, EquipmentDetails } from "./equipment_details.tsx";
 import { Heading, Section, SentText } from "./parts.tsx";
@@ -63,7 +63,7 @@ function FileSummary() {
       <ul>
         {declarations.map((one) => (
           <li key={`${one.kind} ${one.name}`} className="declaration">
-            <Button tone="link" onPress={() => designer.goTo(document!.path, one.name)}>
+            <Button tone="link" onPress={() => designer.navigation.goTo(document!.path, one.name)}>
               {one.name}
             </Button>
             <span className="small muted"> {one.kind}</span>

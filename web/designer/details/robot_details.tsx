@@ -76,12 +76,12 @@ function ClassButtons({ robot, name }: { robot: Robot; name: string }) {
       case: "copyComponent",
       value: { component: className, name: "" },
     });
-    if (answer.ok) designer.goTo(designer.state.document, className);
+    if (answer.ok) designer.navigation.goTo(designer.state.document, className);
   };
   return (
     <div className="columns class-buttons">
       {page && (
-        <Button icon="right" onPress={() => designer.goTo(page.document, page.path)}>
+        <Button icon="right" onPress={() => designer.navigation.goTo(page.document, page.path)}>
           Body and devices
         </Button>
       )}

@@ -152,7 +152,11 @@ function Coordinator({ by, onChange }: { by: string; onChange: (by: string) => v
         />
       </div>
       {isOwn && (
-        <IconButton icon="right" label={`Open ${by}`} onPress={() => designer.goTo(designer.state.document, by)} />
+        <IconButton
+          icon="right"
+          label={`Open ${by}`}
+          onPress={() => designer.navigation.goTo(designer.state.document, by)}
+        />
       )}
     </div>
   );
@@ -167,7 +171,7 @@ function MemberTools({ drawing, node, isWhole = false }: MemberProps) {
   return (
     <div className={isWhole ? "columns" : "member-tools"} style={{ gap: isWhole ? 4 : 0 }}>
       {isWhole && node.inner && (
-        <Button icon="right" onPress={() => designer.enter(node.inner!)}>
+        <Button icon="right" onPress={() => designer.navigation.enter(node.inner!)}>
           Look inside
         </Button>
       )}

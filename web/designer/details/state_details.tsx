@@ -54,12 +54,12 @@ function StateButtons({ state }: { state: State }) {
   return (
     <div className="columns" style={{ gap: 4 }}>
       {state.calls && (
-        <Button icon="right" onPress={() => designer.enter(state.calls!)}>
+        <Button icon="right" onPress={() => designer.navigation.enter(state.calls!)}>
           Look inside
         </Button>
       )}
       {state.inner && (
-        <Button icon="draw" onPress={() => designer.enter(state.inner!)}>
+        <Button icon="draw" onPress={() => designer.navigation.enter(state.inner!)}>
           As a drawing
         </Button>
       )}

@@ -14,8 +14,8 @@ function useTriggerDrawing(transition: Transition): Drawing | undefined {
   const designer = useDesigner();
   const path = usePart((state) => triggerPage(state.page, transition));
   useEffect(() => {
-    designer.lookBeside(path);
-    return () => designer.lookBeside("");
+    designer.navigation.lookBeside(path);
+    return () => designer.navigation.lookBeside("");
   }, [designer, path]);
   return usePart((state) => state.drawings[pageKey(state.document, path)]);
 }

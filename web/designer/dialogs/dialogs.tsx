@@ -1,12 +1,9 @@
 // Small dialogs about what is on the page: names, new declarations, parameters, groups.
 import { type ReactNode, useRef, useState } from "react";
-import { kParameterTypeNames } from "../../core/value_types.ts";
-import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
 import { drawnAt } from "../names/at.ts";
 import { NameDialog } from "../names/name_dialog.tsx";
-import { renameNow } from "../names/rename.ts";
 import { useClosedWithout, useFollowing } from "../session/follow.ts";
 import { lastPart } from "../session/pages.ts";
 import type { Drawing } from "../session/protocol.ts";
@@ -156,91 +153,10 @@ export function DeclarationDialog() {
         const answer = await designer.link.ask(
           editOf(designer, `add ${kind} ${name}`, { case: "addDeclaration", value: { kind, name, robot } }),
         );
-        if (answer.ok) designer.goTo(designer.state.document, name);
+        if (answer.ok) designer.navigation.goTo(designer.state.document, name);
         return answer.error;
       }}
     />
-  );
-}
-
-export function ParameterDialog() {
-  const designer = useDesigner();
-  const drawing = useDrawing();
-  const subject = usePart((state) => state.subject);
-  const before = drawing?.parameters.find((one) => one.name === subject);
-  const [name, setName] = useFollowing(before?.name ?? "");
-  const [type, setType] = useFollowing(before?.type ?? "gain");
-  const [initial, setInitial] = useFollowing(before?.initial ?? "");
-  const [low, setLow] = useFollowing(before?.min === undefined ? "" : String(before.min));
-  const [high, setHigh] = useFollowing(before?.max === undefined ? "" : String(before.max));
-  const [help, setHelp] = useFollowing(before?.help ?? "");
-  const isOurs = useRef(false); // what is renamed here is not lost
-  useClosedWithout(subject === "" || before !== undefined || isOurs.current, subject);
-  const [problem, setProblem] = useState("");
-  const owner = drawing?.page?.path ?? "";
-  const close = () => designer.store.setState({ dialog: "" });
-  const save = async () => {
-    if (cdlName(name) !== undefined) return;
-    isOurs.current = true;
-    const now = before?.name ?? name;
-    const answer = await designer.link.ask(
-      editOf(designer, before ? `change parameter ${now}` : `add parameter ${name}`, {
-        case: "setParameter" as const,
-        value: { owner, name: now, type, initial, low, high, help },
-      }),
-    );
-    isOurs.current = answer.ok;
-    if (!answer.ok) return setProblem(answer.error);
-    close();
-    // Its name may stand in other files as well.
-    if (now !== name) await renameNow(designer, { ...drawnAt(designer, now), page: owner }, name, () => {});
-  };
-  const types = kParameterTypeNames.includes(type) ? kParameterTypeNames : [type, ...kParameterTypeNames];
-  return (
-    <DialogBox
-      title={before ? `Parameter ${before.name}` : "Add a parameter"}
-      onClose={close}
-      width={460}
-      footer={
-        <>
-          <Button onPress={close}>Cancel</Button>
-          <Button tone="primary" isDisabled={cdlName(name) !== undefined} onPress={() => void save()}>
-            {before ? "Change" : "Add"}
-          </Button>
-        </>
-      }
-    >
-      {/* Enter in a field is the button's. */}
-      <form
-        className="rows"
-        onSubmit={(event) => {
-          event.preventDefault();
-          void save();
-        }}
-      >
-        {problem && <p className="notice danger">{problem}</p>}
-        <Field
-          label="Name"
-          value={name}
-          onChange={setName}
-          problem={name === "" ? undefined : cdlName(name)}
-          autoFocus
-        />
-        <Choice label="Type" value={type} choices={types.map((one) => [one, one])} onChange={setType} />
-        <Field
-          label="Default"
-          value={initial}
-          onChange={setInitial}
-          help="Without one it has to be given wherever the assemblage is used."
-        />
-        <div className="columns even">
-          <Field label="Least" value={low} onChange={setLow} />
-          <Field label="Most" value={high} onChange={setHigh} />
-        </div>
-        <Field label="What it is for" value={help} onChange={setHelp} />
-        <input type="submit" hidden />
-      </form>
-    </DialogBox>
   );
 }
 

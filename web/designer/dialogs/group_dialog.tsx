@@ -1,9 +1,10 @@
 // An assemblage is made of the selection: it is asked for a name, and for what it lacks to have one output.
 
 import { Button } from "../../ui/controls/controls.tsx";
-import { parted } from "../actions/editing.ts";
+import { selectionByKind } from "../actions/editing.ts";
 import { onPitch } from "../arrange/elk.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import { lastPart } from "../session/pages.ts";
 import { type ChangeInit, type Drawing, Node_Shape } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
@@ -16,7 +17,7 @@ export function GroupDialog() {
   const drawing = useDrawing();
   const page = usePart((state) => state.page);
   usePart((state) => state.selection);
-  const { nodes } = parted(designer);
+  const { nodes } = selectionByKind(designer);
   return (
     <Ask
       title={`Make an assemblage of ${nodes.length === 1 ? nodes[0] : `${nodes.length} nodes`}`}
@@ -100,6 +101,9 @@ function middleOf(drawing: Drawing, nodes: readonly string[]): { x: number; y: n
 
 /** As soon as it is drawn, which may be a moment after the answer. */
 async function selectMade(designer: Designer, component: string): Promise<void> {
-  const made = await soon(designer, () => designer.drawing?.nodes.find((node) => node.component === component)?.name);
+  const made = await onceDrawn(
+    designer,
+    () => designer.drawing?.nodes.find((node) => node.component === component)?.name,
+  );
   if (made) designer.select([made]);
 }

@@ -3,8 +3,9 @@ import { useCallback, useEffect, useState } from "react";
 import { Button } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
 import { FileList, type FolderListing } from "../../ui/files/file_list.tsx";
-import { isNew } from "../session/designer.ts";
+import { compareWith } from "../session/documents.ts";
 import type { Request, RevisionList_Revision } from "../session/protocol.ts";
+import { isNew } from "../session/titles.ts";
 import { useDesigner, useDocument } from "../session/use.ts";
 
 type With = NonNullable<Extract<Request, { case: "compareWith" }>["value"]["with"]>;
@@ -29,7 +30,7 @@ export function CompareDialog() {
   const close = () => designer.store.setState({ dialog: "" });
   if (!document) return null;
   const compare = async (what: With) => {
-    const refused = await designer.compareWith(what);
+    const refused = await compareWith(designer, what);
     if (refused) setRefusal(refused);
     else close();
   };

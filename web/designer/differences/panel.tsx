@@ -5,6 +5,7 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { action } from "../actions/all_actions.ts";
 import { goToDifference } from "../actions/compare_actions.ts";
 import { comparedWith, entriesOf, kindSign, kindWord } from "../compare/compared.ts";
+import { stopComparing } from "../session/documents.ts";
 import type { Differences_Entry } from "../session/protocol.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 
@@ -44,7 +45,7 @@ export function DifferencesHeader() {
       <Button tone="quiet" onPress={run("compare")}>
         Compare with…
       </Button>
-      <IconButton icon="close" label="Stop comparing" onPress={() => designer.stopComparing()} />
+      <IconButton icon="close" label="Stop comparing" onPress={() => stopComparing(designer)} />
     </>
   );
 }

@@ -11,13 +11,13 @@ import {
   type Port,
   type Wire,
 } from "../session/protocol.ts";
-import { type Form, formOf, rowId, type Wired } from "./form.ts";
+import { type Form, formOf, rowId, type WiredInputs } from "./form.ts";
 
-export interface At {
+export interface NodePlace {
   readonly x: number;
   readonly y: number;
 }
-export type Places = ReadonlyMap<string, At>;
+export type Places = ReadonlyMap<string, NodePlace>;
 
 export interface NodeData extends Record<string, unknown> {
   node: Node;
@@ -44,10 +44,10 @@ export type CanvasWire = Edge<WireData, "wire">;
 export const kResultWidth = 116;
 export const kResultHeight = 44;
 export const kHandle = 12;
-export const kOut = "out";
+export const kOutputHandle = "out";
 const kGap = 72;
 
-export function wiredOf(drawing: Drawing): Wired {
+export function wiredInputsOf(drawing: Drawing): WiredInputs {
   const wired = new Map<string, Set<string>>();
   for (const wire of drawing.wires) {
     const rows = wired.get(wire.to) ?? new Set();
@@ -61,8 +61,8 @@ export function wireId(wire: { to: string; port: string; index?: number | undefi
 }
 
 /** Where the author put the nodes; those without a place are not in it. */
-export function ownPlaces(drawing: Drawing): Map<string, At> {
-  const places = new Map<string, At>();
+export function ownPlaces(drawing: Drawing): Map<string, NodePlace> {
+  const places = new Map<string, NodePlace>();
   for (const node of drawing.nodes) {
     if (node.x !== undefined && node.y !== undefined) places.set(node.name, { x: node.x, y: node.y });
   }
@@ -79,7 +79,7 @@ export function hasResult(drawing: Drawing): boolean {
 }
 
 /** Right of what gives the value, or of everything. */
-export function resultPlace(drawing: Drawing, places: Places, wired: Wired): At {
+export function resultPlace(drawing: Drawing, places: Places, wired: WiredInputs): NodePlace {
   let right = 0;
   let top = Number.POSITIVE_INFINITY;
   for (const node of drawing.nodes) {
@@ -101,7 +101,7 @@ export function resultPlace(drawing: Drawing, places: Places, wired: Wired): At 
 /** The canvas's nodes; those of `before` that still hold are used again. `hidden`: not placed yet. */
 export function nodesOf(drawing: Drawing, places: Places, before: readonly CanvasNode[]): CanvasNode[] {
   const known = new Map(before.map((one) => [one.id, one]));
-  const wired = wiredOf(drawing);
+  const wired = wiredInputsOf(drawing);
   const page = drawing.page?.path ?? "";
   const nodes: CanvasNode[] = drawing.notes.map((note) => noteOf(note, drawing.isReadOnly, known.get(note.id)));
   for (const node of drawing.nodes) {
@@ -117,7 +117,7 @@ export function nodesOf(drawing: Drawing, places: Places, before: readonly Canva
 function nodeOf(
   node: Node,
   form: Form,
-  at: At,
+  at: NodePlace,
   page: string,
   isReadOnly: boolean,
   before: CanvasNode | undefined,
@@ -168,7 +168,7 @@ function handlesOf(form: Form): FlowNode["handles"] {
   }
   if (form.outputY >= 0) {
     handles.push({
-      id: kOut,
+      id: kOutputHandle,
       type: "source",
       position: Position.Right,
       x: form.width - kHandle / 2,
@@ -179,7 +179,7 @@ function handlesOf(form: Form): FlowNode["handles"] {
   return handles;
 }
 
-function resultOf(drawing: Drawing, at: At, before: CanvasNode | undefined): CanvasNode {
+function resultOf(drawing: Drawing, at: NodePlace, before: CanvasNode | undefined): CanvasNode {
   const isFed = drawing.resultNode !== "" || drawing.wires.some((wire) => wire.to === kResult);
   const old = before?.type === "result" ? before : undefined;
   const isSame = old && old.data.type === drawing.resultType && old.data.isFed === isFed;
@@ -271,7 +271,7 @@ function wireOf(wire: Wire, id: string, page: string, before: CanvasWire | undef
     id,
     type: "wire",
     source: wire.from,
-    sourceHandle: kOut,
+    sourceHandle: kOutputHandle,
     target: wire.to,
     targetHandle: isEnd ? "value" : rowId(wire.port, wire.index),
     data: { wire, flow: flowOf(wire.type), page },

@@ -116,7 +116,7 @@ export function isOperator(shape: Node_Shape): boolean {
 }
 
 /** Which inputs have wires, by node: `readings`, as rowId. */
-export type Wired = ReadonlyMap<string, ReadonlySet<string>>;
+export type WiredInputs = ReadonlyMap<string, ReadonlySet<string>>;
 
 /** `readings`, `members[1]`: what the input is called in handles and wires. */
 export function rowId(port: string, index?: number): string {
@@ -132,7 +132,7 @@ export function portOf(id: string): { port: string; index?: number } {
 const kNothing: ReadonlySet<string> = new Set();
 const known = new WeakMap<Node, { key: string; form: Form }>();
 
-export function formOf(node: Node, wired: Wired): Form {
+export function formOf(node: Node, wired: WiredInputs): Form {
   const own = wired.get(node.name) ?? kNothing;
   const key = [...own].join();
   const before = known.get(node);

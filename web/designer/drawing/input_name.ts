@@ -1,14 +1,14 @@
 // What an input is called in lists: as it is written on the canvas.
 import { lastPart } from "../session/pages.ts";
 import type { Drawing } from "../session/protocol.ts";
-import { wiredOf } from "./flow.ts";
+import { wiredInputsOf } from "./flow.ts";
 import { formOf, portOf } from "./form.ts";
 
 /** `cooperate · member 2`, `cooperate · weight of member 2`; with its whole path where several are called the same. */
 export function inputName(drawing: Drawing | undefined, node: string, row: string): string {
   const found = drawing?.nodes.find((one) => one.name === node);
   if (!drawing || !found) return `${lastPart(node)} · ${row}`;
-  const { title, rows } = formOf(found, wiredOf(drawing));
+  const { title, rows } = formOf(found, wiredInputsOf(drawing));
   const isAlone = drawing.nodes.filter((one) => lastPart(one.name) === lastPart(node)).length === 1;
   const name = isAlone ? title : node;
   const shown = rows.find((one) => one.id === row);

@@ -6,7 +6,7 @@ interface WrittenNumber {
 }
 
 /** The number that a text begins with, and its unit; nothing: the rest is something else. */
-export function written(text: string): WrittenNumber | undefined {
+export function numberWithUnit(text: string): WrittenNumber | undefined {
   const found = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*([A-Za-z%/]*)\s*$/i.exec(text);
   return found ? { number: Number(found[1]), unit: found[2]! } : undefined;
 }
@@ -45,7 +45,7 @@ function one(from: string, to: string): number | undefined {
 
 /** What is written, in the input's own unit; nothing: it is no number, or of another thing. */
 export function numberIn(text: string, unit = ""): number | undefined {
-  const found = written(text);
+  const found = numberWithUnit(text);
   if (!found) return undefined;
   const times = found.unit === "" ? 1 : ratio(found.unit, unit);
   return times === undefined ? undefined : tidy(found.number * times);
@@ -53,7 +53,7 @@ export function numberIn(text: string, unit = ""): number | undefined {
 
 /** A new value of the input, in the unit that was written before, or else the input's. */
 export function sliderValue(value: number, before: string, unit: string): string {
-  const named = written(before)?.unit || unit;
+  const named = numberWithUnit(before)?.unit || unit;
   const times = named === "" ? 1 : (ratio(unit, named) ?? 1);
   const shown = String(Number((value * times).toPrecision(3)));
   return named ? `${shown} ${named}` : shown;

@@ -1,6 +1,7 @@
 // The drawing that is shown, as a file or on paper.
 
-import { type Designer, titleOf } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { titleOf } from "../session/titles.ts";
 import { placesOf, wholePlaces } from "../sight/use_places.ts";
 import { drawingAsSvg } from "./svg.ts";
 

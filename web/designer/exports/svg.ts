@@ -1,7 +1,15 @@
 // A drawing as SVG that stands alone: what the canvas shows, from the same forms, without the page.
 
 import { flowOf } from "../../core/value_types.ts";
-import { hasResult, kResultHeight, kResultWidth, type Places, resultPlace, wiredOf, wireId } from "../drawing/flow.ts";
+import {
+  hasResult,
+  kResultHeight,
+  kResultWidth,
+  type Places,
+  resultPlace,
+  wiredInputsOf,
+  wireId,
+} from "../drawing/flow.ts";
 import { type Form, formOf } from "../drawing/form.ts";
 import { outlinePath } from "../drawing/outline.ts";
 import { kFont } from "../drawing/text_width.ts";
@@ -70,7 +78,7 @@ interface Parts {
 }
 
 function dataflowSvg(drawing: Drawing, places: Places): Parts {
-  const wired = wiredOf(drawing);
+  const wired = wiredInputsOf(drawing);
   const forms = new Map(drawing.nodes.map((node) => [node.name, formOf(node, wired)]));
   const lines: string[] = [];
   const boxes: Rect[] = [];

@@ -7,11 +7,14 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useSecondsUntil } from "../../ui/controls/use_seconds.ts";
 import { ChangedFile } from "../../ui/files/changed_file.tsx";
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
-import { crumbsIn, type Designer, nameOf } from "../session/designer.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
+import { crumbsIn } from "../session/crumbs.ts";
+import type { Designer } from "../session/designer.ts";
+import { save } from "../session/documents.ts";
 import { isEmptyDrawing, isOfLibrary } from "../session/pages.ts";
 import { type Document, type FileChanged, PageSchema } from "../session/protocol.ts";
-import { type State, withoutChanged } from "../session/state.ts";
+import { type State, withoutChangedFile } from "../session/state.ts";
+import { nameOf } from "../session/titles.ts";
 import { useDesigner, useDocument, useDrawing, usePart } from "../session/use.ts";
 
 /** What stays as long as the page does, or stops all work. */
@@ -71,10 +74,10 @@ function NotKeptBanner() {
     <Banner tone={isDirty ? "danger" : "hold"} role="alert">
       <Icon name="warning" />
       <span className="grow">
-        What is not saved is not kept, and is lost when mlab ends: {unmarked(notKept)}.
+        What is not saved is not kept, and is lost when mlab ends: {withoutBackticks(notKept)}.
         {isDirty ? " There is something that is not saved." : ""}
       </span>
-      {canSave && <Button onPress={() => void designer.save()}>Save</Button>}
+      {canSave && <Button onPress={() => void save(designer)}>Save</Button>}
     </Banner>
   );
 }
@@ -90,7 +93,7 @@ function ChangedBanner() {
     if (answer.ok) dismiss();
   };
   const keep = async () => {
-    if (await designer.save(true)) dismiss();
+    if (await save(designer, true)) dismiss();
   };
   return (
     <ChangedFile
@@ -105,7 +108,7 @@ function ChangedBanner() {
 }
 
 function forget(designer: ReturnType<typeof useDesigner>, { document }: FileChanged): void {
-  designer.store.setState(({ changed }) => ({ changed: withoutChanged(changed, document) }));
+  designer.store.setState(({ changed }) => ({ changed: withoutChangedFile(changed, document) }));
 }
 
 function ReadOnlyBanner() {
@@ -148,7 +151,7 @@ function callerOf(state: State): Document | undefined {
 /** The component that is shown becomes one of that document, which uses it from now on, and is shown there. */
 async function copyInto(designer: Designer, into: Document): Promise<void> {
   const component = designer.state.page;
-  const caller = designer.crumbs.at(-2);
+  const caller = crumbsIn(designer.state).at(-2);
   const answer = await designer.ask({
     case: "edit",
     value: {
@@ -160,8 +163,8 @@ async function copyInto(designer: Designer, into: Document): Promise<void> {
   });
   if (!answer.ok) return;
   designer.say(`${component} is a part of ${nameOf(into)} now, and can be changed`);
-  designer.goTo(into.path, caller?.page ?? "");
-  designer.enter(create(PageSchema, { document: into.path, path: component }));
+  designer.navigation.goTo(into.path, caller?.page ?? "");
+  designer.navigation.enter(create(PageSchema, { document: into.path, path: component }));
 }
 
 function OutdatedBanner() {
@@ -192,7 +195,7 @@ function NoticeBanner() {
   return (
     <Banner tone={notice.tone} role="alert">
       <Icon name="warning" />
-      <span className="grow">{sentence(notice.text, unmarked)}</span>
+      <span className="grow">{sentence(notice.text, withoutBackticks)}</span>
       {notice.action && <Button onPress={notice.action.run}>{notice.action.label}</Button>}
       <IconButton icon="close" label="Dismiss" onPress={() => designer.store.setState({ notice: null })} />
     </Banner>

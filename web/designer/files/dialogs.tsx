@@ -6,10 +6,10 @@ import { DialogBox } from "../../ui/controls/menus.tsx";
 import { FileList, type FolderListing } from "../../ui/files/file_list.tsx";
 import { OpenFileDialog } from "../../ui/files/open_dialog.tsx";
 import { folderOf, join, nameOf, nameProblem, withEnding } from "../../ui/files/paths.ts";
-import { nameOf as fileName, isNew } from "../session/designer.ts";
 import { useFollowing } from "../session/follow.ts";
 import { declarationOf } from "../session/pages.ts";
 import type { Document } from "../session/protocol.ts";
+import { nameOf as fileName, isNew } from "../session/titles.ts";
 import { useDesigner, useDocument, usePart } from "../session/use.ts";
 
 export function OpenDialog() {
@@ -20,7 +20,7 @@ export function OpenDialog() {
       first={folderOf(inProject(designer.state.document))}
       list={useListing()}
       isSelectable={() => true}
-      open={(path) => designer.open(path)}
+      open={(path) => designer.navigation.open(path)}
       onClose={() => designer.store.setState({ dialog: "" })}
       help="What is not saved of the open ones is kept."
     />

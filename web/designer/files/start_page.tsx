@@ -4,11 +4,12 @@ import { Confirm } from "../../ui/controls/confirm.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon, type IconName } from "../../ui/controls/icons.tsx";
 import { shownTitle } from "../../ui/files/paths.ts";
-import { isNew } from "../session/designer.ts";
+import { isNew } from "../session/titles.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { startTour } from "../tour/start.ts";
 import { type Entry, recentEntries, shownPlace } from "./unsaved.ts";
 import "../../ui/files/start.css";
+import { discard } from "../session/documents.ts";
 
 export function StartPage() {
   const designer = useDesigner();
@@ -35,7 +36,7 @@ export function StartPage() {
           <Button tone="primary" className="large" icon="why" onPress={() => void startTour(designer)}>
             Guided first tour
           </Button>
-          <Button className="large" icon="plus" onPress={() => void designer.open("", "")}>
+          <Button className="large" icon="plus" onPress={() => void designer.navigation.open("", "")}>
             New configuration
           </Button>
           <Button className="large" icon="folder" onPress={() => designer.store.setState({ dialog: "open" })}>
@@ -69,8 +70,8 @@ export function StartPage() {
 function DiscardDialog({ entry, onClose }: { entry: Entry; onClose: () => void }) {
   const designer = useDesigner();
   const name = shownTitle(entry);
-  const discard = async () => {
-    if (await designer.discard(entry.path)) designer.say(`Threw ${name} away`);
+  const throwAway = async () => {
+    if (await discard(designer, entry.path)) designer.say(`Threw ${name} away`);
   };
   return (
     <Confirm
@@ -78,7 +79,7 @@ function DiscardDialog({ entry, onClose }: { entry: Entry; onClose: () => void }
       no="Keep it"
       yes="Throw it away"
       isCareful
-      onYes={() => void discard()}
+      onYes={() => void throwAway()}
       onClose={onClose}
     >
       <p>{isNew(entry.path) ? "It was never saved" : "Its file is gone"}: what it holds is lost.</p>
@@ -110,7 +111,7 @@ function Entries({
       <ul>
         {entries.map((entry) => (
           <li key={entry.path} className="start-line">
-            <Button tone="quiet" className="start-entry" onPress={() => void designer.open(entry.path)}>
+            <Button tone="quiet" className="start-entry" onPress={() => void designer.navigation.open(entry.path)}>
               <Icon name={icon} />
               <span className="grow">
                 <span className="start-title">{shownTitle(entry)}</span>

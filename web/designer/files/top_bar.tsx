@@ -5,7 +5,9 @@ import { Icon } from "../../ui/controls/icons.tsx";
 import { MenuButton, type MenuGroup } from "../../ui/controls/menus.tsx";
 import { allActions } from "../actions/all_actions.ts";
 import type { ActionGroup } from "../session/action.ts";
-import { crumbsIn, isNew, nameOf } from "../session/designer.ts";
+import { crumbsIn } from "../session/crumbs.ts";
+import { redo, save, undo } from "../session/documents.ts";
+import { isNew, nameOf } from "../session/titles.ts";
 import { useDesigner, useDocument, usePart } from "../session/use.ts";
 
 export function TopBar() {
@@ -24,14 +26,14 @@ export function TopBar() {
               label={document.undo ? `Undo ${document.undo}` : "Nothing to undo"}
               shortcut={shownShortcut("ctrl+z")}
               isDisabled={!document.undo}
-              onPress={() => designer.undo()}
+              onPress={() => undo(designer)}
             />
             <IconButton
               icon="redo"
               label={document.redo ? `Redo ${document.redo}` : "Nothing to redo"}
               shortcut={shownShortcut("ctrl+shift+z")}
               isDisabled={!document.redo}
-              onPress={() => designer.redo()}
+              onPress={() => redo(designer)}
             />
           </span>
           <span className="divider" />
@@ -100,7 +102,7 @@ function Title() {
       {document.isReadOnly && <span className="pill">Read only</span>}
       {document.isDirty && !document.isReadOnly && (
         <Hint text="Save" shortcut={shownShortcut("ctrl+s")}>
-          <Button tone="quiet" className="pill hold" onPress={() => void designer.save()}>
+          <Button tone="quiet" className="pill hold" onPress={() => void save(designer)}>
             Not saved
           </Button>
         </Hint>
@@ -124,7 +126,7 @@ function Breadcrumbs() {
               tone="quiet"
               isDisabled={isHere}
               {...(isHere ? { "aria-current": "page" as const } : {})}
-              onPress={() => designer.goTo(document, page)}
+              onPress={() => designer.navigation.goTo(document, page)}
             >
               {title}
             </Button>

@@ -1,7 +1,7 @@
 // What was opened lately, on the start page: first what has no file yet, of this page and of earlier ones.
 import { shownPath } from "../../ui/files/paths.ts";
-import { isNew } from "../session/designer.ts";
 import type { Document } from "../session/protocol.ts";
+import { isNew } from "../session/titles.ts";
 
 export interface Entry {
   path: string;

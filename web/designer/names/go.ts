@@ -9,11 +9,12 @@ export interface TextPlace {
 }
 
 export async function goToText(designer: Designer, { document, begin, end }: TextPlace): Promise<void> {
-  if (!designer.state.documents[document] && !(await designer.open(document))) return;
+  if (!designer.state.documents[document] && !(await designer.navigation.open(document))) return;
   const answer = await designer.ask({
     case: "askLanguage",
     value: { document, what: AskLanguage_What.PAGE, cursor: begin },
   });
-  if (answer.result.case === "location") designer.goTo(document, answer.result.value.page, answer.result.value.node);
+  if (answer.result.case === "location")
+    designer.navigation.goTo(document, answer.result.value.page, answer.result.value.node);
   designer.store.setState({ reveal: { begin, end, focus: false } });
 }

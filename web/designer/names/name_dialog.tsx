@@ -2,12 +2,12 @@
 import { useEffect, useState } from "react";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { DialogBox } from "../../ui/controls/menus.tsx";
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import type { NameAt } from "./at.ts";
 import { goToText } from "./go.ts";
 import { PlanView } from "./plan_view.tsx";
-import { carryOut, type Planned, planned } from "./rename.ts";
+import { carryOut, planRenaming, type RenamingPlan } from "./rename.ts";
 
 interface NameDialogProps {
   at: NameAt;
@@ -27,7 +27,8 @@ interface NameDialogProps {
 
 const kPause = 120; // behind a letter [ms]
 
-export function NameDialog({ at, first, name = first, wrong, local, began, done }: NameDialogProps) {
+/** The name as it is typed, what it would change, and how it is done. */
+function useNewName({ at, first, name = first, wrong, local, began, done }: NameDialogProps) {
   const designer = useDesigner();
   const [value, setValue] = useState(name);
   const [problem, setProblem] = useState("");
@@ -39,14 +40,30 @@ export function NameDialog({ at, first, name = first, wrong, local, began, done 
     close();
     done?.(value);
   };
-  const go = async () => {
-    if (value === first) return close();
-    if (wrong(value) !== undefined) return;
-    const now = found ?? (await planned(designer, at, value));
-    began?.();
-    if (now.is === "local" && local) finish(await local(value));
-    else if (now.is === "plan") finish(await carryOut(designer, at, now.plan));
+  return {
+    value,
+    problem,
+    found,
+    close,
+    type: (next: string) => {
+      setValue(next);
+      setProblem("");
+    },
+    go: async () => {
+      if (value === first) return close();
+      if (wrong(value) !== undefined) return;
+      const now = found ?? (await planRenaming(designer, at, value));
+      began?.();
+      if (now.is === "local" && local) finish(await local(value));
+      else if (now.is === "plan") finish(await carryOut(designer, at, now.plan));
+    },
   };
+}
+
+export function NameDialog(props: NameDialogProps) {
+  const designer = useDesigner();
+  const { first, wrong } = props;
+  const { value, problem, found, close, type, go } = useNewName(props);
   const refused = found?.is === "refused" ? found : undefined;
   return (
     <DialogBox
@@ -73,10 +90,7 @@ export function NameDialog({ at, first, name = first, wrong, local, began, done 
         <Field
           label="Name"
           value={value}
-          onChange={(next) => {
-            setValue(next);
-            setProblem("");
-          }}
+          onChange={type}
           problem={told(problem || refused?.why) ?? (value === "" ? undefined : wrong(value))}
           autoFocus
         />
@@ -104,19 +118,19 @@ export function NameDialog({ at, first, name = first, wrong, local, began, done 
 }
 
 function told(why: string | undefined): string | undefined {
-  return why ? sentence(why, unmarked) : undefined;
+  return why ? sentence(why, withoutBackticks) : undefined;
 }
 
 /** Of the name as it stands; nothing while that is not known yet. */
-function usePlanned(at: NameAt, name: string): Planned | undefined {
+function usePlanned(at: NameAt, name: string): RenamingPlan | undefined {
   const designer = useDesigner();
-  const [known, setKnown] = useState<{ name: string; found: Planned } | undefined>();
+  const [known, setKnown] = useState<{ name: string; found: RenamingPlan } | undefined>();
   const key = JSON.stringify(at);
   useEffect(() => {
     if (name === "") return;
     let isOld = false;
     const timer = setTimeout(async () => {
-      const found = await planned(designer, JSON.parse(key) as NameAt, name);
+      const found = await planRenaming(designer, JSON.parse(key) as NameAt, name);
       if (!isOld) setKnown({ name, found });
     }, kPause);
     return () => {

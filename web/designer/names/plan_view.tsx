@@ -1,7 +1,7 @@
 // What a renaming would change, file by file and line by line.
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
 import type { File, Plan, Use } from "../session/protocol.ts";
 import { summary } from "./rename.ts";
 import "./names.css";
@@ -16,7 +16,7 @@ export function PlanView({ plan }: { plan: Plan }) {
       </p>
       {plan.notes.map((note) => (
         <p key={note} className="notice hold small">
-          {sentence(note, unmarked)}
+          {sentence(note, withoutBackticks)}
         </p>
       ))}
       {plan.files.map((file) => (

@@ -5,7 +5,7 @@ import type { Answer, Plan } from "../session/protocol.ts";
 import type { NameAt } from "./at.ts";
 
 /** What a new name would bring. */
-export type Planned =
+export type RenamingPlan =
   | { is: "plan"; plan: Plan }
   | { is: "local" } // it has no name of its own yet: only the page knows it
   | { is: "refused"; why: string; place?: { document: string; begin: number; end: number } };
@@ -24,11 +24,11 @@ export function summary(plan: Plan): string {
   return `${count(placesIn(plan), "place")} in ${count(changed.length, "file")}`;
 }
 
-export async function planned(designer: Designer, at: NameAt, name: string): Promise<Planned> {
+export async function planRenaming(designer: Designer, at: NameAt, name: string): Promise<RenamingPlan> {
   return read(await designer.link.ask({ case: "planRename", value: { at, name } }));
 }
 
-function read(answer: Answer): Planned {
+function read(answer: Answer): RenamingPlan {
   if (answer.ok && answer.result.case === "plan") return { is: "plan", plan: answer.result.value };
   if (answer.problems.some((one) => one.diagnostic?.kind === "no-name")) return { is: "local" };
   const { result } = answer;
@@ -81,7 +81,7 @@ export function pageAfter(page: string, { from, to, kind }: Pick<Plan, "from" | 
 function followPage(designer: Designer, plan: Plan): void {
   const { document, page } = designer.state;
   const now = pageAfter(page, plan);
-  if (now !== page) designer.goTo(document, now);
+  if (now !== page) designer.navigation.goTo(document, now);
 }
 
 /**
@@ -89,7 +89,7 @@ function followPage(designer: Designer, plan: Plan): void {
  * @param local  for what has no name of its own yet
  */
 export async function renameNow(designer: Designer, at: NameAt, name: string, local: () => void): Promise<void> {
-  const found = await planned(designer, at, name);
+  const found = await planRenaming(designer, at, name);
   if (found.is === "local") local();
   else if (found.is === "refused") designer.tell(found.why);
   else if (isWide(found.plan)) {

@@ -49,7 +49,7 @@ export function goToHit(designer: Designer, hit: Hit): void {
     designer.tell(`${hit.path}, line ${hit.line}: missions, overlays and procedures open in the console.`, "accent");
     return;
   }
-  if (hit.kind === "file") void designer.open(hit.path);
+  if (hit.kind === "file") void designer.navigation.open(hit.path);
   else void goToText(designer, { document: hit.path, begin: hit.begin, end: hit.end });
 }
 

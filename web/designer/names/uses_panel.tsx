@@ -2,7 +2,7 @@
 import { IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
 import type { File, Use } from "../session/protocol.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { goToText } from "./go.ts";
@@ -30,7 +30,7 @@ export function UsesPanel() {
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
       <section className="panel" tabIndex={0} aria-label="Uses content">
-        {uses.leftOut !== "" && <p className="notice hold small">{sentence(uses.leftOut, unmarked)}</p>}
+        {uses.leftOut !== "" && <p className="notice hold small">{sentence(uses.leftOut, withoutBackticks)}</p>}
         {uses.files.map((file) => (
           <FileUses key={file.path} file={file} />
         ))}

@@ -4,12 +4,12 @@ import { type Choice, Chooser } from "../../ui/commands/chooser.tsx";
 import { ranked } from "../../ui/commands/search.ts";
 import { toneOf } from "../drawing/form.ts";
 import type { Designer } from "../session/designer.ts";
-import { soon } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import type { Component, FitList_Fit } from "../session/protocol.ts";
 import type { DeviceChoice } from "../session/state.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { NodeIcon } from "../views/icons.tsx";
-import { firstSentence, found } from "./groups.ts";
+import { firstSentence, matchingComponents } from "./groups.ts";
 import { showNode } from "./place.ts";
 
 const kNone: readonly Component[] = [];
@@ -61,7 +61,7 @@ function ServerChooser({ choice }: { choice: DeviceChoice }) {
   const usable = components.filter((one) => reasons.get(one.name) === "");
   const others = components.filter((one) => reasons.get(one.name));
   const title = `What serves ${choice.binds}?`;
-  const list = (query: string) => [...found(query, usable), ...found(query, others)];
+  const list = (query: string) => [...matchingComponents(query, usable), ...matchingComponents(query, others)];
   return (
     <Chooser
       title={title}
@@ -99,7 +99,7 @@ async function choose(designer: Designer, choice: DeviceChoice, component: strin
   if (!answer.ok) return;
   designer.say(`${component} serves ${binds}`);
   if (device !== "" || designer.state.page !== owner) return;
-  const made = await soon(
+  const made = await onceDrawn(
     designer,
     () => designer.drawing?.equipment?.devices.find(({ name }) => !before.has(name))?.name,
   );

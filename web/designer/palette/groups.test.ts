@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { ComponentSchema, Node_Shape } from "../session/protocol.ts";
-import { firstSentence, found, groupsOf, isForPage, isInPalette, isOpenAtFirst } from "./groups.ts";
+import { firstSentence, groupsOf, isForPage, isInPalette, isOpenAtFirst, matchingComponents } from "./groups.ts";
 
 const all = [
   create(ComponentSchema, {
@@ -61,15 +61,18 @@ test("the palette of states has triggers, which are no states", () => {
 });
 
 test("a few letters find a component, by its historic name too, or by what it is said to do", () => {
-  expect(found("nois", all)[0]!.name).toBe("Noise");
-  expect(found("mtg", all)[0]!.name).toBe("MoveToGoal");
-  expect(found("MOVE_TO", all)[0]!.name).toBe("MoveToGoal");
-  expect(found("random", all)[0]!.name).toBe("Noise");
-  expect(found("", all)).toHaveLength(3);
+  expect(matchingComponents("nois", all)[0]!.name).toBe("Noise");
+  expect(matchingComponents("mtg", all)[0]!.name).toBe("MoveToGoal");
+  expect(matchingComponents("MOVE_TO", all)[0]!.name).toBe("MoveToGoal");
+  expect(matchingComponents("random", all)[0]!.name).toBe("Noise");
+  expect(matchingComponents("", all)).toHaveLength(3);
 });
 
 test("what is called exactly so comes before what only begins so", () => {
-  expect(found("stand", inGroups("Standby", "Stand")).map((one) => one.name)).toEqual(["Stand", "Standby"]);
+  expect(matchingComponents("stand", inGroups("Standby", "Stand")).map((one) => one.name)).toEqual([
+    "Stand",
+    "Standby",
+  ]);
 });
 
 test("states do what moves", () => {

@@ -52,7 +52,7 @@ export function isOpenAtFirst(group: string, isStates: boolean): boolean {
 }
 
 /** Of those, what is called so; exactly so before all else, then the best first. */
-export function found(query: string, components: readonly Component[]): Component[] {
+export function matchingComponents(query: string, components: readonly Component[]): Component[] {
   const wanted = query.trim().toLowerCase();
   const isExact = (one: Component) => [one.name, one.title].some((name) => name.toLowerCase() === wanted);
   const names = ranked(query, components, (one) => `${one.title || one.name} ${one.name} ${one.aliases.join(" ")}`);

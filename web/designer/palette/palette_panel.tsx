@@ -8,7 +8,7 @@ import { type Component, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, useIsReadOnly, usePart } from "../session/use.ts";
 import { canvasStore } from "../sight/canvas_store.ts";
 import { NodeIcon } from "../views/icons.tsx";
-import { firstSentence, found, groupsOf, isActuator, isInPalette, isOpenAtFirst } from "./groups.ts";
+import { firstSentence, groupsOf, isActuator, isInPalette, isOpenAtFirst, matchingComponents } from "./groups.ts";
 import { palettePage } from "./palette_pages.tsx";
 import { place } from "./place.ts";
 import { dragByTouch, kDragged } from "./touch_drag.ts";
@@ -29,7 +29,7 @@ export function PalettePanel() {
     const usable = components.filter(
       (one) => one.name !== owner && isInPalette(one, isStates) && (isRobot || !isActuator(one)),
     );
-    return groupsOf(query ? found(query, usable) : usable);
+    return groupsOf(query ? matchingComponents(query, usable) : usable);
   }, [components, query, isStates, isRobot, owner]);
   const own = palettePage(drawing);
   if (own) return own;

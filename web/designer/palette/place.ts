@@ -1,9 +1,10 @@
 // Puts a component on the page that is shown.
 
-import { beside, sideOf } from "../arrange/beside.ts";
+import { placeAtSide, sideOf } from "../arrange/beside.ts";
 import { onPitch } from "../arrange/elk.ts";
 import { rowId } from "../drawing/form.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import { type ChangeInit, Drawing_Kind } from "../session/protocol.ts";
 import type { Placing } from "../session/state.ts";
 import { canvasStore } from "../sight/canvas_store.ts";
@@ -51,7 +52,7 @@ function besideSelected(designer: Designer, component: string, size: { width: nu
   const placed = known?.group === "Operators" ? { type: known.type, inputs: [{ type: "" }] } : known;
   const at = node && drawing && placesOf(drawing)?.get(node.name);
   const box = node && drawing && sizesOf(drawing).get(node.name);
-  return placed && at && box ? beside(sideOf(node, placed), { ...at, ...box }, size) : undefined;
+  return placed && at && box ? placeAtSide(sideOf(node, placed), { ...at, ...box }, size) : undefined;
 }
 
 export async function place(designer: Designer, component: string, placing: Placing | null): Promise<boolean> {
@@ -129,7 +130,7 @@ export async function placeState(
 }
 
 function newNode(designer: Designer, before: ReadonlySet<string>): Promise<string | undefined> {
-  return soon(designer, () => designer.drawing?.nodes.find((node) => !before.has(node.name))?.name);
+  return onceDrawn(designer, () => designer.drawing?.nodes.find((node) => !before.has(node.name))?.name);
 }
 
 /** To the first input of the new node that the output fits. */

@@ -6,7 +6,7 @@ import { lastPart } from "../session/pages.ts";
 import { type Component, Drawing_Kind } from "../session/protocol.ts";
 import { useDesigner, useDrawing, usePart } from "../session/use.ts";
 import { NodeIcon } from "../views/icons.tsx";
-import { firstSentence, found, isActuator, isForPage } from "./groups.ts";
+import { firstSentence, isActuator, isForPage, matchingComponents } from "./groups.ts";
 import { place } from "./place.ts";
 
 const kNone: readonly Component[] = [];
@@ -39,7 +39,7 @@ export function SearchPalette() {
       title={title}
       placeholder={`${title}…`.replace("?…", "?")}
       find={(query) =>
-        found(query, usable).map((one) => ({
+        matchingComponents(query, usable).map((one) => ({
           id: one.name,
           label: one.title || one.name,
           detail: firstSentence(one.help),

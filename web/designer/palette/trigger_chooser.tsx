@@ -2,14 +2,15 @@
 import { useEffect, useMemo, useState } from "react";
 import { Chooser } from "../../ui/commands/chooser.tsx";
 import { toneOf } from "../drawing/form.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import { pageKey } from "../session/pages.ts";
 import type { Component } from "../session/protocol.ts";
 import type { TriggerChoice } from "../session/state.ts";
 import { useDesigner, usePart } from "../session/use.ts";
 import { changeTrigger, joinedPart, termIn, termOf, triggerPage } from "../states/trigger.ts";
 import { NodeIcon } from "../views/icons.tsx";
-import { firstSentence, found } from "./groups.ts";
+import { firstSentence, matchingComponents } from "./groups.ts";
 import { triggerGroups } from "./trigger_groups.ts";
 
 const kNone: readonly Component[] = [];
@@ -26,7 +27,7 @@ export function TriggerChooser() {
   const list = (query: string) =>
     query.trim() === ""
       ? grouped
-      : found(
+      : matchingComponents(
           query,
           grouped.map(({ one }) => one),
         ).map((one) => ({ one, group: "" }));
@@ -71,7 +72,7 @@ async function choose(designer: Designer, choice: TriggerChoice, component: stri
   const part = how === "choose" ? choice.part : joinedPart(term(), choice.part, how);
   if (!(await changeTrigger(designer, choice, how, component))) return;
   designer.say(`When ${component}`);
-  await soon(designer, () => (termIn(term(), part)?.node?.component === component ? true : undefined));
+  await onceDrawn(designer, () => (termIn(term(), part)?.node?.component === component ? true : undefined));
   requestAnimationFrame(() => focusTerm(part));
 }
 

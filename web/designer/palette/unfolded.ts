@@ -4,14 +4,14 @@ import { readRecord } from "../../core/stored.ts";
 const kKey = "mlab.designer.groups";
 
 /** By name; a group that is not there is as at first. */
-export type Unfolded = Readonly<Record<string, boolean>>;
+export type UnfoldedGroups = Readonly<Record<string, boolean>>;
 
-export function readUnfolded(storage: Storage): Unfolded {
+export function readUnfolded(storage: Storage): UnfoldedGroups {
   const stored = Object.entries(readRecord(storage.getItem(kKey)));
   return Object.fromEntries(stored.filter((entry): entry is [string, boolean] => typeof entry[1] === "boolean"));
 }
 
-export function keepUnfolded(storage: Storage, unfolded: Unfolded): void {
+export function keepUnfolded(storage: Storage, unfolded: UnfoldedGroups): void {
   try {
     storage.setItem(kKey, JSON.stringify(unfolded));
   } catch {

@@ -1,5 +1,5 @@
 // What is wrong with what is selected, beside its fields.
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
 import { useDocument, usePart } from "../session/use.ts";
 import { Fixes } from "./fixes.tsx";
 
@@ -16,8 +16,8 @@ export function OwnProblems({ node }: { node: string }) {
           className={problem.diagnostic?.isWarning ? "small warning" : "small"}
         >
           <span>
-            {sentence(problem.diagnostic?.message ?? "", unmarked)}{" "}
-            {(problem.diagnostic?.hints ?? []).map((hint) => sentence(hint, unmarked)).join(" ")}
+            {sentence(problem.diagnostic?.message ?? "", withoutBackticks)}{" "}
+            {(problem.diagnostic?.hints ?? []).map((hint) => sentence(hint, withoutBackticks)).join(" ")}
           </span>
           <Fixes problem={problem} />
         </li>

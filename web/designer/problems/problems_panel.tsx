@@ -1,7 +1,7 @@
 // All that is wrong, errors first; a click leads there, offered mends apply.
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
-import { sentence, unmarked } from "../../ui/words/sentence.ts";
+import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
 import { lastPart } from "../session/pages.ts";
 import type { Problem } from "../session/protocol.ts";
 import { useDesigner, useDocument } from "../session/use.ts";
@@ -48,8 +48,8 @@ function Entry({ problem }: { problem: Problem }) {
   if (!diagnostic) return null;
   const go = () => {
     const path = diagnostic.document || document.path;
-    if (path !== document.path) designer.goTo(path, page, node);
-    else if (page !== "" || node !== "") designer.goTo(path, page, node);
+    if (path !== document.path) designer.navigation.goTo(path, page, node);
+    else if (page !== "" || node !== "") designer.navigation.goTo(path, page, node);
     designer.store.setState({ reveal: { begin: diagnostic.begin, end: diagnostic.end, focus: false } });
     if (page === "" && node === "") designer.show({ text: true });
   };
@@ -59,10 +59,10 @@ function Entry({ problem }: { problem: Problem }) {
       <Icon name="warning" />
       <span className="hidden-text">{diagnostic.isWarning ? "Warning" : "Error"}: </span>
       <Button tone="link" onPress={go}>
-        {sentence(diagnostic.message, unmarked)}
+        {sentence(diagnostic.message, withoutBackticks)}
       </Button>
       <span className="muted small">
-        {diagnostic.hints.map((hint) => sentence(hint, unmarked)).join(" ")} {where}
+        {diagnostic.hints.map((hint) => sentence(hint, withoutBackticks)).join(" ")} {where}
         {diagnostic.line > 0 && `${where ? ", " : ""}line ${diagnostic.line}`}
       </span>
       <Fixes problem={problem} />

@@ -1,6 +1,6 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { crumbsOf, shortened } from "./crumbs.ts";
+import { crumbsOf, shortenedTrail } from "./crumbs.ts";
 import { DrawingSchema } from "./protocol.ts";
 
 const drawing = (document: string, ...paths: string[]) =>
@@ -34,8 +34,8 @@ test("a state's inside follows its sequence once", () => {
 
 test("a step back shortens the way, another page forgets it", () => {
   const trail = crumbsOf([], drawing("a.cdl", "", "Wander"), "a.cdl", declared);
-  expect(pages(shortened(trail, "a.cdl", "Wander"))).toEqual([""]);
-  expect(shortened(trail, "a.cdl", "Urges")).toEqual([]);
+  expect(pages(shortenedTrail(trail, "a.cdl", "Wander"))).toEqual([""]);
+  expect(shortenedTrail(trail, "a.cdl", "Urges")).toEqual([]);
 });
 
 test("what has gone from the file is not on the way any more", () => {

@@ -1,15 +1,15 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { declarationOf, fromFragment, inner, lastPart, outer, toFragment } from "./pages.ts";
+import { declarationOf, fromFragment, innerPath, lastPart, outerPath, toFragment } from "./pages.ts";
 
 test("a page stands in the one before its last dot", () => {
-  expect(outer("Forage.Searching.Noise")).toBe("Forage.Searching");
-  expect(outer("Forage")).toBe("");
-  expect(outer("")).toBeUndefined();
+  expect(outerPath("Forage.Searching.Noise")).toBe("Forage.Searching");
+  expect(outerPath("Forage")).toBe("");
+  expect(outerPath("")).toBeUndefined();
   expect(lastPart("Forage.Searching")).toBe("Searching");
   expect(declarationOf("Forage.Searching.Noise")).toBe("Forage");
-  expect(inner("", "Forage")).toBe("Forage");
-  expect(inner("Forage", "Searching")).toBe("Forage.Searching");
+  expect(innerPath("", "Forage")).toBe("Forage");
+  expect(innerPath("Forage", "Searching")).toBe("Forage.Searching");
 });
 
 test("a link leads back to where it was made", () => {

@@ -18,7 +18,7 @@ export function isOfLibrary(document: string): boolean {
 }
 
 /** The page that encloses this one; none for the file's. */
-export function outer(path: string): string | undefined {
+export function outerPath(path: string): string | undefined {
   if (path === "") return undefined;
   const at = path.lastIndexOf(".");
   return at < 0 ? "" : path.slice(0, at);
@@ -34,7 +34,7 @@ export function declarationOf(path: string): string {
   return at < 0 ? path : path.slice(0, at);
 }
 
-export function inner(path: string, name: string): string {
+export function innerPath(path: string, name: string): string {
   return path === "" ? name : `${path}.${name}`;
 }
 

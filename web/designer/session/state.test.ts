@@ -7,10 +7,10 @@ import {
   createState,
   firstShown,
   readShown,
-  renamed,
   type State,
   shownAfter,
-  without,
+  withoutDocument,
+  withRenamedDocument,
 } from "./state.ts";
 
 test("what is shown is kept over a reload", () => {
@@ -63,7 +63,7 @@ test("a document that has gone is not listed any more", () => {
   const store = createState(localStorage, 1280);
   const hello = create(HelloSchema, { recent: [{ path: "new:1" }, { path: "a.cdl" }] });
   store.setState({ hello, documents: { "new:1": create(DocumentSchema), "a.cdl": create(DocumentSchema) } });
-  const left = without(store.getState(), "new:1");
+  const left = withoutDocument(store.getState(), "new:1");
   expect(Object.keys(left.documents ?? {})).toEqual(["a.cdl"]);
   expect(left.hello?.recent.map(({ path }) => path)).toEqual(["a.cdl"]);
 });
@@ -79,7 +79,7 @@ test("what is known of a document is known under its new name", () => {
     page: "Wander",
     trail: [{ document: "new:1", page: "", title: "" }],
   };
-  const after: State = { ...before, ...renamed(before, "new:1", "a.cdl") };
+  const after: State = { ...before, ...withRenamedDocument(before, "new:1", "a.cdl") };
   expect(Object.keys(after.documents)).toEqual(["a.cdl"]);
   expect(after.documents["a.cdl"]).toMatchObject({ path: "a.cdl", text: "x" });
   expect(Object.keys(after.drawings).sort()).toEqual([pageKey("a.cdl", "Wander"), pageKey("b.cdl", "Wander")]);

@@ -233,7 +233,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
 }
 
 /** Without what was seen of a document's file. */
-export function withoutChanged(changed: State["changed"], document: string): State["changed"] {
+export function withoutChangedFile(changed: State["changed"], document: string): State["changed"] {
   const rest = { ...changed };
   delete rest[document];
   return rest;
@@ -277,7 +277,7 @@ export function aloneAtTheRight(change: Partial<ShownPanes>): Partial<ShownPanes
 }
 
 /** After a document has gone: it is not listed any more. */
-export function without({ documents, hello }: State, path: string): Partial<State> {
+export function withoutDocument({ documents, hello }: State, path: string): Partial<State> {
   const { [path]: _gone, ...others } = documents;
   return {
     documents: others,
@@ -286,7 +286,7 @@ export function without({ documents, hello }: State, path: string): Partial<Stat
 }
 
 /** A document is called otherwise: what is known of it is known under its new name. */
-export function renamed(state: State, from: string, to: string): Partial<State> {
+export function withRenamedDocument(state: State, from: string, to: string): Partial<State> {
   const moved = <T>(all: Readonly<Record<string, T>>): Record<string, T> =>
     Object.fromEntries(Object.entries(all).map(([path, one]) => [path === from ? to : path, one]));
   const drawings = Object.values(state.drawings).map((drawing): [string, Drawing] => {
@@ -294,7 +294,7 @@ export function renamed(state: State, from: string, to: string): Partial<State> 
     return [pageKey(page?.document ?? "", page?.path ?? ""), page ? { ...drawing, page } : drawing];
   });
   const document = state.documents[from];
-  const { documents, ...rest } = without(state, from);
+  const { documents, ...rest } = withoutDocument(state, from);
   return {
     ...rest,
     documents: document ? { ...documents, [to]: { ...document, path: to } } : documents!,
@@ -317,4 +317,9 @@ export function readShown(stored: unknown, first: ShownPanes): ShownPanes {
     else if (typeof value === "boolean") shown[name] = value;
   }
   return shown as unknown as ShownPanes;
+}
+
+/** The page that is shown. */
+export function drawingOf(state: State): Drawing | undefined {
+  return state.drawings[pageKey(state.document, state.page)];
 }

@@ -1,9 +1,9 @@
 // How components get at the page's designer and subscribe to what it knows.
 import { createContext, useContext } from "react";
 import { useStore } from "zustand";
-import { type Designer, drawingOf } from "./designer.ts";
+import type { Designer } from "./designer.ts";
 import type { Document, Drawing } from "./protocol.ts";
-import type { State } from "./state.ts";
+import { drawingOf, type State } from "./state.ts";
 
 export const DesignerContext = createContext<Designer | null>(null);
 

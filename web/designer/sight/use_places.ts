@@ -2,7 +2,7 @@ import { useEffect, useMemo } from "react";
 import { layOut } from "../arrange/layout.ts";
 import { placeNew, type SizedNode } from "../arrange/place_new.ts";
 import { withoutGhost } from "../compare/compared.ts";
-import { type At, ownPlaces, type Places, wiredOf } from "../drawing/flow.ts";
+import { type NodePlace, ownPlaces, type Places, wiredInputsOf } from "../drawing/flow.ts";
 import { formOf } from "../drawing/form.ts";
 import { pageKey } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
@@ -10,12 +10,12 @@ import { stateSize } from "../states/form.ts";
 import { canvasStore, useCanvas } from "./canvas_store.ts";
 
 /** Of nodes that the file says nothing of, by page: what automatic layout said. */
-const laidOut = new Map<string, Map<string, At>>();
+const laidOut = new Map<string, Map<string, NodePlace>>();
 
 interface MovedPlaces {
   /** Of the document when they were moved: a later drawing knows better. */
   revision: bigint;
-  places: Map<string, At>;
+  places: Map<string, NodePlace>;
 }
 /** What was moved here and is on its way to the server. */
 const moved = new Map<string, MovedPlaces>();
@@ -80,7 +80,7 @@ export function isArranged(drawing: Drawing): boolean {
   return ownPlaces(drawing).size === sizesOf(drawing).size;
 }
 
-export function keepMoved(drawing: Drawing, places: ReadonlyMap<string, At>): void {
+export function keepMoved(drawing: Drawing, places: ReadonlyMap<string, NodePlace>): void {
   const before = moved.get(keyOf(drawing));
   const same = before && before.revision >= drawing.revision ? before.places : [];
   moved.set(keyOf(drawing), { revision: drawing.revision, places: new Map([...same, ...places]) });
@@ -108,7 +108,7 @@ export function sizesOf(drawing: Drawing): Map<string, SizedNode> {
     for (const state of drawing.states) sizes.set(state.name, { id: state.name, ...stateSize(state) });
     return sizes;
   }
-  const wired = wiredOf(drawing);
+  const wired = wiredInputsOf(drawing);
   for (const node of drawing.nodes) {
     const { width, height } = formOf(node, wired);
     sizes.set(node.name, { id: node.name, width, height });

@@ -75,7 +75,7 @@ export async function fitReadably(flow: ReactFlowInstance): Promise<void> {
   if (!bounds || !canvas) return;
   const chosen = boundsOf(flow.getNodes().filter((node) => node.selected));
   const legible = flow.getNodes().some(({ type }) => type === "state") ? kLegibleStates : kTolerable;
-  await flow.setViewport(readable(bounds, canvas, { width: innerWidth, height: innerHeight }, chosen, legible));
+  await flow.setViewport(readableView(bounds, canvas, { width: innerWidth, height: innerHeight }, chosen, legible));
 }
 
 function canvasSize(): Size | null {
@@ -102,7 +102,13 @@ function whole(bounds: Box, canvas: Size): Viewport {
  * large, or the panes take the room: what is chosen, or where the page begins (at the left, where values come from), as
  * large as it takes to read it.
  */
-export function readable(bounds: Box, canvas: Size, page: Size, chosen: Box | null, legible = kTolerable): Viewport {
+export function readableView(
+  bounds: Box,
+  canvas: Size,
+  page: Size,
+  chosen: Box | null,
+  legible = kTolerable,
+): Viewport {
   const all = whole(bounds, canvas);
   if (all.zoom >= kTolerable || (all.zoom >= legible && whole(bounds, page).zoom < kTolerable)) return all;
   const [left, top] = [Number.parseFloat(kFit.padding.left), Number.parseFloat(kFit.padding.top)];

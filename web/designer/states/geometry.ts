@@ -8,11 +8,11 @@ export function pathOf(curve: Curve): Point[] {
   return Array.from({ length: kPieces + 1 }, (_, i) => curve.pointAt(i / kPieces));
 }
 
-export function enlarged(rect: Rect, by: number): Rect {
+export function enlargedRect(rect: Rect, by: number): Rect {
   return { x: rect.x - by, y: rect.y - by, width: rect.width + 2 * by, height: rect.height + 2 * by };
 }
 
-export function holds(rect: Rect, at: Point): boolean {
+export function contains(rect: Rect, at: Point): boolean {
   return at.x > rect.x && at.x < rect.x + rect.width && at.y > rect.y && at.y < rect.y + rect.height;
 }
 

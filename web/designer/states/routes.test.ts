@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import { curveBetween, loopAt, type Rect } from "./curve.ts";
 import { crosses, isOver, pathOf } from "./geometry.ts";
-import { type Way as Ends, type LabelSizes, type Route, Router } from "./routes.ts";
+import { type StatePair as Ends, type LabelSizes, type Route, Router } from "./routes.ts";
 
 type Way = Ends & LabelSizes;
 

@@ -2,10 +2,10 @@
 // on a state, on another label or on another way. Each is tried against all others, in the order of the text and again
 // until nothing gets better: small changes move little, and the same page is drawn the same.
 import { type Curve, curveBetween, loopAt, type Point, type Rect } from "./curve.ts";
-import { crosses, enlarged, holds, isOver, pathOf } from "./geometry.ts";
+import { contains, crosses, enlargedRect, isOver, pathOf } from "./geometry.ts";
 import type { LabelSize } from "./label.ts";
 
-export interface Way {
+export interface StatePair {
   from: string;
   to: string;
 }
@@ -74,11 +74,11 @@ export class Router {
   private taken: (ChosenRoute | undefined)[] = [];
 
   constructor(
-    private readonly ways: readonly Way[],
+    private readonly ways: readonly StatePair[],
     private readonly rects: ReadonlyMap<string, Rect>,
   ) {
     this.states = [...rects.values()];
-    this.bounds = enlarged(boundsOf(this.states), 60);
+    this.bounds = enlargedRect(boundsOf(this.states), 60);
     this.thoroughness = kThoroughness.find((one) => ways.length <= one.ways)!;
     this.tried = ways.map((way) => this.candidates(way));
   }
@@ -101,14 +101,14 @@ export class Router {
     };
   }
 
-  private candidates(way: Way): Candidate[] {
+  private candidates(way: StatePair): Candidate[] {
     const from = this.rects.get(way.from);
     const to = this.rects.get(way.to);
     if (!from || !to) return [];
     const isLoop = way.from === way.to;
     const others = [...this.rects]
       .filter(([name]) => name !== way.from && name !== way.to)
-      .map(([, rect]) => enlarged(rect, kClear));
+      .map(([, rect]) => enlargedRect(rect, kClear));
     const bends = isLoop ? kLoops : kBends.slice(0, 1 + 2 * this.thoroughness.steps);
     return bends.map((bend, order) => {
       const curve = isLoop ? loopAt(from, bend) : curveBetween(from, to, bend, way.from > way.to);
@@ -169,7 +169,7 @@ export class Router {
     let cost = 0;
     this.taken.forEach((other, j) => {
       if (!other || j === i) return;
-      if (isOver(other.label, drawn.box, kGap) && crosses(drawn.points, enlarged(other.label, kGap)))
+      if (isOver(other.label, drawn.box, kGap) && crosses(drawn.points, enlargedRect(other.label, kGap)))
         cost += kCost.onWay;
       const with_ = this.ways[j]!;
       const isSame = way.from === with_.from && way.to === with_.to;
@@ -184,9 +184,9 @@ export class Router {
   private costOfLabel(i: number, drawn: Candidate, label: Rect, enough = Number.POSITIVE_INFINITY): number {
     let cost = this.strayCost(label);
     for (const state of this.states) if (isOver(state, label, kGap)) cost += kCost.onState;
-    if (this.ways[i]!.from !== this.ways[i]!.to && holds(enlarged(label, kArrow), drawn.curve.end))
+    if (this.ways[i]!.from !== this.ways[i]!.to && contains(enlargedRect(label, kArrow), drawn.curve.end))
       cost += kCost.onArrow;
-    const roomy = enlarged(label, kGap);
+    const roomy = enlargedRect(label, kGap);
     for (let j = 0; j < this.taken.length && cost < enough; ++j) {
       const other = this.taken[j];
       if (!other || j === i) continue;

@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { fromJson, type JsonValue } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { wiredOf } from "../drawing/flow.ts";
+import { wiredInputsOf } from "../drawing/flow.ts";
 import { formOf } from "../drawing/form.ts";
 import { DrawingSchema } from "../session/protocol.ts";
 import { stateSize } from "./form.ts";
@@ -19,7 +19,7 @@ const golden = JSON.parse(readFileSync("designer/states/testdata/sizes.golden", 
 test.each(golden.map(({ sizes, drawing }) => ({ sizes, drawing: fromJson(DrawingSchema, drawing) })))(
   "what is drawn on $drawing.page.path has the size that the server takes it to have",
   ({ sizes, drawing }) => {
-    const wired = wiredOf(drawing);
+    const wired = wiredInputsOf(drawing);
     const forms = [...drawing.nodes.map((node) => formOf(node, wired)), ...drawing.states.map(stateSize)];
     const names = [...drawing.nodes, ...drawing.states].map(({ name }) => name);
     expect(forms.map(({ width, height }, i) => [names[i], width, height])).toEqual(

@@ -1,6 +1,7 @@
 // Triggers of transitions, put together by choosing.
 import { rowId } from "../drawing/form.ts";
-import { type Designer, soon } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
+import { onceDrawn } from "../session/once_drawn.ts";
 import { ChangeTrigger_How, type Drawing, type Node } from "../session/protocol.ts";
 import type { TriggerChoice } from "../session/state.ts";
 
@@ -80,7 +81,7 @@ export async function addTransition(designer: Designer, from: string, to: string
   const value = { page, from, to, trigger: "" };
   const answer = await designer.edit(`transition from ${from} to ${to}`, { case: "addTransition", value });
   if (!answer.ok) return;
-  const isThere = await soon(designer, () => (leaving() > before ? true : undefined));
+  const isThere = await onceDrawn(designer, () => (leaving() > before ? true : undefined));
   if (!isThere || designer.state.page !== page) return;
   designer.select([`${from}/${before}`]);
   designer.show({ details: true });

@@ -1,8 +1,9 @@
 // The text of each open configuration, live.
 import { LiveEditor, type Mark } from "../../ui/text/live_editor.ts";
 import type { OutgoingEdit } from "../../ui/text/sync.ts";
-import { type Designer, titleOf } from "../session/designer.ts";
+import type { Designer } from "../session/designer.ts";
 import type { Document, Fix } from "../session/protocol.ts";
+import { titleOf } from "../session/titles.ts";
 
 export class LiveText extends LiveEditor<Document> {
   constructor(

@@ -5,6 +5,7 @@ import { bytesOf, unitsOf } from "../../ui/text/bytes.ts";
 import { textEditorParts } from "../../ui/text/parts.ts";
 import { showUses } from "../names/uses.ts";
 import type { Designer } from "../session/designer.ts";
+import { redo, undo } from "../session/documents.ts";
 import { AskLanguage_What } from "../session/protocol.ts";
 import { cdl } from "./cdl.ts";
 import { helpElement } from "./help.ts";
@@ -26,9 +27,9 @@ export function editorParts(designer: Designer, live: LiveText, document: string
         { key: "F2", run: (view) => renameAt(designer, live, document, view) },
         { key: "Shift-F12", run: (view) => usesAt(designer, live, document, view) },
         // Undo is the document's: it takes back what was drawn and what was typed in the order in which it was done.
-        { key: "Mod-z", run: () => unlessAhead(live, () => designer.undo()) },
-        { key: "Mod-y", run: () => unlessAhead(live, () => designer.redo()) },
-        { key: "Mod-Shift-z", run: () => unlessAhead(live, () => designer.redo()) },
+        { key: "Mod-z", run: () => unlessAhead(live, () => undo(designer)) },
+        { key: "Mod-y", run: () => unlessAhead(live, () => redo(designer)) },
+        { key: "Mod-Shift-z", run: () => unlessAhead(live, () => redo(designer)) },
       ],
     }),
     EditorView.lineWrapping,
@@ -98,7 +99,7 @@ function toDefinition(designer: Designer, live: LiveText, document: string, view
     });
     if (answer.result.case !== "location") return;
     const place = answer.result.value;
-    designer.goTo(place.document || document, place.page, place.node);
+    designer.navigation.goTo(place.document || document, place.page, place.node);
     designer.store.setState({ reveal: { begin: place.begin, end: place.end, focus: true } });
   });
   return true;

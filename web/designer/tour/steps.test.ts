@@ -3,14 +3,14 @@ import { expect, test } from "vitest";
 import { pageKey } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind, DrawingSchema } from "../session/protocol.ts";
 import { createState } from "../session/state.ts";
-import { kSteps } from "./steps.ts";
+import { kTourSteps } from "./steps.ts";
 
 function stateWith(drawing: Drawing) {
   const store = createState(localStorage, 1280);
   store.setState({ document: "new:1", page: "Wander", drawings: { [pageKey("new:1", "Wander")]: drawing } });
   return store.getState();
 }
-const step = (title: string) => kSteps.find((one) => one.title === title)!;
+const step = (title: string) => kTourSteps.find((one) => one.title === title)!;
 
 test("steps know when they are done, by what stands in the drawing", () => {
   const empty = create(DrawingSchema, { kind: Drawing_Kind.DATAFLOW });

@@ -1,9 +1,8 @@
 // The guided first tour: from an empty canvas to a robot that wanders. Each step says what to do, and knows when it is done
 // by what stands in the drawing, however it came there.
 
-import { drawingOf } from "../session/designer.ts";
 import { type Drawing, Drawing_Kind, kResult } from "../session/protocol.ts";
-import type { State } from "../session/state.ts";
+import { drawingOf, type State } from "../session/state.ts";
 
 export interface Step {
   title: string;
@@ -20,7 +19,7 @@ export interface Step {
 
 const kMotors = ["Noise", "AvoidStaticObstacles", "Probe"];
 
-export const kSteps: readonly Step[] = [
+export const kTourSteps: readonly Step[] = [
   {
     title: "A first skill",
     text: "In a few minutes a robot will wander about in the simulator. Everything here can be undone with Ctrl Z, so try things. The file is empty: add an assemblage, which is a skill, and call it Wander.",

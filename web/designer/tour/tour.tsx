@@ -4,14 +4,14 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { useDesigner, usePart } from "../session/use.ts";
 import { fit, nodeElement } from "../sight/view.ts";
 import { bestCorner, type Corner, isInside } from "./corner.ts";
-import { kSteps, nodesOf, type Step } from "./steps.ts";
+import { kTourSteps, nodesOf, type Step } from "./steps.ts";
 import "./tour.css";
 
 export function Tour() {
   const designer = useDesigner();
   const at = usePart((state) => state.tour);
-  const step = kSteps[at];
-  const isDone = usePart((state) => kSteps[state.tour]?.isDone?.(state) ?? false);
+  const step = kTourSteps[at];
+  const isDone = usePart((state) => kTourSteps[state.tour]?.isDone?.(state) ?? false);
   const waits = usePart((state) => state.tourWaits);
   useInSight(step);
   const card = useRef<HTMLElement>(null);
@@ -22,9 +22,9 @@ export function Tour() {
     const timer = setTimeout(() => go(designer, at + 1), 500);
     return () => clearTimeout(timer);
   }, [isDone, waits, at, designer]);
-  const next = usePart((state) => kSteps[state.tour]?.next?.(state) ?? "");
+  const next = usePart((state) => kTourSteps[state.tour]?.next?.(state) ?? "");
   if (!step) return null;
-  const isLast = at === kSteps.length - 1;
+  const isLast = at === kTourSteps.length - 1;
   return (
     <>
       <Ring selector={step.at ?? ""} next={next} />
@@ -32,7 +32,7 @@ export function Tour() {
         <header>
           <h2>{step.title}</h2>
           <span className="small muted">
-            {at + 1} of {kSteps.length}
+            {at + 1} of {kTourSteps.length}
           </span>
           <IconButton icon="close" label="Leave the tour" onPress={() => go(designer, -1)} />
         </header>
@@ -58,8 +58,8 @@ export function Tour() {
 }
 
 function go(designer: ReturnType<typeof useDesigner>, step: number): void {
-  const tourWaits = kSteps[step]?.isDone?.(designer.state) ?? false;
-  designer.store.setState({ tour: step < kSteps.length ? step : -1, tourWaits });
+  const tourWaits = kTourSteps[step]?.isDone?.(designer.state) ?? false;
+  designer.store.setState({ tour: step < kTourSteps.length ? step : -1, tourWaits });
 }
 
 /** Brings what a step speaks of into sight when the step comes. */

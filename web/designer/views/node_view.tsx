@@ -4,7 +4,7 @@ import { memo } from "react";
 import { flowOf } from "../../core/value_types.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { DifferenceSign, useDifferenceClass } from "../compare/sign.tsx";
-import { type CanvasNode, kOut } from "../drawing/flow.ts";
+import { type CanvasNode, kOutputHandle } from "../drawing/flow.ts";
 import { type Form, kindOf, type Row } from "../drawing/form.ts";
 import { outlinePath } from "../drawing/outline.ts";
 import { typeWords } from "../drawing/value_words.ts";
@@ -108,7 +108,7 @@ function EnterButton({ node }: { node: Node }) {
       data-page={node.inner!.path}
       onClick={(event) => {
         event.stopPropagation();
-        designer.enter(node.inner!);
+        designer.navigation.enter(node.inner!);
       }}
     >
       <Icon name="right" />
@@ -178,7 +178,7 @@ function Output({ node, form }: { node: Node; form: Form }) {
   return (
     <Handle
       type="source"
-      id={kOut}
+      id={kOutputHandle}
       position={Position.Right}
       className={`port out flow-${flowOf(node.type)} ${state}`}
       style={{ top: form.outputY }}

@@ -58,7 +58,7 @@ export const StateView = memo(function StateView({ data, selected }: NodeProps<S
           data-page={(state.calls ?? state.inner).path}
           onClick={(event) => {
             event.stopPropagation();
-            designer.enter(state.calls ?? state.inner!);
+            designer.navigation.enter(state.calls ?? state.inner!);
           }}
         >
           <Icon name="right" />

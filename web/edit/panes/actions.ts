@@ -4,27 +4,44 @@ import type { Designer } from "../../designer/session/designer.ts";
 import { kBreakKey, kFieldKey, kPinKey, kRunKey, kStepKey, kStopKey } from "../run/keys.ts";
 import { knownLive, liveOf } from "../run/live.ts";
 import { offersTakeOver, runButton } from "../run/run_button.ts";
+import { showPane } from "../run/run_context.ts";
+import { situationOf } from "../run/situation.ts";
 import { liveMenu } from "./menu.ts";
 
 export function liveActions(designer: Designer): Action[] {
   const live = designer.document ? liveOf(designer) : knownLive(designer);
   if (!live || !designer.document) return [];
-  const { act, label, hint } = runButton(live.situation);
+  const { act, label, hint } = runButton(situationOf(live));
   const none = act === "none" ? hint : undefined;
   const selected = designer.state.selection.length === 1 ? designer.state.selection[0]! : "";
   const menu = liveMenu(designer, selected);
   const { showsField } = live.store.getState();
   return [
-    { id: "run", label, group: "Run", icon: "play", shortcut: kRunKey, blocked: none, run: () => void live.press() },
-    { id: "step", label: "One cycle", group: "Run", icon: "step", shortcut: kStepKey, run: () => void live.step() },
+    {
+      id: "run",
+      label,
+      group: "Run",
+      icon: "play",
+      shortcut: kRunKey,
+      blocked: none,
+      run: () => void live.trials.press(),
+    },
+    {
+      id: "step",
+      label: "One cycle",
+      group: "Run",
+      icon: "step",
+      shortcut: kStepKey,
+      run: () => void live.trials.step(),
+    },
     {
       id: "take-over",
       label: "Take over the change: the robots go on with it",
       group: "Run",
-      blocked: offersTakeOver(live.situation) ? undefined : "Nothing that runs has a change to take over",
-      run: () => void live.takeOver(),
+      blocked: offersTakeOver(situationOf(live)) ? undefined : "Nothing that runs has a change to take over",
+      run: () => void live.trials.takeOver(),
     },
-    { id: "stop", label: "Stop", group: "Run", icon: "rewind", shortcut: kStopKey, run: () => void live.stop() },
+    { id: "stop", label: "Stop", group: "Run", icon: "rewind", shortcut: kStopKey, run: () => void live.trials.stop() },
     {
       id: "field-toggle",
       label: showsField ? "Hide the movement field" : "Movement field of the selection",
@@ -32,11 +49,11 @@ export function liveActions(designer: Designer): Action[] {
       shortcut: kFieldKey,
       blocked: live.model.get("scene") ? undefined : "Run it first",
       run: () => {
-        live.showPane();
+        showPane(live.designer);
         live.store.setState({ showsField: !showsField, field: null, fieldError: "" });
       },
     },
-    { id: "to-console", label: "Open the run in the console", group: "Run", run: () => live.openConsole() },
+    { id: "to-console", label: "Open the run in the console", group: "Run", run: () => live.operator.openConsole() },
     keyed(
       menu.find(({ id }) => id.startsWith("break")),
       "break",

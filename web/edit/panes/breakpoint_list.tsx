@@ -19,7 +19,7 @@ export function Breakpoints() {
       <header className="columns spread">
         <h3>Breakpoints</h3>
         {all.length > 1 && (
-          <Button tone="quiet" onPress={() => void live.removeBreakpoint(0)}>
+          <Button tone="quiet" onPress={() => void live.marks.removeBreakpoint(0)}>
             Remove all
           </Button>
         )}
@@ -51,7 +51,7 @@ function Entry({ breakpoint }: { breakpoint: Breakpoint }) {
       <Switch
         label={<span className="hidden-text">{text}: stops the run</span>}
         value={!breakpoint.isOff}
-        onChange={(on) => void live.switchBreakpoint(breakpoint, on)}
+        onChange={(on) => void live.marks.switchBreakpoint(breakpoint, on)}
       />
       {drawnAt && !drawnAt.isLost ? (
         <Button tone="link" className="ellipsis" onPress={() => live.goTo(drawnAt)}>
@@ -72,7 +72,7 @@ function Entry({ breakpoint }: { breakpoint: Breakpoint }) {
       <IconButton
         icon="close"
         label={`Remove the breakpoint ${text}`}
-        onPress={() => void live.removeBreakpoint(breakpoint.id)}
+        onPress={() => void live.marks.removeBreakpoint(breakpoint.id)}
       />
     </li>
   );
@@ -100,7 +100,7 @@ export function HaltedNotice() {
         {halted.hits.length > 1 ? ` And ${halted.hits.length - 1} more.` : ""}
       </span>
       {(place || hit.robot !== 0) && <Button onPress={show}>Show</Button>}
-      <Button onPress={() => void live.control(Control_Action.RESUME)}>Go on</Button>
+      <Button onPress={() => void live.operator.control(Control_Action.RESUME)}>Go on</Button>
     </div>
   );
 }

@@ -35,7 +35,7 @@ function Holder({ port, held, robot, whose }: HolderProps) {
   const problem = typed.trim() === "" || isList ? undefined : parameterProblem(port, typed);
   const canHold = typed.trim() !== "" && problem === undefined;
   const hold = async () => {
-    if (canHold && (await live.hold(port.path, typed.trim()))) setTyped("");
+    if (canHold && (await live.intervening.hold(port.path, typed.trim()))) setTyped("");
   };
   const unit = port.unit === "" ? port.type : `${port.type}, ${port.unit}`;
   const label = `Hold it for ${whose} at [${unit}]`;
@@ -65,7 +65,7 @@ function Holder({ port, held, robot, whose }: HolderProps) {
             Held at {shownText(held.value, port.unit)}
             {others.length > 0 && <span className="small"> with {others.map(spokenPath).join(", ")}</span>}
           </p>
-          <Button icon="release" onPress={() => void live.release(robot, held.port)}>
+          <Button icon="release" onPress={() => void live.intervening.release(robot, held.port)}>
             Release
           </Button>
         </>
@@ -85,7 +85,7 @@ export function HeldValues() {
       <header className="columns spread">
         <h3>Held values</h3>
         {all.length > 1 && (
-          <Button tone="quiet" onPress={() => void live.release(0, "")}>
+          <Button tone="quiet" onPress={() => void live.intervening.release(0, "")}>
             Release all
           </Button>
         )}
@@ -104,7 +104,7 @@ export function HeldValues() {
               <IconButton
                 icon="release"
                 label={`Release ${name} of ${roster.nameOf(one.robot)}`}
-                onPress={() => void live.release(one.robot, one.port)}
+                onPress={() => void live.intervening.release(one.robot, one.port)}
               />
             </li>
           );

@@ -76,7 +76,7 @@ function BreakWhen({ drawing, target, id }: { drawing: Drawing; target: Target &
   const [typed, setTyped] = useState("");
   const set = () => {
     if (typed.trim() === "") return;
-    void live.setBreakpoint((place) => atCondition(joined(place, below), comparison, typed.trim()), id);
+    void live.marks.setBreakpoint((place) => atCondition(joined(place, below), comparison, typed.trim()), id);
     setTyped("");
   };
   if (type === "bool") return null;

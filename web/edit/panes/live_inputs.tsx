@@ -11,6 +11,7 @@ import type { Node } from "../../designer/session/protocol.ts";
 import { useIsReadOnly } from "../../designer/session/use.ts";
 import { Button, Segments } from "../../ui/controls/controls.tsx";
 import { isWritten, parameterName, parametersBelow } from "../run/targets.ts";
+import { writeBack } from "../run/write_back.ts";
 import { InSession } from "./in_session.tsx";
 import { useLivePage, useLiveState, usePath } from "./use_live_part.ts";
 
@@ -78,7 +79,7 @@ function LiveField({ port, index, robots, node }: FieldProps) {
     <div className="live-parameter">
       <Parameter port={port} index={index} name={name} robots={robots} isDisabled={!isOperator} />
       {!isReadOnly && !isSame && (
-        <Button icon="save" onPress={() => void live.writeBack(port.path, shown)}>
+        <Button icon="save" onPress={() => void writeBack(live, port.path, shown)}>
           Write {name} = {shown} to the text
         </Button>
       )}

@@ -6,6 +6,7 @@ import { MapView } from "../../core/map/map_view.ts";
 import { IconButton } from "../../ui/controls/controls.tsx";
 import { kFieldKey } from "../run/keys.ts";
 import { isMoving } from "../run/run_button.ts";
+import { situationOf } from "../run/situation.ts";
 import { StartsTool } from "./starts_tool.ts";
 import { useField } from "./use_field.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
@@ -66,14 +67,14 @@ function MapTools() {
         onPress={() => live.store.setState({ showsField: !shows, field: null, fieldError: "" })}
       />
       <hr />
-      <IconButton icon="fit" label="Fit the whole map" onPress={() => map?.fit()} />
-      <IconButton icon="plus" label="Zoom in on the map" onPress={() => map?.zoom(Math.SQRT2)} />
-      <IconButton icon="minus" label="Zoom out of the map" onPress={() => map?.zoom(Math.SQRT1_2)} />
+      <IconButton icon="fit" label="Fit the whole map" onPress={() => map?.framing.fit()} />
+      <IconButton icon="plus" label="Zoom in on the map" onPress={() => map?.framing.zoom(Math.SQRT2)} />
+      <IconButton icon="minus" label="Zoom out of the map" onPress={() => map?.framing.zoom(Math.SQRT1_2)} />
       <IconButton
         icon="follow"
         label="Follow the robot"
         isDisabled={robot === undefined}
-        onPress={() => robot !== undefined && map?.follow({ robot })}
+        onPress={() => robot !== undefined && map?.framing.follow({ robot })}
       />
     </div>
   );
@@ -111,7 +112,7 @@ function useStartsTool(): void {
           live.store.setState({ starts, robots });
         },
         done: () => {
-          if (!isMoving(live.situation.mode)) void live.tryOut(false);
+          if (!isMoving(situationOf(live).mode)) void live.trials.tryOut(false);
         },
       }),
     );

@@ -11,6 +11,8 @@ import { heldAt, stateOf } from "../run/interventions.ts";
 import { knownLive, type Live } from "../run/live.ts";
 import { breakAtTransition, breaksWhen, isOnSame, markAt, marksOfPage } from "../run/marks.ts";
 import { joined } from "../run/places.ts";
+import { showPane } from "../run/run_context.ts";
+import { situationOf } from "../run/situation.ts";
 import { type Target, targetOf } from "../run/targets.ts";
 
 export function liveMenu(designer: Designer, id: string): Action[] {
@@ -45,7 +47,7 @@ function placeOf(live: Live): string | undefined {
 /** Why nothing can be marked on the page. */
 function blockedBy(live: Live): string | undefined {
   if (placeOf(live) !== undefined) return undefined;
-  const { errors, hasSubject } = live.situation;
+  const { errors, hasSubject } = situationOf(live);
   if (!hasSubject || isOfLibrary(live.designer.state.document)) return "Run it first";
   return errors > 0 ? "It does not compile" : undefined;
 }
@@ -71,7 +73,7 @@ function forceAction(live: Live, to: string, from?: string): Action {
     group: "Run",
     icon: "right",
     blocked: sequence === undefined || now === "" ? "Run it first" : elsewhere,
-    run: () => void live.force(sequence ?? "", to),
+    run: () => void live.intervening.force(sequence ?? "", to),
   };
 }
 
@@ -93,7 +95,7 @@ function transitionBreak(live: Live, from: string, to: string, id: string): Acti
   return breakAction(live, `break ${from} ${to}`, known, {
     set: `Break ${when}`,
     remove: `Remove the breakpoint ${when}`,
-    run: () => live.setBreakpoint((place) => atTransition(place, from, to), id),
+    run: () => live.marks.setBreakpoint((place) => atTransition(place, from, to), id),
   });
 }
 
@@ -111,7 +113,7 @@ function breakAction(live: Live, id: string, known: Mark | undefined, { set, rem
     group: "Run",
     icon: known ? "close" : "pause",
     blocked: known ? undefined : blockedBy(live),
-    run: () => void (known ? live.removeBreakMark(known) : run()),
+    run: () => void (known ? live.marks.removeBreakMark(known) : run()),
   };
 }
 
@@ -137,7 +139,7 @@ function conditionBreaks(live: Live, drawing: Drawing, id: string): Action[] {
     const action = breakAction(live, `break-when ${text}`, known, {
       set: `Break when ${called}`,
       remove: `Remove the breakpoint on ${called}`,
-      run: () => live.setBreakpoint((one) => atCondition(joined(one, below), Comparison.EQUAL, value), id, below),
+      run: () => live.marks.setBreakpoint((one) => atCondition(joined(one, below), Comparison.EQUAL, value), id, below),
     });
     const isThere = place === undefined || ports.has(joined(place, below));
     return isThere ? action : { ...action, blocked: "It has no value of its own" };
@@ -157,7 +159,7 @@ function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "va
       group: "Run",
       icon: pinned ? "close" : "plot",
       blocked: pinned ? undefined : blocked,
-      run: () => void (pinned ? live.unpin(designer.state.document, pinned.id) : live.pin(id, target.live)),
+      run: () => void (pinned ? live.marks.unpin(designer.state.document, pinned.id) : live.marks.pin(id, target.live)),
     },
   ];
   if (target.type === "bool") {
@@ -166,7 +168,8 @@ function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "va
       breakAction(live, "break-true", known, {
         set: "Break when it becomes true",
         remove: "Remove the breakpoint",
-        run: () => live.setBreakpoint((place) => atCondition(joined(place, target.live), Comparison.EQUAL, "true"), id),
+        run: () =>
+          live.marks.setBreakpoint((place) => atCondition(joined(place, target.live), Comparison.EQUAL, "true"), id),
       }),
     );
   } else {
@@ -190,7 +193,7 @@ function valueActions(live: Live, drawing: Drawing, target: Target & { kind: "va
       blocked: live.model.get("scene") ? undefined : "Run it first",
       run: () => {
         designer.select([id]);
-        live.showPane();
+        showPane(live.designer);
         live.store.setState({ showsField: true, field: null, fieldError: "" });
       },
     });
@@ -216,7 +219,7 @@ function holdAction(live: Live, target: Target & { kind: "value" }, id: string):
     group: "Run",
     icon: isHeld ? "release" : "lock",
     run: () => {
-      if (isHeld) void live.release(robot, path);
+      if (isHeld) void live.intervening.release(robot, path);
       else typeInDetails(live, id, ".hold-value input, .hold-value button");
     },
   };

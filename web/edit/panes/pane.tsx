@@ -10,6 +10,7 @@ import { Icon } from "../../ui/controls/icons.tsx";
 import { duration } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { isMoving, runButton } from "../run/run_button.ts";
+import { showProblem } from "../run/run_context.ts";
 import { Breakpoints, HaltedNotice } from "./breakpoint_list.tsx";
 import { HeldValues } from "./hold_value.tsx";
 import { InSession } from "./in_session.tsx";
@@ -85,7 +86,7 @@ function Place() {
           <Icon name="warning" />
           <span className="grow">{error}</span>
           {now.errors > 0 && (
-            <Button tone="link" onPress={() => live.showProblem()}>
+            <Button tone="link" onPress={() => showProblem(live.designer)}>
               Show why
             </Button>
           )}
@@ -139,12 +140,12 @@ function NoMap() {
         <>
           <p className="muted">{act === "none" ? `${hint}.` : "Robots that run what is drawn are shown here."}</p>
           {now.errors > 0 ? (
-            <Button icon="warning" onPress={() => live.showProblem()}>
+            <Button icon="warning" onPress={() => showProblem(live.designer)}>
               It does not compile: show why
             </Button>
           ) : (
             now.hasSubject && (
-              <Button tone="go" icon="play" onPress={() => void live.press()}>
+              <Button tone="go" icon="play" onPress={() => void live.trials.press()}>
                 Run
               </Button>
             )

@@ -62,7 +62,7 @@ function Probe({ pin }: { pin: Pin }) {
       <IconButton
         icon="close"
         label={`Take away the probe of ${name}`}
-        onPress={() => void live.unpin(pin.document, pin.mark)}
+        onPress={() => void live.marks.unpin(pin.document, pin.mark)}
       />
     </li>
   );

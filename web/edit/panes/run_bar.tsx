@@ -34,7 +34,7 @@ function Bar() {
           tone={act === "pause" ? "plain" : "go"}
           data-tour="run"
           isDisabled={act === "none"}
-          onPress={() => void live.press()}
+          onPress={() => void live.trials.press()}
         >
           <Icon name={act === "pause" ? "pause" : act === "release" ? "release" : "play"} />
           {label}
@@ -42,14 +42,14 @@ function Bar() {
       </Hint>
       {offersTakeOver(now) && (
         <Hint text="The robots go on with what the text says now, where they are; what can't be kept is told">
-          <Button icon="right" onPress={() => void live.takeOver()}>
+          <Button icon="right" onPress={() => void live.trials.takeOver()}>
             Take over
           </Button>
         </Hint>
       )}
       {offersChange(now) && (
         <Hint text="The text, or what is to run, has changed since it was run: begins anew with what stands there now">
-          <Button icon="restart" onPress={() => void live.tryOut(true)}>
+          <Button icon="restart" onPress={() => void live.trials.tryOut(true)}>
             Run the change
           </Button>
         </Hint>
@@ -59,14 +59,14 @@ function Bar() {
         label="One cycle"
         shortcut={shownShortcut(kStepKey)}
         isDisabled={!now.isConnected || now.isBusy || !now.hasSubject}
-        onPress={() => void live.step()}
+        onPress={() => void live.trials.step()}
       />
       <IconButton
         icon="rewind"
         label="Stop: the robots go back to the start"
         shortcut={shownShortcut(kStopKey)}
         isDisabled={!hasRun}
-        onPress={() => void live.stop()}
+        onPress={() => void live.trials.stop()}
       />
       {status && status.mode !== Status_Mode.NO_MISSION && <SpeedControl />}
       <PopoverButton
@@ -79,7 +79,7 @@ function Bar() {
       >
         <Setup />
       </PopoverButton>
-      <IconButton icon="robots" label="Open in the console" onPress={() => live.openConsole()} />
+      <IconButton icon="robots" label="Open in the console" onPress={() => live.operator.openConsole()} />
     </div>
   );
 }

@@ -52,7 +52,7 @@ export function Setup() {
           </Button>
         )}
       </div>
-      <Button icon="map" onPress={() => void live.tryOut(false)}>
+      <Button icon="map" onPress={() => void live.trials.tryOut(false)}>
         Show on the map, without running
       </Button>
     </div>

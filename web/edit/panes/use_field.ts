@@ -40,7 +40,7 @@ export function useField(): void {
     let isLeft = false;
     // One at a time: the next is asked for when this one is there.
     const read = async () => {
-      await live.readField(node, map.camera.visible(), map.camera.scale);
+      await live.field.read(node, map.camera.visible(), map.camera.scale);
       if (isStill || isLeft) return;
       clearTimeout(timer);
       timer = setTimeout(read, kRepeat);

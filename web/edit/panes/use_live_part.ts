@@ -7,6 +7,7 @@ import { type Live, liveOf } from "../run/live.ts";
 import type { LiveState } from "../run/live_state.ts";
 import { joined } from "../run/places.ts";
 import type { Situation } from "../run/run_button.ts";
+import { situationOf } from "../run/situation.ts";
 import { activeState } from "./menu.ts";
 
 export function useLivePage(): Live {
@@ -26,7 +27,7 @@ export function useSituation(): Situation {
   useSessionPart("status");
   useSessionPart("documents");
   useSessionPart("link");
-  return live.situation;
+  return situationOf(live);
 }
 
 /** The path of a port on the page that is shown; empty: it does not run. */

@@ -3,12 +3,13 @@
 import { placeOfPort } from "../../core/port_values.ts";
 import { Traces } from "../../designer/running/traces.ts";
 import { type LiveValue, liveKey, liveValues } from "../../designer/running/values.ts";
-import { drawingOf } from "../../designer/session/designer.ts";
 import type { Drawing } from "../../designer/session/protocol.ts";
+import { drawingOf } from "../../designer/session/state.ts";
 import { heldPorts } from "./interventions.ts";
-import type { Live } from "./live.ts";
 import { choosePlace, guessPlaces, witnessesOf } from "./places.ts";
 import { livesOf, type Plan, planOf, portReader, portsOf, valuesOf, withTrace } from "./reading.ts";
+import type { RunContext } from "./run_context.ts";
+import { situationOf } from "./situation.ts";
 
 const kPause = 50; // ms at least between two readings: 20 a second
 const kPauseOfMany = 100; // where the page has many values
@@ -31,8 +32,8 @@ export class Follower {
   private last = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly live: Live) {
-    const { model, designer, store } = live;
+  constructor(private readonly context: RunContext) {
+    const { model, designer, store } = context;
     model.onFrame(() => this.soon());
     model.subscribe("selection", () => this.turn());
     model.subscribe("roster", () => this.look());
@@ -48,13 +49,13 @@ export class Follower {
 
   /** Whose values are shown; 0: nobody's. */
   get robot(): number {
-    const { robots } = this.live.model.get("selection");
+    const { robots } = this.context.model.get("selection");
     return robots[0] ?? 0;
   }
 
   /** Asks anew where the page runs. */
   look(): void {
-    const { designer, model, store } = this.live;
+    const { designer, model, store } = this.context;
     const { document, page } = designer.state;
     const request = ++this.asked;
     if (document === "" || page === "" || model.get("roster").robots.length === 0) {
@@ -73,7 +74,7 @@ export class Follower {
 
   /** Robot, page, place or pins are others now; `again`: nothing is, but which places run is known better. */
   private turn(again = false): void {
-    const { model, designer, store, connection } = this.live;
+    const { model, designer, store, connection } = this.context;
     const drawing = designer.drawing;
     const ports = model.get("roster").portsOf(this.robot);
     const places = drawing && ports.length > 0 ? this.placesOf(drawing) : [];
@@ -108,11 +109,11 @@ export class Follower {
   }
 
   private placesOf(drawing: Drawing): string[] {
-    const roster = this.live.model.get("roster");
+    const roster = this.context.model.get("roster");
     const program = roster.programOf(this.robot);
     const own = this.known.filter((one) => one.program === program).map(({ path }) => path);
     // Of another configuration's robots nothing is guessed: they may have nodes of the same names.
-    if (own.length > 0 || !this.live.situation.isOurs) return own;
+    if (own.length > 0 || !situationOf(this.context).isOurs) return own;
     const lives = livesOf(drawing);
     if (lives.length === 0) return [];
     const paths = roster.portsOf(this.robot).map((port) => port.path);
@@ -121,10 +122,10 @@ export class Follower {
 
   /** Nothing: it is not known yet. */
   private isActive(place: string): boolean | undefined {
-    const detail = this.live.model.detail(this.robot);
+    const detail = this.context.model.detail(this.robot);
     const witnesses = this.witnesses.get(place) ?? [];
     if (!detail || witnesses.length === 0) return undefined;
-    const ports = this.live.model.get("roster").portsOf(this.robot);
+    const ports = this.context.model.get("roster").portsOf(this.robot);
     const activities = witnesses.map((path) => {
       const at = placeOfPort(
         detail,
@@ -146,7 +147,7 @@ export class Follower {
     clearTimeout(this.timer);
     this.timer = undefined;
     this.last = performance.now();
-    const { model, store } = this.live;
+    const { model, store } = this.context;
     const detail = model.detail(this.robot);
     if (!detail) {
       if (!liveValues.isEmpty) liveValues.set(new Map());

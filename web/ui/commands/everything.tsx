@@ -6,7 +6,7 @@ import { shownShortcut } from "./keys.ts";
 import { ranked, score } from "./search.ts";
 
 /** A choice with how well it fits, and what it does. */
-export interface Found extends Choice {
+export interface SearchResult extends Choice {
   points: number;
   run: () => void;
 }
@@ -16,7 +16,7 @@ const kMostOfAGroup = 12;
 interface EverythingProps {
   placeholder: string;
   /** What is found, each group with its best first. */
-  groups: (query: string) => readonly (readonly Found[])[];
+  groups: (query: string) => readonly (readonly SearchResult[])[];
   onClose: () => void;
   onQuery?: (query: string) => void;
   note?: string;
@@ -24,13 +24,13 @@ interface EverythingProps {
 
 /** The group that has the best comes first. */
 export function Everything({ placeholder, groups, onClose, onQuery, note = "" }: EverythingProps) {
-  const find = (query: string): Found[] =>
+  const find = (query: string): SearchResult[] =>
     groups(query)
       .filter((group) => group.length > 0)
       .sort((a, b) => b[0]!.points - a[0]!.points)
       .flat();
   return (
-    <Chooser<Found>
+    <Chooser<SearchResult>
       title="Search everything"
       placeholder={placeholder}
       find={find}
@@ -43,9 +43,9 @@ export function Everything({ placeholder, groups, onClose, onQuery, note = "" }:
 }
 
 /** All of them where nothing is typed yet. */
-export function commandsFound(query: string, commands: readonly Command[]): Found[] {
+export function commandsFound(query: string, commands: readonly Command[]): SearchResult[] {
   const found = ranked(query, commands, (one) => `${one.label} ${one.group}`).map(
-    (one): Found => ({
+    (one): SearchResult => ({
       id: `command ${one.id}`,
       label: one.label,
       group: "Commands",
@@ -61,12 +61,12 @@ export function commandsFound(query: string, commands: readonly Command[]): Foun
 }
 
 /** Those of a list that the query finds, once something is typed. */
-export function foundIn<T>(
+export function resultsIn<T>(
   query: string,
   items: readonly T[],
   textOf: (item: T) => string,
-  shown: (item: T) => Omit<Found, "points">,
-): Found[] {
+  shown: (item: T) => Omit<SearchResult, "points">,
+): SearchResult[] {
   if (query.trim() === "") return [];
   return ranked(query, items, textOf)
     .slice(0, kMostOfAGroup)

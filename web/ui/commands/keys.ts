@@ -9,7 +9,7 @@ export interface KeyPress {
 }
 
 /** Whether the key pressed is this shortcut. Shift is not asked for signs that need it (`?`, `+`). */
-export function matches(shortcut: string, press: KeyPress): boolean {
+export function isShortcut(shortcut: string, press: KeyPress): boolean {
   const parts = shortcut.split("+").filter((part) => part !== "");
   const key = shortcut.endsWith("+") ? "+" : (parts.at(-1) as string);
   const wanted = new Set(shortcut.endsWith("+") ? parts : parts.slice(0, -1));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { idRanges } from "../../core/format.ts";
-import { count, distance, duration, headingDegrees, list, plain, quantity, speedFactor } from "./format.ts";
+import { count, distance, duration, headingDegrees, list, quantity, readableMessage, speedFactor } from "./format.ts";
 
 describe("duration", () => {
   it("shows minutes and seconds, and hours once there are any", () => {
@@ -54,9 +54,9 @@ describe("words", () => {
   it("counts", () => expect([count(1, "robot"), count(4, "robot")]).toEqual(["1 robot", "4 robots"]));
   it("lists", () => expect([list(["a"]), list(["a", "b", "c"])]).toEqual(["a", "a, b and c"]));
   it("calls robots by their names", () =>
-    expect(plain("robot 1 touched robot 12; robots 3 and 4 wait, the robot stands")).toBe(
+    expect(readableMessage("robot 1 touched robot 12; robots 3 and 4 wait, the robot stands")).toBe(
       "Robot 1 touched Robot 12; Robots 3 and 4 wait, the robot stands",
     ));
-  it("quotes names", () => expect(plain("no `a` in `b`")).toBe("no “a” in “b”"));
+  it("quotes names", () => expect(readableMessage("no `a` in `b`")).toBe("no “a” in “b”"));
   it("joins runs of numbers", () => expect(idRanges([4, 1, 2, 3, 7, 8])).toBe("1–4, 7, 8"));
 });

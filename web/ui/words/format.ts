@@ -56,7 +56,7 @@ export function list(words: readonly string[]): string {
  * What the server says, as people read it: names in backticks in quotes, and `robot 3` by its one name, `Robot 3`
  * (RosterIndex.nameOf).
  */
-export function plain(text: string): string {
+export function readableMessage(text: string): string {
   return text.replaceAll(/`([^`]*)`/g, "“$1”").replaceAll(/\brobot(s?) (?=\d)/g, "Robot$1 ");
 }
 

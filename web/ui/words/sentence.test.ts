@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { sentence, unmarked } from "./sentence.ts";
+import { sentence, withoutBackticks } from "./sentence.ts";
 
 test("a sentence begins with a capital and ends with a stop", () => {
   expect(["", "no robot 3", "what?", "Wait…"].map((text) => sentence(text))).toEqual([
@@ -16,5 +16,5 @@ test("the name of a file stays as it is written", () => {
 
 test("names stand in quotes, or without marks", () => {
   expect(sentence("`a` is not known")).toBe("“a” is not known.");
-  expect(sentence("`a` is not known", unmarked)).toBe("A is not known.");
+  expect(sentence("`a` is not known", withoutBackticks)).toBe("A is not known.");
 });

@@ -1,8 +1,8 @@
 // What is told, as people read it.
-import { plain } from "./format.ts";
+import { readableMessage } from "./format.ts";
 
 /** First letter large, but for the name of a file; a full stop at the end. `words`: what becomes of marks of code. */
-export function sentence(text: string, words: (text: string) => string = plain): string {
+export function sentence(text: string, words: (text: string) => string = readableMessage): string {
   const trimmed = words(text).trim();
   if (trimmed === "") return "";
   const isFile = /^\S*[./_]\S/.test(trimmed);
@@ -11,6 +11,6 @@ export function sentence(text: string, words: (text: string) => string = plain):
 }
 
 /** Names without the backticks around them. */
-export function unmarked(text: string): string {
+export function withoutBackticks(text: string): string {
   return text.replaceAll("`", "");
 }

@@ -1,7 +1,7 @@
 // Measuring: clicks set points (or Enter, in the map's middle); the tool tells each leg's length and bearing, and the
 // whole. A double click ends the line; the next click begins anew.
 import { formatBearing, formatDistance } from "../../format.ts";
-import { between, distance, lengthOf, type Point } from "../../geometry.ts";
+import { distance, lengthOf, type Point, pointBetween } from "../../geometry.ts";
 import type { MapView } from "../map_view.ts";
 import { fill, kSans, stroke, trace, writeText } from "../strokes.ts";
 import type { MapPointer, MapTool, Pen } from "../tool.ts";
@@ -90,7 +90,7 @@ export class MeasureTool implements MapTool {
     for (let i = 1; i < line.length; ++i) {
       const [a, b] = [line[i - 1]!, line[i]!];
       if (distance(a, b) * camera.scale < 40) continue;
-      const middle = camera.toScreen(between(a, b, 0.5));
+      const middle = camera.toScreen(pointBetween(a, b, 0.5));
       const bearing = formatBearing(Math.atan2(b.y - a.y, b.x - a.x));
       const text = `${formatDistance(distance(a, b))} · ${bearing}`;
       writeText(pen, text, middle.x, middle.y - 11, palette.selection, font);

@@ -19,7 +19,7 @@ export class PanTool implements MapTool {
 
   move(pointer: MapPointer, isDragging: boolean): void {
     if (!isDragging || !this.last) return;
-    this.map?.pan(pointer.screen.x - this.last.x, pointer.screen.y - this.last.y);
+    this.map?.framing.pan(pointer.screen.x - this.last.x, pointer.screen.y - this.last.y);
     this.last = pointer.screen;
   }
 

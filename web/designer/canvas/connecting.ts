@@ -1,24 +1,12 @@
-// What hands do on the canvas, as changes of the configuration: things are moved, wires and transitions drawn.
-import type { Connection, Edge, FinalConnectionState, Node as FlowNode, ReactFlowInstance } from "@xyflow/react";
+// What leads from one node to another: wires and transitions, drawn, moved and cut.
+import type { Connection, Edge, FinalConnectionState, ReactFlowInstance } from "@xyflow/react";
 import type { MouseEvent } from "react";
-import { arrangeChange } from "../arrange/arrange.ts";
 import { onPitch } from "../arrange/elk.ts";
-import type { Places } from "../drawing/flow.ts";
 import type { Designer } from "../session/designer.ts";
-import { innerOf } from "../session/inside.ts";
 import { isEquipment } from "../session/pages.ts";
 import { type Drawing, Drawing_Kind } from "../session/protocol.ts";
-import { forgetMoved, isArranged, keepMoved } from "../sight/use_places.ts";
 import { askFits, connectChange, disconnectChange, endOf, reasonAgainst, stopFits } from "../sight/wiring.ts";
 import { addTransition } from "../states/trigger.ts";
-
-/** What nodes that were moved by hand mean. */
-export function moveNodes(designer: Designer, drawing: Drawing, moved: readonly FlowNode[], places: Places): void {
-  const { changes, places: now } = arrangeChange(drawing, moved, places, isArranged(drawing));
-  keepMoved(drawing, now);
-  const name = moved.length === 1 ? `move ${moved[0]!.id}` : `move ${moved.length} nodes`;
-  void designer.edit(name, ...changes).then((answer) => !answer.ok && forgetMoved(drawing));
-}
 
 /** Handlers of React Flow for what leads from one node to another. */
 export function connecting(designer: Designer, drawing: Drawing, flow: ReactFlowInstance) {
@@ -113,12 +101,6 @@ function cutWire(designer: Designer, drawing: Drawing, id: string) {
   }
   const { node, row } = endOf(id);
   return designer.edit("", disconnectChange(page, node, row));
-}
-
-/** Goes inside of what is called so, where it has an inside. */
-export function enter(designer: Designer, drawing: Drawing, name: string): void {
-  const inner = innerOf(drawing, name);
-  if (inner) designer.enter(inner);
 }
 
 function placeFor(node: string, row: string) {
