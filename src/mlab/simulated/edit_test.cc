@@ -89,7 +89,8 @@ TEST(Edit, ARobotThatIsAddedCanBeStartedAndTheOthersGoOn) {
 }
 
 std::vector<std::uint32_t> mates_of(const MissionRun& run, std::uint32_t id) {
-  const percept::Percepts percepts = run.world().sense(run.fleet().find({id})->body, {{percept::Sensor::kRobots, 1000.0}});
+  const percept::Percepts percepts =
+      run.world().sense(run.fleet().find({id})->body, {{percept::Sensor::kRobots, 1000.0}});
   std::vector<std::uint32_t> out;
   for (const percept::RobotReading& robot : percepts.robots) {
     if (robot.is_unit_mate) out.push_back(robot.id.value);

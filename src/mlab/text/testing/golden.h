@@ -65,14 +65,15 @@ inline void check_golden(const std::filesystem::path& path, std::string_view com
   EXPECT_EQ(all.substr(end), block) << path;
 }
 
-/// The kinds of diagnostics that the sources of a folder can say: the first string of every `error("...", `
-/// and its like. A test compares them with the kinds that the golden files show, so that none stays without
-/// one.
+/// The kinds of diagnostics that the sources of a folder and of those in it can say: the first string of
+/// every `error("...", ` and its like. A test compares them with the kinds that the golden files show, so
+/// that none stays without one.
 inline std::set<std::string> kinds_said_in(const std::filesystem::path& folder,
                                            const std::vector<std::string>& calls) {
   std::set<std::string> out;
-  for (const auto& path : golden_files(folder, ".cc")) {
-    if (path.string().ends_with("_test.cc")) continue;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::filesystem::path& path = entry.path();
+    if (path.extension() != ".cc" || path.string().ends_with("_test.cc")) continue;
     const std::string text = read_all(path);
     for (const std::string& call : calls) {
       for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
