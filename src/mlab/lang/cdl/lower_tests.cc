@@ -14,6 +14,7 @@
 #include "mlab/lang/cdl/static_check.h"
 #include "mlab/lang/cdl/tests.h"
 #include "mlab/lang/cdl/units.h"
+#include "mlab/lang/cdl/walk.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cdl {
@@ -24,22 +25,6 @@ constexpr std::string_view kUsualClass = "Scout";
 // No name that anybody can write, so that it is in nobody's way.
 std::string name_of_condition(std::size_t step) {
   return fmt::format("expect {}", step + 1);
-}
-
-// The robot that a test runs on: what is tested, and what is expected of it, as values that nothing drives.
-Robot robot_of(const Test& test, const Configuration& configuration) {
-  Robot out;
-  out.name = test.name;
-  out.class_name = test.class_name;
-  if (out.class_name.text.empty() && configuration.classes.contains(kUsualClass))
-    out.class_name = {std::string(kUsualClass), test.name.place};
-  out.lets.push_back({subject_name(test), test.subject, "", {}});
-  out.lets.insert(out.lets.end(), test.lets.begin(), test.lets.end());
-  for (std::size_t i = 0; i < test.steps.size(); ++i) {
-    const TestStep& step = test.steps[i];
-    if (step.condition) out.lets.push_back({{name_of_condition(i), step.place}, step.condition, "", {}});
-  }
-  return out;
 }
 
 // That a test may run: what is expected is looked at in the first cycle since something was given.
@@ -73,6 +58,21 @@ std::vector<std::string> percept_names() {
 
 }  // namespace
 
+Robot robot_of(const Test& test, const Configuration& configuration) {
+  Robot out;
+  out.name = test.name;
+  out.class_name = test.class_name;
+  if (out.class_name.text.empty() && configuration.classes.contains(kUsualClass))
+    out.class_name = {std::string(kUsualClass), test.name.place};
+  out.lets.push_back({subject_name(test), test.subject, "", {}});
+  out.lets.insert(out.lets.end(), test.lets.begin(), test.lets.end());
+  for (std::size_t i = 0; i < test.steps.size(); ++i) {
+    const TestStep& step = test.steps[i];
+    if (step.condition) out.lets.push_back({{name_of_condition(i), step.place}, step.condition, "", {}});
+  }
+  return out;
+}
+
 bool is_named_so(std::string_view path, std::string_view wanted) {
   if (path.size() == wanted.size()) return path == wanted;
   return path.size() > wanted.size() && path.ends_with(wanted) &&
@@ -92,7 +92,7 @@ std::vector<const Test*> tests_of(const Tree& tree) {
   return out;
 }
 
-void Lowering::lower_percept(const TestStep& step, LoweredStep& out) {
+void Lowering::lower_percept(const TestStep& step, const Scope& around, LoweredStep& out) {
   const Word& name = step.percept.callee;
   out.percept = test_percept_named(name.text);
   if (out.percept == nullptr) {
@@ -112,7 +112,9 @@ void Lowering::lower_percept(const TestStep& step, LoweredStep& out) {
   const std::vector<Given> given = given_by(step.percept, scope);
   const std::vector<int> matched = match(name, given, names);
   for (std::size_t i = 0; i < given.size(); ++i) {
-    if (matched[i] >= 0) lower_percept_value(given[i], inputs[static_cast<std::size_t>(matched[i])], out);
+    if (matched[i] < 0) continue;
+    const TestInput& input = inputs[static_cast<std::size_t>(matched[i])];
+    if (may_be_sensed(given[i], input, around, out)) lower_percept_value(given[i], input, out);
   }
   static const std::set<std::string_view> kMayLack = {"heading", "center", "leader", "neighbor"};
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -121,6 +123,38 @@ void Lowering::lower_percept(const TestStep& step, LoweredStep& out) {
     if (std::ranges::find(matched, -1) != matched.end() || kMayLack.contains(inputs[i].name)) continue;
     say_missing(name, names[i], types_.named(inputs[i].type), std::string(inputs[i].help));
   }
+}
+
+bool Lowering::may_be_sensed(const Given& given, const TestInput& input, const Scope& around,
+                             const LoweredStep& step) {
+  const Expression& value = *given.value;
+  const Name* computed = nullptr;
+  for_each_expression(value, [&](const Expression& part) {
+    const auto* name = std::get_if<Name>(&part.what);
+    if (name != nullptr && computed == nullptr && around.names.contains(name->name.text)) computed = name;
+  });
+  if (computed != nullptr) {
+    error("wrong-type", computed->name.place,
+          fmt::format("`{}` is computed by the test, and what is sensed is a constant",
+                      text::shown(computed->name.text)))
+        .hints = {fmt::format("write the value itself: `{} = ...`", input.name)};
+    return false;
+  }
+  const auto* list = std::get_if<List>(&value.what);
+  const bool is_of_lists = list != nullptr && std::ranges::any_of(list->items, [](const ExpressionPtr& item) {
+                             return item && std::holds_alternative<List>(item->what);
+                           });
+  if (list != nullptr && (is_of_lists || input.type != "Point")) {
+    error("wrong-type", value.place, fmt::format("`{}` is one {}, not a list", input.name, input.type))
+        .hints = {step.percept->is_many
+                      ? fmt::format("write `given {}(...);` once for each", step.percept->name)
+                      : fmt::format("there is one `{}` at a time", step.percept->name)};
+    return false;
+  }
+  if (input.type != "object_class" || !std::holds_alternative<Number>(value.what)) return true;
+  error("wrong-type", value.place, "a number is no class of objects").hints = {
+      "classes have names: `Mine`, `Basket`, `Flag`"};
+  return false;
 }
 
 void Lowering::lower_percept_value(const Given& given, const TestInput& input, LoweredStep& out) {
@@ -256,7 +290,7 @@ LoweredTest Lowering::test(const Test& test) {
     one.written = &step;
     one.number = out.steps.size() - 1;
     if (step.kind == TestStep::Kind::kGiven || step.kind == TestStep::Kind::kGivenNo)
-      lower_percept(step, one);
+      lower_percept(step, scope, one);
     if (step.condition) lower_condition(step, scope, one);
     if (one.condition.kind == flow::Source::Kind::kName) awake.insert(one.condition.text);
     const bool waits = step.kind == TestStep::Kind::kAfter || step.when != TestStep::When::kNow;

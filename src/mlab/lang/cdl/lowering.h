@@ -238,7 +238,11 @@ class Lowering {
   void declare_typed(const std::vector<Parameter>& parameters, Scope& scope);
 
   // lower_tests.cc
-  void lower_percept(const TestStep& step, LoweredStep& out);
+  /// @param around  of the test: what it computes is not sensed
+  void lower_percept(const TestStep& step, const Scope& around, LoweredStep& out);
+  /// Says why a test can't say that something is sensed so. True: it can.
+  bool may_be_sensed(const Given& given, const TestInput& input, const Scope& around,
+                     const LoweredStep& step);
   void lower_percept_value(const Given& given, const TestInput& input, LoweredStep& out);
   void lower_condition(const TestStep& step, Scope& scope, LoweredStep& out);
   void lower_fact(const TestStep& step, LoweredStep& out);
