@@ -52,7 +52,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"console",
      {"cell", "documents", "simulated", "language", "lang/mdl", "lang/odl", "lang/envchange",
       "console/server"}},
-    {"designer", {"console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
+    {"designer", {"component_test", "console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
     {"tables", {"lang/mdl"}},
 };
 

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/designer/component_tests/test_runs.h"
 #include "mlab/designer/designer_parts.h"
 #include "mlab/text/shown.h"
 #include "mlab/text/utf8.h"
@@ -55,7 +56,10 @@ Designer::Parts::Parts(DesignerSettings settings, Send send)
           },
           [this](const std::string& document, const std::shared_ptr<const CheckedCode>& code) {
             inbox_->post([this, document, code] { desk_.take(document, code); });
-          }) {
+          }),
+      tests_(std::make_unique<TestRuns>(programs(settings_), [inbox = inbox_](std::function<void()> task) {
+        inbox->post(std::move(task));
+      })) {
   thread_ = std::thread([this] { work(); });
 }
 
@@ -80,7 +84,10 @@ void Designer::Parts::receive(console::ConnectionId from, std::unique_ptr<ToDesi
 }
 
 void Designer::Parts::closed(console::ConnectionId connection) {
-  inbox_->post([this, connection] { clients_.erase(connection); });
+  inbox_->post([this, connection] {
+    clients_.erase(connection);
+    tests_->close(connection);
+  });
 }
 
 double Designer::Parts::now() const {
@@ -101,6 +108,7 @@ void Designer::Parts::work() {
     while (!ends_) {
       for (const console::Inbox::Task& task : tasks) task();
       keep_drafts();
+      look_at_tests();
       publish();
       send_answers();
       start_compilations();
@@ -109,6 +117,7 @@ void Designer::Parts::work() {
     }
     send_beats();
     if (now() - last_look_ > kDiskPause) look_at_disk();
+    look_at_tests();
     keep_drafts();
   }
   desk_.store().sync_drafts(now());
@@ -297,6 +306,18 @@ void Designer::Parts::answer(console::ConnectionId from, Client& client, const T
       return;
     case ToDesigner::kListRevisions:
       list_revisions(from, message.request(), message.list_revisions(), out);
+      return;
+    case ToDesigner::kWatchTests:
+      watch_tests(from, message.watch_tests(), out);
+      return;
+    case ToDesigner::kRunTests:
+      run_tests(message.run_tests());
+      return;
+    case ToDesigner::kShowTestCycle:
+      show_test_cycle(from, message.request(), message.show_test_cycle(), out);
+      return;
+    case ToDesigner::kAddTest:
+      add_test(message.add_test(), out);
       return;
     case ToDesigner::kTry:
       try_out(from, message.request(), message.try_(), out);

@@ -29,6 +29,8 @@
 
 namespace mlab::designer {
 
+class TestRuns;
+
 /// How a designer stands inside. Everything but `inbox_` belongs to its thread.
 class Designer::Parts {
  public:
@@ -186,6 +188,17 @@ class Designer::Parts {
   std::optional<std::string> file_for_git(const OpenConfiguration& one, Answer& out) const;
   void publish_differences(console::ConnectionId to, Client& client);
 
+  // ---- designer_tests.cc
+
+  /// Where something has changed, tests are looked for anew, though not with every letter that is typed.
+  void look_at_tests(bool is_at_once = false);
+  void watch_tests(console::ConnectionId from, const WatchTests& request, Answer& out);
+  void run_tests(const RunTests& request);
+  void show_test_cycle(console::ConnectionId from, std::uint32_t number, const ShowTestCycle& request,
+                       Answer& out);
+  void add_test(const AddTest& request, Answer& out);
+  void publish_tests(console::ConnectionId to, Client& client);
+
   // ---- designer_publish.cc
 
   /// Sends everybody what has changed of what he looks at.
@@ -243,6 +256,9 @@ class Designer::Parts {
   Compiler compiler_;                                                           // posts to the inbox
   std::map<std::string, std::uint32_t> asked_of_git_;  ///< by the job's name: the request that waits for it
   LatestJobs git_jobs_;                                // as well
+  std::unique_ptr<TestRuns> tests_;                    // as well
+  std::string tests_stamp_;                            // of what was open when tests were looked for
+  double last_test_look_ = 0.0;
   std::atomic<bool> ends_ = false;
   std::stop_source jobs_end_;  // stops a C++ compiler that this thread waits for
   std::thread thread_;

@@ -66,6 +66,7 @@ void Designer::Parts::publish_to(console::ConnectionId to, Client& client) {
     send_once(to, client, what, message);
   }
   publish_differences(to, client);
+  publish_tests(to, client);
   // What is no longer looked at is sent anew when somebody looks again.
   std::erase_if(client.sent, [&](const auto& sent) {
     const std::string& what = sent.first;

@@ -89,32 +89,6 @@ std::string free_name(const Model& model, const std::string& wanted) {
   return out;
 }
 
-// What a parameter that has to be given could be; empty: nobody can know.
-std::string stand_in(const cdl::Parameter& parameter) {
-  static const std::map<std::string, std::string, std::less<>> kStandIns = {
-      {"Vector", "DetectGoal(goal = GetOrderGoal())"},
-      {"Pose", "sense_location()"},
-      {"Object", "ClosestObject(sense_objects())"},
-      {"Objects", "sense_objects()"},
-      {"Obstacles", "sense_obstacles()"},
-      {"Robots", "sense_robots()"},
-      {"Ranges", "sense_ranges()"},
-      {"bool", "true"},
-      {"gain", "1"},
-      {"length", "1 m"},
-      {"speed", "1 m/s"},
-      {"angle", "0 deg"},
-      {"duration", "1 s"},
-      {"object_class", "Mine"},
-  };
-  if (const auto known = kStandIns.find(parameter.type.text); known != kStandIns.end()) return known->second;
-  if (parameter.type.text != "double" && parameter.type.text != "int") return "";
-  const std::string unit = parameter.unit.text.empty() ? "" : " " + parameter.unit.text;
-  if (!parameter.low && !parameter.high) return "1" + unit;
-  const cdl::Number& bound = parameter.low ? *parameter.low : *parameter.high;
-  return fmt::format("{}{}", bound.value, bound.unit.text.empty() ? unit : " " + bound.unit.text);
-}
-
 text::SourcePtr with(const Model& model, const std::string& added) {
   std::string text(model.text());
   if (!text.empty() && !text.ends_with('\n')) text += '\n';
@@ -283,6 +257,31 @@ std::string type_name(const std::string& robot, std::set<std::string>& taken) {
 }
 
 }  // namespace
+
+std::string stand_in(const cdl::Parameter& parameter) {
+  static const std::map<std::string, std::string, std::less<>> kStandIns = {
+      {"Vector", "DetectGoal(goal = GetOrderGoal())"},
+      {"Pose", "sense_location()"},
+      {"Object", "ClosestObject(sense_objects())"},
+      {"Objects", "sense_objects()"},
+      {"Obstacles", "sense_obstacles()"},
+      {"Robots", "sense_robots()"},
+      {"Ranges", "sense_ranges()"},
+      {"bool", "true"},
+      {"gain", "1"},
+      {"length", "1 m"},
+      {"speed", "1 m/s"},
+      {"angle", "0 deg"},
+      {"duration", "1 s"},
+      {"object_class", "Mine"},
+  };
+  if (const auto known = kStandIns.find(parameter.type.text); known != kStandIns.end()) return known->second;
+  if (parameter.type.text != "double" && parameter.type.text != "int") return "";
+  const std::string unit = parameter.unit.text.empty() ? "" : " " + parameter.unit.text;
+  if (!parameter.low && !parameter.high) return "1" + unit;
+  const cdl::Number& bound = parameter.low ? *parameter.low : *parameter.high;
+  return fmt::format("{}{}", bound.value, bound.unit.text.empty() ? unit : " " + bound.unit.text);
+}
 
 text::Result<TrialConfiguration> complete_for_trial(const std::shared_ptr<const Model>& model,
                                                     const cdl::Environment& environment,
