@@ -307,6 +307,11 @@ export class Designer {
         store.setState(({ pageDifferences }) => ({ pageDifferences: { ...pageDifferences, [key]: one } }));
         break;
       }
+      case "tests": {
+        const list = body.value;
+        store.setState(({ tests }) => ({ tests: { ...tests, [list.document]: list } }));
+        break;
+      }
       case "marks": {
         const { document, marks } = body.value;
         store.setState((state) => ({ marks: { ...state.marks, [document]: marks } }));
