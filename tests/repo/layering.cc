@@ -53,7 +53,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"console",
      {"cell", "documents", "simulated", "assist", "lang/mdl", "lang/odl", "lang/envchange",
       "console/server"}},
-    {"designer", {"console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
+    {"designer", {"component_test", "console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
     {"tables", {"lang/mdl", "lang/cdl"}},
 };
 

@@ -163,8 +163,9 @@ const WebArrows& web_arrows() {
 
       // The page of `mlab edit`: the only one that knows both.
       {"edit/run", {"console/session", "designer/running", "designer/sight"}},
+      {"edit/tests", {"edit/run"}},
       {"edit/panes", {"console/selection", "designer/details", "edit/run"}},
-      {"edit", {"designer", "edit/panes"}},
+      {"edit", {"designer", "edit/panes", "edit/tests"}},
   };
   return kWebArrows;
 }

@@ -36,7 +36,7 @@ import type { Designer } from "./session/designer.ts";
 import { lastPart, pageKey } from "./session/pages.ts";
 import { watchPanes } from "./session/panes.ts";
 import { type Drawing, Drawing_Kind } from "./session/protocol.ts";
-import type { ShownPanes } from "./session/state.ts";
+import { failedTests, type ShownPanes } from "./session/state.ts";
 import { nameOf } from "./session/titles.ts";
 import { DesignerContext, useDesigner, useDocument, useDrawing, usePart } from "./session/use.ts";
 import { transitionOf } from "./states/flow.ts";
@@ -96,7 +96,7 @@ function Page() {
 function Work() {
   const shown = usePart((state) => state.shown);
   const isCompared = usePart((state) => comparedWith(state) !== undefined);
-  const Live = useDesigner().extensions.live;
+  const { live: Live, tests: Tests } = useDesigner().extensions;
   return (
     <>
       <div className="work">
@@ -131,6 +131,7 @@ function Work() {
       </div>
       <UsesPanel />
       {isCompared && <BottomPane name="Differences" header={<DifferencesHeader />} panel={<DifferencesPanel />} />}
+      {shown.tests && Tests && <BottomPane name="Tests" header={<Tests.header />} panel={<Tests.panel />} />}
       {shown.problems && <Problems />}
       <Strip />
     </>
@@ -223,6 +224,7 @@ const kPanes = [
   ["palette", "Components"],
   ["text", "Text"],
   ["problems", "Problems"],
+  ["tests", "Tests"],
   ["live", "Simulator"],
   ["details", "Details"],
 ] as const;
@@ -237,7 +239,7 @@ function Strip() {
     <footer className="strip">
       <span className="columns" style={{ gap: 2 }}>
         {kPanes
-          .filter(([name]) => name !== "live" || designer.extensions.live)
+          .filter(([name]) => (name !== "live" && name !== "tests") || designer.extensions[name])
           .map(([name, title]) => (
             <button
               key={name}
@@ -247,6 +249,7 @@ function Strip() {
               onClick={() => designer.show({ [name]: !shown[name] })}
             >
               {title}
+              {name === "tests" && <FailedTests />}
             </button>
           ))}
       </span>
@@ -263,6 +266,11 @@ function Strip() {
       </span>
     </footer>
   );
+}
+
+function FailedTests() {
+  const failed = usePart((state) => failedTests(state.tests[state.document]));
+  return failed === 0 ? null : <span className="strip-count">{failed} failed</span>;
 }
 
 /** How much stands on the page. */

@@ -6,6 +6,9 @@ import { LiveInputs } from "./panes/live_inputs.tsx";
 import { LiveSide } from "./panes/live_side.tsx";
 import { liveMenu } from "./panes/menu.ts";
 import { RunBar } from "./panes/run_bar.tsx";
+import { testActions } from "./tests/actions.ts";
+import { CycleBanner } from "./tests/cycle_banner.tsx";
+import { TestsHeader, TestsPanel } from "./tests/tests_panel.tsx";
 
 export const extensions: Extensions = {
   run: RunBar,
@@ -13,5 +16,7 @@ export const extensions: Extensions = {
   details: LiveDetails,
   inputs: LiveInputs,
   menu: liveMenu,
-  actions: liveActions,
+  actions: (designer) => [...liveActions(designer), ...testActions(designer)],
+  tests: { header: TestsHeader, panel: TestsPanel },
+  over: CycleBanner,
 };

@@ -1,5 +1,6 @@
 // Before the looks of the designer, which win.
 import "./panes/live.css";
+import "./tests/tests.css";
 
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";

@@ -42,10 +42,11 @@ void set_places(const cdl::LoweredTest& lowered, robot::RobotProgram& program) {
 /// One test while it runs.
 class Run {
  public:
-  Run(const Test& test, std::uint64_t seed) : test_(test), runners_(seed, 1), situation_(test.lowered.steps) {
+  Run(const Test& test, const RunOptions& options)
+      : test_(test), options_(options), runners_(options.seed, 1), situation_(test.lowered.steps) {
     outcome_.name = test.lowered.test->name.text;
-    most_cycles_ =
-        kMostWork / (1 + test.program.program->instruction_count() + 4 * test.lowered.steps.size());
+    work_of_cycle_ = 1 + test.program.program->instruction_count() + 4 * test.lowered.steps.size();
+    most_cycles_ = kMostWork / work_of_cycle_;
   }
 
   Outcome run() {
@@ -53,9 +54,11 @@ class Run {
     member_ = runner_->add({1}, test_.program);
     if (auto problem = runner_->start(member_)) fail_anywhere(*problem);
     for (const cdl::LoweredStep& step : test_.lowered.steps) {
-      if (outcome_.failure) break;
+      if (is_over()) break;
+      step_ = &step;
       take(step);
     }
+    if (outcome_.cycles > 0) outcome_.last = {runner_->save(member_), before_};
     runner_->remove(member_);
     return std::move(outcome_);
   }
@@ -63,6 +66,8 @@ class Run {
  private:
   const flow::Program& program() const { return *test_.program.program; }
   const std::byte* frame() const { return runner_->workings(member_).frame; }
+
+  bool is_over() const { return outcome_.failure.has_value() || outcome_.was_stopped; }
 
   void take(const cdl::LoweredStep& step) {
     switch (step.written->kind) {
@@ -72,7 +77,7 @@ class Run {
         is_looked_at_ = false;
         break;
       case TestStep::Kind::kAfter:
-        for (std::uint32_t i = 0; i < step.cycles && !outcome_.failure; ++i) cycle();
+        for (std::uint32_t i = 0; i < step.cycles && !is_over(); ++i) cycle();
         is_looked_at_ = true;
         break;
       case TestStep::Kind::kExpect:
@@ -86,7 +91,7 @@ class Run {
     if (!std::exchange(is_looked_at_, true)) cycle();
     const bool is_within = step.written->when == TestStep::When::kWithin;
     const std::vector<const flow::Port*> operands = operands_of(step);
-    for (std::uint32_t i = 1; !outcome_.failure; ++i) {
+    for (std::uint32_t i = 1; !is_over(); ++i) {
       check_numbers(step, operands);
       const bool is_so = !outcome_.failure && holds(step);
       if (outcome_.failure || (is_within && is_so)) return;
@@ -137,12 +142,13 @@ class Run {
   }
 
   void cycle() {
-    if (++outcome_.cycles > most_cycles_) {
-      --outcome_.cycles;
-      fail_anywhere(fmt::format("takes more work than a test may: {} of this size",
-                                base::counted(most_cycles_, "cycle")));
+    const bool was_last = options_.last_cycle != 0 && outcome_.cycles == options_.last_cycle;
+    if (was_last || (options_.is_stopped && options_.is_stopped())) {
+      outcome_.was_stopped = true;
       return;
     }
+    if (outcome_.cycles == most_cycles_) return fail_by_work();
+    ++outcome_.cycles;
     program().sequence_states(frame(), before_);
     fault_.clear();
     failure_.clear();
@@ -156,7 +162,7 @@ class Run {
         {member_, &situation_.in_cycle(outcome_.cycles), &action_, &fault_, &failure_}};
     runner_->act(turns);
     runner_->ask();
-    runner_->wait([] { return false; });
+    runner_->wait([this] { return options_.is_stopped && options_.is_stopped(); });
     if (!failure_.empty()) fail_anywhere(failure_);
     if (!fault_.empty()) fail_anywhere(fmt::format("drives by what is no number: `{}`", fault_));
   }
@@ -203,6 +209,18 @@ class Run {
     note(out, std::move(reason));
   }
 
+  // Told where it was when it had done enough: that is the step that lasts too long, or the component is too
+  // large.
+  void fail_by_work() {
+    fail_anywhere(fmt::format("is not done after {} operations, and a test may do no more", kMostWork));
+    Failure& out = *outcome_.failure;
+    out.label = fmt::format("each of its cycles does {} operations", work_of_cycle_);
+    if (step_ == nullptr) return;
+    const text::Place& place = step_->written->place;
+    out.place = place;
+    if (place.source) out.expected = in_short(place.source->text(place.span));
+  }
+
   void note(Failure& out, std::string reason) {
     out.reason = std::move(reason);
     out.cycle = outcome_.cycles;
@@ -210,7 +228,6 @@ class Run {
     for (const cdl::TestAction& one : cdl::test_actions()) {
       if (cdl::is_done(one, action_)) out.actions.emplace_back(one.name);
     }
-    out.frame = runner_->save(member_);
   }
 
   text::Place whole_test() const {
@@ -218,10 +235,13 @@ class Run {
   }
 
   const Test& test_;
+  const RunOptions& options_;
   robot::ProgramRunners runners_;
   robot::ProgramRunner* runner_ = nullptr;
   robot::ProgramRunner::Member member_ = 0;
+  std::uint64_t work_of_cycle_ = 0;  // operations, and things sensed
   std::uint64_t most_cycles_ = 0;
+  const cdl::LoweredStep* step_ = nullptr;  // that is taken
   Situation situation_;
   percept::Action action_;
   std::string fault_;
@@ -268,8 +288,8 @@ Tests load(const text::SourcePtr& source, const robot::ProgramSources& sources, 
   return out;
 }
 
-Outcome run(const Test& test, std::uint64_t seed) {
-  return Run(test, seed).run();
+Outcome run(const Test& test, const RunOptions& options) {
+  return Run(test, options).run();
 }
 
 text::Diagnostic told(const Failure& failure) {

@@ -49,20 +49,35 @@ struct Failure {
   std::vector<Said> said;            ///< what it takes its value from, in that cycle
   std::vector<std::string> states;   ///< of sequences that ran in that cycle, by their paths
   std::vector<std::string> actions;  ///< what the robot did in it besides moving
-  /// All values of that cycle, for who shows them; of the test's program.
-  flow::Frame frame;
+};
+
+/// All values of a cycle, for who shows them; of the test's program.
+struct Moment {
+  flow::Frame frame;  ///< empty: no cycle ran
+  /// How sequences stood before the cycle.
+  std::vector<flow::Program::SequenceState> before;
 };
 
 struct Outcome {
   std::string name;
   std::uint64_t cycles = 0;  ///< that it ran
   std::optional<Failure> failure;
+  bool was_stopped = false;  ///< by its RunOptions: whether it passes is not known
+  Moment last;               ///< of the last cycle that it ran
 
-  bool has_passed() const { return !failure.has_value(); }
+  bool has_passed() const { return !failure.has_value() && !was_stopped; }
+};
+
+struct RunOptions {
+  std::uint64_t seed = 1;
+  /// Ends with this cycle, from 1; 0: with the test.
+  std::uint64_t last_cycle = 0;
+  /// Asked before each cycle, and while a process of its own computes one: nobody wants it any more.
+  std::function<bool()> is_stopped = {};
 };
 
 /// Runs a test. The same for the same seed.
-Outcome run(const Test& test, std::uint64_t seed);
+Outcome run(const Test& test, const RunOptions& options);
 
 /// The failure as a diagnostic of kind `failed-expectation`.
 text::Diagnostic told(const Failure& failure);

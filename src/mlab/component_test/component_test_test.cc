@@ -21,7 +21,7 @@ Outcome outcome_of(const std::string& text, std::uint64_t seed = 1) {
   const Tests all = tests_in(text, sink);
   EXPECT_TRUE(sink.items().empty()) << text::render(sink);
   EXPECT_EQ(all.tests.size(), 1U);
-  return all.tests.empty() ? Outcome{} : run(all.tests.front(), seed);
+  return all.tests.empty() ? Outcome{} : run(all.tests.front(), {.seed = seed});
 }
 
 std::string failure_of(const std::string& text) {
@@ -237,6 +237,57 @@ TEST(ComponentTest, SlipsAreToldAtTheirPlaces) {
             std::string::npos);
 }
 
+TEST(ComponentTest, WhatIsSensedIsAConstantAndOneThing) {
+  const auto expect_told = [](const std::string& steps, std::string_view message) {
+    const std::string told =
+        errors_of("test \"x\" of Noise() { let here = GetPose(); " + steps + " expect length(it) >= 0; }");
+    EXPECT_NE(told.find(message), std::string::npos) << steps << "\n" << told;
+  };
+  expect_told("given obstacle(at = here);",
+              "`here` is computed by the test, and what is sensed is a constant");
+  expect_told("given obstacle(at = [1 m, 0 m], radius = length(it));", "`it` is computed by the test");
+  expect_told("given obstacle(at = [1 m, 0 m], radius = length(it));",
+              "write the value itself: `radius = ...`");
+  expect_told("given obstacle(at = [[1 m, 0 m], [2 m, 0 m]]);", "write `given obstacle(...);` once for each");
+  expect_told("given obstacle([1 m, 0 m], [2 m, 0 m]);", "`radius` is one length, not a list");
+  expect_told("given self(at = [[1 m, 0 m], [2 m, 0 m]]);", "there is one `self` at a time");
+  expect_told("given object(3, at = [1 m, 0 m]);", "a number is no class of objects");
+}
+
+TEST(ComponentTest, AStateMayStandOnALineOfItsOwn) {
+  EXPECT_TRUE(outcome_of(std::string(kFetching) + R"(
+test "x" of Fetching() {
+  expect
+    state
+      Searching;
+  expect no action
+    PickUp;
+})")
+                  .has_passed());
+}
+
+TEST(ComponentTest, ARunEndsWhereItIsToldToWithTheValuesOfThatCycle) {
+  text::Diagnostics sink;
+  const Tests all = tests_in(
+      "test \"x\" of Noise() { expect for 20 cycles: length(it) < 0; }\n"
+      "test \"y\" of Noise() { expect for 20 cycles: length(it) >= 0; }",
+      sink);
+  ASSERT_EQ(all.tests.size(), 2U) << text::render(sink);
+  const Outcome failed = run(all.tests[0], {});
+  EXPECT_EQ(failed.cycles, 1U);
+  EXPECT_EQ(flow::Program::cycle(failed.last.frame.data()), 1U);
+  const Outcome part = run(all.tests[1], {.last_cycle = 7});
+  EXPECT_EQ(part.cycles, 7U);
+  EXPECT_TRUE(part.was_stopped);
+  EXPECT_FALSE(part.has_passed());
+  EXPECT_EQ(flow::Program::cycle(part.last.frame.data()), 7U);
+  EXPECT_TRUE(run(all.tests[1], {.last_cycle = 20}).has_passed());
+  int asked = 0;
+  const Outcome stopped = run(all.tests[1], {.is_stopped = [&] { return ++asked > 4; }});
+  EXPECT_EQ(stopped.cycles, 4U);
+  EXPECT_FALSE(stopped.has_passed());
+}
+
 TEST(ComponentTest, WhatIsNoNumberIsToldAsSuch) {
   const std::string told = failure_of(R"(
 test "x" of DivideVector(Noise(), 0) { expect length(it) > 100; }
@@ -324,7 +375,7 @@ TEST(Library, TestsNoticeABehaviorThatDoesNothing) {
   text::Diagnostics sink;
   const Tests all = tests_in(text, sink);
   std::size_t failed = 0;
-  for (const component_test::Test& test : all.tests) failed += run(test, 1).has_passed() ? 0 : 1;
+  for (const component_test::Test& test : all.tests) failed += run(test, {}).has_passed() ? 0 : 1;
   EXPECT_EQ(failed, 3U) << "those that go away from something";
 }
 
@@ -339,7 +390,7 @@ TEST(Library, DoesWhatTheTestsBesideItSay) {
     const Tests all = load(*source, {}, sink);
     EXPECT_TRUE(sink.items().empty()) << text::render(sink);
     for (const component_test::Test& test : all.tests) {
-      const Outcome outcome = run(test, 1);
+      const Outcome outcome = run(test, {});
       ++count;
       EXPECT_TRUE(outcome.has_passed())
           << text::render(told(*outcome.failure)) << testing::PrintToString(findings(*outcome.failure));

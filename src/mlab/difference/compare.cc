@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <concepts>
 #include <string_view>
 #include <type_traits>
@@ -282,6 +283,30 @@ class FileComparison {
     Prints prints(renames);
     compare_members(was.what, is.what, prints, out);
   }
+  // By name; those of one name that differ are told with what they say before and after.
+  static void compare_test_lets(const std::vector<cdl::Let>& was, const std::vector<cdl::Let>& is,
+                                Prints& prints, Difference& out) {
+    const auto named = [](const std::vector<cdl::Let>& lets, const std::string& name) {
+      const auto found = std::ranges::find(lets, name, [](const cdl::Let& let) { return let.name.text; });
+      return found == lets.end() ? nullptr : &*found;
+    };
+    const auto words = [](const cdl::Let* let) {
+      return let == nullptr || !let->value ? std::string() : words_of(*let->value);
+    };
+    const std::size_t before = out.details.size();
+    for (const cdl::Let& let : was) {
+      const cdl::Let* after = named(is, let.name.text);
+      if (after == nullptr || prints.before.of(let.value) != prints.after.of(after->value))
+        out.details.push_back({"let " + let.name.text, words(&let), words(after)});
+    }
+    for (const cdl::Let& let : is) {
+      if (named(was, let.name.text) == nullptr)
+        out.details.push_back({"let " + let.name.text, "", words(&let)});
+    }
+    // Their order, or the words of their help.
+    if (out.details.size() == before && prints.before.of(was) != prints.after.of(is))
+      out.details.push_back({"lets", "", ""});
+  }
   // Step by step where only words of steps differ.
   static void compare_own(const cdl::Test& was, const cdl::Test& is, const Renames& renames,
                           Difference& out) {
@@ -291,8 +316,7 @@ class FileComparison {
           {"subject", was.subject ? words_of(*was.subject) : "", is.subject ? words_of(*is.subject) : ""});
     if (renames.declaration(was.class_name.text) != is.class_name.text)
       note(out, "class", was.class_name.text, is.class_name.text);
-    if (prints.before.of(was.lets) != prints.after.of(is.lets))
-      out.details.push_back({"lets", fmt::format("{}", was.lets.size()), fmt::format("{}", is.lets.size())});
+    compare_test_lets(was.lets, is.lets, prints, out);
     const std::size_t most = std::max(was.steps.size(), is.steps.size());
     const auto words = [](const cdl::Test& test, std::size_t i) {
       if (i >= test.steps.size()) return std::string();

@@ -346,5 +346,15 @@ TEST(Difference, OfThousandsThatWereRenamedTakesNoSquare) {
   EXPECT_LT(large, 25.0 * small + 0.5);
 }
 
+TEST(Difference, TellsWhichLetOfATestSaysSomethingElse) {
+  const std::string before = "test \"x\" of Stand() { let a = Noise(); let b = Stand(); expect a == b; }\n";
+  const Lines told = differences(before, replaced(before, "a = Noise()", "a = Wander()"));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("let a Noise() -> Wander()"), std::string::npos) << told[0];
+  const Lines gone = differences(before, replaced(before, "let b = Stand(); ", ""));
+  ASSERT_EQ(gone.size(), 1U);
+  EXPECT_NE(gone[0].find("let b"), std::string::npos) << gone[0];
+}
+
 }  // namespace
 }  // namespace mlab::difference

@@ -7,7 +7,7 @@ export function viewActions(designer: Designer): Action[] {
   const { store, state } = designer;
   const { shown } = state;
   const toggle = (
-    name: "palette" | "details" | "text" | "problems" | "minimap" | "grid" | "live",
+    name: "palette" | "details" | "text" | "problems" | "minimap" | "grid" | "live" | "tests",
     label: string,
     shortcut: string,
   ): Action => ({
@@ -25,6 +25,7 @@ export function viewActions(designer: Designer): Action[] {
     toggle("problems", "the problems", "p"),
     toggle("minimap", "the overview", "m"),
     toggle("grid", "the grid", "g"),
+    ...(designer.extensions.tests ? [toggle("tests", "the tests", "shift+t")] : []),
     ...(designer.extensions.live ? [toggle("live", "the map", "r")] : []),
     {
       id: "theme",

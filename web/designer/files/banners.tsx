@@ -30,8 +30,10 @@ export function Banners() {
 
 /** What comes and goes while somebody works: over the drawing, which must not move under the pointer. */
 export function FloatingBanners() {
+  const Over = useDesigner().extensions.over;
   return (
     <div className="floating-banners">
+      {Over && <Over />}
       <ChangedBanner />
       <OutdatedBanner />
       <NoticeBanner />

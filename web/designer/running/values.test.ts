@@ -20,3 +20,15 @@ test("only who shows a value that changed hears of it", () => {
   values.set(new Map([[liveKey("Wander", "a"), { text: "2" }]]));
   expect(heard).toHaveLength(4);
 });
+
+test("values of a test stand in place of those of a run, which come back when they go", () => {
+  const values = new LiveValues();
+  const seen: (string | undefined)[] = [];
+  values.subscribe("a", () => seen.push(values.get("a")?.text));
+  values.set(new Map([["a", { text: "1" }]]));
+  values.showInstead(new Map([["a", { text: "test" }]]));
+  values.set(new Map([["a", { text: "2" }]]));
+  expect(values.isEmpty).toBe(false);
+  values.showInstead(null);
+  expect(seen).toEqual(["1", "test", "2"]);
+});

@@ -25,18 +25,33 @@ export function liveKey(page: string, live: string): string {
 
 export class LiveValues {
   private values: ReadonlyMap<string, LiveValue> = new Map();
+  /** What runs, while something else is shown in its place. */
+  private ofRun: ReadonlyMap<string, LiveValue> = new Map();
+  private isInstead = false;
   private readonly listeners = new Map<string, Set<() => void>>();
 
   get(key: string): LiveValue | undefined {
     return this.values.get(key);
   }
 
+  /** Nothing is known of what runs. */
   get isEmpty(): boolean {
-    return this.values.size === 0;
+    return this.ofRun.size === 0;
   }
 
   /** All that is known now; what is not in it is known no more. */
   set(values: ReadonlyMap<string, LiveValue>): void {
+    this.ofRun = values;
+    if (!this.isInstead) this.show(values);
+  }
+
+  /** Values of something else, in place of those of what runs; null: of what runs again. */
+  showInstead(values: ReadonlyMap<string, LiveValue> | null): void {
+    this.isInstead = values !== null;
+    this.show(values ?? this.ofRun);
+  }
+
+  private show(values: ReadonlyMap<string, LiveValue>): void {
     const before = this.values;
     this.values = values;
     for (const [key, listeners] of this.listeners) {

@@ -19,6 +19,10 @@ export interface Extensions {
   readonly run?: ComponentType;
   /** The pane right of the canvas, shown while `shown.live`. */
   readonly live?: ComponentType;
+  /** Below the drawing, shown while `shown.tests`. */
+  readonly tests?: { readonly header: ComponentType; readonly panel: ComponentType };
+  /** Over the drawing, above what else is told there. */
+  readonly over?: ComponentType;
   /** At the end of the details of what is selected; `id` as in `State.selection`. */
   readonly details?: ComponentType<{ drawing: Drawing; id: string }>;
   /** Gives the fields of a node's inputs while it runs. */

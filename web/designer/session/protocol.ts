@@ -7,6 +7,7 @@ export * from "../../generated/mlab/designer_changes_pb.ts";
 export * from "../../generated/mlab/designer_compare_pb.ts";
 export * from "../../generated/mlab/designer_drawing_pb.ts";
 export * from "../../generated/mlab/designer_pb.ts";
+export * from "../../generated/mlab/designer_tests_pb.ts";
 export * from "../../generated/mlab/names_pb.ts";
 
 /** The version that Greeting announces. */

@@ -21,6 +21,7 @@ const kChanges: { readonly [Case in Received["case"]]: (state: State, value: Val
   keeping: (_, { notKept }) => ({ notKept }),
   differences: ({ differences }, all) => ({ differences: { ...differences, [all.document]: all } }),
   pageDifference: ({ pageDifferences }, page) => ({ pageDifferences: { ...pageDifferences, [keyOf(page)]: page } }),
+  tests: ({ tests }, list) => ({ tests: { ...tests, [list.document]: list } }),
   marks: (state, { document, marks }) => ({ marks: { ...state.marks, [document]: marks } }),
 };
 

@@ -6,16 +6,18 @@ import { isRecord, readRecord } from "../../core/stored.ts";
 import type { ThemeChoice } from "../../ui/controls/theme.ts";
 import type { Crumb } from "./crumbs.ts";
 import { pageKey } from "./pages.ts";
-import type {
-  Differences,
-  Document,
-  Drawing,
-  FileChanged,
-  Hello,
-  Mark,
-  PageDifference,
-  Palette,
-  UseList,
+import {
+  type Differences,
+  type Document,
+  type Drawing,
+  type FileChanged,
+  type Hello,
+  type Mark,
+  type PageDifference,
+  type Palette,
+  type TestList,
+  TestList_State,
+  type UseList,
 } from "./protocol.ts";
 
 export type DialogName =
@@ -43,6 +45,8 @@ export interface ShownPanes {
   details: boolean;
   text: boolean;
   problems: boolean;
+  /** Tests of components. */
+  tests: boolean;
   /** The map of the embedded simulator. */
   live: boolean;
   /** The palette has made room for the map or the text, and comes back with its end. */
@@ -125,6 +129,8 @@ export interface State {
   notKept: string;
   /** Probes and breakpoints, by document. */
   marks: Readonly<Record<string, readonly Mark[]>>;
+  /** Tests of components, by the document that they are listed for. */
+  tests: Readonly<Record<string, TestList>>;
   /** What differs from the version that a document is compared with, by document. */
   differences: Readonly<Record<string, Differences>>;
   /** The same on pages, by pageKey. */
@@ -174,6 +180,7 @@ export function firstShown(windowWidth: number): ShownPanes {
     details: true,
     text: windowWidth >= 1700,
     problems: false,
+    tests: false,
     live: false,
     paletteWaits: false,
     minimap: true,
@@ -197,6 +204,7 @@ export function createState(storage: Storage, windowWidth: number): Store {
     changed: {},
     notKept: "",
     marks: {},
+    tests: {},
     differences: {},
     pageDifferences: {},
     showsMoved: false,
@@ -276,6 +284,12 @@ export function aloneAtTheRight(change: Partial<ShownPanes>): Partial<ShownPanes
   return opened ? { text: false, live: false, details: false, ...change } : change;
 }
 
+/** How many did not pass, or could not be run, the last time. */
+export function failedTests(list: TestList | undefined): number {
+  return (list?.tests ?? []).filter(({ state }) => state === TestList_State.FAILED || state === TestList_State.CANT_RUN)
+    .length;
+}
+
 /** After a document has gone: it is not listed any more. */
 export function withoutDocument({ documents, hello }: State, path: string): Partial<State> {
   const { [path]: _gone, ...others } = documents;
@@ -300,6 +314,7 @@ export function withRenamedDocument(state: State, from: string, to: string): Par
     documents: document ? { ...documents, [to]: { ...document, path: to } } : documents!,
     drawings: Object.fromEntries(drawings),
     palettes: moved(state.palettes),
+    tests: moved(state.tests),
     marks: moved(state.marks),
     document: state.document === from ? to : state.document,
     trail: state.trail.map((crumb) => (crumb.document === from ? { ...crumb, document: to } : crumb)),

@@ -130,7 +130,7 @@ void run_file(const text::SourcePtr& source, const TestOptions& options, Tally& 
     if (!has_title && !options.quiet) fmt::print("{}\n", text::shown(source->name(), kLongestName));
     has_title = true;
     show_progress(test);
-    const Outcome outcome = component_test::run(test, options.seed);
+    const Outcome outcome = component_test::run(test, {.seed = options.seed});
     tell_outcome(options, outcome);
     ++(outcome.has_passed() ? tally.passed : tally.failed);
   }

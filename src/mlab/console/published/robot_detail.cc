@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -74,25 +75,15 @@ void encode_ports(const FleetRobot& robot, const DetailWishes& wishes, RobotDeta
   const flow::Program& program = *robot.workings().program;
   const std::byte* const frame = robot.workings().frame;
   const std::vector<std::uint32_t> ran = program.ran(frame, wishes.before, robot.workings().interventions);
-  const auto encode = [&](std::uint32_t index) {
-    const flow::Port& port = program.ports()[index];
-    out.add_ports(clean(flow::Program::print(frame, port)));
-    append(*out.mutable_numbers(),
-           flow::Program::number(frame, port).value_or(std::numeric_limits<double>::quiet_NaN()));
-    if (const auto vector = flow::Program::vector(frame, port))
-      append(*out.mutable_vectors(),
-             Arrow{index, static_cast<float>(vector->x), static_cast<float>(vector->y)});
-    out.mutable_active()->push_back(is_active(program, port, ran) ? '\1' : '\0');
-  };
-  if (!wishes.some_ports) {
-    for (std::uint32_t i = 0; i < program.ports().size(); ++i) encode(i);
+  if (wishes.some_ports) {
+    out.set_has_some_ports(true);
+    out.mutable_port_indices()->Assign(wishes.some_ports->begin(), wishes.some_ports->end());
+    encode_port_values(program, frame, ran, *wishes.some_ports, *wishes.some_ports, out);
     return;
   }
-  out.set_has_some_ports(true);
-  for (const std::uint32_t index : *wishes.some_ports) {
-    out.add_port_indices(index);
-    encode(index);
-  }
+  std::vector<std::uint32_t> all(program.ports().size());
+  std::iota(all.begin(), all.end(), 0);
+  encode_port_values(program, frame, ran, all, all, out);
 }
 
 void encode_readings(const run::MissionRun& run, const FleetRobot& robot, RobotDetail& out) {
@@ -125,6 +116,21 @@ void encode_program(const run::MissionRun& run, const FleetRobot& robot, const D
 }
 
 }  // namespace
+
+void encode_port_values(const flow::Program& program, const std::byte* frame,
+                        std::span<const std::uint32_t> ran, std::span<const std::uint32_t> which,
+                        std::span<const std::uint32_t> told_as, RobotDetail& out) {
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const flow::Port& port = program.ports()[which[i]];
+    out.add_ports(clean(flow::Program::print(frame, port)));
+    append(*out.mutable_numbers(),
+           flow::Program::number(frame, port).value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (const auto vector = flow::Program::vector(frame, port))
+      append(*out.mutable_vectors(),
+             Arrow{told_as[i], static_cast<float>(vector->x), static_cast<float>(vector->y)});
+    out.mutable_active()->push_back(is_active(program, port, ran) ? '\1' : '\0');
+  }
+}
 
 std::vector<std::uint32_t> port_indices(const flow::Program& program, std::span<const std::string> paths) {
   std::vector<std::uint32_t> out;

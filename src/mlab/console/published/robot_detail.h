@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -26,6 +27,15 @@ struct DetailWishes {
 /// does.
 void encode_detail(const run::MissionRun& run, const Estimates& estimates, const fleet::FleetRobot& robot,
                    const DetailWishes& wishes, RobotDetail& out);
+
+/// Values of some ports of a program, behind those that `out` has already.
+///
+/// @param ran      Program::ran of the cycle
+/// @param which    indices into the program's ports
+/// @param told_as  what each of them is called in `out.vectors`
+void encode_port_values(const flow::Program& program, const std::byte* frame,
+                        std::span<const std::uint32_t> ran, std::span<const std::uint32_t> which,
+                        std::span<const std::uint32_t> told_as, RobotDetail& out);
 
 /// Where the program has these ports, ascending; those that it does not have are left out.
 std::vector<std::uint32_t> port_indices(const flow::Program& program, std::span<const std::string> paths);

@@ -22,16 +22,18 @@ DesignerCore::DesignerCore(DesignerSettings settings, Designer::Send send)
       answers_(clients_),
       start_page_(desk_, settings_.version),
       questions_(desk_),
-      name_orders_(desk_, settings_.state_folder),
+      texts_(desk_, documents::Drafts(settings_.state_folder, desk_.project().folder())),
+      name_orders_(desk_, texts_),
       comparisons_(desk_, clients_, answers_, inbox_),
       trials_(desk_, answers_, inbox_, settings_.try_out,
               // So that it stays known what was executed.
               [this] { keeping_.sync(); }),
       fields_(desk_, trials_, answers_, inbox_, programs(), settings_.look_at_run),
       marks_(desk_, trials_, settings_.state_folder),
+      test_orders_(desk_, texts_, answers_, inbox_, programs()),
       keeping_(desk_, marks_, settings_.tell_not_kept),
       document_orders_(desk_, clients_, keepers()),
-      publisher_({desk_, clients_, start_page_, marks_, comparisons_, keeping_}),
+      publisher_({desk_, clients_, start_page_, marks_, test_orders_, comparisons_, keeping_}),
       compiler_(
           programs(),
           [this](const std::string& document, const std::shared_ptr<const Compiled>& compiled) {
@@ -83,7 +85,10 @@ void DesignerCore::receive(console::ConnectionId from, std::unique_ptr<ToDesigne
 }
 
 void DesignerCore::closed(console::ConnectionId connection) {
-  inbox_->post([this, connection] { clients_.leave(connection); });
+  inbox_->post([this, connection] {
+    clients_.leave(connection);
+    test_orders_.leave(connection);
+  });
 }
 
 // ---- on the designer's thread
@@ -102,6 +107,7 @@ void DesignerCore::work() {
     }
     clients_.send_beats();
     look_at_disk();
+    test_orders_.follow();
   }
   desk_.store().sync_drafts(wall_time());
 }
@@ -111,6 +117,7 @@ void DesignerCore::tell() {
   desk_.follow_texts();
   marks_.follow();
   comparisons_.follow();
+  test_orders_.follow();
   publisher_.publish();
   answers_.send();
 }

@@ -17,10 +17,12 @@
 #include "mlab/designer/session/fields.h"
 #include "mlab/designer/session/mark_keeper.h"
 #include "mlab/designer/session/name_orders.h"
+#include "mlab/designer/session/project_texts.h"
 #include "mlab/designer/session/publisher.h"
 #include "mlab/designer/session/questions.h"
 #include "mlab/designer/session/safekeeping.h"
 #include "mlab/designer/session/start_page.h"
+#include "mlab/designer/session/test_orders.h"
 #include "mlab/designer/session/trials.h"
 #include "mlab/designer/trial/compiler.h"
 
@@ -67,11 +69,13 @@ class DesignerCore {
   Answers answers_;
   StartPage start_page_;
   Questions questions_;
+  ProjectTexts texts_;
   NameOrders name_orders_;
   Comparisons comparisons_;
   Trials trials_;
   Fields fields_;
   MarkKeeper marks_;
+  TestOrders test_orders_;
   Safekeeping keeping_;
   DocumentOrders document_orders_;
   Publisher publisher_;

@@ -16,11 +16,7 @@ namespace mlab::designer {
 /// Names of the whole project: where they are used, other names for them, search.
 class NameOrders {
  public:
-  /// @param state_folder  of the user, where the console keeps its drafts as well
-  NameOrders(Desk& desk, const std::string& state_folder)
-      : desk_(desk),
-        texts_(desk, documents::Drafts(state_folder, desk.project().folder())),
-        renaming_(desk, texts_) {}
+  NameOrders(Desk& desk, ProjectTexts& texts) : desk_(desk), texts_(texts), renaming_(desk, texts) {}
 
   void find_uses(const FindUses& request, Answer& out);
   void plan_rename(const PlanRename& request, Answer& out);
@@ -46,7 +42,7 @@ class NameOrders {
   std::optional<assist::Renaming> plan(const NameAt& at, const std::string& name, Answer& out);
 
   Desk& desk_;
-  ProjectTexts texts_;
+  ProjectTexts& texts_;
   ProjectRenaming renaming_;
   assist::ProjectIndex index_;
 };

@@ -19,6 +19,7 @@ Order Order::of(ToDesigner::BodyCase body) {
   constexpr auto kNames = &Core::name_orders_;
   constexpr auto kTrials = &Core::trials_;
   constexpr auto kMarks = &Core::marks_;
+  constexpr auto kTests = &Core::test_orders_;
   constexpr auto kComparisons = &Core::comparisons_;
   switch (body) {
     case M::BODY_NOT_SET:
@@ -84,6 +85,15 @@ Order Order::of(ToDesigner::BodyCase body) {
       return {kGreeted, kModels, T::taken<&MarkKeeper::set, &M::set_mark, kMarks>};
     case M::kRemoveMark:
       return {kGreeted, kModels, T::taken<&MarkKeeper::remove, &M::remove_mark, kMarks>};
+
+    case M::kWatchTests:
+      return {kGreeted, kModels, T::taken<&TestOrders::watch, &M::watch_tests, kTests>};
+    case M::kRunTests:
+      return {kGreeted, kModels, T::taken<&TestOrders::run, &M::run_tests, kTests>};
+    case M::kShowTestCycle:
+      return {kGreeted, kModels, T::taken<&TestOrders::show_cycle, &M::show_test_cycle, kTests>};
+    case M::kAddTest:
+      return {kGreeted, kModels, T::taken<&TestOrders::add, &M::add_test, kTests>};
 
     case M::kCompareWith:
       return {kGreeted, kModels, T::taken<&Comparisons::compare_with, &M::compare_with, kComparisons>};

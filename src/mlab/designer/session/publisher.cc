@@ -45,6 +45,7 @@ void Publisher::publish_to(console::ConnectionId to, const Client& client) {
     publish_document(view);
     publish_pages(view);
     publish_differences(view);
+    publish_tests(view);
     // What is no longer looked at is sent anew when somebody looks again.
     std::erase_if(told.topics, [&](const auto& topic) { return topic.second.round != round_; });
   }
@@ -144,6 +145,13 @@ void Publisher::publish_differences(const View& view) const {
       *out.mutable_page_difference() = comparing.page(page.path(), from_.desk.context(document));
     });
   }
+}
+
+void Publisher::publish_tests(const View& view) const {
+  const OpenConfiguration& document = view.document;
+  if (!from_.tests.is_watched_by(view.to, document.path)) return;
+  tell(view, "tests", fmt::format("{}", from_.tests.number()),
+       [&](FromDesigner& out) { *out.mutable_tests() = from_.tests.list(document); });
 }
 
 // ---- messages

@@ -12,6 +12,7 @@
 #include "mlab/designer/session/mark_keeper.h"
 #include "mlab/designer/session/safekeeping.h"
 #include "mlab/designer/session/start_page.h"
+#include "mlab/designer/session/test_orders.h"
 
 namespace mlab::designer {
 
@@ -24,6 +25,7 @@ class Publisher {
     Clients& clients;
     const StartPage& start_page;
     const MarkKeeper& marks;
+    const TestOrders& tests;
     const Comparisons& comparisons;
     const Safekeeping& keeping;
   };
@@ -64,6 +66,7 @@ class Publisher {
   void publish_file(const View& view) const;
   void publish_document(const View& view) const;
   void publish_pages(const View& view) const;
+  void publish_tests(const View& view) const;
   void publish_differences(const View& view) const;
   /// Sends the message where the topic's version is another one than was told last, and says something else.
   /// @param version  nothing: the message is made, and compared

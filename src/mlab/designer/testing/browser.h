@@ -117,6 +117,12 @@ class Browser {
     const std::scoped_lock lock(mutex_);
     return page_differences_[page];
   }
+  TestList tests(const std::string& document) {
+    const std::scoped_lock lock(mutex_);
+    return tests_[document];
+  }
+  /// Only under `waits_for`.
+  const TestList& seen_tests(const std::string& document) { return tests_[document]; }
   std::string folder() const { return folder_.path("project").string(); }
   const Hello& hello() const { return hello_; }
   std::optional<Lists> lists(std::uint32_t who) {
@@ -155,6 +161,7 @@ class Browser {
     if (message.has_differences()) differences_[message.differences().document()] = message.differences();
     if (message.has_page_difference())
       page_differences_[message.page_difference().page().path()] = message.page_difference();
+    if (message.has_tests()) tests_[message.tests().document()] = message.tests();
     if (message.has_lists()) lists_[who] = message.lists();
     if (message.has_file_changed()) changed_[who].push_back(message.file_changed());
   }
@@ -172,6 +179,7 @@ class Browser {
   std::map<std::string, MarkList> marks_;
   std::map<std::string, Differences> differences_;
   std::map<std::string, PageDifference> page_differences_;
+  std::map<std::string, TestList> tests_;
   std::map<std::uint32_t, Lists> lists_;
   std::map<std::uint32_t, std::vector<FileChanged>> changed_;
   Hello hello_;

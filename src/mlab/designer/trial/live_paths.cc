@@ -53,20 +53,31 @@ std::string_view declaring_source(const OwnerGraph& graph) {
   return place.source ? std::string_view(place.source->name()) : std::string_view();
 }
 
+using ShowInstance = std::function<void(const OwnerGraph& graph, const std::string& path)>;
+
+void visit_instances_of(const Model& model, const cdl::Robot& robot, const ShowInstance& show) {
+  const OwnerGraph graph = cdl::model_of(robot, model.components().elaboration());
+  InstanceVisit(model, show).visit(graph, "", 0);
+}
+
 }  // namespace
 
-void visit_instances(const Model& model, std::string_view robot,
-                     const std::function<void(const OwnerGraph& graph, const std::string& path)>& show) {
+void visit_instances(const Model& model, std::string_view robot, const ShowInstance& show) {
   const auto found = model.configuration().robots.find(robot);
-  if (found == model.configuration().robots.end()) return;
-  const OwnerGraph graph = cdl::model_of(*found->second, model.components().elaboration());
-  InstanceVisit(model, show).visit(graph, "", 0);
+  if (found != model.configuration().robots.end()) visit_instances_of(model, *found->second, show);
 }
 
 std::vector<std::string> live_paths(const Model& model, std::string_view robot, std::string_view source,
                                     std::string_view page) {
+  const auto found = model.configuration().robots.find(robot);
+  if (found == model.configuration().robots.end()) return {};
+  return live_paths(model, *found->second, source, page);
+}
+
+std::vector<std::string> live_paths(const Model& model, const cdl::Robot& robot, std::string_view source,
+                                    std::string_view page) {
   std::vector<std::string> out;
-  visit_instances(model, robot, [&](const OwnerGraph& graph, const std::string& path) {
+  visit_instances_of(model, robot, [&](const OwnerGraph& graph, const std::string& path) {
     if (graph.name != owner_of(page) || declaring_source(graph) != source) return;
     const int at = graph.find_page(page);
     if (at < 0) return;

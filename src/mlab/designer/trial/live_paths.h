@@ -21,6 +21,9 @@ void visit_instances(const Model& model, std::string_view robot,
 /// @param source  name of the text that declares the owner
 std::vector<std::string> live_paths(const Model& model, std::string_view robot, std::string_view source,
                                     std::string_view page);
+/// The same of a robot that the text does not declare. It must live as long as the model.
+std::vector<std::string> live_paths(const Model& model, const cdl::Robot& robot, std::string_view source,
+                                    std::string_view page);
 
 using cdl::joined_path;
 

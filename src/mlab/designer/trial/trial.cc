@@ -90,20 +90,6 @@ std::string free_name(const Model& model, const std::string& wanted) {
   return out;
 }
 
-// What a parameter that has to be given could be; empty: nobody can know.
-std::string stand_in(const cdl::Parameter& parameter) {
-  const std::string& type = parameter.type.text;
-  if (const flow::QuantityInfo* quantity = flow::quantity_named(type)) return std::string(quantity->sample);
-  const flow::ValueTypeInfo* const known = flow::value_type_named(type);
-  const bool is_number =
-      known != nullptr && (known->kind == flow::TypeKind::kReal || known->kind == flow::TypeKind::kInteger);
-  if (!is_number) return std::string(known == nullptr ? "" : known->sample);
-  const std::string unit = parameter.unit.text.empty() ? "" : " " + parameter.unit.text;
-  if (!parameter.low && !parameter.high) return std::string(known->sample) + unit;
-  const cdl::Number& bound = parameter.low ? *parameter.low : *parameter.high;
-  return fmt::format("{}{}", bound.value, bound.unit.text.empty() ? unit : " " + bound.unit.text);
-}
-
 text::SourcePtr with(const Model& model, const std::string& added) {
   std::string text(model.text());
   if (!text.empty() && !text.ends_with('\n')) text += '\n';
@@ -272,6 +258,19 @@ std::string type_name(const std::string& robot, std::set<std::string>& taken) {
 }
 
 }  // namespace
+
+std::string stand_in(const cdl::Parameter& parameter) {
+  const std::string& type = parameter.type.text;
+  if (const flow::QuantityInfo* quantity = flow::quantity_named(type)) return std::string(quantity->sample);
+  const flow::ValueTypeInfo* const known = flow::value_type_named(type);
+  const bool is_number =
+      known != nullptr && (known->kind == flow::TypeKind::kReal || known->kind == flow::TypeKind::kInteger);
+  if (!is_number) return std::string(known == nullptr ? "" : known->sample);
+  const std::string unit = parameter.unit.text.empty() ? "" : " " + parameter.unit.text;
+  if (!parameter.low && !parameter.high) return std::string(known->sample) + unit;
+  const cdl::Number& bound = parameter.low ? *parameter.low : *parameter.high;
+  return fmt::format("{}{}", bound.value, bound.unit.text.empty() ? unit : " " + bound.unit.text);
+}
 
 text::Result<TrialConfiguration> complete_for_trial(const std::shared_ptr<const Model>& model,
                                                     const cdl::Environment& environment,

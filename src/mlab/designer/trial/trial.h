@@ -34,6 +34,9 @@ text::Result<TrialConfiguration> complete_for_trial(const std::shared_ptr<const 
                                                     const cdl::Environment& environment,
                                                     const TrialWish& wish);
 
+/// What a parameter that has to be given could be; empty: nobody can know.
+std::string stand_in(const cdl::Parameter& parameter);
+
 /// Where a byte of the completed text stands in the author's; what was added counts as its end or the place
 /// where it was put.
 std::uint32_t place_before_trial(std::string_view author, std::string_view completed, std::uint32_t byte);

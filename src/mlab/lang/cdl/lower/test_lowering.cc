@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "mlab/flow/port_types.h"
+#include "mlab/lang/cdl/syntax/walk.h"
 #include "mlab/lang/cdl/types/units.h"
 #include "mlab/text/shown.h"
 
@@ -117,7 +118,7 @@ LoweredTest TestLowering::test(const Test& test, Scope& scope) {
 }
 
 void TestLowering::step(const TestStep& step, Scope& scope, LoweredStep& out) {
-  if (step.kind == TestStep::Kind::kGiven || step.kind == TestStep::Kind::kGivenNo) percept(step, out);
+  if (step.kind == TestStep::Kind::kGiven || step.kind == TestStep::Kind::kGivenNo) percept(step, scope, out);
   if (step.condition) condition(step, scope, out);
   const bool waits = step.kind == TestStep::Kind::kAfter || step.when != TestStep::When::kNow;
   if (waits) out.cycles = cycles_of(step);
@@ -134,7 +135,7 @@ void TestLowering::check_extent(const Test& test, const LoweredTest& lowered) {
         "so it can't fail";
 }
 
-void TestLowering::percept(const TestStep& step, LoweredStep& out) {
+void TestLowering::percept(const TestStep& step, const Scope& around, LoweredStep& out) {
   const Word& name = step.percept.callee;
   out.percept = test_percept_named(name.text);
   if (out.percept == nullptr) {
@@ -154,7 +155,9 @@ void TestLowering::percept(const TestStep& step, LoweredStep& out) {
   const std::vector<GivenArgument> given = given_by(step.percept, scope);
   const std::vector<int> matched = parts_.arguments.match(name, given, names);
   for (std::size_t i = 0; i < given.size(); ++i) {
-    if (matched[i] >= 0) percept_value(given[i], inputs[static_cast<std::size_t>(matched[i])], out);
+    if (matched[i] < 0) continue;
+    const TestInput& input = inputs[static_cast<std::size_t>(matched[i])];
+    if (may_be_sensed(given[i], input, around, out)) percept_value(given[i], input, out);
   }
   static const std::set<std::string_view> kMayLack = {"heading", "center", "leader", "neighbor"};
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -164,6 +167,40 @@ void TestLowering::percept(const TestStep& step, LoweredStep& out) {
     parts_.arguments.say_missing(name, names[i], parts_.types.named(inputs[i].type),
                                  std::string(inputs[i].help));
   }
+}
+
+bool TestLowering::may_be_sensed(const GivenArgument& given, const TestInput& input, const Scope& around,
+                                 const LoweredStep& step) {
+  const Expression& value = *given.expression;
+  const Name* computed = nullptr;
+  for_each_expression(value, [&](const Expression& part) {
+    const auto* name = std::get_if<Name>(&part.what);
+    if (name != nullptr && computed == nullptr && around.names.contains(name->name.text)) computed = name;
+  });
+  if (computed != nullptr) {
+    parts_.findings
+        .error("wrong-type", computed->name.place,
+               fmt::format("`{}` is computed by the test, and what is sensed is a constant",
+                           text::shown(computed->name.text)))
+        .hints = {fmt::format("write the value itself: `{} = ...`", input.name)};
+    return false;
+  }
+  const auto* list = std::get_if<List>(&value.what);
+  const bool is_of_lists = list != nullptr && std::ranges::any_of(list->items, [](const ExpressionPtr& item) {
+                             return item && std::holds_alternative<List>(item->what);
+                           });
+  if (list != nullptr && (is_of_lists || input.type != "Point")) {
+    parts_.findings
+        .error("wrong-type", value.place, fmt::format("`{}` is one {}, not a list", input.name, input.type))
+        .hints = {step.percept->is_many
+                      ? fmt::format("write `given {}(...);` once for each", step.percept->name)
+                      : fmt::format("there is one `{}` at a time", step.percept->name)};
+    return false;
+  }
+  if (input.type != "object_class" || !std::holds_alternative<Number>(value.what)) return true;
+  parts_.findings.error("wrong-type", value.place, "a number is no class of objects").hints = {
+      "classes have names: `Mine`, `Basket`, `Flag`"};
+  return false;
 }
 
 void TestLowering::percept_value(const GivenArgument& given, const TestInput& input, LoweredStep& out) {

@@ -17,9 +17,6 @@
 
 namespace mlab::cdl {
 
-/// The robot that a test runs on: what is tested, and what is expected of it, as values that nothing drives.
-Robot robot_of(const Test& test, const Configuration& configuration);
-
 /// Tests: their subject and conditions as nodes of one network, what is sensed as constants.
 class TestLowering {
  public:
@@ -40,7 +37,11 @@ class TestLowering {
 
  private:
   void step(const TestStep& step, Scope& scope, LoweredStep& out);
-  void percept(const TestStep& step, LoweredStep& out);
+  /// @param around  of the test: what it computes is not sensed
+  void percept(const TestStep& step, const Scope& around, LoweredStep& out);
+  /// Says why a test can't say that something is sensed so. True: it can.
+  bool may_be_sensed(const GivenArgument& given, const TestInput& input, const Scope& around,
+                     const LoweredStep& step);
   void percept_value(const GivenArgument& given, const TestInput& input, LoweredStep& out);
   void condition(const TestStep& step, Scope& scope, LoweredStep& out);
   void fact(const TestStep& step, LoweredStep& out);

@@ -42,6 +42,10 @@ struct LoweredTest {
   std::vector<LoweredStep> steps;
 };
 
+/// The robot that a test runs on: what is tested, and what is expected of it, as values that nothing drives.
+/// They are called as the nodes of its network are.
+Robot robot_of(const Test& test, const Configuration& configuration);
+
 /// The tests of a file, in the order of its text.
 std::vector<const Test*> tests_of(const Tree& tree);
 /// What conditions call the value of what is tested.

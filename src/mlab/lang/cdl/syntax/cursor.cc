@@ -74,6 +74,22 @@ bool Cursor::is_before_name() const {
   return source_->text({token().span.end, tokens_[at_ + 1].span.begin}).find('\n') == std::string_view::npos;
 }
 
+bool Cursor::is_before_path_and(std::string_view word) const {
+  std::size_t at = at_ + 1;
+  const auto is_name = [&] { return at < tokens_.size() && tokens_[at].kind == Token::Kind::kName; };
+  const auto is_word = [&](std::string_view wanted) {
+    return at < tokens_.size() && source_->text(tokens_[at].span) == wanted;
+  };
+  if (at_end() || !is_name()) return false;
+  ++at;
+  while (is_word(".")) {
+    ++at;
+    if (!is_name()) return false;
+    ++at;
+  }
+  return is_word(word);
+}
+
 bool Cursor::starts_line() const {
   if (at_ == 0) return true;
   const std::uint32_t end = last_end();

@@ -38,6 +38,8 @@ class Cursor {
   bool is_before(Token::Kind kind) const { return !at_end() && tokens_[at_ + 1].kind == kind; }
   /// Whether a name follows on the same line that is no word of an expression.
   bool is_before_name() const;
+  /// Whether a name follows, or names joined by dots, and this word behind them.
+  bool is_before_path_and(std::string_view word) const;
   /// Whether this token stands on another line than the one before it.
   bool starts_line() const;
   /// Whether a declaration starts here: one of its words at the start of a line, and a name behind it.

@@ -44,7 +44,8 @@ bool parse_test_wait(Cursor& cursor, TestStep& into) {
 // `state Searching`, `no action PickUp`. Where something else follows these are names of a condition.
 bool at_fact(const Cursor& cursor) {
   const bool is_typed = cursor.keeps_parts() && cursor.is_before(Token::Kind::kEnd);
-  return cursor.is_any({"state", "action"}) && (cursor.is_before_name() || is_typed);
+  return cursor.is_any({"state", "action"}) &&
+         (cursor.is_before_name() || cursor.is_before_path_and(";") || is_typed);
 }
 
 bool parse_fact(Cursor& cursor, TestStep& into) {
