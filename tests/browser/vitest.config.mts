@@ -14,8 +14,7 @@ class LongestFirst extends BaseSequencer {
   }
 }
 
-// Each test has an mlab and a page of its own. A third of the time it waits for them: with as many files of tests side by
-// side as there are processors, these stand idle for that.
+// Each test has an mlab and a page of its own. Most of the time it waits for them, so that files of tests run side by side.
 export default defineConfig({
   root: import.meta.dirname,
   test: {
@@ -23,7 +22,7 @@ export default defineConfig({
     globalSetup: "./one_browser.ts",
     include: ["**/*.test.ts"],
     sequence: { sequencer: LongestFirst },
-    maxWorkers: Math.min(4, availableParallelism() + 1),
+    maxWorkers: Math.min(4, availableParallelism()),
     testTimeout: 300_000,
     hookTimeout: 120_000,
     expect: { poll: { timeout: 90_000 } },
