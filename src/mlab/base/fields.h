@@ -25,6 +25,7 @@ consteval std::size_t count_fields() {
 /// of them does it with those that are added later, too.
 /// @tparam T  an aggregate of at most 24 fields, none of which is an array of C's
 template <class T>
+// NOLINTNEXTLINE(readability-function-size): a branch for each number of fields
 constexpr auto fields_of(T& value) {
   constexpr std::size_t kCount = count_fields<std::remove_const_t<T>>();
   static_assert(kCount >= 1 && kCount <= 24);

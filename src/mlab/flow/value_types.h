@@ -89,10 +89,10 @@ inline constexpr std::array kValueTypes = {
                   "", "ZeroCount", "it is always 0", "1", "whole number"},
     ValueTypeInfo{ValueType::kObjectClasses, "ObjectClasses", TypeKind::kMask, "ObjectClasses",
                   "OneObjectClass", "thing", !kForParameters, !kSensed, "", "NoClasses", "it gives no class",
-                  "", "set of classes: `\"Flag\\|Basket\"`, `\"AnyObject\"`"},
+                  "", R"(set of classes: `"Flag\|Basket"`, `"AnyObject"`)"},
     ValueTypeInfo{ValueType::kFormation, "Formation", TypeKind::kChoice, "Formation", "gt_Formation",
                   "percept", !kForParameters, !kSensed, "", "NoFormation", "it gives none", "",
-                  "`\"Column\"`, `\"Wedge-Left\"`"},
+                  R"(`"Column"`, `"Wedge-Left"`)"},
     ValueTypeInfo{ValueType::kFormationReference, "FormationReference", TypeKind::kChoice,
                   "FormationReference", "", "percept", !kForParameters, !kSensed, "", "NoFormationReference",
                   "it gives the usual one", "", "what a formation is kept to: `\"Leader\"`"},
@@ -135,7 +135,7 @@ inline constexpr std::array kQuantities = {
     QuantityInfo{"flag", ValueType::kBool, "", "true", "`true` or `false`"},
     QuantityInfo{"count", ValueType::kInt, "", "1", "a whole number"},
     QuantityInfo{"text", ValueType::kText, "", "", "`\"...\"`"},
-    QuantityInfo{"object_class", ValueType::kObjectClasses, "", "Mine", "`Flag`, `\"Flag\\|Basket\"`"},
+    QuantityInfo{"object_class", ValueType::kObjectClasses, "", "Mine", R"(`Flag`, `"Flag\|Basket"`)"},
 };
 /// Null where there is none of that name.
 constexpr const QuantityInfo* quantity_named(std::string_view name) {
