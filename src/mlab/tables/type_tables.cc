@@ -31,7 +31,7 @@ std::string longest_first(std::vector<std::string_view> words) {
 }
 
 std::string row(std::string_view name, const ValueTypeInfo& type, bool is_quantity) {
-  std::string out = fmt::format("  {{ name: \"{}\", flow: \"{}\"", name, type.look);
+  std::string out = fmt::format(R"(  {{ name: "{}", flow: "{}")", name, type.look);
   if (is_quantity) out += ", isQuantity: true";
   if (type.kind == TypeKind::kInteger) out += ", isWhole: true";
   if (is_quantity || type.is_for_parameters) out += ", isForParameters: true";
