@@ -198,7 +198,9 @@ export class DesignerPage {
   }
 }
 
+/** Once it stands still. */
 async function middle(of: Locator): Promise<{ x: number; y: number }> {
+  await (await of.elementHandle())?.waitForElementState("stable");
   const box = await of.boundingBox();
   if (!box) throw new Error(`nothing to be seen of ${of}`);
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };

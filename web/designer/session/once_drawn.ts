@@ -1,16 +1,24 @@
 import type { Designer } from "./designer.ts";
 
-/** What the next drawing is to bring: it may come a moment after the answer. */
+/** [ms] A machine that has much else to do takes its time. */
+const kPatience = 30_000;
+
+/** What the next drawing of this page is to bring: it may come a moment after the answer. */
 export function onceDrawn<T>(designer: Designer, look: () => T | undefined): Promise<T | undefined> {
+  const { document, page } = designer.state;
   return new Promise((resolve) => {
     const found = look();
     if (found !== undefined) return resolve(found);
-    const done = () => {
+    const end = (brought: T | undefined) => {
       clearTimeout(timer);
       stop();
-      resolve(look());
+      resolve(brought);
     };
-    const timer = setTimeout(done, 1500);
-    const stop = designer.store.subscribe(() => look() !== undefined && done());
+    const timer = setTimeout(() => end(undefined), kPatience);
+    const stop = designer.store.subscribe((now) => {
+      if (now.document !== document || now.page !== page) return end(undefined);
+      const brought = look();
+      if (brought !== undefined) end(brought);
+    });
   });
 }
