@@ -48,10 +48,11 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"run", {"fleet"}},
     {"simulated", {"run"}},
     {"assist", {"run", "lang/mdl", "lang/odl", "lang/envchange"}},
+    {"project", {"documents", "assist"}},
     {"lsp", {"documents", "assist"}},
     {"console/server", {"base"}},
     {"console",
-     {"cell", "documents", "simulated", "assist", "lang/mdl", "lang/odl", "lang/envchange",
+     {"cell", "documents", "simulated", "assist", "project", "lang/mdl", "lang/odl", "lang/envchange",
       "console/server"}},
     {"designer", {"component_test", "console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
     {"tables", {"lang/mdl", "lang/cdl"}},
@@ -64,11 +65,12 @@ const std::map<std::string, Modules, std::less<>> kKept = {
 };
 
 /// Whose messages a file of proto/mlab holds, by how its name begins.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kMessages = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kMessages = {{
     {"robot", "robot/wire"},
     {"percepts_file", "recording"},
     {"console", "console"},
     {"designer", "designer"},
+    {"names", "project"},
 }};
 
 /// The module of a path such as `mlab/lang/odl/parser.h`; empty where it is none of ours. Messages belong to

@@ -105,6 +105,7 @@ const WebArrows& web_arrows() {
       {"ui/commands", {"ui/controls"}},
       {"ui/files", {"ui/controls"}},
       {"ui/text", {"core"}},
+      {"ui/names", {"ui/controls"}},
 
       // The operator console: what every panel may ask, panels, what shows them.
       {"console/session", {"core/map", "ui/commands"}},
@@ -120,7 +121,7 @@ const WebArrows& web_arrows() {
       {"console/questions", {"console/log", "console/mission"}},
       {"console/calls", {"console/log"}},
       {"console/clients", {"console/session"}},
-      {"console/editor", {"console/session", "ui/files", "ui/text"}},
+      {"console/editor", {"console/session", "ui/files", "ui/names", "ui/text"}},
       {"console/plots", {"console/session"}},
       {"console/settings", {"console/calls"}},
       {"console/start", {"console/session", "ui/files"}},
@@ -137,7 +138,7 @@ const WebArrows& web_arrows() {
 
       // The designer: what the page knows, what a page looks like, what is seen of it, what is done with it.
       {"designer/session", {"ui/commands"}},
-      {"designer/names", {"designer/session"}},
+      {"designer/names", {"designer/session", "ui/names"}},
       {"designer/drawing", {"designer/session"}},
       {"designer/states", {"designer/drawing"}},
       {"designer/arrange", {"designer/states"}},

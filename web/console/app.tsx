@@ -6,6 +6,7 @@ import { Palette, ShortcutSheet } from "./actions/palette.tsx";
 import { useShortcuts } from "./actions/use_shortcuts.ts";
 import { useCalls } from "./calls/use_calls.ts";
 import { HandOverDialog } from "./clients/hand_over.tsx";
+import { RenameDialog } from "./editor/rename_dialog.tsx";
 import { panels } from "./extensions/extensions.ts";
 import { ConfirmDialog } from "./mission/confirm.tsx";
 import { Questions } from "./questions/questions.tsx";
@@ -123,6 +124,8 @@ function Dialogs() {
       return <SaveAsDialog />;
     case "hand-over":
       return <HandOverDialog />;
+    case "rename":
+      return <RenameDialog />;
     case "abort":
     case "restart":
       return <ConfirmDialog />;

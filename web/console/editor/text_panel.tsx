@@ -14,19 +14,26 @@ import { sentence } from "../../ui/words/sentence.ts";
 import { order, save } from "../session/orders.ts";
 import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
 import { type LiveDocument, liveDocuments } from "./live_document.ts";
-import { editorParts } from "./setup.ts";
+import { LookedText, LookedTools } from "./looked_text.tsx";
+import { NameMenu } from "./name_menu.tsx";
+import { tellCursor } from "./names.ts";
+import { cursorOf, editorParts, nameParts, show } from "./setup.ts";
 import { stepAtLine } from "./step_at.ts";
+import { UsesBelow } from "./uses_below.tsx";
 import "../../ui/text/editor.css";
 
 export default function TextPanel() {
   const { ui } = useSession();
   const documents = usePart("documents")?.documents ?? [];
+  const looked = useUi("looked").filter(({ path }) => !documents.some((one) => one.path === path));
   const chosen = useUi("document");
   const [line, setLine] = useState(1);
+  const read = looked.find((one) => one.path === chosen);
   const document = documents.find((one) => one.path === chosen) ?? documents[0];
   if (!document) return <p className="empty">No mission is open.</p>;
+  const shown = read?.path ?? document.path;
   return (
-    <Tabs className="editor" selectedKey={document.path} onSelectionChange={(key) => ui.set("document", String(key))}>
+    <Tabs className="editor" selectedKey={shown} onSelectionChange={(key) => ui.set("document", String(key))}>
       <div className="editor-bar">
         <TabList className="editor-tabs" aria-label="Texts of the mission">
           {documents.map((one) => (
@@ -36,13 +43,26 @@ export default function TextPanel() {
               <ErrorCount document={one} />
             </Tab>
           ))}
+          {looked.map(({ path }) => (
+            <Tab key={path} id={path} className="tab editor-tab">
+              <Icon name="lock" />
+              {nameOf(path)}
+            </Tab>
+          ))}
         </TabList>
         <span className="grow" />
-        <Tools document={document} line={line} />
+        {read ? <LookedTools path={read.path} /> : <Tools document={document} line={line} />}
       </div>
-      <TabPanel id={document.path} className="editor-panel">
-        <Problems document={document} />
-        <Editor key={document.path} document={document} onLine={setLine} />
+      <TabPanel id={shown} className="editor-panel">
+        {read ? (
+          <LookedText key={read.path} {...read} />
+        ) : (
+          <>
+            <Problems document={document} />
+            <Editor key={document.path} document={document} onLine={setLine} />
+          </>
+        )}
+        <UsesBelow />
       </TabPanel>
     </Tabs>
   );
@@ -73,6 +93,7 @@ function Tools({ document, line }: { document: Documents_Document; line: number 
         </Button>
       )}
       {document.isReadOnly && <span className="pill">Example: saved as a copy</span>}
+      <NameMenu />
       <Button icon="save" isDisabled={!isOperator || !edits?.isDirty} onPress={() => save(session)}>
         Save
       </Button>
@@ -129,6 +150,7 @@ function Editor({ document, onLine }: { document: Documents_Document; onLine: (l
         doc: live.text,
         extensions: [
           ...editorParts(session, document.language),
+          nameParts(session, document.path, () => live.flush()),
           readOnly.current.of(EditorState.readOnly.of(!isOperator)),
           EditorView.contentAttributes.of({ "aria-label": `Text of ${document.path}`, tabindex: "0" }),
           EditorView.updateListener.of((update) => {
@@ -143,7 +165,12 @@ function Editor({ document, onLine }: { document: Documents_Document; onLine: (l
     view.current = editor;
     live.view = editor;
     mark(editor, live);
+    const forget = tellCursor(
+      session,
+      cursorOf(document.path, editor, () => live.flush()),
+    );
     return () => {
+      forget();
       void live.flush();
       live.view = null;
       view.current = null;
@@ -159,10 +186,11 @@ function Editor({ document, onLine }: { document: Documents_Document; onLine: (l
   useEffect(() => {
     const editor = view.current;
     if (!editor || !reveal || reveal.document !== document.path || reveal.line < 1) return;
+    if (reveal.span) return show(editor, live.placeOf(reveal.span.begin), live.placeOf(reveal.span.end));
     const { from } = editor.state.doc.line(Math.min(reveal.line, editor.state.doc.lines));
     editor.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
     editor.focus();
-  }, [reveal, document.path]);
+  }, [reveal, document.path, live]);
   return <div ref={host} className="editor-text" />;
 }
 

@@ -2,6 +2,7 @@
 import { lazy } from "react";
 import { CommandTool } from "../command/command_tool.ts";
 import { CommandOptions } from "../command/order_window.tsx";
+import { nameActions } from "../editor/names.ts";
 import { LogPanel } from "../log/log_panel.tsx";
 import { MeasureOptions, makeMeasureTool } from "../measuring/measure_tool.tsx";
 import { MissionPanel } from "../mission/mission_panel.tsx";
@@ -84,4 +85,4 @@ export const tools: readonly Tool[] = [
 ];
 
 /** Beside those of the shell itself. */
-export const actionSources: readonly ActionSource[] = [removeActions];
+export const actionSources: readonly ActionSource[] = [removeActions, nameActions];

@@ -3,6 +3,7 @@
 import type { MapView } from "../../core/map/map_view.ts";
 import type { MapSettings } from "../../core/map_settings.ts";
 import type { Model } from "../../core/model.ts";
+import type { UseList } from "../../core/names.ts";
 import { Store } from "../../core/store.ts";
 import { readRecord } from "../../core/stored.ts";
 import type { ThemeChoice } from "../../ui/controls/theme.ts";
@@ -32,7 +33,23 @@ export type DialogName =
   | "save-as"
   | "hand-over"
   | "leave"
+  | "rename"
   | "";
+
+/** A text that is none of the mission's, and only read. */
+export interface LookedText {
+  path: string;
+  text: string;
+}
+
+/** What was looked for in all files. */
+export type UsesShown = { is: "asking"; word: string } | { is: "found"; list: UseList; places: number };
+
+export interface Notice {
+  text: string;
+  tone: "danger" | "hold" | "accent";
+  action?: { label: string; run: () => void };
+}
 
 export interface UiParts {
   /** As the person wants it; `shownLayout` is what there is room for. */
@@ -52,9 +69,14 @@ export interface UiParts {
   dismissedTo: bigint;
   dismissed: ReadonlySet<bigint>;
   /** Where the text editor shall go; a new object each time. */
-  reveal: { document: string; line: number } | null;
+  reveal: { document: string; line: number; span?: { begin: number; end: number } } | null;
   /** Document that the text editor shows; empty: the first. */
   document: string;
+  /** Shown in the text editor beside the documents. */
+  looked: readonly LookedText[];
+  uses: UsesShown | null;
+  /** What gets another name, and how it is called now. */
+  renaming: { at: { document: string; cursor: number }; first: string } | null;
   /** A line for the command line; a new object each time. */
   draft: { line: string } | null;
   /** An emergency stop was asked for here, and has not been confirmed by every robot. */
@@ -64,7 +86,7 @@ export interface UiParts {
   /** All alerts are listed, not the newest alone. */
   alertsUnfolded: boolean;
   /** Something went wrong that a person should read; shown until dismissed. */
-  notice: { text: string; tone: "danger" | "hold" } | null;
+  notice: Notice | null;
 }
 
 const kKey = "mlab.console";
@@ -89,6 +111,9 @@ export class Ui extends Store<UiParts> {
       dismissed: new Set(),
       reveal: null,
       document: "",
+      looked: [],
+      uses: null,
+      renaming: null,
       draft: null,
       notice: null,
       stopSent: false,

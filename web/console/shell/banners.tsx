@@ -1,4 +1,5 @@
 // What has to be known before anything else.
+import { useEffect } from "react";
 import { Control_Action } from "../../core/protocol.ts";
 import { Banner } from "../../ui/controls/banner.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
@@ -160,11 +161,17 @@ function NotKeptBanner() {
 function Notice() {
   const { ui } = useSession();
   const notice = useUi("notice");
+  useEffect(() => {
+    if (notice?.tone !== "accent") return;
+    const timer = setTimeout(() => ui.set("notice", null), 20000);
+    return () => clearTimeout(timer);
+  }, [notice, ui]);
   if (!notice) return null;
   return (
     <Banner tone={notice.tone} role="alert">
-      <Icon name="warning" />
+      <Icon name={notice.tone === "accent" ? "check" : "warning"} />
       <span className="grow">{sentence(notice.text)}</span>
+      {notice.action && <Button onPress={notice.action.run}>{notice.action.label}</Button>}
       <IconButton icon="close" label="Dismiss" onPress={() => ui.set("notice", null)} />
     </Banner>
   );

@@ -1,12 +1,7 @@
 // Going to a place of a text: its page and what is drawn of it, and the text itself where that is open.
+import type { TextPlace } from "../../ui/names/renaming.ts";
 import type { Designer } from "../session/designer.ts";
 import { AskLanguage_What } from "../session/protocol.ts";
-
-export interface TextPlace {
-  document: string;
-  begin: number;
-  end: number;
-}
 
 export async function goToText(designer: Designer, { document, begin, end }: TextPlace): Promise<void> {
   if (!designer.state.documents[document] && !(await designer.navigation.open(document))) return;

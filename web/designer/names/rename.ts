@@ -1,28 +1,8 @@
 // Giving something another name in all files of the project: what it would change, and doing it.
-import { count } from "../../ui/words/format.ts";
+import { isWide, type RenamingPlan, renamedText } from "../../ui/names/renaming.ts";
 import type { Designer } from "../session/designer.ts";
 import type { Answer, Plan } from "../session/protocol.ts";
 import type { NameAt } from "./at.ts";
-
-/** What a new name would bring. */
-export type RenamingPlan =
-  | { is: "plan"; plan: Plan }
-  | { is: "local" } // it has no name of its own yet: only the page knows it
-  | { is: "refused"; why: string; place?: { document: string; begin: number; end: number } };
-
-export function placesIn({ files }: Pick<Plan, "files">): number {
-  return files.reduce((sum, file) => sum + file.uses.length, 0);
-}
-
-/** More than what is shown changes, or something can't: that is looked at first. */
-export function isWide({ files }: Plan): boolean {
-  return files.length > 1 || files.some((file) => file.kept !== "");
-}
-
-export function summary(plan: Plan): string {
-  const changed = plan.files.filter((file) => file.kept === "");
-  return `${count(placesIn(plan), "place")} in ${count(changed.length, "file")}`;
-}
 
 export async function planRenaming(designer: Designer, at: NameAt, name: string): Promise<RenamingPlan> {
   return read(await designer.link.ask({ case: "planRename", value: { at, name } }));
@@ -45,13 +25,12 @@ export async function carryOut(designer: Designer, at: NameAt, plan: Plan): Prom
   });
   if (!answer.ok) return answer.error;
   followPage(designer, plan);
-  const text = `Renamed ${plan.from} to ${plan.to}: ${summary(plan)}`;
-  const notes = plan.notes.length > 0 ? `. ${plan.notes.join(". ")}` : "";
-  if (!isWide(plan) && notes === "") designer.say(text);
+  const text = renamedText(plan);
+  if (!isWide(plan) && plan.notes.length === 0) designer.say(text);
   else {
     designer.store.setState({
       notice: {
-        text: text + notes,
+        text,
         tone: "accent",
         action: { label: "Take back", run: () => void takeBack(designer) },
       },

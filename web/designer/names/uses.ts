@@ -1,7 +1,7 @@
 // Where something is named.
+import { placesIn } from "../../ui/names/renaming.ts";
 import type { Designer } from "../session/designer.ts";
 import type { NameAt } from "./at.ts";
-import { placesIn } from "./rename.ts";
 
 /** Lists the places below the drawing. */
 export async function showUses(designer: Designer, at: NameAt): Promise<void> {

@@ -2,12 +2,13 @@
 import type { Extension } from "@codemirror/state";
 import { EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
 import { bytesOf, unitsOf } from "../../ui/text/bytes.ts";
+import { cdl } from "../../ui/text/cdl.ts";
+import { nameKeys, wordAtCursor } from "../../ui/text/name_keys.ts";
 import { textEditorParts } from "../../ui/text/parts.ts";
 import { showUses } from "../names/uses.ts";
 import type { Designer } from "../session/designer.ts";
 import { redo, undo } from "../session/documents.ts";
 import { AskLanguage_What } from "../session/protocol.ts";
-import { cdl } from "./cdl.ts";
 import { helpElement } from "./help.ts";
 import type { LiveText } from "./live_text.ts";
 
@@ -23,14 +24,16 @@ export function editorParts(designer: Designer, live: LiveText, document: string
         return result.case === "completions" ? result.value : undefined;
       },
       keys: [
-        { key: "F12", run: (view) => toDefinition(designer, live, document, view) },
-        { key: "F2", run: (view) => renameAt(designer, live, document, view) },
-        { key: "Shift-F12", run: (view) => usesAt(designer, live, document, view) },
         // Undo is the document's: it takes back what was drawn and what was typed in the order in which it was done.
         { key: "Mod-z", run: () => unlessAhead(live, () => undo(designer)) },
         { key: "Mod-y", run: () => unlessAhead(live, () => redo(designer)) },
         { key: "Mod-Shift-z", run: () => unlessAhead(live, () => redo(designer)) },
       ],
+    }),
+    nameKeys({
+      toDefinition: (view) => void toDefinition(designer, live, document, view),
+      uses: (view) => void usesAt(designer, live, document, view),
+      rename: (view) => void renameAt(designer, live, document, view),
     }),
     EditorView.lineWrapping,
     EditorView.contentAttributes.of({ "aria-label": "Text of the configuration", tabindex: "0" }),
@@ -70,37 +73,30 @@ async function hover(
   };
 }
 
-function renameAt(designer: Designer, live: LiveText, document: string, view: EditorView): boolean {
+async function renameAt(designer: Designer, live: LiveText, document: string, view: EditorView): Promise<void> {
   const { head } = view.state.selection.main;
-  const word = view.state.wordAt(head);
-  if (!word) return true;
-  void live.flush().then(() => {
-    const cursor = bytesOf(view.state.doc.toString(), head);
-    const first = view.state.sliceDoc(word.from, word.to);
-    designer.store.setState({ dialog: "rename-name", renaming: { at: { document, cursor }, first } });
-  });
-  return true;
+  const { word: first } = wordAtCursor(view);
+  if (first === "") return;
+  await live.flush();
+  const cursor = bytesOf(view.state.doc.toString(), head);
+  designer.store.setState({ dialog: "rename-name", renaming: { at: { document, cursor }, first } });
 }
 
-function usesAt(designer: Designer, live: LiveText, document: string, view: EditorView): boolean {
-  void live.flush().then(() => {
-    const cursor = bytesOf(view.state.doc.toString(), view.state.selection.main.head);
-    return showUses(designer, { document, cursor });
-  });
-  return true;
+async function usesAt(designer: Designer, live: LiveText, document: string, view: EditorView): Promise<void> {
+  await live.flush();
+  const cursor = bytesOf(view.state.doc.toString(), view.state.selection.main.head);
+  await showUses(designer, { document, cursor });
 }
 
-function toDefinition(designer: Designer, live: LiveText, document: string, view: EditorView): boolean {
-  void live.flush().then(async () => {
-    const cursor = bytesOf(view.state.doc.toString(), view.state.selection.main.head);
-    const answer = await designer.link.ask({
-      case: "askLanguage",
-      value: { document, what: AskLanguage_What.DEFINITION, cursor },
-    });
-    if (answer.result.case !== "location") return;
-    const place = answer.result.value;
-    designer.navigation.goTo(place.document || document, place.page, place.node);
-    designer.store.setState({ reveal: { begin: place.begin, end: place.end, focus: true } });
+async function toDefinition(designer: Designer, live: LiveText, document: string, view: EditorView): Promise<void> {
+  await live.flush();
+  const cursor = bytesOf(view.state.doc.toString(), view.state.selection.main.head);
+  const answer = await designer.link.ask({
+    case: "askLanguage",
+    value: { document, what: AskLanguage_What.DEFINITION, cursor },
   });
-  return true;
+  if (answer.result.case !== "location") return;
+  const place = answer.result.value;
+  designer.navigation.goTo(place.document || document, place.page, place.node);
+  designer.store.setState({ reveal: { begin: place.begin, end: place.end, focus: true } });
 }

@@ -270,7 +270,7 @@ Diagnostic OpenDocuments::message(const text::Diagnostic& diagnostic) const {
 
 // ---- edits
 
-void OpenDocuments::commit(std::string name, const std::vector<Change>& changes, double now) {
+void OpenDocuments::change(const std::vector<Change>& changes, std::string name, double now) {
   store_.change(changes, std::move(name), now);
   check();
 }
@@ -290,7 +290,7 @@ text::Result<bool> OpenDocuments::edit_text(const EditText& request, double now)
   if (text.size() + request.text().size() > text::Source::kMaxBytes)
     return refused("file-too-large", fmt::format("{} would become too large", shown(document->path)));
   const std::string name = request.name().empty() ? fmt::format("edit {}", document->path) : request.name();
-  commit(name, {{document, {{request.begin(), request.end()}, request.text()}}}, now);
+  change({{document, {{request.begin(), request.end()}, request.text()}}}, name, now);
   return true;
 }
 
@@ -346,7 +346,7 @@ text::Result<bool> OpenDocuments::change_map(const std::string& name, bool needs
     return std::unexpected(edits.error());
   }
   changes.insert(changes.end(), more.begin(), more.end());
-  commit(name, changes, now);
+  change(changes, name, now);
   return true;
 }
 
@@ -396,7 +396,8 @@ Documents OpenDocuments::documents_message() const {
   for (const OpenDocument* document : documents()) {
     Documents::Document& to = *out.add_documents();
     to.set_path(document->path);
-    to.set_language(document == mission_file_ ? Complete::MISSION : Complete::OVERLAY);
+    const bool is_mission = document == mission_file_ || document->path.ends_with(".mdl");
+    to.set_language(is_mission ? Complete::MISSION : Complete::OVERLAY);
     to.set_text(std::string(document->text.text()));
     to.set_revision(document->text.revision());
     to.set_is_dirty(document->is_dirty());

@@ -70,14 +70,21 @@ class OpenDocuments {
   text::Result<bool> edit_map(const EditMap& request, double now);
   /// @param seed  in place of one that is 0
   text::Result<bool> create_obstacles(const CreateObstacles& request, std::uint32_t seed, double now);
+  /// Of several documents, as one.
+  void change(const std::vector<documents::Store::Change>& changes, std::string name, double now);
   /// An edit of another kind (a robot's parameter) that has been done already.
   void add_edit(documents::EditLog::Edit edit, double now) { log_->add(std::move(edit), now); }
+  /// The history of all documents.
+  const std::shared_ptr<documents::EditLog>& log() const { return log_; }
   /// False where there is nothing to undo.
   bool undo();
   bool redo();
 
   // ---- files
 
+  /// Opens one beside the mission, with what is kept of unsaved work on it.
+  /// @errors `cannot-read`
+  text::Result<OpenDocument*> open_kept(const std::string& path, double now);
   /// @errors `cannot-write`; `changed-on-disk`: somebody else has changed the file since it was read;
   /// `read-only`.
   ///         What could be saved before the error is saved.
@@ -132,6 +139,7 @@ class OpenDocuments {
   /// the mission.
   KnownNames known_names(const mission::Mission* mission) const;
   /// Sentences for the log that came up since this was asked last: `restored unsaved text of a.mdl`.
+  void add_notice(std::string sentence) { notices_.push_back(std::move(sentence)); }
   std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
 
  private:
@@ -160,8 +168,6 @@ class OpenDocuments {
   OpenDocument& new_document(const std::string& path);
   /// There is a text of that name: a file, or one that was never saved.
   bool is_taken(const std::string& path) const;
-  /// Does the changes, enters them as one edit, and checks.
-  void commit(std::string name, const std::vector<Change>& changes, double now);
   /// For what is about to leave: what is not saved stays as drafts, or an error says what can't.
   text::Result<bool> keep_what_leaves(double now);
   text::Result<bool> save_as(OpenDocument& document, const std::string& path);

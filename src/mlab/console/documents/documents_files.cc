@@ -22,6 +22,16 @@ constexpr const char* kNewOverlay = "MISSION-AREA 1000 1000\n\nCONTROL MEASURES:
 
 }  // namespace
 
+text::Result<OpenDocument*> OpenDocuments::open_kept(const std::string& path, double now) {
+  Found found = open_file(path);
+  if (!found) return found;
+  log_->separate();
+  store_.restore_draft(**found, now);
+  log_->separate();
+  check();
+  return found;
+}
+
 text::Result<bool> OpenDocuments::save(const SaveDocuments& request) {
   ++revision_;
   ++files_revision_;
@@ -159,10 +169,9 @@ text::Result<bool> OpenDocuments::create_mission(const std::string& path, double
 text::Result<bool> OpenDocuments::create_overlay(const std::string& path, double now) {
   if (!is_open()) return refused("no-mission", "an overlay belongs to a mission, and none is open");
   const std::string name = fs::path(project_.disk_path(path)).lexically_relative(mission_folder()).string();
-  commit(fmt::format("new overlay {}", path),
-         {{&new_document(path), {{}, kEmptyOverlay}},
+  change({{&new_document(path), {{}, kEmptyOverlay}},
           {mission_file_, overlay_statement(mission_file_->text.source(), name)}},
-         now);
+         fmt::format("new overlay {}", path), now);
   return true;
 }
 

@@ -51,6 +51,12 @@ Welcome welcome_of(const SessionSettings& settings) {
   return out;
 }
 
+// What the designer keeps of configurations that are not saved.
+documents::Drafts designs_of(const SessionSettings& settings, const documents::ProjectFolder& project) {
+  const std::string& folder = settings.state_folder;
+  return {folder.empty() ? "" : folder + "/designer", project.folder()};
+}
+
 }  // namespace
 
 SessionCore::SessionCore(SessionSettings settings, Session::Send send)
@@ -65,6 +71,8 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
       maker_({settings_, documents_, run_, parameters_, log_, inbox_},
              [this] { return attend_during_cycle(); }),
       document_orders_({documents_, project_, run_, maker_, log_}, settings_.tell_not_kept),
+      name_orders_(documents_, document_orders_, maker_,
+                   {designs_of(settings_, project_), "in the designer"}),
       // So that it stays known what was executed.
       run_orders_(run_, log_, [this] { document_orders_.sync_drafts(); }),
       frames_(run_, people_),

@@ -13,6 +13,7 @@
 #include "mlab/console/session/document_orders.h"
 #include "mlab/console/session/frames.h"
 #include "mlab/console/session/map_picture.h"
+#include "mlab/console/session/name_orders.h"
 #include "mlab/console/session/people.h"
 #include "mlab/console/session/publisher.h"
 #include "mlab/console/session/robot_parameters.h"
@@ -80,6 +81,7 @@ class SessionCore {
   RobotParameters parameters_;
   RunMaker maker_;
   DocumentOrders document_orders_;
+  NameOrders name_orders_;
   RunOrders run_orders_;
   Frames frames_;
   Publisher publisher_;

@@ -43,6 +43,10 @@ class DocumentOrders {
   Answered complete(const Complete& wanted, Reply& reply);
   Answered check(const Check& wanted, Reply& reply);
 
+  /// After a change, or an attempt at one.
+  /// @param what  for the log; empty: it is not told of
+  Answered changed(const Sender& sender, const text::Result<bool>& result, const std::string& what);
+
   // ---- files and drafts
 
   /// Looks at the files now and then. What was changed there is taken over where nothing is unsaved here, and
@@ -55,8 +59,6 @@ class DocumentOrders {
   void sync_drafts();
 
  private:
-  /// After a change, or an attempt at one.
-  Answered changed(const Sender& sender, const text::Result<bool>& result, const std::string& what);
   void note(const Sender& sender, const std::string& what);
   void tell_not_kept();
 

@@ -9,12 +9,14 @@ Order Order::of(ToServer::BodyCase body) {
   using Core = SessionCore;
   using Run = RunOrders;
   using Texts = DocumentOrders;
+  using Names = NameOrders;
   using M = ToServer;
   using T = Table;
   using enum From;
   using enum Inbox::Kind;
   constexpr auto kRun = &Core::run_orders_;
   constexpr auto kDocuments = &Core::document_orders_;
+  constexpr auto kNames = &Core::name_orders_;
   constexpr auto kFrames = &Core::frames_;
   constexpr auto kPeople = &Core::people_;
   constexpr auto kMaker = &Core::maker_;
@@ -43,6 +45,12 @@ Order Order::of(ToServer::BodyCase body) {
       return {kAnybody, kDuringCycle, T::taken<&Texts::check, &M::check, kDocuments>};
     case M::kListFiles:
       return {kAnybody, kDuringCycle, T::taken<&Texts::list_files, &M::list_files, kDocuments>};
+    case M::kFindDefinition:
+      return {kAnybody, kDuringCycle, T::taken<&Names::find_definition, &M::find_definition, kNames>};
+    case M::kFindUses:
+      return {kAnybody, kDuringCycle, T::taken<&Names::find_uses, &M::find_uses, kNames>};
+    case M::kReadText:
+      return {kAnybody, kDuringCycle, T::taken<&Names::read_text, &M::read_text, kNames>};
 
     case M::kControl:
       return {kOperator, kAfterCycle, T::taken_whole<&Core::control, &M::control>};
@@ -91,6 +99,10 @@ Order Order::of(ToServer::BodyCase body) {
       return {kOperator, kDuringCycle, T::taken<&Texts::save, &M::save_documents, kDocuments>};
     case M::kReloadDocument:
       return {kOperator, kAfterCycle, T::taken<&Texts::reload, &M::reload_document, kDocuments>};
+    case M::kPlanRename:
+      return {kOperator, kDuringCycle, T::taken<&Names::plan, &M::plan_rename, kNames>};
+    case M::kRenameEverywhere:
+      return {kOperator, kAfterCycle, T::taken<&Names::rename, &M::rename_everywhere, kNames>};
   }
   return {};
 }

@@ -182,15 +182,18 @@ void RunMaker::load(std::uint64_t seed, const CrewPtr& known) {
   run::RunSettings run_settings = settings_.run;
   run_settings.seed = seed;
   if (documents_.is_trial()) run_settings.executive.patience = 0.0;  // what is tried need not get anywhere
-  workshop_->start([this, number, mission = plain_, run_settings, known, sources = program_sources(),
+  workshop_->start([this, number, mission = plain_, run_settings, made_of = files_,
+                    known = are_programs_old() ? nullptr : known, sources = program_sources(),
                     files = trial_files_] {
     if (number != number_) return;
     const auto problems = std::make_shared<text::Diagnostics>();
     const CrewPtr crew = run::make_crew(mission, sources, *problems, known.get());
     const auto run = std::make_shared<std::unique_ptr<run::MissionRun>>();
     if (crew) *run = simulated::make_run(crew, run_settings);
-    inbox_.post([this, number, crew, run, problems] {
-      if (number == number_) adopt(crew, std::move(*run), *problems);
+    inbox_.post([this, number, made_of, crew, run, problems] {
+      if (number != number_) return;
+      if (crew) made_of_ = made_of;
+      adopt(crew, std::move(*run), *problems);
     });
   });
 }
@@ -252,11 +255,11 @@ void RunMaker::follow_edited_mission() {
 bool RunMaker::change_mission(MissionPtr plain) {
   plain_ = std::move(plain);
   const std::uint64_t number = ++number_;
-  const CrewPtr before = run_.live()->crew();
-  const bool is_quick = std::ranges::all_of(plain_->types, [&](const mission::RobotType& type) {
-    return std::ranges::find(before->programs, type.program, &robot::RobotProgram::name) !=
-           before->programs.end();
-  });
+  const CrewPtr before = are_programs_old() ? nullptr : run_.live()->crew();
+  const bool is_quick = before && std::ranges::all_of(plain_->types, [&](const mission::RobotType& type) {
+                          return std::ranges::find(before->programs, type.program,
+                                                   &robot::RobotProgram::name) != before->programs.end();
+                        });
   if (is_quick) {
     text::Diagnostics problems;
     const CrewPtr crew = run::make_crew(plain_, program_sources(), problems, before.get());
@@ -264,13 +267,16 @@ bool RunMaker::change_mission(MissionPtr plain) {
     return true;
   }
   // Something has to be built, perhaps compiled: the run goes on meanwhile as it was.
-  workshop_->start(
-      [this, number, mission = plain_, before, sources = program_sources(), files = trial_files_] {
-        if (number != number_) return;
-        const auto problems = std::make_shared<text::Diagnostics>();
-        const CrewPtr crew = run::make_crew(mission, sources, *problems, before.get());
-        inbox_.post([this, number, crew, problems] { exchange(number, crew, *problems); });
-      });
+  workshop_->start([this, number, made_of = files_, mission = plain_, before, sources = program_sources(),
+                    files = trial_files_] {
+    if (number != number_) return;
+    const auto problems = std::make_shared<text::Diagnostics>();
+    const CrewPtr crew = run::make_crew(mission, sources, *problems, before.get());
+    inbox_.post([this, number, made_of, crew, problems] {
+      if (crew && number == number_) made_of_ = made_of;
+      exchange(number, crew, *problems);
+    });
+  });
   return false;
 }
 

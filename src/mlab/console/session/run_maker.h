@@ -52,6 +52,9 @@ class RunMaker {
   /// The mission that runs, with what was typed; null: none.
   const mission::Mission* mission() const { return plain_.get(); }
   std::uint64_t seed() const { return seed_; }
+  /// Files that programs are made from have changed: what runs next makes its programs anew.
+  void forget_programs() { ++files_; }
+
   /// Where the programs of the mission that is open come from, and what they may do.
   robot::ProgramSources program_sources() const;
 
@@ -65,6 +68,7 @@ class RunMaker {
 
   /// @param known  programs that need not be built again; null: none
   void load(std::uint64_t seed, const CrewPtr& known = nullptr);
+  bool are_programs_old() const { return made_of_ != files_; }
   void adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run, const text::Diagnostics& problems);
   void take_over(const Trial& trial, const TrialDone& done);
   Answered why_not_taken_over(const Trial& trial) const;
@@ -91,6 +95,8 @@ class RunMaker {
   /// Number of the last load or change of the mission; what older ones bring is thrown away.
   std::atomic<std::uint64_t> number_ = 0;
   std::uint64_t seed_ = 1;
+  std::uint64_t files_ = 0;               // how often files of programs have changed
+  std::uint64_t made_of_ = 0;             // the same when the programs of what runs were made
   MissionPtr from_documents_;             // that the run follows
   MissionPtr plain_;                      // the same with what was typed
   std::vector<std::string> typed_edits_;  // lines that added to the mission

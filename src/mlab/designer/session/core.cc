@@ -21,9 +21,11 @@ DesignerCore::DesignerCore(DesignerSettings settings, Designer::Send send)
       clients_(std::move(send)),
       answers_(clients_),
       start_page_(desk_, settings_.version),
-      questions_(desk_),
-      texts_(desk_, documents::Drafts(settings_.state_folder, desk_.project().folder())),
+      open_texts_(desk_),
+      texts_(open_texts_,
+             {documents::Drafts(settings_.state_folder, desk_.project().folder()), "in the console"}),
       name_orders_(desk_, texts_),
+      questions_(desk_, name_orders_),
       comparisons_(desk_, clients_, answers_, inbox_),
       trials_(desk_, answers_, inbox_, settings_.try_out,
               // So that it stays known what was executed.

@@ -13,11 +13,11 @@
 #include "mlab/designer/session/clients.h"
 #include "mlab/designer/session/comparisons.h"
 #include "mlab/designer/session/desk.h"
+#include "mlab/designer/session/desk_texts.h"
 #include "mlab/designer/session/document_orders.h"
 #include "mlab/designer/session/fields.h"
 #include "mlab/designer/session/mark_keeper.h"
 #include "mlab/designer/session/name_orders.h"
-#include "mlab/designer/session/project_texts.h"
 #include "mlab/designer/session/publisher.h"
 #include "mlab/designer/session/questions.h"
 #include "mlab/designer/session/safekeeping.h"
@@ -25,6 +25,7 @@
 #include "mlab/designer/session/test_orders.h"
 #include "mlab/designer/session/trials.h"
 #include "mlab/designer/trial/compiler.h"
+#include "mlab/project/project_texts.h"
 
 namespace mlab::designer {
 
@@ -68,9 +69,10 @@ class DesignerCore {
   Clients clients_;
   Answers answers_;
   StartPage start_page_;
-  Questions questions_;
-  ProjectTexts texts_;
+  DeskTexts open_texts_;
+  project::ProjectTexts texts_;
   NameOrders name_orders_;
+  Questions questions_;
   Comparisons comparisons_;
   Trials trials_;
   Fields fields_;

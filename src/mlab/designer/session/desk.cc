@@ -14,7 +14,7 @@
 #include "mlab/lang/cdl/syntax/lexer.h"
 #include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
-#include "mlab/library/library.h"
+#include "mlab/project/library_texts.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/robot/program/robot_program.h"
 
@@ -23,21 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kLibrary = "library:";
-constexpr std::string_view kLibraryFolder = "library/";
 constexpr std::string_view kNew = "new:";
 
 using documents::refused;
 using documents::shown;
-
-const library::ConfigurationText* library_text(std::string_view path) {
-  if (!path.starts_with(kLibrary)) return nullptr;
-  const std::string file = std::string(kLibraryFolder) + std::string(path.substr(kLibrary.size()));
-  for (const library::ConfigurationText& one : library::configuration_texts()) {
-    if (one.file == file) return &one;
-  }
-  return nullptr;
-}
+using project::kLibrary;
 
 }  // namespace
 
@@ -103,17 +93,14 @@ const cdl::Environment& Desk::environment() {
 }
 
 std::string Desk::source_name(const std::string& path) const {
-  if (path.starts_with(kLibrary)) return std::string(kLibraryFolder) + path.substr(kLibrary.size());
+  if (path.starts_with(kLibrary)) return project::library_source_name(path);
   if (path.starts_with(kNew))
     return (fs::path(project_.folder()) / (path.substr(kNew.size()) + ".new.cdl")).string();
   return project_.disk_path(path);
 }
 
 std::string Desk::document_of(std::string_view source_name) const {
-  if (source_name.starts_with(kLibraryFolder)) {
-    std::string path = std::string(kLibrary) + std::string(source_name.substr(kLibraryFolder.size()));
-    if (library_text(path) != nullptr) return path;
-  }
+  if (std::string path = project::library_path(source_name); !path.empty()) return path;
   for (const auto& [path, one] : open_) {
     if (one->model && one->model->source()->name() == source_name) return path;
   }
@@ -201,9 +188,9 @@ text::Result<OpenConfiguration*> Desk::open(const std::string& path, double now)
   if (OpenConfiguration* one = find(path)) return one;
   if (path.empty() || is_new(path)) return open_new(path, now);
   if (path.starts_with(kLibrary)) {
-    const library::ConfigurationText* found = library_text(path);
-    if (found == nullptr) return refused("cannot-read", fmt::format("the library has no {}", shown(path)));
-    const auto one = make(path, std::string(found->text));
+    const auto found = project::library_text(path);
+    if (!found) return refused("cannot-read", fmt::format("the library has no {}", shown(path)));
+    const auto one = make(path, std::string(*found));
     one->is_detached = true;
     store_.add(one);
     return add(one);

@@ -7,22 +7,23 @@
 #include "mlab/assist/search.h"
 #include "mlab/assist/service.h"
 #include "mlab/designer/session/desk.h"
-#include "mlab/designer/session/project_renaming.h"
-#include "mlab/designer/session/project_texts.h"
 #include "mlab/designer/session/request.h"
+#include "mlab/project/project_names.h"
 
 namespace mlab::designer {
 
-/// Names of the whole project: where they are used, other names for them, search.
+/// Names of the whole project: where they are declared and used, other names for them, search.
 class NameOrders {
  public:
-  NameOrders(Desk& desk, ProjectTexts& texts) : desk_(desk), texts_(texts), renaming_(desk, texts) {}
+  NameOrders(Desk& desk, project::ProjectTexts& texts);
 
   void find_uses(const FindUses& request, Answer& out);
   void plan_rename(const PlanRename& request, Answer& out);
   void rename_everywhere(const RenameEverywhere& request, Answer& out);
   void undo_rename(Answer& out);
   void search(const Search& request, Answer& out);
+  /// Where what stands at the cursor of an open text is declared.
+  void find_definition(const OpenConfiguration& document, std::uint32_t cursor, Answer& out);
 
  private:
   /// The text and the place in it of what is asked about.
@@ -32,18 +33,10 @@ class NameOrders {
   };
   /// Nothing where it has no name, which the answer says then.
   std::optional<NamePlace> asked_name(const NameAt& at, Answer& out);
-  /// As people know the file.
-  std::string path_of(const text::SourcePtr& source) const;
-  /// Of the source, at the end of a list that is ordered by files.
-  names::File& file_message(const text::SourcePtr& source,
-                            google::protobuf::RepeatedPtrField<names::File>& files);
-  void refuse_name(const assist::Refusal& refusal, Answer& out);
-  /// Nothing where it is refused; else the answer has it as well.
-  std::optional<assist::Renaming> plan(const NameAt& at, const std::string& name, Answer& out);
 
   Desk& desk_;
-  ProjectTexts& texts_;
-  ProjectRenaming renaming_;
+  project::ProjectTexts& texts_;
+  project::ProjectNames names_;
   assist::ProjectIndex index_;
 };
 

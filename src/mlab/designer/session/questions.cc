@@ -25,16 +25,6 @@ console::Completions completions_of(const assist::Completions& found) {
   return out;
 }
 
-void add_location(const Model& model, const std::string& document, text::Span span, Answer& out) {
-  const DrawnAt drawn = drawn_at(model, span.begin);
-  Location& location = *out.mutable_location();
-  location.set_document(document);
-  location.set_begin(span.begin);
-  location.set_end(span.end);
-  location.set_page(drawn.page);
-  location.set_node(drawn.node);
-}
-
 }  // namespace
 
 void Questions::fits(const Fits& request, Answer& out) {
@@ -81,7 +71,7 @@ void Questions::ask_language(const AskLanguage& request, Answer& out) {
       return;
     }
     case AskLanguage::DEFINITION:
-      find_definition(*document, request.cursor(), out);
+      names_.find_definition(*document, request.cursor(), out);
       return;
     case AskLanguage::PAGE:
       add_location(*document->drawn, document->path, {request.cursor(), request.cursor()}, out);
@@ -89,26 +79,6 @@ void Questions::ask_language(const AskLanguage& request, Answer& out) {
     default:
       refuse(out, "this designer does not know that question");
   }
-}
-
-void Questions::find_definition(const OpenConfiguration& document, std::uint32_t cursor, Answer& out) {
-  const assist::Text text{document.model->source(), assist::Language::kConfiguration};
-  const std::optional<text::Place> found = assist::definition(text, cursor, desk_.surroundings());
-  if (!found || !found->source) {
-    refuse(out, "this is declared in no text that could be shown");
-    return;
-  }
-  if (found->source == document.model->source()) {
-    add_location(*document.drawn, document.path, found->span, out);
-    return;
-  }
-  const std::string path = desk_.document_of(found->source->name());
-  if (!path.ends_with(".cdl") && !path.starts_with("new:")) {
-    refuse(out, fmt::format("it is declared in `{}`, line {}", text::shown(found->source->name(), 200),
-                            found->source->line_column(found->span.begin).line));
-    return;
-  }
-  add_location(Model(found->source, desk_.environment()), path, found->span, out);
 }
 
 }  // namespace mlab::designer

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdint>
-
 #include "mlab/designer/session/desk.h"
+#include "mlab/designer/session/name_orders.h"
 #include "mlab/designer/session/request.h"
 
 namespace mlab::designer {
@@ -10,16 +9,15 @@ namespace mlab::designer {
 /// What people ask about a document, which changes nothing.
 class Questions {
  public:
-  explicit Questions(Desk& desk) : desk_(desk) {}
+  Questions(Desk& desk, NameOrders& names) : desk_(desk), names_(names) {}
 
   void ask_language(const AskLanguage& request, Answer& out);
   void describe(const Describe& request, Answer& out);
   void fits(const Fits& request, Answer& out);
 
  private:
-  void find_definition(const OpenConfiguration& document, std::uint32_t cursor, Answer& out);
-
   Desk& desk_;
+  NameOrders& names_;
 };
 
 }  // namespace mlab::designer

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/designer/drawing/drawing.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
@@ -40,6 +41,16 @@ OpenConfiguration* editable(Desk& desk, const std::string& path, Answer& out) {
   refuse(out, fmt::format("`{}` is read only: save it under another name, or make your own copy",
                           text::shown(path, 200)));
   return nullptr;
+}
+
+void add_location(const Model& model, const std::string& document, text::Span span, Answer& out) {
+  const DrawnAt drawn = drawn_at(model, span.begin);
+  Location& location = *out.mutable_location();
+  location.set_document(document);
+  location.set_begin(span.begin);
+  location.set_end(span.end);
+  location.set_page(drawn.page);
+  location.set_node(drawn.node);
 }
 
 }  // namespace mlab::designer

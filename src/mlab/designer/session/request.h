@@ -39,6 +39,9 @@ void refuse(Answer& out, std::string why);
 /// The same, with the problem.
 void fail(Answer& out, const text::Diagnostic& why);
 
+/// Where a place of a document's text is drawn. @param model  of that text
+void add_location(const Model& model, const std::string& document, text::Span span, Answer& out);
+
 /// The document of a request; null where it is not open, which the answer says then.
 OpenConfiguration* opened(Desk& desk, const std::string& path, Answer& out);
 /// The document of a request that changes it; null where it can't, which the answer says then.

@@ -17,7 +17,7 @@ constexpr double kTestFilesPause = 2.0;
 
 }  // namespace
 
-TestOrders::TestOrders(Desk& desk, ProjectTexts& texts, Answers& answers,
+TestOrders::TestOrders(Desk& desk, project::ProjectTexts& texts, Answers& answers,
                        std::shared_ptr<console::Inbox> inbox, const robot::ProgramSources& programs)
     : desk_(desk),
       texts_(texts),

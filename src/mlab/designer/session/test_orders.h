@@ -10,8 +10,8 @@
 #include "mlab/designer/component_tests/test_runs.h"
 #include "mlab/designer/session/answers.h"
 #include "mlab/designer/session/desk.h"
-#include "mlab/designer/session/project_texts.h"
 #include "mlab/designer/session/request.h"
+#include "mlab/project/project_texts.h"
 #include "mlab/robot/program/robot_program.h"
 
 namespace mlab::designer {
@@ -22,8 +22,8 @@ class TestOrders {
   /// @param texts     that tests are looked for in, besides what is open
   /// @param inbox     where what came of them is posted
   /// @param programs  as TestRuns
-  TestOrders(Desk& desk, ProjectTexts& texts, Answers& answers, std::shared_ptr<console::Inbox> inbox,
-             const robot::ProgramSources& programs);
+  TestOrders(Desk& desk, project::ProjectTexts& texts, Answers& answers,
+             std::shared_ptr<console::Inbox> inbox, const robot::ProgramSources& programs);
 
   void watch(const Sender& sender, const WatchTests& request, Answer& out);
   void run(const RunTests& request);
@@ -54,7 +54,7 @@ class TestOrders {
   std::function<std::string(std::string_view source)> document_of() const;
 
   Desk& desk_;
-  ProjectTexts& texts_;
+  project::ProjectTexts& texts_;
   Answers& answers_;
   TestRuns tests_;     // posts to the inbox
   std::string stamp_;  // when tests were looked for

@@ -1,4 +1,4 @@
-#include "mlab/designer/session/project_texts.h"
+#include "mlab/project/project_texts.h"
 
 #include <unistd.h>
 
@@ -7,10 +7,13 @@
 
 #include <fmt/core.h>
 
-namespace mlab::designer {
+#include "mlab/documents/refused.h"
+#include "mlab/project/library_texts.h"
+
+namespace mlab::project {
 namespace {
 
-bool is_in_a_language(const std::string& path) {
+bool is_in_a_language(std::string_view path) {
   return path.ends_with(".cdl") || path.ends_with(".cnl") || path.ends_with(".mdl") ||
          path.ends_with(".odl") || path.ends_with(".ovl");
 }
@@ -22,10 +25,15 @@ std::optional<assist::Text> text_of(const std::string& name, std::string content
   return assist::Text{std::move(source), *language};
 }
 
+assist::Text text_of(const documents::Document& document) {
+  const text::SourcePtr& source = document.text.source();
+  return {source, assist::language_of(*source).value_or(assist::Language::kConfiguration)};
+}
+
 }  // namespace
 
 void ProjectTexts::find(const std::string& folder, int depth, std::vector<std::string>& out) {
-  const auto entries = desk_.project().list(folder);
+  const auto entries = open_.store().project().list(folder);
   if (!entries || entries->empty()) return;
   if (depth > documents::ProjectFolder::kMaxDepth) {
     is_cut_ = true;
@@ -52,7 +60,7 @@ std::string ProjectTexts::left_out() const {
 }
 
 const ProjectTexts::File& ProjectTexts::file(const std::string& path) {
-  const std::string disk_path = desk_.project().disk_path(path);
+  const std::string disk_path = open_.store().project().disk_path(path);
   std::error_code missing;
   const auto time = std::filesystem::last_write_time(disk_path, missing);
   const std::uintmax_t size = missing ? 0 : std::filesystem::file_size(disk_path, missing);
@@ -60,29 +68,30 @@ const ProjectTexts::File& ProjectTexts::file(const std::string& path) {
   if (known != files_.end() && known->second.time == time && known->second.size == size) return known->second;
   File& out = files_[path];
   out = {time, size, std::nullopt};
-  if (text::Result<std::string> content = desk_.project().read(path))
+  if (text::Result<std::string> content = open_.store().project().read(path))
     out.text = text_of(disk_path, std::move(*content));
   return out;
 }
 
-// Unsaved work on a configuration that is not open just now.
+// Unsaved work on a text that is not open just now.
 std::optional<assist::Text> ProjectTexts::kept_of(const std::string& path) const {
-  if (!path.ends_with(".cdl")) return std::nullopt;
-  const std::optional<documents::Drafts::Draft> draft = desk_.drafts().find(path);
-  return draft ? text_of(desk_.project().disk_path(path), draft->text) : std::nullopt;
+  if (!open_.is_edited_here(path)) return std::nullopt;
+  const std::optional<documents::Drafts::Draft> draft = open_.store().drafts().find(path);
+  return draft ? text_of(open_.store().project().disk_path(path), draft->text) : std::nullopt;
 }
 
 std::vector<assist::Text> ProjectTexts::all() {
   std::vector<assist::Text> out;
   std::set<std::string> open;
-  for (const OpenConfiguration* one : desk_.all()) {
-    if (!one->is_writable) continue;
-    out.push_back({one->model->source(), assist::Language::kConfiguration});
+  for (const documents::DocumentPtr& one : open_.store().all()) {
+    if (!open_.is_changeable(*one)) continue;
+    out.push_back(text_of(*one));
     open.insert(one->path);
   }
   std::vector<std::string> paths;
   is_cut_ = false;
-  if (!desk_.project().folder().empty()) find("", 0, paths);
+  if (!open_.store().project().folder().empty()) find("", 0, paths);
+  for (const std::string& folder : open_.folders_beside()) find(folder, 0, paths);
   for (const std::string& path : paths) {
     if (open.contains(path)) continue;
     std::optional<assist::Text> text = kept_of(path);
@@ -94,20 +103,43 @@ std::vector<assist::Text> ProjectTexts::all() {
   return out;
 }
 
+text::Result<assist::Text> ProjectTexts::read(const std::string& path) {
+  if (const documents::Document* document = open_.store().find(path)) return text_of(*document);
+  if (const auto library = library_text(path))
+    return *text_of(library_source_name(path), std::string(*library));
+  if (!is_in_a_language(path))
+    return documents::refused(
+        "no-language",
+        fmt::format("{} is no mission, overlay, configuration or network", documents::shown(path)));
+  if (auto kept = kept_of(path)) return *kept;
+  text::Result<std::string> content = open_.store().project().read(path);
+  if (!content) return std::unexpected(content.error());
+  return *text_of(open_.store().project().disk_path(path), std::move(*content));
+}
+
 assist::Surroundings ProjectTexts::surroundings() {
-  assist::Surroundings out = desk_.surroundings();
+  assist::Surroundings out = open_.surroundings();
   out.project = [this] { return all(); };
   out.fixed = [this](const std::string& name) { return why_fixed(name); };
   return out;
 }
 
+std::string ProjectTexts::path_of(std::string_view source_name) const {
+  if (std::string library = library_path(source_name); !library.empty()) return library;
+  for (const documents::DocumentPtr& one : open_.store().all()) {
+    if (one->text.source()->name() == source_name) return one->path;
+  }
+  return open_.store().project().name_of(std::string(source_name)).value_or("");
+}
+
 std::string ProjectTexts::why_fixed(const std::string& source_name) const {
-  const std::string path = desk_.document_of(source_name);
-  if (const OpenConfiguration* one = desk_.find(path)) return one->is_writable ? "" : "is read only";
+  const std::string path = path_of(source_name);
+  if (const documents::Document* document = open_.store().find(path))
+    return open_.is_changeable(*document) ? "" : "is read only";
   if (path.empty() || path.find(':') != std::string::npos) return "is not in the project";
-  if (::access(desk_.project().disk_path(path).c_str(), W_OK) != 0) return "is read only";
-  if (drafts_.find(path)) return "has unsaved changes in the console";
+  if (::access(open_.store().project().disk_path(path).c_str(), W_OK) != 0) return "is read only";
+  if (elsewhere_.drafts.find(path)) return fmt::format("has unsaved changes {}", elsewhere_.where);
   return "";
 }
 
-}  // namespace mlab::designer
+}  // namespace mlab::project

@@ -1,9 +1,9 @@
 // What a renaming would change, file by file and line by line.
-import { Icon } from "../../ui/controls/icons.tsx";
-import { count } from "../../ui/words/format.ts";
-import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
-import type { File, Plan, Use } from "../session/protocol.ts";
-import { summary } from "./rename.ts";
+import type { File, Plan, Use } from "../../core/names.ts";
+import { Icon } from "../controls/icons.tsx";
+import { count } from "../words/format.ts";
+import { sentence, withoutBackticks } from "../words/sentence.ts";
+import { summary } from "./renaming.ts";
 import "./names.css";
 
 const kMostLines = 200;
