@@ -153,6 +153,17 @@ TEST_F(Command, WhatNewMakesIsInTheCanonicalLayoutAndRuns) {
   }
 }
 
+TEST_F(Command, FmtWritesThroughALinkAndKeepsTheModeOfTheFile) {
+  write("kept.cdl", "assemblage   A() {\n Noise();\n}\n");
+  const fs::perms shared = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_write;
+  fs::permissions(folder_ / "kept.cdl", shared);
+  fs::create_symlink("kept.cdl", folder_ / "linked.cdl");
+  EXPECT_EQ(mlab("fmt linked.cdl").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "linked.cdl"));
+  EXPECT_EQ(text_of(folder_ / "kept.cdl"), "assemblage A() {\n  Noise();\n}\n");
+  EXPECT_EQ(fs::status(folder_ / "kept.cdl").permissions(), shared);
+}
+
 TEST_F(Command, NewLeavesWhatIsThereAndRefusesNamesThatWouldNotWork) {
   write("town.odl", "mine");
   const Outcome there = mlab("new mission town");

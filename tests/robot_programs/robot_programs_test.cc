@@ -256,6 +256,21 @@ TEST_F(RobotProgramsTest, TakeParametersWhileTheyRun) {
   EXPECT_EQ(all[0], all[2]);
 }
 
+TEST_F(RobotProgramsTest, KeepWhatAPersonSetWhereTheyAreStartedAnew) {
+  std::vector<std::vector<geom::Pose>> all;
+  for (const char* program : {"walker.cnl", "./walker", "./closed"}) {
+    const auto run = prepare(program, 1);
+    ASSERT_TRUE(run) << text::render(sink_);
+    ways(*run, 20);
+    EXPECT_EQ(run->set_parameter({2}, "pace", "0.5"), std::nullopt);
+    run->post(mission::event::Abort{});
+    all.push_back(ways(*run, 60));
+    ASSERT_EQ(all.back().size(), 300U) << program;
+  }
+  EXPECT_EQ(all[0], all[1]);
+  EXPECT_EQ(all[0], all[2]);
+}
+
 TEST_F(RobotProgramsTest, AreNotRunUnlessThatIsAllowed) {
   const auto run = prepare("./walker", 1, "", false);
   ASSERT_TRUE(run);

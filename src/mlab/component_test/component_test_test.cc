@@ -179,6 +179,19 @@ test "x" of BackOff(duration = 0.3 s) {
                   .has_passed());
 }
 
+TEST(ComponentTest, WithoutItsUnitARobotIsItsOwnMiddle) {
+  EXPECT_TRUE(outcome_of(R"(
+test "x" of DetectUnitCenter() {
+  given unit(size = 2, center = [5 m, 0 m]);
+  expect length(it) > 4 m;
+  given no unit;
+  given self(at = [3 m, 0 m]);
+  expect length(it) < 1 cm;
+}
+)")
+                  .has_passed());
+}
+
 TEST(ComponentTest, EveryInputOfAPerceptIsTakenAndBoundToItsType) {
   const std::string outcome = errors_of(R"(
 test "x" of Noise() {

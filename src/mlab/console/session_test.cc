@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
+#include <string>
 #include <thread>
 
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
 #include "mlab/console/published/frame_encoder.h"
@@ -365,6 +369,24 @@ TEST(Session, OnlyTheOperatorCommandsAndThePlaceIsHandedOver) {
   ASSERT_TRUE(ben.wait([&] { return ben.clients().operator_() == 2; }));
   EXPECT_EQ(ben.control(Control::EXECUTE), "");
   EXPECT_NE(anna.control(Control::PAUSE), "");
+}
+
+// Whatever message there is, and those that come.
+TEST(Session, WhoOnlyWatchesIsRefusedAllThatIsTheOperators) {
+  TestSession session(kDemo);
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  Browser ben(session, "Ben");
+  const std::set<std::string> for_anybody = {"hello",          "acknowledge",   "watch",        "beat",
+                                             "emergency_stop", "complete",      "check",        "list_files",
+                                             "read_series",    "take_operator", "pass_operator"};
+  const google::protobuf::OneofDescriptor& all = *ToServer::descriptor()->FindOneofByName("body");
+  for (int i = 0; i < all.field_count(); ++i) {
+    if (for_anybody.contains(all.field(i)->name())) continue;
+    ToServer message;
+    ToServer::GetReflection()->MutableMessage(&message, all.field(i));
+    EXPECT_NE(Browser::error_of(ben.ask(message)).find("Anna"), std::string::npos) << all.field(i)->name();
+  }
 }
 
 TEST(Session, WhoReloadsThePageIsTheSameClientAndTheRunGoesOn) {

@@ -73,6 +73,14 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
 
+TEST(Difference, IsOfAPartWhereOneOfBothCouldNotBeReadAsAWhole) {
+  const Text whole("assemblage A() {\n  Noise();\n}\n");
+  const Text broken("assemblage A() {\n  Noise();\n}\nassemblage B( {\n}\n");
+  EXPECT_FALSE(compare(whole.version(), whole.version()).is_partial);
+  EXPECT_TRUE(compare(broken.version(), whole.version()).is_partial);
+  EXPECT_TRUE(compare(whole.version(), broken.version()).is_partial);
+}
+
 constexpr const char* kDrift = R"(assemblage Drift(curious: gain = 0.8) -> Vector {
   cooperate {
     curious: Noise(persistence = 12 s);

@@ -171,6 +171,12 @@ TEST_F(ProjectFolderTest, KeepsTheModeOfAFileAndRefusesAProtectedOne) {
   ASSERT_TRUE(folder.write("a.mdl", "new"));
   EXPECT_EQ(fs::status(scratch.path("project/a.mdl")).permissions(),
             fs::perms::owner_read | fs::perms::owner_write);
+  // More than the process would give a new one.
+  const fs::perms shared = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read |
+                           fs::perms::group_write | fs::perms::others_write;
+  fs::permissions(scratch.path("project/a.mdl"), shared);
+  ASSERT_TRUE(folder.write("a.mdl", "newer"));
+  EXPECT_EQ(fs::status(scratch.path("project/a.mdl")).permissions(), shared);
   if (::geteuid() == 0) return;  // nothing is protected from root
   fs::permissions(scratch.path("project/a.mdl"), fs::perms::owner_read);
   EXPECT_FALSE(folder.write("a.mdl", "newer"));

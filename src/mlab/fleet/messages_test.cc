@@ -84,6 +84,12 @@ TEST(Messages, WhatComesWhileTheOldOneIsTakenIsNews) {
   EXPECT_EQ(t.hearers("ready"), (std::vector{1, 2, 3, 4}));
 }
 
+TEST(Messages, WhatARobotTellsItselfIsNewsThoughItTakesTheOldOneAfterwards) {
+  TestMessages t;
+  t.ask(1, notification("ready", Audience::kSelf)).ask(1, schema::take_notification("ready")).resolve();
+  EXPECT_EQ(t.hearers("ready"), (std::vector{1}));
+}
+
 TEST(Messages, InboxesAreSortedAndHoldEachNotificationOnce) {
   TestMessages t;
   for (const char* name : {"c", "a", "b", "a"}) t.ask(2, notification(name, Audience::kAll));

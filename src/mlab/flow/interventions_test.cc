@@ -139,6 +139,17 @@ TEST(Interventions, AForcedTransitionIsToldAsWhatItWas) {
   EXPECT_TRUE(robot.transits().empty());
 }
 
+TEST(Interventions, NothingWasForcedInAFrameThatBeginsAnew) {
+  HandledRobot robot(three_states());
+  robot.step();
+  EXPECT_EQ(robot.force("job", "C"), "");
+  robot.step();
+  EXPECT_EQ(robot.hands().forced().size(), 1U);
+  robot.hands().begin_anew(robot.frame());
+  EXPECT_TRUE(robot.hands().forced().empty());
+  EXPECT_TRUE(robot.hands().is_empty());
+}
+
 TEST(Interventions, RefuseWhatCanNotBeForced) {
   HandledRobot robot(three_states());
   EXPECT_EQ(robot.force("jib", "B"), "there is no sequence `jib`");

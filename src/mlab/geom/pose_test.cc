@@ -37,5 +37,14 @@ TEST(Segment, IntersectsAlsoWhereAnEndTouches) {
   EXPECT_FALSE(intersects(s, {{11.0, -1.0}, {11.0, 1.0}}));
 }
 
+TEST(Segment, MeetsAnotherWhereOneEndOfEitherTouchesIt) {
+  const Segment wall{{0, 0}, {4, 0}};
+  for (const Segment one : {Segment{{2, 0}, {2, 3}}, Segment{{2, 3}, {2, 0}}}) {
+    EXPECT_TRUE(intersects(wall, one));
+    EXPECT_TRUE(intersects(one, wall));
+  }
+  EXPECT_FALSE(intersects(wall, {{2, 3}, {2, 0.5}}));
+}
+
 }  // namespace
 }  // namespace mlab::geom

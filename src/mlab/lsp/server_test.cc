@@ -90,6 +90,31 @@ TEST_F(ServerTest, AnswersInTheOrderOfTheProtocol) {
   EXPECT_TRUE(server_.is_over());
 }
 
+// What was found until then may be a part of the whole.
+TEST(ServerThatIsAsked, DoesNotAnswerWhatIsCancelledWhileItIsAtIt) {
+  std::vector<Json> got;
+  int looks = 0;
+  Options options{"1", {}, base::source_folder() + "/library"};
+  options.is_cancelled = [&](const std::string& id) { return id == "2" && ++looks > 1; };
+  Server server(std::move(options), [&](const std::string& m) { got.push_back(Json::parse(m)); });
+  const auto say = [&](const Json& message) { server.receive(message.dump()); };
+  say({{"jsonrpc", "2.0"}, {"id", 1}, {"method", "initialize"}, {"params", Json::object()}});
+  say({{"jsonrpc", "2.0"},
+       {"method", "textDocument/didOpen"},
+       {"params",
+        {{"textDocument", {{"uri", kUri}, {"languageId", "cdl"}, {"version", 1}, {"text", kText}}}}}});
+  say({{"jsonrpc", "2.0"},
+       {"id", 2},
+       {"method", "textDocument/references"},
+       {"params",
+        {{"textDocument", {{"uri", kUri}}},
+         {"position", {{"line", 0}, {"character", 13}}},
+         {"context", {{"includeDeclaration", true}}}}}});
+  EXPECT_GT(looks, 1);
+  EXPECT_EQ(got.back()["id"], 2);
+  EXPECT_EQ(got.back()["error"]["code"], -32800) << got.back();
+}
+
 TEST_F(ServerTest, AnExitWithoutShutdownIsAFailure) {
   initialize();
   tell("exit", nullptr);

@@ -192,6 +192,19 @@ TEST(Objects, AreSensedWithRobotsAndObstaclesButNotThroughWalls) {
   EXPECT_EQ(sensed.percepts.objects[2].object_class, ObjectClass::kRock);
 }
 
+TEST(Objects, AreListedByTheWayToTheirEdgeRobotsTheSame) {
+  World world;
+  world.discs.push_back({{0, 5}, 1.0});
+  Simulator simulator(world);
+  const BodyIndex self = add(simulator, {{0, 0}, 0.0});
+  BodySpec large;
+  large.radius = 3.0;
+  add(simulator, {{6, 0}, 0.0}, large);
+  const Sensed sensed(simulator, self, {{Sensor::kObjects, 20.0}});
+  ASSERT_EQ(sensed.percepts.objects.size(), 2U);
+  EXPECT_EQ(sensed.percepts.objects[0].id.value, kRobotObjectBase + 2) << "3 m, of the rock 4 m";
+}
+
 TEST(Ring, MeasuresFromTheSurfaceOfTheBody) {
   World world;
   world.discs.push_back({{3, 0}, 1.0});

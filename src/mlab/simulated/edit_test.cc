@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
 
@@ -188,6 +190,55 @@ TEST(Edit, WallsAndObjectsComeAndGoWithTheOverlay) {
   edit(*run, two_robots());
   EXPECT_TRUE(run->world().walls().empty());
   EXPECT_TRUE(run->world().objects().empty());
+}
+
+// Three of missions/forage, who bring what lies about to a basket.
+std::shared_ptr<mission::Mission> foragers() {
+  auto out = std::make_shared<mission::Mission>();
+  out->types.push_back({"forager", "forager.cdl", "blue", "", {}, {}});
+  out->robots = {{{1}, 0, {}}, {{2}, 0, {}}, {{3}, 0, {}}};
+  out->units.push_back({"foragers", {{1}, {2}, {3}}, {}, {}});
+  UnitCommand start;
+  start.task = mission::Task::kStart;
+  start.goal = {20.0, 12.0};
+  start.start_step = {2.0, 0.0};
+  UnitCommand go;
+  go.goal = {20.0, 12.0};
+  go.place_name = "20 12";
+  out->steps.push_back({"0", {start}, {}});
+  out->steps.push_back({"1", {go}, {}});
+  for (const geom::Point place : {geom::Point{9, 25}, {14, 8}, {5, 14}, {25, 4}, {29, 22}, {33, 9}})
+    out->overlay.objects.push_back({place, 0.2, overlay::ObjectStyle::kMovable, "orange", {}});
+  out->overlay.objects.push_back({{20, 15}, 0.6, overlay::ObjectStyle::kContainer, "green", {}});
+  return out;
+}
+
+TEST(Edit, WhoCarriedAnObjectHasNotDeliveredTheOneThatHasItsNumberNow) {
+  robot::ProgramSources sources;
+  sources.folder = base::source_folder() + "/missions/forage";
+  const auto mission = foragers();
+  text::Diagnostics sink;
+  const auto run = simulated::make_run(mission, sources, {}, sink);
+  ASSERT_NE(run, nullptr) << text::render(sink);
+  run->post(mission::event::Execute{});
+  const auto place_of = [&](bool is_it(const binding::Object&)) {
+    const auto objects = run->world().objects();
+    return static_cast<std::size_t>(std::ranges::find_if(objects, is_it) - objects.begin());
+  };
+  const auto carried = [](const binding::Object& one) { return one.carrier.value != 0; };
+  const auto delivered = [](const binding::Object& one) { return one.basket.value != 0; };
+  const std::size_t none = mission->overlay.objects.size();
+  for (int i = 0; i < 6000 && (place_of(carried) == none || place_of(delivered) == none); ++i) run->step();
+  ASSERT_LT(std::max(place_of(carried), place_of(delivered)), none);
+  const std::size_t deliveries = run->deliveries().size();
+  EXPECT_GT(deliveries, 0U);
+  auto other = std::make_shared<mission::Mission>(*mission);
+  std::swap(other->overlay.objects[place_of(carried)], other->overlay.objects[place_of(delivered)]);
+  const auto crew = make_crew(other, sources, sink);
+  ASSERT_NE(crew, nullptr) << text::render(sink);
+  run->edit(crew);
+  run->step();
+  EXPECT_EQ(run->deliveries().size(), deliveries);
 }
 
 TEST(SetParameter, ChangesOneRobotAndOutlivesItsStart) {

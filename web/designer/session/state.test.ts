@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { pageKey } from "./pages.ts";
-import { DocumentSchema, DrawingSchema, HelloSchema } from "./protocol.ts";
+import { DocumentSchema, DrawingSchema, HelloSchema, MarkSchema, PaletteSchema, TestListSchema } from "./protocol.ts";
 import {
   besideSimulator,
   createState,
@@ -78,6 +78,9 @@ test("what is known of a document is known under its new name", () => {
     document: "new:1",
     page: "Wander",
     trail: [{ document: "new:1", page: "", title: "" }],
+    palettes: { "new:1": create(PaletteSchema, { document: "new:1" }) },
+    tests: { "new:1": create(TestListSchema, { document: "new:1" }) },
+    marks: { "new:1": [create(MarkSchema, { id: 7 })] },
   };
   const after: State = { ...before, ...withRenamedDocument(before, "new:1", "a.cdl") };
   expect(Object.keys(after.documents)).toEqual(["a.cdl"]);
@@ -85,4 +88,5 @@ test("what is known of a document is known under its new name", () => {
   expect(Object.keys(after.drawings).sort()).toEqual([pageKey("a.cdl", "Wander"), pageKey("b.cdl", "Wander")]);
   expect(after.drawings[pageKey("a.cdl", "Wander")]!.page!.document).toBe("a.cdl");
   expect(after).toMatchObject({ document: "a.cdl", page: "Wander", trail: [{ document: "a.cdl" }] });
+  for (const known of [after.palettes, after.tests, after.marks]) expect(Object.keys(known)).toEqual(["a.cdl"]);
 });

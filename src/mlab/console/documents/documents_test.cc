@@ -205,6 +205,16 @@ TEST_F(DocumentsOfAMission, GetAnOverlayWhenSomethingIsDrawnAndThereIsNone) {
   EXPECT_FALSE(open.edit_map(edit_of({add_place("q\"", 1, 2)}), 0.0));
 }
 
+TEST_F(DocumentsOfAMission, AreAsTheyWereWhereTheFirstThatIsDrawnIsRefused) {
+  scratch.write("project/bare.mdl", "MISSION NAME x\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. QUIT\n");
+  documents::ProjectFolder project = folder();
+  OpenDocuments open(project, {}, state());
+  ASSERT_TRUE(open.open("bare.mdl", 0.0));
+  EXPECT_FALSE(open.edit_map(edit_of({add_place("q\"", 1, 2)}), 0.0));
+  EXPECT_EQ(open.documents().size(), 1U);
+  EXPECT_FALSE(open.edit_state().is_dirty());
+}
+
 TEST_F(DocumentsOfAMission, CreateObstaclesAsOneEdit) {
   documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());

@@ -171,6 +171,26 @@ TEST(Breakpoints, AreListedSwitchedOffAndRemoved) {
   ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().breakpoints().breakpoints().empty(); }));
 }
 
+TEST(Breakpoints, ThatAreChangedBeginByNotingWhatIsTrue) {
+  Debugger anna;
+  const auto go_on = [&] {
+    for (int i = 0; i < 4; ++i) {
+      const std::uint64_t next = anna.browser().status().cycle() + 1;
+      ASSERT_EQ(anna.browser().control(Control::SINGLE_CYCLE), "");
+      ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().status().cycle() == next; }));
+    }
+  };
+  Breakpoint wanted = Debugger::condition("movement.Searching.value", Breakpoint::Condition::GREATER, "1e9");
+  ASSERT_TRUE(anna.set(wanted).ok());
+  go_on();
+  wanted.set_id(1);
+  wanted.mutable_condition()->set_value("-1e9");
+  ASSERT_TRUE(anna.set(wanted).ok());
+  go_on();
+  ASSERT_EQ(anna.browser().breakpoints().breakpoints_size(), 1);
+  EXPECT_EQ(anna.browser().breakpoints().breakpoints(0).hits(), 0U) << "it was so already";
+}
+
 TEST(Breakpoints, SayWhyTheyCantHappen) {
   Debugger anna;
   EXPECT_FALSE(anna.set({}).ok());

@@ -1,12 +1,15 @@
 // Tests of components as a browser is told of them: found, run, given up, shown cycle by cycle, written.
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "mlab/designer/component_tests/loaded_tests.h"
 #include "mlab/designer/testing/browser.h"
 
 namespace mlab::designer {
@@ -166,6 +169,20 @@ TEST_F(ListedTests, AreGivenUpByTheNextRunAndKeepNobodyWaiting) {
       listed("long.cdl", [](const TestList& seen) { return seen.tests(99).state() == TestList::NOT_RUN; });
   EXPECT_EQ(stopped.tests(99).state(), TestList::NOT_RUN);
   browser_.write("long.cdl", "");
+}
+
+// The same number stands for another text here, so that it shows whether the file was loaded again.
+TEST(LoadedTests, KeepAFileUnlessItsLoadingWasGivenUp) {
+  LoadedTests loaded({});
+  const auto tests_of = [&](const std::string& text, const std::stop_token& ends) {
+    const auto source = std::make_shared<const text::Source>("a.cdl", text);
+    return loaded.of(source, 7, text::files_on_disk(), ends).tests.tests.size();
+  };
+  std::stop_source given_up;
+  given_up.request_stop();
+  EXPECT_EQ(tests_of(kCareful, given_up.get_token()), 0U);
+  EXPECT_EQ(tests_of(std::string(kCareful) + kGood, {}), 1U);
+  EXPECT_EQ(tests_of(kCareful, {}), 1U) << "what is kept";
 }
 
 TEST_F(ListedTests, ShowTheValuesOfACycleWhereAPageRuns) {

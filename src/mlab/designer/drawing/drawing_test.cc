@@ -177,5 +177,19 @@ TEST(Problems, AreFoundOnTheirPage) {
   EXPECT_EQ(problem.port(), "persistence");
 }
 
+TEST(Problems, OfAnotherFileStandAtNothingThatIsDrawnHere) {
+  const std::string text = "assemblage A() {\n  Noise();\n}\n";
+  const auto model = model_of(text);
+  const auto at = static_cast<std::uint32_t>(text.find("Noise"));
+  text::Diagnostic wrong;
+  wrong.place = {model->source(), {at, at + 5}};
+  EXPECT_EQ(problem_of(wrong, *model, context()).node(), "Noise");
+  wrong.place.source = std::make_shared<const text::Source>("skills.cdl", text);
+  const Problem elsewhere = problem_of(wrong, *model, context());
+  EXPECT_EQ(elsewhere.diagnostic().document(), "library:skills.cdl");
+  EXPECT_EQ(elsewhere.diagnostic().line(), 2U);
+  EXPECT_EQ(elsewhere.page() + elsewhere.node(), "");
+}
+
 }  // namespace
 }  // namespace mlab::designer

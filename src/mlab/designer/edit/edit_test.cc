@@ -524,6 +524,20 @@ TEST(Edit, PastesStatesAsTheyStood) {
   EXPECT_NE(text.text().find("  Go_2 400 16;"), std::string::npos) << text.text();
 }
 
+TEST(Edit, PastesStatesUnderNamesOfTheirOwn) {
+  DrawnText text(
+      "assemblage A() {\n  sequence {\n    start Go: Noise();\n      when Wait(1 s) goto Rest;\n"
+      "    final Rest: Stand();\n  }\n}\n");
+  text.change([](Change& change) {
+    change.mutable_paste()->set_page("A");
+    change.mutable_paste()->set_text(
+        "Go: Noise();\n  when Wait(1 s) goto Go_2;\nGo_2: Stand();\n  when Wait(1 s) goto Go;\n");
+  });
+  EXPECT_NE(text.text().find("Go_2: Noise();"), std::string::npos) << text.text();
+  EXPECT_NE(text.text().find("Go_2_2: Stand();"), std::string::npos) << text.text();
+  EXPECT_EQ(text.errors(), "");
+}
+
 TEST(Edit, WritesNotesAndFrames) {
   DrawnText text("assemblage A() {\n  Stand();\n}\n");
   const auto note = [&](const std::string& id, const std::string& words, double width, bool is_frame) {

@@ -1,5 +1,7 @@
 // Renaming, uses and search over the files of a project, by messages.
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -172,6 +174,21 @@ TEST_F(DesignerNamesTest, WhatWasNotShownIsNotDone) {
   browser_.write("missions/m.mdl", kMission);
   EXPECT_FALSE(take_back().ok()) << "somebody has changed it since";
   EXPECT_TRUE(has_part(browser_.read("robots.cdl"), "need")) << "all or nothing";
+}
+
+TEST_F(DesignerNamesTest, WhatCantBeWrittenEverywhereStandsNowhere) {
+  browser_.write("more.cdl", "use \"skills.cdl\";\nassemblage Wander() {\n  Roam();\n}\n");
+  // In the way of the file's new text.
+  browser_.write(fmt::format(".more.cdl.{}.part/any", ::getpid()), "");
+  NameAt at;
+  at.set_document("robots.cdl");
+  at.set_cursor(static_cast<std::uint32_t>(std::string(kRobots).find("Roam(urge")));
+  const Answer planned = plan(at, "Drift");
+  ASSERT_EQ(planned.plan().files_size(), 3) << planned.error();
+  const Answer done = carry_out(at, "Drift", planned.plan().seal());
+  EXPECT_TRUE(has_part(done.error(), "cannot write `more.cdl`")) << done.error();
+  EXPECT_EQ(browser_.read("skills.cdl"), kOwnSkills);
+  EXPECT_EQ(browser_.read("robots.cdl"), kRobots);
 }
 
 TEST_F(DesignerNamesTest, ACollisionIsRefusedWithItsPlace) {

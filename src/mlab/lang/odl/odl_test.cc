@@ -202,6 +202,15 @@ TEST(OdlUtm, PutsPointsWhereTheyLieFromTheOrigin) {
   EXPECT_EQ(m[2].points[0], (geom::Point{30, 40}));  // plain coordinates are metres from the same origin
 }
 
+TEST(OdlUtm, OriginIsForgottenWithAPlainOneBehindIt) {
+  const Loaded l = load(
+      "ORIGIN UTM LAT 33.7774 LON -84.3973 ORIGIN 10 20 CONTROL MEASURES: PP plain 30 40 "
+      "PP north UTM LAT 33.7783 LON -84.3973");
+  EXPECT_FALSE(l.overlay.utm_origin);
+  EXPECT_EQ(l.overlay.measures[0].points[0], (geom::Point{40, 60}));
+  EXPECT_NE(text::render(l.sink).find("utm-without-origin"), std::string::npos);
+}
+
 TEST(OdlUtm, HasNoSeamWhereTwoZonesMeet) {
   const Loaded l = load("ORIGIN UTM LAT 40 LON -84.001 CONTROL MEASURES: PP across UTM LAT 40 LON -83.999");
   const geom::Point at = l.overlay.measures[0].points[0];

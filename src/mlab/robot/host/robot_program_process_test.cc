@@ -1,5 +1,7 @@
 #include "mlab/robot/host/robot_program_process.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -55,6 +57,21 @@ TEST_F(RobotProgramProcessTest, EndsAProgramThatHangsWithAllThatItStarted) {
   const auto began = Clock::now();
   EXPECT_EQ(failure_of(script("sleep 100 & sleep 100"), 0.1), "gave no answer for 0.1 s");
   EXPECT_LT(Clock::now() - began, std::chrono::seconds(20));
+}
+
+// Who reads the pipe sees its end once nobody holds the other one any more.
+TEST_F(RobotProgramProcessTest, LeavesNothingThatTheProgramStarted) {
+  const fs::path pipe = folder_ / "held";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int held = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(held, 0);
+  failure_of(script("sleep 100 > '" + pipe.string() + "' & sleep 100"), 0.5);
+  const auto latest = Clock::now() + std::chrono::seconds(10);
+  char byte = 0;
+  ssize_t count = -1;
+  while ((count = ::read(held, &byte, 1)) < 0 && Clock::now() < latest) ::poll(nullptr, 0, 10);
+  EXPECT_EQ(count, 0) << "what it started goes on";
+  ::close(held);
 }
 
 TEST_F(RobotProgramProcessTest, TellsWhatIsNoMessage) {

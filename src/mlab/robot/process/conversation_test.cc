@@ -121,6 +121,18 @@ TEST(Conversation, SetsAParameterOfOneRobotAndReadsItsPorts) {
   EXPECT_EQ(ask(conversation, set).ready().problem(), "`far` is no double");
 }
 
+TEST(Conversation, ARobotThatIsStartedAgainBeginsAnew) {
+  Conversation conversation(wandering_program(), "1");
+  ask(conversation, start(1, 1, "3"));
+  ask(conversation, start(1, 1));
+  wire::ToRobot read;
+  read.mutable_read_ports()->set_robot(1);
+  read.mutable_read_ports()->add_ports(0);
+  const wire::FromRobot& answer = ask(conversation, read);
+  ASSERT_EQ(answer.port_values().values_size(), 1);
+  EXPECT_EQ(answer.port_values().values(0).number(), 1.0);
+}
+
 TEST(Conversation, AnswersWhatItCannotServeAndChangesNothing) {
   Conversation conversation(wandering_program(), "1");
   ask(conversation, start(1, 1));

@@ -86,6 +86,15 @@ TEST(FormulaWithTheLibrary, ReadsAndWritesAThousandSentences) {
   }
 }
 
+TEST(FormulaWithTheLibrary, GivesANumberThatTwoAskForToTheFirst) {
+  const std::string robot = "movement = cooperate { Noise(); Stand(); } as cooperation3;";
+  const std::string written = sentences_of(
+      text_of("a.cdl", "robot A is Rover { " + robot + " }\nrobot B is Rover { " + robot + " }\n"));
+  EXPECT_NE(written.find("[+3 "), std::string::npos) << written;
+  EXPECT_EQ(written.find("[+3 "), written.rfind("[+3 ")) << written;
+  EXPECT_NE(written.find("[+1 "), std::string::npos) << written;
+}
+
 TEST(FormulaWithTheLibrary, ReadsWhatItWritesOfTheConfigurationsThatComeWithIt) {
   std::size_t read = 0;
   for (const char* folder : {"missions", "library/robots", "src/mlab/lang/cdl/testdata/examples"}) {

@@ -115,6 +115,15 @@ TEST(CdlParser, PlacesWhatItReads) {
   EXPECT_EQ(tree.source->text(members[0].weight->place.span), "curious");
 }
 
+TEST(CdlParser, TakesAnExponentOnlyWithItsDigits) {
+  text::Diagnostics sink;
+  const Tree tree = parsed("assemblage A() { Noise(persistence = 2e) }\n", sink);
+  const auto& call = std::get<Call>(std::get<Assemblage>(tree.items.at(0)).body->what);
+  const auto& number = std::get<Number>(call.arguments.at(0).value->what);
+  EXPECT_EQ(number.value, 2.0);
+  EXPECT_EQ(number.unit.text, "e") << "which is none, and is told so";
+}
+
 TEST(CdlParser, SaysOnceWhatIsMissing) {
   EXPECT_EQ(said("assemblage A() {\n  cooperate {\n    1: Noise()\n    2: Probe();\n  }\n}\n"),
             "a.cdl:3:14: error: expected `;` behind the member [syntax]\n"

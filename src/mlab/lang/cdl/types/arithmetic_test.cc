@@ -267,6 +267,7 @@ TEST(Units, AreMultipliedAndSaidInSiUnits) {
   EXPECT_EQ(si_unit(unit("m/s").times(unit("s"), -1)), "m/s/s");
   EXPECT_EQ(si_unit(unit("").times(unit("s"), -1)), "1/s");
   for (const char* name : {"m*m", "m/s/s", "1/s", "m*rad/s", ""}) EXPECT_EQ(si_unit(unit(name)), name);
+  EXPECT_EQ(si_unit(unit("m/s*rad")), "m*rad/s") << "only what stands next is divided by";
   EXPECT_FALSE(unit_named("m/"));
   EXPECT_FALSE(unit_named("*m"));
   EXPECT_FALSE(unit_named("1"));
