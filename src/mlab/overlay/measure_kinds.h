@@ -29,7 +29,8 @@ enum class MeasureKind : std::uint8_t {
   kDoor,
   kHallway,
   kRoad,
-  kMinefield
+  kMinefield,
+  kLandingZone
 };
 
 /// Where the console's menu has it.
@@ -92,7 +93,8 @@ enum class Substance : std::uint8_t {
 /// The sign that stands for it on maps; who draws has one function for each.
 enum class MeasureSign : std::uint8_t {
   kArea,
-  kHeldArea,  ///< an area that shows the size of who holds it
+  kHeldArea,     ///< an area that shows the size of who holds it
+  kLandingArea,  ///< an area within a broken outline
   kPoint,
   kFlag,
   kArrow,
@@ -113,6 +115,8 @@ constexpr std::string_view name(MeasureSign sign) {
       return "area";
     case MeasureSign::kHeldArea:
       return "held_area";
+    case MeasureSign::kLandingArea:
+      return "landing_area";
     case MeasureSign::kPoint:
       return "point";
     case MeasureSign::kFlag:
@@ -270,6 +274,21 @@ inline constexpr std::array kMeasures = {
                 .icon = "M4 8.5L12 4l8 3.5-1.5 10L8 20zM9 15V9.5l3 3.5 3-3.5V15",
                 .is_hatched = true,
                 .code = "M",
+                .layer = 3,
+                .weight = 8},
+    MeasureInfo{.kind = MeasureKind::kLandingZone,
+                .id = "landing_zone",
+                .keyword = "LANDING-ZONE",
+                .label = "Landing zone",
+                .purpose = "Where aircraft land; robots may go there",
+                .help = "outline of an area where aircraft land",
+                .shape = MeasureShape::kRegion,
+                .min_points = 3,
+                .min_drawn = 3,
+                .sign = MeasureSign::kLandingArea,
+                .color = "landing",
+                .icon = "M5 5h14v14H5zM9.5 8.5v7M14.5 8.5v7M9.5 12h5",
+                .code = "LZ",
                 .layer = 3,
                 .weight = 8},
     MeasureInfo{.kind = MeasureKind::kStartPoint,

@@ -22,13 +22,14 @@ char upper(char c) {
 
 // `AA1` of `AA-AA1`; the whole where it has no prefix.
 std::string_view without_prefix(std::string_view reference) {
-  const std::size_t hyphen = reference.find('-');
-  if (hyphen == std::string_view::npos) return reference;
-  const std::string_view head = reference.substr(0, hyphen);
+  // Keywords have hyphens of their own (`LANDING-ZONE`), so the hyphen behind one need not be the first.
   const auto is_head = [&](const MeasureInfo& info) {
-    return std::ranges::equal(info.keyword, head, {}, {}, [](char c) { return upper(c); });
+    const std::size_t length = info.keyword.size();
+    return reference.size() > length && reference[length] == '-' &&
+           std::ranges::equal(info.keyword, reference.substr(0, length), {}, {}, upper);
   };
-  return std::ranges::any_of(kMeasures, is_head) ? reference.substr(hyphen + 1) : reference;
+  const auto* const kind = std::ranges::find_if(kMeasures, is_head);
+  return kind != kMeasures.end() ? reference.substr(kind->keyword.size() + 1) : reference;
 }
 
 }  // namespace

@@ -35,6 +35,17 @@ TEST(FindMeasure, TakesTheExactNameOrTheNameAfterAPrefix) {
   EXPECT_EQ(found(kDemo, "PP-0"), "0");
 }
 
+TEST(FindMeasure, TakesAPrefixThatHasAHyphenItself) {
+  const Overlay o =
+      with({{MeasureKind::kLandingZone, "Eagle"}, {MeasureKind::kLandingZone, "LANDING-ZONE-1"}});
+  EXPECT_EQ(found(o, "LANDING-ZONE-Eagle"), "Eagle");
+  EXPECT_EQ(found(o, "landing-zone-EAGLE"), "Eagle");
+  EXPECT_EQ(found(o, "LANDING-ZONE-LANDING-ZONE-1"), "LANDING-ZONE-1");
+  EXPECT_EQ(found(o, "LANDING-ZONE-1"), "LANDING-ZONE-1");
+  EXPECT_EQ(found(o, "LANDING-Eagle"), "nothing");
+  EXPECT_EQ(found(o, "LANDING-ZONE-"), "nothing");
+}
+
 TEST(FindMeasure, DoesNotCompareThePrefixWithTheKind) {
   EXPECT_EQ(found(kDemo, "AXIS-Gamma1"), "Gamma1");
   EXPECT_EQ(found(kDemo, "road-Gamma1"), "Gamma1");

@@ -37,8 +37,9 @@ std::string arguments(const MeasureInfo& one) {
   if (one.shape == overlay::MeasureShape::kHallway)
     return R"(name "CENTERLINE" pts "WIDTH" NUMBER "EXTENTS" pts)";
   std::string out = "name";
-  if (one.max_points == overlay::kAnyNumber) out += " pts";
-  for (std::size_t i = 0; one.max_points != overlay::kAnyNumber && i < one.max_points; ++i) out += " pt";
+  const bool is_any_number = one.max_points == overlay::kAnyNumber;
+  for (std::size_t i = 0; i < (is_any_number ? one.min_points - 1 : one.max_points); ++i) out += " pt";
+  if (is_any_number) out += " pts";
   if (one.size != overlay::MeasureSize::kNone) out += " [ NUMBER ]";
   return out;
 }

@@ -18,6 +18,8 @@ describe("places", () => {
     m("axis", "AXIS-Golf", 0, 200, 100, 200),
     m("gap", "g", 0, 1, 0, 2),
     m("room", "GAP-g", 0, 300),
+    m("landing_zone", "Eagle", 0, 400, 9, 400, 9, 409),
+    m("landing_zone", "LANDING-ZONE-1", 0, 500, 9, 500, 9, 509),
   ];
 
   it("are referred to as missions do, where that finds them", () => {
@@ -30,6 +32,8 @@ describe("places", () => {
       "AXIS-Golf",
       "g",
       "ROOM-GAP-g",
+      "LANDING-ZONE-Eagle",
+      "LANDING-ZONE-1",
     ]);
   });
 

@@ -64,6 +64,9 @@ describe("a draft", () => {
     area = addPoint(area, { x: 5, y: 5 });
     expect(missingInDraft(area)).toMatch(/three/);
     expect(missingInDraft(removeLastPoint(area))).toBe("");
+    const zone = addPoint(addPoint(emptyDraft("landing_zone"), { x: 0, y: 0 }), { x: 5, y: 5 });
+    expect(missingInDraft(zone)).toBe("Needs one more point.");
+    expect(missingInDraft(addPoint(zone, { x: 5, y: 0 }))).toBe("");
   });
 
   it("becomes a circle by a drag", () => {

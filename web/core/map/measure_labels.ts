@@ -122,6 +122,7 @@ function placesOf(pen: Pen, measure: Measure, width: number, height: number): Po
     }
     case "area":
     case "held_area":
+    case "landing_area":
     case "room":
     case "hallway":
       return areaPlaces(pen, measure, height);

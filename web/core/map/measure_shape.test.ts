@@ -80,6 +80,8 @@ describe("names", () => {
     expect([labelOf(phase, true), labelOf(area, true)]).toEqual(["PL GAMMA", "AA 1"]);
     expect(labelOf(measure({ kind: K.OBJECTIVE, name: "Tango" }), true)).toBe("OBJ TANGO");
     expect(labelOf(measure({ kind: K.OBJECTIVE, name: "Tango", showsLabel: false }), true)).toBe("");
+    const zone = measure({ kind: K.LANDING_ZONE, name: "Eagle" });
+    expect([labelOf(zone, false), labelOf(zone, true)]).toEqual(["Eagle", "LZ EAGLE"]);
   });
 });
 

@@ -41,6 +41,7 @@ export function shapeOf(measure: Measure): Shape | null {
   switch (signOf(measure)) {
     case "area":
     case "held_area":
+    case "landing_area":
       return points.length === 1
         ? { kind: "circle", centre: first, radius: sizeOf(measure) / 2 }
         : { kind: "polygon", points };

@@ -13,6 +13,7 @@ import {
   drawGap,
   hatchInside,
   kBuildingSigns,
+  kLandingDash,
   traceShape,
 } from "./measures_plain.ts";
 import { fade } from "./palette.ts";
@@ -21,12 +22,15 @@ import type { Pen } from "./tool.ts";
 
 const kLine = 2.25;
 
-const drawArea: DrawSign = (pen, measure, shape, color) => {
-  traceShape(pen, shape);
-  fill(pen, fade(pen.palette.ground, 0.35));
-  hatchInside(pen, measure, shape, color);
-  stroke(pen, { color, width: kLine });
-};
+function area(dash: readonly number[]): DrawSign {
+  return (pen, measure, shape, color) => {
+    traceShape(pen, shape);
+    fill(pen, fade(pen.palette.ground, 0.35));
+    hatchInside(pen, measure, shape, color);
+    stroke(pen, { color, width: kLine, dash });
+  };
+}
+const drawArea = area([]);
 
 const drawCodeFlag: DrawSign = (pen, measure, _, color) =>
   drawFlag(pen, measure.points[0]!, color, false, kindOfWire(measure.kind)?.keyword);
@@ -38,6 +42,7 @@ const kMilitarySigns: Readonly<Record<MeasureSign, DrawSign>> = {
     drawArea(pen, measure, shape, color);
     drawEchelon(pen, measure, color);
   },
+  landing_area: area(kLandingDash),
   point: drawCodeFlag,
   flag: drawCodeFlag,
   arrow: (pen, measure, _, color) => drawAxis(pen, measure, color),

@@ -34,17 +34,23 @@ export const hatchInside: DrawSign = (pen, measure, shape, color) => {
   traceShape(pen, shape);
 };
 
-const drawPlainArea: DrawSign = (pen, measure, shape, color) => {
-  traceShape(pen, shape);
-  fill(pen, fade(color, pen.palette.isDark ? 0.12 : 0.08));
-  hatchInside(pen, measure, shape, color);
-  stroke(pen, { color, width: 1.75 });
-};
+function plainArea(dash: readonly number[]): DrawSign {
+  return (pen, measure, shape, color) => {
+    traceShape(pen, shape);
+    fill(pen, fade(color, pen.palette.isDark ? 0.12 : 0.08));
+    hatchInside(pen, measure, shape, color);
+    stroke(pen, { color, width: 1.75, dash });
+  };
+}
+
+/** Of the broken outline of a landing zone, in both styles. */
+export const kLandingDash = [14, 5];
 
 const kPlainSigns: Readonly<Record<MeasureSign, DrawSign>> = {
   ...kBuildingSigns,
-  area: drawPlainArea,
-  held_area: drawPlainArea,
+  area: plainArea([]),
+  held_area: plainArea([]),
+  landing_area: plainArea(kLandingDash),
   point: (pen, measure, _, color) => drawPassagePoint(pen, measure, color),
   flag: (pen, measure, _, color) => drawFlag(pen, measure.points[0]!, color, true),
   arrow: (pen, _, shape, color) => {

@@ -19,6 +19,7 @@ export interface Palette {
   readonly attack: string;
   readonly battle: string;
   readonly objective: string;
+  readonly landing: string;
   readonly passage: string;
   readonly axis: string;
   readonly line: string;
@@ -64,6 +65,7 @@ export const kLight: Palette = {
   attack: "#b4540a",
   battle: "#92600a",
   objective: "#b3261e",
+  landing: "#a61e6b",
   passage: "#345063",
   axis: "#2456c4",
   line: "#5b3fa8",
@@ -108,6 +110,7 @@ export const kDark: Palette = {
   attack: "#f5a35c",
   battle: "#e3b94e",
   objective: "#ff8078",
+  landing: "#f291c8",
   passage: "#a9c4d8",
   axis: "#7ba7ff",
   line: "#b7a0ff",

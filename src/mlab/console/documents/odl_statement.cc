@@ -129,7 +129,8 @@ std::string problem_with(const Measure& measure) {
     return info.max_points != overlay::kAnyNumber
                ? fmt::format("{} has exactly {} point{}", word, info.max_points,
                              info.max_points == 1 ? "" : "s")
-               : fmt::format("{} has at least one point", word);
+               : fmt::format("{} has at least {} point{}", word, info.min_points,
+                             info.min_points == 1 ? "" : "s");
   }
   for (const auto* list : {&measure.points(), &measure.centerline()}) {
     for (const Point& p : *list) {

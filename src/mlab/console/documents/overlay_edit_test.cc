@@ -1,6 +1,8 @@
 #include "mlab/console/documents/overlay_edit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -74,9 +76,10 @@ const std::string kHeader = "CONTROL MEASURES:\n";
 TEST(OverlayEdit, AddsEveryKindSoThatItReadsAsAsked) {
   for (int k = Measure::Kind_MIN; k <= Measure::Kind_MAX; ++k) {
     const auto kind = static_cast<Measure::Kind>(k);
-    const bool is_point = kind == Measure::PASSAGE_POINT || kind == Measure::START_POINT;
-    Measure wanted = measure(kind, "New place", {{1.5, 2.25}});
-    if (!is_point) *wanted.add_points() = measure(kind, "", {{30, 40}}).points(0);
+    const overlay::MeasureInfo& info = overlay::info(static_cast<overlay::MeasureKind>(k));
+    Measure wanted = measure(kind, "New place", {{1.5, 2.25}, {30, 40}, {5, 60}});
+    const auto most = static_cast<int>(std::clamp<std::size_t>(2, info.min_points, info.max_points));
+    while (wanted.points_size() > most) wanted.mutable_points()->RemoveLast();
     if (kind == Measure::HALLWAY) {
       *wanted.mutable_centerline() = wanted.points();
       wanted.set_size(1.7);
@@ -140,7 +143,8 @@ TEST(OverlayEdit, RefusesWhatAnOverlayCannotSay) {
         measure(Measure::WALL, "w", {}), measure(Measure::WALL, "w", {{nan, 0}}),
         measure(Measure::WALL, "w", {{1e9, 0}}), measure(Measure::WALL, "a\"b", {{1, 0}}),
         measure(Measure::WALL, "a\nb", {{1, 0}}), measure(Measure::WALL, "star*", {{1, 0}}),
-        measure(Measure::HALLWAY, "h", {{1, 0}}, 2.0), measure(Measure::WALL, "w", {{1, 0}}, nan)}) {
+        measure(Measure::HALLWAY, "h", {{1, 0}}, 2.0), measure(Measure::WALL, "w", {{1, 0}}, nan),
+        measure(Measure::LANDING_ZONE, "z", {{1, 0}, {2, 0}})}) {
     EXPECT_NE(texts.change({add(odd)}), "") << odd.ShortDebugString();
   }
   EXPECT_NE(texts.change({move_obstacle(0, 1, 2, 3)}), "");

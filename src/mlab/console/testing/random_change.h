@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,14 +23,18 @@ inline void add_point(google::protobuf::RepeatedPtrField<Point>& to, base::Rando
   p.set_y(random_coordinate(random));
 }
 
+inline const overlay::MeasureInfo& info_of(const Measure& measure) {
+  return overlay::info(static_cast<overlay::MeasureKind>(measure.kind()));
+}
+
 /// A measure of any kind that an overlay can hold.
 inline Measure random_measure(base::Random& random) {
   Measure out;
   out.set_kind(static_cast<Measure::Kind>(random.below(overlay::kMeasures.size())));
   out.set_name((random.below(2) == 0 ? "N" : "odd name ") + std::to_string(random.below(1000)));
   out.set_shows_label(random.below(3) > 0);
-  const bool is_point = out.kind() == Measure::PASSAGE_POINT || out.kind() == Measure::START_POINT;
-  const std::uint64_t count = is_point ? 1 : out.kind() == Measure::GAP ? 2 : 1 + random.below(4);
+  const overlay::MeasureInfo& info = info_of(out);
+  const std::uint64_t count = std::min(info.max_points, info.min_points + random.below(4));
   for (std::uint64_t i = 0; i < count; ++i) add_point(*out.mutable_points(), random);
   if (out.kind() == Measure::HALLWAY) {
     add_point(*out.mutable_centerline(), random);
@@ -41,7 +47,7 @@ inline Measure random_measure(base::Random& random) {
 /// Moves, reshapes or renames it, or makes another out of it.
 inline Measure changed(const Measure& measure, base::Random& random) {
   Measure out = measure;
-  const bool is_point = out.kind() == Measure::PASSAGE_POINT || out.kind() == Measure::START_POINT;
+  const auto count = static_cast<std::size_t>(out.points_size());
   switch (random.below(7)) {
     case 0:
       out.set_name("N" + std::to_string(random.below(1000)));
@@ -53,7 +59,7 @@ inline Measure changed(const Measure& measure, base::Random& random) {
       out.set_size(random.uniform(0.5, 90.0));
       break;
     case 3:
-      if (!is_point && out.kind() != Measure::GAP) {
+      if (count < info_of(out).max_points) {
         add_point(*out.mutable_points(), random);
         out.mutable_points()->SwapElements(
             static_cast<int>(random.below(static_cast<std::uint64_t>(out.points_size()))),
@@ -61,7 +67,7 @@ inline Measure changed(const Measure& measure, base::Random& random) {
       }
       break;
     case 4:
-      if (out.points_size() > 1 && out.kind() != Measure::GAP)
+      if (count > info_of(out).min_points)
         out.mutable_points()->DeleteSubrange(
             static_cast<int>(random.below(static_cast<std::uint64_t>(out.points_size()))), 1);
       break;

@@ -51,7 +51,7 @@ Rule measure_rule(const MeasureInfo& measure) {
   const std::string_view number = number_of(measure.size);
   std::string usage = fmt::format("{} name", measure.keyword);
   const bool is_any_number = measure.max_points == overlay::kAnyNumber;
-  for (std::size_t i = 0; i < (is_any_number ? 1 : measure.max_points); ++i) usage += " x y";
+  for (std::size_t i = 0; i < (is_any_number ? measure.min_points : measure.max_points); ++i) usage += " x y";
   if (is_any_number) usage += " ...";
   if (!number.empty()) usage += fmt::format(" [{}]", number.substr(2));
   return {keyword, Form::kNamed,    measure.min_points, measure.max_points, 0, number.empty() ? 0U : 1U,
