@@ -117,6 +117,7 @@ export function everything(): Session {
         measure(K.BATTLE_POSITION, "North", [600, 530, 670, 540, 690, 590, 620, 610]),
         measure(K.OBJECTIVE, "Tango", [770, 565], { size: 90 }),
         measure(K.OBJECTIVE, "Sierra", [850, 525, 960, 540, 940, 610, 860, 600]),
+        measure(K.MINEFIELD, "Juliet", [740, 290, 840, 285, 850, 350, 750, 360]),
         measure(K.LANDING_ZONE, "Eagle", [880, 320, 985, 310, 990, 395, 905, 400]),
         measure(K.PASSAGE_POINT, "Charlie", [60, 450], { size: 12 }),
         measure(K.PASSAGE_POINT, "Delta1", [90, 450], { size: 12 }),

@@ -166,6 +166,20 @@ TEST(WriteBack, RefusesWhatHasNoPlaceInTheText) {
   EXPECT_EQ(desk.document(path).text(), text);
 }
 
+TEST(WriteBack, KeepsTextsInQuotesAndRefusesWhatTheyCanNotHold) {
+  LiveDesk desk;
+  const std::string path =
+      desk.write("assemblage Call() {\n  sequence { start Telling: NotifySelf(message = \"here\"); }\n}\n");
+  ASSERT_TRUE(desk.try_out(path).ok());
+  const Answer done = write_back(desk, path, "movement.Telling.message", "there\\now");
+  ASSERT_TRUE(done.ok()) << done.error();
+  const std::string text = desk.document(path).text();
+  EXPECT_NE(text.find("message = \"there\\now\""), std::string::npos) << text;
+  EXPECT_NE(write_back(desk, path, "movement.Telling.message", "\"there\"").error(), "");
+  EXPECT_NE(write_back(desk, path, "movement.Telling.message", "two\nlines").error(), "");
+  EXPECT_EQ(desk.document(path).text(), text);
+}
+
 TEST(ReadField, TheStandardBodySensesAsFarAsThePageAsks) {
   LiveDesk desk;
   const std::string path = desk.write(

@@ -78,14 +78,7 @@ bool is_number_text(std::string_view text) {
 // The value in the words of what stood there: with a unit where one was said, in quotes where there were
 // some.
 std::string in_words_of(std::string_view before, const std::string& value, const std::string& unit) {
-  if (before.starts_with('"')) {
-    std::string out = "\"";
-    for (const char c : value) {
-      if (c == '"' || c == '\\') out += '\\';
-      out += c;
-    }
-    return out + '"';
-  }
+  if (before.starts_with('"')) return '"' + value + '"';
   const bool has_unit =
       is_number_text(before) && !before.empty() &&
       (std::isalpha(static_cast<unsigned char>(before.back())) != 0 || before.ends_with('%'));
@@ -149,6 +142,8 @@ class BackWriter {
     const std::string_view words = model_->text().substr(span.begin, span.end - span.begin);
     if (words != where->text(source.place.span) || words.empty())
       return not_written("this value was assumed for trying: it stands nowhere in the text");
+    if (words.starts_with('"') && value.find_first_of("\"\n\r") != std::string::npos)
+      return not_written("a text in a configuration can't hold `\"` or the end of a line");
     std::string text(model_->text());
     text.replace(span.begin, span.end - span.begin, in_words_of(words, value, unit));
     return checked({std::move(text), fmt::format("write back {} = {}", short_name(port), value)});

@@ -33,7 +33,7 @@ struct Number {
   text::Span whole = {};
 };
 
-/// `"Flag|Basket"`, without its quotes, escapes resolved.
+/// `"Flag|Basket"`, without its quotes; there are no escapes.
 struct Text {
   std::string value;
 };
