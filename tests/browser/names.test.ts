@@ -117,6 +117,39 @@ test("Shift F12 lists the uses in all files, and a click goes there", async () =
   await uses.waitFor({ state: "detached" });
 });
 
+test("F2 shows what changes in all files before it is done, and Undo takes it back as a whole", async () => {
+  const { console, project: files } = await project();
+  const { page } = console;
+  await into(console, "PP-Far");
+  await page.keyboard.press("F2");
+  const dialog = page.getByRole("dialog", { name: /^Rename / });
+  const field = dialog.getByRole("textbox", { name: "Name" });
+  await field.fill("Near");
+  await dialog.getByText(/far\.mdl, line 6/).waitFor();
+  const button = dialog.getByRole("button", { name: "Rename", exact: true });
+  expect(await button.isDisabled()).toBe(true);
+  await field.fill("");
+  expect(await button.isDisabled()).toBe(true);
+  await field.fill("two words");
+  await dialog.getByText(/is no name in this language/).waitFor();
+  await field.fill("Gate");
+  await dialog.getByText("4 places in 4 files").waitFor();
+  await dialog.getByRole("region", { name: "robots.cdl" }).getByText("far: Point").waitFor();
+  await page.keyboard.press("Enter");
+  await page.getByText(/^Renamed .* to Gate/).waitFor();
+  await dialog.waitFor({ state: "detached" });
+  await textOf(console, "far.mdl").getByText("PP-Gate").waitFor();
+  expect(files.read("far.mdl")).toContain("MOVETO PP-Gate");
+  expect(files.read("other.mdl")).toContain("MOVETO PP-Gate");
+  expect(files.read("robots.cdl")).toContain('place("Gate")');
+  await console.reaches("Ready");
+  await console.button(/^Undo rename/).click();
+  await textOf(console, "far.mdl").getByText("PP-Far").waitFor();
+  await expect.poll(() => files.read("other.mdl")).toBe(kOther);
+  expect(files.read("robots.cdl")).toBe(kRobots);
+  expect(files.read("map.odl")).toBe(kMap);
+});
+
 test("what is in the way is shown", async () => {
   const { console } = await project();
   const { page } = console;

@@ -171,11 +171,12 @@ TEST(WriteBack, KeepsTextsInQuotesAndRefusesWhatTheyCanNotHold) {
   const std::string path =
       desk.write("assemblage Call() {\n  sequence { start Telling: NotifySelf(message = \"here\"); }\n}\n");
   ASSERT_TRUE(desk.try_out(path).ok());
-  const Answer done = write_back(desk, path, "movement.Telling.message", "there\\now");
+  const Answer done = write_back(desk, path, "movement.Telling.message", "there, now");
   ASSERT_TRUE(done.ok()) << done.error();
   const std::string text = desk.document(path).text();
-  EXPECT_NE(text.find("message = \"there\\now\""), std::string::npos) << text;
+  EXPECT_NE(text.find("message = \"there, now\""), std::string::npos) << text;
   EXPECT_NE(write_back(desk, path, "movement.Telling.message", "\"there\"").error(), "");
+  EXPECT_NE(write_back(desk, path, "movement.Telling.message", "there\\now").error(), "");
   EXPECT_NE(write_back(desk, path, "movement.Telling.message", "two\nlines").error(), "");
   EXPECT_EQ(desk.document(path).text(), text);
 }
