@@ -45,24 +45,30 @@ void NameOrders::find_uses(const FindUses& request, Answer& out) {
   const std::optional<NamePlace> asked = asked_name(at, out);
   if (!asked) return;
   auto found = names_.uses(asked->text, asked->cursor);
-  if (!found) return refuse_name(found.error(), out);
-  *out.mutable_uses() = std::move(*found);
+  if (found)
+    *out.mutable_uses() = std::move(*found);
+  else
+    refuse_name(found.error(), out);
 }
 
 void NameOrders::plan_rename(const PlanRename& request, Answer& out) {
   const std::optional<NamePlace> asked = asked_name(request.at(), out);
   if (!asked) return;
   auto found = names_.plan(asked->text, asked->cursor, request.name());
-  if (!found) return refuse_name(found.error(), out);
-  *out.mutable_plan() = std::move(*found);
+  if (found)
+    *out.mutable_plan() = std::move(*found);
+  else
+    refuse_name(found.error(), out);
 }
 
 void NameOrders::rename_everywhere(const RenameEverywhere& request, Answer& out) {
   const std::optional<NamePlace> asked = asked_name(request.at(), out);
   if (!asked) return;
   auto done = names_.rename(asked->text, asked->cursor, request.name(), request.seal(), wall_time());
-  if (!done) return refuse_name(done.error(), out);
-  *out.mutable_plan() = std::move(*done);
+  if (done)
+    *out.mutable_plan() = std::move(*done);
+  else
+    refuse_name(done.error(), out);
 }
 
 void NameOrders::undo_rename(Answer& out) {
@@ -72,7 +78,10 @@ void NameOrders::undo_rename(Answer& out) {
 
 void NameOrders::find_definition(const OpenConfiguration& document, std::uint32_t cursor, Answer& out) {
   const auto found = names_.definition({document.model->source(), assist::Language::kConfiguration}, cursor);
-  if (!found) return refuse_name(found.error(), out);
+  if (!found) {
+    refuse_name(found.error(), out);
+    return;
+  }
   const std::string path = desk_.document_of(found->source->name());
   if (path == document.path)
     add_location(*document.drawn, path, found->span, out);
