@@ -39,7 +39,8 @@ test("a parameter's slider changes the robot while it runs, and the change can b
 });
 
 test("why a robot moves as it does is told in sums of its schemas", async () => {
-  const { console } = await begin({ mission: "demo_c" });
+  // So slowly that it still moves when everything has been looked at.
+  const { console } = await begin({ mission: "demo_c", options: ["--speed", "1"] });
   const { page } = console;
   await console.main.click();
   await console.reaches("Running");
