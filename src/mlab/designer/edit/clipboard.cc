@@ -58,7 +58,7 @@ Done Editor::paste(const Paste& change) {
   if (change.text().find_first_not_of(" \t\r\n") == std::string::npos)
     return refusal("there is nothing to paste");
   if (change.page().empty()) return paste_declarations(change.text());
-  const text::Result<PageView> view = page(change.page());
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   const std::optional<Clipboard> clipboard = clipboard_of(change.text());
   if (!clipboard) return refusal("the clipboard holds nothing that can stand here");

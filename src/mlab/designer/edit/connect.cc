@@ -55,18 +55,19 @@ std::string base_of(const std::string& component) {
 }  // namespace
 
 Done Editor::connect(const Connect& change) {
-  if (is_equipment(change.page())) return connect_device(change);
-  text::Result<PageView> view = page(change.page());
+  if (is_equipment(work_.model(), change.page())) return connect_device(change);
+  text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
-  const text::Result<int> from = node(*view, change.from_node());
+  const text::Result<int> from = find_node(*view, change.from_node());
   if (!from) return std::unexpected(from.error());
-  const text::Result<Spot> to = spot(*view, change.to_node(), change.to_port(), index_of(change), true);
+  const text::Result<Spot> to = find_spot(*view, change.to_node(), change.to_port(), index_of(change), true);
   if (!to) return std::unexpected(to.error());
   const GraphNode& source = view->node(*from);
   if (source.kind == Kind::kActuator) return refusal("an actuator gives no value");
   const GraphInput* input = to->at();
   if (input != nullptr && input->from == *from && !input->is_open) return true;
-  if (const std::string reason = why_not(given(*view, *from), wanted(*to)); !reason.empty())
+  if (const std::string reason = why_not(view->type_of(*from), wanted_type(work_.model(), *to));
+      !reason.empty())
     return refusal(reason);
   const bool is_delayed = input != nullptr && input->role == Role::kDelayed;
   if (to->node >= 0 && !is_delayed && reaches(*view, *from, to->node))
@@ -80,13 +81,13 @@ Done Editor::connect(const Connect& change) {
   if (source.kind == Kind::kOuter || source.let != nullptr) return connect_let(*view, *from, *to);
   // It is written where it is read first: from now on both read a name.
   const std::string owner = view->graph->name;
-  const int target = to->node < 0 ? -1 : follow(*view, to->node);
+  const int target = to->node < 0 ? -1 : follow(work_, *view, to->node);
   const std::string name = make_let(Spot{*view, source.reader, source.reader_input, ""});
   if (const Done done = work_.commit(); !done) return done;
   Connect again = change;
   again.set_from_node(name);
   if (target >= 0) {
-    const auto found = followed(owner, target);
+    const auto found = followed(work_, owner, target);
     if (!found) return refusal("the node has gone");
     again.set_page(found->first.page->path);
     again.set_to_node(found->first.node(found->second).name);
@@ -109,24 +110,24 @@ Done Editor::connect_let(const PageView& view, int from, const Spot& to) {
 }
 
 Done Editor::disconnect(const Disconnect& change) {
-  if (is_equipment(change.page()))
+  if (is_equipment(work_.model(), change.page()))
     return refusal("a device serves a binding point: lead it to another one, or remove it");
-  const text::Result<PageView> view = page(change.page());
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
-  const text::Result<Spot> to = spot(*view, change.to_node(), change.to_port(), index_of(change), false);
+  const text::Result<Spot> to = find_spot(*view, change.to_node(), change.to_port(), index_of(change), false);
   if (!to) return std::unexpected(to.error());
-  if (written(*to) == nullptr) return refusal("nothing is connected there");
+  if (to->written() == nullptr) return refusal("nothing is connected there");
   const Done done = clear(*to);
   return done ? work_.commit() : done;
 }
 
 Done Editor::set_value(const SetValue& change) {
-  if (is_equipment(change.page())) return set_equipment_value(change);
-  const text::Result<PageView> view = page(change.page());
+  if (is_equipment(work_.model(), change.page())) return set_equipment_value(change);
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   const bool is_new = change.has_index() || !change.value().empty();
-  text::Result<Spot> to = spot(*view, change.node(), change.port(), index_of(change), false);
-  if (!to && is_new) to = spot(*view, change.node(), change.port(), index_of(change), true);
+  text::Result<Spot> to = find_spot(*view, change.node(), change.port(), index_of(change), false);
+  if (!to && is_new) to = find_spot(*view, change.node(), change.port(), index_of(change), true);
   if (!to) return std::unexpected(to.error());
   if (change.value().empty()) {
     const Done done = clear(*to);
@@ -139,8 +140,8 @@ Done Editor::set_value(const SetValue& change) {
 }
 
 Done Editor::place(const Place& change) {
-  if (is_equipment(change.page())) return place_device(change);
-  text::Result<PageView> view = page(change.page());
+  if (is_equipment(work_.model(), change.page())) return place_device(change);
+  text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   const Components& components = work_.model().components();
   const std::optional<std::string> words = words_of(change.component(), components);
@@ -182,8 +183,8 @@ Done Editor::place_sink(const PageView& view, const Place& change) {
 
 Done Editor::remove(const Remove& change) {
   if (change.page().empty()) return remove_declarations(change);
-  if (is_equipment(change.page())) return remove_devices(change);
-  const text::Result<PageView> view = page(change.page());
+  if (is_equipment(work_.model(), change.page())) return remove_devices(change);
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   if (change.nodes().empty()) return refusal("nothing is chosen");
   std::vector<int> handles;
@@ -199,7 +200,7 @@ Done Editor::remove(const Remove& change) {
       states.add_nodes(name);
       continue;
     }
-    const text::Result<int> found = node(*view, name);
+    const text::Result<int> found = find_node(*view, name);
     if (!found) return std::unexpected(found.error());
     const GraphNode& one = view->node(*found);
     if (one.parameter != nullptr) {
@@ -214,7 +215,7 @@ Done Editor::remove(const Remove& change) {
       }
       return rest.nodes().empty() ? Done(true) : remove(rest);
     }
-    handles.push_back(follow(*view, *found));
+    handles.push_back(follow(work_, *view, *found));
   }
   const std::string owner = view->graph->name;
   if (!states.nodes().empty()) {
@@ -228,14 +229,14 @@ Done Editor::remove(const Remove& change) {
 
 // What drives it stays, as a node that leads nowhere, unless it is to be removed as well.
 Done Editor::remove_node(const std::string& owner, int handle, const std::vector<int>& others) {
-  auto found = followed(owner, handle);
+  auto found = followed(work_, owner, handle);
   if (!found) return true;
   // First the nodes that are written inside of it.
   for (std::size_t i = 0; i < found->first.node(found->second).inputs.size();) {
     const PageView view = found->first;
     const GraphInput& input = view.node(found->second).inputs[i];
     const bool is_removed = input.is_inline && std::ranges::any_of(others, [&](int other) {
-                              const auto there = followed(owner, other);
+                              const auto there = followed(work_, owner, other);
                               return there && there->first.page == view.page && there->second == input.from;
                             });
     // What stands in for a case that nobody fills is no node that was there.
@@ -247,7 +248,7 @@ Done Editor::remove_node(const std::string& owner, int handle, const std::vector
     }
     if (const Done done = clear(Spot{view, found->second, static_cast<int>(i), ""}); !done) return done;
     if (const Done done = work_.commit(); !done) return done;
-    found = followed(owner, handle);
+    found = followed(work_, owner, handle);
     if (!found) return true;
     i = 0;
   }
@@ -277,9 +278,9 @@ Done Editor::remove_node(const std::string& owner, int handle, const std::vector
 }
 
 Done Editor::set_active(const SetActive& change) {
-  const text::Result<PageView> view = page(change.page());
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
-  const text::Result<int> at = node(*view, change.node());
+  const text::Result<int> at = find_node(*view, change.node());
   if (!at) return std::unexpected(at.error());
   const cdl::Expression* expression = view->node(*at).expression;
   if (expression == nullptr) return refusal("only a behavior or a percept has an active part");
@@ -289,10 +290,10 @@ Done Editor::set_active(const SetActive& change) {
     const Done done = clear(Spot{*view, *at, static_cast<int>(input - inputs.begin()), ""});
     if (!done) return done;
     const std::string owner = view->graph->name;
-    const int handle = follow(*view, *at);
+    const int handle = follow(work_, *view, *at);
     if (const Done committed = work_.commit(); !committed) return committed;
     if (change.component().empty()) return true;
-    const auto found = followed(owner, handle);
+    const auto found = followed(work_, owner, handle);
     if (!found) return refusal("the node has gone");
     SetActive again = change;
     again.set_page(found->first.page->path);
@@ -313,16 +314,16 @@ Done Editor::set_active(const SetActive& change) {
 
 // Another component in its place: inputs of the same name and a fitting type stay.
 Done Editor::replace(const Replace& change) {
-  if (is_equipment(change.page())) {
+  if (is_equipment(work_.model(), change.page())) {
     SetDevice by;
     by.set_owner(change.page());
     by.set_device(change.node());
     by.set_component(change.component());
     return change.node().empty() ? refusal("nothing is chosen") : set_device(by);
   }
-  const text::Result<PageView> view = page(change.page());
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
-  const text::Result<int> at = node(*view, change.node());
+  const text::Result<int> at = find_node(*view, change.node());
   if (!at) return std::unexpected(at.error());
   const cdl::Expression* old = view->node(*at).expression;
   if (old == nullptr) return refusal("only a component has something in its place");
@@ -332,7 +333,7 @@ Done Editor::replace(const Replace& change) {
   if (!std::holds_alternative<cdl::Call>(old->what)) return replace_operator(*view, *at, *value_of(*words));
   const std::optional<Callable> other = components.find(change.component());
   if (!other) return refusal("a call is replaced by another call only");
-  return replace_call(view->graph->name, follow(*view, *at), *other);
+  return replace_call(view->graph->name, follow(work_, *view, *at), *other);
 }
 
 Done Editor::replace_operator(const PageView& view, int at, const cdl::Expression& other) {
@@ -367,7 +368,7 @@ Done Editor::replace_operator(const PageView& view, int at, const cdl::Expressio
 
 // What the other does not take loses its place, one after the other.
 Done Editor::replace_call(const std::string& owner, int handle, const Callable& other) {
-  const auto found = followed(owner, handle);
+  const auto found = followed(work_, owner, handle);
   if (!found) return refusal("the node has gone");
   const auto& [view, at] = *found;
   const GraphNode& there = view.node(at);
@@ -378,7 +379,8 @@ Done Editor::replace_call(const std::string& owner, int handle, const Callable& 
     const auto socket = std::ranges::find(other.inputs, input.port, &Socket::name);
     const bool is_taken =
         socket != other.inputs.end() &&
-        why_not(input.from < 0 ? wanted(spot) : given(view, input.from), socket->type).empty();
+        why_not(input.from < 0 ? wanted_type(work_.model(), spot) : view.type_of(input.from), socket->type)
+            .empty();
     if (is_taken) continue;
     if (const Done done = clear(spot); !done) return done;
     if (const Done done = work_.commit(); !done) return done;
@@ -395,10 +397,10 @@ Done Editor::replace_call(const std::string& owner, int handle, const Callable& 
 }
 
 Done Editor::expose(const Expose& change) {
-  if (is_equipment(change.page())) return expose_equipment(change);
-  const text::Result<PageView> view = page(change.page());
+  if (is_equipment(work_.model(), change.page())) return expose_equipment(change);
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
-  text::Result<Spot> to = spot(*view, change.node(), change.port(), index_of(change), false);
+  text::Result<Spot> to = find_spot(*view, change.node(), change.port(), index_of(change), false);
   if (!to) return std::unexpected(to.error());
   if (to->node < 0) return refusal("only an input of a node can be a parameter");
   const GraphInput& input = *to->at();

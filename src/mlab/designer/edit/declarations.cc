@@ -14,14 +14,10 @@ namespace mlab::designer {
 
 // ---- declarations
 
-bool Editor::is_declared(const std::string& name) const {
-  return anchors_of(work_.model(), "", work_.tokens()).contains(name);
-}
-
 Done Editor::add_declaration(const AddDeclaration& change) {
   const std::string& name = change.name();
   if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
-  if (is_declared(name)) return refusal(fmt::format("there is a `{}` already", name));
+  if (is_declared(work_, name)) return refusal(fmt::format("there is a `{}` already", name));
   std::string words;
   if (change.kind() == "assemblage") {
     words = fmt::format("assemblage {}() {{\n}}", name);
@@ -77,7 +73,7 @@ Done Editor::copy_component(const CopyComponent& change) {
   const std::string name = change.name().empty() ? change.component() : change.name();
   const Model other(source, cdl::Environment{configuration.built_in, nullptr});
   if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
-  if (is_declared(name)) return refusal(fmt::format("there is a `{}` already", name));
+  if (is_declared(work_, name)) return refusal(fmt::format("there is a `{}` already", name));
   visit_declaration(other.tree(), change.component(), [&](auto one) {
     if (one.name.text != name) one.whole = {};
     one.name.text = name;
@@ -180,7 +176,7 @@ Done Editor::remove_parameter(const RemoveParameter& change) {
       std::ranges::find_if(*all, [&](const cdl::Parameter& p) { return p.name.text == change.name(); });
   if (known == all->end())
     return refusal(fmt::format("there is no parameter `{}`", text::shown(change.name())));
-  const bool is_class = is_equipment(change.owner());
+  const bool is_class = is_equipment(work_.model(), change.owner());
   if (is_class && reads_parameter(*equipped(work_.model(), change.owner()).robot_class, change.name()))
     return refusal(fmt::format("the body or a device reads `{}`: change that first", change.name()));
   if (const OwnerGraph* graph = is_class ? nullptr : work_.model().graph(change.owner())) {
@@ -194,7 +190,7 @@ Done Editor::remove_parameter(const RemoveParameter& change) {
       return refusal(fmt::format("a trigger or another parameter needs `{}`", change.name()));
   }
   work_.changes().remove(*known);
-  for_each_call(change.owner(), [&](const cdl::Call& call) {
+  for_each_call(work_.model().tree(), change.owner(), [&](const cdl::Call& call) {
     for (const cdl::Argument& argument : call.arguments) {
       if (argument.name.text == change.name()) work_.changes().remove(argument);
     }

@@ -15,8 +15,6 @@
 namespace mlab::designer {
 namespace {
 
-constexpr std::string_view kPointNode = "$point.";
-
 const cdl::Argument* argument_of(const cdl::Call& call, const Callable& component, std::string_view name) {
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const cdl::Argument& argument = call.arguments[i];
@@ -78,20 +76,6 @@ std::string why_not_property(const cdl::BodyProperty& property, const cdl::Expre
 
 // ---- what is spoken of
 
-text::Result<Editor::DeviceSpot> Editor::device(const std::string& owner, const std::string& name) const {
-  const Equipped found = equipped(work_.model(), owner);
-  if (!found) return refusal(fmt::format("there is no class or operator `{}`", text::shown(owner)));
-  const cdl::Device* device = found.device(name);
-  if (device == nullptr)
-    return refusal(fmt::format("`{}` has no device `{}`", text::shown(owner), text::shown(name)));
-  const std::optional<Callable>& by = work_.model().components().find(device->by.callee.text);
-  return DeviceSpot{found, device, by ? &*by : nullptr};
-}
-
-bool Editor::is_equipment(const std::string& page) const {
-  return bool(equipped(work_.model(), page));
-}
-
 text::Result<const cdl::Binding*> Editor::binding(const std::string& name) const {
   const auto& bindings = work_.model().configuration().bindings;
   const auto found = bindings.find(name);
@@ -124,7 +108,7 @@ Done Editor::set_device(const SetDevice& change) {
   const Equipped owner = equipped(work_.model(), change.owner());
   if (!owner) return refusal(fmt::format("there is no class or operator `{}`", text::shown(change.owner())));
   if (change.device().empty()) return add_device(owner, change);
-  const text::Result<DeviceSpot> spot = device(change.owner(), change.device());
+  const text::Result<DeviceSpot> spot = find_device(work_.model(), change.owner(), change.device());
   if (!spot) return std::unexpected(spot.error());
   const cdl::Device& old = *spot->device;
   const std::string binds = change.has_binds() ? change.binds() : old.binds.text;
@@ -193,7 +177,7 @@ Done Editor::remove_devices(const Remove& change) {
     if (name.starts_with(kBodyNode)) return refusal("every robot has a body: its numbers can be changed");
     if (name.starts_with(kPointNode))
       return refusal("a binding point stands here as long as a device serves it or a robot asks for it");
-    const text::Result<DeviceSpot> spot = device(change.page(), name);
+    const text::Result<DeviceSpot> spot = find_device(work_.model(), change.page(), name);
     if (!spot) return std::unexpected(spot.error());
     work_.changes().remove(*spot->device);
     if (spot->owner.robot_class != nullptr) drop_choices(change.page(), name);
@@ -202,7 +186,7 @@ Done Editor::remove_devices(const Remove& change) {
 }
 
 Done Editor::rename_device(const Rename& change) {
-  const text::Result<DeviceSpot> spot = device(change.page(), change.node());
+  const text::Result<DeviceSpot> spot = find_device(work_.model(), change.page(), change.node());
   if (!spot) return std::unexpected(spot.error());
   if (spot->owner.robot_class == nullptr)
     return refusal("what an operator serves is called by its binding point");
@@ -228,7 +212,7 @@ Done Editor::rename_device(const Rename& change) {
 
 Done Editor::set_equipment_value(const SetValue& change) {
   if (change.node().starts_with(kBodyNode)) return set_body(change);
-  const text::Result<DeviceSpot> spot = device(change.page(), change.node());
+  const text::Result<DeviceSpot> spot = find_device(work_.model(), change.page(), change.node());
   if (!spot) return std::unexpected(spot.error());
   const cdl::Call& call = spot->device->by;
   const auto* input = spot->by == nullptr ? nullptr : [&]() -> const Socket* {
@@ -348,7 +332,7 @@ text::Result<SetParameter> Editor::exposed(const Expose& change, const cdl::Robo
     out.set_initial(is_said ? text_of(*known->value) : std::string(property->initial));
     return out;
   }
-  const text::Result<DeviceSpot> spot = device(change.page(), change.node());
+  const text::Result<DeviceSpot> spot = find_device(work_.model(), change.page(), change.node());
   if (!spot) return std::unexpected(spot.error());
   if (spot->by == nullptr) return refusal("what type it has can't be told");
   const auto socket = std::ranges::find(spot->by->inputs, change.port(), &Socket::name);
@@ -411,7 +395,7 @@ std::string Editor::point_for(const Equipped& owner, const Callable& by) const {
 }
 
 Done Editor::help_device(const SetHelp& change) {
-  const text::Result<DeviceSpot> spot = device(change.page(), change.node());
+  const text::Result<DeviceSpot> spot = find_device(work_.model(), change.page(), change.node());
   if (!spot) return std::unexpected(spot.error());
   work_.changes().change<cdl::Device>(*spot->device,
                                       [help = change.text()](cdl::Device& now) { now.help = help; });

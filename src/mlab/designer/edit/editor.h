@@ -12,31 +12,14 @@
 #include "mlab/designer.pb.h"
 #include "mlab/designer/drawing/graph.h"
 #include "mlab/designer/drawing/serving.h"
+#include "mlab/designer/edit/find/declared.h"
+#include "mlab/designer/edit/find/devices.h"
+#include "mlab/designer/edit/find/followed.h"
+#include "mlab/designer/edit/find/pages.h"
+#include "mlab/designer/edit/find/sequences.h"
 #include "mlab/designer/edit/workspace.h"
 
 namespace mlab::designer {
-
-/// One page of a workspace's text as it stands.
-struct PageView {
-  const OwnerGraph* graph = nullptr;
-  const GraphPage* page = nullptr;
-
-  const GraphNode& node(int at) const { return page->nodes[static_cast<std::size_t>(at)]; }
-  const std::vector<cdl::Let>& lets() const { return graph->lets(); }
-};
-
-/// An input that a change speaks of: of a node, or what the page gives.
-struct Spot {
-  PageView view;
-  int node = -1;  ///< -1: what the page gives
-  int input = -1;
-  std::string drive;  ///< an actuator that nothing drives yet
-
-  bool is_result() const { return node < 0 && drive.empty(); }
-  const GraphInput* at() const {
-    return node < 0 ? nullptr : &view.node(node).inputs[static_cast<std::size_t>(input)];
-  }
-};
 
 /// Does the changes of an Edit to a workspace. The methods stand in edit_*.cc by what they change.
 class Editor {
@@ -45,28 +28,8 @@ class Editor {
   Done apply(const Change& change);
 
  private:
-  // ---- edit_find.cc: what the names of a change stand for
-  text::Result<PageView> page(const std::string& path) const;
-  text::Result<int> node(const PageView& view, const std::string& name) const;
-  /// @param for_new  an open place of a list is meant where no index is said
-  text::Result<Spot> spot(const PageView& view, const std::string& node, const std::string& port,
-                          std::optional<std::uint32_t> index, bool for_new) const;
-  /// The expression that stands there; null: nothing.
-  const cdl::Expression* written(const Spot& spot) const;
-  /// The node that drives it and is written there; -1: none.
-  int inline_node(const Spot& spot) const;
-  /// Of a node that is written there, and would be lost.
-  bool is_kept(const Spot& spot) const { return inline_node(spot) >= 0 && spot.view.page->asks == nullptr; }
-  cdl::PortType wanted(const Spot& spot) const;
-  cdl::PortType given(const PageView& view, int node) const;
   std::string free_name(const PageView& view, const std::string& wanted) const;
   bool is_taken(const PageView& view, std::string_view name) const;
-  /// Whether a value of `to` goes, directly or not, into `from` without a delay: a wire from `from` to `to`
-  /// would close a loop.
-  bool reaches(const PageView& view, int from, int to) const;
-
-  /// An input that a name drives, or a page that it gives.
-  static std::optional<Spot> reader_of(const OwnerGraph& graph, std::string_view name);
 
   // ---- edit_wires.cc: primitives and wires. They note what is to change; who calls them commits.
   /// What stands at the spot afterwards. What stood there before is lost, unless it is a node that can be
@@ -96,9 +59,6 @@ class Editor {
   bool takes(const Spot& spot, const cdl::Expression& expression) const;
   cdl::ExpressionPtr zero_of(const cdl::PortType& type) const;
   cdl::ExpressionPtr neutral(const cdl::PortType& type) const;
-  int follow(const PageView& view, int node);
-  /// Where it is now: its page and its place there.
-  std::optional<std::pair<PageView, int>> followed(const std::string& owner, int handle) const;
 
   // ---- edit_connect.cc
   Done connect(const Connect& change);
@@ -120,7 +80,6 @@ class Editor {
   Done rename_declaration(const std::string& from, const std::string& to);
   Done rename_local(const PageView& view, const std::string& from, const std::string& to);
   Done rename_state(const PageView& view, const std::string& from, const std::string& to);
-  void for_each_call(std::string_view callee, const std::function<void(const cdl::Call&)>& visit) const;
   Done arrange(const Arrange& change);
   /// @param where  has x and y; both 0: nobody said where
   Done arrange_one(const std::string& page, const std::string& node, const auto& where) {
@@ -141,7 +100,6 @@ class Editor {
   Done write_help(const X& what, const std::string& help);
 
   // ---- edit_declarations.cc
-  bool is_declared(const std::string& name) const;
   Done add_declaration(const AddDeclaration& change);
   Done set_parameter(const SetParameter& change);
   text::Result<cdl::Parameter> parameter_of(const SetParameter& change) const;
@@ -154,14 +112,11 @@ class Editor {
   void visit_owner(std::string_view name, const auto& visit) const;
 
   // ---- edit_states.cc
-  text::Result<const cdl::Sequence*> sequence(const std::string& page) const;
   Done add_state(const AddState& change);
   Done set_state(const SetState& change);
   Done add_transition(const AddTransition& change);
   Done set_transition(const SetTransition& change);
   Done remove_transition(const RemoveTransition& change);
-  text::Result<const cdl::Transition*> transition(const std::string& page, const std::string& from,
-                                                  std::uint32_t index) const;
   Done remove_states(const PageView& view, const Remove& change);
 
   // ---- edit_triggers.cc
@@ -176,14 +131,6 @@ class Editor {
   Done use_device(const UseDevice& change);
 
   // ---- edit_devices.cc
-  struct DeviceSpot {
-    Equipped owner;
-    const cdl::Device* device = nullptr;
-    const Callable* by = nullptr;  ///< null: nothing answers to its name
-  };
-  text::Result<DeviceSpot> device(const std::string& owner, const std::string& name) const;
-  /// Whether a page is that of a class or an operator.
-  bool is_equipment(const std::string& page) const;
   text::Result<const cdl::Binding*> binding(const std::string& name) const;
   /// A component that can serve the binding point.
   text::Result<Callable> server(const std::string& component, const cdl::Binding& binding) const;
@@ -244,22 +191,5 @@ class Editor {
   /// Owners and names of `let`s that this edit made: those of one commit are not in the model yet.
   std::set<std::pair<std::string, std::string>> given_names_;
 };
-
-/// Calls `visit` with the declaration of a name. @return whether there is one
-bool visit_declaration(const cdl::Tree& tree, std::string_view name, const auto& visit) {
-  for (const cdl::Item& item : tree.items) {
-    const bool is_it = std::visit(
-        [&](const auto& one) {
-          if constexpr (requires { one.name.text, one.help; }) {
-            if (one.name.text == name) visit(one);
-            return one.name.text == name;
-          }
-          return false;
-        },
-        item);
-    if (is_it) return true;
-  }
-  return false;
-}
 
 }  // namespace mlab::designer

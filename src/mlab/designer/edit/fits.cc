@@ -9,7 +9,6 @@
 #include "mlab/designer/drawing/serving.h"
 #include "mlab/designer/drawing/shapes.h"
 #include "mlab/designer/edit/edit.h"
-#include "mlab/designer/edit/editor.h"
 
 namespace mlab::designer {
 namespace {

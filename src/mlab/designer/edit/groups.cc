@@ -229,16 +229,16 @@ cdl::ExpressionPtr called_as(const cdl::ExpressionPtr& what, const cdl::Word& na
 
 // The nodes have one value that others take: it is what the new assemblage gives.
 Done Editor::group(const Group& change) {
-  const text::Result<PageView> found = page(change.page());
+  const text::Result<PageView> found = find_page(work_.model(), change.page());
   if (!found) return std::unexpected(found.error());
   const PageView view = *found;
   const std::string& name = change.name();
   if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
-  if (is_declared(name) || work_.model().components().find(name))
+  if (is_declared(work_, name) || work_.model().components().find(name))
     return refusal(fmt::format("there is a `{}` already", name));
   std::set<int> chosen;
   for (const std::string& one : change.nodes()) {
-    const text::Result<int> at = node(view, one);
+    const text::Result<int> at = find_node(view, one);
     if (!at) return std::unexpected(at.error());
     if (view.node(*at).expression != nullptr) chosen.insert(*at);
   }
@@ -314,7 +314,7 @@ Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>&
     if (const Done done = arrange(inside); !done) return done;
   }
   if (!change.has_x() || !change.has_y()) return true;
-  const text::Result<PageView> found = page(change.page());
+  const text::Result<PageView> found = find_page(work_.model(), change.page());
   if (!found) return std::unexpected(found.error());
   Arrange outside;
   outside.set_page(change.page());
@@ -327,10 +327,10 @@ Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>&
 
 // What the called assemblage is made of, with the call's values in place of its parameters.
 Done Editor::ungroup(const Ungroup& change) {
-  const text::Result<PageView> found = page(change.page());
+  const text::Result<PageView> found = find_page(work_.model(), change.page());
   if (!found) return std::unexpected(found.error());
   const PageView view = *found;
-  const text::Result<int> at = node(view, change.node());
+  const text::Result<int> at = find_node(view, change.node());
   if (!at) return std::unexpected(at.error());
   const GraphNode& there = view.node(*at);
   const auto* call = there.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&there.expression->what);

@@ -1,6 +1,7 @@
 #include "mlab/designer/edit/name_places.h"
 
-#include "mlab/designer/edit/editor.h"
+#include "mlab/designer/drawing/serving.h"
+#include "mlab/designer/edit/find/declared.h"
 
 namespace mlab::designer {
 namespace {

@@ -62,10 +62,10 @@ std::vector<std::string> split_lines(std::string_view text) {
 // ---- where things stand
 
 Done Editor::change_layout(const std::string& page, const std::function<void(cdl::Layout&)>& how) {
-  const bool has_no_graph = page.empty() || work_.model().society(page) != nullptr || is_equipment(page) ||
-                            work_.model().binding(page) != nullptr;
+  const bool has_no_graph = page.empty() || work_.model().society(page) != nullptr ||
+                            is_equipment(work_.model(), page) || work_.model().binding(page) != nullptr;
   if (!has_no_graph) {
-    const text::Result<PageView> view = this->page(page);
+    const text::Result<PageView> view = find_page(work_.model(), page);
     if (!view) return std::unexpected(view.error());
   }
   if (const cdl::Layout* layout = work_.model().layout(page)) {
@@ -150,8 +150,8 @@ Done Editor::set_help(const SetHelp& change) {
   if (change.page().empty()) return set_declaration_help(change.node(), change.text());
   if (change.node().empty() && change.page().find('.') == std::string::npos)
     return set_declaration_help(change.page(), change.text());
-  if (is_equipment(change.page())) return help_device(change);
-  const text::Result<PageView> view = page(change.page());
+  if (is_equipment(work_.model(), change.page())) return help_device(change);
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   if (change.node().empty()) {
     if (view->page->state != nullptr) return write_help(*view->page->state, change.text());
@@ -162,7 +162,7 @@ Done Editor::set_help(const SetHelp& change) {
       if (state.name.text == change.node()) return write_help(state, change.text());
     }
   }
-  const text::Result<int> at = node(*view, change.node());
+  const text::Result<int> at = find_node(*view, change.node());
   if (!at) return std::unexpected(at.error());
   const GraphNode& there = view->node(*at);
   if (there.parameter != nullptr) return write_help(*there.parameter, change.text());
@@ -186,8 +186,8 @@ Done Editor::rename(const Rename& change) {
         fmt::format("`{}` is no name: a letter first, then letters, digits and `_`", text::shown(to)));
   if (change.node() == to) return true;
   if (change.page().empty()) return rename_declaration(change.node(), to);
-  if (is_equipment(change.page())) return rename_device(change);
-  const text::Result<PageView> view = page(change.page());
+  if (is_equipment(work_.model(), change.page())) return rename_device(change);
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   if (view->page->sequence != nullptr) {
     for (const cdl::State& state : view->page->sequence->states) {
@@ -200,7 +200,7 @@ Done Editor::rename(const Rename& change) {
       std::ranges::any_of(
           view->graph->parameters(), [&](const cdl::Parameter& p) { return p.name.text == change.node(); });
   if (is_parameter) return rename_local(*view, change.node(), to);
-  const text::Result<int> found = node(*view, change.node());
+  const text::Result<int> found = find_node(*view, change.node());
   if (!found) return std::unexpected(found.error());
   const GraphNode& there = view->node(*found);
   if (there.parameter != nullptr || there.let != nullptr) {
@@ -233,20 +233,10 @@ Done Editor::rename_local(const PageView& view, const std::string& from, const s
   if (graph.assemblage != nullptr) cdl::for_each_construct(*graph.assemblage, rename_in);
   if (graph.robot != nullptr) cdl::for_each_construct(*graph.robot, rename_in);
   if (!is_parameter || graph.assemblage == nullptr) return work_.commit();
-  for_each_call(graph.name, [&](const cdl::Call& call) {
+  for_each_call(work_.model().tree(), graph.name, [&](const cdl::Call& call) {
     for (const cdl::Argument& argument : call.arguments) rename(argument.name);
   });
   return work_.commit();
-}
-
-void Editor::for_each_call(std::string_view callee,
-                           const std::function<void(const cdl::Call&)>& visit) const {
-  const auto look = [&]<class X>(const X& one) {
-    if constexpr (std::same_as<X, cdl::Call>) {
-      if (one.callee.text == callee) visit(one);
-    }
-  };
-  for (const cdl::Item& item : work_.model().tree().items) cdl::for_each_construct(item, look);
 }
 
 Done Editor::rename_state(const PageView& view, const std::string& from, const std::string& to) {
@@ -264,8 +254,8 @@ Done Editor::rename_state(const PageView& view, const std::string& from, const s
 
 // A declaration, and every word of the file that means it.
 Done Editor::rename_declaration(const std::string& from, const std::string& to) {
-  if (!is_declared(from)) return refusal(fmt::format("there is no `{}`", text::shown(from)));
-  if (is_declared(to)) return refusal(fmt::format("there is a `{}` already", to));
+  if (!is_declared(work_, from)) return refusal(fmt::format("there is no `{}`", text::shown(from)));
+  if (is_declared(work_, to)) return refusal(fmt::format("there is a `{}` already", to));
   const auto rename = [&](const cdl::Word& word) {
     if (word.text == from) work_.changes().rename(word, to);
   };

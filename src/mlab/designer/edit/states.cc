@@ -12,25 +12,8 @@
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
-namespace {
-
-const cdl::State* state_named(const cdl::Sequence& sequence, std::string_view name) {
-  const auto found =
-      std::ranges::find_if(sequence.states, [&](const cdl::State& state) { return state.name.text == name; });
-  return found == sequence.states.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
-text::Result<const cdl::Sequence*> Editor::sequence(const std::string& path) const {
-  const text::Result<PageView> view = page(path);
-  if (!view) return std::unexpected(view.error());
-  if (view->page->sequence == nullptr) return refusal("this page has no states");
-  return view->page->sequence;
-}
-
 Done Editor::add_state(const AddState& change) {
-  const text::Result<const cdl::Sequence*> all = sequence(change.page());
+  const text::Result<const cdl::Sequence*> all = find_sequence(work_.model(), change.page());
   if (!all) return std::unexpected(all.error());
   const std::vector<cdl::State>& states = (*all)->states;
   std::set<std::string> taken;
@@ -54,7 +37,7 @@ Done Editor::add_state(const AddState& change) {
 }
 
 Done Editor::set_state(const SetState& change) {
-  const text::Result<const cdl::Sequence*> all = sequence(change.page());
+  const text::Result<const cdl::Sequence*> all = find_sequence(work_.model(), change.page());
   if (!all) return std::unexpected(all.error());
   const cdl::State* state = state_named(**all, change.state());
   if (state == nullptr) return refusal(fmt::format("there is no state `{}`", text::shown(change.state())));
@@ -75,7 +58,7 @@ Done Editor::set_state(const SetState& change) {
 }
 
 Done Editor::add_transition(const AddTransition& change) {
-  const text::Result<const cdl::Sequence*> all = sequence(change.page());
+  const text::Result<const cdl::Sequence*> all = find_sequence(work_.model(), change.page());
   if (!all) return std::unexpected(all.error());
   const cdl::State* from = state_named(**all, change.from());
   const cdl::State* to = state_named(**all, change.to());
@@ -92,21 +75,12 @@ Done Editor::add_transition(const AddTransition& change) {
   return work_.commit();
 }
 
-text::Result<const cdl::Transition*> Editor::transition(const std::string& page, const std::string& from,
-                                                        std::uint32_t index) const {
-  const text::Result<const cdl::Sequence*> all = sequence(page);
-  if (!all) return std::unexpected(all.error());
-  const cdl::State* state = state_named(**all, from);
-  if (state == nullptr) return refusal(fmt::format("there is no state `{}`", text::shown(from)));
-  if (index >= state->transitions.size()) return refusal("the transition has gone");
-  return &state->transitions[index];
-}
-
 Done Editor::set_transition(const SetTransition& change) {
-  const text::Result<const cdl::Transition*> found = transition(change.page(), change.from(), change.index());
+  const text::Result<const cdl::Transition*> found =
+      find_transition(work_.model(), change.page(), change.from(), change.index());
   if (!found) return std::unexpected(found.error());
   const cdl::Transition& old = **found;
-  const text::Result<const cdl::Sequence*> all = sequence(change.page());
+  const text::Result<const cdl::Sequence*> all = find_sequence(work_.model(), change.page());
   const cdl::State* from = state_named(**all, change.from());
   const cdl::ExpressionPtr trigger = change.has_trigger() ? typed_value(change.trigger()) : old.trigger;
   if (!trigger) return refusal(fmt::format("`{}` is no trigger", text::shown(change.trigger())));
@@ -132,7 +106,8 @@ Done Editor::set_transition(const SetTransition& change) {
 }
 
 Done Editor::remove_transition(const RemoveTransition& change) {
-  const text::Result<const cdl::Transition*> gone = transition(change.page(), change.from(), change.index());
+  const text::Result<const cdl::Transition*> gone =
+      find_transition(work_.model(), change.page(), change.from(), change.index());
   if (!gone) return std::unexpected(gone.error());
   work_.changes().remove(**gone);
   return work_.commit();

@@ -164,9 +164,9 @@ cdl::ExpressionPtr Editor::chosen(const cdl::Expression& old, const Callable& co
 }
 
 Done Editor::change_trigger(const ChangeTrigger& change) {
-  const auto found = transition(change.page(), change.from(), change.index());
+  const auto found = find_transition(work_.model(), change.page(), change.from(), change.index());
   if (!found) return std::unexpected(found.error());
-  const text::Result<PageView> view = page(change.page());
+  const text::Result<PageView> view = find_page(work_.model(), change.page());
   const cdl::ExpressionPtr& trigger = (*found)->trigger;
   const std::optional<Part> part = trigger ? Part::of(trigger, change.part()) : std::nullopt;
   if (!part) return refusal("that part of the trigger has gone");
@@ -207,7 +207,7 @@ Done Editor::change_trigger(const ChangeTrigger& change) {
 }
 
 Done Editor::place_in_trigger(const PageView& view, const Place& change) {
-  const text::Result<Spot> to = spot(view, change.to_node(), change.to_port(), std::nullopt, true);
+  const text::Result<Spot> to = find_spot(view, change.to_node(), change.to_port(), std::nullopt, true);
   if (!to) return std::unexpected(to.error());
   const std::optional<Callable> component = work_.model().components().find(change.component());
   if (change.component() == kComparison) {
@@ -215,7 +215,7 @@ Done Editor::place_in_trigger(const PageView& view, const Place& change) {
     return done ? work_.commit() : done;
   }
   if (!component || component->gives_nothing) return refusal("a trigger asks components that give something");
-  if (const std::string reason = why_not(component->output, wanted(*to)); !reason.empty())
+  if (const std::string reason = why_not(component->output, wanted_type(work_.model(), *to)); !reason.empty())
     return refusal(reason);
   const Done done = write(*to, called(change.component()));
   return done ? work_.commit() : done;

@@ -83,6 +83,30 @@ cdl::ExpressionPtr Editor::zero_of(const cdl::PortType& type) const {
   return value ? value : neutral(type);
 }
 
+// ---- names
+
+bool Editor::is_taken(const PageView& view, std::string_view name) const {
+  const auto is_it = [&](const auto& one) { return one.name.text == name; };
+  return std::ranges::any_of(view.graph->lets(), is_it) ||
+         std::ranges::any_of(view.graph->parameters(), is_it) ||
+         given_names_.contains({view.graph->name, std::string(name)});
+}
+
+std::string Editor::free_name(const PageView& view, const std::string& wanted) const {
+  std::set<std::string> taken;
+  for (const cdl::Let& let : view.graph->lets()) taken.insert(let.name.text);
+  for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
+  for (const auto& [owner, name] : given_names_) {
+    if (owner == view.graph->name) taken.insert(name);
+  }
+  const GraphPage& own = view.graph->pages.front();
+  for (const GraphNode& node : own.nodes) taken.insert(node.name);
+  if (own.sequence != nullptr) {
+    for (const cdl::State& state : own.sequence->states) taken.insert(state.name.text);
+  }
+  return unique(wanted, taken);
+}
+
 // ---- lets
 
 std::string Editor::add_let(const PageView& view, const std::string& name, cdl::ExpressionPtr value,
@@ -95,7 +119,7 @@ std::string Editor::add_let(const PageView& view, const std::string& name, cdl::
 }
 
 std::string Editor::save_inline(const Spot& spot) {
-  const int at = inline_node(spot);
+  const int at = spot.inline_node();
   const GraphNode& node = spot.view.node(at);
   const std::string base =
       !node.expression->as.text.empty() ? node.expression->as.text : default_name(*node.expression);
@@ -111,16 +135,16 @@ std::string Editor::save_inline(const Spot& spot) {
 
 std::string Editor::make_let(const Spot& spot) {
   const std::string name = save_inline(spot);
-  work_.changes().replace(*written(spot), named(name));
+  work_.changes().replace(*spot.written(), named(name));
   return name;
 }
 
 // ---- what stands at an input
 
 Done Editor::write(const Spot& spot, const cdl::ExpressionPtr& what) {
-  const cdl::Expression* there = written(spot);
+  const cdl::Expression* there = spot.written();
   if (there == nullptr) return write_new(spot, what);
-  if (is_kept(spot)) save_inline(spot);
+  if (spot.is_kept()) save_inline(spot);
   work_.changes().replace(*there, what);
   return true;
 }
@@ -210,9 +234,9 @@ Done Editor::write_argument(const Spot& spot, const cdl::ExpressionPtr& what) {
 }
 
 Done Editor::clear(const Spot& spot) {
-  const cdl::Expression* there = written(spot);
+  const cdl::Expression* there = spot.written();
   if (there == nullptr) return true;
-  if (is_kept(spot)) save_inline(spot);
+  if (spot.is_kept()) save_inline(spot);
   cdl::Changes& changes = work_.changes();
   if (spot.is_result()) {
     const bool is_inner = spot.view.page->parent >= 0 || spot.view.graph->assemblage == nullptr;
@@ -248,7 +272,7 @@ Done Editor::clear(const Spot& spot) {
       changes.replace(*there, value_of("0"));
       return true;
     case Role::kCase:
-      changes.replace(*there, neutral(given(spot.view, spot.node)));
+      changes.replace(*there, neutral(spot.view.type_of(spot.node)));
       return true;
     case Role::kDrive:
       changes.remove(*node.drive);
@@ -297,28 +321,9 @@ void Editor::clear_member(const Spot& spot) {
   if (member.weight) {  // a node that was its weight is not lost
     Spot weight = spot;
     weight.input = spot.input + 1;
-    if (inline_node(weight) >= 0) save_inline(weight);
+    if (weight.inline_node() >= 0) save_inline(weight);
   }
   work_.changes().remove(member);
-}
-
-int Editor::follow(const PageView& view, int node) {
-  const std::optional<Anchor> anchor = anchor_of(view.node(node), work_.tokens());
-  return anchor ? work_.follow(*anchor) : -1;
-}
-
-std::optional<std::pair<PageView, int>> Editor::followed(const std::string& owner, int handle) const {
-  const std::optional<std::uint32_t> anchor = handle < 0 ? std::nullopt : work_.where(handle);
-  const OwnerGraph* graph = work_.model().graph(owner);
-  if (!anchor || graph == nullptr) return std::nullopt;
-  for (const GraphPage& page : graph->pages) {
-    for (std::size_t i = 0; i < page.nodes.size(); ++i) {
-      if (page.nodes[i].kind == GraphNode::Kind::kOuter || page.nodes[i].parameter != nullptr) continue;
-      if (anchor_of(page.nodes[i], work_.tokens()) == anchor)
-        return std::pair(PageView{graph, &page}, static_cast<int>(i));
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace mlab::designer

@@ -11,18 +11,11 @@
 
 #include "mlab/designer/drawing/graph.h"
 #include "mlab/designer/drawing/model.h"
+#include "mlab/designer/edit/refusal.h"
 #include "mlab/designer/edit/spans.h"
 #include "mlab/lang/cdl/print/changes.h"
-#include "mlab/text/diagnostic.h"
 
 namespace mlab::designer {
-
-/// A change that can't be done: why, as a sentence for a person.
-inline std::unexpected<text::Diagnostic> refusal(std::string message) {
-  return std::unexpected(
-      text::Diagnostic{text::Severity::kError, "cannot-edit", std::move(message), {}, {}, {}, {}});
-}
-using Done = text::Result<bool>;
 
 /// A node of a page, by what it is made of: it is found again after the text has changed.
 using Anchor = std::uint32_t;

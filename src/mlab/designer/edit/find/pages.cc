@@ -1,33 +1,33 @@
-// What the names of a change stand for, and whether a wire fits.
+#include "mlab/designer/edit/find/pages.h"
 
-#include <algorithm>
 #include <set>
-#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include "mlab/designer/drawing/components.h"
+#include "mlab/designer/drawing/serving.h"
 #include "mlab/designer/drawing/shapes.h"
-#include "mlab/designer/edit/edit.h"
-#include "mlab/designer/edit/editor.h"
+#include "mlab/designer/edit/refusal.h"
 #include "mlab/designer/edit/values.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::designer {
 
-text::Result<PageView> Editor::page(const std::string& path) const {
-  const Model::Found found = work_.model().page(path);
-  if (found.graph == nullptr) return refusal(why_no_components(work_.model(), path));
+text::Result<PageView> find_page(const Model& model, const std::string& path) {
+  const Model::Found found = model.page(path);
+  if (found.graph == nullptr) return refusal(why_no_components(model, path));
   return PageView{found.graph, &found.graph->pages[static_cast<std::size_t>(found.page)]};
 }
 
-text::Result<int> Editor::node(const PageView& view, const std::string& name) const {
+text::Result<int> find_node(const PageView& view, const std::string& name) {
   const int found = view.page->find(name);
   if (found < 0) return refusal(fmt::format("there is no `{}` on this page", text::shown(name)));
   return found;
 }
 
-text::Result<Spot> Editor::spot(const PageView& view, const std::string& node, const std::string& port,
-                                std::optional<std::uint32_t> index, bool for_new) const {
+text::Result<Spot> find_spot(const PageView& view, const std::string& node, const std::string& port,
+                             std::optional<std::uint32_t> index, bool for_new) {
   Spot out{view, -1, -1, ""};
   if (node == "$result") {
     if (view.page->sequence != nullptr) return refusal("a sequence gives what its states give");
@@ -42,7 +42,7 @@ text::Result<Spot> Editor::spot(const PageView& view, const std::string& node, c
     out.drive = node.substr(1);
     return out;
   }
-  const text::Result<int> found = this->node(view, node);
+  const text::Result<int> found = find_node(view, node);
   if (!found) return std::unexpected(found.error());
   out.node = *found;
   const GraphNode& there = view.node(*found);
@@ -69,23 +69,23 @@ text::Result<Spot> Editor::spot(const PageView& view, const std::string& node, c
   return refusal(fmt::format("`{}` has no input `{}`", text::shown(node), text::shown(port)));
 }
 
-const cdl::Expression* Editor::written(const Spot& spot) const {
-  if (spot.is_result()) return spot.view.page->root;
-  const GraphInput* input = spot.at();
-  return input == nullptr ? nullptr : input->written.get();
+const cdl::Expression* Spot::written() const {
+  if (is_result()) return view.page->root;
+  const GraphInput* there = at();
+  return there == nullptr ? nullptr : there->written.get();
 }
 
-int Editor::inline_node(const Spot& spot) const {
-  if (spot.is_result()) {
-    const int result = spot.view.page->result;
+int Spot::inline_node() const {
+  if (is_result()) {
+    const int result = view.page->result;
     if (result < 0) return -1;
-    return spot.view.node(result).expression == spot.view.page->root ? result : -1;
+    return view.node(result).expression == view.page->root ? result : -1;
   }
-  const GraphInput* input = spot.at();
-  return input != nullptr && input->is_inline ? input->from : -1;
+  const GraphInput* there = at();
+  return there != nullptr && there->is_inline ? there->from : -1;
 }
 
-std::optional<Spot> Editor::reader_of(const OwnerGraph& graph, std::string_view name) {
+std::optional<Spot> reader_of(const OwnerGraph& graph, std::string_view name) {
   const auto reads = [&](const cdl::Expression* written) {
     const auto* one = written == nullptr ? nullptr : std::get_if<cdl::Name>(&written->what);
     return one != nullptr && one->name.text == name;
@@ -102,8 +102,8 @@ std::optional<Spot> Editor::reader_of(const OwnerGraph& graph, std::string_view 
   return std::nullopt;
 }
 
-cdl::PortType Editor::wanted(const Spot& spot) const {
-  const Components& components = work_.model().components();
+cdl::PortType wanted_type(const Model& model, const Spot& spot) {
+  const Components& components = model.components();
   if (spot.is_result()) {
     const OwnerGraph& graph = *spot.view.graph;
     if (spot.view.page->asks != nullptr) return components.types().named("bool");
@@ -132,33 +132,7 @@ cdl::PortType Editor::wanted(const Spot& spot) const {
   return {};
 }
 
-cdl::PortType Editor::given(const PageView& view, int at) const {
-  return view.graph->type_of(view.node(at));
-}
-
-bool Editor::is_taken(const PageView& view, std::string_view name) const {
-  const auto is_it = [&](const auto& one) { return one.name.text == name; };
-  return std::ranges::any_of(view.graph->lets(), is_it) ||
-         std::ranges::any_of(view.graph->parameters(), is_it) ||
-         given_names_.contains({view.graph->name, std::string(name)});
-}
-
-std::string Editor::free_name(const PageView& view, const std::string& wanted) const {
-  std::set<std::string> taken;
-  for (const cdl::Let& let : view.graph->lets()) taken.insert(let.name.text);
-  for (const cdl::Parameter& parameter : view.graph->parameters()) taken.insert(parameter.name.text);
-  for (const auto& [owner, name] : given_names_) {
-    if (owner == view.graph->name) taken.insert(name);
-  }
-  const GraphPage& own = view.graph->pages.front();
-  for (const GraphNode& node : own.nodes) taken.insert(node.name);
-  if (own.sequence != nullptr) {
-    for (const cdl::State& state : own.sequence->states) taken.insert(state.name.text);
-  }
-  return unique(wanted, taken);
-}
-
-bool Editor::reaches(const PageView& view, int from, int to) const {
+bool reaches(const PageView& view, int from, int to) {
   // Backwards through all that drives `from`.
   std::set<int> seen;
   std::vector<int> open{from};
