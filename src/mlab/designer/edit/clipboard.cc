@@ -149,7 +149,7 @@ text::Result<Editor::Renamed> Editor::paste_lets(const PageView& view, std::vect
     lets[i].value = value;
     lets[i].name.text = out[i].second;
   }
-  change_owner(view, [lets](auto& now) { now.lets.insert(now.lets.end(), lets.begin(), lets.end()); });
+  add_lets(work_, *view.graph, std::move(lets));
   return out;
 }
 

@@ -52,6 +52,16 @@ std::string base_of(const std::string& component) {
   return component.substr(0, component.find(' '));
 }
 
+// Whether a block or a big call may stand there.
+bool takes(const Spot& spot, const cdl::Expression& expression) {
+  const GraphInput* input = spot.at();
+  const Role role = input == nullptr ? Role::kMember : input->role;
+  const bool is_line =
+      role == Role::kMember || role == Role::kDrive || role == Role::kCase || role == Role::kValue;
+  if (is_block(expression)) return is_line;
+  return role != Role::kWeight || std::holds_alternative<cdl::Call>(expression.what);
+}
+
 }  // namespace
 
 Done Editor::connect(const Connect& change) {
@@ -75,14 +85,14 @@ Done Editor::connect(const Connect& change) {
         fmt::format("`{}` is made from `{}`: a loop needs a delay", source.name, view->node(to->node).name));
 
   if (source.parameter != nullptr) {
-    const Done done = write(*to, named(source.parameter->name.text));
+    const Done done = pages_.write(*to, named(source.parameter->name.text));
     return done ? work_.commit() : done;
   }
   if (source.kind == Kind::kOuter || source.let != nullptr) return connect_let(*view, *from, *to);
   // It is written where it is read first: from now on both read a name.
   const std::string owner = view->graph->name;
   const int target = to->node < 0 ? -1 : follow(work_, *view, to->node);
-  const std::string name = make_let(Spot{*view, source.reader, source.reader_input, ""});
+  const std::string name = pages_.make_let(Spot{*view, source.reader, source.reader_input, ""});
   if (const Done done = work_.commit(); !done) return done;
   Connect again = change;
   again.set_from_node(name);
@@ -105,7 +115,7 @@ Done Editor::connect_let(const PageView& view, int from, const Spot& to) {
   const bool is_inlined = is_alone && !has_help && !makes_itself && takes(to, *let.value) &&
                           source.kind != Kind::kValue && source.kind != Kind::kOuter;
   if (is_inlined) work_.changes().remove(let);
-  const Done done = write(to, is_inlined ? bare_as(*let.value, let.name.text) : named(let.name.text));
+  const Done done = pages_.write(to, is_inlined ? bare_as(*let.value, let.name.text) : named(let.name.text));
   return done ? work_.commit() : done;
 }
 
@@ -117,7 +127,7 @@ Done Editor::disconnect(const Disconnect& change) {
   const text::Result<Spot> to = find_spot(*view, change.to_node(), change.to_port(), index_of(change), false);
   if (!to) return std::unexpected(to.error());
   if (to->written() == nullptr) return refusal("nothing is connected there");
-  const Done done = clear(*to);
+  const Done done = pages_.clear(*to);
   return done ? work_.commit() : done;
 }
 
@@ -130,12 +140,12 @@ Done Editor::set_value(const SetValue& change) {
   if (!to && is_new) to = find_spot(*view, change.node(), change.port(), index_of(change), true);
   if (!to) return std::unexpected(to.error());
   if (change.value().empty()) {
-    const Done done = clear(*to);
+    const Done done = pages_.clear(*to);
     return done ? work_.commit() : done;
   }
   const cdl::ExpressionPtr value = typed_value(change.value());
   if (!value) return refusal(fmt::format("`{}` is no value", text::shown(change.value())));
-  const Done done = write(*to, value);
+  const Done done = pages_.write(*to, value);
   return done ? work_.commit() : done;
 }
 
@@ -152,11 +162,13 @@ Done Editor::place(const Place& change) {
     const bool is_itself = callable->assemblage != nullptr && callable->assemblage == view->graph->assemblage;
     if (is_itself) return refusal("an assemblage can't be a part of itself");
   }
-  if (!change.name().empty() && (!is_cdl_name(change.name()) || is_taken(*view, change.name())))
+  if (!change.name().empty() &&
+      (!is_cdl_name(change.name()) || pages_.names().is_taken(*view->graph, change.name())))
     return refusal(fmt::format("`{}` is no free name", text::shown(change.name())));
-  const std::string name =
-      !change.name().empty() ? change.name() : free_name(*view, base_of(change.component()));
-  add_let(*view, name, value_of(*words));
+  const std::string name = !change.name().empty()
+                               ? change.name()
+                               : pages_.names().free_name(*view->graph, base_of(change.component()));
+  pages_.add_let(*view, name, value_of(*words));
   if (const Done done = work_.commit(); !done) return done;
   if (const Done done = arrange_one(change.page(), name, change); !done) return done;
   if (change.to_node().empty()) return true;
@@ -246,7 +258,8 @@ Done Editor::remove_node(const std::string& owner, int handle, const std::vector
       ++i;
       continue;
     }
-    if (const Done done = clear(Spot{view, found->second, static_cast<int>(i), ""}); !done) return done;
+    if (const Done done = pages_.clear(Spot{view, found->second, static_cast<int>(i), ""}); !done)
+      return done;
     if (const Done done = work_.commit(); !done) return done;
     found = followed(work_, owner, handle);
     if (!found) return true;
@@ -255,19 +268,19 @@ Done Editor::remove_node(const std::string& owner, int handle, const std::vector
   const PageView view = found->first;
   const GraphNode& node = view.node(found->second);
   if (node.kind == Kind::kActuator) {
-    const Done done = clear(Spot{view, found->second, 0, ""});
+    const Done done = pages_.clear(Spot{view, found->second, 0, ""});
     return done ? work_.commit() : done;
   }
   if (node.let == nullptr) {
     // The node itself is lost with what stands at its reader's input.
-    make_let(Spot{view, node.reader, node.reader_input, ""});
+    pages_.make_let(Spot{view, node.reader, node.reader_input, ""});
     if (const Done done = work_.commit(); !done) return done;
     return remove_node(owner, handle, others);
   }
   // Readers of the name lose it, one after the other.
   const std::string name = node.let->name.text;
   if (const std::optional<Spot> reader = reader_of(*view.graph, name)) {
-    if (const Done done = clear(*reader); !done) return done;
+    if (const Done done = pages_.clear(*reader); !done) return done;
     if (const Done done = work_.commit(); !done) return done;
     return remove_node(owner, handle, others);
   }
@@ -287,7 +300,7 @@ Done Editor::set_active(const SetActive& change) {
   if (expression->active) {
     const auto& inputs = view->node(*at).inputs;
     const auto input = std::ranges::find(inputs, Role::kActive, &GraphInput::role);
-    const Done done = clear(Spot{*view, *at, static_cast<int>(input - inputs.begin()), ""});
+    const Done done = pages_.clear(Spot{*view, *at, static_cast<int>(input - inputs.begin()), ""});
     if (!done) return done;
     const std::string owner = view->graph->name;
     const int handle = follow(work_, *view, *at);
@@ -345,7 +358,7 @@ Done Editor::replace_operator(const PageView& view, int at, const cdl::Expressio
       compete->rule == cdl::CompetitionRule::kPriority) {  // its members have no weights
     for (std::size_t i = 0; i < old.inputs.size(); ++i) {
       if (old.inputs[i].role != Role::kWeight || !old.inputs[i].written) continue;
-      if (const Done done = clear(Spot{view, at, static_cast<int>(i), ""}); !done) return done;
+      if (const Done done = pages_.clear(Spot{view, at, static_cast<int>(i), ""}); !done) return done;
     }
   }
   // The word by which it is known stays the same one.
@@ -382,7 +395,7 @@ Done Editor::replace_call(const std::string& owner, int handle, const Callable& 
         why_not(input.from < 0 ? wanted_type(work_.model(), spot) : view.type_of(input.from), socket->type)
             .empty();
     if (is_taken) continue;
-    if (const Done done = clear(spot); !done) return done;
+    if (const Done done = pages_.clear(spot); !done) return done;
     if (const Done done = work_.commit(); !done) return done;
     return replace_call(owner, handle, other);
   }
@@ -420,23 +433,23 @@ Done Editor::expose(const Expose& change) {
   if (known != parameters.end() && !change.parameter().empty()) {
     const std::string reason = why_not(work_.model().components().types().of(*known), socket->type);
     if (!reason.empty()) return refusal(fmt::format("`{}` does not fit: {}", name, reason));
-    const Done done = write(*to, named(name));
+    const Done done = pages_.write(*to, named(name));
     return done ? work_.commit() : done;
   }
-  if (is_taken(*view, name)) name = free_name(*view, name);
+  if (pages_.names().is_taken(*view->graph, name)) name = pages_.names().free_name(*view->graph, name);
   std::string initial =
       input.written
           ? std::string(work_.text().substr(input.written->place.span.begin,
                                             input.written->place.span.end - input.written->place.span.begin))
           : socket->initial;
   const auto* word = input.written ? std::get_if<cdl::Name>(&input.written->what) : nullptr;
-  if (word != nullptr && is_taken(*view, word->name.text))
+  if (word != nullptr && pages_.names().is_taken(*view->graph, word->name.text))
     return refusal(fmt::format("`{}` is one already", word->name.text));
   const bool has_unit = !initial.empty() && initial.find_first_not_of("0123456789.-+e") != std::string::npos;
   if (!initial.empty() && !has_unit && !socket->type.unit.empty()) initial += " " + socket->type.unit;
   if (input.role == Role::kWeight && initial.empty()) initial = "1";
   const std::string owner = view->graph->name;
-  if (const Done done = write(*to, named(name)); !done) return done;
+  if (const Done done = pages_.write(*to, named(name)); !done) return done;
   SetParameter parameter;
   parameter.set_owner(owner);
   parameter.set_name(name);

@@ -181,7 +181,7 @@ Done Editor::remove_parameter(const RemoveParameter& change) {
     return refusal(fmt::format("the body or a device reads `{}`: change that first", change.name()));
   if (const OwnerGraph* graph = is_class ? nullptr : work_.model().graph(change.owner())) {
     if (const std::optional<Spot> reader = reader_of(*graph, change.name())) {
-      const Done done = known->initial ? write(*reader, known->initial) : clear(*reader);
+      const Done done = known->initial ? pages_.write(*reader, known->initial) : pages_.clear(*reader);
       if (!done) return done;
       if (const Done committed = work_.commit(); !committed) return committed;
       return remove_parameter(change);

@@ -17,6 +17,7 @@
 #include "mlab/designer/edit/find/followed.h"
 #include "mlab/designer/edit/find/pages.h"
 #include "mlab/designer/edit/find/sequences.h"
+#include "mlab/designer/edit/page_writer.h"
 #include "mlab/designer/edit/workspace.h"
 
 namespace mlab::designer {
@@ -24,42 +25,10 @@ namespace mlab::designer {
 /// Does the changes of an Edit to a workspace. The methods stand in edit_*.cc by what they change.
 class Editor {
  public:
-  explicit Editor(Workspace& work) : work_(work) {}
+  explicit Editor(Workspace& work) : work_(work), pages_(work) {}
   Done apply(const Change& change);
 
  private:
-  std::string free_name(const PageView& view, const std::string& wanted) const;
-  bool is_taken(const PageView& view, std::string_view name) const;
-
-  // ---- edit_wires.cc: primitives and wires. They note what is to change; who calls them commits.
-  /// What stands at the spot afterwards. What stood there before is lost, unless it is a node that can be
-  /// drawn alone: then it gets a `let`.
-  Done write(const Spot& spot, const cdl::ExpressionPtr& what);
-  Done write_new(const Spot& spot, const cdl::ExpressionPtr& what);
-  Done write_argument(const Spot& spot, const cdl::ExpressionPtr& what);
-  void write_member(const cdl::Expression& expression, const cdl::ExpressionPtr& what);
-  Done clear(const Spot& spot);
-  void clear_argument(const Spot& spot);
-  void clear_operand(const Spot& spot);
-  void clear_member(const Spot& spot);
-  /// A `let` for the node that is written at a spot, with its help. @return its name
-  std::string save_inline(const Spot& spot);
-  /// The same, and the spot reads it from then on.
-  std::string make_let(const Spot& spot);
-  std::string add_let(const PageView& view, const std::string& name, cdl::ExpressionPtr value,
-                      const std::string& help = "");
-  /// @param how  takes an Assemblage& or a Robot&
-  void change_owner(const PageView& view, const auto& how) {
-    if (view.graph->assemblage != nullptr)
-      work_.changes().change<cdl::Assemblage>(*view.graph->assemblage, how);
-    else
-      work_.changes().change<cdl::Robot>(*view.graph->robot, how);
-  }
-  /// Whether a block or a big call may stand there.
-  bool takes(const Spot& spot, const cdl::Expression& expression) const;
-  cdl::ExpressionPtr zero_of(const cdl::PortType& type) const;
-  cdl::ExpressionPtr neutral(const cdl::PortType& type) const;
-
   // ---- edit_connect.cc
   Done connect(const Connect& change);
   Done connect_let(const PageView& view, int from, const Spot& to);
@@ -188,8 +157,7 @@ class Editor {
                       const std::vector<cdl::LayoutEntry>& places);
 
   Workspace& work_;
-  /// Owners and names of `let`s that this edit made: those of one commit are not in the model yet.
-  std::set<std::pair<std::string, std::string>> given_names_;
+  PageWriter pages_;
 };
 
 }  // namespace mlab::designer

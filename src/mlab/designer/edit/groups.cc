@@ -376,7 +376,7 @@ Done Editor::ungroup(const Ungroup& change) {
   const bool takes_block = input == nullptr || there.let != nullptr || input->role == Role::kMember ||
                            input->role == Role::kCase || input->role == Role::kDrive;
   if (!takes_block && has_block(*body)) body = add(default_name(*body), body);
-  change_owner(view, [lets](auto& now) { now.lets.insert(now.lets.end(), lets.begin(), lets.end()); });
+  add_lets(work_, *view.graph, std::move(lets));
   work_.changes().replace(*there.expression, body);
   return work_.commit();
 }

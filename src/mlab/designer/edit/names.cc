@@ -217,7 +217,7 @@ Done Editor::rename(const Rename& change) {
 
 // A `let` or a parameter, with all that reads it; a parameter also where calls give it.
 Done Editor::rename_local(const PageView& view, const std::string& from, const std::string& to) {
-  if (is_taken(view, to)) return refusal(fmt::format("`{}` is taken already", to));
+  if (pages_.names().is_taken(*view.graph, to)) return refusal(fmt::format("`{}` is taken already", to));
   const OwnerGraph& graph = *view.graph;
   const auto rename = [&](const cdl::Word& word) {
     if (word.text == from) work_.changes().rename(word, to);

@@ -211,13 +211,13 @@ Done Editor::place_in_trigger(const PageView& view, const Place& change) {
   if (!to) return std::unexpected(to.error());
   const std::optional<Callable> component = work_.model().components().find(change.component());
   if (change.component() == kComparison) {
-    const Done done = write(*to, value_of(kComparisonWords));
+    const Done done = pages_.write(*to, value_of(kComparisonWords));
     return done ? work_.commit() : done;
   }
   if (!component || component->gives_nothing) return refusal("a trigger asks components that give something");
   if (const std::string reason = why_not(component->output, wanted_type(work_.model(), *to)); !reason.empty())
     return refusal(reason);
-  const Done done = write(*to, called(change.component()));
+  const Done done = pages_.write(*to, called(change.component()));
   return done ? work_.commit() : done;
 }
 

@@ -11,6 +11,7 @@
 #include "mlab/lang/cdl/syntax/lexer.h"
 #include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl/syntax/walk.h"
+#include "mlab/lang/cdl/types/units.h"
 
 namespace mlab::designer {
 
@@ -120,6 +121,41 @@ void set_type(cdl::Parameter& parameter, const cdl::PortType& type) {
   parameter.type = {words.substr(0, unit), {}};
   parameter.unit = {};
   if (unit != std::string::npos) parameter.unit.text = words.substr(unit + 2, words.size() - unit - 3);
+}
+
+cdl::ExpressionPtr neutral_for(const cdl::PortType& type) {
+  const auto is = [&](flow::TypeKind kind) { return type.type != nullptr && type.type->kind == kind; };
+  if (is(flow::TypeKind::kBool)) return named("false");
+  if (is(flow::TypeKind::kVector)) return called(std::string(flow::info(flow::ValueType::kVector).neutral));
+  return value_of(is(flow::TypeKind::kPoint) ? "[0, 0]" : "0");
+}
+
+namespace {
+
+// 0 in a unit that only products have: no number is written in it.
+std::string zero_in(std::string_view unit) {
+  std::string out = "0";
+  for (const char* sign = " * "; !unit.empty();) {
+    const std::size_t end = std::min(unit.find_first_of("*/"), unit.size());
+    const std::string_view word = unit.substr(0, end);
+    if (word != "1") out += fmt::format("{}1 {}", sign, word);
+    if (end == unit.size()) break;
+    sign = unit[end] == '/' ? " / " : " * ";
+    unit.remove_prefix(end + 1);
+  }
+  return out;
+}
+
+}  // namespace
+
+cdl::ExpressionPtr zero_for(const cdl::PortType& type) {
+  const bool is_number = type.type != nullptr && type.type->kind == flow::TypeKind::kReal;
+  const bool is_vector = type.type != nullptr && type.type->kind == flow::TypeKind::kVector;
+  if (is_vector) return value_of("[0, 0]");
+  const auto unit = is_number && !type.unit.empty() ? cdl::unit_named(type.unit) : std::nullopt;
+  const bool is_written = unit && std::ranges::find(cdl::unit_names(), type.unit) != cdl::unit_names().end();
+  const auto value = is_written ? value_of("0 " + type.unit) : unit ? value_of(zero_in(type.unit)) : nullptr;
+  return value ? value : neutral_for(type);
 }
 
 bool is_cdl_name(std::string_view text) {

@@ -48,6 +48,11 @@ std::vector<cdl::Item> items_of(const std::string& words);
 std::string type_words(const cdl::PortType& type);
 void set_type(cdl::Parameter& parameter, const cdl::PortType& type);
 
+/// What means nothing where something has to stand: `false`, `Stand`, 0.
+cdl::ExpressionPtr neutral_for(const cdl::PortType& type);
+/// What a formula has in the place of what it read: 0 in its unit.
+cdl::ExpressionPtr zero_for(const cdl::PortType& type);
+
 bool is_cdl_name(std::string_view text);
 /// `Noise`, `Noise_2`: one that is not taken.
 std::string unique(const std::string& wanted, const std::set<std::string>& taken);
