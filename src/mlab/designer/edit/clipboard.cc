@@ -181,7 +181,7 @@ Done Editor::arrange_pasted(const Paste& change, const Renamed& renamed,
     const double step = kStep * static_cast<double>(i);
     if (place_of(where.nodes(), renamed[i].second) == nullptr) add(renamed[i].second, step, step);
   }
-  if (const Done done = arrange(where); !done || change.taken().empty()) return done;
+  if (const Done done = arrange(work_, where); !done || change.taken().empty()) return done;
   const DrawingContext context{"pasted.cdl", 1, false, [](std::string_view) { return std::string(); }};
   std::vector<DrawnBox> boxes = placed_boxes(draw(work_.model(), change.page(), context));
   std::erase_if(boxes, [&](const DrawnBox& box) { return place_of(where.nodes(), box.name) == nullptr; });
@@ -194,7 +194,7 @@ Done Editor::arrange_pasted(const Paste& change, const Renamed& renamed,
     at.set_x(at.x() + right);
     at.set_y(at.y() + down);
   }
-  return arrange(where);
+  return arrange(work_, where);
 }
 
 namespace {

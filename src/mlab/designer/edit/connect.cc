@@ -6,6 +6,10 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/drawing/shapes.h"
+#include "mlab/designer/edit/change/help.h"
+#include "mlab/designer/edit/change/names.h"
+#include "mlab/designer/edit/change/societies.h"
+#include "mlab/designer/edit/change/states.h"
 #include "mlab/designer/edit/editor.h"
 #include "mlab/designer/edit/values.h"
 #include "mlab/text/shown.h"
@@ -170,7 +174,7 @@ Done Editor::place(const Place& change) {
                                : pages_.names().free_name(*view->graph, base_of(change.component()));
   pages_.add_let(*view, name, value_of(*words));
   if (const Done done = work_.commit(); !done) return done;
-  if (const Done done = arrange_one(change.page(), name, change); !done) return done;
+  if (const Done done = arrange_one(work_, change.page(), name, change); !done) return done;
   if (change.to_node().empty()) return true;
   Connect wire;
   wire.set_page(change.page());
@@ -200,8 +204,7 @@ Done Editor::remove(const Remove& change) {
   if (!view) return std::unexpected(view.error());
   if (change.nodes().empty()) return refusal("nothing is chosen");
   std::vector<int> handles;
-  Remove states;
-  states.set_page(change.page());
+  std::set<std::string> states;
   for (const std::string& name : change.nodes()) {
     const int at = view->page->find(name);
     const bool is_state = view->page->sequence != nullptr &&
@@ -209,7 +212,7 @@ Done Editor::remove(const Remove& change) {
                             return state.name.text == name;
                           });
     if (is_state && at < 0) {
-      states.add_nodes(name);
+      states.insert(name);
       continue;
     }
     const text::Result<int> found = find_node(*view, name);
@@ -230,8 +233,8 @@ Done Editor::remove(const Remove& change) {
     handles.push_back(follow(work_, *view, *found));
   }
   const std::string owner = view->graph->name;
-  if (!states.nodes().empty()) {
-    if (const Done done = remove_states(*view, states); !done) return done;
+  if (!states.empty()) {
+    if (const Done done = remove_states(work_, *view->page->sequence, states); !done) return done;
   }
   for (const int handle : handles) {
     if (const Done done = remove_node(owner, handle, handles); !done) return done;
@@ -475,9 +478,9 @@ Done Editor::apply(const Change& change) {
     case Change::kExpose:
       return expose(change.expose());
     case Change::kRename:
-      return rename(change.rename());
+      return rename(work_, pages_.names(), change.rename());
     case Change::kArrange:
-      return arrange(change.arrange());
+      return arrange(work_, change.arrange());
     case Change::kSetActive:
       return set_active(change.set_active());
     case Change::kGroup:
@@ -487,7 +490,7 @@ Done Editor::apply(const Change& change) {
     case Change::kPaste:
       return paste(change.paste());
     case Change::kSetNote:
-      return set_note(change.set_note());
+      return set_note(work_, change.set_note());
     case Change::kReplace:
       return replace(change.replace());
     case Change::kAddDeclaration:
@@ -497,19 +500,19 @@ Done Editor::apply(const Change& change) {
     case Change::kRemoveParameter:
       return remove_parameter(change.remove_parameter());
     case Change::kSetHelp:
-      return set_help(change.set_help());
+      return set_help(work_, change.set_help());
     case Change::kCopyComponent:
       return copy_component(change.copy_component());
     case Change::kAddState:
-      return add_state(change.add_state());
+      return add_state(work_, change.add_state());
     case Change::kSetState:
-      return set_state(change.set_state());
+      return set_state(work_, change.set_state());
     case Change::kAddTransition:
-      return add_transition(change.add_transition());
+      return add_transition(work_, change.add_transition());
     case Change::kSetTransition:
-      return set_transition(change.set_transition());
+      return set_transition(work_, change.set_transition());
     case Change::kRemoveTransition:
-      return remove_transition(change.remove_transition());
+      return remove_transition(work_, change.remove_transition());
     case Change::kChangeTrigger:
       return change_trigger(change.change_trigger());
     case Change::kSetDevice:
@@ -517,19 +520,19 @@ Done Editor::apply(const Change& change) {
     case Change::kSetBinding:
       return set_binding(change.set_binding());
     case Change::kGroupMembers:
-      return group_members(change.group_members());
+      return group_members(work_, change.group_members());
     case Change::kUngroupMembers:
-      return ungroup_members(change.ungroup_members());
+      return ungroup_members(work_, change.ungroup_members());
     case Change::kMoveMember:
-      return move_member(change.move_member());
+      return move_member(work_, change.move_member());
     case Change::kSetClass:
       return set_class(change.set_class());
     case Change::kUseDevice:
       return use_device(change.use_device());
     case Change::kSetMember:
-      return set_member(change.set_member());
+      return set_member(work_, change.set_member());
     case Change::kRemoveMember:
-      return remove_member(change.remove_member());
+      return remove_member(work_, change.remove_member());
     case Change::CHANGE_NOT_SET:
       break;
   }

@@ -43,7 +43,7 @@ Done Editor::add_declaration(const AddDeclaration& change) {
   if (!change.robot().empty()) {
     if (const Done done = add_class_for(name, change.robot()); !done) return done;
   }
-  return arrange_one("", name, change);
+  return arrange_one(work_, "", name, change);
 }
 
 Done Editor::remove_declarations(const Remove& change) {

@@ -185,29 +185,6 @@ Done Editor::remove_devices(const Remove& change) {
   return work_.commit();
 }
 
-Done Editor::rename_device(const Rename& change) {
-  const text::Result<DeviceSpot> spot = find_device(work_.model(), change.page(), change.node());
-  if (!spot) return std::unexpected(spot.error());
-  if (spot->owner.robot_class == nullptr)
-    return refusal("what an operator serves is called by its binding point");
-  if (spot->owner.device(change.name()) != nullptr)
-    return refusal(fmt::format("there is a device `{}` already", change.name()));
-  work_.changes().rename(spot->device->name, change.name());
-  for (const cdl::Item& item : work_.model().tree().items) {
-    const auto* robot = std::get_if<cdl::Robot>(&item);
-    if (robot == nullptr || robot->class_name.text != change.page()) continue;
-    for (const cdl::Choice& choice : robot->choices) {
-      if (choice.device.text == change.node()) work_.changes().rename(choice.device, change.name());
-    }
-    for (const cdl::Drive& drive : robot->drives) {
-      const bool is_it = drive.binding.text == change.node() &&
-                         !work_.model().configuration().bindings.contains(change.node());
-      if (is_it) work_.changes().rename(drive.binding, change.name());
-    }
-  }
-  return work_.commit();
-}
-
 // ---- values
 
 Done Editor::set_equipment_value(const SetValue& change) {
@@ -378,7 +355,7 @@ Done Editor::place_device(const Place& change) {
   fresh.set_component(by->name);
   const std::string name = owner.robot_class != nullptr ? free_device_name(owner, binds) : binds;
   if (const Done done = set_device(fresh); !done) return done;
-  return arrange_one(change.page(), name, change);
+  return arrange_one(work_, change.page(), name, change);
 }
 
 // One that nothing serves yet before those that are served.
@@ -392,14 +369,6 @@ std::string Editor::point_for(const Equipped& owner, const Callable& by) const {
     if (served.empty()) served = name;
   }
   return owner.robot_class != nullptr ? served : "";
-}
-
-Done Editor::help_device(const SetHelp& change) {
-  const text::Result<DeviceSpot> spot = find_device(work_.model(), change.page(), change.node());
-  if (!spot) return std::unexpected(spot.error());
-  work_.changes().change<cdl::Device>(*spot->device,
-                                      [help = change.text()](cdl::Device& now) { now.help = help; });
-  return work_.commit();
 }
 
 // ---- binding points

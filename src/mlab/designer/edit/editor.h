@@ -12,6 +12,7 @@
 #include "mlab/designer.pb.h"
 #include "mlab/designer/drawing/graph.h"
 #include "mlab/designer/drawing/serving.h"
+#include "mlab/designer/edit/change/layout.h"
 #include "mlab/designer/edit/find/declared.h"
 #include "mlab/designer/edit/find/devices.h"
 #include "mlab/designer/edit/find/followed.h"
@@ -44,30 +45,6 @@ class Editor {
   Done replace_call(const std::string& owner, int handle, const Callable& other);
   Done expose(const Expose& change);
 
-  // ---- edit_names.cc
-  Done rename(const Rename& change);
-  Done rename_declaration(const std::string& from, const std::string& to);
-  Done rename_local(const PageView& view, const std::string& from, const std::string& to);
-  Done rename_state(const PageView& view, const std::string& from, const std::string& to);
-  Done arrange(const Arrange& change);
-  /// @param where  has x and y; both 0: nobody said where
-  Done arrange_one(const std::string& page, const std::string& node, const auto& where) {
-    if (where.x() == 0.0 && where.y() == 0.0) return true;
-    Arrange change;
-    change.set_page(page);
-    Arrange::At& at = *change.add_nodes();
-    at.set_node(node);
-    at.set_x(where.x());
-    at.set_y(where.y());
-    return arrange(change);
-  }
-  Done set_note(const SetNote& change);
-  Done change_layout(const std::string& page, const std::function<void(cdl::Layout&)>& how);
-  Done set_help(const SetHelp& change);
-  Done set_declaration_help(const std::string& name, const std::string& help);
-  template <class X>
-  Done write_help(const X& what, const std::string& help);
-
   // ---- edit_declarations.cc
   Done add_declaration(const AddDeclaration& change);
   Done set_parameter(const SetParameter& change);
@@ -79,14 +56,6 @@ class Editor {
   /// Of an assemblage, a robot, a class; null: there is none.
   const std::vector<cdl::Parameter>* parameters(std::string_view owner) const;
   void visit_owner(std::string_view name, const auto& visit) const;
-
-  // ---- edit_states.cc
-  Done add_state(const AddState& change);
-  Done set_state(const SetState& change);
-  Done add_transition(const AddTransition& change);
-  Done set_transition(const SetTransition& change);
-  Done remove_transition(const RemoveTransition& change);
-  Done remove_states(const PageView& view, const Remove& change);
 
   // ---- edit_triggers.cc
   Done change_trigger(const ChangeTrigger& change);
@@ -108,7 +77,6 @@ class Editor {
   Done add_device(const Equipped& owner, const SetDevice& change);
   void drop_choices(const std::string& robot_class, const std::string& device);
   Done remove_devices(const Remove& change);
-  Done rename_device(const Rename& change);
   Done set_equipment_value(const SetValue& change);
   bool name_arguments(const cdl::Call& call, const Callable& component, const cdl::Argument* gone);
   Done set_body(const SetValue& change);
@@ -118,19 +86,8 @@ class Editor {
   Done connect_device(const Connect& change);
   Done place_device(const Place& change);
   std::string point_for(const Equipped& owner, const Callable& by) const;
-  Done help_device(const SetHelp& change);
   Done set_binding(const SetBinding& change);
   Done add_class_for(const std::string& name, const std::string& robot_name);
-
-  // ---- edit_societies.cc
-  text::Result<const cdl::Society*> society(const std::string& name) const;
-  Done set_member(const SetMember& change);
-  Done put_member(const cdl::Society& society, const SetMember& change);
-  Done set_coordinator(const cdl::SocietyMember& member, const std::string& by);
-  Done remove_member(const RemoveMember& change);
-  Done group_members(const GroupMembers& change);
-  Done ungroup_members(const UngroupMembers& change);
-  Done move_member(const MoveMember& change);
 
   // ---- edit_groups.cc
   /// A node that is followed, and where it stood [px].

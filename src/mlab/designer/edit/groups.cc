@@ -311,7 +311,7 @@ Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>&
     }
   }
   if (inside.nodes_size() > 0) {
-    if (const Done done = arrange(inside); !done) return done;
+    if (const Done done = arrange(work_, inside); !done) return done;
   }
   if (!change.has_x() || !change.has_y()) return true;
   const text::Result<PageView> found = find_page(work_.model(), change.page());
@@ -322,7 +322,7 @@ Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>&
     const auto* call = one.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&one.expression->what);
     if (call != nullptr && call->callee.text == change.name()) add(outside, one.name, change.x(), change.y());
   }
-  return outside.nodes_size() == 0 ? Done(true) : arrange(outside);
+  return outside.nodes_size() == 0 ? Done(true) : arrange(work_, outside);
 }
 
 // What the called assemblage is made of, with the call's values in place of its parameters.

@@ -1,4 +1,4 @@
-// Societies: members, castes of them, and who coordinates them.
+#include "mlab/designer/edit/change/societies.h"
 
 #include <algorithm>
 #include <set>
@@ -6,7 +6,6 @@
 
 #include <fmt/core.h>
 
-#include "mlab/designer/edit/editor.h"
 #include "mlab/designer/edit/values.h"
 #include "mlab/text/shown.h"
 
@@ -93,30 +92,46 @@ bool leads_into(const auto& path, const auto& into) {
   return path.size() <= into.size() && std::equal(path.begin(), path.end(), into.begin());
 }
 
-}  // namespace
-
-text::Result<const cdl::Society*> Editor::society(const std::string& name) const {
-  const cdl::Society* society = work_.model().society(name);
+text::Result<const cdl::Society*> find_society(const Workspace& work, const std::string& name) {
+  const cdl::Society* society = work.model().society(name);
   if (society == nullptr) return refusal(fmt::format("there is no society `{}`", text::shown(name)));
   return society;
 }
 
-Done Editor::set_coordinator(const cdl::SocietyMember& member, const std::string& by) {
+Done set_coordinator(Workspace& work, const cdl::SocietyMember& member, const std::string& by) {
   if (by == member.by.text) return true;
-  if (!by.empty() && !work_.model().configuration().operators.contains(by))
+  if (!by.empty() && !work.model().configuration().operators.contains(by))
     return refusal(fmt::format("there is no operator `{}`", text::shown(by)));
-  work_.changes().change<Member>(member, [by](Member& now) { now.by.text = by; });
-  return work_.commit();
+  work.changes().change<Member>(member, [by](Member& now) { now.by.text = by; });
+  return work.commit();
 }
 
-Done Editor::set_member(const SetMember& change) {
-  const text::Result<const cdl::Society*> found = society(change.society());
+Done put_member(Workspace& work, const cdl::Society& society, const SetMember& change) {
+  const Member member = member_of(change);
+  const std::size_t depth = depth_of(change.path());
+  const Member* group = depth == 0 ? nullptr : member_at(society.what, change.path(), depth - 1);
+  const Member* old = member_at(society.what, change.path(), depth);
+  if (old == nullptr && group == nullptr) return refusal("the member has gone");
+  if (old != nullptr) {
+    work.changes().change<Member>(*old, [member](Member& now) { now = member; });
+  } else if (group->kind == Member::Kind::kCaste) {
+    work.changes().change<Member>(*group, [member](Member& now) { now.members.push_back(member); });
+  } else {  // one member becomes two
+    work.changes().change<Member>(*group, [member](Member& now) { now = caste_of({now, member}); });
+  }
+  return work.commit();
+}
+
+}  // namespace
+
+Done set_member(Workspace& work, const SetMember& change) {
+  const text::Result<const cdl::Society*> found = find_society(work, change.society());
   if (!found) return std::unexpected(found.error());
-  const auto& configuration = work_.model().configuration();
+  const auto& configuration = work.model().configuration();
   const Member* there = member_at((*found)->what, change.path(), depth_of(change.path()));
   // A caste is called by nobody: what changes of one that is there is who coordinates it.
   if (change.is_caste() && there != nullptr && there->kind == Member::Kind::kCaste)
-    return set_coordinator(*there, change.by());
+    return set_coordinator(work, *there, change.by());
   if (!change.is_caste() || !change.name().empty()) {
     const std::string reason = why_no_member(configuration, change.name(), change.society());
     if (!reason.empty()) return refusal(reason);
@@ -125,28 +140,12 @@ Done Editor::set_member(const SetMember& change) {
     return refusal(fmt::format("there is no operator `{}`", text::shown(change.by())));
   if (change.count() > kMostRobots)
     return refusal(fmt::format("a team has no more than {} robots", kMostRobots));
-  return put_member(**found, change);
-}
-
-Done Editor::put_member(const cdl::Society& society, const SetMember& change) {
-  const Member member = member_of(change);
-  const std::size_t depth = depth_of(change.path());
-  const Member* group = depth == 0 ? nullptr : member_at(society.what, change.path(), depth - 1);
-  const Member* old = member_at(society.what, change.path(), depth);
-  if (old == nullptr && group == nullptr) return refusal("the member has gone");
-  if (old != nullptr) {
-    work_.changes().change<Member>(*old, [member](Member& now) { now = member; });
-  } else if (group->kind == Member::Kind::kCaste) {
-    work_.changes().change<Member>(*group, [member](Member& now) { now.members.push_back(member); });
-  } else {  // one member becomes two
-    work_.changes().change<Member>(*group, [member](Member& now) { now = caste_of({now, member}); });
-  }
-  return work_.commit();
+  return put_member(work, **found, change);
 }
 
 // A caste of which nothing is left goes as well; the society itself stays, without members.
-Done Editor::remove_member(const RemoveMember& change) {
-  const text::Result<const cdl::Society*> found = society(change.society());
+Done remove_member(Workspace& work, const RemoveMember& change) {
+  const text::Result<const cdl::Society*> found = find_society(work, change.society());
   if (!found) return std::unexpected(found.error());
   const Member& top = (*found)->what;
   std::size_t depth = depth_of(change.path());
@@ -155,15 +154,15 @@ Done Editor::remove_member(const RemoveMember& change) {
   if (depth == 0) {
     if (top.kind == Member::Kind::kCaste && top.members.empty())
       return refusal("the society has no members: remove the society itself");
-    work_.changes().change<Member>(top, [](Member& now) { now = caste_of({}); });
+    work.changes().change<Member>(top, [](Member& now) { now = caste_of({}); });
   } else {
-    work_.changes().remove(*member_at(top, change.path(), depth));
+    work.changes().remove(*member_at(top, change.path(), depth));
   }
-  return work_.commit();
+  return work.commit();
 }
 
-Done Editor::group_members(const GroupMembers& change) {
-  const text::Result<const cdl::Society*> found = society(change.society());
+Done group_members(Workspace& work, const GroupMembers& change) {
+  const text::Result<const cdl::Society*> found = find_society(work, change.society());
   if (!found) return std::unexpected(found.error());
   const Member* caste = member_at((*found)->what, change.path(), depth_of(change.path()));
   if (caste == nullptr || caste->kind != Member::Kind::kCaste)
@@ -171,7 +170,7 @@ Done Editor::group_members(const GroupMembers& change) {
   const std::set<std::uint32_t> chosen(change.members().begin(), change.members().end());
   if (chosen.empty()) return refusal("nothing is chosen");
   if (*chosen.rbegin() >= caste->members.size()) return refusal("the member has gone");
-  work_.changes().change<Member>(*caste, [chosen](Member& now) {
+  work.changes().change<Member>(*caste, [chosen](Member& now) {
     std::vector<Member> inner;
     std::vector<Member> outer;
     for (std::uint32_t i = 0; i < now.members.size(); ++i)
@@ -180,12 +179,12 @@ Done Editor::group_members(const GroupMembers& change) {
     outer.insert(outer.begin() + first, caste_of(std::move(inner)));
     now.members = std::move(outer);
   });
-  return work_.commit();
+  return work.commit();
 }
 
 // Its operator coordinates what has none of its own.
-Done Editor::ungroup_members(const UngroupMembers& change) {
-  const text::Result<const cdl::Society*> found = society(change.society());
+Done ungroup_members(Workspace& work, const UngroupMembers& change) {
+  const text::Result<const cdl::Society*> found = find_society(work, change.society());
   if (!found) return std::unexpected(found.error());
   const Member& top = (*found)->what;
   const std::size_t depth = depth_of(change.path());
@@ -204,20 +203,20 @@ Done Editor::ungroup_members(const UngroupMembers& change) {
     member.by.text = caste->by.text;
   }
   if (depth == 0) {
-    work_.changes().change<Member>(top, [members](Member& now) { now = members.front(); });
-    return work_.commit();
+    work.changes().change<Member>(top, [members](Member& now) { now = members.front(); });
+    return work.commit();
   }
   const Member* group = member_at(top, change.path(), depth - 1);
   const auto at = static_cast<std::ptrdiff_t>(change.path(static_cast<int>(depth) - 1));
-  work_.changes().change<Member>(*group, [members, at](Member& now) {
+  work.changes().change<Member>(*group, [members, at](Member& now) {
     const auto gone = now.members.erase(now.members.begin() + at);
     now.members.insert(gone, members.begin(), members.end());
   });
-  return work_.commit();
+  return work.commit();
 }
 
-Done Editor::move_member(const MoveMember& change) {
-  const text::Result<const cdl::Society*> found = society(change.society());
+Done move_member(Workspace& work, const MoveMember& change) {
+  const text::Result<const cdl::Society*> found = find_society(work, change.society());
   if (!found) return std::unexpected(found.error());
   if (change.path().empty()) return refusal("a society stands in nothing");
   if (leads_into(change.path(), change.into())) return refusal("a caste can't be a part of itself");
@@ -237,8 +236,8 @@ Done Editor::move_member(const MoveMember& change) {
   from->members[at].count = -1;
   into->members.insert(into->members.begin() + static_cast<std::ptrdiff_t>(place), moved);
   remove_marked(top);
-  work_.changes().change<cdl::Society>(**found, [top](cdl::Society& now) { now.what = top; });
-  return work_.commit();
+  work.changes().change<cdl::Society>(**found, [top](cdl::Society& now) { now.what = top; });
+  return work.commit();
 }
 
 }  // namespace mlab::designer
