@@ -6,8 +6,14 @@
 #include <fmt/core.h>
 
 #include "mlab/designer/drawing/shapes.h"
+#include "mlab/designer/edit/change/declarations.h"
+#include "mlab/designer/edit/change/devices.h"
+#include "mlab/designer/edit/change/equipment_values.h"
+#include "mlab/designer/edit/change/exposing.h"
 #include "mlab/designer/edit/change/help.h"
 #include "mlab/designer/edit/change/names.h"
+#include "mlab/designer/edit/change/parameters.h"
+#include "mlab/designer/edit/change/robots.h"
 #include "mlab/designer/edit/change/societies.h"
 #include "mlab/designer/edit/change/states.h"
 #include "mlab/designer/edit/editor.h"
@@ -69,7 +75,7 @@ bool takes(const Spot& spot, const cdl::Expression& expression) {
 }  // namespace
 
 Done Editor::connect(const Connect& change) {
-  if (is_equipment(work_.model(), change.page())) return connect_device(change);
+  if (is_equipment(work_.model(), change.page())) return connect_device(work_, change);
   text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   const text::Result<int> from = find_node(*view, change.from_node());
@@ -136,7 +142,7 @@ Done Editor::disconnect(const Disconnect& change) {
 }
 
 Done Editor::set_value(const SetValue& change) {
-  if (is_equipment(work_.model(), change.page())) return set_equipment_value(change);
+  if (is_equipment(work_.model(), change.page())) return set_equipment_value(work_, change);
   const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   const bool is_new = change.has_index() || !change.value().empty();
@@ -154,7 +160,7 @@ Done Editor::set_value(const SetValue& change) {
 }
 
 Done Editor::place(const Place& change) {
-  if (is_equipment(work_.model(), change.page())) return place_device(change);
+  if (is_equipment(work_.model(), change.page())) return place_device(work_, change);
   text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   const Components& components = work_.model().components();
@@ -198,8 +204,8 @@ Done Editor::place_sink(const PageView& view, const Place& change) {
 }
 
 Done Editor::remove(const Remove& change) {
-  if (change.page().empty()) return remove_declarations(change);
-  if (is_equipment(work_.model(), change.page())) return remove_devices(change);
+  if (change.page().empty()) return remove_declarations(work_, change);
+  if (is_equipment(work_.model(), change.page())) return remove_devices(work_, change);
   const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   if (change.nodes().empty()) return refusal("nothing is chosen");
@@ -222,7 +228,7 @@ Done Editor::remove(const Remove& change) {
       RemoveParameter parameter;
       parameter.set_owner(view->graph->name);
       parameter.set_name(one.parameter->name.text);
-      if (const Done done = remove_parameter(parameter); !done) return done;
+      if (const Done done = remove_parameter(pages_, parameter); !done) return done;
       Remove rest;
       rest.set_page(change.page());
       for (const std::string& other : change.nodes()) {
@@ -330,13 +336,7 @@ Done Editor::set_active(const SetActive& change) {
 
 // Another component in its place: inputs of the same name and a fitting type stay.
 Done Editor::replace(const Replace& change) {
-  if (is_equipment(work_.model(), change.page())) {
-    SetDevice by;
-    by.set_owner(change.page());
-    by.set_device(change.node());
-    by.set_component(change.component());
-    return change.node().empty() ? refusal("nothing is chosen") : set_device(by);
-  }
+  if (is_equipment(work_.model(), change.page())) return replace_device(work_, change);
   const text::Result<PageView> view = find_page(work_.model(), change.page());
   if (!view) return std::unexpected(view.error());
   const text::Result<int> at = find_node(*view, change.node());
@@ -412,56 +412,6 @@ Done Editor::replace_call(const std::string& owner, int handle, const Callable& 
   return work_.commit();
 }
 
-Done Editor::expose(const Expose& change) {
-  if (is_equipment(work_.model(), change.page())) return expose_equipment(change);
-  const text::Result<PageView> view = find_page(work_.model(), change.page());
-  if (!view) return std::unexpected(view.error());
-  text::Result<Spot> to = find_spot(*view, change.node(), change.port(), index_of(change), false);
-  if (!to) return std::unexpected(to.error());
-  if (to->node < 0) return refusal("only an input of a node can be a parameter");
-  const GraphInput& input = *to->at();
-  if (input.from >= 0) return refusal("a wire drives it: disconnect it first");
-  if (input.role == Role::kFormula)
-    return refusal("a formula that reads nodes can't be a default: write the parameter's name into it");
-  const GraphNode& there = view->node(to->node);
-  const std::vector<Socket> all = sockets(there, work_.model().components(), *view->graph);
-  const auto socket = std::ranges::find(all, input.port, &Socket::name);
-  if (socket == all.end() || socket->type.type == nullptr) return refusal("what type it has can't be told");
-  std::string name = change.parameter();
-  if (name.empty()) name = input.role == Role::kWeight ? "gain" : input.port;
-  if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
-  const auto& parameters = view->graph->parameters();
-  const auto known =
-      std::ranges::find_if(parameters, [&](const cdl::Parameter& p) { return p.name.text == name; });
-  if (known != parameters.end() && !change.parameter().empty()) {
-    const std::string reason = why_not(work_.model().components().types().of(*known), socket->type);
-    if (!reason.empty()) return refusal(fmt::format("`{}` does not fit: {}", name, reason));
-    const Done done = pages_.write(*to, named(name));
-    return done ? work_.commit() : done;
-  }
-  if (pages_.names().is_taken(*view->graph, name)) name = pages_.names().free_name(*view->graph, name);
-  std::string initial =
-      input.written
-          ? std::string(work_.text().substr(input.written->place.span.begin,
-                                            input.written->place.span.end - input.written->place.span.begin))
-          : socket->initial;
-  const auto* word = input.written ? std::get_if<cdl::Name>(&input.written->what) : nullptr;
-  if (word != nullptr && pages_.names().is_taken(*view->graph, word->name.text))
-    return refusal(fmt::format("`{}` is one already", word->name.text));
-  const bool has_unit = !initial.empty() && initial.find_first_not_of("0123456789.-+e") != std::string::npos;
-  if (!initial.empty() && !has_unit && !socket->type.unit.empty()) initial += " " + socket->type.unit;
-  if (input.role == Role::kWeight && initial.empty()) initial = "1";
-  const std::string owner = view->graph->name;
-  if (const Done done = pages_.write(*to, named(name)); !done) return done;
-  SetParameter parameter;
-  parameter.set_owner(owner);
-  parameter.set_name(name);
-  parameter.set_type(input.role == Role::kWeight ? "gain" : type_words(socket->type));
-  parameter.set_initial(initial);
-  parameter.set_help("");
-  return set_parameter(parameter);
-}
-
 // NOLINTNEXTLINE(readability-function-size): a row for each change
 Done Editor::apply(const Change& change) {
   switch (change.change_case()) {
@@ -476,7 +426,8 @@ Done Editor::apply(const Change& change) {
     case Change::kSetValue:
       return set_value(change.set_value());
     case Change::kExpose:
-      return expose(change.expose());
+      return is_equipment(work_.model(), change.expose().page()) ? expose_equipment(work_, change.expose())
+                                                                 : expose_input(pages_, change.expose());
     case Change::kRename:
       return rename(work_, pages_.names(), change.rename());
     case Change::kArrange:
@@ -494,15 +445,15 @@ Done Editor::apply(const Change& change) {
     case Change::kReplace:
       return replace(change.replace());
     case Change::kAddDeclaration:
-      return add_declaration(change.add_declaration());
+      return add_declaration(work_, change.add_declaration());
     case Change::kSetParameter:
-      return set_parameter(change.set_parameter());
+      return set_parameter(work_, change.set_parameter());
     case Change::kRemoveParameter:
-      return remove_parameter(change.remove_parameter());
+      return remove_parameter(pages_, change.remove_parameter());
     case Change::kSetHelp:
       return set_help(work_, change.set_help());
     case Change::kCopyComponent:
-      return copy_component(change.copy_component());
+      return copy_component(work_, change.copy_component());
     case Change::kAddState:
       return add_state(work_, change.add_state());
     case Change::kSetState:
@@ -516,9 +467,9 @@ Done Editor::apply(const Change& change) {
     case Change::kChangeTrigger:
       return change_trigger(change.change_trigger());
     case Change::kSetDevice:
-      return set_device(change.set_device());
+      return set_device(work_, change.set_device());
     case Change::kSetBinding:
-      return set_binding(change.set_binding());
+      return set_binding(work_, change.set_binding());
     case Change::kGroupMembers:
       return group_members(work_, change.group_members());
     case Change::kUngroupMembers:
@@ -526,9 +477,9 @@ Done Editor::apply(const Change& change) {
     case Change::kMoveMember:
       return move_member(work_, change.move_member());
     case Change::kSetClass:
-      return set_class(change.set_class());
+      return set_class(work_, change.set_class());
     case Change::kUseDevice:
-      return use_device(change.use_device());
+      return use_device(work_, change.use_device());
     case Change::kSetMember:
       return set_member(work_, change.set_member());
     case Change::kRemoveMember:

@@ -43,19 +43,6 @@ class Editor {
   Done replace(const Replace& change);
   Done replace_operator(const PageView& view, int at, const cdl::Expression& other);
   Done replace_call(const std::string& owner, int handle, const Callable& other);
-  Done expose(const Expose& change);
-
-  // ---- edit_declarations.cc
-  Done add_declaration(const AddDeclaration& change);
-  Done set_parameter(const SetParameter& change);
-  text::Result<cdl::Parameter> parameter_of(const SetParameter& change) const;
-  void change_parameter(const cdl::Parameter& old, const cdl::Parameter& said, bool stays);
-  Done remove_parameter(const RemoveParameter& change);
-  Done copy_component(const CopyComponent& change);
-  Done remove_declarations(const Remove& change);
-  /// Of an assemblage, a robot, a class; null: there is none.
-  const std::vector<cdl::Parameter>* parameters(std::string_view owner) const;
-  void visit_owner(std::string_view name, const auto& visit) const;
 
   // ---- edit_triggers.cc
   Done change_trigger(const ChangeTrigger& change);
@@ -63,31 +50,6 @@ class Editor {
   cdl::ExpressionPtr chosen(const cdl::Expression& old, const Callable& component,
                             const OwnerGraph& graph) const;
   Done place_in_trigger(const PageView& view, const Place& change);
-
-  // ---- edit_robots.cc
-  Done set_class(const SetClass& change);
-  Done use_device(const UseDevice& change);
-
-  // ---- edit_devices.cc
-  text::Result<const cdl::Binding*> binding(const std::string& name) const;
-  /// A component that can serve the binding point.
-  text::Result<Callable> server(const std::string& component, const cdl::Binding& binding) const;
-  std::string free_device_name(const Equipped& owner, const std::string& binding) const;
-  Done set_device(const SetDevice& change);
-  Done add_device(const Equipped& owner, const SetDevice& change);
-  void drop_choices(const std::string& robot_class, const std::string& device);
-  Done remove_devices(const Remove& change);
-  Done set_equipment_value(const SetValue& change);
-  bool name_arguments(const cdl::Call& call, const Callable& component, const cdl::Argument* gone);
-  Done set_body(const SetValue& change);
-  Done expose_equipment(const Expose& change);
-  text::Result<SetParameter> exposed(const Expose& change, const cdl::RobotClass& robot_class) const;
-  std::string text_of(const cdl::Expression& expression) const;
-  Done connect_device(const Connect& change);
-  Done place_device(const Place& change);
-  std::string point_for(const Equipped& owner, const Callable& by) const;
-  Done set_binding(const SetBinding& change);
-  Done add_class_for(const std::string& name, const std::string& robot_name);
 
   // ---- edit_groups.cc
   /// A node that is followed, and where it stood [px].

@@ -21,4 +21,15 @@ text::Result<DeviceSpot> find_device(const Model& model, const std::string& owne
   return DeviceSpot{found, device, by ? &*by : nullptr};
 }
 
+const cdl::Argument* argument_of(const cdl::Call& call, const Callable& component, std::string_view name) {
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const cdl::Argument& argument = call.arguments[i];
+    const std::string_view called = !argument.name.text.empty()   ? std::string_view(argument.name.text)
+                                    : i < component.inputs.size() ? std::string_view(component.inputs[i].name)
+                                                                  : std::string_view();
+    if (called == name) return &argument;
+  }
+  return nullptr;
+}
+
 }  // namespace mlab::designer

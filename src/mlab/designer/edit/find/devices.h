@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "mlab/designer/drawing/components.h"
 #include "mlab/designer/drawing/model.h"
@@ -27,5 +28,7 @@ bool is_equipment(const Model& model, const std::string& page);
 /// @param owner  a class or an operator
 /// @errors       `cannot-edit`: there is no such owner, or it has no such device
 text::Result<DeviceSpot> find_device(const Model& model, const std::string& owner, const std::string& name);
+/// What a call gives an input, by name or by position; null: nothing.
+const cdl::Argument* argument_of(const cdl::Call& call, const Callable& component, std::string_view name);
 
 }  // namespace mlab::designer
