@@ -4,7 +4,9 @@
 
 #include <fmt/core.h>
 
-#include "mlab/designer/edit/editor.h"
+#include "mlab/designer/edit/apply.h"
+#include "mlab/designer/edit/page_writer.h"
+#include "mlab/designer/edit/workspace.h"
 
 namespace mlab::designer {
 namespace {
@@ -115,9 +117,9 @@ text::Result<Edited> edited(std::shared_ptr<const Model> model, const cdl::Envir
   for (const std::string& file : files) {
     if (const Done done = add_use(work, file); !done) return std::unexpected(done.error());
   }
-  Editor editor(work);
+  PageWriter pages(work);
   for (const Change& change : edit.changes()) {
-    if (const Done done = editor.apply(change); !done) return std::unexpected(done.error());
+    if (const Done done = apply(pages, change); !done) return std::unexpected(done.error());
   }
   return Edited{std::string(work.text()), edit.name().empty() ? name_of(edit.changes(0)) : edit.name()};
 }

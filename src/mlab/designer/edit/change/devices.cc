@@ -44,7 +44,8 @@ text::Result<const cdl::Binding*> find_binding(const Workspace& work, const std:
 }
 
 // A component that can serve the binding point.
-text::Result<Callable> find_server(const Workspace& work, const std::string& component, const cdl::Binding& binding) {
+text::Result<Callable> find_server(const Workspace& work, const std::string& component,
+                                   const cdl::Binding& binding) {
   const std::optional<Callable>& by = work.model().components().find(component);
   if (!by) return refusal(fmt::format("nothing answers to `{}`", text::shown(component)));
   const std::string reason = why_not_serving(*by, binding, work.model().components());
@@ -91,7 +92,7 @@ Done add_device(Workspace& work, const Equipped& owner, const SetDevice& change)
   if (owner.robot_class != nullptr) {
     fresh.name.text = free_device_name(owner, change.binds());
     work.changes().change<cdl::RobotClass>(*owner.robot_class,
-                                            [fresh](cdl::RobotClass& now) { now.devices.push_back(fresh); });
+                                           [fresh](cdl::RobotClass& now) { now.devices.push_back(fresh); });
   } else {
     fresh.name.text = change.binds();
     work.changes().change<cdl::SocietyOperator>(

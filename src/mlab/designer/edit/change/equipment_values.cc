@@ -45,7 +45,8 @@ std::string why_not_property(const cdl::BodyProperty& property, const cdl::Expre
 }
 
 // Those behind one that goes are said by name from now on.
-bool name_arguments(Workspace& work, const cdl::Call& call, const Callable& component, const cdl::Argument* gone) {
+bool name_arguments(Workspace& work, const cdl::Call& call, const Callable& component,
+                    const cdl::Argument* gone) {
   bool is_behind = false;
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const cdl::Argument& argument = call.arguments[i];

@@ -27,7 +27,8 @@ std::string text_of(const Workspace& work, const cdl::Expression& expression) {
 }
 
 // The type and default of the parameter that something becomes.
-text::Result<SetParameter> exposed(const Workspace& work, const Expose& change, const cdl::RobotClass& robot_class) {
+text::Result<SetParameter> exposed(const Workspace& work, const Expose& change,
+                                   const cdl::RobotClass& robot_class) {
   SetParameter out;
   if (change.node().starts_with(kBodyNode)) {
     const cdl::BodyProperty* property = cdl::body_property(change.port());
@@ -61,7 +62,9 @@ Done expose_input(PageWriter& pages, const Expose& change) {
   Workspace& work = pages.work();
   const text::Result<PageView> view = find_page(work.model(), change.page());
   if (!view) return std::unexpected(view.error());
-  text::Result<Spot> to = find_spot(*view, change.node(), change.port(), change.has_index() ? std::optional<std::uint32_t>(change.index()) : std::nullopt, false);
+  text::Result<Spot> to =
+      find_spot(*view, change.node(), change.port(),
+                change.has_index() ? std::optional<std::uint32_t>(change.index()) : std::nullopt, false);
   if (!to) return std::unexpected(to.error());
   if (to->node < 0) return refusal("only an input of a node can be a parameter");
   const GraphInput& input = *to->at();
@@ -88,7 +91,7 @@ Done expose_input(PageWriter& pages, const Expose& change) {
   std::string initial =
       input.written
           ? std::string(work.text().substr(input.written->place.span.begin,
-                                            input.written->place.span.end - input.written->place.span.begin))
+                                           input.written->place.span.end - input.written->place.span.begin))
           : socket->initial;
   const auto* word = input.written ? std::get_if<cdl::Name>(&input.written->what) : nullptr;
   if (word != nullptr && pages.names().is_taken(*view->graph, word->name.text))

@@ -16,7 +16,8 @@ namespace mlab::designer {
 namespace {
 
 // A `let` or a parameter, with all that reads it; a parameter also where calls give it.
-Done rename_local(Workspace& work, const OwnerNames& names, const PageView& view, const std::string& from, const std::string& to) {
+Done rename_local(Workspace& work, const OwnerNames& names, const PageView& view, const std::string& from,
+                  const std::string& to) {
   if (names.is_taken(*view.graph, to)) return refusal(fmt::format("`{}` is taken already", to));
   const OwnerGraph& graph = *view.graph;
   const auto rename = [&](const cdl::Word& word) {
@@ -137,8 +138,7 @@ Done rename(Workspace& work, const OwnerNames& names, const Rename& change) {
   if (there.expression == nullptr) return refusal("an actuator is called as its robot's class says");
   // What would be called so by itself needs no name.
   const std::string as = to == default_name(*there.expression) ? "" : to;
-  work.changes().change<cdl::Expression>(*there.expression,
-                                          [as](cdl::Expression& now) { now.as.text = as; });
+  work.changes().change<cdl::Expression>(*there.expression, [as](cdl::Expression& now) { now.as.text = as; });
   return work.commit();
 }
 

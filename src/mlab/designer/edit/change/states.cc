@@ -96,8 +96,8 @@ Done add_transition(Workspace& work, const AddTransition& change) {
   transition.trigger = change.trigger().empty() ? no_trigger() : typed_value(change.trigger());
   if (!transition.trigger) return refusal(fmt::format("`{}` is no trigger", text::shown(change.trigger())));
   transition.target.text = change.to();
-  work.changes().change<cdl::State>(
-      *from, [transition](cdl::State& now) { now.transitions.push_back(transition); });
+  work.changes().change<cdl::State>(*from,
+                                    [transition](cdl::State& now) { now.transitions.push_back(transition); });
   return work.commit();
 }
 

@@ -1,12 +1,16 @@
-// Triggers that are put together by choosing.
+#include "mlab/designer/edit/change/triggers.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "mlab/designer/drawing/shapes.h"
-#include "mlab/designer/edit/editor.h"
+#include "mlab/designer/edit/find/sequences.h"
 #include "mlab/designer/edit/values.h"
 #include "mlab/text/shown.h"
 
@@ -126,12 +130,9 @@ void take_away(cdl::Changes& changes, Part part) {
   });
 }
 
-}  // namespace
-
-text::Result<cdl::ExpressionPtr> Editor::condition(const std::string& component) const {
+text::Result<cdl::ExpressionPtr> condition_of(const Components& components, const std::string& component) {
   if (component == kComparison) return value_of(kComparisonWords);
-  const Components& components = work_.model().components();
-  const std::optional<Callable> found = components.find(component);
+  const std::optional<Callable>& found = components.find(component);
   if (!found) return refusal(fmt::format("nothing answers to `{}`", text::shown(component)));
   const std::string reason = why_not(found->output, components.types().named("bool"));
   if (found->gives_nothing || !reason.empty())
@@ -140,14 +141,14 @@ text::Result<cdl::ExpressionPtr> Editor::condition(const std::string& component)
 }
 
 // Arguments of a call that the other one takes as well.
-cdl::ExpressionPtr Editor::chosen(const cdl::Expression& old, const Callable& component,
-                                  const OwnerGraph& graph) const {
+cdl::ExpressionPtr chosen(const Components& components, const cdl::Expression& old, const Callable& component,
+                          const OwnerGraph& graph) {
   auto out = std::make_shared<cdl::Expression>();
   auto& call = out->what.emplace<cdl::Call>();
   call.callee.text = component.name;
   const auto* before = std::get_if<cdl::Call>(&old.what);
   if (before == nullptr) return out;
-  const std::optional<Callable> replaced = work_.model().components().find(before->callee.text);
+  const std::optional<Callable>& replaced = components.find(before->callee.text);
   if (!replaced) return out;
   for (std::size_t i = 0; i < before->arguments.size(); ++i) {
     const cdl::Argument& argument = before->arguments[i];
@@ -163,24 +164,28 @@ cdl::ExpressionPtr Editor::chosen(const cdl::Expression& old, const Callable& co
   return out;
 }
 
-Done Editor::change_trigger(const ChangeTrigger& change) {
-  const auto found = find_transition(work_.model(), change.page(), change.from(), change.index());
+}  // namespace
+
+Done change_trigger(Workspace& work, const ChangeTrigger& change) {
+  const auto found = find_transition(work.model(), change.page(), change.from(), change.index());
   if (!found) return std::unexpected(found.error());
-  const text::Result<PageView> view = find_page(work_.model(), change.page());
+  const text::Result<PageView> view = find_page(work.model(), change.page());
   const cdl::ExpressionPtr& trigger = (*found)->trigger;
   const std::optional<Part> part = trigger ? Part::of(trigger, change.part()) : std::nullopt;
   if (!part) return refusal("that part of the trigger has gone");
-  cdl::Changes& changes = work_.changes();
+  cdl::Changes& changes = work.changes();
   switch (change.how()) {
     case ChangeTrigger::CHOOSE:
     case ChangeTrigger::AND:
     case ChangeTrigger::OR: {
-      const text::Result<cdl::ExpressionPtr> other = condition(change.component());
+      const text::Result<cdl::ExpressionPtr> other =
+          condition_of(work.model().components(), change.component());
       if (!other) return std::unexpected(other.error());
       if (change.how() == ChangeTrigger::CHOOSE) {
-        const std::optional<Callable> component = work_.model().components().find(change.component());
-        changes.replace(*part->expression(),
-                        component ? chosen(*part->expression(), *component, *view->graph) : *other);
+        const std::optional<Callable> component = work.model().components().find(change.component());
+        changes.replace(*part->expression(), component ? chosen(work.model().components(),
+                                                                *part->expression(), *component, *view->graph)
+                                                       : *other);
       } else {
         const bool is_and = change.how() == ChangeTrigger::AND;
         join(changes, *part, is_and ? cdl::Connective::kAnd : cdl::Connective::kOr, *other);
@@ -203,22 +208,23 @@ Done Editor::change_trigger(const ChangeTrigger& change) {
     default:
       return refusal("this is no way to change a trigger");
   }
-  return work_.commit();
+  return work.commit();
 }
 
-Done Editor::place_in_trigger(const PageView& view, const Place& change) {
+Done place_in_trigger(PageWriter& pages, const PageView& view, const Place& change) {
+  Workspace& work = pages.work();
   const text::Result<Spot> to = find_spot(view, change.to_node(), change.to_port(), std::nullopt, true);
   if (!to) return std::unexpected(to.error());
-  const std::optional<Callable> component = work_.model().components().find(change.component());
+  const std::optional<Callable> component = work.model().components().find(change.component());
   if (change.component() == kComparison) {
-    const Done done = pages_.write(*to, value_of(kComparisonWords));
-    return done ? work_.commit() : done;
+    const Done done = pages.write(*to, value_of(kComparisonWords));
+    return done ? work.commit() : done;
   }
   if (!component || component->gives_nothing) return refusal("a trigger asks components that give something");
-  if (const std::string reason = why_not(component->output, wanted_type(work_.model(), *to)); !reason.empty())
+  if (const std::string reason = why_not(component->output, wanted_type(work.model(), *to)); !reason.empty())
     return refusal(reason);
-  const Done done = pages_.write(*to, called(change.component()));
-  return done ? work_.commit() : done;
+  const Done done = pages.write(*to, called(change.component()));
+  return done ? work.commit() : done;
 }
 
 }  // namespace mlab::designer

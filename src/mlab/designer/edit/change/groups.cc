@@ -1,16 +1,21 @@
-// Several nodes at once: assemblages made of them and put back.
+#include "mlab/designer/edit/change/groups.h"
 
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include "mlab/designer/edit/edit.h"
-#include "mlab/designer/edit/editor.h"
+#include "mlab/designer/edit/change/layout.h"
+#include "mlab/designer/edit/find/declared.h"
+#include "mlab/designer/edit/find/pages.h"
+#include "mlab/designer/edit/page_writer.h"
 #include "mlab/designer/edit/values.h"
 #include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl/syntax/walk.h"
@@ -225,46 +230,8 @@ cdl::ExpressionPtr called_as(const cdl::ExpressionPtr& what, const cdl::Word& na
   return out;
 }
 
-}  // namespace
-
-// The nodes have one value that others take: it is what the new assemblage gives.
-Done Editor::group(const Group& change) {
-  const text::Result<PageView> found = find_page(work_.model(), change.page());
-  if (!found) return std::unexpected(found.error());
-  const PageView view = *found;
-  const std::string& name = change.name();
-  if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
-  if (is_declared(work_, name) || work_.model().components().find(name))
-    return refusal(fmt::format("there is a `{}` already", name));
-  std::set<int> chosen;
-  for (const std::string& one : change.nodes()) {
-    const text::Result<int> at = find_node(view, one);
-    if (!at) return std::unexpected(at.error());
-    if (view.node(*at).expression != nullptr) chosen.insert(*at);
-  }
-  if (chosen.empty()) return refusal("no node is chosen that could be a part of an assemblage");
-  const text::Result<int> top = output_of(view, chosen);
-  if (!top) return std::unexpected(top.error());
-  GroupDraft draft(work_.model(), view, chosen);
-  if (const Done done = draft.gather(*top); !done) return done;
-  // Before the declaration that they come from.
-  const cdl::Expression& body = *view.node(*top).expression;
-  for (const cdl::Item& item : work_.model().tree().items) {
-    const void* const one = std::visit([](const auto& what) -> const void* { return &what; }, item);
-    if (one == view.graph->assemblage || one == view.graph->robot)
-      work_.changes().add(draft.assemblage(name, *top), &item);
-  }
-  work_.changes().replace(body, draft.call(name, body));
-  for (const int at : chosen) {
-    if (view.node(at).let != nullptr && at != *top) work_.changes().remove(*view.node(at).let);
-  }
-  const std::vector<NodePosition> stood = places(view, change.page(), chosen);
-  if (const Done done = work_.commit(); !done) return done;
-  return arrange_group(change, stood);
-}
-
 // Which of them others read: inline elsewhere, by name elsewhere, as the page's result.
-text::Result<int> Editor::output_of(const PageView& view, const std::set<int>& chosen) const {
+text::Result<int> output_of(const PageView& view, const std::set<int>& chosen) {
   std::vector<int> outputs;
   std::vector<std::string> names;
   for (const int at : chosen) {
@@ -279,24 +246,31 @@ text::Result<int> Editor::output_of(const PageView& view, const std::set<int>& c
                   fmt::join(names, ", ")));
 }
 
+/// A node that is followed, and where it stood [px].
+struct NodePosition {
+  int handle = -1;
+  double x = 0.0;
+  double y = 0.0;
+};
+
 // Where the layout has these nodes, and by what they are found again.
-std::vector<Editor::NodePosition> Editor::places(const PageView& view, const std::string& page,
-                                                 const std::set<int>& nodes) {
+std::vector<NodePosition> node_positions(Workspace& work, const PageView& view, const std::string& page,
+                                         const std::set<int>& nodes) {
   std::vector<NodePosition> out;
-  const cdl::Layout* layout = work_.model().layout(page);
+  const cdl::Layout* layout = work.model().layout(page);
   if (layout == nullptr) return out;
   for (const int at : nodes) {
     const GraphNode& one = view.node(at);
     const auto entry = std::ranges::find_if(
         layout->entries, [&](const cdl::LayoutEntry& e) { return e.node.text == one.name; });
-    const std::optional<Anchor> anchor = anchor_of(one, work_.tokens());
-    if (entry != layout->entries.end() && anchor) out.push_back({work_.follow(*anchor), entry->x, entry->y});
+    const std::optional<Anchor> anchor = anchor_of(one, work.tokens());
+    if (entry != layout->entries.end() && anchor) out.push_back({work.follow(*anchor), entry->x, entry->y});
   }
   return out;
 }
 
 // The nodes stand in the new assemblage as they stood, and its own node where the change says.
-Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>& stood) {
+Done arrange_group(Workspace& work, const Group& change, const std::vector<NodePosition>& stood) {
   Arrange inside;
   inside.set_page(change.name());
   const auto add = [](Arrange& where, const std::string& node, double x, double y) {
@@ -305,16 +279,16 @@ Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>&
     at.set_x(x);
     at.set_y(y);
   };
-  for (const auto& [name, anchor] : anchors_of(work_.model(), change.name(), work_.tokens())) {
+  for (const auto& [name, anchor] : anchors_of(work.model(), change.name(), work.tokens())) {
     for (const NodePosition& one : stood) {
-      if (work_.where(one.handle) == anchor) add(inside, name, one.x, one.y);
+      if (work.where(one.handle) == anchor) add(inside, name, one.x, one.y);
     }
   }
   if (inside.nodes_size() > 0) {
-    if (const Done done = arrange(work_, inside); !done) return done;
+    if (const Done done = arrange(work, inside); !done) return done;
   }
   if (!change.has_x() || !change.has_y()) return true;
-  const text::Result<PageView> found = find_page(work_.model(), change.page());
+  const text::Result<PageView> found = find_page(work.model(), change.page());
   if (!found) return std::unexpected(found.error());
   Arrange outside;
   outside.set_page(change.page());
@@ -322,19 +296,71 @@ Done Editor::arrange_group(const Group& change, const std::vector<NodePosition>&
     const auto* call = one.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&one.expression->what);
     if (call != nullptr && call->callee.text == change.name()) add(outside, one.name, change.x(), change.y());
   }
-  return outside.nodes_size() == 0 ? Done(true) : arrange(work_, outside);
+  return outside.nodes_size() == 0 ? Done(true) : arrange(work, outside);
 }
 
-// What the called assemblage is made of, with the call's values in place of its parameters.
-Done Editor::ungroup(const Ungroup& change) {
-  const text::Result<PageView> found = find_page(work_.model(), change.page());
+// What a call gives each parameter.
+text::Result<std::map<std::string, cdl::ExpressionPtr>> values_of(const cdl::Call& call,
+                                                                  const cdl::Assemblage& assemblage) {
+  std::map<std::string, cdl::ExpressionPtr> out;
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const cdl::Argument& argument = call.arguments[i];
+    const bool is_placed = argument.name.text.empty() && i < assemblage.parameters.size();
+    out[is_placed ? assemblage.parameters[i].name.text : argument.name.text] = argument.value;
+  }
+  for (const cdl::Parameter& parameter : assemblage.parameters) {
+    const auto [value, is_new] = out.try_emplace(parameter.name.text, parameter.initial);
+    if (!value->second) return refusal(fmt::format("`{}` has no value here", parameter.name.text));
+  }
+  return out;
+}
+
+}  // namespace
+
+Done group_nodes(Workspace& work, const Group& change) {
+  const text::Result<PageView> found = find_page(work.model(), change.page());
+  if (!found) return std::unexpected(found.error());
+  const PageView view = *found;
+  const std::string& name = change.name();
+  if (!is_cdl_name(name)) return refusal(fmt::format("`{}` is no name", text::shown(name)));
+  if (is_declared(work, name) || work.model().components().find(name))
+    return refusal(fmt::format("there is a `{}` already", name));
+  std::set<int> chosen;
+  for (const std::string& one : change.nodes()) {
+    const text::Result<int> at = find_node(view, one);
+    if (!at) return std::unexpected(at.error());
+    if (view.node(*at).expression != nullptr) chosen.insert(*at);
+  }
+  if (chosen.empty()) return refusal("no node is chosen that could be a part of an assemblage");
+  const text::Result<int> top = output_of(view, chosen);
+  if (!top) return std::unexpected(top.error());
+  GroupDraft draft(work.model(), view, chosen);
+  if (const Done done = draft.gather(*top); !done) return done;
+  // Before the declaration that they come from.
+  const cdl::Expression& body = *view.node(*top).expression;
+  for (const cdl::Item& item : work.model().tree().items) {
+    const void* const one = std::visit([](const auto& what) -> const void* { return &what; }, item);
+    if (one == view.graph->assemblage || one == view.graph->robot)
+      work.changes().add(draft.assemblage(name, *top), &item);
+  }
+  work.changes().replace(body, draft.call(name, body));
+  for (const int at : chosen) {
+    if (view.node(at).let != nullptr && at != *top) work.changes().remove(*view.node(at).let);
+  }
+  const std::vector<NodePosition> stood = node_positions(work, view, change.page(), chosen);
+  if (const Done done = work.commit(); !done) return done;
+  return arrange_group(work, change, stood);
+}
+
+Done ungroup_node(Workspace& work, const Ungroup& change) {
+  const text::Result<PageView> found = find_page(work.model(), change.page());
   if (!found) return std::unexpected(found.error());
   const PageView view = *found;
   const text::Result<int> at = find_node(view, change.node());
   if (!at) return std::unexpected(at.error());
   const GraphNode& there = view.node(*at);
   const auto* call = there.expression == nullptr ? nullptr : std::get_if<cdl::Call>(&there.expression->what);
-  const auto& assemblages = work_.model().configuration().assemblages;
+  const auto& assemblages = work.model().configuration().assemblages;
   if (call == nullptr || !assemblages.contains(call->callee.text))
     return refusal("only an assemblage is made of something");
   const cdl::Assemblage& declared = *assemblages.find(call->callee.text)->second;
@@ -376,25 +402,9 @@ Done Editor::ungroup(const Ungroup& change) {
   const bool takes_block = input == nullptr || there.let != nullptr || input->role == Role::kMember ||
                            input->role == Role::kCase || input->role == Role::kDrive;
   if (!takes_block && has_block(*body)) body = add(default_name(*body), body);
-  add_lets(work_, *view.graph, std::move(lets));
-  work_.changes().replace(*there.expression, body);
-  return work_.commit();
-}
-
-// What a call gives each parameter.
-text::Result<std::map<std::string, cdl::ExpressionPtr>> Editor::values_of(
-    const cdl::Call& call, const cdl::Assemblage& assemblage) const {
-  std::map<std::string, cdl::ExpressionPtr> out;
-  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-    const cdl::Argument& argument = call.arguments[i];
-    const bool is_placed = argument.name.text.empty() && i < assemblage.parameters.size();
-    out[is_placed ? assemblage.parameters[i].name.text : argument.name.text] = argument.value;
-  }
-  for (const cdl::Parameter& parameter : assemblage.parameters) {
-    const auto [value, is_new] = out.try_emplace(parameter.name.text, parameter.initial);
-    if (!value->second) return refusal(fmt::format("`{}` has no value here", parameter.name.text));
-  }
-  return out;
+  add_lets(work, *view.graph, std::move(lets));
+  work.changes().replace(*there.expression, body);
+  return work.commit();
 }
 
 }  // namespace mlab::designer
