@@ -48,7 +48,7 @@ void check_round_trips(const cdl::Tree& tree) {
 void check_robots(const cdl::Configuration& configuration) {
   for (const cdl::Robot* robot : configuration.own_robots) {
     text::Diagnostics sink;
-    cdl::Said said;
+    cdl::EarlierFindings said;
     const cdl::LoweredRobot lowered =
         cdl::lower(configuration, *robot, mlab::robot::component_library(), sink, said);
     if (sink.has_errors() || lowered.network.nodes.size() > 1000) continue;

@@ -47,7 +47,7 @@ void Author::sent(Words after) {
 }
 
 void Author::hear(const std::string& message) {
-  const Speech::Heard heard = speech_.hear(message);
+  const Speech::HeardAnswer heard = speech_.hear(message);
   if (heard.request != 0 && !waiting_.empty() && heard.request == waiting_.front()) {
     waiting_.pop_front();
     ++answered_;

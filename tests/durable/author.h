@@ -19,7 +19,7 @@ namespace mlab::durable {
 /// How edits are told to a console or a designer, and what they answer.
 class Speech {
  public:
-  struct Heard {
+  struct HeardAnswer {
     std::uint32_t request = 0;  ///< that this answers; 0: none
     bool is_ok = false;
     std::string error;
@@ -32,7 +32,7 @@ class Speech {
   virtual std::string path() const = 0;
   /// What is said before anything is edited.
   virtual std::vector<std::string> greeting() const = 0;
-  virtual Heard hear(const std::string& message) const = 0;
+  virtual HeardAnswer hear(const std::string& message) const = 0;
   /// Paths of what is edited.
   virtual std::vector<std::string> documents() const = 0;
   /// A comment line that holds this word.

@@ -124,7 +124,7 @@ class Typist {
     while (!is_true()) {
       const auto message = socket_.receive(60.0);
       if (!message) return false;
-      const Speech::Heard heard = speech_->hear(*message);
+      const Speech::HeardAnswer heard = speech_->hear(*message);
       is_answered_ = is_answered_ || (heard.request != 0 && heard.request == request_);
       if (heard.request != 0) error_ = heard.error;
       if (heard.texts.contains("m.odl")) {

@@ -28,9 +28,9 @@ class ConsoleSpeech : public Speech {
   std::vector<std::string> greeting() const override {
     return {bytes_of<Message>(0, [](Message& out) { out.mutable_hello()->set_protocol(1); })};
   }
-  Heard hear(const std::string& message) const override {
+  HeardAnswer hear(const std::string& message) const override {
     console::ToBrowser in;
-    Heard out;
+    HeardAnswer out;
     if (!in.ParseFromString(message)) return out;
     if (in.has_reply()) out = {in.reply().request(), in.reply().ok(), in.reply().error(), {}};
     for (const auto& document : in.documents().documents())
@@ -81,9 +81,9 @@ class DesignerSpeech : public Speech {
       out.push_back(bytes_of<Message>(0, [&](Message& open) { open.mutable_open()->set_path(document); }));
     return out;
   }
-  Heard hear(const std::string& message) const override {
+  HeardAnswer hear(const std::string& message) const override {
     designer::FromDesigner in;
-    Heard out;
+    HeardAnswer out;
     if (!in.ParseFromString(message)) return out;
     if (in.has_answer()) out = {in.answer().request(), in.answer().ok(), in.answer().error(), {}};
     if (in.has_document()) out.texts[in.document().path()] = {in.document().text(), in.document().revision()};

@@ -59,9 +59,10 @@ TEST_P(Rung, HasFilesWithoutAMistakeAndDoesWhatItsPageSays) {
   Workplace here;
   here.take("examples", "examples");
   check_files(here);
-  const std::vector<Shown> all = commands_in_blocks(page());
-  EXPECT_TRUE(std::ranges::any_of(all, &Shown::has_prompt)) << "the page shows nothing that is printed";
-  for (const Shown& shown : all) expect_as_shown(here, shown);
+  const std::vector<ShownCommand> all = commands_in_blocks(page());
+  EXPECT_TRUE(std::ranges::any_of(all, &ShownCommand::has_prompt))
+      << "the page shows nothing that is printed";
+  for (const ShownCommand& shown : all) expect_as_shown(here, shown);
   EXPECT_TRUE(here.is_unchanged()) << "whoever goes on to other pages has changed files";
 }
 

@@ -41,7 +41,7 @@ std::optional<Change> change_in(std::string_view line) {
   return Change{match[2], match[3], match[4].str()};
 }
 
-int expected_status(const Shown& shown) {
+int expected_status(const ShownCommand& shown) {
   const auto shows = [&](std::string_view words) {
     return std::ranges::any_of(
         shown.output, [&](const std::string& line) { return line.find(words) != std::string::npos; });
@@ -53,7 +53,7 @@ int expected_status(const Shown& shown) {
 }
 
 // What the page shows as typed behind a question.
-std::string answers_in(const Shown& shown) {
+std::string answers_in(const ShownCommand& shown) {
   constexpr std::string_view kQuestion = "[y/n] ";
   std::string out;
   for (const std::string& line : shown.output) {
@@ -183,8 +183,8 @@ Words command_words(std::string_view command) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-std::vector<Shown> commands_in_blocks(const fs::path& page) {
-  std::vector<Shown> out;
+std::vector<ShownCommand> commands_in_blocks(const fs::path& page) {
+  std::vector<ShownCommand> out;
   std::vector<Change> changes;
   const std::vector<std::string> lines = lines_of(page);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -192,11 +192,11 @@ std::vector<Shown> commands_in_blocks(const fs::path& page) {
     const std::string_view line = lines[i];
     if (const auto change = change_in(line)) changes.push_back(*change);
     if (!line.starts_with(kIndent)) continue;
-    Shown shown{place_of(page, i),
-                std::string(line.substr((has_prompt ? kPrompt : kIndent).size())),
-                has_prompt,
-                {},
-                {}};
+    ShownCommand shown{place_of(page, i),
+                       std::string(line.substr((has_prompt ? kPrompt : kIndent).size())),
+                       has_prompt,
+                       {},
+                       {}};
     if (!has_prompt && command_words(shown.command).empty()) continue;
     while (has_prompt && i + 1 < lines.size() && lines[i + 1].starts_with(kIndent) &&
            !lines[i + 1].starts_with(kPrompt))
@@ -208,8 +208,8 @@ std::vector<Shown> commands_in_blocks(const fs::path& page) {
   return out;
 }
 
-std::vector<Shown> commands_in_sentences(const fs::path& page) {
-  std::vector<Shown> out;
+std::vector<ShownCommand> commands_in_sentences(const fs::path& page) {
+  std::vector<ShownCommand> out;
   const std::vector<std::string> lines = lines_of(page);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].starts_with(kIndent)) continue;
@@ -224,7 +224,7 @@ std::vector<Shown> commands_in_sentences(const fs::path& page) {
   return out;
 }
 
-std::string trial_of(const Shown& shown) {
+std::string trial_of(const ShownCommand& shown) {
   if (shown.has_prompt || shown.command.empty()) return shown.command;
   Words words = command_words(shown.command);
   for (std::string& word : words) {
@@ -242,7 +242,7 @@ std::string trial_of(const Shown& shown) {
   return fmt::format("./mlab {}", fmt::join(words, " "));
 }
 
-void expect_as_shown(Workplace& here, const Shown& shown) {
+void expect_as_shown(Workplace& here, const ShownCommand& shown) {
   SCOPED_TRACE(shown.place);
   for (const Change& change : shown.changes) here.make(change, shown.place.substr(0, shown.place.rfind(':')));
   const std::string command = trial_of(shown);

@@ -54,7 +54,7 @@ class Workplace {
 };
 
 /// A command line that a page shows, with the output that stands below it.
-struct Shown {
+struct ShownCommand {
   std::string place;    ///< page:line
   std::string command;  ///< as it stands, without `$ `; empty for changes at the end of the page
   bool has_prompt = false;
@@ -76,18 +76,18 @@ Words command_words(std::string_view command);
 
 /// The commands in the indented blocks of a page: lines that begin with `$ `, with the lines below as their
 /// output, and calls of `mlab` without that.
-std::vector<Shown> commands_in_blocks(const std::filesystem::path& page);
+std::vector<ShownCommand> commands_in_blocks(const std::filesystem::path& page);
 
 /// Calls of `mlab` between back quotes, in sentences: `mlab run MISSION --report FILE.json`.
-std::vector<Shown> commands_in_sentences(const std::filesystem::path& page);
+std::vector<ShownCommand> commands_in_sentences(const std::filesystem::path& page);
 
 /// What is carried out of a command that a page shows: one with a prompt as it stands; of others what shows
 /// that they work, without a browser and without a compiler. Empty: nothing.
-std::string trial_of(const Shown& shown);
+std::string trial_of(const ShownCommand& shown);
 
 /// Makes the changes that the page asks for, carries the command out, and fails the test where it does not
 /// end or print as shown. Answers that are shown behind `[y/n]` are typed.
-void expect_as_shown(Workplace& here, const Shown& shown);
+void expect_as_shown(Workplace& here, const ShownCommand& shown);
 
 /// Whether the output is the expected one, from its first line to its last. A line `...` stands for any
 /// lines, and `...` in a line for anything in it.

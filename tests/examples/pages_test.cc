@@ -67,7 +67,7 @@ TEST_F(Pages, EveryCommandLineInABlockWorksAndPrintsWhatIsShown) {
   std::size_t commands = 0;
   std::size_t outputs = 0;
   for (const fs::path& page : guides()) {
-    for (const Shown& shown : commands_in_blocks(page)) {
+    for (const ShownCommand& shown : commands_in_blocks(page)) {
       expect_as_shown(here_, shown);
       ++commands;
       outputs += shown.output.empty() ? 0 : 1;
@@ -78,7 +78,7 @@ TEST_F(Pages, EveryCommandLineInABlockWorksAndPrintsWhatIsShown) {
 }
 
 TEST_F(Pages, EveryCommandAndOptionThatIsNamedExists) {
-  std::vector<Shown> all;
+  std::vector<ShownCommand> all;
   std::vector<fs::path> pages = guides();
   std::ranges::copy(pages_in({"examples"}), std::back_inserter(pages));
   for (const fs::path& page : pages) {
@@ -86,7 +86,7 @@ TEST_F(Pages, EveryCommandAndOptionThatIsNamedExists) {
     std::ranges::move(commands_in_sentences(page), std::back_inserter(all));
   }
   std::size_t calls = 0;
-  for (const Shown& shown : all) {
+  for (const ShownCommand& shown : all) {
     const Words words = command_words(shown.command);
     if (words.empty() || words.front() == "COMMAND" || words.front() == "WORDS") continue;
     ++calls;

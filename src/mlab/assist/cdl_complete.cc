@@ -280,7 +280,7 @@ class CdlCompleter {
   }
 
   void tested_states(int call) {
-    const CdlWorld::Found tested =
+    const CdlWorld::FoundDeclaration tested =
         world_.find(NameKind::kAssemblage, before_.names[static_cast<std::size_t>(call)].text);
     if (!tested) return;
     for (const CdlState& state : tested.declaration->states)
@@ -299,7 +299,7 @@ class CdlCompleter {
   }
 
   void declarations(NameKind kind) {
-    for (const CdlWorld::Found& one : world_.all(kind))
+    for (const CdlWorld::FoundDeclaration& one : world_.all(kind))
       out_.add({.text = one.declaration->name,
                 .kind = std::string(name_of(kind)),
                 .detail = "",
@@ -317,13 +317,13 @@ class CdlCompleter {
     }
   }
 
-  CdlWorld::Found robot_class() const {
+  CdlWorld::FoundDeclaration robot_class() const {
     const CdlDeclaration* const in = open();
-    return in == nullptr ? CdlWorld::Found{} : world_.find(NameKind::kClass, in->class_name);
+    return in == nullptr ? CdlWorld::FoundDeclaration{} : world_.find(NameKind::kClass, in->class_name);
   }
 
   void devices() {
-    const CdlWorld::Found of = robot_class();
+    const CdlWorld::FoundDeclaration of = robot_class();
     if (!of) return;
     for (const CdlDevice& device : of.declaration->devices)
       out_.add({.text = device.name,
@@ -333,13 +333,13 @@ class CdlCompleter {
   }
 
   void bindings(const std::string& device) {
-    const CdlWorld::Found of = device.empty() ? CdlWorld::Found{} : robot_class();
+    const CdlWorld::FoundDeclaration of = device.empty() ? CdlWorld::FoundDeclaration{} : robot_class();
     if (of) {
       for (const CdlDevice& one : of.declaration->devices) {
         if (one.name == device) out_.add(one.binds, "binding", "", kBest);
       }
     }
-    for (const CdlWorld::Found& one : world_.all(NameKind::kBinding)) {
+    for (const CdlWorld::FoundDeclaration& one : world_.all(NameKind::kBinding)) {
       if (const Component* binding = world_.component(one.declaration->name))
         out_.add({.text = binding->name,
                   .kind = "binding",
@@ -350,7 +350,7 @@ class CdlCompleter {
   }
 
   void actuators() {
-    const CdlWorld::Found of = robot_class();
+    const CdlWorld::FoundDeclaration of = robot_class();
     std::set<std::string> names;
     if (of) {
       for (const CdlDevice& device : of.declaration->devices) {
@@ -358,7 +358,7 @@ class CdlCompleter {
         if (device.is_actuator) actuator(device.name, first_sentence(device.help), kLikely);
       }
     }
-    for (const CdlWorld::Found& one : world_.all(NameKind::kBinding)) {
+    for (const CdlWorld::FoundDeclaration& one : world_.all(NameKind::kBinding)) {
       const std::string& name = one.declaration->name;
       const Component* const binding = world_.component(name);
       if (binding == nullptr || (!binding->is_sink && !names.contains(name))) continue;
@@ -375,7 +375,7 @@ class CdlCompleter {
   void nodes(const CdlWant& want) {
     if (want.wanted.call < 0) return;
     const std::string& owner = before_.names[static_cast<std::size_t>(want.wanted.call)].text;
-    CdlWorld::Found found = world_.find(NameKind::kAssemblage, owner);
+    CdlWorld::FoundDeclaration found = world_.find(NameKind::kAssemblage, owner);
     if (!found) found = world_.find_member(owner);
     if (!found) return;
     for (const CdlState& state : found.declaration->states) out_.add(state.name, "state");

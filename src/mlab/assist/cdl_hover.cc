@@ -84,7 +84,7 @@ class CdlHover {
   }
 
   std::string declaration(const Name& name) const {
-    const CdlWorld::Found found = world_.find(name.kind, name.text);
+    const CdlWorld::FoundDeclaration found = world_.find(name.kind, name.text);
     if (!found) return "";
     const CdlDeclaration& one = *found.declaration;
     std::string line = fmt::format("{} {}", name_of(one.kind), one.name);
@@ -136,7 +136,7 @@ class CdlHover {
   }
 
   std::string device(const CdlName& name, const Name& meant) const {
-    for (const CdlWorld::Found& of : world_.all(NameKind::kClass)) {
+    for (const CdlWorld::FoundDeclaration& of : world_.all(NameKind::kClass)) {
       for (const CdlDevice& one : of.declaration->devices) {
         if (one.name != name.text || of.scan->source != meant.target.source || one.span != meant.target.span)
           continue;

@@ -9,7 +9,7 @@
 namespace mlab::assist {
 namespace {
 
-void found_at(Name& out, const CdlWorld::Found& found) {
+void found_at(Name& out, const CdlWorld::FoundDeclaration& found) {
   if (!found) return;
   out.kind = found.declaration->kind;
   out.target = found.place();
@@ -94,7 +94,7 @@ void CdlWorld::resolve_argument(const CdlName& name, Name& out) const {
   if (called == nullptr) return;
   out.is_library = !called->is_own;
   for (const NameKind kind : {NameKind::kBinding, NameKind::kAssemblage}) {
-    const Found found = find(kind, called->name);
+    const FoundDeclaration found = find(kind, called->name);
     if (!found) continue;
     for (const CdlParameter& parameter : found.declaration->parameters) {
       if (parameter.input.name == name.text) out.target = {found.scan->source, parameter.span};
@@ -114,7 +114,8 @@ void CdlWorld::resolve_value(const CdlName& name, Name& out) const {
 
 // Of a test: in what it tests.
 void CdlWorld::resolve_tested_state(const CdlName& name, Name& out) const {
-  const Found tested = find(NameKind::kAssemblage, own().names[static_cast<std::size_t>(name.owner)].text);
+  const FoundDeclaration tested =
+      find(NameKind::kAssemblage, own().names[static_cast<std::size_t>(name.owner)].text);
   if (!tested) return;
   for (const CdlState& state : tested.declaration->states) {
     if (state.name != name.text) continue;
@@ -128,7 +129,7 @@ void CdlWorld::resolve_tested_state(const CdlName& name, Name& out) const {
 void CdlWorld::resolve_binding(const CdlName& name, Name& out) const {
   const CdlDeclaration* const in = around(name);
   if (in != nullptr && in->kind == NameKind::kRobot) {
-    if (const Found of = find(NameKind::kClass, in->class_name)) {
+    if (const FoundDeclaration of = find(NameKind::kClass, in->class_name)) {
       for (const CdlDevice& device : of.declaration->devices) {
         if (device.name != name.text) continue;
         out.kind = NameKind::kDevice;
@@ -144,13 +145,13 @@ void CdlWorld::resolve_binding(const CdlName& name, Name& out) const {
 // Of a layout: its owner, or what stands in it.
 void CdlWorld::resolve_node(const CdlName& name, Name& out) const {
   if (name.owner < 0) {
-    Found owner = find(NameKind::kAssemblage, name.text);
+    FoundDeclaration owner = find(NameKind::kAssemblage, name.text);
     if (!owner) owner = find_member(name.text);
     found_at(out, owner);
     return;
   }
   const std::string& owner_name = own().names[static_cast<std::size_t>(name.owner)].text;
-  Found owner = find(NameKind::kAssemblage, owner_name);
+  FoundDeclaration owner = find(NameKind::kAssemblage, owner_name);
   if (!owner) owner = find_member(owner_name);
   if (!owner) return;
   const CdlDeclaration& in = *owner.declaration;

@@ -136,7 +136,7 @@ struct CdlWant {
 
 struct CdlScan {
   text::SourcePtr source;
-  cdl::Written written;  ///< what follows points into it
+  cdl::PartialFile written;  ///< what follows points into it
   std::vector<CdlDeclaration> declarations;
   std::vector<CdlName> names;
   std::vector<CdlName> uses;    ///< files, without quotes

@@ -53,29 +53,29 @@ void CdlWorld::declare() {
   for (const CdlScan& scan : scans_) {
     for (const CdlDeclaration& one : scan.declarations) {
       if (!one.name.empty())
-        declared_.try_emplace({one.kind, one.name}, Found{&one, &scan, library_ == nullptr});
+        declared_.try_emplace({one.kind, one.name}, FoundDeclaration{&one, &scan, library_ == nullptr});
     }
   }
 }
 
-CdlWorld::Found CdlWorld::find(NameKind kind, std::string_view name) const {
+CdlWorld::FoundDeclaration CdlWorld::find(NameKind kind, std::string_view name) const {
   const auto found = declared_.find(std::pair{kind, std::string(name)});
   if (found != declared_.end()) return found->second;
-  return library_ == nullptr ? Found{} : library_->find(kind, name);
+  return library_ == nullptr ? FoundDeclaration{} : library_->find(kind, name);
 }
 
-CdlWorld::Found CdlWorld::find_member(std::string_view name) const {
-  const Found robot = find(NameKind::kRobot, name);
+CdlWorld::FoundDeclaration CdlWorld::find_member(std::string_view name) const {
+  const FoundDeclaration robot = find(NameKind::kRobot, name);
   return robot ? robot : find(NameKind::kSociety, name);
 }
 
-std::vector<CdlWorld::Found> CdlWorld::all(NameKind kind) const {
-  std::vector<Found> out;
+std::vector<CdlWorld::FoundDeclaration> CdlWorld::all(NameKind kind) const {
+  std::vector<FoundDeclaration> out;
   for (const auto& [key, found] : declared_) {
     if (key.first == kind) out.push_back(found);
   }
   if (library_ == nullptr) return out;
-  for (const Found& found : library_->all(kind)) {
+  for (const FoundDeclaration& found : library_->all(kind)) {
     if (!declared_.contains({kind, found.declaration->name})) out.push_back(found);
   }
   return out;

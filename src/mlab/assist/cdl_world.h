@@ -33,18 +33,18 @@ class CdlWorld {
   const CdlScan& own() const { return scans_.front(); }
 
   /// A declaration and the text that it stands in.
-  struct Found {
+  struct FoundDeclaration {
     const CdlDeclaration* declaration = nullptr;
     const CdlScan* scan = nullptr;
     bool is_library = false;
     explicit operator bool() const { return declaration != nullptr; }
     text::Place place() const { return {scan->source, declaration->span}; }
   };
-  Found find(NameKind kind, std::string_view name) const;
+  FoundDeclaration find(NameKind kind, std::string_view name) const;
   /// A robot or society, as a society names it.
-  Found find_member(std::string_view name) const;
+  FoundDeclaration find_member(std::string_view name) const;
   /// All declarations of a kind, own ones first; hidden ones left out.
-  std::vector<Found> all(NameKind kind) const;
+  std::vector<FoundDeclaration> all(NameKind kind) const;
 
   /// Null where nothing of that name can be called.
   const Component* component(std::string_view name) const;
@@ -90,7 +90,7 @@ class CdlWorld {
   cdl::Configuration configuration_;   // of them, holes and all; of the library none
   std::unique_ptr<robot::DescribedLibrary> described_;
   std::optional<cdl::Types> types_;
-  std::map<std::pair<NameKind, std::string>, Found, std::less<>> declared_;
+  std::map<std::pair<NameKind, std::string>, FoundDeclaration, std::less<>> declared_;
   std::deque<Component> procedures_;
   std::map<std::string_view, const Component*> procedure_by_name_;
   mutable std::map<std::string, std::unique_ptr<Component>, std::less<>> components_;

@@ -118,7 +118,7 @@ class Renamer {
 
   std::optional<Refusal> refused() const {
     const text::SourcePtr& declaring = old_.target.source;
-    for (const Renaming::Kept& one : out_.kept) {
+    for (const Renaming::UnchangedFile& one : out_.kept) {
       if (path_of(one.source) == target_.file)
         return Refusal{fmt::format("`{}` is declared in `{}`, which {}", text::shown(old_.text),
                                    text::shown(one.source->name(), 200), one.why),
@@ -240,7 +240,7 @@ class Renamer {
     for (std::size_t i = 0; i < texts.size(); ++i) {
       if (around_.given_up && around_.given_up()) return std::nullopt;
       const bool is_kept = std::ranges::any_of(
-          out_.kept, [&](const Renaming::Kept& one) { return one.source == texts_[i].source; });
+          out_.kept, [&](const Renaming::UnchangedFile& one) { return one.source == texts_[i].source; });
       if (is_kept) continue;
       const std::vector<text::Diagnostic> wrong = errors(texts[i], then);
       if (wrong.empty()) continue;
@@ -276,7 +276,7 @@ class Renamer {
     for (const text::SourcePtr& one : with_slips_)
       out_.notes.push_back(fmt::format(
           "`{}` has slips of grammar: what stands in a part that can't be read keeps its name", one->name()));
-    for (const Renaming::Kept& one : out_.kept)
+    for (const Renaming::UnchangedFile& one : out_.kept)
       out_.notes.push_back(fmt::format("`{}` {}, and names it in {}: it will not know `{}` any more",
                                        one.source->name(), one.why, base::counted(one.places, "place"),
                                        old_.text));

@@ -102,7 +102,7 @@ void ProjectIndex::update(const std::vector<Text>& texts, const Surroundings& ar
   order_.clear();
   for (const Text& text : texts) {
     const std::string& name = text.source->name();
-    Known& known = known_[name];
+    IndexedText& known = known_[name];
     order_.push_back(name);
     const bool is_same = known.source && known.language == text.language &&
                          (known.source == text.source || known.source->text() == text.source->text());

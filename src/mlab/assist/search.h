@@ -44,12 +44,12 @@ class ProjectIndex {
   std::vector<const Entry*> all() const;
 
  private:
-  struct Known {
+  struct IndexedText {
     text::SourcePtr source;
     Language language = Language::kConfiguration;
     std::vector<Entry> entries;
   };
-  std::map<std::string, Known> known_;  // by the source's name
+  std::map<std::string, IndexedText> known_;  // by the source's name
   std::vector<std::string> order_;
 };
 

@@ -150,12 +150,12 @@ struct Renaming {
   std::string kind;
   std::vector<Change> changes;  ///< one for each file, the declaring one's first
   /// A file that names it, and stays as it is.
-  struct Kept {
+  struct UnchangedFile {
     text::SourcePtr source;
     std::size_t places = 0;
     std::string why;  ///< as Surroundings::fixed
   };
-  std::vector<Kept> kept;
+  std::vector<UnchangedFile> kept;
   std::vector<std::string> notes;  ///< what else follows from it: sentences
 };
 /// Why it can't be had.

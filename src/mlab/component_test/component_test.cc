@@ -195,7 +195,7 @@ class Run {
     const bool has_node = step.condition.kind == flow::Source::Kind::kName && !step.condition.text.empty();
     const std::string& from = has_node ? step.condition.text : test_.lowered.subject;
     out.said = feeding(test_.lowered.network, program(), frame(), ran, from, whole_test());
-    for (Said& one : out.said) {
+    for (NodeValue& one : out.said) {
       if (one.path == test_.lowered.subject) one.what = cdl::subject_name(*test_.lowered.test).text;
     }
   }
@@ -263,7 +263,7 @@ Tests load(const text::SourcePtr& source, const robot::ProgramSources& sources, 
   out.configuration = cdl::load(source, environment, sink);
   if (sink.error_count() > errors_before) return {};
   const auto library = robot::describe_library(out.configuration.procedures);
-  cdl::Said said;
+  cdl::EarlierFindings said;
   cdl::check_declarations(out.configuration, library->library, sink, said);
   cdl::check_tests(out.configuration, library->library, sink, said);
   if (sink.error_count() > errors_before) return {};
@@ -303,7 +303,7 @@ text::Diagnostic told(const Failure& failure) {
 
 std::vector<std::string> findings(const Failure& failure) {
   std::vector<std::string> out;
-  for (const Said& one : failure.said) out.push_back(fmt::format("{} is {}", one.what, one.value));
+  for (const NodeValue& one : failure.said) out.push_back(fmt::format("{} is {}", one.what, one.value));
   if (!failure.states.empty()) out.push_back(fmt::format("in state {}", fmt::join(failure.states, ", ")));
   if (!failure.actions.empty()) out.push_back(fmt::format("did {}", fmt::join(failure.actions, ", ")));
   return out;

@@ -46,7 +46,7 @@ struct Failure {
   std::string reason;                ///< a sentence without its subject: `is false`
   std::string label;                 ///< when it was to be so, where that is not one cycle; may be empty
   std::uint64_t cycle = 0;           ///< in which it showed, from 1
-  std::vector<Said> said;            ///< what it takes its value from, in that cycle
+  std::vector<NodeValue> said;       ///< what it takes its value from, in that cycle
   std::vector<std::string> states;   ///< of sequences that ran in that cycle, by their paths
   std::vector<std::string> actions;  ///< what the robot did in it besides moving
 };

@@ -87,12 +87,12 @@ std::vector<const flow::Port*> written_below(const flow::Network& network, const
   return out;
 }
 
-std::vector<Said> feeding(const flow::Network& network, const flow::Program& program, const std::byte* frame,
-                          std::span<const std::uint32_t> ran, const std::string& node,
-                          const text::Place& inside) {
+std::vector<NodeValue> feeding(const flow::Network& network, const flow::Program& program,
+                               const std::byte* frame, std::span<const std::uint32_t> ran,
+                               const std::string& node, const text::Place& inside) {
   std::map<std::string_view, const Node*> nodes;
   for (const Node& one : network.nodes) nodes.try_emplace(one.name, &one);
-  std::vector<Said> out;
+  std::vector<NodeValue> out;
   std::set<std::string> seen = {node};
   std::vector<std::string> next = {node};
   for (std::size_t i = 0; i < next.size() && out.size() < kMostSaid; ++i) {

@@ -13,7 +13,7 @@
 namespace mlab::component_test {
 
 /// What a node said in a cycle.
-struct Said {
+struct NodeValue {
   std::string what;   ///< as its author wrote it where that is short, else its path
   std::string value;  ///< for a person
   std::string path;
@@ -26,9 +26,9 @@ inline constexpr std::size_t kMostSaid = 12;
 ///
 /// @param ran     `Program::ran` of the cycle
 /// @param inside  what the author wrote in there is told in his words, all else by its path
-std::vector<Said> feeding(const flow::Network& network, const flow::Program& program, const std::byte* frame,
-                          std::span<const std::uint32_t> ran, const std::string& node,
-                          const text::Place& inside);
+std::vector<NodeValue> feeding(const flow::Network& network, const flow::Program& program,
+                               const std::byte* frame, std::span<const std::uint32_t> ran,
+                               const std::string& node, const text::Place& inside);
 
 /// Of a node, and of those that it takes its value from, those which the author wrote in there.
 std::vector<const flow::Port*> written_below(const flow::Network& network, const flow::Program& program,

@@ -30,7 +30,7 @@ Json Server::Locations::at(const text::Place& place) {
   auto found = known_.find(place.source.get());
   if (found == known_.end()) {
     const text::SourcePtr& source = place.source;
-    Known known{source, server_.uri_for(source), LineIndex(source->text())};
+    KnownSource known{source, server_.uri_for(source), LineIndex(source->text())};
     found = known_.emplace(source.get(), std::move(known)).first;
   }
   return {{"uri", found->second.uri}, {"range", range_json(found->second.lines, place.span)}};

@@ -39,13 +39,13 @@ class Server::Locations {
   nlohmann::json at(const text::Place& place);
 
  private:
-  struct Known {
+  struct KnownSource {
     text::SourcePtr source;
     std::string uri;
     LineIndex lines;
   };
   const Server& server_;
-  std::map<const text::Source*, Known> known_;
+  std::map<const text::Source*, KnownSource> known_;
 };
 
 /// Why a request can't be answered.

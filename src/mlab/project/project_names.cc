@@ -127,7 +127,7 @@ void ProjectNames::add_notes(assist::Renaming& renaming, names::Plan& plan) cons
   for (std::string& note : renaming.notes) {
     for (const assist::Change& change : renaming.changes)
       replace_all(note, change.source->name(), path_of(change.source));
-    for (const assist::Renaming::Kept& kept : renaming.kept)
+    for (const assist::Renaming::UnchangedFile& kept : renaming.kept)
       replace_all(note, kept.source->name(), path_of(kept.source));
     plan.add_notes(text::as_utf8(note));
   }
@@ -153,7 +153,7 @@ Answer<ProjectNames::Planned> ProjectNames::planned(const assist::Text& text, st
       use.set_becomes(splice.text);
     }
   }
-  for (const assist::Renaming::Kept& kept : out.renaming.kept)
+  for (const assist::Renaming::UnchangedFile& kept : out.renaming.kept)
     file_message(kept.source, *plan.mutable_files()).set_kept(kept.why);
   add_notes(out.renaming, plan);
   plan.set_seal(documents::Drafts::digest(sealed));

@@ -26,12 +26,12 @@ overlay::ControlMeasure point_named(const char* name, geom::Point at) {
   return out;
 }
 
-struct Asked {
+struct PlacesMission {
   std::vector<mission::RobotParameter> parameters = {};
   bool has_gate = true;
 };
 
-std::shared_ptr<mission::Mission> mission_with_places(const Asked& asked) {
+std::shared_ptr<mission::Mission> mission_with_places(const PlacesMission& asked) {
   auto out = std::make_shared<mission::Mission>();
   const auto source = std::make_shared<const text::Source>("test.mdl", "NEW-ROBOT r x (home = y)\n");
   out->source = source;
@@ -44,7 +44,7 @@ std::shared_ptr<mission::Mission> mission_with_places(const Asked& asked) {
   return out;
 }
 
-std::unique_ptr<MissionRun> run_with(const Asked& asked, text::Diagnostics& sink) {
+std::unique_ptr<MissionRun> run_with(const PlacesMission& asked, text::Diagnostics& sink) {
   static const text::Files kFiles = [] {
     text::Files out;
     out.is_file = [](const std::string&) { return true; };

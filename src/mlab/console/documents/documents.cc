@@ -64,7 +64,7 @@ OpenDocument& OpenDocuments::add(const std::string& path, std::string text) {
   return store_.add(std::move(out));
 }
 
-OpenDocuments::Found OpenDocuments::open_file(const std::string& path) {
+OpenDocuments::OpenResult OpenDocuments::open_file(const std::string& path) {
   if (OpenDocument* open = store_.find(path)) return open;
   text::Result<std::string> content = store_.read(path);
   if (!content) {
@@ -105,7 +105,7 @@ std::vector<const OpenDocument*> OpenDocuments::documents() const {
 text::Result<bool> OpenDocuments::open(const std::string& path, double now) {
   if (text::Result<bool> kept = keep_what_leaves(now); !kept) return kept;
   const std::vector<documents::DocumentPtr> before = store_.close_all();
-  const Found found = open_file(path);
+  const OpenResult found = open_file(path);
   if (!found) {
     for (const documents::DocumentPtr& one : before) store_.add(one);
     return std::unexpected(found.error());
@@ -208,7 +208,7 @@ void OpenDocuments::open_overlays() {
     if (overlay == nullptr) continue;
     const auto path = mdl::find_overlay(overlay->file.text, mission_folder(), options_);
     const auto name = path ? project_.name_of(*path) : std::nullopt;
-    const Found found = name ? open_file(*name) : Found(refused("", ""));
+    const OpenResult found = name ? open_file(*name) : OpenResult(refused("", ""));
     if (!found || *found == mission_file_) {
       overlay_order_.push_back(MapTexts::kMissing);
       continue;

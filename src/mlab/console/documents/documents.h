@@ -144,11 +144,11 @@ class OpenDocuments {
 
  private:
   using Change = documents::Store::Change;
-  using Found = text::Result<OpenDocument*>;
+  using OpenResult = text::Result<OpenDocument*>;
 
   const OpenDocument* find_source(const text::SourcePtr& source) const;
   /// Opens a file, as it stands on disk or, where it does not, as a draft of it says.
-  Found open_file(const std::string& path);
+  OpenResult open_file(const std::string& path);
   /// A document without a file.
   OpenDocument& add(const std::string& path, std::string text);
   void add_trial(const std::string& path, const std::string& text);

@@ -23,7 +23,7 @@ constexpr const char* kNewOverlay = "MISSION-AREA 1000 1000\n\nCONTROL MEASURES:
 }  // namespace
 
 text::Result<OpenDocument*> OpenDocuments::open_kept(const std::string& path, double now) {
-  Found found = open_file(path);
+  OpenResult found = open_file(path);
   if (!found) return found;
   log_->separate();
   store_.restore_draft(**found, now);

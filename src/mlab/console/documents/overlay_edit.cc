@@ -147,14 +147,14 @@ class MapEdit {
   }
 
   /// Where a feature of the map is said.
-  struct Written {
+  struct FeatureStatements {
     OverlayDocument* overlay = nullptr;
     const odl::Statement* in_overlay = nullptr;
     const mdl::Statement* in_mission = nullptr;
   };
 
   // Two changes of one thing would be about texts that are no longer there, so each is found once.
-  Written find(const text::Place& place) {
+  FeatureStatements find(const text::Place& place) {
     if (!touched_.emplace(place.source.get(), place.span.begin).second) {
       refuse("one thing is changed twice in one edit");
       return {};
@@ -172,7 +172,7 @@ class MapEdit {
     return {};
   }
 
-  Written find_in_mission(std::uint32_t begin) {
+  FeatureStatements find_in_mission(std::uint32_t begin) {
     for (const mdl::Statement& statement : mission_.tree.preamble) {
       const auto* start = std::get_if<mdl::statement::StartPlace>(&statement.what);
       const auto* obstacle = std::get_if<mdl::statement::Obstacle>(&statement.what);
@@ -311,11 +311,11 @@ class MapEdit {
     if (can_be_written(object)) add_to_target(object);
   }
 
-  static void reword(const Written& where, const odl::Statement& now) {
+  static void reword(const FeatureStatements& where, const odl::Statement& now) {
     where.overlay->words.reword(now.span, odl::words_of(now, where.overlay->tree));
   }
   template <class Kind>
-  void reword(const Written& where, const Kind& was, const Kind& now) {
+  void reword(const FeatureStatements& where, const Kind& was, const Kind& now) {
     const text::Span keyword = where.in_mission->span;
     const text::Span last = mdl::words_of(was, keyword).back().from.value_or(keyword);
     mission_.words.reword({keyword.begin, last.end}, mdl::words_of(now, keyword));
@@ -324,14 +324,14 @@ class MapEdit {
   void replace_measure(const ReplaceMeasure& change) {
     const overlay::ControlMeasure* before = measure(change.index());
     if (before == nullptr || !can_be_written(change.measure())) return;
-    const Written where = find(before->place);
+    const FeatureStatements where = find(before->place);
     if (where.in_overlay != nullptr)
       reword(where, changed(*where.in_overlay, *before, change.measure(), origin_of(*where.overlay)));
     if (where.in_mission != nullptr) replace_start_place(where, *before, change.measure());
     renamed_.emplace_back(change.index(), change.measure());
   }
 
-  void replace_start_place(const Written& where, const overlay::ControlMeasure& before,
+  void replace_start_place(const FeatureStatements& where, const overlay::ControlMeasure& before,
                            const Measure& after) {
     if (decode_kind(after.kind()) != MeasureKind::kStartPoint) {
       refuse("a start place of the mission stays one: remove it, and draw another place");
@@ -358,7 +358,7 @@ class MapEdit {
     const Obstacle& after = change.obstacle();
     const overlay::ObstacleDisc* before = obstacle(change.index());
     if (before == nullptr || !can_be_written(after)) return;
-    const Written where = find(before->place);
+    const FeatureStatements where = find(before->place);
     if (where.in_overlay != nullptr)
       reword(where, changed(*where.in_overlay, *before, after, origin_of(*where.overlay)));
     if (where.in_mission == nullptr) return;
@@ -375,7 +375,7 @@ class MapEdit {
   void replace_object(const ReplaceObject& change) {
     const overlay::WorldObject* before = object(change.index());
     if (before == nullptr || !can_be_written(change.object())) return;
-    const Written where = find(before->place);
+    const FeatureStatements where = find(before->place);
     if (where.in_overlay != nullptr)
       reword(where, changed(*where.in_overlay, *before, change.object(), origin_of(*where.overlay)));
   }
@@ -392,7 +392,7 @@ class MapEdit {
   }
 
   void remove(const text::Place& place) {
-    const Written where = find(place);
+    const FeatureStatements where = find(place);
     if (where.in_overlay != nullptr) where.overlay->words.erase(where.in_overlay->span);
     if (where.in_mission == nullptr) return;
     const text::Span keyword = where.in_mission->span;

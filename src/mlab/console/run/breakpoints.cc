@@ -97,7 +97,7 @@ std::string problem_with(const Breakpoint& wanted, const std::optional<double>& 
 }  // namespace
 
 std::uint32_t BreakpointTable::set(const Breakpoint& wanted, std::string& error) {
-  One one{wanted, std::nullopt};
+  Entry one{wanted, std::nullopt};
   if (wanted.has_condition()) one.number = number_of(wanted.condition().value());
   error = problem_with(wanted, one.number);
   if (error.empty() && wanted.id() != 0 && !all_.contains(wanted.id()))
@@ -163,7 +163,7 @@ void BreakpointTable::say_problems(const run::MissionRun* run) {
   }
 }
 
-const BreakpointTable::Meaning& BreakpointTable::meaning(const One& one, const Program& program) {
+const BreakpointTable::Meaning& BreakpointTable::meaning(const Entry& one, const Program& program) {
   const auto [at, is_new] = meanings_[&program].try_emplace(one.told.id());
   Meaning& out = at->second;
   if (!is_new) return out;
@@ -231,7 +231,7 @@ void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
   }
 }
 
-void BreakpointTable::look_for_transit(One& one, const fleet::FleetRobot& robot,
+void BreakpointTable::look_for_transit(Entry& one, const fleet::FleetRobot& robot,
                                        const std::vector<Program::Transit>& transits, Halted& out) {
   const Program& program = *robot.workings().program;
   const Meaning& meant = meaning(one, program);
@@ -251,7 +251,7 @@ void BreakpointTable::look_for_transit(One& one, const fleet::FleetRobot& robot,
   }
 }
 
-void BreakpointTable::look_for_condition(One& one, const fleet::FleetRobot& robot, Robot& known,
+void BreakpointTable::look_for_condition(Entry& one, const fleet::FleetRobot& robot, Robot& known,
                                          const std::vector<std::uint32_t>& ran, Halted& out) {
   const flow::Port& port = *meaning(one, *robot.workings().program).port;
   const std::byte* const frame = robot.workings().frame;
@@ -275,7 +275,7 @@ void BreakpointTable::look_for_condition(One& one, const fleet::FleetRobot& robo
   hit(one, std::move(told), out);
 }
 
-void BreakpointTable::hit(One& one, Halted::Hit told, Halted& out) {
+void BreakpointTable::hit(Entry& one, Halted::Hit told, Halted& out) {
   one.told.set_hits(one.told.hits() + 1);
   told.set_breakpoint(one.told.id());
   if (out.hits_size() < kMostHits) *out.add_hits() = std::move(told);

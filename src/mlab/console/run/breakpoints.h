@@ -38,7 +38,7 @@ class BreakpointTable {
   bool take_news() { return std::exchange(has_news_, false); }
 
  private:
-  struct One {
+  struct Entry {
     Breakpoint told;
     std::optional<double> number;  ///< that a condition's value is
   };
@@ -58,15 +58,15 @@ class BreakpointTable {
 
   void recount();
   void look_at(const fleet::FleetRobot& robot, Halted& out);
-  void look_for_transit(One& one, const fleet::FleetRobot& robot,
+  void look_for_transit(Entry& one, const fleet::FleetRobot& robot,
                         const std::vector<flow::Program::Transit>& transits, Halted& out);
-  void look_for_condition(One& one, const fleet::FleetRobot& robot, Robot& known,
+  void look_for_condition(Entry& one, const fleet::FleetRobot& robot, Robot& known,
                           const std::vector<std::uint32_t>& ran, Halted& out);
-  void hit(One& one, Halted::Hit told, Halted& out);
-  const Meaning& meaning(const One& one, const flow::Program& program);
+  void hit(Entry& one, Halted::Hit told, Halted& out);
+  const Meaning& meaning(const Entry& one, const flow::Program& program);
   void say_problems(const run::MissionRun* run);
 
-  std::map<std::uint32_t, One> all_;
+  std::map<std::uint32_t, Entry> all_;
   std::map<const flow::Program*, std::map<std::uint32_t, Meaning>> meanings_;
   std::map<std::uint32_t, Robot> robots_;
   const run::MissionRun* run_ = nullptr;  // only between `begin` and the end of that run

@@ -46,7 +46,7 @@ using Socket = websocket::stream<Tcp::socket>;
 constexpr const char* kToken = "0123456789abcdef0123456789abcdef01234567";
 
 // What a server told its handlers, as far as other threads may know it.
-class Told {
+class HandlerLog {
  public:
   ServerHandlers handlers() {
     ServerHandlers out;
@@ -188,7 +188,7 @@ class RunningServer : public testing::Test {
   fs::path folder_;
   asio::io_context io_;
   ServerSettings settings_;
-  Told told_;
+  HandlerLog told_;
   std::unique_ptr<Server> server_;
 };
 

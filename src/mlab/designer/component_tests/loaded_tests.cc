@@ -15,7 +15,7 @@ const component_test::Test* LoadedFile::find(const std::string& name) const {
 
 LoadedFile& LoadedTests::of(const text::SourcePtr& source, std::uint64_t seal, const text::Files& files,
                             const std::stop_token& ends) {
-  Kept& kept = kept_[source->name()];
+  CachedFile& kept = kept_[source->name()];
   kept.used = ++asked_;
   if (kept.file && kept.seal == seal) return *kept.file;
   robot::ProgramSources sources = programs_;

@@ -41,12 +41,12 @@ class LoadedTests {
   static constexpr std::size_t kMostKept = 8;
 
   const robot::ProgramSources programs_;
-  struct Kept {
+  struct CachedFile {
     std::uint64_t seal = 0;
     std::uint64_t used = 0;  ///< when it was asked for last
     std::unique_ptr<LoadedFile> file;
   };
-  std::map<std::string, Kept> kept_;  // by the source's name
+  std::map<std::string, CachedFile> kept_;  // by the source's name
   std::uint64_t asked_ = 0;
 };
 

@@ -79,7 +79,7 @@ void TestRuns::start_finding() {
 }
 
 void TestRuns::find(const TestTexts& texts, const LatestJobs::IsStale& is_stale) {
-  Found found;
+  FoundFiles found;
   for (const text::SourcePtr& source : texts.sources) {
     if (is_stale()) return;
     if (!source->name().ends_with(".cdl")) continue;
@@ -89,7 +89,7 @@ void TestRuns::find(const TestTexts& texts, const LatestJobs::IsStale& is_stale)
   post_([this, found = std::move(found)]() mutable { take(std::move(found)); });
 }
 
-void TestRuns::take(Found found) {
+void TestRuns::take(FoundFiles found) {
   files_ = std::move(found);
   is_known_ = true;
   ++number_;
@@ -263,7 +263,7 @@ void TestRuns::take(std::uint64_t run, Verdicts verdicts, bool is_last) {
 }
 
 void TestRuns::show(const std::string& asker, const Key& test, std::uint64_t cycle, LookedPage page,
-                    Shown shown) {
+                    TakeCycle shown) {
   if (const auto before = waiting_.find(asker); before != waiting_.end()) {
     before->second.shown(not_shown("another cycle was asked for since"));
     waiting_.erase(before);
@@ -281,7 +281,7 @@ void TestRuns::show(const std::string& asker, const Key& test, std::uint64_t cyc
     post_([this, asker, question, found = std::move(found)] {
       const auto waiting = waiting_.find(asker);
       if (waiting == waiting_.end() || waiting->second.question != question) return;
-      const Shown answer = std::move(waiting->second.shown);
+      const TakeCycle answer = std::move(waiting->second.shown);
       waiting_.erase(waiting);
       answer(found);
     });

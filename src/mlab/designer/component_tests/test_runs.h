@@ -75,9 +75,9 @@ class TestRuns {
   void run(const std::vector<Key>& tests);
 
   /// The values of a cycle, or a sentence that says why there are none.
-  using Shown = std::function<void(text::Result<TestCycle> shown)>;
+  using TakeCycle = std::function<void(text::Result<TestCycle> shown)>;
   /// @param asker  whose newest question alone is answered with values
-  void show(const std::string& asker, const Key& test, std::uint64_t cycle, LookedPage page, Shown shown);
+  void show(const std::string& asker, const Key& test, std::uint64_t cycle, LookedPage page, TakeCycle shown);
 
  private:
   /// What came of a test the last time.
@@ -95,11 +95,11 @@ class TestRuns {
     text::SourcePtr source;
     std::set<std::string> names;
   };
-  using Found = std::vector<FilePtr>;
+  using FoundFiles = std::vector<FilePtr>;
 
   void start_finding();
   void find(const TestTexts& texts, const LatestJobs::IsStale& is_stale);
-  void take(Found found);
+  void take(FoundFiles found);
   /// @param ends  asked for by who gives the run up
   void work(std::uint64_t run, const std::vector<Batch>& batches,
             const std::shared_ptr<const text::Files>& files, const std::stop_token& ends);
@@ -117,7 +117,7 @@ class TestRuns {
   const Post post_;
   std::map<console::ConnectionId, std::set<std::string>> watchers_;  // documents
   TestTexts texts_;
-  Found files_;  // with tests
+  FoundFiles files_;  // with tests
   bool is_known_ = false;
   bool is_cut_ = false;  // there are more tests than are looked at
   std::map<Key, Verdict> verdicts_;
@@ -128,7 +128,7 @@ class TestRuns {
   std::uint64_t number_ = 1;
   struct Waiting {
     std::uint64_t question = 0;
-    Shown shown;
+    TakeCycle shown;
   };
   std::map<std::string, Waiting> waiting_;  // by asker
   std::uint64_t questions_ = 0;

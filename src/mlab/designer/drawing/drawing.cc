@@ -19,7 +19,7 @@ using Kind = GraphNode::Kind;
 /// Draws the pages of one owner.
 class Drawer {
  public:
-  Drawer(const Model& model, const DrawingContext& context, Model::Found found, Drawing& out)
+  Drawer(const Model& model, const DrawingContext& context, Model::FoundPage found, Drawing& out)
       : model_(model),
         context_(context),
         graph_(*found.graph),
@@ -395,7 +395,7 @@ void add_way(const Model& model, const std::string& path, const DrawingContext& 
   add("", is_new ? "New configuration" : context.document.substr(slash == std::string::npos ? 0 : slash + 1));
   if (path.empty()) return;
   add(std::string(owner_of(path)), std::string(owner_of(path)));
-  const Model::Found found = model.page(path);
+  const Model::FoundPage found = model.page(path);
   if (found.graph == nullptr) return;
   std::vector<const GraphPage*> pages;
   for (int at = found.page; at > 0;) {
@@ -457,7 +457,7 @@ Drawing draw(const Model& model, const std::string& page, const DrawingContext& 
   out.set_is_read_only(context.is_read_only);
   if (page.empty()) {
     draw_file(model, context, out);
-  } else if (const Model::Found found = model.page(page); found.graph != nullptr) {
+  } else if (const Model::FoundPage found = model.page(page); found.graph != nullptr) {
     Drawer(model, context, found, out).run();
     if (out.kind() == Drawing::ROBOT) add_robot(model, *found.graph->robot, context, out);
   } else if (const cdl::Society* society = model.society(page)) {

@@ -101,7 +101,7 @@ void add_names(const Model& model, const std::string& owner, const std::string& 
 TEST(Drawing, NamesNodesAsLoweringDoes) {
   const auto model = model_of(read("missions/forage/forager.cdl"));
   text::Diagnostics sink;
-  cdl::Said said;
+  cdl::EarlierFindings said;
   const cdl::LoweredRobot lowered =
       cdl::lower(model->configuration(), *model->robot("Forager"), model->library(), sink, said);
   std::set<std::string> names;

@@ -14,7 +14,7 @@ namespace mlab::designer {
 namespace {
 
 // What of a declaration is shown and asked, whatever its kind.
-struct Shown {
+struct Summary {
   std::string kind;
   std::string name;
   std::string help;
@@ -30,8 +30,8 @@ void add_members(const cdl::SocietyMember& member, std::set<std::string>& out) {
   for (const cdl::SocietyMember& one : member.members) add_members(one, out);
 }
 
-Shown shown(const cdl::Item& item, const Model& model) {
-  Shown out;
+Summary shown(const cdl::Item& item, const Model& model) {
+  Summary out;
   if (const auto* assemblage = std::get_if<cdl::Assemblage>(&item)) {
     out = {"assemblage",
            assemblage->name.text,
@@ -75,10 +75,10 @@ Shown shown(const cdl::Item& item, const Model& model) {
   return out;
 }
 
-std::vector<Shown> all_shown(const Model& model) {
-  std::vector<Shown> out;
+std::vector<Summary> all_shown(const Model& model) {
+  std::vector<Summary> out;
   for (const cdl::Item& item : model.tree().items) {
-    Shown one = shown(item, model);
+    Summary one = shown(item, model);
     if (!one.name.empty()) out.push_back(std::move(one));
   }
   return out;
@@ -175,7 +175,7 @@ class SocietyDrawer {
 }  // namespace
 
 void add_declarations(const Model& model, Document& document) {
-  for (const Shown& one : all_shown(model)) {
+  for (const Summary& one : all_shown(model)) {
     Declaration& out = *document.add_declarations();
     out.set_kind(one.kind);
     out.set_name(one.name);
@@ -188,9 +188,9 @@ void add_declarations(const Model& model, Document& document) {
 
 void draw_file(const Model& model, const DrawingContext& context, Drawing& out) {
   out.set_kind(Drawing::FILE);
-  const std::vector<Shown> all = all_shown(model);
+  const std::vector<Summary> all = all_shown(model);
   const cdl::Layout* layout = model.layout("");
-  for (const Shown& one : all) {
+  for (const Summary& one : all) {
     Node& node = *out.add_nodes();
     node.set_name(one.name);
     node.set_title(one.name);
@@ -212,7 +212,7 @@ void draw_file(const Model& model, const DrawingContext& context, Drawing& out) 
       node.set_x(entry.x);
       node.set_y(entry.y);
     }
-    for (const Shown& other : all) {
+    for (const Summary& other : all) {
       if (!one.uses.contains(other.name) || other.name == one.name) continue;
       Wire& wire = *out.add_wires();
       wire.set_from(other.name);

@@ -109,7 +109,7 @@ const OwnerGraph* Model::graph(std::string_view owner) const {
 const OwnerGraph* Model::trigger(std::string_view path) const {
   if (const auto found = triggers_.find(path); found != triggers_.end()) return found->second.get();
   const std::optional<TriggerPath> parts = trigger_path(path);
-  const Found states = parts ? page(parts->page) : Found{};
+  const FoundPage states = parts ? page(parts->page) : FoundPage{};
   if (states.graph == nullptr) return nullptr;
   const GraphPage& page = states.graph->pages[static_cast<std::size_t>(states.page)];
   if (page.sequence == nullptr) return nullptr;
@@ -122,15 +122,15 @@ const OwnerGraph* Model::trigger(std::string_view path) const {
   return nullptr;
 }
 
-Model::Found Model::page(std::string_view path) const {
+Model::FoundPage Model::page(std::string_view path) const {
   if (path.find('/') != std::string_view::npos) {
     const OwnerGraph* asked = trigger(path);
-    return asked == nullptr ? Found{} : Found{asked, static_cast<int>(asked->pages.size()) - 1};
+    return asked == nullptr ? FoundPage{} : FoundPage{asked, static_cast<int>(asked->pages.size()) - 1};
   }
   const OwnerGraph* graph = this->graph(owner_of(path));
   if (graph == nullptr) return {};
   const int page = graph->find_page(path);
-  return page < 0 ? Found{} : Found{graph, page};
+  return page < 0 ? FoundPage{} : FoundPage{graph, page};
 }
 
 }  // namespace mlab::designer

@@ -51,12 +51,12 @@ class Model {
   /// The levels of an assemblage or robot of the text; null where there is none.
   const OwnerGraph* graph(std::string_view owner) const;
   /// The graph that a page belongs to and which of its pages it is; null where there is none.
-  struct Found {
+  struct FoundPage {
     const OwnerGraph* graph = nullptr;
     int page = -1;
   };
   /// @param path  also of a trigger: `Forage/Searching/0`, the first that the state asks
-  Found page(std::string_view path) const;
+  FoundPage page(std::string_view path) const;
   /// Where things stand on a page; null: nothing is said.
   const cdl::Layout* layout(std::string_view page) const;
 

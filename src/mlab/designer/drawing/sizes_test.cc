@@ -84,13 +84,13 @@ std::string json_of(const google::protobuf::Message& message) {
   return out;
 }
 
-struct Drawn {
+struct DrawnShapes {
   std::string json;
   std::set<int> shapes;
   int states = 0;
 };
 
-void draw_all(const std::string& name, const std::string& text, Drawn& out) {
+void draw_all(const std::string& name, const std::string& text, DrawnShapes& out) {
   const Model model(std::make_shared<const text::Source>(name, text), robot::library_environment());
   const DrawingContext context = {"sizes.cdl", 1, false, [](std::string_view path) {
                                     return std::filesystem::path(path).filename().string();
@@ -121,7 +121,7 @@ void draw_all(const std::string& name, const std::string& text, Drawn& out) {
 }
 
 TEST(Sizes, AreThoseThatThePageIsHeldToAsWell) {
-  Drawn drawn;
+  DrawnShapes drawn;
   const std::string folder = base::source_folder() + "/src/mlab/lang/cdl/testdata/examples/";
   for (const char* file : {"operators.cdl", "percepts.cdl", "robots.cdl"})
     draw_all(folder + file, content_of(folder + file), drawn);

@@ -120,7 +120,7 @@ text::Result<std::string> copied_declarations(const Model& model, const Copy& re
 
 text::Result<std::string> copied(const Model& model, const Copy& request) {
   if (request.page().empty()) return copied_declarations(model, request);
-  const Model::Found found = model.page(request.page());
+  const Model::FoundPage found = model.page(request.page());
   if (found.graph == nullptr) return refusal(why_no_components(model, request.page()));
   return Copier(model, found.graph->pages[static_cast<std::size_t>(found.page)], request).run();
 }

@@ -17,7 +17,7 @@ constexpr const char* kLoop = "that would be a loop without a delay";
 
 class Fitting {
  public:
-  Fitting(const Model& model, const Model::Found& found, const std::vector<Offered>& offered)
+  Fitting(const Model& model, const Model::FoundPage& found, const std::vector<Offered>& offered)
       : model_(model),
         graph_(*found.graph),
         page_(found.graph->pages[static_cast<std::size_t>(found.page)]),
@@ -222,7 +222,7 @@ FitList fitting(const Model& model, const Fits& request, const std::vector<Offer
     return request.to_port().empty() ? points_for(model, owner, request, offered)
                                      : servers_of(model, request.to_port(), offered);
   }
-  const Model::Found found = model.page(request.page());
+  const Model::FoundPage found = model.page(request.page());
   return found.graph == nullptr ? FitList() : Fitting(model, found, offered).of(request);
 }
 

@@ -65,7 +65,7 @@ std::optional<std::uint32_t> name_place(const Model& model, const NameAt& at) {
     return device_place(owner, at.node(), at.of_component());
   if (const cdl::Binding* binding = model.binding(at.page()); binding != nullptr)
     return parameter_place(binding->parameters, at.node());
-  const Model::Found found = model.page(at.page());
+  const Model::FoundPage found = model.page(at.page());
   if (found.graph == nullptr || found.page < 0) return std::nullopt;
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
   if (page.sequence != nullptr) {

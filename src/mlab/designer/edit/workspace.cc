@@ -233,7 +233,7 @@ std::map<std::string, Anchor> anchors_of(const Model& model, std::string_view pa
     }
     return out;
   }
-  const Model::Found found = model.page(page);
+  const Model::FoundPage found = model.page(page);
   if (const Equipped owner = found.graph == nullptr ? equipped(model, page) : Equipped()) {
     for (const cdl::Device& device : owner.devices())
       out.try_emplace(device.name.text, device.name.place.span.begin);

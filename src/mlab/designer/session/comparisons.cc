@@ -13,10 +13,10 @@ constexpr std::size_t kMostRevisions = 50;
 
 }  // namespace
 
-template <class Found>
+template <class Finding>
 void Comparisons::ask_git(const Asker& asker, const std::string& name,
-                          std::function<text::Result<Found>()> ask,
-                          std::function<void(const Found& found, Answer& out)> done) {
+                          std::function<text::Result<Finding>()> ask,
+                          std::function<void(const Finding& found, Answer& out)> done) {
   const std::string job = fmt::format("{} {}", asker.connection.value, name);
   const auto [waits, is_first] = asked_of_git_.try_emplace(job, asker.request);
   if (!is_first) {
@@ -27,7 +27,7 @@ void Comparisons::ask_git(const Asker& asker, const std::string& name,
   }
   git_jobs_.start(job, [this, inbox = inbox_, asker, job, ask = std::move(ask),
                         done = std::move(done)](const LatestJobs::IsStale& is_stale) {
-    const text::Result<Found> found = ask();
+    const text::Result<Finding> found = ask();
     if (is_stale()) return;
     inbox->post([this, asker, job, found, done] {
       const auto waiting = asked_of_git_.find(job);
@@ -110,8 +110,8 @@ void Comparisons::show(console::ConnectionId client, const OpenConfiguration& do
   const Client* known = clients_.find(client);
   if (known == nullptr) return;
   shown_.insert_or_assign({client, document.path},
-                          Shown{++number_, known->opening_of(document.path),
-                                Comparing(title, model_beside(document, std::move(base)), is_saved)});
+                          Comparison{++number_, known->opening_of(document.path),
+                                     Comparing(title, model_beside(document, std::move(base)), is_saved)});
 }
 
 void Comparisons::stop(const Sender& sender, const StopComparing& request) {
@@ -154,7 +154,8 @@ void Comparisons::follow() {
   }
 }
 
-const Comparisons::Shown* Comparisons::find(console::ConnectionId client, const std::string& document) const {
+const Comparisons::Comparison* Comparisons::find(console::ConnectionId client,
+                                                 const std::string& document) const {
   const auto found = shown_.find({client, document});
   return found == shown_.end() ? nullptr : &found->second;
 }

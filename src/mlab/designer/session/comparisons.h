@@ -21,7 +21,7 @@ namespace mlab::designer {
 /// Which document each client compares with which other version of it.
 class Comparisons {
  public:
-  struct Shown {
+  struct Comparison {
     std::uint64_t number = 0;   ///< of its own, for every time that somebody asked
     std::uint64_t opening = 0;  ///< Client::opening_of the document: closed, it is compared no more
     Comparing comparing;
@@ -38,7 +38,7 @@ class Comparisons {
   /// Takes all to the texts as they stand now, and forgets what nobody looks at any more.
   void follow();
   /// Null where that client does not compare it.
-  const Shown* find(console::ConnectionId client, const std::string& document) const;
+  const Comparison* find(console::ConnectionId client, const std::string& document) const;
 
  private:
   using Key = std::pair<console::ConnectionId, std::string>;
@@ -51,9 +51,9 @@ class Comparisons {
   /// Answers later with what `ask` finds on another thread. What is asked under the same name while that
   /// takes its time takes its place; who asked before is told so.
   /// @param name  of what is asked for, with the document; each client has its own
-  template <class Found>
-  void ask_git(const Asker& asker, const std::string& name, std::function<text::Result<Found>()> ask,
-               std::function<void(const Found& found, Answer& out)> done);
+  template <class Finding>
+  void ask_git(const Asker& asker, const std::string& name, std::function<text::Result<Finding>()> ask,
+               std::function<void(const Finding& found, Answer& out)> done);
   /// Where the document's file is, for git; nothing where it has none, which the answer says then.
   std::optional<std::string> file_for_git(const OpenConfiguration& document, Answer& out) const;
   std::shared_ptr<const Model> model_beside(const OpenConfiguration& document, std::string text);
@@ -62,7 +62,7 @@ class Comparisons {
   Clients& clients_;
   Answers& answers_;
   const std::shared_ptr<console::Inbox> inbox_;
-  std::map<Key, Shown> shown_;  // by client and document
+  std::map<Key, Comparison> shown_;  // by client and document
   std::uint64_t number_ = 0;
   std::map<std::string, std::uint32_t> asked_of_git_;  // by the job's name: the request that waits for it
   LatestJobs git_jobs_;                                // posts to the inbox

@@ -72,7 +72,7 @@ void read_in_pieces(const Fields::LookAtRun& look_at_run, const std::shared_ptr<
 
 text::Result<Trials::Planned> Fields::node_of(const OpenConfiguration& document, const ReadField& request) {
   const std::shared_ptr<const Model> author = trials_.model_to_try(document);
-  const Model::Found found = author->page(request.page());
+  const Model::FoundPage found = author->page(request.page());
   if (found.graph == nullptr)
     return no_field(fmt::format("there is no page `{}`", text::shown(request.page())));
   const GraphPage& page = found.graph->pages[static_cast<std::size_t>(found.page)];
@@ -103,7 +103,7 @@ text::Result<FieldProgram> Fields::program_of(const Trials::Planned& node) const
   const auto robot = node.model->configuration().robots.find(node.robot);
   if (robot == node.model->configuration().robots.end() || node.model->problems().has_errors())
     return no_field("the text has errors: mend them first");
-  cdl::Said said;
+  cdl::EarlierFindings said;
   cdl::LoweredRobot lowered =
       cdl::lower(node.model->configuration(), *robot->second, library->library, sink, said);
   if (sink.has_errors()) return no_field(sink.items().front().message);

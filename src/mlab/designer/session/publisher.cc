@@ -55,7 +55,7 @@ void Publisher::publish_to(console::ConnectionId to, const Client& client) {
 void Publisher::tell(const View& view, const std::string& topic, const std::optional<std::string>& version,
                      const std::function<void(FromDesigner& out)>& write) const {
   const auto [known, is_new] = view.told.topics.try_emplace(topic);
-  Told& told = known->second;
+  LastMessage& told = known->second;
   told.round = round_;
   if (!is_new && version && told.version == version) return;
   told.version = version;
@@ -127,7 +127,7 @@ void Publisher::publish_pages(const View& view) const {
 
 void Publisher::publish_differences(const View& view) const {
   const OpenConfiguration& document = view.document;
-  const Comparisons::Shown* shown = from_.comparisons.find(view.to, document.path);
+  const Comparisons::Comparison* shown = from_.comparisons.find(view.to, document.path);
   if (shown == nullptr) return;
   const Comparing& comparing = shown->comparing;
   const std::string version =

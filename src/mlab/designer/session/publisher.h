@@ -38,14 +38,14 @@ class Publisher {
 
  private:
   /// What was told of something last.
-  struct Told {
+  struct LastMessage {
     std::optional<std::string> version;
     std::string bytes;
     std::uint64_t round = 0;  ///< in which it was looked at last
   };
   /// What was told of a document since it was opened.
   struct Opening {
-    std::map<std::string, Told> topics;
+    std::map<std::string, LastMessage> topics;
     std::optional<std::uint64_t> file_news;  ///< OpenConfiguration::file_news
     std::uint32_t taken_over = 0;            ///< documents::Document::taken_over
   };

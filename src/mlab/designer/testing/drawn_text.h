@@ -141,7 +141,7 @@ class DrawnText {
   }
   /// The name of a node's first input.
   std::string first_input(const std::string& page, const std::string& node) const {
-    const Model::Found found = model_->page(page);
+    const Model::FoundPage found = model_->page(page);
     if (found.graph == nullptr) return "";
     const GraphPage& there = found.graph->pages[static_cast<std::size_t>(found.page)];
     const int at = there.find(node);

@@ -35,7 +35,7 @@ std::string code_of(const cdl::Configuration& configuration, const text::Files& 
 
 }  // namespace
 
-Compiler::Compiler(robot::ProgramSources programs, Found found, FoundCode found_code)
+Compiler::Compiler(robot::ProgramSources programs, TakeCompiled found, TakeCode found_code)
     : programs_(std::move(programs)), found_(std::move(found)), found_code_(std::move(found_code)) {}
 
 void Compiler::start(Task task) {

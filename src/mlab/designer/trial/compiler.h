@@ -42,11 +42,11 @@ class Compiler {
     std::shared_ptr<const text::Files> files;  ///< what it may use; read on other threads
   };
   /// Called on threads of the compiler. First without mends, then with them.
-  using Found = std::function<void(const std::string& document, std::shared_ptr<const Compiled>)>;
-  using FoundCode = std::function<void(const std::string& document, std::shared_ptr<const CheckedCode>)>;
+  using TakeCompiled = std::function<void(const std::string& document, std::shared_ptr<const Compiled>)>;
+  using TakeCode = std::function<void(const std::string& document, std::shared_ptr<const CheckedCode>)>;
 
   /// @param programs  where headers are, and whether C++ may be given to the compiler
-  Compiler(robot::ProgramSources programs, Found found, FoundCode found_code);
+  Compiler(robot::ProgramSources programs, TakeCompiled found, TakeCode found_code);
 
   /// Jobs that are being done end soon: a C++ compiler at work is stopped.
   ~Compiler() { ends_.request_stop(); }
@@ -62,8 +62,8 @@ class Compiler {
 
   std::stop_source ends_;
   const robot::ProgramSources programs_;
-  const Found found_;
-  const FoundCode found_code_;
+  const TakeCompiled found_;
+  const TakeCode found_code_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const CheckedCode>, std::less<>> checked_;  // by the code
   LatestJobs codes_;

@@ -57,7 +57,7 @@ class WaySearch {
 };
 
 const GraphPage* page_of(const Model& model, const std::string& path) {
-  const Model::Found found = model.page(path);
+  const Model::FoundPage found = model.page(path);
   return found.graph == nullptr ? nullptr : &found.graph->pages[static_cast<std::size_t>(found.page)];
 }
 
@@ -139,7 +139,7 @@ std::uint32_t Marks::add(Mark mark, std::shared_ptr<const Model> model, std::opt
   model_ = std::move(model);
   mark.set_id(++last_);
   mark.set_is_lost(false);
-  all_.emplace(last_, One{std::move(mark), std::move(way)});
+  all_.emplace(last_, KeptMark{std::move(mark), std::move(way)});
   return last_;
 }
 
@@ -152,7 +152,7 @@ bool Marks::follow(const std::shared_ptr<const Model>& model) {
   const NameMap names(std::exchange(model_, model), model);
   bool is_changed = false;
   for (auto& [id, one] : all_) {
-    One after = one;
+    KeptMark after = one;
     const bool is_found = follow(after, names, *model);
     if (!is_found) after = one;
     after.told.set_is_lost(!is_found);
@@ -162,7 +162,7 @@ bool Marks::follow(const std::shared_ptr<const Model>& model) {
   return is_changed;
 }
 
-bool Marks::follow(One& one, const NameMap& names, const Model& model) {
+bool Marks::follow(KeptMark& one, const NameMap& names, const Model& model) {
   Mark& mark = one.told;
   const std::string was = mark.page();
   const auto follow_state = [&](const std::string& name, auto set) {
@@ -257,7 +257,7 @@ Marks Marks::restored(const KeptMarks& kept, std::shared_ptr<const Model> model)
     Mark mark = one.mark();
     mark.set_id(++out.last_);
     if (mark.has_breakpoint()) mark.mutable_breakpoint()->clear_id();
-    out.all_.emplace(out.last_, One{std::move(mark), std::move(way)});
+    out.all_.emplace(out.last_, KeptMark{std::move(mark), std::move(way)});
   }
   return out;
 }

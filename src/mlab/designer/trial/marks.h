@@ -63,13 +63,13 @@ class Marks {
   static Marks restored(const KeptMarks& kept, std::shared_ptr<const Model> model);
 
  private:
-  struct One {
+  struct KeptMark {
     Mark told;
     std::optional<std::vector<Hop>> way;
   };
-  static bool follow(One& one, const NameMap& names, const Model& model);
+  static bool follow(KeptMark& one, const NameMap& names, const Model& model);
 
-  std::map<std::uint32_t, One> all_;
+  std::map<std::uint32_t, KeptMark> all_;
   std::shared_ptr<const Model> model_;  ///< that the names are of
   std::uint32_t last_ = 0;
 };

@@ -183,7 +183,7 @@ class Bodies {
     const auto robot = tried.configuration().robots.find(name);
     if (tried.problems().has_errors() || robot == tried.configuration().robots.end()) return false;
     text::Diagnostics sink;
-    cdl::Said said;
+    cdl::EarlierFindings said;
     cdl::lower(tried.configuration(), *robot->second, tried.library(), sink, said);
     return !sink.has_errors();
   }

@@ -107,7 +107,7 @@ class BackWriter {
       const auto robot = completed_.configuration().robots.find(name);
       if (robot == completed_.configuration().robots.end()) continue;
       text::Diagnostics sink;
-      cdl::Said said;
+      cdl::EarlierFindings said;
       const cdl::LoweredRobot lowered =
           cdl::lower(completed_.configuration(), *robot->second, completed_.library(), sink, said);
       if (sink.has_errors()) return not_written("the text has errors: mend them first");

@@ -47,11 +47,12 @@ class CompilerRoomTest : public ::testing::Test {
   }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  struct Made {
+  struct CompileResult {
     bool is_made = false;
     std::string all;  ///< what the compiler said and wrote
   };
-  Made compile(const std::string& text, cell::Wall wall, ProjectPart part = ProjectPart::kAll) const {
+  CompileResult compile(const std::string& text, cell::Wall wall,
+                        ProjectPart part = ProjectPart::kAll) const {
     const fs::path own = folder_ / "own";
     fs::remove_all(own);
     fs::create_directory(own);
@@ -60,7 +61,7 @@ class CompilerRoomTest : public ::testing::Test {
     const std::string object = (own / "code.o").string();
     const ProcessResult result =
         run_process({"g++", "-iquote" + path("project"), "-c", path("own/text.cc"), "-o", object}, room, {});
-    Made out{result.end == ProcessResult::End::kExited && result.status == 0, result.output};
+    CompileResult out{result.end == ProcessResult::End::kExited && result.status == 0, result.output};
     std::ifstream made(object, std::ios::binary);
     out.all.append(std::istreambuf_iterator<char>(made), {});
     return out;
@@ -102,21 +103,22 @@ TEST_F(CompilerRoomTest, OpensOfAProjectThatOthersWriteIntoNothingButSources) {
   if (!wall) GTEST_SKIP() << wall.error();
   for (const std::string file : {"town.odl", "parts/plan.cdl", "town.h"}) {
     const std::string text = "#include \"" + file + "\"\n";
-    const Made made = compile(text, *wall, ProjectPart::kSources);
+    const CompileResult made = compile(text, *wall, ProjectPart::kSources);
     EXPECT_EQ(made.all.find("written by somebody else"), std::string::npos) << made.all;
     EXPECT_FALSE(made.is_made);
-    const Made twin = compile(text, *wall);
+    const CompileResult twin = compile(text, *wall);
     EXPECT_NE(twin.all.find("written by somebody else"), std::string::npos) << "does not bite: " << twin.all;
   }
-  const Made good = compile("#include \"gain.h\"\n#include \"parts/more.h\"\ndouble x = kGain + kMore;\n",
-                            *wall, ProjectPart::kSources);
+  const CompileResult good =
+      compile("#include \"gain.h\"\n#include \"parts/more.h\"\ndouble x = kGain + kMore;\n", *wall,
+              ProjectPart::kSources);
   EXPECT_TRUE(good.is_made) << good.all;
 }
 
 TEST_F(CompilerRoomTest, CompilesWithTheHeadersOfTheSystemAndOfTheProject) {
   const auto wall = cell::choose_wall(cell::means());
   if (!wall) GTEST_SKIP() << wall.error();
-  const Made made = compile(
+  const CompileResult made = compile(
       "#include <cmath>\n#include <vector>\n#include \"gain.h\"\n#include \"parts/more.h\"\n#include "
       "\"same.h\"\n"
       "double f() { return std::sqrt(kGain) + kMore; }\n",
@@ -142,9 +144,9 @@ TEST_F(CompilerRoomTest, NoTrickBringsTheWordsOfAForeignFile) {
       // The compiler shows the line that a mistake stands in.
       "#line 1 \"" + secret + "\"\nmistake;\n"};
   for (const std::string& trick : tricks) {
-    const Made made = compile(trick, *wall);
+    const CompileResult made = compile(trick, *wall);
     EXPECT_EQ(made.all.find(kSecret), std::string::npos) << trick << made.all;
-    const Made twin = compile(trick, cell::Wall::kNone);
+    const CompileResult twin = compile(trick, cell::Wall::kNone);
     EXPECT_NE(twin.all.find(kSecret), std::string::npos) << "does not bite: " << trick << twin.all;
   }
 }

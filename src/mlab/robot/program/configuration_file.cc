@@ -23,7 +23,8 @@ cdl::Environment environment_of(const text::Files& files) {
 }
 
 std::optional<ConfiguredRobot> built(cdl::Configuration configuration, const cdl::Robot& robot,
-                                     const flow::Library& library, text::Diagnostics& sink, cdl::Said& said) {
+                                     const flow::Library& library, text::Diagnostics& sink,
+                                     cdl::EarlierFindings& said) {
   ConfiguredRobot out;
   const std::size_t errors_before = sink.error_count();
   out.robot = robot.name.text;
@@ -101,7 +102,7 @@ std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::str
   const cdl::Robot* robot = cdl::robot_meant(configuration, wanted, type_name, place, sink);
   if (robot == nullptr) return std::nullopt;
   auto library = describe_library(configuration.procedures);
-  cdl::Said said;
+  cdl::EarlierFindings said;
   cdl::check_declarations(configuration, library->library, sink, said);
   if (sink.error_count() > errors_before) return std::nullopt;
   auto out = built(std::move(configuration), *robot, library->library, sink, said);
@@ -128,7 +129,7 @@ std::optional<ConfiguredRobot> library_robot(std::string_view name, text::Diagno
   const cdl::Configuration& configuration = library_configuration();
   const auto robot = configuration.robots.find(name);
   if (robot == configuration.robots.end()) return std::nullopt;
-  cdl::Said said;
+  cdl::EarlierFindings said;
   return built(configuration, *robot->second, component_library(), sink, said);
 }
 

@@ -28,14 +28,14 @@ class Author {
  public:
   explicit Author(std::uint64_t seed) : state_(seed * 2 + 1) {}
 
-  struct Written {
+  struct TextPair {
     std::string with_calls;
     std::string inlined;
   };
 
   /// Both texts of one configuration.
-  Written configuration() {
-    Written out;
+  TextPair configuration() {
+    TextPair out;
     const std::string head =
         "class Cart {\n  sensor bumper: DetectObstacles() binds sense_obstacles;\n"
         "  actuator wheels: Drive(max_velocity = 2 m/s) binds movement;\n}\n";
@@ -43,12 +43,12 @@ class Author {
     std::string declarations;
     for (int i = 0; i < count; ++i) {
       // What an assemblage does is written with its parameters' names, and filled in where it is inlined.
-      const Written body = movement(3, {"vigor", "reach"}, true);
+      const TextPair body = movement(3, {"vigor", "reach"}, true);
       declarations += fmt::format("assemblage A{}(vigor: gain, reach: length = 3 m) {{\n  {}\n}}\n", i,
                                   block(body.with_calls));
       bodies_.push_back(body.inlined);
     }
-    const Written drive = movement(3, {"0.75", "2.5 m"}, true);
+    const TextPair drive = movement(3, {"0.75", "2.5 m"}, true);
     const std::string tail =
         "robot R is Cart {{\n  let seen = sense_obstacles(range = 4 m);\n  movement = {};\n}}\n";
     out.with_calls = head + declarations + fmt::format(fmt::runtime(tail), drive.with_calls);
@@ -80,7 +80,7 @@ class Author {
     return text;
   }
 
-  Written primitive(const Names& names) {
+  TextPair primitive(const Names& names) {
     const std::string sphere = reach(names);
     std::string text;
     switch (pick(4)) {
@@ -101,11 +101,11 @@ class Author {
   }
 
   // `is_named`: where it stands, it is called by something else than its own name.
-  Written call(const Names& names, bool is_named) {
+  TextPair call(const Names& names, bool is_named) {
     const int which = pick(static_cast<int>(bodies_.size()));
     const std::string strong = strength(names);
     const std::string far = reach(names);
-    Written out;
+    TextPair out;
     out.with_calls = fmt::format("A{}({}, reach = {})", which, strong, far);
     out.inlined =
         replaced(replaced(bodies_[static_cast<std::size_t>(which)], "vigor", "\x01"), "reach", "\x02");
@@ -129,12 +129,12 @@ class Author {
     }
   }
 
-  Written members(const char* head, bool has_weights, int depth, const Names& names) {
-    Written out{std::string(head) + " {", std::string(head) + " {"};
+  TextPair members(const char* head, bool has_weights, int depth, const Names& names) {
+    TextPair out{std::string(head) + " {", std::string(head) + " {"};
     const int count = 1 + pick(3);
     for (int i = 0; i < count; ++i) {
       const std::string weight = has_weights && pick(3) > 0 ? strength(names) + ": " : "";
-      const Written member = movement(depth - 1, names);
+      const TextPair member = movement(depth - 1, names);
       out.with_calls += " " + weight + member.with_calls + ";";
       out.inlined += " " + weight + member.inlined + ";";
     }
@@ -143,11 +143,11 @@ class Author {
     return out;
   }
 
-  Written sequence(int depth, const Names& names) {
-    Written out{"sequence {", "sequence {"};
+  TextPair sequence(int depth, const Names& names) {
+    TextPair out{"sequence {", "sequence {"};
     const int count = 1 + pick(3);
     for (int i = 0; i < count; ++i) {
-      const Written member = movement(depth - 1, names, true);
+      const TextPair member = movement(depth - 1, names, true);
       const std::string head = fmt::format(" {}S{}: ", i == 0 ? "start " : "", i);
       const std::string tail =
           fmt::format("; when {} goto S{}{};", trigger(), (i + 1) % count, pick(2) == 0 ? "" : " restart");
@@ -159,16 +159,16 @@ class Author {
     return out;
   }
 
-  Written select(int depth, const Names& names) {
-    const Written one = movement(depth - 1, names, true);
-    const Written other = movement(depth - 1, names, true);
+  TextPair select(int depth, const Names& names) {
+    const TextPair one = movement(depth - 1, names, true);
+    const TextPair other = movement(depth - 1, names, true);
     const auto text = [](const std::string& a, const std::string& b) {
       return fmt::format("select by GetOrderTask() {{ case MoveTo, Follow: {}; otherwise: {}; }}", a, b);
     };
     return {text(one.with_calls, other.with_calls), text(one.inlined, other.inlined)};
   }
 
-  Written movement(int depth, const Names& names, bool is_named = false) {
+  TextPair movement(int depth, const Names& names, bool is_named = false) {
     if (depth <= 0) return primitive(names);
     switch (pick(bodies_.empty() ? 6 : 9)) {
       case 0:
@@ -223,7 +223,7 @@ std::vector<std::byte> run(const flow::Program& program, std::uint64_t seed) {
 }
 
 RC_GTEST_PROP(GeneratedConfigurations, MeanTheSameWhenTheirAssemblagesAreWrittenOut, (std::uint64_t seed)) {
-  const Author::Written written = Author(seed).configuration();
+  const Author::TextPair written = Author(seed).configuration();
   const auto with_calls = configured(written.with_calls);
   const auto inlined = configured(written.inlined);
   RC_ASSERT(with_calls && inlined);

@@ -54,14 +54,14 @@ bool may_report(const flow::Network& network) {
 }
 
 // What a mission says of the values of a program.
-struct Told {
+struct MissionValues {
   std::span<const Setting> settings;
   const Places* places = nullptr;
   const text::Place& type_place;  // of the program's name
 };
 
 // Places that nobody set.
-void find_places(const Told& told, RobotProgram& robot, text::Diagnostics& sink) {
+void find_places(const MissionValues& told, RobotProgram& robot, text::Diagnostics& sink) {
   const auto& [settings, places, type_place] = told;
   if (places == nullptr) return;
   for (const PlaceParameter& parameter : robot.places) {
@@ -119,7 +119,7 @@ std::vector<PlaceParameter> places_of(const flow::Network& network) {
 
 namespace {
 
-void set_values(const Told& told, const std::vector<std::string>& known_keys, RobotProgram& robot,
+void set_values(const MissionValues& told, const std::vector<std::string>& known_keys, RobotProgram& robot,
                 text::Diagnostics& sink) {
   robot.initial = robot.program->make_frame();
   find_places(told, robot, sink);

@@ -15,7 +15,7 @@
 namespace mlab::designer {
 
 text::Result<PageView> find_page(const Model& model, const std::string& path) {
-  const Model::Found found = model.page(path);
+  const Model::FoundPage found = model.page(path);
   if (found.graph == nullptr) return refusal(why_no_components(model, path));
   return PageView{found.graph, &found.graph->pages[static_cast<std::size_t>(found.page)]};
 }

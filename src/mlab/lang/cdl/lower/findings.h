@@ -15,7 +15,7 @@ namespace mlab::cdl {
 /// unknown in several places of one declaration is one slip.
 class Findings {
  public:
-  Findings(text::Diagnostics& sink, Said& said) : sink_(sink), said_(said) {}
+  Findings(text::Diagnostics& sink, EarlierFindings& said) : sink_(sink), said_(said) {}
 
   text::Diagnostic& error(std::string kind, const text::Place& place, std::string message);
   /// @param about  the name that is wrong: it is so once, wherever it is used
@@ -47,7 +47,7 @@ class Findings {
                            std::string message, const std::string& about = {});
 
   text::Diagnostics& sink_;
-  Said& said_;
+  EarlierFindings& said_;
   text::Diagnostic muted_;              // takes what is said of something that was said before
   const Assemblage* inside_ = nullptr;  // whose names are being read; null: the robot's
 };

@@ -5,7 +5,7 @@
 namespace mlab::cdl {
 
 Flattening::Flattening(const Configuration& configuration, const flow::Library& library,
-                       text::Diagnostics& sink, Said& said, Purpose purpose)
+                       text::Diagnostics& sink, EarlierFindings& said, Purpose purpose)
     : configuration_(configuration),
       elaboration_(configuration, library),
       findings_(sink, said),

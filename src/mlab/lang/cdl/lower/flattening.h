@@ -26,7 +26,7 @@ namespace mlab::cdl {
 class Flattening {
  public:
   Flattening(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink,
-             Said& said, Purpose purpose);
+             EarlierFindings& said, Purpose purpose);
   Flattening(const Flattening&) = delete;
   Flattening& operator=(const Flattening&) = delete;
 

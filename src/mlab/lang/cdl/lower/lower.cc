@@ -12,7 +12,7 @@
 namespace mlab::cdl {
 
 LoweredRobot lower(const Configuration& configuration, const Robot& robot, const flow::Library& library,
-                   text::Diagnostics& sink, Said& said) {
+                   text::Diagnostics& sink, EarlierFindings& said) {
   const std::size_t errors_before = sink.error_count();
   StaticCheck statics(configuration, library, sink);
   statics.errors_of(robot);
@@ -22,7 +22,7 @@ LoweredRobot lower(const Configuration& configuration, const Robot& robot, const
 }
 
 std::shared_ptr<const flow::Program> build(const LoweredRobot& robot, const flow::Library& library,
-                                           text::Diagnostics& sink, Said& said) {
+                                           text::Diagnostics& sink, EarlierFindings& said) {
   text::Diagnostics inner;
   auto program = flow::build_program(robot.network, library, inner);
   for (const text::Diagnostic& d : inner.items()) {
@@ -37,7 +37,7 @@ std::shared_ptr<const flow::Program> build(const LoweredRobot& robot, const flow
 }
 
 void check_declarations(const Configuration& configuration, const flow::Library& library,
-                        text::Diagnostics& sink, Said& said) {
+                        text::Diagnostics& sink, EarlierFindings& said) {
   StaticCheck statics(configuration, library, sink);
   const auto check_alone = [&](const auto& declaration) {
     Flattening(configuration, library, sink, said, Purpose::kCheck).declarations().check(declaration);
@@ -63,14 +63,14 @@ void warn_of_declarations(const Configuration& configuration, const flow::Librar
 }
 
 LoweredTest lower(const Configuration& configuration, const Test& test, const flow::Library& library,
-                  text::Diagnostics& sink, Said& said) {
+                  text::Diagnostics& sink, EarlierFindings& said) {
   const Robot robot = robot_of(test, configuration);
   StaticCheck(configuration, library, sink).errors_of(robot);
   return Flattening(configuration, library, sink, said, Purpose::kRun).test(test, robot);
 }
 
 void check_tests(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink,
-                 Said& said) {
+                 EarlierFindings& said) {
   std::map<std::string_view, const Test*> first;
   for (const Test* test : tests_of(*configuration.trees.front())) {
     const auto [it, is_new] = first.try_emplace(test->name.text, test);
@@ -87,7 +87,7 @@ void check_tests(const Configuration& configuration, const flow::Library& librar
 }
 
 void check(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink) {
-  Said said;
+  EarlierFindings said;
   const std::size_t all_before = sink.error_count();
   check_declarations(configuration, library, sink, said);
   for (const Robot* robot : configuration.own_robots) {

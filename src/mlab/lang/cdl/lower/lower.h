@@ -15,7 +15,7 @@
 namespace mlab::cdl {
 
 /// What was said of a configuration already: an assemblage that two robots use is wrong once.
-struct Said {
+struct EarlierFindings {
   std::set<std::string> keys;
   std::set<std::string> wrong_classes;  ///< with errors of their own, which their robots would say again
   /// Of assemblages that were checked: the type and unit of their value. Calls need not look into them again.
@@ -35,16 +35,16 @@ struct LoweredRobot {
 /// @param library  knows the procedures of the configuration as well
 /// @errors  everything that is wrong with what the robot uses; the network then is not to be built
 LoweredRobot lower(const Configuration& configuration, const Robot& robot, const flow::Library& library,
-                   text::Diagnostics& sink, Said& said);
+                   text::Diagnostics& sink, EarlierFindings& said);
 
 /// The program of a flattened robot. Null where there were errors: loops that no delay breaks, and whatever
 /// only shows when all is put together.
 std::shared_ptr<const flow::Program> build(const LoweredRobot& robot, const flow::Library& library,
-                                           text::Diagnostics& sink, Said& said);
+                                           text::Diagnostics& sink, EarlierFindings& said);
 
 /// Checks all that the configuration's own files declare, used or not, except for the robots.
 void check_declarations(const Configuration& configuration, const flow::Library& library,
-                        text::Diagnostics& sink, Said& said);
+                        text::Diagnostics& sink, EarlierFindings& said);
 
 /// What is odd about them and no error: to be asked only where nothing has errors, since these may be the
 /// cause.

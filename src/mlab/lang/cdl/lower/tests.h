@@ -57,10 +57,10 @@ bool is_named_so(std::string_view path, std::string_view wanted);
 /// `wrong-unit`,
 ///          `out-of-range`; the network then is not to be built. A warning: `expects-nothing`
 LoweredTest lower(const Configuration& configuration, const Test& test, const flow::Library& library,
-                  text::Diagnostics& sink, Said& said);
+                  text::Diagnostics& sink, EarlierFindings& said);
 
 /// Checks the tests of the configuration's first file, which it was read for.
 void check_tests(const Configuration& configuration, const flow::Library& library, text::Diagnostics& sink,
-                 Said& said);
+                 EarlierFindings& said);
 
 }  // namespace mlab::cdl

@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-Cursor::Cursor(text::SourcePtr source, text::Diagnostics& sink, Written* written)
+Cursor::Cursor(text::SourcePtr source, text::Diagnostics& sink, PartialFile* written)
     : source_(std::move(source)), sink_(sink), written_(written) {
   Tokens lexed = lex(source_->text());
   comments_ = std::move(lexed.comments);

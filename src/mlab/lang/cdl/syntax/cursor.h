@@ -23,7 +23,7 @@ inline constexpr int kMaxNesting = 200;
 class Cursor {
  public:
   /// @param written  null: only what is whole is kept
-  Cursor(text::SourcePtr source, text::Diagnostics& sink, Written* written = nullptr);
+  Cursor(text::SourcePtr source, text::Diagnostics& sink, PartialFile* written = nullptr);
 
   const Token& token() const { return tokens_[at_]; }
   std::string_view text() const { return source_->text(token().span); }
@@ -155,7 +155,7 @@ class Cursor {
   text::Span error_line_;    ///< the line that something was said about last
   int depth_ = 0;
   bool gave_up_ = false;  ///< nothing more is said of this file
-  Written* written_ = nullptr;
+  PartialFile* written_ = nullptr;
   bool needs_more_ = false;    ///< all that could follow the text is known
   bool has_read_end_ = false;  ///< the statement that could begin where the text ends was looked for
 };

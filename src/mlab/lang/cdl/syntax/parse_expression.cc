@@ -32,11 +32,11 @@ std::shared_ptr<Expression> made(const Cursor& cursor, std::uint32_t begin, What
   return out;
 }
 
-using Made = std::shared_ptr<Expression>;
+using MutableExpression = std::shared_ptr<Expression>;
 
 /// What was read, with holes where it is not whole. Never null.
 struct Read {
-  Made value;
+  MutableExpression value;
   bool is_whole = true;
 };
 

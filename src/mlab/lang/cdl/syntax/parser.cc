@@ -33,8 +33,8 @@ ExpressionPtr parse_value(const text::SourcePtr& source) {
   return is_whole ? out : nullptr;
 }
 
-Written read_as_written(const text::SourcePtr& source) {
-  Written out;
+PartialFile read_as_written(const text::SourcePtr& source) {
+  PartialFile out;
   text::Diagnostics unsaid;
   Cursor cursor(source, unsaid, &out);
   out.tree = parse(cursor);

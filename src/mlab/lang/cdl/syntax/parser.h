@@ -20,7 +20,7 @@ Tree parse(const text::SourcePtr& source, text::Diagnostics& sink);
 ExpressionPtr parse_value(const text::SourcePtr& source);
 
 /// A file as far as it is written, for whoever answers while somebody types.
-struct Written {
+struct PartialFile {
   /// With what is incomplete, too: where a value is missing stands a `Hole`, where a name is missing a word
   /// without text. The place of both is where it should stand.
   Tree tree;
@@ -32,7 +32,7 @@ struct Written {
 };
 
 /// Reads any text, by the same rules as `parse`. Says nothing and never fails; deep nesting is cut off.
-Written read_as_written(const text::SourcePtr& source);
+PartialFile read_as_written(const text::SourcePtr& source);
 
 /// Whether this is a configuration, told by what it starts with.
 bool looks_like_cdl(std::string_view text);

@@ -166,23 +166,23 @@ TEST(CdlParser, TellsAConfigurationByItsFirstWords) {
   EXPECT_FALSE(looks_like_cdl(""));
 }
 
-Written as_written(const std::string& text) {
+PartialFile as_written(const std::string& text) {
   return read_as_written(std::make_shared<const text::Source>("a.cdl", text));
 }
 
-const Assemblage& only_assemblage(const Written& written) {
+const Assemblage& only_assemblage(const PartialFile& written) {
   return std::get<Assemblage>(written.tree.items.at(0));
 }
 
 TEST(CdlAsWritten, IsTheSameTreeWhereNothingIsMissing) {
-  const Written written = as_written(kForage);
+  const PartialFile written = as_written(kForage);
   EXPECT_EQ(print(written.tree), reprinted(kForage));
   EXPECT_FALSE(written.ends_inside);
   EXPECT_EQ(written.next_words.size(), std::size(kDeclarationWords));
 }
 
 TEST(CdlAsWritten, HasAHoleWhereAValueIsMissing) {
-  const Written written = as_written("assemblage A() { let a = ; cooperate { 1: Noise(x = , y = a); } }");
+  const PartialFile written = as_written("assemblage A() { let a = ; cooperate { 1: Noise(x = , y = a); } }");
   const Assemblage& one = only_assemblage(written);
   ASSERT_EQ(one.lets.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<Hole>(one.lets[0].value->what));
@@ -194,7 +194,7 @@ TEST(CdlAsWritten, HasAHoleWhereAValueIsMissing) {
 }
 
 TEST(CdlAsWritten, KeepsADeclarationWhoseHeadIsNotWhole) {
-  const Written written =
+  const PartialFile written =
       as_written("assemblage A(a: length, b: ) { a }\nrobot R(c: ) is Cart { movement = A(); }");
   ASSERT_EQ(written.tree.items.size(), 2U);
   EXPECT_EQ(only_assemblage(written).parameters.size(), 2U);
@@ -203,7 +203,7 @@ TEST(CdlAsWritten, KeepsADeclarationWhoseHeadIsNotWhole) {
 }
 
 TEST(CdlAsWritten, GoesOnWhereTheNextLineBeginsAStatement) {
-  const Written written = as_written("assemblage A() {\n  let a =\n  let b = Noise();\n  b\n}");
+  const PartialFile written = as_written("assemblage A() {\n  let a =\n  let b = Noise();\n  b\n}");
   ASSERT_EQ(only_assemblage(written).lets.size(), 2U);
   EXPECT_EQ(only_assemblage(written).lets[1].name.text, "b");
 }
@@ -233,7 +233,7 @@ TEST(CdlAsWritten, TellsWhichWordsCouldFollow) {
 
 TEST(CdlAsWritten, KnowsTheWordsOfTheLanguage) {
   const std::string text = "assemblage A() { let in = delay(Noise(), initial = 0); not in }";
-  const Written written = as_written(text);
+  const PartialFile written = as_written(text);
   std::vector<std::string> words;
   for (const text::Span word : written.words) words.push_back(text.substr(word.begin, word.end - word.begin));
   EXPECT_EQ(words, (std::vector<std::string>{"assemblage", "let", "delay", "initial", "not"}));

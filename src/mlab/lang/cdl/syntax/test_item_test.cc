@@ -104,7 +104,7 @@ TEST(CdlTest, TellsWhichWordsCouldFollow) {
 
 TEST(CdlTest, KeepsWhatIsNotWhole) {
   const auto steps = [](const std::string& text) {
-    const Written written = read_as_written(source_of("test \"x\" of F() { " + text));
+    const PartialFile written = read_as_written(source_of("test \"x\" of F() { " + text));
     return std::get<cdl::Test>(written.tree.items.at(0)).steps;
   };
   EXPECT_EQ(steps("given obstacle(at = ").size(), 1U);

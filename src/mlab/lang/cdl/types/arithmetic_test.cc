@@ -20,16 +20,16 @@
 namespace mlab::cdl {
 namespace {
 
-struct Written {
+struct ParsedText {
   Tree tree;
   std::string errors;
 
   const Expression& value() const { return *std::get<Assemblage>(tree.items.front()).lets.front().value; }
 };
 
-Written read_value(const std::string& expression) {
+ParsedText read_value(const std::string& expression) {
   text::Diagnostics sink;
-  Written out;
+  ParsedText out;
   const auto source = std::make_shared<const text::Source>(
       "a.cdl", "assemblage A(a: number) {\n  let x = " + expression + ";\n  x\n}\n");
   out.tree = parse(source, sink);
@@ -58,7 +58,7 @@ std::string grouped(const Expression& expression) {
 }
 
 std::string grouped(const std::string& text) {
-  const Written read = read_value(text);
+  const ParsedText read = read_value(text);
   return read.errors.empty() ? grouped(read.value()) : read.errors;
 }
 
@@ -101,7 +101,7 @@ TEST(Arithmetic, DividesByWhatIsCalledAsAUnitIs) {
   EXPECT_EQ(grouped("6 m/min / a"), "(6 m/min/a)");
   const std::string text = "assemblage A() {\n  let x = 6 m / min(a, b);\n  x\n}\n";
   EXPECT_EQ(laid_out(text), text);
-  const Written read = read_value("6 m / min(a, b)");
+  const ParsedText read = read_value("6 m / min(a, b)");
   EXPECT_NE(print(read.tree).find("let x = 6 m / min(a, b);"), std::string::npos) << print(read.tree);
 }
 
@@ -136,7 +136,7 @@ TEST(Arithmetic, IsPrintedWithTheParenthesesThatItNeeds) {
        {"a + b * c", "(a + b) * c", "a - (b - c)", "-(a + b)", "-a * b", "a / (b * c)", "-(2)", "a - -2",
         "not a < b", "not (a and b < c)", "(6 m) / s", "6 m/s", "min(a, b + 1) * 2", "(a + b) as sum",
         "a + b as part", "(a < b) == c", "2 * (a + b) < c or d"}) {
-    const Written read = read_value(text);
+    const ParsedText read = read_value(text);
     EXPECT_EQ(read.errors, "") << text;
     EXPECT_NE(print(read.tree).find("let x = " + std::string(text) + ";"), std::string::npos)
         << text << "\n"
@@ -177,7 +177,7 @@ RC_GTEST_PROP(ArithmeticLaws, WhatIsPrintedIsReadAsWhatItWas, ()) {
   const ExpressionPtr formula = any_formula(4);
   const std::string text = print(*formula);
   RC_LOG() << text << "\n";
-  const Written again = read_value(text);
+  const ParsedText again = read_value(text);
   RC_ASSERT(again.errors.empty());
   RC_ASSERT(grouped(again.value()) == grouped(*formula));
   RC_ASSERT(print(again.value()) == text);
@@ -220,7 +220,7 @@ TEST(Arithmetic, IsLaidOutWithBlanksAroundItsSigns) {
 }
 
 TEST(Arithmetic, IsChangedInItsText) {
-  const Written read = read_value("a -1 * b  /* why */");
+  const ParsedText read = read_value("a -1 * b  /* why */");
   const auto& sum = std::get<Arithmetic>(read.value().what);
   Changes changes(read.tree);
   Expression two;
@@ -232,7 +232,7 @@ TEST(Arithmetic, IsChangedInItsText) {
 
 // The text after the first operand became another one.
 std::string with_another_operand(const std::string& text, std::size_t at) {
-  const Written read = read_value(text);
+  const ParsedText read = read_value(text);
   EXPECT_EQ(read.errors, "");
   Changes changes(read.tree);
   Expression other;
