@@ -19,6 +19,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"text", {"base"}},
     {"documents", {"base", "text"}},
     {"cell", {"base", "text"}},
+    {"dds", {"base", "text"}},
     {"percept", {"geom"}},
     {"flow", {"percept", "text"}},
     {"robot/wire", {"flow"}},
@@ -55,7 +56,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
      {"cell", "documents", "simulated", "assist", "project", "lang/mdl", "lang/odl", "lang/envchange",
       "console/server"}},
     {"designer", {"component_test", "console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
-    {"tables", {"lang/mdl", "lang/cdl"}},
+    {"tables", {"dds", "lang/mdl", "lang/cdl"}},
 };
 
 /// What the sources of a module use besides, and keep to themselves: neither its headers nor who stands above

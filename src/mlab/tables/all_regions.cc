@@ -1,5 +1,6 @@
 #include <array>
 
+#include "mlab/tables/channel_tables.h"
 #include "mlab/tables/class_tables.h"
 #include "mlab/tables/measure_tables.h"
 #include "mlab/tables/regions.h"
@@ -38,6 +39,7 @@ std::span<const Region> all_regions() {
       Region{"mdl_dictionary", mdl_dictionary},
       Region{"object_class_enum", object_class_enum},
       Region{"object_class_documentation", object_class_documentation},
+      Region{"channel_documentation", channel_documentation},
       Region{"sensor_documentation", sensor_documentation},
       Region{"sensor_words", sensor_words},
       Region{"sensor_dictionary", sensor_dictionary},

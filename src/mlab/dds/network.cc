@@ -1,0 +1,174 @@
+#include "mlab/dds/network.h"
+
+#include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netinet/in.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "mlab/base/hash.h"
+#include "mlab/dds/message.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::dds {
+namespace {
+
+constexpr std::size_t kMaxFleetName = 64;
+constexpr std::size_t kMaxPeers = 100;
+constexpr int kDomains = 100;
+
+using std::chrono::milliseconds;
+/// A participant of which nothing is heard is forgotten: writers wait for it no longer.
+constexpr milliseconds kGivenUpAfter{5000};
+/// How often a participant says that it is there to those that have not heard of it.
+constexpr milliseconds kSaysItIsThereEvery{2000};
+/// How soon what was lost is asked for. Cyclone's own figures (100 ms, 3 s, 100 ms) spare a busy network; here one
+/// lost packet of a cycle would stop all robots for as long.
+constexpr milliseconds kAsksAgainAfter{5};
+constexpr milliseconds kAsksAgainEvery{100};
+constexpr milliseconds kTellsWhatIsThereEvery{20};
+
+bool is_fleet_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+         c == '.';
+}
+
+std::optional<in_addr> address_in(const std::string& text) {
+  in_addr address{};
+  if (inet_pton(AF_INET, text.c_str(), &address) != 1) return std::nullopt;
+  return address;
+}
+
+std::string text_of(in_addr address) {
+  char text[INET_ADDRSTRLEN] = {};
+  inet_ntop(AF_INET, &address, text, sizeof text);
+  return text;
+}
+
+/// An interface of this machine as it is now.
+struct Interface {
+  std::string name;
+  in_addr address{};
+  bool is_up = false;
+  bool is_loopback = false;
+  bool has_multicast = false;
+};
+
+/// Those with an IPv4 address.
+std::vector<Interface> interfaces() {
+  ifaddrs* first = nullptr;
+  if (getifaddrs(&first) != 0) return {};
+  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> all(first, &freeifaddrs);
+  std::vector<Interface> found;
+  for (const ifaddrs* at = first; at != nullptr; at = at->ifa_next) {
+    if (at->ifa_addr == nullptr || at->ifa_addr->sa_family != AF_INET) continue;
+    found.push_back({.name = at->ifa_name,
+                     .address = reinterpret_cast<const sockaddr_in*>(at->ifa_addr)->sin_addr,
+                     .is_up = (at->ifa_flags & IFF_UP) != 0,
+                     .is_loopback = (at->ifa_flags & IFF_LOOPBACK) != 0,
+                     .has_multicast = (at->ifa_flags & IFF_MULTICAST) != 0});
+  }
+  return found;
+}
+
+std::string names_of(const std::vector<Interface>& all) {
+  std::string names;
+  for (const Interface& one : all) {
+    if (one.is_up)
+      names += fmt::format("{}`{}` ({})", names.empty() ? "" : ", ", one.name, text_of(one.address));
+  }
+  return names.empty() ? "none" : names;
+}
+
+std::expected<Interface, std::string> interface_called(const std::string& name) {
+  const auto all = interfaces();
+  const auto address = address_in(name);
+  const auto found = std::ranges::find_if(all, [&](const Interface& one) {
+    if (name.empty()) return one.is_loopback;
+    return address ? one.address.s_addr == address->s_addr : one.name == name;
+  });
+  if (found != all.end() && found->is_up) return *found;
+  if (name.empty())
+    return std::unexpected("this machine has no loopback interface that is up: `ip link set lo up` mends that");
+  const std::string shown = text::shown(name);
+  if (found != all.end()) return std::unexpected(fmt::format("the network interface `{}` is down", shown));
+  return std::unexpected(fmt::format("this machine has no network interface `{}` with an IPv4 address: there is {}",
+                                     shown, names_of(all)));
+}
+
+std::expected<void, std::string> check_fleet(const std::string& fleet) {
+  if (fleet.empty()) return std::unexpected("the fleet has no name");
+  if (fleet.size() > kMaxFleetName)
+    return std::unexpected(
+        fmt::format("the fleet's name has {} letters: {} at most", fleet.size(), kMaxFleetName));
+  const auto bad = std::ranges::find_if_not(fleet, is_fleet_letter);
+  if (bad == fleet.end()) return {};
+  return std::unexpected(fmt::format("the fleet's name `{}` has a `{}`: letters, digits, `-`, `_` and `.` it may have",
+                                     text::shown(fleet), text::shown(std::string(1, *bad))));
+}
+
+/// The addresses at which others are looked for, as they stand in the configuration.
+std::expected<std::string, std::string> peers_of(const Network& network, const Interface& own) {
+  if (network.peers.size() > kMaxPeers)
+    return std::unexpected(fmt::format("{} machines are to be looked at: {} at most", network.peers.size(), kMaxPeers));
+  std::string peers = fmt::format("<Peer address=\"{}\"/>", text_of(own.address));
+  for (const std::string& peer : network.peers) {
+    const auto address = address_in(peer);
+    if (!address)
+      return std::unexpected(fmt::format("`{}` is no IPv4 address such as 10.0.0.7: names are not looked up",
+                                         text::shown(peer)));
+    if (own.is_loopback && (ntohl(address->s_addr) >> 24U) != 127U)
+      return std::unexpected(fmt::format("`{}` can't be reached: without a network interface nothing leaves this "
+                                         "machine",
+                                         text::shown(peer)));
+    peers += fmt::format("<Peer address=\"{}\"/>", text_of(*address));
+  }
+  return peers;
+}
+
+}  // namespace
+
+int domain_of(std::string_view fleet) {
+  return 1 + static_cast<int>(base::mix_bits(base::hash_text(fleet)) % kDomains);
+}
+
+std::string partition_of(std::string_view fleet) { return fmt::format("mlab/{}", fleet); }
+
+std::expected<std::string, std::string> configuration_of(const Network& network) {
+  if (const auto fleet = check_fleet(network.fleet); !fleet) return std::unexpected(fleet.error());
+  if (network.lost_of_thousand < 0 || network.lost_of_thousand >= 1000)
+    return std::unexpected(fmt::format("{} of a thousand packets can't be dropped: 0 to 999", network.lost_of_thousand));
+  const auto own = interface_called(network.interface_name);
+  if (!own) return std::unexpected(own.error());
+  const auto peers = peers_of(network, *own);
+  if (!peers) return std::unexpected(peers.error());
+  const bool multicast = !own->is_loopback && own->has_multicast;
+  return fmt::format(
+      "<CycloneDDS><Domain Id=\"any\">"
+      "<General><Interfaces><NetworkInterface address=\"{}\" multicast=\"{}\"/></Interfaces>"
+      // Others are found by multicast; data goes to each by itself, since radio sends multicast slowly and once.
+      "<AllowMulticast>{}</AllowMulticast></General>"
+      "<Discovery><ExternalDomainId>{}</ExternalDomainId><Tag>{}</Tag>"
+      "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex>"
+      "<Peers>{}</Peers>"
+      "<LeaseDuration>{} ms</LeaseDuration><SPDPInterval>{} ms</SPDPInterval></Discovery>"
+      "<Internal><MaxSampleSize>{} B</MaxSampleSize>"
+      "<NackDelay>{} ms</NackDelay><AutoReschedNackDelay>{} ms</AutoReschedNackDelay>"
+      "<HeartbeatInterval min=\"5 ms\" minsched=\"{} ms\" max=\"1 s\">{} ms</HeartbeatInterval>"
+      "<Test><XmitLossiness>{}</XmitLossiness></Test></Internal>"
+      "<SharedMemory><Enable>false</Enable></SharedMemory>"
+      "<Tracing><Verbosity>none</Verbosity></Tracing>"
+      "</Domain></CycloneDDS>",
+      text_of(own->address), multicast, multicast ? "spdp" : "false", domain_of(network.fleet), network.fleet,
+      kMaxParticipants - 1, *peers, kGivenUpAfter.count(), kSaysItIsThereEvery.count(), kMaxBody + 4096,
+      kAsksAgainAfter.count(), kAsksAgainEvery.count(), kTellsWhatIsThereEvery.count(),
+      kTellsWhatIsThereEvery.count(), network.lost_of_thousand);
+}
+
+}  // namespace mlab::dds

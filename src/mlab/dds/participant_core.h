@@ -1,0 +1,74 @@
+#pragma once
+
+#include <dds/dds.h>
+
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "mlab/dds/channel.h"
+#include "mlab/dds/complaints.h"
+#include "mlab/dds/message.h"
+#include "mlab/dds/network.h"
+
+namespace mlab::dds {
+
+/// Deletes an entity of Cyclone, with all that belongs to it, and waits until no listener of it runs.
+class Entity {
+ public:
+  Entity() = default;
+  explicit Entity(dds_entity_t handle) : handle_(handle) {}
+  Entity(Entity&& other) noexcept : handle_(other.handle_) { other.handle_ = 0; }
+  Entity& operator=(Entity&& other) noexcept;
+  Entity(const Entity&) = delete;
+  Entity& operator=(const Entity&) = delete;
+  ~Entity() { reset(); }
+
+  dds_entity_t handle() const { return handle_; }
+  void reset();
+
+ private:
+  dds_entity_t handle_ = 0;
+};
+
+struct DeleteQos {
+  void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
+};
+using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
+
+struct DeleteListener {
+  void operator()(dds_listener_t* listener) const { dds_delete_listener(listener); }
+};
+using Listener = std::unique_ptr<dds_listener_t, DeleteListener>;
+
+/// What Cyclone knows of a participant. Its readers and writers share it.
+class ParticipantCore {
+ public:
+  static std::expected<std::shared_ptr<ParticipantCore>, std::string> open(const Network& network);
+
+  /// Every participant has a domain of its own, whose number means something to this process only: one
+  /// configuration for each, and nothing shared with others of the process.
+  explicit ParticipantCore(std::uint32_t number) : complaints(number) {}
+
+  /// @errors  a sentence
+  std::expected<Entity, std::string> topic(std::string_view name) const;
+
+  /// First to come, last to go: what Cyclone says while all else ends is heard.
+  Complaints complaints;
+  Entity domain;
+  Entity participant;
+  Entity publisher;
+  Entity subscriber;
+  Guid guid;
+};
+
+/// The QoS of a reader or writer, in which the kind stands for the other side to see.
+Qos qos_of(const ChannelInfo& channel);
+/// As `qos_of` wrote it; empty where it did not.
+std::string kind_in(const dds_qos_t* qos);
+
+Guid guid_of(const dds_guid_t& guid);
+
+}  // namespace mlab::dds

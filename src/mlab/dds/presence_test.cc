@@ -1,0 +1,101 @@
+// Who is there, who is not, and how soon that is known.
+
+#include <csignal>
+#include <set>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "mlab/dds/participant.h"
+#include "mlab/dds/testing/fleet.h"
+
+namespace mlab::dds {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+using Kind = Arrival::Kind;
+
+TEST(DdsPresence, OfAProcessThatIsKilledIsLostWithinASecond) {
+  Participant here = participant();
+  Waiter waits = waiter();
+  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  Peer peer({"presence", "veh-1"});
+  const Arrival came = first_of(arrivals(waits, presence, Kind::kMessage), Kind::kMessage);
+  ASSERT_EQ(came.key, "veh-1");
+  const auto killed = Clock::now();
+  peer.signal(SIGKILL);
+  const auto all = arrivals(waits, presence, Kind::kSilent);
+  const Arrival silent = first_of(all, Kind::kSilent);
+  EXPECT_EQ(silent.sender, came.sender);
+  EXPECT_LT(silent.noticed - killed, milliseconds(1000));
+  EXPECT_TRUE(presence.senders().empty());
+  // Its keys are told as well, beside or after it.
+  const auto keys = first_of(all, Kind::kOrphaned).key.empty() ? arrivals(waits, presence, Kind::kOrphaned) : all;
+  EXPECT_EQ(first_of(keys, Kind::kOrphaned).key, "veh-1");
+  EXPECT_EQ(first_of(arrivals(waits, presence, Kind::kUnmatched), Kind::kUnmatched).sender, came.sender);
+}
+
+TEST(DdsPresence, OfAProcessThatIsStoppedIsLostAndComesBackWithIt) {
+  Participant here = participant();
+  Waiter waits = waiter();
+  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  const Peer peer({"presence", "veh-1"});
+  const Arrival came = first_of(arrivals(waits, presence, Kind::kMessage), Kind::kMessage);
+  for (int i = 0; i < 2; ++i) {
+    const auto stopped = Clock::now();
+    peer.signal(SIGSTOP);
+    EXPECT_LT(first_of(arrivals(waits, presence, Kind::kSilent), Kind::kSilent).noticed - stopped, milliseconds(1000));
+    peer.signal(SIGCONT);
+    EXPECT_EQ(first_of(arrivals(waits, presence, Kind::kAlive), Kind::kAlive).sender, came.sender);
+    EXPECT_EQ(presence.senders(), std::vector{came.sender});
+  }
+}
+
+TEST(DdsPresence, OfAProcessThatWasStoppedForLongIsFoundAnew) {
+  Participant here = participant();
+  Waiter waits = waiter();
+  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  const Peer peer({"presence", "veh-1"});
+  ASSERT_FALSE(bodies(arrivals(waits, presence, Kind::kMessage)).empty());
+  peer.signal(SIGSTOP);
+  arrivals(waits, presence, Kind::kUnmatched);
+  peer.signal(SIGCONT);
+  const auto again = arrivals(waits, presence, Kind::kMessage);
+  EXPECT_EQ(first_of(again, Kind::kMessage).key, "veh-1");
+  EXPECT_NE(first_of(again, Kind::kMatched).sender, Guid{});
+}
+
+TEST(DdsPresence, OfTwentyProcessesIsKnownWithinFiveSeconds) {
+  constexpr std::size_t kProcesses = 20;
+  Participant here = participant();
+  Waiter waits = waiter();
+  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  const auto began = Clock::now();
+  std::vector<Peer> peers;
+  for (std::size_t i = 0; i < kProcesses; ++i) peers.emplace_back(std::vector<std::string>{"presence", "veh-" + std::to_string(i)});
+  std::set<std::string> found;
+  EXPECT_TRUE(comes_true(waits, [&] {
+    for (const Arrival& arrival : presence.take()) {
+      if (arrival.kind == Kind::kMessage) found.insert(arrival.key);
+    }
+    return found.size() == kProcesses;
+  }));
+  const auto took = std::chrono::duration_cast<milliseconds>(Clock::now() - began);
+  RecordProperty("milliseconds", static_cast<int>(took.count()));
+  EXPECT_LT(took, milliseconds(5000));
+}
+
+TEST(DdsPresence, IsNotLostWhileEveryFifthPacketIs) {
+  Participant here = participant(200);
+  Waiter waits = waiter();
+  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  const Peer peer({"presence", "veh-1"}, 200);
+  const auto all = arrivals(waits, presence, Kind::kMessage);
+  ASSERT_EQ(first_of(all, Kind::kMessage).key, "veh-1");
+  const auto later = arrivals(waits, presence, Kind::kUnmatched, 1, milliseconds(6000));
+  EXPECT_EQ(first_of(later, Kind::kUnmatched).sender, Guid{});
+}
+
+}  // namespace
+}  // namespace mlab::dds

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mlab/dds/message.h"
+
+namespace mlab::dds {
+
+/// One topic, read. Made by Participant::reader; it takes part until it is destroyed.
+///
+/// What arrives is fetched by Cyclone's receiving thread, as it arrives, into a queue of the reader's own, so
+/// that a thread that takes nothing for a while holds up neither the network nor other readers. At most
+/// kMaxWaiting arrivals and kMaxWaitingBytes of them wait there; what comes on top is counted and told
+/// (Arrival::Kind::kLost), of reliable channels too. May be used by any thread.
+class Reader {
+ public:
+  static constexpr std::size_t kMaxWaiting = 65'536;
+  static constexpr std::size_t kMaxWaitingBytes = 64UL * 1024 * 1024;
+
+  Reader(Reader&&) noexcept;
+  Reader& operator=(Reader&&) noexcept;
+  ~Reader();
+
+  /// All that has arrived since the last call; never waits.
+  std::vector<Arrival> take();
+
+  /// The participants that write this topic, as what it is read as, and are not silent.
+  std::vector<Guid> senders() const;
+
+  /// Who writes this topic as something else, or in a way that can't be read here: a sentence each, at most
+  /// 20. Nothing that those write is taken. Empty is how it should be.
+  std::vector<std::string> mismatches() const;
+
+ private:
+  friend class Participant;
+  class State;
+  explicit Reader(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mlab::dds

@@ -1,0 +1,111 @@
+#include "mlab/dds/writer.h"
+
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "envelope.h"
+#include "mlab/dds/writer_state.h"
+
+namespace mlab::dds {
+namespace {
+
+bool is_key(std::string_view key) {
+  return key.size() <= kMaxKey && key.find('\0') == std::string_view::npos;
+}
+
+/// The body stays where it is: Cyclone only reads it.
+mlab_dds_Envelope envelope_of(std::string_view key, std::string_view body) {
+  mlab_dds_Envelope envelope{};
+  std::memcpy(envelope.key, key.data(), key.size());
+  envelope.body._maximum = envelope.body._length = static_cast<std::uint32_t>(body.size());
+  envelope.body._buffer = reinterpret_cast<std::uint8_t*>(const_cast<char*>(body.data()));
+  envelope.body._release = false;
+  return envelope;
+}
+
+Written written(dds_return_t code) {
+  if (code >= 0) return Written::kDone;
+  return code == DDS_RETCODE_TIMEOUT ? Written::kFull : Written::kFailed;
+}
+
+}  // namespace
+
+Writer::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter, std::string topic,
+                     ChannelKind kind)
+    : core_(std::move(core)), waiter_(std::move(waiter)), readers_(std::move(topic), kind, "reads") {}
+
+std::expected<void, std::string> Writer::State::begin(const std::string& topic, ChannelKind kind) {
+  auto made = core_->topic(topic);
+  if (!made) return std::unexpected(made.error());
+  topic_ = std::move(*made);
+  const Qos qos = qos_of(info(kind));
+  const Listener told(dds_create_listener(this));
+  dds_lset_publication_matched(told.get(), on_matched);
+  dds_lset_offered_incompatible_qos(told.get(), on_incompatible);
+  const dds_entity_t writer =
+      dds_create_writer(core_->publisher.handle(), topic_.handle(), qos.get(), told.get());
+  if (writer < 0) return std::unexpected(fmt::format("`{}` can't be written: {}", topic, dds_strretcode(writer)));
+  writer_ = Entity(writer);
+  return {};
+}
+
+void Writer::State::on_matched(dds_entity_t writer, dds_publication_matched_status_t status, void* state) {
+  auto& self = *static_cast<State*>(state);
+  const bool is_there = status.current_count_change > 0;
+  dds_builtintopic_endpoint_t* const endpoint =
+      is_there ? dds_get_matched_subscription_data(writer, status.last_subscription_handle) : nullptr;
+  {
+    const std::lock_guard lock(self.mutex_);
+    if (endpoint != nullptr) self.readers_.add(status.last_subscription_handle, *endpoint);
+    self.readers_.set_there(status.last_subscription_handle, is_there);
+  }
+  if (endpoint != nullptr) dds_builtintopic_free_endpoint(endpoint);
+  if (self.waiter_) self.waiter_->signal();
+}
+
+void Writer::State::on_incompatible(dds_entity_t /*writer*/, dds_offered_incompatible_qos_status_t status,
+                                    void* state) {
+  auto& self = *static_cast<State*>(state);
+  {
+    const std::lock_guard lock(self.mutex_);
+    self.readers_.add_incompatible(status.last_policy_id);
+  }
+  if (self.waiter_) self.waiter_->signal();
+}
+
+Written Writer::State::write(std::string_view key, std::string_view body) {
+  if (!is_key(key)) return Written::kBadKey;
+  if (body.size() > kMaxBody) return Written::kTooLong;
+  const mlab_dds_Envelope envelope = envelope_of(key, body);
+  return written(dds_write(writer_.handle(), &envelope));
+}
+
+Written Writer::State::end(std::string_view key) {
+  if (!is_key(key)) return Written::kBadKey;
+  const mlab_dds_Envelope envelope = envelope_of(key, {});
+  return written(dds_dispose(writer_.handle(), &envelope));
+}
+
+std::vector<Guid> Writer::State::readers() const {
+  const std::lock_guard lock(mutex_);
+  return readers_.participants();
+}
+
+std::vector<std::string> Writer::State::mismatches() const {
+  const std::lock_guard lock(mutex_);
+  return readers_.mismatches();
+}
+
+Writer::Writer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Writer::Writer(Writer&&) noexcept = default;
+Writer& Writer::operator=(Writer&&) noexcept = default;
+Writer::~Writer() = default;
+
+Written Writer::write(std::string_view key, std::string_view body) { return state_->write(key, body); }
+Written Writer::end(std::string_view key) { return state_->end(key); }
+std::vector<Guid> Writer::readers() const { return state_->readers(); }
+std::vector<std::string> Writer::mismatches() const { return state_->mismatches(); }
+
+}  // namespace mlab::dds
