@@ -48,9 +48,10 @@ inline constexpr std::array kChannels = {
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
         .longest_wait = std::chrono::milliseconds{20},
-        .reason = "each one counts, and in its order. Who comes late must not carry out what was meant for "
-                  "somebody before it. The wait is short: one robot that hears nothing must not keep commands "
-                  "from the others"},
+        .reason =
+            "each one counts, and in its order. Who comes late must not carry out what was meant for "
+            "somebody before it. The wait is short: one robot that hears nothing must not keep commands "
+            "from the others"},
     ChannelInfo{
         .kind = ChannelKind::kLockStepPercepts,
         .name = "lock-step percepts",
@@ -68,8 +69,9 @@ inline constexpr std::array kChannels = {
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
         .longest_wait = std::chrono::milliseconds{0},
-        .reason = "what a robot sensed a moment ago is worth nothing once there is something newer; sending it "
-                  "again would only delay that"},
+        .reason =
+            "what a robot sensed a moment ago is worth nothing once there is something newer; sending it "
+            "again would only delay that"},
     ChannelInfo{
         .kind = ChannelKind::kActions,
         .name = "actions",
@@ -88,7 +90,8 @@ inline constexpr std::array kChannels = {
         .is_for_latecomers = true,
         .lease = std::chrono::milliseconds{0},
         .longest_wait = std::chrono::milliseconds{20},
-        .reason = "a console that comes late, or comes back, has to show what is true without asking anybody"},
+        .reason =
+            "a console that comes late, or comes back, has to show what is true without asking anybody"},
     ChannelInfo{
         .kind = ChannelKind::kEvents,
         .name = "events",
@@ -97,7 +100,8 @@ inline constexpr std::array kChannels = {
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
         .longest_wait = std::chrono::milliseconds{100},
-        .reason = "the executive and the report count them: one that is lost or out of order makes both untrue"},
+        .reason =
+            "the executive and the report count them: one that is lost or out of order makes both untrue"},
     ChannelInfo{
         .kind = ChannelKind::kPresence,
         .name = "presence",
@@ -107,7 +111,8 @@ inline constexpr std::array kChannels = {
         .lease = std::chrono::milliseconds{600},
         .longest_wait = std::chrono::milliseconds{20},
         .reason = "who is there, with its versions, has to be known to who comes late; who is gone, within a "
-                  "second. Cyclone keeps it alive by itself, also where the writer's own threads are busy; but who was "
+                  "second. Cyclone keeps it alive by itself, also where the writer's own threads are busy; "
+                  "but who was "
                   "silent counts as back only when he writes again, so it is written once a second or more"},
     ChannelInfo{
         .kind = ChannelKind::kEmergencyStop,
@@ -117,8 +122,9 @@ inline constexpr std::array kChannels = {
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
         .longest_wait = std::chrono::milliseconds{0},
-        .reason = "it is written again and again until it is acknowledged. Written once and reliably, it would "
-                  "come too late where a packet is lost, and would wait for robots that don't listen"},
+        .reason =
+            "it is written again and again until it is acknowledged. Written once and reliably, it would "
+            "come too late where a packet is lost, and would wait for robots that don't listen"},
 };
 static_assert(base::has_a_row_for_each<kChannels, &ChannelInfo::kind>());
 

@@ -72,7 +72,8 @@ void Complaints::add(std::string complaint) {
 
 std::vector<std::string> Complaints::take() {
   const std::lock_guard lock(mutex_);
-  std::vector<std::string> taken(std::make_move_iterator(said_.begin()), std::make_move_iterator(said_.end()));
+  std::vector<std::string> taken(std::make_move_iterator(said_.begin()),
+                                 std::make_move_iterator(said_.end()));
   said_.clear();
   return taken;
 }

@@ -59,8 +59,8 @@ void Counterparts::set_silent(dds_instance_handle_t handle, bool is_silent) {
 }
 
 void Counterparts::add_incompatible(std::uint32_t policy) {
-  note(fmt::format("somebody {} `{}` in a way that does not go with `{}`: {}", does_, topic_, info(kind_).name,
-                   policy_called(policy)));
+  note(fmt::format("somebody {} `{}` in a way that does not go with `{}`: {}", does_, topic_,
+                   info(kind_).name, policy_called(policy)));
 }
 
 std::vector<Guid> Counterparts::participants() const {

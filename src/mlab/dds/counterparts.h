@@ -14,7 +14,8 @@
 
 namespace mlab::dds {
 
-/// The writers that match a reader, or the readers that match a writer, by Cyclone's handles. Its owner locks.
+/// The writers that match a reader, or the readers that match a writer, by Cyclone's handles. Its owner
+/// locks.
 class Counterparts {
  public:
   struct Counterpart {

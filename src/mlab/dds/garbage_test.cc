@@ -40,12 +40,13 @@ class Stranger {
 /// A counter, mixed: the same in every run.
 std::string noise(std::uint64_t seed, std::size_t size) {
   std::string bytes;
-  for (std::uint64_t i = 0; bytes.size() < size; ++i) bytes += static_cast<char>(base::mix_bits(seed * 65'537 + i));
+  for (std::uint64_t i = 0; bytes.size() < size; ++i)
+    bytes += static_cast<char>(base::mix_bits(seed * 65'537 + i));
   return bytes;
 }
 
-/// As far as their head, packets of the protocol; behind it anything, and the more parts that look like some the more
-/// of it is read.
+/// As far as their head, packets of the protocol; behind it anything, and the more parts that look like some
+/// the more of it is read.
 std::string almost_a_packet(std::uint64_t seed) {
   std::string packet = std::string("RTPS\x02\x01\x01\x10", 8) + noise(seed, 12);
   for (std::uint64_t part = 0; part < 1 + seed % 4; ++part) {

@@ -32,7 +32,8 @@ struct Arrival {
     /// Nobody is left who writes this key: all that did have gone, or are silent. `key`, `sender`
     kOrphaned,
     kMatched,    ///< a writer of this topic is there: `sender`
-    kUnmatched,  ///< it is no longer: it went in good order, or its participant has been silent for 5 s: `sender`
+    kUnmatched,  ///< it is no longer: it went in good order, or its participant has been silent for 5 s:
+                 ///< `sender`
     /// The lease of the channel's kind has run out: its process has ended, is stopped, or can't be reached.
     kSilent,
     /// Who was silent has written again: `sender`. As long as it writes nothing it stays silent, so whoever

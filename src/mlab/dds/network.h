@@ -11,7 +11,8 @@ namespace mlab::dds {
 struct Network {
   /// 1 to 64 letters, digits, `-`, `_` and `.`. Fleets hear nothing of each other.
   std::string fleet;
-  /// The name of an interface of this machine (`eth0`), or its IPv4 address. Empty: nothing leaves this machine.
+  /// The name of an interface of this machine (`eth0`), or its IPv4 address. Empty: nothing leaves this
+  /// machine.
   std::string interface_name;
   /// IPv4 addresses of machines to look for others at, where the network carries no multicast. This machine
   /// is always looked at.

@@ -39,7 +39,8 @@ TEST(DdsNetwork, NothingLeavesTheMachineUnlessAnInterfaceIsNamed) {
   EXPECT_NE(words.find("<AllowMulticast>false</AllowMulticast>"), std::string::npos);
   EXPECT_NE(words.find("<Peers><Peer address=\"127.0.0.1\"/></Peers>"), std::string::npos);
   EXPECT_NE(words.find("<SharedMemory><Enable>false</Enable></SharedMemory>"), std::string::npos);
-  EXPECT_NE(words.find("<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>119<"), std::string::npos);
+  EXPECT_NE(words.find("<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>119<"),
+            std::string::npos);
 }
 
 TEST(DdsNetwork, AnInterfaceMayBeToldByNameOrAddress) {
@@ -58,14 +59,16 @@ TEST(DdsNetwork, FleetsWithoutAProperNameAreRefused) {
   for (const std::string name : {"a*", "a?", "a,b", "a b", "<a>", "${HOME}", "a/b", "\xc3\xa4", "a\nb"}) {
     EXPECT_NE(refusal(fleet_called(name)).find("letters, digits"), std::string::npos) << name;
   }
-  EXPECT_EQ(refusal(fleet_called("a*")), "the fleet's name `a*` has a `*`: letters, digits, `-`, `_` and `.` it may have");
+  EXPECT_EQ(refusal(fleet_called("a*")),
+            "the fleet's name `a*` has a `*`: letters, digits, `-`, `_` and `.` it may have");
   EXPECT_EQ(refusal(fleet_called("Alpha-2_b.c")), "");
 }
 
 TEST(DdsNetwork, InterfacesThatAreNotThereAreRefusedByNameWithThoseThatAre) {
   Network network = fleet_called("alpha");
   network.interface_name = "nosuch0";
-  EXPECT_NE(refusal(network).find("no network interface `nosuch0` with an IPv4 address: there is"), std::string::npos);
+  EXPECT_NE(refusal(network).find("no network interface `nosuch0` with an IPv4 address: there is"),
+            std::string::npos);
   EXPECT_NE(refusal(network).find("(127.0.0.1)"), std::string::npos);
   for (const std::string name : {"192.0.2.77", "::1", "lo\"/>", "300.1.1.1"}) {
     network.interface_name = name;
@@ -78,7 +81,8 @@ TEST(DdsNetwork, PeersThatAreNoAddressesOrOutOfReachAreRefused) {
   network.peers = {"localhost"};
   EXPECT_EQ(refusal(network), "`localhost` is no IPv4 address such as 10.0.0.7: names are not looked up");
   network.peers = {"10.0.0.7"};
-  EXPECT_EQ(refusal(network), "`10.0.0.7` can't be reached: without a network interface nothing leaves this machine");
+  EXPECT_EQ(refusal(network),
+            "`10.0.0.7` can't be reached: without a network interface nothing leaves this machine");
   network.peers = std::vector<std::string>(101, "127.0.0.1");
   EXPECT_EQ(refusal(network), "101 machines are to be looked at: 100 at most");
 }

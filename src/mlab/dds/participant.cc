@@ -27,12 +27,15 @@ std::expected<Participant, std::string> Participant::open(const Network& network
   return Participant(std::move(*core));
 }
 
-Guid Participant::guid() const { return core_->guid; }
+Guid Participant::guid() const {
+  return core_->guid;
+}
 
 std::expected<Writer, std::string> Participant::writer(std::string_view topic, ChannelKind kind,
                                                        const Waiter* waiter) {
   const std::string name(topic);
-  auto state = std::make_unique<Writer::State>(core_, waiter != nullptr ? waiter->state_ : nullptr, name, kind);
+  auto state =
+      std::make_unique<Writer::State>(core_, waiter != nullptr ? waiter->state_ : nullptr, name, kind);
   if (const auto begun = state->begin(name, kind); !begun) return std::unexpected(begun.error());
   return Writer(std::move(state));
 }
@@ -45,6 +48,8 @@ std::expected<Reader, std::string> Participant::reader(std::string_view topic, C
   return Reader(std::move(state));
 }
 
-std::vector<std::string> Participant::complaints() { return core_->complaints.take(); }
+std::vector<std::string> Participant::complaints() {
+  return core_->complaints.take();
+}
 
 }  // namespace mlab::dds

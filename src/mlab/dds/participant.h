@@ -18,13 +18,13 @@ namespace mlab::dds {
 class ParticipantCore;
 
 /// Takes part in a fleet. Each one has sockets, threads (seven) and memory (some megabytes) of its own, also
-/// beside others of the same process, and hears those over the network as if they were elsewhere; so an agent has
-/// one for all of its robots. Not to be carried over a fork.
+/// beside others of the same process, and hears those over the network as if they were elsewhere; so an agent
+/// has one for all of its robots. Not to be carried over a fork.
 ///
-/// Threads: what is called here and of writers runs on the calling thread. Cyclone's thread `recvUC` receives,
-/// and hands messages to readers' queues; `dq.builtins` notices who comes and goes, `tev` sends what was
-/// lost and that this participant is alive, `lease` notices who is silent. Those four signal waiters, and run
-/// no code of callers.
+/// Threads: what is called here and of writers runs on the calling thread. Cyclone's thread `recvUC`
+/// receives, and hands messages to readers' queues; `dq.builtins` notices who comes and goes, `tev` sends
+/// what was lost and that this participant is alive, `lease` notices who is silent. Those four signal
+/// waiters, and run no code of callers.
 ///
 /// It lives until it, its writers and its readers have been destroyed, and then leaves nothing behind: no
 /// thread, no file, no shared memory (that of iceoryx, which Cyclone could use, is off).
@@ -44,14 +44,15 @@ class Participant {
   /// @param topic   1 to 200 letters, digits, `_`, `-`, `.` and `/`
   /// @param waiter  if any, it is signalled when readers come or go; may end before the writer
   /// @errors  a sentence
-  std::expected<Writer, std::string> writer(std::string_view topic, ChannelKind kind, const Waiter* waiter = nullptr);
+  std::expected<Writer, std::string> writer(std::string_view topic, ChannelKind kind,
+                                            const Waiter* waiter = nullptr);
 
   /// @param waiter  is signalled whenever there is something to take; may end before the reader
   /// @errors  a sentence
   std::expected<Reader, std::string> reader(std::string_view topic, ChannelKind kind, const Waiter& waiter);
 
-  /// What Cyclone has warned of since the last call, the newest 50: networks that went away, packets of strangers
-  /// that it could not read. It writes nothing to the terminal.
+  /// What Cyclone has warned of since the last call, the newest 50: networks that went away, packets of
+  /// strangers that it could not read. It writes nothing to the terminal.
   std::vector<std::string> complaints();
 
  private:

@@ -76,7 +76,8 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
   const std::uint32_t number = next_domain();
   auto core = std::make_shared<ParticipantCore>(number);
   const auto failed = [&](std::string_view what, dds_entity_t code) {
-    return std::unexpected(sentence(fmt::format("{} of the fleet `{}`", what, network.fleet), code, core->complaints));
+    return std::unexpected(
+        sentence(fmt::format("{} of the fleet `{}`", what, network.fleet), code, core->complaints));
   };
   const dds_entity_t domain = dds_create_domain(number, configuration->c_str());
   if (domain < 0) {
@@ -92,7 +93,8 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
   if (core->publisher.handle() < 0) return failed("no publisher", core->publisher.handle());
   if (core->subscriber.handle() < 0) return failed("no subscriber", core->subscriber.handle());
   dds_guid_t guid{};
-  if (const dds_return_t code = dds_get_guid(participant, &guid); code < 0) return failed("no identity", code);
+  if (const dds_return_t code = dds_get_guid(participant, &guid); code < 0)
+    return failed("no identity", code);
   core->guid = guid_of(guid);
   core->complaints.opened();
   return core;
@@ -101,10 +103,11 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
 std::expected<Entity, std::string> ParticipantCore::topic(std::string_view name) const {
   if (name.empty()) return std::unexpected("the topic has no name");
   if (name.size() > kMaxTopicName)
-    return std::unexpected(fmt::format("the topic's name has {} letters: {} at most", name.size(), kMaxTopicName));
+    return std::unexpected(
+        fmt::format("the topic's name has {} letters: {} at most", name.size(), kMaxTopicName));
   if (!std::ranges::all_of(name, is_topic_letter))
-    return std::unexpected(fmt::format("the topic's name `{}` has more than letters, digits, `_`, `-`, `.` and `/`",
-                                       text::shown(name)));
+    return std::unexpected(fmt::format(
+        "the topic's name `{}` has more than letters, digits, `_`, `-`, `.` and `/`", text::shown(name)));
   const dds_entity_t made = dds_create_topic(participant.handle(), &mlab_dds_Envelope_desc,
                                              topic_on_the_wire(name).c_str(), nullptr, nullptr);
   if (made < 0) return std::unexpected(fmt::format("no topic `{}`: {}", name, dds_strretcode(made)));
@@ -114,10 +117,12 @@ std::expected<Entity, std::string> ParticipantCore::topic(std::string_view name)
 Qos qos_of(const ChannelInfo& channel) {
   Qos qos(dds_create_qos());
   const auto wait = std::chrono::nanoseconds(channel.longest_wait).count();
-  dds_qset_reliability(qos.get(), channel.is_reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, wait);
-  dds_qset_durability(qos.get(), channel.is_for_latecomers ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, 1, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED,
-                              DDS_LENGTH_UNLIMITED);
+  dds_qset_reliability(qos.get(),
+                       channel.is_reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, wait);
+  dds_qset_durability(qos.get(),
+                      channel.is_for_latecomers ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, 1, DDS_LENGTH_UNLIMITED,
+                              DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   if (channel.is_newest_only)
     dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 1);
   else

@@ -132,7 +132,8 @@ TEST(DdsParticipant, KeepsFleetsApartWhoseDomainIsTheSame) {
   Reader of_strangers = reader(stranger, "status", ChannelKind::kStatus, waits);
   write_surely(of_here, "", "ours");
   write_surely(of_stranger, "", "not ours");
-  // Once both have heard from their own, as far away as from each other, they would have heard from the others too.
+  // Once both have heard from their own, as far away as from each other, they would have heard from the
+  // others too.
   EXPECT_EQ(bodies(arrivals(waits, of_strangers, Kind::kMessage)), std::vector<std::string>{"not ours"});
   EXPECT_EQ(bodies(arrivals(waits, reads, Kind::kMessage)), std::vector<std::string>{"ours"});
   std::this_thread::sleep_for(milliseconds(300));
@@ -147,7 +148,8 @@ TEST(DdsParticipant, TakesNothingThatIsWrittenAsAnotherKindAndSaysSo) {
   Writer events = writer(two.there, "topic", ChannelKind::kEvents, &two.waits);
   Reader commands = reader(two.here, "topic", ChannelKind::kCommands, two.waits);
   Reader right = reader(two.here, "topic", ChannelKind::kEvents, two.waits);
-  ASSERT_TRUE(comes_true(two.waits, [&] { return !events.mismatches().empty() && !events.readers().empty(); }));
+  ASSERT_TRUE(
+      comes_true(two.waits, [&] { return !events.mismatches().empty() && !events.readers().empty(); }));
   write_surely(events, "", "an event");
   EXPECT_EQ(bodies(arrivals(two.waits, right, Kind::kMessage)), std::vector<std::string>{"an event"});
   EXPECT_TRUE(commands.take().empty());
@@ -164,7 +166,8 @@ TEST(DdsParticipant, SaysSoWhereQualityOfServiceDoesNotMatch) {
   Two two;
   Writer percepts = writer(two.there, "topic", ChannelKind::kLivePercepts, &two.waits);
   Reader events = reader(two.here, "topic", ChannelKind::kEvents, two.waits);
-  ASSERT_TRUE(comes_true(two.waits, [&] { return !events.mismatches().empty() && !percepts.mismatches().empty(); }));
+  ASSERT_TRUE(
+      comes_true(two.waits, [&] { return !events.mismatches().empty() && !percepts.mismatches().empty(); }));
   EXPECT_EQ(events.mismatches().front(),
             "somebody writes `topic` in a way that does not go with `events`: reliability");
   EXPECT_EQ(percepts.mismatches().front(),
@@ -258,7 +261,8 @@ std::size_t descriptors_of_this_process() {
   return count;
 }
 
-/// What processes of this one's could have left there: names with its number, and those of shared memory for messages.
+/// What processes of this one's could have left there: names with its number, and those of shared memory for
+/// messages.
 std::set<std::string> left_behind() {
   std::set<std::string> found;
   for (const char* folder : {"/dev/shm", "/tmp", "."}) {

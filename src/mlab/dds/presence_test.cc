@@ -31,7 +31,8 @@ TEST(DdsPresence, OfAProcessThatIsKilledIsLostWithinASecond) {
   EXPECT_LT(silent.noticed - killed, milliseconds(1000));
   EXPECT_TRUE(presence.senders().empty());
   // Its keys are told as well, beside or after it.
-  const auto keys = first_of(all, Kind::kOrphaned).key.empty() ? arrivals(waits, presence, Kind::kOrphaned) : all;
+  const auto keys =
+      first_of(all, Kind::kOrphaned).key.empty() ? arrivals(waits, presence, Kind::kOrphaned) : all;
   EXPECT_EQ(first_of(keys, Kind::kOrphaned).key, "veh-1");
   EXPECT_EQ(first_of(arrivals(waits, presence, Kind::kUnmatched), Kind::kUnmatched).sender, came.sender);
 }
@@ -45,7 +46,8 @@ TEST(DdsPresence, OfAProcessThatIsStoppedIsLostAndComesBackWithIt) {
   for (int i = 0; i < 2; ++i) {
     const auto stopped = Clock::now();
     peer.signal(SIGSTOP);
-    EXPECT_LT(first_of(arrivals(waits, presence, Kind::kSilent), Kind::kSilent).noticed - stopped, milliseconds(1000));
+    EXPECT_LT(first_of(arrivals(waits, presence, Kind::kSilent), Kind::kSilent).noticed - stopped,
+              milliseconds(1000));
     peer.signal(SIGCONT);
     EXPECT_EQ(first_of(arrivals(waits, presence, Kind::kAlive), Kind::kAlive).sender, came.sender);
     EXPECT_EQ(presence.senders(), std::vector{came.sender});
@@ -73,7 +75,8 @@ TEST(DdsPresence, OfTwentyProcessesIsKnownWithinFiveSeconds) {
   Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
   const auto began = Clock::now();
   std::vector<Peer> peers;
-  for (std::size_t i = 0; i < kProcesses; ++i) peers.emplace_back(std::vector<std::string>{"presence", "veh-" + std::to_string(i)});
+  for (std::size_t i = 0; i < kProcesses; ++i)
+    peers.emplace_back(std::vector<std::string>{"presence", "veh-" + std::to_string(i)});
   std::set<std::string> found;
   EXPECT_TRUE(comes_true(waits, [&] {
     for (const Arrival& arrival : presence.take()) {

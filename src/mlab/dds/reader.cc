@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "envelope.h"
+#include "mlab/dds/handed_over.h"
 #include "mlab/dds/reader_state.h"
 
 namespace mlab::dds {
@@ -70,8 +71,8 @@ std::vector<Arrival> Waiting::take() {
   return taken;
 }
 
-Reader::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter, std::string topic,
-                     ChannelKind kind)
+Reader::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter,
+                     std::string topic, ChannelKind kind)
     : core_(std::move(core)),
       waiter_(std::move(waiter)),
       writers_(std::move(topic), kind, "writes"),
@@ -83,11 +84,18 @@ std::expected<void, std::string> Reader::State::begin(const std::string& topic, 
   topic_ = std::move(*made);
   const Qos qos = qos_of(info(kind));
   const Listener told = listener();
+  hand_over(this);
   const dds_entity_t reader =
       dds_create_reader(core_->subscriber.handle(), topic_.handle(), qos.get(), told.get());
-  if (reader < 0) return std::unexpected(fmt::format("`{}` can't be read: {}", topic, dds_strretcode(reader)));
+  if (reader < 0)
+    return std::unexpected(fmt::format("`{}` can't be read: {}", topic, dds_strretcode(reader)));
   reader_ = Entity(reader);
   return {};
+}
+
+Reader::State::~State() {
+  reader_.reset();
+  take_over(this);
 }
 
 Listener Reader::State::listener() {
@@ -100,6 +108,7 @@ Listener Reader::State::listener() {
 }
 
 void Reader::State::on_data(dds_entity_t reader, void* state) {
+  const ListenerCall call(state);
   auto& self = *static_cast<State*>(state);
   while (self.fetch(reader)) {
   }
@@ -135,7 +144,8 @@ std::optional<Guid> Reader::State::sender(dds_entity_t reader, dds_instance_hand
   return std::nullopt;
 }
 
-std::optional<Counterparts::Counterpart> Reader::State::look_up(dds_entity_t reader, dds_instance_handle_t writer) {
+std::optional<Counterparts::Counterpart> Reader::State::look_up(dds_entity_t reader,
+                                                                dds_instance_handle_t writer) {
   dds_builtintopic_endpoint_t* const endpoint = dds_get_matched_publication_data(reader, writer);
   if (endpoint == nullptr) return std::nullopt;
   const std::lock_guard lock(mutex_);
@@ -145,6 +155,7 @@ std::optional<Counterparts::Counterpart> Reader::State::look_up(dds_entity_t rea
 }
 
 void Reader::State::on_matched(dds_entity_t reader, dds_subscription_matched_status_t status, void* state) {
+  const ListenerCall call(state);
   auto& self = *static_cast<State*>(state);
   const bool is_there = status.current_count_change > 0;
   if (is_there) self.look_up(reader, status.last_publication_handle);
@@ -164,7 +175,9 @@ void Reader::State::on_matched(dds_entity_t reader, dds_subscription_matched_sta
              .lost = 0});
 }
 
-void Reader::State::on_liveliness(dds_entity_t /*reader*/, dds_liveliness_changed_status_t status, void* state) {
+void Reader::State::on_liveliness(dds_entity_t /*reader*/, dds_liveliness_changed_status_t status,
+                                  void* state) {
+  const ListenerCall call(state);
   auto& self = *static_cast<State*>(state);
   const bool is_silent = status.not_alive_count_change > 0;
   const bool is_alive = status.alive_count_change > 0 && status.not_alive_count_change < 0;
@@ -187,20 +200,17 @@ void Reader::State::on_liveliness(dds_entity_t /*reader*/, dds_liveliness_change
 
 void Reader::State::on_incompatible(dds_entity_t /*reader*/, dds_requested_incompatible_qos_status_t status,
                                     void* state) {
+  const ListenerCall call(state);
   auto& self = *static_cast<State*>(state);
-  {
-    const std::lock_guard lock(self.mutex_);
-    self.writers_.add_incompatible(status.last_policy_id);
-  }
+  const std::lock_guard lock(self.mutex_);
+  self.writers_.add_incompatible(status.last_policy_id);
   self.waiter_->signal();
 }
 
 void Reader::State::tell(Arrival arrival) {
   arrival.noticed = std::chrono::steady_clock::now();
-  {
-    const std::lock_guard lock(mutex_);
-    waiting_.add(std::move(arrival));
-  }
+  const std::lock_guard lock(mutex_);
+  waiting_.add(std::move(arrival));
   waiter_->signal();
 }
 
@@ -224,8 +234,14 @@ Reader::Reader(Reader&&) noexcept = default;
 Reader& Reader::operator=(Reader&&) noexcept = default;
 Reader::~Reader() = default;
 
-std::vector<Arrival> Reader::take() { return state_->take(); }
-std::vector<Guid> Reader::senders() const { return state_->senders(); }
-std::vector<std::string> Reader::mismatches() const { return state_->mismatches(); }
+std::vector<Arrival> Reader::take() {
+  return state_->take();
+}
+std::vector<Guid> Reader::senders() const {
+  return state_->senders();
+}
+std::vector<std::string> Reader::mismatches() const {
+  return state_->mismatches();
+}
 
 }  // namespace mlab::dds

@@ -36,11 +36,14 @@ class Waiting {
   std::chrono::steady_clock::time_point lost_at_;
 };
 
-/// A reader as Cyclone's threads see it: they call its listener, one at a time.
+/// A reader as Cyclone's threads see it: they call its listener, which touches it only under its lock.
 class Reader::State {
  public:
   State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter, std::string topic,
         ChannelKind kind);
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State();
 
   /// @errors  a sentence
   std::expected<void, std::string> begin(const std::string& topic, ChannelKind kind);
@@ -53,7 +56,8 @@ class Reader::State {
   static void on_data(dds_entity_t reader, void* state);
   static void on_matched(dds_entity_t reader, dds_subscription_matched_status_t status, void* state);
   static void on_liveliness(dds_entity_t reader, dds_liveliness_changed_status_t status, void* state);
-  static void on_incompatible(dds_entity_t reader, dds_requested_incompatible_qos_status_t status, void* state);
+  static void on_incompatible(dds_entity_t reader, dds_requested_incompatible_qos_status_t status,
+                              void* state);
 
   Listener listener();
   bool fetch(dds_entity_t reader);
@@ -68,7 +72,6 @@ class Reader::State {
   Counterparts writers_;
   Waiting waiting_;
   Entity topic_;
-  // Ended first: from then on nobody calls the listener.
   Entity reader_;
 };
 

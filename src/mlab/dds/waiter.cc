@@ -15,7 +15,9 @@
 
 namespace mlab::dds {
 
-WaiterState::~WaiterState() { ::close(descriptor_); }
+WaiterState::~WaiterState() {
+  ::close(descriptor_);
+}
 
 void WaiterState::signal() {
   if (is_signalled_.exchange(true)) return;
@@ -38,7 +40,8 @@ Waiter::Outcome WaiterState::acknowledge() {
 
 std::expected<Waiter, std::string> Waiter::make() {
   const int descriptor = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (descriptor < 0) return std::unexpected(fmt::format("no descriptor to wait with: {}", std::strerror(errno)));
+  if (descriptor < 0)
+    return std::unexpected(fmt::format("no descriptor to wait with: {}", std::strerror(errno)));
   Waiter waiter;
   waiter.state_ = std::make_shared<WaiterState>(descriptor);
   return waiter;
@@ -50,8 +53,9 @@ Waiter::Outcome Waiter::wait(std::chrono::milliseconds limit) {
   while (true) {
     const auto left = limit - std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began);
     const auto longest = std::chrono::milliseconds(std::numeric_limits<int>::max());
-    const int timeout = limit.count() < 0 ? -1
-                                          : static_cast<int>(std::clamp(left, std::chrono::milliseconds(0), longest).count());
+    const int timeout =
+        limit.count() < 0 ? -1
+                          : static_cast<int>(std::clamp(left, std::chrono::milliseconds(0), longest).count());
     pollfd asked{.fd = state_->descriptor(), .events = POLLIN, .revents = 0};
     const int ready = ::poll(&asked, 1, timeout);
     if (ready > 0) return state_->acknowledge();
@@ -60,10 +64,16 @@ Waiter::Outcome Waiter::wait(std::chrono::milliseconds limit) {
   }
 }
 
-void Waiter::wake() { state_->wake(); }
+void Waiter::wake() {
+  state_->wake();
+}
 
-int Waiter::descriptor() const { return state_ ? state_->descriptor() : -1; }
+int Waiter::descriptor() const {
+  return state_ ? state_->descriptor() : -1;
+}
 
-Waiter::Outcome Waiter::acknowledge() { return state_->acknowledge(); }
+Waiter::Outcome Waiter::acknowledge() {
+  return state_->acknowledge();
+}
 
 }  // namespace mlab::dds

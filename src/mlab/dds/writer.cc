@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "envelope.h"
+#include "mlab/dds/handed_over.h"
 #include "mlab/dds/writer_state.h"
 
 namespace mlab::dds {
@@ -32,8 +33,8 @@ Written written(dds_return_t code) {
 
 }  // namespace
 
-Writer::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter, std::string topic,
-                     ChannelKind kind)
+Writer::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter,
+                     std::string topic, ChannelKind kind)
     : core_(std::move(core)), waiter_(std::move(waiter)), readers_(std::move(topic), kind, "reads") {}
 
 std::expected<void, std::string> Writer::State::begin(const std::string& topic, ChannelKind kind) {
@@ -44,14 +45,22 @@ std::expected<void, std::string> Writer::State::begin(const std::string& topic, 
   const Listener told(dds_create_listener(this));
   dds_lset_publication_matched(told.get(), on_matched);
   dds_lset_offered_incompatible_qos(told.get(), on_incompatible);
+  hand_over(this);
   const dds_entity_t writer =
       dds_create_writer(core_->publisher.handle(), topic_.handle(), qos.get(), told.get());
-  if (writer < 0) return std::unexpected(fmt::format("`{}` can't be written: {}", topic, dds_strretcode(writer)));
+  if (writer < 0)
+    return std::unexpected(fmt::format("`{}` can't be written: {}", topic, dds_strretcode(writer)));
   writer_ = Entity(writer);
   return {};
 }
 
+Writer::State::~State() {
+  writer_.reset();
+  take_over(this);
+}
+
 void Writer::State::on_matched(dds_entity_t writer, dds_publication_matched_status_t status, void* state) {
+  const ListenerCall call(state);
   auto& self = *static_cast<State*>(state);
   const bool is_there = status.current_count_change > 0;
   dds_builtintopic_endpoint_t* const endpoint =
@@ -60,18 +69,17 @@ void Writer::State::on_matched(dds_entity_t writer, dds_publication_matched_stat
     const std::lock_guard lock(self.mutex_);
     if (endpoint != nullptr) self.readers_.add(status.last_subscription_handle, *endpoint);
     self.readers_.set_there(status.last_subscription_handle, is_there);
+    if (self.waiter_) self.waiter_->signal();
   }
   if (endpoint != nullptr) dds_builtintopic_free_endpoint(endpoint);
-  if (self.waiter_) self.waiter_->signal();
 }
 
 void Writer::State::on_incompatible(dds_entity_t /*writer*/, dds_offered_incompatible_qos_status_t status,
                                     void* state) {
+  const ListenerCall call(state);
   auto& self = *static_cast<State*>(state);
-  {
-    const std::lock_guard lock(self.mutex_);
-    self.readers_.add_incompatible(status.last_policy_id);
-  }
+  const std::lock_guard lock(self.mutex_);
+  self.readers_.add_incompatible(status.last_policy_id);
   if (self.waiter_) self.waiter_->signal();
 }
 
@@ -103,9 +111,17 @@ Writer::Writer(Writer&&) noexcept = default;
 Writer& Writer::operator=(Writer&&) noexcept = default;
 Writer::~Writer() = default;
 
-Written Writer::write(std::string_view key, std::string_view body) { return state_->write(key, body); }
-Written Writer::end(std::string_view key) { return state_->end(key); }
-std::vector<Guid> Writer::readers() const { return state_->readers(); }
-std::vector<std::string> Writer::mismatches() const { return state_->mismatches(); }
+Written Writer::write(std::string_view key, std::string_view body) {
+  return state_->write(key, body);
+}
+Written Writer::end(std::string_view key) {
+  return state_->end(key);
+}
+std::vector<Guid> Writer::readers() const {
+  return state_->readers();
+}
+std::vector<std::string> Writer::mismatches() const {
+  return state_->mismatches();
+}
 
 }  // namespace mlab::dds

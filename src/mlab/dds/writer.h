@@ -19,8 +19,8 @@ enum class Written : std::uint8_t {
   kFailed,   ///< Cyclone has no memory, or no network any more: Participant::complaints may tell
 };
 
-/// One topic, written. Made by Participant::writer; it takes part until it is destroyed, which may take up to a
-/// second where something that it has written was not received by all readers yet. Its keys are not ended
+/// One topic, written. Made by Participant::writer; it takes part until it is destroyed, which may take up to
+/// a second where something that it has written was not received by all readers yet. Its keys are not ended
 /// by that. May be used by any thread.
 class Writer {
  public:
@@ -35,9 +35,9 @@ class Writer {
   /// written again.
   [[nodiscard]] Written end(std::string_view key);
 
-  /// The participants that read this topic, as what it is written as. Both sides find each other by themselves: a
-  /// reader may know of this writer some milliseconds earlier. What is written before somebody stands here does not
-  /// reach him, except on channels that are for latecomers.
+  /// The participants that read this topic, as what it is written as. Both sides find each other by
+  /// themselves: a reader may know of this writer some milliseconds earlier. What is written before somebody
+  /// stands here does not reach him, except on channels that are for latecomers.
   std::vector<Guid> readers() const;
 
   /// Who reads this topic as something else, as Reader::mismatches. Nothing of this writer is taken there.

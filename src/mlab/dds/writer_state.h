@@ -14,12 +14,15 @@
 
 namespace mlab::dds {
 
-/// A writer as Cyclone's threads see it.
+/// A writer as Cyclone's threads see it: they call its listener, which touches it only under its lock.
 class Writer::State {
  public:
   /// @param waiter  may be null
   State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter, std::string topic,
         ChannelKind kind);
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State();
 
   /// @errors  a sentence
   std::expected<void, std::string> begin(const std::string& topic, ChannelKind kind);
@@ -38,7 +41,6 @@ class Writer::State {
   mutable std::mutex mutex_;
   Counterparts readers_;
   Entity topic_;
-  // Ended first: from then on nobody calls the listener.
   Entity writer_;
 };
 

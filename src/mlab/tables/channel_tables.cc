@@ -7,17 +7,21 @@
 namespace mlab::tables {
 
 std::string channel_documentation() {
-  std::string out = "| channel | lost packets | waiting for who reads | who comes late | full after | why |\n|---|---|---|---|---|---|\n";
+  std::string out =
+      "| channel | lost packets | waiting for who reads | who comes late | full after | why "
+      "|\n|---|---|---|---|---|---|\n";
   for (const dds::ChannelInfo& one : dds::kChannels) {
     const std::string lease =
-        one.lease.count() > 0 ? fmt::format("; silent after {} s", static_cast<double>(one.lease.count()) / 1000) : "";
+        one.lease.count() > 0
+            ? fmt::format("; silent after {} s", static_cast<double>(one.lease.count()) / 1000)
+            : "";
     const std::string full =
         one.longest_wait.count() > 0 ? fmt::format("{} ms", one.longest_wait.count()) : "never";
     out += fmt::format("| {} | {} | {} | {}{} | {} | {} |\n", one.name,
                        one.is_reliable ? "are sent again" : "stay lost",
                        one.is_newest_only ? "the newest of each key" : "all, in order",
-                       one.is_for_latecomers ? "gets the newest of each key" : "gets what comes from then on", lease,
-                       full, one.reason);
+                       one.is_for_latecomers ? "gets the newest of each key" : "gets what comes from then on",
+                       lease, full, one.reason);
   }
   return out;
 }

@@ -27,14 +27,18 @@ Value surely(std::expected<Value, std::string> value) {
 
 }  // namespace
 
-std::string fleet_of_this_process() { return fmt::format("test-{}", ::getpid()); }
+std::string fleet_of_this_process() {
+  return fmt::format("test-{}", ::getpid());
+}
 
 Participant participant(int lost_of_thousand, const std::string& fleet) {
   return surely(Participant::open(
       {.fleet = fleet, .interface_name = {}, .peers = {}, .lost_of_thousand = lost_of_thousand}));
 }
 
-Waiter waiter() { return surely(Waiter::make()); }
+Waiter waiter() {
+  return surely(Waiter::make());
+}
 
 Writer writer(Participant& participant, const std::string& topic, ChannelKind kind, const Waiter* waiter) {
   return surely(participant.writer(topic, kind, waiter));
@@ -106,6 +110,8 @@ Peer::~Peer() {
   ::waitpid(child_, nullptr, 0);
 }
 
-void Peer::signal(int number) const { ::kill(child_, number); }
+void Peer::signal(int number) const {
+  ::kill(child_, number);
+}
 
 }  // namespace mlab::dds

@@ -16,7 +16,8 @@ std::string fleet_of_this_process();
 
 Participant participant(int lost_of_thousand = 0, const std::string& fleet = fleet_of_this_process());
 Waiter waiter();
-Writer writer(Participant& participant, const std::string& topic, ChannelKind kind, const Waiter* waiter = nullptr);
+Writer writer(Participant& participant, const std::string& topic, ChannelKind kind,
+              const Waiter* waiter = nullptr);
 Reader reader(Participant& participant, const std::string& topic, ChannelKind kind, const Waiter& waiter);
 
 /// Waits until `condition` holds, and asks again whenever the waiter is signalled, and now and then.
@@ -35,7 +36,8 @@ Arrival first_of(const std::vector<Arrival>& arrivals, Arrival::Kind kind);
 /// Writes it as often as it takes.
 void write_surely(Writer& writer, const std::string& key, const std::string& body);
 
-/// The program `dds_peer` (testing/peer.cc) as a child, in the fleet of this process. It is killed in the end.
+/// The program `dds_peer` (testing/peer.cc) as a child, in the fleet of this process. It is killed in the
+/// end.
 class Peer {
  public:
   explicit Peer(std::vector<std::string> words, int lost_of_thousand = 0);

@@ -1,8 +1,8 @@
 // A participant in a process of its own, which tests kill, stop and count. It ends with who started it.
 //
 //     dds_peer FLEET LOST presence KEY          is there, and says so five times a second
-//     dds_peer FLEET LOST echo OUT BACK         answers each of lock-step percepts with an action of its key and body
-//     dds_peer FLEET LOST send TOPIC COUNT      writes 0, 1, 2, ... as events once somebody reads
+//     dds_peer FLEET LOST echo OUT BACK         answers each of lock-step percepts with an action of its key
+//     and body dds_peer FLEET LOST send TOPIC COUNT      writes 0, 1, 2, ... as events once somebody reads
 //     dds_peer FLEET LOST read TOPIC            reads commands, and takes none
 
 #include <sys/prctl.h>
@@ -72,8 +72,8 @@ void read_nothing(Participant& participant, const std::string& topic) {
 }
 
 void run(const std::vector<std::string>& words) {
-  Participant participant =
-      need(Participant::open({.fleet = words[1], .interface_name = {}, .peers = {}, .lost_of_thousand = std::stoi(words[2])}));
+  Participant participant = need(Participant::open(
+      {.fleet = words[1], .interface_name = {}, .peers = {}, .lost_of_thousand = std::stoi(words[2])}));
   const std::string& role = words[3];
   if (role == "presence") be_there(participant, words.at(4));
   if (role == "echo") echo(participant, words.at(4), words.at(5));
