@@ -31,7 +31,7 @@ template <class Value>
 Value need(std::expected<Value, std::string> value) {
   if (value) return std::move(*value);
   fmt::print(stderr, "dds_bench: {}\n", value.error());
-  std::exit(1);
+  ::_exit(1);
 }
 
 std::string topic_of(std::size_t robot) {

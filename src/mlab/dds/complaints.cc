@@ -23,8 +23,8 @@ struct Listeners {
 };
 
 Listeners& listeners() {
-  static Listeners* const all = new Listeners;
-  return *all;
+  static auto* const kListeners = new Listeners;
+  return *kListeners;
 }
 
 thread_local Complaints* opening = nullptr;

@@ -40,11 +40,26 @@ TEST(DdsLoss, LockStepGoesOnThoughEveryFifthPacketIsLost) {
   constexpr int kCycles = 200;
   for (int i = 0; i < kCycles; ++i) {
     write_surely(percepts, "veh-1", std::to_string(i));
-    ASSERT_EQ(bodies(arrivals(waits, actions, Kind::kMessage)), std::vector{std::to_string(i)});
+    ASSERT_EQ(bodies(arrivals(waits, actions, Kind::kMessage)), std::vector{std::to_string(i)})
+        << testing::PrintToString(here.complaints());
   }
   const double each = std::chrono::duration<double, std::milli>(Clock::now() - began).count() / kCycles;
   RecordProperty("milliseconds_for_a_cycle", std::to_string(each));
   EXPECT_LT(each, 200.0);
+}
+
+TEST(DdsLoss, WhatIsWrittenOnceAReaderIsKnownArrives) {
+  for (int i = 0; i < 10; ++i) {
+    Participant here = participant(kOneInFive);
+    Participant there = participant(kOneInFive);
+    Waiter waits = waiter();
+    Waiter waits_there = waiter();
+    Writer percepts = writer(here, "percepts", ChannelKind::kLockStepPercepts, &waits);
+    Reader reads = reader(there, "percepts", ChannelKind::kLockStepPercepts, waits_there);
+    ASSERT_TRUE(comes_true(waits, [&] { return !percepts.readers().empty(); }));
+    write_surely(percepts, "", "first");
+    ASSERT_EQ(bodies(arrivals(waits_there, reads, Kind::kMessage)), std::vector<std::string>{"first"});
+  }
 }
 
 TEST(DdsLoss, ALongBodyArrivesThoughEveryFifthPacketIsLost) {

@@ -140,6 +140,7 @@ std::optional<Guid> Reader::State::sender(dds_entity_t reader, dds_instance_hand
   }
   // The first message may come before it is told that its writer has.
   if (!known) known = look_up(reader, writer);
+  if (!known) core_->complaints.add("a message was dropped whose writer is not known");
   if (known && known->fits) return known->participant;
   return std::nullopt;
 }

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <limits>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -41,7 +41,8 @@ Waiter::Outcome WaiterState::acknowledge() {
 std::expected<Waiter, std::string> Waiter::make() {
   const int descriptor = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (descriptor < 0)
-    return std::unexpected(fmt::format("no descriptor to wait with: {}", std::strerror(errno)));
+    return std::unexpected(
+        fmt::format("no descriptor to wait with: {}", std::generic_category().message(errno)));
   Waiter waiter;
   waiter.state_ = std::make_shared<WaiterState>(descriptor);
   return waiter;

@@ -25,7 +25,8 @@ class Waiter {
 
   /// Until there is something to take from one of the readers, somebody calls `wake`, or `limit` is over.
   /// What happened between two calls is not missed: the next one comes back at once. It may come back with
-  /// kNews though everything was taken already.
+  /// kNews though everything was taken already. What happened before a call came back is not told again: all
+  /// readers are asked after each, also where the wait was for something else.
   ///
   /// @param limit  [ms], 0: only looks; less: no limit
   Outcome wait(std::chrono::milliseconds limit);

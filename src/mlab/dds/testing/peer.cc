@@ -27,7 +27,7 @@ template <class Value>
 Value need(std::expected<Value, std::string> value) {
   if (value) return std::move(*value);
   std::fprintf(stderr, "dds_peer: %s\n", value.error().c_str());
-  std::exit(1);
+  ::_exit(1);
 }
 
 void write_surely(Writer& writer, const std::string& key, const std::string& body) {
@@ -50,10 +50,10 @@ void echo(Participant& participant, const std::string& out, const std::string& b
   // Whoever asks may know of this writer before this writer knows of him.
   while (actions.readers().empty()) waiter.wait(milliseconds(1000));
   while (true) {
-    waiter.wait(milliseconds(-1));
     for (const Arrival& arrival : percepts.take()) {
       if (arrival.kind == Arrival::Kind::kMessage) write_surely(actions, arrival.key, arrival.body);
     }
+    waiter.wait(milliseconds(-1));
   }
 }
 
@@ -67,7 +67,7 @@ void send(Participant& participant, const std::string& topic, int count) {
 
 void read_nothing(Participant& participant, const std::string& topic) {
   const Waiter waiter = need(Waiter::make());
-  const Reader reader = need(participant.reader(topic, ChannelKind::kCommands, waiter));
+  [[maybe_unused]] const Reader reader = need(participant.reader(topic, ChannelKind::kCommands, waiter));
   while (true) ::pause();
 }
 
