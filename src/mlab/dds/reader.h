@@ -13,7 +13,8 @@ namespace mlab::dds {
 /// What arrives is fetched by Cyclone's receiving thread, as it arrives, into a queue of the reader's own, so
 /// that a thread that takes nothing for a while holds up neither the network nor other readers. At most
 /// kMaxWaiting arrivals and kMaxWaitingBytes of them wait there; what comes on top is counted and told
-/// (Arrival::Kind::kLost), of reliable channels too. May be used by any thread.
+/// (Arrival::Kind::kLost), of reliable channels too. Messages of a writer come in its order as far as they
+/// have the same key. May be used by any thread.
 class Reader {
  public:
   static constexpr std::size_t kMaxWaiting = 65'536;
