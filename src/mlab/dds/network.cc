@@ -160,6 +160,11 @@ std::string partition_of(std::string_view fleet) {
   return fmt::format("mlab/{}", fleet);
 }
 
+bool is_loopback_only(const Network& network) {
+  const auto own = interface_called(network.interface_name);
+  return own && own->is_loopback;
+}
+
 std::expected<std::string, std::string> configuration_of(const Network& network) {
   if (const auto fleet = check_fleet(network.fleet); !fleet) return std::unexpected(fleet.error());
   if (network.lost_of_thousand < 0 || network.lost_of_thousand >= 1000)

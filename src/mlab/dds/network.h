@@ -32,6 +32,9 @@ int domain_of(std::string_view fleet);
 /// (DDS's domain tag), and none of their topics would match (DDS's partition).
 std::string partition_of(std::string_view fleet);
 
+/// Whether the network is this machine alone: no interface is named, or the loopback is.
+bool is_loopback_only(const Network& network);
+
 /// The whole configuration of Cyclone for a participant in this network. Nothing is taken from the
 /// environment (CYCLONEDDS_URI), so that a setting for other programs opens no fleet to strangers.
 ///

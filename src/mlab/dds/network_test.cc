@@ -48,6 +48,7 @@ TEST(DdsNetwork, AnInterfaceMayBeToldByNameOrAddress) {
   network.interface_name = "lo";
   EXPECT_EQ(configuration_of(network), configuration_of(fleet_called("alpha")));
   network.interface_name = "127.0.0.1";
+  EXPECT_TRUE(is_loopback_only(network));
   network.peers = {"127.0.0.2"};
   EXPECT_NE(configuration_of(network).value().find("<Peer address=\"127.0.0.2\"/>"), std::string::npos);
 }
@@ -70,7 +71,7 @@ TEST(DdsNetwork, InterfacesThatAreNotThereAreRefusedByNameWithThoseThatAre) {
   EXPECT_NE(refusal(network).find("no network interface `nosuch0` with an IPv4 address: there is"),
             std::string::npos);
   EXPECT_NE(refusal(network).find("(127.0.0.1)"), std::string::npos);
-  for (const std::string name : {"192.0.2.77", "::1", "lo\"/>", "300.1.1.1"}) {
+  for (const std::string name : {"203.0.113.77", "::1", "lo\"/>", "300.1.1.1"}) {
     network.interface_name = name;
     EXPECT_NE(refusal(network).find("no network interface"), std::string::npos) << name;
   }

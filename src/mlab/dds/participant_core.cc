@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "envelope.h"
+#include "mlab/dds/loopback_only.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::dds {
@@ -84,6 +85,10 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
     return failed(fmt::format("no place (of {} on this machine) on the network", kMaxParticipants), domain);
   }
   core->domain = Entity(domain);
+  if (is_loopback_only(network)) {
+    const auto closed = hear_loopback_only(domain_of(network.fleet));
+    if (!closed) return std::unexpected(closed.error());
+  }
   const dds_entity_t participant = dds_create_participant(number, nullptr, nullptr);
   if (participant < 0) return failed("no participant", participant);
   core->participant = Entity(participant);

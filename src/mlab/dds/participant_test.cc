@@ -1,6 +1,12 @@
 #include "mlab/dds/participant.h"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -233,6 +239,70 @@ TEST(DdsParticipant, RefusesBadSettingsWithASentence) {
       Participant::open({.fleet = "a*b", .interface_name = {}, .peers = {}, .lost_of_thousand = 0});
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().find("the fleet's name `a*b`"), std::string::npos);
+}
+
+/// Takes all ports of a fleet's domain.
+class TakenPorts {
+ public:
+  explicit TakenPorts(int domain) {
+    for (int i = 0; i < 2 * kMaxParticipants; ++i) {
+      const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+      sockaddr_in at{};
+      at.sin_family = AF_INET;
+      at.sin_port = htons(static_cast<std::uint16_t>(7400 + 250 * domain + 10 + i));
+      ::bind(socket, reinterpret_cast<const sockaddr*>(&at), sizeof at);
+      sockets_.push_back(socket);
+    }
+  }
+  TakenPorts(const TakenPorts&) = delete;
+  TakenPorts& operator=(const TakenPorts&) = delete;
+  ~TakenPorts() {
+    for (const int socket : sockets_) ::close(socket);
+  }
+
+ private:
+  std::vector<int> sockets_;
+};
+
+TEST(DdsParticipant, SaysSoWhereAMachineHasNoPlaceLeft) {
+  const std::string fleet = fleet_of_this_process();
+  std::string error;
+  {
+    const TakenPorts taken(domain_of(fleet));
+    const auto opened =
+        Participant::open({.fleet = fleet, .interface_name = {}, .peers = {}, .lost_of_thousand = 0});
+    ASSERT_FALSE(opened);
+    error = opened.error();
+  }
+  EXPECT_NE(error.find("no place (of 120 on this machine) on the network of the fleet `" + fleet + "`"),
+            std::string::npos)
+      << error;
+  EXPECT_NE(error.find("Failed to find a free participant index"), std::string::npos) << error;
+  const Participant afterwards = participant();
+  EXPECT_NE(afterwards.guid(), Guid{});
+}
+
+/// The devices that the sockets of this process which hear all addresses are tied to; empty for one that is
+/// not.
+std::vector<std::string> devices_heard() {
+  std::vector<std::string> devices;
+  for (int descriptor = 0; descriptor < 256; ++descriptor) {
+    sockaddr_in at{};
+    socklen_t size = sizeof at;
+    if (::getsockname(descriptor, reinterpret_cast<sockaddr*>(&at), &size) != 0) continue;
+    if (at.sin_family != AF_INET || at.sin_addr.s_addr != htonl(INADDR_ANY)) continue;
+    std::array<char, 64> name{};
+    socklen_t length = name.size();
+    EXPECT_EQ(::getsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, name.data(), &length), 0);
+    devices.emplace_back(name.data());
+  }
+  return devices;
+}
+
+TEST(DdsParticipant, HearsNobodyFromOtherMachinesUnlessAnInterfaceIsNamed) {
+  const Participant one = participant();
+  const Participant other = participant();
+  EXPECT_EQ(devices_heard(), std::vector<std::string>(4, "lo"));
 }
 
 TEST(DdsParticipant, SaysNothingOnTheTerminal) {
