@@ -250,7 +250,8 @@ class TakenPorts {
       sockaddr_in at{};
       at.sin_family = AF_INET;
       at.sin_port = htons(static_cast<std::uint16_t>(7400 + 250 * domain + 10 + i));
-      ::bind(socket, reinterpret_cast<const sockaddr*>(&at), sizeof at);
+      // Those that are taken already are taken, too.
+      [[maybe_unused]] const int bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&at), sizeof at);
       sockets_.push_back(socket);
     }
   }
