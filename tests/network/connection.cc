@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <stdexcept>
 
@@ -58,16 +57,11 @@ Connection::~Connection() {
 Message Connection::ask(const std::vector<std::string>& words, const std::vector<int>& files) {
   const std::scoped_lock lock(mutex_);
   Message answer;
-  if (socket_.is_open()) {
-    const std::string failure = send_message(socket_.number(), words, files);
-    if (failure.empty()) {
-      if (std::optional<Message> received = receive_message(socket_.number())) return std::move(*received);
-    } else if (errno != EPIPE) {
-      answer.words = {"failed", failure};
-      return answer;
-    }
+  const std::string failure = send_message(socket_.number(), words, files);
+  if (failure.empty()) {
+    if (std::optional<Message> received = receive_message(socket_.number())) return std::move(*received);
   }
-  answer.words = {"failed", "the host is off"};
+  answer.words = {"failed", failure.empty() || !first_.is_alive() ? "the host is off" : failure};
   return answer;
 }
 

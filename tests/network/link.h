@@ -20,7 +20,8 @@ struct Link {
   Duration held_back = std::chrono::milliseconds(10);  ///< by so much
   double duplication = 0.0;                            ///< share that arrives twice [0..1]
   double bits_per_second = 0.0;                        ///< of whole frames; 0: any number
-  std::size_t queue_bytes = 256 * 1024;  ///< that wait for such a link at most; the rest is dropped
+  std::size_t queue_bytes =
+      std::size_t{256} * 1024;  ///< that wait for such a link at most; the rest is dropped
 };
 
 /// Packets of one link, all since the beginning. Each that was sent is counted in exactly one of delivered,

@@ -9,7 +9,7 @@
 namespace mlab::network {
 namespace {
 
-constexpr std::size_t kKept = 512 * 1024;  // bytes of the first, and of the last
+constexpr std::size_t kKept = std::size_t{512} * 1024;  // bytes of the first, and of the last
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Output::~Output() {
 }
 
 void Output::read_from(Part& part) {
-  std::array<char, 16 * 1024> block{};
+  std::array<char, 16'384> block{};
   for (;;) {
     const ssize_t size = ::read(part.pipe.number(), block.data(), block.size());
     if (size < 0 && errno == EINTR) continue;

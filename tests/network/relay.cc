@@ -20,7 +20,7 @@ constexpr std::size_t kIpHeader = 20;
 constexpr std::uint8_t kIgmp = 2;
 constexpr int kBurst = 64;  // frames that are taken from one host before the next has its turn
 constexpr std::size_t kMaxWaiting = 200'000;  // frames, of all links; then even one without a limit overflows
-constexpr std::size_t kLargestFrame = 64 * 1024;
+constexpr std::size_t kLargestFrame = std::size_t{64} * 1024;
 
 bool is_ip(std::span<const std::uint8_t> frame) {
   return frame.size() >= kEthernetHeader + kIpHeader && frame[12] == 0x08 && frame[13] == 0x00 &&

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <system_error>
-#include <tuple>
 
 #include "pidfd.h"
 
@@ -26,8 +25,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& words, std::size_t begi
 [[noreturn]] void become(const Message& request, char* const* words, char* const* environment, int failure) {
   sigset_t none;
   sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  std::ignore = std::signal(SIGPIPE, SIG_DFL);
+  ::pthread_sigmask(SIG_SETMASK, &none, nullptr);
+  set_broken_pipe(SIG_DFL);
   ::setsid();
   for (int i = 0; i < 3; ++i) ::dup2(request.files[static_cast<std::size_t>(i)].number(), i);
   const std::string& folder = request.words[0];
@@ -38,6 +37,12 @@ std::vector<char*> pointers_to(std::vector<std::string>& words, std::size_t begi
 }
 
 }  // namespace
+
+void set_broken_pipe(void (*handler)(int)) {
+  struct sigaction action{};
+  action.sa_handler = handler;
+  ::sigaction(SIGPIPE, &action, nullptr);
+}
 
 Message Children::start(Message request) {
   constexpr std::size_t kCommand = 2;

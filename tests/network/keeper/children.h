@@ -29,4 +29,7 @@ class Children {
   std::map<pid_t, Descriptor> status_of_;  ///< of those that were started and have not ended
 };
 
+/// What SIGPIPE does: nothing to the keeper, and to all that it starts what it usually does.
+void set_broken_pipe(void (*handler)(int));
+
 }  // namespace mlab::network

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <utility>
 
 #include "address.h"
 #include "keeper/failure.h"
@@ -32,8 +33,8 @@ constexpr int kReceiveBuffer = 16 * 1024 * 1024;  // the same for the socket of 
 /// An interface of this process's network namespace, as ioctl(2) asks for one.
 class Interface {
  public:
-  explicit Interface(const std::string& name)
-      : name_(name), socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+  explicit Interface(std::string name)
+      : name_(std::move(name)), socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
     check(socket_.is_open(), "making a socket");
   }
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
-#include <tuple>
 
 #include "keeper/children.h"
 #include "keeper/failure.h"
@@ -52,11 +51,11 @@ void answer_with(const Message& answer) {
 /// The first process of the host. Its end is that of all others.
 [[noreturn]] void keep(const KeeperSetup& setup) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::ignore = std::signal(SIGPIPE, SIG_IGN);
+  set_broken_pipe(SIG_IGN);
   sigset_t ended;
   sigemptyset(&ended);
   sigaddset(&ended, SIGCHLD);
-  ::sigprocmask(SIG_BLOCK, &ended, nullptr);
+  ::pthread_sigmask(SIG_BLOCK, &ended, nullptr);
   const Descriptor signals(::signalfd(-1, &ended, SFD_CLOEXEC | SFD_NONBLOCK));
   try {
     make_file_systems(setup);

@@ -37,6 +37,7 @@ sockaddr_in address(const std::string& host, const std::string& port) {
 
 int udp_socket(const std::string& port) {
   const int out = ::socket(AF_INET, SOCK_DGRAM, 0);
+  if (out < 0) give_up("making a socket");
   constexpr int kRoom = 4 * 1024 * 1024;
   if (::setsockopt(out, SOL_SOCKET, SO_RCVBUFFORCE, &kRoom, sizeof kRoom) != 0)
     ::setsockopt(out, SOL_SOCKET, SO_RCVBUF, &kRoom, sizeof kRoom);

@@ -29,7 +29,8 @@ class Hash {
 int take(const Words& words) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   const sockaddr_in here = address("0.0.0.0", words.at(0));
-  if (::bind(socket, reinterpret_cast<const sockaddr*>(&here), sizeof here) != 0 || ::listen(socket, 1) != 0)
+  if (socket < 0 || ::bind(socket, reinterpret_cast<const sockaddr*>(&here), sizeof here) != 0 ||
+      ::listen(socket, 1) != 0)
     give_up("listening");
   tell("ready");
   const int peer = ::accept(socket, nullptr, nullptr);
@@ -47,7 +48,8 @@ int take(const Words& words) {
 int give(const Words& words) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   const sockaddr_in to = address(words.at(0), words.at(1));
-  if (::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0) give_up("connecting");
+  if (socket < 0 || ::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0)
+    give_up("connecting");
   std::string text(static_cast<std::size_t>(std::atol(words.at(2).c_str())), '\0');
   for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(i * i >> 3);
   Hash hash;
