@@ -1,8 +1,9 @@
 // Clocks of hosts: the wall clock by a preloaded library, the monotonic one by a namespace.
 
 #include <cstdlib>
+#include <optional>
 #include <sstream>
-#include <thread>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -84,7 +85,13 @@ TEST_F(ClockTest, AWaitGetsLongerOrShorterIfTheClockIsSetMeanwhile) {
 }
 
 TEST_F(ClockTest, MachinesHaveRunForDifferentTimes) {
-  TestNetwork network({.hosts = {{"alpha"}, {"bravo", 36h}}});
+  std::optional<TestNetwork> made;
+  try {
+    made.emplace(NetworkSetup{.hosts = {{"alpha"}, {"bravo", 36h}}});
+  } catch (const std::runtime_error& failure) {
+    GTEST_SKIP() << failure.what();  // a kernel without time namespaces
+  }
+  TestNetwork& network = *made;
   EXPECT_NEAR(clocks_of(network.host("alpha"), false).monotonic, monotonic(), kPatience);
   EXPECT_NEAR(clocks_of(network.host("bravo"), false).monotonic, monotonic() + 36.0 * 3'600'000.0, kPatience);
 }

@@ -56,10 +56,10 @@ int wait(const Words& words) {
   std::mutex mutex;
   std::condition_variable never;
   std::unique_lock lock(mutex);
-  tell("ready");
   const auto begin = std::chrono::steady_clock::now();
   const auto until = std::chrono::system_clock::now() +
                      std::chrono::milliseconds(static_cast<int>(std::atof(words.at(0).c_str()) * 1000));
+  tell("ready");  // the clock has been read
   while (never.wait_until(lock, until) != std::cv_status::timeout) continue;
   tell(fmt::format("waited {}", std::chrono::duration_cast<std::chrono::milliseconds>(
                                     std::chrono::steady_clock::now() - begin)
