@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <sstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -52,10 +53,20 @@ class Network : public testing::TestWithParam<Means> {
   };
   // Of so many packets from host `a` to host `b`.
   static Count count_of(TestNetwork& network, int packets, int per_second) {
-    Process counting = start_ready(network.host("b"), {"count", "4000", "250"});
+    Process counting = start_ready(network.host("b"), {"count", "4000", "100"});
     Process flooding =
         start(network.host("a"), {"flood", "b", "4000", std::to_string(packets), std::to_string(per_second)});
     EXPECT_TRUE(said(flooding).starts_with(std::to_string(packets) + " in "));
+    // However long the relay has to wait for a processor.
+    const auto has_relayed_all = [&] {
+      const Counters all = network.counters(network.host("a"), network.host("b"));
+      const std::uint64_t dropped = network.host("a").overruns();
+      return all.sent + dropped >= static_cast<std::uint64_t>(packets) &&
+             all.delivered + all.lost + all.cut + all.overflowed == all.sent;
+    };
+    for (const Time end = Clock::now() + 20s; !has_relayed_all() && Clock::now() < end;)
+      std::this_thread::sleep_for(5ms);
+    counting.close_input();
     Count out;
     std::istringstream(said(counting)) >> out.all >> out.late >> out.twice >> out.which;
     return out;

@@ -17,8 +17,8 @@ int echo(const Words& words);
 int ask(const Words& words);
 /// HOST PORT COUNT PER_SECOND: sends numbers.
 int flood(const Words& words);
-/// PORT QUIET_MS: takes numbers until none has come for so long after the first; says how many, how many came
-/// after a higher one, how many twice, and a hash of which.
+/// PORT QUIET_MS: takes numbers until its input is closed and then none has come for so long; says how many,
+/// how many came after a higher one, how many twice, and a hash of which.
 int count(const Words& words);
 /// GROUP PORT: joins the group (`-`: no group); says the first packet that comes.
 int hear(const Words& words);

@@ -87,7 +87,13 @@ int count(const Words& words) {
   std::uint32_t highest = 0;
   int all = 0;
   int late = 0;
-  while (can_be_read(socket, all == 0 ? 10'000 : quiet)) {
+  bool is_closed = false;
+  for (;;) {
+    std::array<pollfd, 2> wanted = {pollfd{socket, POLLIN, 0},
+                                    pollfd{is_closed ? -1 : STDIN_FILENO, POLLIN, 0}};
+    if (::poll(wanted.data(), wanted.size(), is_closed ? quiet : -1) == 0) break;
+    if (wanted[1].revents != 0) is_closed = true;
+    if (wanted[0].revents == 0) continue;
     std::uint32_t number = 0;
     if (::recv(socket, &number, sizeof number, 0) != sizeof number || number > 10'000'000) continue;
     ++all;
