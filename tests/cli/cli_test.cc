@@ -234,7 +234,14 @@ TEST_F(Command, TheSameSeedGivesTheSameReport) {
   };
   const std::string one = report("--seed 5 --threads 1");
   EXPECT_EQ(one, report("--seed 5 --threads 2"));
+  EXPECT_EQ(one, report("--seed 5 --threads 2 --robots process"));
   EXPECT_NE(one, report("--seed 6 --threads 2"));
+}
+
+TEST_F(Command, RobotsLiveWhereThereAreSuchPlaces) {
+  const Outcome o = mlab("run m.mdl --headless --robots elsewhere");
+  EXPECT_EQ(o.status, 2);
+  EXPECT_TRUE(has(o.err, "--robots") && has(o.err, "process")) << o.err;
 }
 
 TEST_F(Command, AsksWhetherAUnitMayProceedAndTakesTheAnswers) {

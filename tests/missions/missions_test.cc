@@ -24,6 +24,7 @@
 #include "mlab/run/mission_run.h"
 #include "mlab/run/report.h"
 #include "mlab/simulated/run.h"
+#include "two_agents.h"
 
 namespace mlab {
 namespace {
@@ -35,10 +36,15 @@ constexpr std::uint64_t kSeeds = 20;
 const fs::path kMissions = fs::path(base::source_folder()) / "missions";
 const fs::path kCorpus = fs::path(base::source_folder()) / ".." / "shared" / "corpus" / "missions";
 
+// Where robots' programs are computed.
+enum class Home { kRun, kOwnProcesses, kAgents };
+
 // With the standard clock, all questions answered with yes.
-std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads) {
+std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads,
+                                         Home home = Home::kRun) {
   text::Diagnostics sink;
-  const robot::ProgramSources sources = {cell::testing::code_permitted(), file.parent_path().string()};
+  robot::ProgramSources sources = {cell::testing::code_permitted(), file.parent_path().string()};
+  sources.in_own_processes = home == Home::kOwnProcesses;
   mdl::LoadOptions options;
   options.seed = seed;
   options.societies = robot::society_reader(sources);
@@ -51,6 +57,7 @@ std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t see
   settings.seed = seed;
   settings.threads = threads;
   settings.executive.proceed_all = true;
+  if (home == Home::kAgents) settings.robots_elsewhere = [seed] { return testing::two_agents(seed); };
   auto run = simulated::make_run(mission, sources, settings, sink);
   EXPECT_TRUE(run) << text::render(sink);
   return run;
@@ -80,7 +87,7 @@ geom::Point center_of(const run::MissionRun& run, const std::string& unit_name) 
   return geom::Point{} + sum * (1.0 / static_cast<double>(count));
 }
 
-class Mission : public testing::TestWithParam<std::string> {};
+class Mission : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Mission, ArrivesWithAnySeedWithoutAContact) {
   const fs::path folder = kMissions / GetParam();
@@ -121,12 +128,25 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
   EXPECT_EQ(one, report_with(8));
 }
 
+TEST_P(Mission, GivesTheSameReportWhereverItsRobotsAre) {
+  const auto report_with = [&](Home home) {
+    const auto run = prepare(kMissions / GetParam() / (GetParam() + ".mdl"), 7, 2, home);
+    carry_out(*run, 3600.0);
+    Json report = Json::parse(run::report_json(*run, {}, run::RunEnd::kByItself));
+    report.erase("performance");
+    return report.dump();
+  };
+  const std::string embedded = report_with(Home::kRun);
+  EXPECT_EQ(embedded, report_with(Home::kOwnProcesses));
+  EXPECT_EQ(embedded, report_with(Home::kAgents));
+}
+
 // In the order of the alphabet.
 const std::string kAllMissions[] = {"demo_c",       "forage",  "formations", "herd",      "minefield",
                                     "mrv2",         "patrol",  "rally",      "robot_lab", "rover",
                                     "split_rejoin", "squeeze", "survey",     "ugv"};
 
-INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission, testing::ValuesIn(kAllMissions),
+INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission, ::testing::ValuesIn(kAllMissions),
                          [](const auto& test) { return test.param; });
 
 TEST(Missions, EveryFolderIsTried) {

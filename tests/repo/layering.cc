@@ -43,6 +43,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"library", {"schema"}},
     {"robot/program", {"cell", "percept", "robot/host", "flow", "lang/cnl", "lang/cdl", "library"}},
     {"robot/runner", {"library", "robot/process"}},
+    {"robot/remote", {"robot/program", "library"}},
     {"robot/executable", {"cell", "robot/program", "robot/process"}},
     {"component_test", {"robot/program", "lang/cdl", "percept"}},
     {"fleet", {"robot/program", "mission", "binding"}},

@@ -57,6 +57,8 @@ class Permission {
   std::expected<Wall, std::string> to_run(std::string_view code) const;
   /// The same of an executable that lies on disk: nobody here has seen its code.
   std::expected<Wall, std::string> to_start(std::string_view executable) const;
+  /// The walls round a process that runs nothing but missionlab's own code: as good as there are.
+  Wall wall_of_ours() const { return wall_.value_or(Wall::kNone); }
   /// Whether code that is written from now on may be compiled: what pages tell those who write it.
   bool takes_new_code() const { return to_compile("code that nobody has written yet").has_value(); }
 

@@ -23,8 +23,9 @@ struct RunOptions {
   bool quiet = false;
   bool allow_native = false;
   bool no_cell = false;
-  robot_host::Limits limits;  ///< of robots with code of their own
-  std::string speed;          ///< `real`, `max` or a number; empty: the default of the surface
+  bool in_own_processes = false;  ///< the robots, each
+  robot_host::Limits limits;      ///< of robots with code of their own
+  std::string speed;              ///< `real`, `max` or a number; empty: the default of the surface
   std::uint64_t seed = 1;
   int threads = 1;
   std::string report;              ///< file; empty: none

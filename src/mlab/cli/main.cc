@@ -94,6 +94,12 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->capture_default_str()
       ->check(CLI::Range(1, 256))
       ->type_name("N");
+  c->add_option_function<std::string>(
+       "--robots", [&o](const std::string& where) { o.in_own_processes = where == "process"; },
+       "embedded: all in this process; process: each in a process of its own; the result is the same")
+      ->default_str("embedded")
+      ->check(CLI::IsMember({"embedded", "process"}))
+      ->type_name("embedded|process");
   c->add_option("--report", o.report, "write what happened to a JSON file (docs/report.md)")
       ->type_name("FILE.json");
   c->add_option("--plot", o.plot, "draw the map and the robots' ways as an SVG picture")

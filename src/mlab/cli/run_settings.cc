@@ -83,6 +83,7 @@ robot::ProgramSources mission_sources(const RunOptions& options, const cell::Per
   const std::string folder = std::filesystem::path(options.mission).parent_path().string();
   robot::ProgramSources out = program_sources(folder, permission);
   out.limits = options.limits;
+  out.in_own_processes = options.in_own_processes;
   out.project = !options.project.empty() ? options.project : folder.empty() ? "." : folder;
   return out;
 }

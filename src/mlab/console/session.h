@@ -21,6 +21,7 @@ class ToServer;
 struct SessionSettings {
   cell::Permission permission;               ///< whether code that files bring may be compiled, and run
   robot_host::Limits limits;                 ///< of its programs
+  bool in_own_processes = false;             ///< its robots, each
   std::string project_folder;                ///< nothing outside of it (but the examples) is read or written
   std::string example_folder;                ///< missions that come with mlab, read only; empty: none
   std::vector<std::string> overlay_folders;  ///< as mdl::LoadOptions

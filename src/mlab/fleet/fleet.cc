@@ -33,10 +33,11 @@ std::string failure_of(const FleetRobot& robot) {
 }
 
 Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
-             const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed)
+             const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed,
+             std::unique_ptr<robot::ProgramRunner> elsewhere)
     : binding_(binding),
       workers_(static_cast<std::size_t>(binding.workers().count())),
-      runners_(seed, binding.workers().count()) {
+      runners_(seed, binding.workers().count(), std::move(elsewhere)) {
   for (const mission::Robot& declared : mission.robots) {
     robots_.push_back(make_robot(mission, declared, programs, bodies));
     enrol(robots_.back());

@@ -90,9 +90,11 @@ std::string failure_of(const FleetRobot& robot);
 /// passes on what robots tell each other. Results are the same for any number of threads.
 class Fleet {
  public:
-  /// @param programs  by index of the mission's robot types; outlive the fleet
+  /// @param programs   by index of the mission's robot types; outlive the fleet
+  /// @param elsewhere  as robot::ProgramRunners
   Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
-        const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed);
+        const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed,
+        std::unique_ptr<robot::ProgramRunner> elsewhere = nullptr);
 
   /// Brings a robot into the world.
   /// @return  where it stands

@@ -34,7 +34,7 @@ std::vector<flow::Restart> Fleet::exchange_program(FleetRobot& robot, const robo
   // Where it needs a process it is given one; what it begins with is put in place of then.
   std::vector<flow::Restart> restarts;
   if (const auto problem = runner->start(member)) restarts.push_back({after.type, *problem});
-  std::vector<flow::Restart> anew = runner->values(member)->go_on_from(*robot.runner->values(robot.member));
+  std::vector<flow::Restart> anew = runner->go_on_from(member, *robot.runner->values(robot.member));
   restarts.insert(restarts.end(), anew.begin(), anew.end());
   dismiss(robot);
   robot.runner = runner;

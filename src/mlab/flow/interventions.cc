@@ -147,6 +147,24 @@ std::vector<Interventions::Lost> Interventions::carry_over(const Program& before
   return lost;
 }
 
+bool Interventions::are_of(const Program& program) const {
+  if (held_count_ > kMostHeld || coming_count_ > kMostForced || last_count_ > kMostForced) return false;
+  const auto is_held = [&](const Held& one) {
+    if (one.port >= program.ports().size()) return false;
+    const Port& port = program.ports()[one.port];
+    return one.offset == port.offset && one.size == port.type->size && !why_never_held(program, port);
+  };
+  const auto is_forced = [&](const Forced& one) {
+    std::byte flag{};
+    std::memcpy(&flag, &one.was_done, 1);
+    return flag <= std::byte{1} && one.sequence < program.sequence_count() &&
+           one.state < program.state_names(one.sequence).size();
+  };
+  return std::all_of(held_.begin(), held_.begin() + held_count_, is_held) &&
+         std::all_of(coming_.begin(), coming_.begin() + coming_count_, is_forced) &&
+         std::all_of(last_.begin(), last_.begin() + last_count_, is_forced);
+}
+
 void Interventions::take_notes_of(const Interventions& other) {
   for (std::uint32_t i = 0; i < held_count_; ++i) held_[i].computed = other.held_[i].computed;
   for (std::uint32_t i = 0; i < coming_count_; ++i) {

@@ -78,6 +78,8 @@ class Interventions {
   /// @param has_same_code  as flow::carry_over
   std::vector<Lost> carry_over(const Program& before, const std::byte* before_frame, const Program& after,
                                std::byte* frame, bool has_same_code);
+  /// Whether these bytes, from wherever, are interventions of the program; else they must not be used.
+  bool are_of(const Program& program) const;
   /// What a process that is not trusted has noted of its cycle. These went to it.
   void take_notes_of(const Interventions& other);
 

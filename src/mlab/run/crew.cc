@@ -64,6 +64,7 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
   const robot::RobotProgram* known = known_program(type, before);
   auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink, known,
                                  type.name);
+  if (out) out->host = type.host;
   return out;
 }
 

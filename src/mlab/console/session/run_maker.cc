@@ -70,6 +70,7 @@ robot::ProgramSources RunMaker::program_sources_with(const text::Files* trial_fi
   // What is tried reads through the project by itself.
   if (out.files == nullptr) out.project = root_of(documents_.mission_folder(), settings_);
   out.limits = settings_.limits;
+  out.in_own_processes = settings_.in_own_processes;
   out.ends = jobs_end_.get_token();
   return out;
 }

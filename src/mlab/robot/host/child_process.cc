@@ -133,7 +133,8 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
       in_(std::exchange(other.in_, -1)),
       out_(std::exchange(other.out_, -1)),
       err_(std::exchange(other.err_, -1)),
-      errors_(std::move(other.errors_)) {}
+      errors_(std::move(other.errors_)),
+      was_killed_(other.was_killed_) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
   std::swap(wall_, other.wall_);
@@ -142,6 +143,7 @@ ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
   std::swap(out_, other.out_);
   std::swap(err_, other.err_);
   std::swap(errors_, other.errors_);
+  std::swap(was_killed_, other.was_killed_);
   return *this;
 }
 
@@ -222,7 +224,9 @@ std::string ChildProcess::end(double patience) {
   }
   pid_ = -1;
   take_errors();
-  return ending(cell::ending_of(status, wall_));
+  const int how = cell::ending_of(status, wall_);
+  was_killed_ = WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL;
+  return ending(how);
 }
 
 double ChildProcess::processor_time() const {

@@ -47,6 +47,8 @@ class ChildProcess {
   /// Ends it, kindly at first. @return how it ended, for a person: `exit status 3`, `signal 11 (Segmentation
   /// fault)`
   std::string end(double patience);
+  /// By SIGKILL: somebody outside ended it. Of one that has ended.
+  bool was_killed() const { return was_killed_; }
   /// The last words of its standard error, one line; empty: it said nothing.
   std::string last_words();
 
@@ -61,6 +63,7 @@ class ChildProcess {
   int out_ = -1;
   int err_ = -1;
   std::string errors_;  // the end of what it said
+  bool was_killed_ = false;
 };
 
 }  // namespace mlab::robot_host

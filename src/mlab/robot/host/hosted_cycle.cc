@@ -24,6 +24,11 @@ constexpr int kMostPatienceWithoutPlace = 3;  // processes that may end while no
 
 }  // namespace
 
+// It has nothing to bring to an end, so nobody waits for it.
+HostedCycle::~HostedCycle() {
+  if (process_) process_->fail(kNotAwaited);
+}
+
 void HostedCycle::begin() {
   count_ = 0;
   asked_.clear();
@@ -135,11 +140,13 @@ void HostedCycle::ask() {
 
 void HostedCycle::wait(const Meanwhile& meanwhile) {
   int without_place = 0;
+  int kills = 0;
   while (!asked_.empty()) {
     const std::optional<Failure> failure = await(meanwhile);
     if (!failure) return;
     std::optional<std::string> problem;
-    if (failure->place != Control::kNobody)
+    const bool is_nobodys = failure->place == Control::kNobody || (failure->was_killed && kills++ == 0);
+    if (!is_nobodys)
       blame(*failure);
     else if (++without_place == kMostPatienceWithoutPlace)
       problem = failure->what;
@@ -182,7 +189,11 @@ std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhil
   auto began = Clock::now();
   double used = process_->processor_time();
   while (!control.answered.is_after_sleep(are_all, kNap)) {
-    if (process_->note_end()) return failure_of(process_->failure());
+    if (process_->note_end()) {
+      Failure out = failure_of(process_->failure());
+      out.was_killed = process_->was_killed();
+      return out;
+    }
     if (meanwhile && meanwhile()) {
       process_->fail(kNotAwaited);
       return failure_of(process_->failure());

@@ -24,7 +24,8 @@ namespace mlab::robot_host {
 /// Cycles of robots of one program, computed by one process. The process keeps nothing from cycle to cycle: a
 /// robot's frame is handed in and comes back. Where the program of one robot ends the process, or never comes
 /// back, that robot alone has failed: another process takes the place, and the others' cycle is computed as
-/// if that robot had not been there.
+/// if that robot had not been there. A process that somebody kills is nobody's failure, unless its successor
+/// is killed as well.
 ///
 /// Per cycle: `begin`; `join` for each robot; `open`; `set` for each, on any thread; `ask`; `wait`; `take`.
 class HostedCycle {
@@ -33,6 +34,9 @@ class HostedCycle {
   ///                  its own
   HostedCycle(std::shared_ptr<const HostedProgram> program, bool is_early)
       : program_(std::move(program)), is_early_(is_early) {}
+  HostedCycle(const HostedCycle&) = delete;
+  HostedCycle& operator=(const HostedCycle&) = delete;
+  ~HostedCycle();
 
   void begin();
   /// @return  the robot's place in this cycle
@@ -71,6 +75,7 @@ class HostedCycle {
     std::string what;
     std::uint32_t place = robot_wire::Control::kNobody;  ///< among the places that were asked
     std::uint32_t node = robot_wire::Control::kNobody;
+    bool was_killed = false;  ///< by somebody outside
   };
   std::optional<std::string> ensure_process();
   std::optional<std::string> prepare();

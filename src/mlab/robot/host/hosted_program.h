@@ -18,6 +18,7 @@ struct HostedProgram {
   Launch launch;
   Limits limits;
   std::optional<wire::Load> load;  ///< what it is told to load; nothing: it has its network already
+  bool is_for_one_robot = false;   ///< each of its robots has a process of its own
   std::uint64_t frame_layout = 0;  ///< flow::Program::layout_hash
   std::size_t frame_size = 0;      ///< [bytes]
   /// By index of the network's nodes: whose code runs there (`procedure `Speed` at `steer``), for sentences

@@ -69,6 +69,8 @@ class RobotProgramProcess {
   /// Looks whether it has ended by itself, and reads what it has to say. True: it has, and has failed with
   /// that.
   bool note_end();
+  /// Somebody outside ended it. Of one of which note_end says so.
+  bool was_killed() const { return child_.was_killed(); }
 
   /// Ends it because of something that its owner saw.
   void fail(std::string why);

@@ -61,7 +61,7 @@ std::optional<cell::Wall> wall_to_compile(const cnl::Tree& tree, const ProgramSo
 }
 
 std::expected<cell::Wall, std::string> wall_to_run(ProcedureFiles files, const ProgramSources& sources) {
-  std::expected<cell::Wall, std::string> out = std::unexpected("there is no code");
+  std::expected<cell::Wall, std::string> out = sources.permission.wall_of_ours();
   for (const auto& tree : files) {
     for (const text::SourcePtr& code : cnl::code_sources(*tree)) {
       out = sources.permission.to_run(code->text());
@@ -217,7 +217,9 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
                                          std::unique_ptr<DescribedLibrary> library, const text::Place& place,
                                          const ProgramSources& sources, text::Diagnostics& sink) {
   const auto refuse = [&](const std::string& why) -> std::optional<BuiltProgram> {
-    sink.error("cannot-load", place, fmt::format("the procedures that are brought along can't run: {}", why));
+    const char* const what = files.empty() ? "robots of this program can't have processes of their own"
+                                           : "the procedures that are brought along can't run";
+    sink.error("cannot-load", place, fmt::format("{}: {}", what, why));
     return std::nullopt;
   };
   robot_host::HostedProgram hosted;
@@ -230,6 +232,7 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
   if (!hosted.load) return std::nullopt;
   const std::string runner = runner_path();
   if (runner.empty()) return refuse("`mlab-robots` is not beside this program");
+  hosted.is_for_one_robot = sources.in_own_processes;
   hosted.limits = sources.limits;
   hosted.limits.ends = sources.ends;
   hosted.launch = robot_host::launch_of(runner, *wall, hosted.limits);
@@ -262,8 +265,11 @@ std::optional<BuiltProgram> make_runnable(std::shared_ptr<const flow::Program> p
                                           const ProgramSources& sources, text::Diagnostics& sink) {
   const std::vector<std::string> codes = codes_of(network, *library);
   const bool brings_none = std::ranges::all_of(codes, &std::string::empty);
-  if (!brings_none && sources.permission.is_to_run())
-    return host_network(network, files, std::move(library), place, sources, sink);
+  if (sources.permission.is_to_run()) {
+    if (!brings_none) return host_network(network, files, std::move(library), place, sources, sink);
+    if (sources.in_own_processes)
+      return host_network(network, {}, describe_library({}), place, sources, sink);
+  }
   if (!sources.permission.is_to_run() && sources.checks_code) check_code(files, sources, sink);
   BuiltProgram out;
   out.program = brings_none && library->signatures.empty() ? std::move(program)

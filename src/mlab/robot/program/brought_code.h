@@ -38,10 +38,11 @@ void check_code(ProcedureFiles files, const ProgramSources& sources, text::Diagn
 std::unique_ptr<DescribedLibrary> checked_library_with(ProcedureFiles files, const ProgramSources& sources,
                                                        text::Diagnostics& sink);
 
-/// The program of a network that some procedures of the files take part in, ready to run: their code is
-/// compiled, and a process was asked what only it knows, how large their state is.
+/// The program of a network that processes of its own compute, ready to run: the code of the files'
+/// procedures is compiled, and a process was asked what only it knows, how large their state is.
 ///
 /// @param network  has been built with `library`, without errors
+/// @param files    whose procedures take part in it; none: it is of the component library's alone
 /// @param place    where the mission names the program
 /// @return  nothing where there were errors: what the compiler says, `no-cell`, `code-not-allowed`,
 /// `cannot-load`
@@ -56,8 +57,8 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
 std::expected<BuiltProgram, std::string> host_revealed(const wire::Revealed& revealed,
                                                        robot_host::HostedProgram hosted);
 
-/// A network as a program of this process where all of its behaviors are the component library's, else
-/// hosted.
+/// A network as a program of this process where all of its behaviors are the component library's, and the
+/// sources want no processes; else hosted.
 ///
 /// @param program  of the network, built with `library`
 std::optional<BuiltProgram> make_runnable(std::shared_ptr<const flow::Program> program,

@@ -125,12 +125,19 @@ std::optional<ConfiguredRobot> load_configuration(const std::string& name, std::
   return configure(source, wanted, type_name, place, sources, sink);
 }
 
-std::optional<ConfiguredRobot> library_robot(std::string_view name, text::Diagnostics& sink) {
+std::optional<ConfiguredRobot> library_robot(std::string_view name, const text::Place& place,
+                                             const ProgramSources& sources, text::Diagnostics& sink) {
   const cdl::Configuration& configuration = library_configuration();
   const auto robot = configuration.robots.find(name);
   if (robot == configuration.robots.end()) return std::nullopt;
   cdl::EarlierFindings said;
-  return built(configuration, *robot->second, component_library(), sink, said);
+  auto out = built(configuration, *robot->second, component_library(), sink, said);
+  if (!out) return std::nullopt;
+  auto runnable = make_runnable(std::move(out->built.program), out->lowered.network, {}, describe_library({}),
+                                place, sources, sink);
+  if (!runnable) return std::nullopt;
+  out->built = std::move(*runnable);
+  return out;
 }
 
 void check_configuration(const text::SourcePtr& source, const ProgramSources& sources,

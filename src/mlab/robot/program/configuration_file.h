@@ -60,9 +60,10 @@ std::optional<ConfiguredRobot> configure(const text::SourcePtr& source, std::str
                                          std::string_view type_name, const text::Place& place,
                                          const ProgramSources& sources, text::Diagnostics& sink);
 
-/// A robot of the component library.
-/// @return  nothing where there is none of that name
-std::optional<ConfiguredRobot> library_robot(std::string_view name, text::Diagnostics& sink);
+/// A robot of the component library, which the mission names at `place`.
+/// @return  nothing where there is none of that name, or there were errors
+std::optional<ConfiguredRobot> library_robot(std::string_view name, const text::Place& place,
+                                             const ProgramSources& sources, text::Diagnostics& sink);
 
 /// Checks a configuration as `mlab check` does: all of its declarations, and the C++ of its procedures.
 /// Nothing of it is run.

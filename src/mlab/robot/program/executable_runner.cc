@@ -34,13 +34,13 @@ ProgramRunner::Member ExecutableRunner::add(base::RobotId robot, const RobotProg
   return members_.add(std::move(added));
 }
 
-std::size_t ExecutableRunner::process_for(const std::string& executable) {
+std::size_t ExecutableRunner::process_for(const NativeProgram& native) {
   ProcessShare share(processes_.size(), most_);
   for (const Robot& robot : members_) share.count(robot.process);
-  const auto known =
-      share.least_loaded([&](std::size_t process) { return processes_[process].executable == executable; });
-  if (known) return *known;
-  processes_.emplace_back().executable = executable;
+  const auto known = share.least_loaded(
+      [&](std::size_t process) { return processes_[process].executable == native.executable; });
+  if (known && !native.is_for_one_robot) return *known;
+  processes_.emplace_back().executable = native.executable;
   return processes_.size() - 1;
 }
 
@@ -48,7 +48,7 @@ std::size_t ExecutableRunner::process_for(const std::string& executable) {
 std::optional<std::string> ExecutableRunner::start(Member member) {
   Robot& robot = members_[member];
   const NativeProgram& native = *robot.program->native;
-  if (robot.process == kNoProcess) robot.process = process_for(native.executable);
+  if (robot.process == kNoProcess) robot.process = process_for(native);
   Process& process = processes_[robot.process];
   if (!process.running || process.running->has_failed()) {
     auto started = robot_host::RobotProgramProcess::start(native.launch, native.limits);

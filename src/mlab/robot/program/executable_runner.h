@@ -63,7 +63,7 @@ class ExecutableRunner final : public ProgramRunner {
     percept::Needs needs;
     Turn turn;
   };
-  std::size_t process_for(const std::string& executable);
+  std::size_t process_for(const NativeProgram& native);
   std::optional<std::string> tell(Robot& robot, const std::string& port, const std::string& value);
   void take_answer(Process& process, const wire::Actions& actions);
 

@@ -15,9 +15,16 @@ std::size_t HostedRunner::process_for(const std::shared_ptr<const robot_host::Ho
   for (const Robot& robot : members_) share.count(robot.process);
   const auto known =
       share.least_loaded([&](std::size_t process) { return processes_[process].program == program; });
-  if (known) return *known;
+  if (known && !program->is_for_one_robot) return *known;
+  // Where the processes of robots that went were.
+  const auto free = std::ranges::find_if(processes_, [](const Process& one) { return !one.cycle; });
   const bool has_own_processor = std::thread::hardware_concurrency() >= 2U * static_cast<unsigned>(most_);
-  processes_.push_back({program, std::make_unique<robot_host::HostedCycle>(program, has_own_processor)});
+  Process made{program, std::make_unique<robot_host::HostedCycle>(program, has_own_processor)};
+  if (free != processes_.end()) {
+    *free = std::move(made);
+    return static_cast<std::size_t>(free - processes_.begin());
+  }
+  processes_.push_back(std::move(made));
   return processes_.size() - 1;
 }
 

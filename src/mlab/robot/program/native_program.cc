@@ -104,6 +104,7 @@ std::expected<std::optional<RevealedProgram>, std::string> load_revealed_program
     const std::string& name, cell::Wall wall, const ProgramSources& sources) {
   robot_host::HostedProgram hosted;
   hosted.limits = limits_of(sources);
+  hosted.is_for_one_robot = sources.in_own_processes;
   hosted.launch = launch_of_any(path_of(name, sources).string(), wall, hosted.limits);
   const auto revealed = robot_host::reveal(hosted.launch, hosted.limits);
   if (!revealed) return std::unexpected(revealed.error());
@@ -123,6 +124,7 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
   const std::size_t errors_before = sink.error_count();
   auto native = std::make_shared<NativeProgram>();
   native->limits = limits_of(sources);
+  native->is_for_one_robot = sources.in_own_processes;
   native->executable = path_of(robot.name, sources).string();
   native->launch = launch_of_any(native->executable, wall, native->limits);
   std::vector<Setting> asked;

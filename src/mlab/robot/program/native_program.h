@@ -15,6 +15,7 @@ namespace mlab::robot {
 
 /// A robot program in an executable, that runs in processes of its own.
 struct NativeProgram {
+  bool is_for_one_robot = false;  ///< each of its robots has a process of its own
   std::string executable;         ///< absolute path
   robot_host::Settings settings;  ///< of the robot type; every robot starts with them
   wire::Description description;  ///< with these settings

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mlab/base/id.h"
+#include "mlab/flow/carry_over.h"
 #include "mlab/flow/frame.h"
 #include "mlab/flow/interventions.h"
 #include "mlab/flow/program.h"
@@ -102,6 +103,10 @@ class ProgramRunner {
   virtual Workings workings(Member member) const = 0;
   /// All that is known of the robot; until the runner's next call. Null where its values are kept elsewhere.
   virtual RobotValues* values(Member /*member*/) { return nullptr; }
+  /// Goes on as the robot's program before, with what of its values this one can go on with.
+  /// @param before  what is known of the robot with that program
+  /// @return  what begins anew
+  virtual std::vector<flow::Restart> go_on_from(Member member, const RobotValues& before);
   /// All values of the robot: restored, it goes on exactly from there. Empty where they are kept elsewhere.
   virtual flow::Frame save(Member member) const = 0;
   /// @param frame  from `save`, of a robot of the same program

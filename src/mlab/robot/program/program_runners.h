@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "mlab/robot/program/program_runner.h"
 
@@ -13,7 +13,8 @@ class ProgramRunners {
  public:
   /// @param seed       of the run: names the robots' random numbers
   /// @param processes  for each program that needs some, at most, >= 1
-  ProgramRunners(std::uint64_t seed, int processes);
+  /// @param elsewhere  runs all programs that can be built elsewhere; null: they run here
+  ProgramRunners(std::uint64_t seed, int processes, std::unique_ptr<ProgramRunner> elsewhere = nullptr);
 
   /// Null: nothing here answers to the program's name.
   ProgramRunner* runner_of(const RobotProgram& program) const;
@@ -22,7 +23,7 @@ class ProgramRunners {
   auto end() const { return all_.end(); }
 
  private:
-  std::array<std::unique_ptr<ProgramRunner>, 3> all_;
+  std::vector<std::unique_ptr<ProgramRunner>> all_;  // in this process, in cells, executables, elsewhere
 };
 
 }  // namespace mlab::robot

@@ -195,6 +195,7 @@ void take_built(const RobotProgram& built, RobotProgram& robot) {
   robot.is_own = built.is_own;
   robot.reports = built.reports;
   robot.places = built.places;
+  robot.origin = built.origin;
 }
 
 // An executable outside of the project is started for nobody.
@@ -207,6 +208,29 @@ bool refuse_outside(const std::string& name, const text::Place& place, const Pro
              fmt::format("`{}` lies outside of the project folder `{}`", text::shown(name), sources.project));
   return true;
 }
+
+// Reads as the sources say, and notes what was read.
+class NotedSources {
+ public:
+  explicit NotedSources(const ProgramSources& sources)
+      : sources_(sources), files_(files_of(sources)), origin_(std::make_shared<ProgramOrigin>()) {
+    origin_->folder = sources.folder;
+    files_.read = [read = files_.read, origin = origin_](const std::string& path) {
+      auto out = read(path);
+      if (out) origin->texts.push_back(*out);
+      return out;
+    };
+    sources_.files = &files_;
+    sources_.project.clear();  // is looked after by `files_`
+  }
+  const ProgramSources& sources() const { return sources_; }
+  std::shared_ptr<const ProgramOrigin> origin() const { return origin_; }
+
+ private:
+  ProgramSources sources_;
+  text::Files files_;
+  std::shared_ptr<ProgramOrigin> origin_;
+};
 
 void warn_of_parked(std::string_view code, const text::Place& place, std::string message, std::string hint,
                     text::Diagnostics& sink) {
@@ -238,28 +262,31 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     robot.hosted = std::move(program.hosted);
     robot.is_described_only = program.is_described_only;
   };
+  const NotedSources noted(sources);
+  robot.origin = noted.origin();
   if (built != nullptr) {
     take_built(*built, robot);
   } else if (const std::string_view known = library::find_robot(last_part(name)); !known.empty()) {
-    if (auto configured = library_robot(known, sink)) {
+    if (auto configured = library_robot(known, place, sources, sink)) {
       take(std::move(configured->built));
       robot.body = std::move(configured->lowered.body);
     }
   } else if (last_part(name).ends_with(".cnl")) {
     robot.is_own = true;
-    if (auto network = read_network(name, place, sources, sink)) {
+    if (auto network = read_network(name, place, noted.sources(), sink)) {
       robot.reports = may_report(network->network);
       take(std::move(network->built));
     }
   } else if (names_configuration(last_part(name))) {
     robot.is_own = true;
-    if (auto configured = load_configuration(name, type, place, sources, sink)) {
+    if (auto configured = load_configuration(name, type, place, noted.sources(), sink)) {
       robot.reports = may_report(configured->lowered.network);
       robot.places = places_of(configured->lowered.network);
       take(std::move(configured->built));
       robot.body = std::move(configured->lowered.body);
     }
   } else if (is_executable(name, sources)) {
+    robot.origin = nullptr;
     if (refuse_outside(name, place, sources, sink)) return std::nullopt;
     const auto wall = sources.permission.to_start(name);
     if (!wall) {

@@ -33,6 +33,12 @@ struct Setting {
 
 struct NativeProgram;
 
+/// The texts that a program was built from, so that it can be built elsewhere.
+struct ProgramOrigin {
+  std::string folder;                  ///< as ProgramSources::folder
+  std::vector<text::SourcePtr> texts;  ///< all that were read
+};
+
 /// A parameter that is a named place of the mission, where the mission does not set it.
 struct PlaceParameter {
   std::string path;   ///< of the parameter
@@ -67,6 +73,9 @@ struct RobotProgram {
       {};  ///< what a configuration says of the body: `radius`, ... in SI units
   std::shared_ptr<const NativeProgram> native = nullptr;  ///< runs in processes of its own; then no `program`
 
+  std::shared_ptr<const ProgramOrigin> origin = nullptr;  ///< null: it is in an executable
+  std::string host = {};  ///< machine whose agent may carry such robots, as the mission says; empty: any
+
   std::vector<PlaceParameter> places = {};  ///< what `place("Gate")` of a configuration became
   bool is_own = false;                      ///< of a network or configuration that the mission names
   bool reports = true;  ///< false: nothing in it ever says how far the robot is with an order
@@ -87,6 +96,7 @@ struct ProgramSources {
   std::string version = {};            ///< of this program: code compiled for another one is not used again
   const text::Files* files = nullptr;  ///< how configurations and networks are read; null: from disk
   bool checks_code = true;             ///< a check gives C++ of procedures to the compiler
+  bool in_own_processes = false;       ///< each robot is computed in a process of its own
   robot_host::Limits limits = {};      ///< of programs that run in processes of their own
   std::string project = {};            ///< folder that programs, and what they use, come from; empty: any
   const Places* places = nullptr;      ///< of the mission; null: there is none, and places lie anywhere

@@ -121,6 +121,16 @@ bool RobotValues::restore(const flow::Frame& frame) {
   return true;
 }
 
+void RobotValues::adopt(std::span<const std::byte> frame, const flow::Interventions* interventions) {
+  std::memcpy(frame_.data(), frame.data(), frame_.size());
+  if (interventions == nullptr)
+    interventions_.reset();
+  else if (interventions_)
+    *interventions_ = *interventions;
+  else
+    interventions_ = std::make_unique<flow::Interventions>(*interventions);
+}
+
 std::string RobotValues::find_fault() const {
   const flow::Port* port = program().find_fault(frame_.data());
   return port != nullptr ? port->path : "its action";

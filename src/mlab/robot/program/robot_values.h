@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,8 @@ class RobotValues {
   /// @return  what begins anew
   std::vector<flow::Restart> go_on_from(const RobotValues& before);
   bool restore(const flow::Frame& frame);
+  /// Values that somebody else has computed on, which fit the program.
+  void adopt(std::span<const std::byte> frame, const flow::Interventions* interventions);
   /// Where an action that is no number comes from: path of a port, or words where all ports are sound.
   std::string find_fault() const;
 

@@ -1,0 +1,127 @@
+#include "mlab/robot/remote/agent.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::robot_remote {
+namespace {
+
+constexpr std::chrono::milliseconds kGlance(20);  // between two looks whether anybody still waits
+
+Clock::time_point from_now(double seconds) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+Agent::Agent(std::string name, std::unique_ptr<Link> link, Patience patience)
+    : name_(std::move(name)), link_(std::move(link)), patience_(patience) {}
+
+std::string Agent::failure() const {
+  if (link_->failure().empty()) return "";
+  return fmt::format("the agent on `{}` {}", name_, link_->failure());
+}
+
+void Agent::send(wire::ToAgent& message) {
+  message.set_number(++number_);
+  bytes_.clear();
+  message.AppendToString(&bytes_);
+  link_->send(bytes_);
+}
+
+const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double patience,
+                                      const robot::Meanwhile& meanwhile) {
+  const Clock::time_point last = from_now(patience);
+  while (link_->failure().empty()) {
+    if (const auto bytes = link_->receive(std::min(last, Clock::now() + kGlance))) {
+      if (!answer_.ParseFromArray(bytes->data(), static_cast<int>(bytes->size())))
+        link_->fail("answers what is no message of the agents' protocol");
+      else if (answer_.number() != number_ || (answer_.body_case() != wanted && !answer_.has_refusal()))
+        link_->fail("answers something else than it was asked");
+      else
+        return &answer_;
+    } else if (Clock::now() >= last) {
+      link_->fail(fmt::format("gave no answer for {} s", patience));
+    } else if (meanwhile && meanwhile()) {
+      link_->fail("was given up, because nobody waits for it any more");
+    }
+  }
+  return nullptr;
+}
+
+std::expected<const wire::FromAgent*, std::string> Agent::ask(wire::ToAgent& message,
+                                                              wire::FromAgent::BodyCase wanted,
+                                                              double patience) {
+  send(message);
+  const wire::FromAgent* const answer = receive(wanted, patience, {});
+  if (answer == nullptr) return std::unexpected(failure());
+  if (answer->has_refusal())
+    return std::unexpected(
+        fmt::format("the agent on `{}` refuses: {}", name_, text::shown(answer->refusal().text(), 2000)));
+  return answer;
+}
+
+std::expected<const wire::FromAgent*, std::string> Agent::ask(wire::ToAgent& message,
+                                                              wire::FromAgent::BodyCase wanted) {
+  return ask(message, wanted, patience_.answer);
+}
+
+std::optional<std::string> Agent::open(std::uint64_t seed, const std::string& version) {
+  wire::ToAgent message;
+  wire::Open& open = *message.mutable_open();
+  open.set_protocol(kAgentProtocol);
+  open.set_version(version);
+  open.set_layout(robot_wire::shared_layout());
+  open.set_seed(seed);
+  const auto answer = ask(message, wire::FromAgent::kOpened);
+  if (!answer) return answer.error();
+  const wire::Opened& opened = (*answer)->opened();
+  if (opened.protocol() == kAgentProtocol && opened.version() == version &&
+      opened.layout() == robot_wire::shared_layout())
+    return std::nullopt;
+  link_->fail(fmt::format("is missionlab {} (protocol {}), and this is {} (protocol {}): install the same",
+                          text::shown(opened.version()), opened.protocol(), version, kAgentProtocol));
+  return failure();
+}
+
+std::expected<std::uint32_t, std::string> Agent::bring(const robot::RobotProgram& program) {
+  if (const auto known = brought_.find(program.program); known != brought_.end()) return known->second;
+  if (!program.origin)
+    return std::unexpected("is an executable, which no agent starts: start it there, by hand");
+  wire::ToAgent message;
+  wire::Bring& bring = *message.mutable_bring();
+  const auto number = static_cast<std::uint32_t>(brought_.size() + 1);
+  bring.set_program(number);
+  bring.set_name(program.name);
+  bring.set_type(program.type);
+  bring.set_folder(program.origin->folder);
+  for (const text::SourcePtr& source : program.origin->texts) {
+    wire::ProgramText& text = *bring.add_texts();
+    text.set_path(source->name());
+    text.set_text(std::string(source->text()));
+  }
+  bring.set_frame_layout(program.program->layout_hash());
+  const auto answer = ask(message, wire::FromAgent::kBrought, patience_.program);
+  if (!answer) return std::unexpected(answer.error());
+  brought_[program.program] = number;
+  return number;
+}
+
+void Agent::send_cycle(wire::ToAgent& message) {
+  send(message);
+}
+
+const wire::AgentActed* Agent::receive_cycle(const robot::Meanwhile& meanwhile) {
+  const wire::FromAgent* const answer = receive(wire::FromAgent::kActed, patience_.cycle, meanwhile);
+  if (answer == nullptr) return nullptr;
+  if (answer->has_acted()) return &answer->acted();
+  link_->fail(fmt::format("refuses a cycle: {}", text::shown(answer->refusal().text(), 200)));
+  return nullptr;
+}
+
+}  // namespace mlab::robot_remote

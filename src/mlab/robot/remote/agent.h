@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mlab/agent.pb.h"
+#include "mlab/robot/program/program_runner.h"
+#include "mlab/robot/program/robot_program.h"
+#include "mlab/robot/remote/link.h"
+
+namespace mlab::robot_remote {
+
+/// Version of proto/mlab/agent.proto; agents of another one are not understood.
+inline constexpr std::uint32_t kAgentProtocol = 1;
+
+/// How long an agent may take [s].
+struct Patience {
+  double answer = 10.0;    ///< for what concerns one robot
+  double program = 300.0;  ///< to build a program, which may have C++ that is to be compiled
+  double cycle = 60.0;     ///< its robots' processes have limits of their own: this ends only one that hangs
+};
+
+/// One agent, as a run talks to it. Whatever is asked of one whose link has failed is answered at once, with
+/// that.
+class Agent {
+ public:
+  /// @param name  of its machine, for people
+  Agent(std::string name, std::unique_ptr<Link> link, Patience patience = {});
+
+  const std::string& name() const { return name_; }
+  /// What became of it, as a sentence about it. Empty: it stands.
+  std::string failure() const;
+
+  /// Says who asks, for which run. First of all.
+  /// @errors  a sentence: it is of another version
+  std::optional<std::string> open(std::uint64_t seed, const std::string& version);
+  /// Sees to it that it has the program.
+  /// @return  how the agent calls it
+  /// @errors  a sentence
+  std::expected<std::uint32_t, std::string> bring(const robot::RobotProgram& program);
+
+  /// The answer to a message. Valid until the next call.
+  /// @errors  why there is none, as a sentence
+  std::expected<const wire::FromAgent*, std::string> ask(wire::ToAgent& message,
+                                                         wire::FromAgent::BodyCase wanted);
+
+  /// Sends a cycle without waiting for what the robots do.
+  void send_cycle(wire::ToAgent& message);
+  /// What they do; null where the agent has failed. Valid until the next call.
+  const wire::AgentActed* receive_cycle(const robot::Meanwhile& meanwhile);
+  /// Gives it up because of something that its owner saw, as a sentence about it without its name.
+  void fail(std::string why) { link_->fail(std::move(why)); }
+
+ private:
+  void send(wire::ToAgent& message);
+  const wire::FromAgent* receive(wire::FromAgent::BodyCase wanted, double patience,
+                                 const robot::Meanwhile& meanwhile);
+  std::expected<const wire::FromAgent*, std::string> ask(wire::ToAgent& message,
+                                                         wire::FromAgent::BodyCase wanted, double patience);
+
+  std::string name_;
+  std::unique_ptr<Link> link_;
+  Patience patience_;
+  std::uint64_t number_ = 0;
+  // Kept alive by their keys, so that no other program comes to have the address of one of them.
+  std::map<std::shared_ptr<const flow::Program>, std::uint32_t> brought_;
+  std::string bytes_;
+  wire::FromAgent answer_;
+};
+
+}  // namespace mlab::robot_remote

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mlab::robot_remote {
+
+using Clock = std::chrono::steady_clock;
+
+/// Messages there and back between a run and one agent: whole, in order, none lost as long as it stands.
+/// What carries them is behind it. Used by one thread at a time.
+class Link {
+ public:
+  Link() = default;
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  virtual ~Link() = default;
+
+  /// Hands a message over; it does not wait for the other side to read it. Nothing happens where it has
+  /// failed.
+  virtual void send(std::string_view message) = 0;
+  /// The next message, waited for until then; valid until the next call. Nothing: none came, or it has
+  /// failed.
+  virtual std::optional<std::string_view> receive(Clock::time_point deadline) = 0;
+
+  /// What became of the other side, as a sentence without its subject: `ended with exit status 3`, `has been
+  /// silent for 5 s`. Empty: it stands. One that failed stays failed.
+  virtual const std::string& failure() const = 0;
+  /// Gives it up because of something that its owner saw.
+  virtual void fail(std::string why) = 0;
+};
+
+}  // namespace mlab::robot_remote

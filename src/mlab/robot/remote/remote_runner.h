@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mlab/agent.pb.h"
+#include "mlab/robot/program/members.h"
+#include "mlab/robot/program/program_runner.h"
+#include "mlab/robot/program/robot_values.h"
+#include "mlab/robot/remote/agent.h"
+
+namespace mlab::robot_remote {
+
+/// Programs that agents carry, on this machine or others. A robot's values are at its agent; what is known of
+/// them here is fetched when somebody looks, and comes with the actions as long as somebody does.
+///
+/// A robot whose program names a host goes to the agent of that name, any other to the one with the fewest.
+/// One whose agent fails has failed; started again, it goes to another agent.
+class RemoteRunner final : public robot::ProgramRunner {
+ public:
+  /// @param agents  opened
+  explicit RemoteRunner(std::vector<std::unique_ptr<Agent>> agents);
+
+  Member add(base::RobotId robot, const robot::RobotProgram& program) override;
+  void remove(Member member) override;
+  std::optional<std::string> start(Member member) override;
+  std::optional<std::string> set(Member member, std::string_view port, const std::string& value) override;
+  std::optional<std::string> force(Member member, std::string_view sequence, std::string_view state) override;
+  std::optional<std::string> hold(Member member, std::string_view port, std::string_view value) override;
+  std::optional<std::string> release(Member member, std::string_view port) override;
+  bool take_over(Member member, const robot::RobotProgram& after, bool is_running) override;
+  void open() override;
+  void needs(std::span<const Member> members, std::span<percept::Needs> out) const override;
+  void act(std::span<const Turn> turns) override;
+  void ask() override;
+  void wait(const robot::Meanwhile& meanwhile) override;
+  robot::Workings workings(Member member) const override;
+  robot::RobotValues* values(Member member) override;
+  std::vector<flow::Restart> go_on_from(Member member, const robot::RobotValues& before) override;
+  flow::Frame save(Member member) const override;
+  bool restore(Member member, const flow::Frame& frame) override;
+
+ private:
+  static constexpr std::uint64_t kLongAgo = ~std::uint64_t{0} / 2;
+  struct Carrier {
+    std::unique_ptr<Agent> agent;
+    std::uint32_t robots = 0;
+    wire::ToAgent cycle;
+    std::vector<Member> joined;
+  };
+  struct Robot {
+    robot::RobotValues values;   // as they were known last
+    Carrier* carrier = nullptr;  // null: it was not started
+    std::uint32_t number = 0;    // by which its agent knows it
+    percept::Needs needs;
+    int place = 0;  // in the cycle
+    Turn turn;
+    std::uint64_t known = 0;         // after which cycle its values were as they are here
+    std::uint64_t asked = kLongAgo;  // after which cycle somebody looked last
+  };
+  std::expected<Carrier*, std::string> carrier_for(const std::string& host);
+  void leave(Robot& robot);
+  std::optional<std::string> put(Robot& robot, bool begins);
+  std::optional<std::string> change(Robot& robot, wire::Change::Kind kind, std::string_view path,
+                                    std::string_view value);
+  const Robot& looked_at(Member member) const;
+  void take_answer(Carrier& carrier, const wire::AgentActed& acted);
+  std::optional<std::string> take_action(const wire::AgentAction& acted, Robot& robot) const;
+
+  std::vector<Carrier> carriers_;
+  mutable robot::Members<Robot> members_;  // who looks makes their values newer
+  std::uint32_t next_number_ = 1;
+  std::uint64_t cycle_ = 0;  // that have been
+};
+
+}  // namespace mlab::robot_remote

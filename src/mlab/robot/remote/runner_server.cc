@@ -1,0 +1,303 @@
+#include "mlab/robot/remote/runner_server.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/library/library.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/robot/program/robot_values.h"
+#include "mlab/robot/remote/agent.h"
+#include "mlab/robot/remote/states.h"
+#include "mlab/robot/wire/action_wire.h"
+#include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::robot_remote {
+namespace {
+
+constexpr std::size_t kMostPrograms = 1000;
+constexpr std::size_t kMostRobots = 10'000;
+
+/// The texts that a run has brought, as the only files that there are.
+class BroughtTexts {
+ public:
+  explicit BroughtTexts(const wire::Bring& message) {
+    for (const wire::ProgramText& one : message.texts())
+      texts_[one.path()] = std::make_shared<const text::Source>(one.path(), one.text());
+    files_.is_file = [this](const std::string& path) { return texts_.contains(path); };
+    files_.read = [this](const std::string& path) -> text::Result<text::SourcePtr> {
+      const auto at = texts_.find(path);
+      if (at != texts_.end()) return at->second;
+      text::Diagnostic missing;
+      missing.kind = "cannot-read";
+      missing.message = fmt::format("the run has not brought `{}`", text::shown(path, 200));
+      return std::unexpected(missing);
+    };
+  }
+  BroughtTexts(const BroughtTexts&) = delete;
+  BroughtTexts& operator=(const BroughtTexts&) = delete;
+  ~BroughtTexts() = default;
+  const text::Files& files() const { return files_; }
+
+ private:
+  std::map<std::string, text::SourcePtr> texts_;
+  text::Files files_;
+};
+
+// Only what is built from text: nothing that lies on this machine is ever started because of a name.
+bool is_built_from_text(const std::string& name) {
+  const std::string last = std::filesystem::path(name).filename().string();
+  return !library::find_robot(last).empty() || last.ends_with(".cnl") || robot::names_configuration(last);
+}
+
+}  // namespace
+
+RunnerServer::RunnerServer(robot::ProgramSources sources) : sources_(std::move(sources)) {
+  // What arrives may be anything: no frame that came from elsewhere is stepped in this process.
+  sources_.in_own_processes = true;
+}
+
+std::string_view RunnerServer::answer(std::string_view message, const robot::Meanwhile& meanwhile) {
+  answer_.Clear();
+  if (!message_.ParseFromArray(message.data(), static_cast<int>(message.size()))) {
+    message_.Clear();
+    refuse("this is no message of the agents' protocol");
+  } else {
+    answer_.set_number(message_.number());
+    answer_body(message_, meanwhile);
+  }
+  bytes_.clear();
+  answer_.AppendToString(&bytes_);
+  return bytes_;
+}
+
+void RunnerServer::refuse(std::string why) {
+  answer_.mutable_refusal()->set_text(std::move(why));
+}
+
+void RunnerServer::answer_body(const wire::ToAgent& message, const robot::Meanwhile& meanwhile) {
+  if (!runners_ && !message.has_open()) {
+    refuse("no run has opened this conversation");
+    return;
+  }
+  switch (message.body_case()) {
+    case wire::ToAgent::kOpen:
+      open(message.open());
+      break;
+    case wire::ToAgent::kBring:
+      bring(message.bring());
+      break;
+    case wire::ToAgent::kEnlist:
+      enlist(message.enlist());
+      break;
+    case wire::ToAgent::kDismiss:
+      dismiss(message.dismiss());
+      break;
+    case wire::ToAgent::kPut:
+      put(message.put());
+      break;
+    case wire::ToAgent::kChange:
+      change(message.change());
+      break;
+    case wire::ToAgent::kLook:
+      look(message.look());
+      break;
+    case wire::ToAgent::kCycle:
+      act(message.cycle(), meanwhile);
+      break;
+    case wire::ToAgent::BODY_NOT_SET:
+      refuse("a message of a kind that this agent does not know");
+      break;
+  }
+}
+
+void RunnerServer::open(const wire::Open& message) {
+  if (runners_) {
+    refuse("this conversation was opened already");
+    return;
+  }
+  wire::Opened& opened = *answer_.mutable_opened();
+  opened.set_protocol(kAgentProtocol);
+  opened.set_version(sources_.version);
+  opened.set_layout(robot_wire::shared_layout());
+  // A run of another version is told so by this, and says no more.
+  const bool is_same = message.protocol() == kAgentProtocol && message.version() == sources_.version &&
+                       message.layout() == robot_wire::shared_layout();
+  if (is_same) runners_ = std::make_unique<robot::ProgramRunners>(message.seed(), 1);
+}
+
+void RunnerServer::bring(const wire::Bring& message) {
+  if (programs_.contains(message.program()) || programs_.size() >= kMostPrograms) {
+    refuse("there is a program of that number, or there are too many");
+    return;
+  }
+  if (!is_built_from_text(message.name())) {
+    refuse(fmt::format("`{}` is no program that can be brought", text::shown(message.name(), 200)));
+    return;
+  }
+  const BroughtTexts texts(message);
+  robot::ProgramSources sources = sources_;
+  sources.folder = message.folder();
+  sources.files = &texts.files();
+  text::Diagnostics sink;
+  auto program = robot::load_program(message.name(), {}, {}, sources, {}, sink, nullptr, message.type());
+  if (!program || !program->program) {
+    refuse(fmt::format("`{}` can't be built: {}", text::shown(message.name(), 200), text::render(sink)));
+    return;
+  }
+  if (program->program->layout_hash() != message.frame_layout()) {
+    refuse(fmt::format("`{}` becomes another program here", text::shown(message.name(), 200)));
+    return;
+  }
+  programs_[message.program()] = std::make_unique<const robot::RobotProgram>(std::move(*program));
+  answer_.mutable_brought();
+}
+
+RunnerServer::Robot* RunnerServer::known(std::uint32_t number) {
+  const auto at = robots_.find(number);
+  if (at != robots_.end()) return &at->second;
+  refuse("there is no such robot here");
+  return nullptr;
+}
+
+void RunnerServer::enlist(const wire::Enlist& message) {
+  const auto program = programs_.find(message.program());
+  robot::ProgramRunner* const runner =
+      program == programs_.end() ? nullptr : runners_->runner_of(*program->second);
+  if (runner == nullptr || robots_.contains(message.member()) || robots_.size() >= kMostRobots) {
+    refuse("there is a robot of that number, or no such program, or there are too many robots");
+    return;
+  }
+  const base::RobotId id{message.robot()};
+  robots_[message.member()] = {runner, runner->add(id, *program->second), program->second.get(), false};
+  answer_.mutable_done();
+}
+
+void RunnerServer::dismiss(const wire::Dismiss& message) {
+  Robot* const robot = known(message.member());
+  if (robot == nullptr) return;
+  robot->runner->remove(robot->member);
+  robots_.erase(message.member());
+  answer_.mutable_done();
+}
+
+void RunnerServer::put_needs(const Robot& robot, wire::Needs& out) const {
+  percept::Needs needs;
+  robot.runner->needs({&robot.member, 1}, {&needs, 1});
+  robot_wire::encode(needs, out);
+}
+
+void RunnerServer::put_state(const Robot& robot, wire::RobotState& out) {
+  const robot::Workings workings = robot.runner->workings(robot.member);
+  encode(workings.frame, workings.program->frame_size(), workings.interventions, out);
+}
+
+void RunnerServer::put(const wire::Put& message) {
+  Robot* const robot = known(message.member());
+  if (robot == nullptr) return;
+  const auto state = decode(message.state(), *robot->program->program);
+  if (!state) {
+    refuse(state.error());
+    return;
+  }
+  wire::Done& done = *answer_.mutable_done();
+  if (message.begins()) {
+    if (auto problem = robot->runner->start(robot->member)) {
+      done.set_problem(std::move(*problem));
+      return;
+    }
+    robot->has_begun = true;
+  }
+  robot->runner->values(robot->member)
+      ->adopt({state->frame.data(), state->frame.size()}, state->interventions.get());
+  put_needs(*robot, *done.mutable_needs());
+}
+
+void RunnerServer::change(const wire::Change& message) {
+  Robot* const robot = known(message.member());
+  if (robot == nullptr) return;
+  robot::ProgramRunner& runner = *robot->runner;
+  std::optional<std::string> problem;
+  switch (message.kind()) {
+    case wire::Change::SET:
+      problem = runner.set(robot->member, message.path(), message.value());
+      break;
+    case wire::Change::FORCE:
+      problem = runner.force(robot->member, message.path(), message.value());
+      break;
+    case wire::Change::HOLD:
+      problem = runner.hold(robot->member, message.path(), message.value());
+      break;
+    case wire::Change::RELEASE:
+      problem = runner.release(robot->member, message.path());
+      break;
+    default:
+      refuse("a change of a kind that this agent does not know");
+      return;
+  }
+  wire::Done& done = *answer_.mutable_done();
+  if (problem) done.set_problem(std::move(*problem));
+  put_needs(*robot, *done.mutable_needs());
+}
+
+void RunnerServer::look(const wire::Look& message) {
+  const Robot* const robot = known(message.member());
+  if (robot != nullptr) put_state(*robot, *answer_.mutable_seen()->mutable_state());
+}
+
+// All of it, before any robot acts.
+std::optional<std::string> RunnerServer::read(const wire::AgentCycle& cycle) {
+  std::set<std::uint32_t> numbers;
+  for (int i = 0; i < cycle.robots_size(); ++i) {
+    const wire::AgentTurn& turn = cycle.robots(i);
+    const auto at = robots_.find(turn.member());
+    if (at == robots_.end() || !at->second.has_begun)
+      return fmt::format("robot {} of the cycle has not begun here", turn.member());
+    if (!numbers.insert(turn.member()).second)
+      return fmt::format("robot {} stands in one cycle twice", turn.member());
+    const auto place = static_cast<std::size_t>(i);
+    if (parts_.size() == place) parts_.push_back(std::make_unique<Part>());
+    Part& part = *parts_[place];
+    part.robot = &at->second;
+    part.fault.clear();
+    part.failure.clear();
+    if (const auto problem = part.percepts.decode(turn.percepts()))
+      return fmt::format("the percepts of robot {}: {}", turn.member(), *problem);
+  }
+  return std::nullopt;
+}
+
+void RunnerServer::act(const wire::AgentCycle& cycle, const robot::Meanwhile& meanwhile) {
+  if (auto problem = read(cycle)) {
+    refuse(std::move(*problem));
+    return;
+  }
+  const std::span parts(parts_.data(), static_cast<std::size_t>(cycle.robots_size()));
+  for (const auto& part : parts) part->robot->runner->join(part->robot->member);
+  for (const auto& runner : *runners_) runner->open();
+  for (const auto& part : parts) {
+    const robot::ProgramRunner::Turn turn{part->robot->member, &part->percepts.percepts(), &part->action,
+                                          &part->fault, &part->failure};
+    part->robot->runner->act({&turn, 1});
+  }
+  for (const auto& runner : *runners_) runner->ask();
+  for (const auto& runner : *runners_) runner->wait(meanwhile);
+  wire::AgentActed& acted = *answer_.mutable_acted();
+  for (int i = 0; i < cycle.robots_size(); ++i) {
+    const Part& part = *parts[static_cast<std::size_t>(i)];
+    wire::AgentAction& out = *acted.add_robots();
+    out.set_member(cycle.robots(i).member());
+    out.set_failure(part.failure);
+    if (!part.failure.empty()) continue;
+    robot_wire::encode(part.action, *out.mutable_action());
+    out.set_fault(part.fault);
+    put_needs(*part.robot, *out.mutable_needs());
+    if (cycle.robots(i).wants_state()) put_state(*part.robot, *out.mutable_state());
+  }
+}
+
+}  // namespace mlab::robot_remote

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/agent.pb.h"
+#include "mlab/robot/program/program_runners.h"
+#include "mlab/robot/program/robot_program.h"
+#include "mlab/robot/wire/percepts_wire.h"
+
+namespace mlab::robot_remote {
+
+/// The agent's side of the conversation with one run: builds the programs that the run brings, and has its
+/// robots computed, each in a process of its own. All of them end with this object.
+class RunnerServer {
+ public:
+  /// @param sources  what of code that a run brings may be compiled and run here, and by what means
+  explicit RunnerServer(robot::ProgramSources sources);
+
+  /// Does what a message asks for. Anything may arrive.
+  /// @param meanwhile  asked again and again while robots are waited for, may be empty; true: nobody waits
+  /// for
+  ///                   them
+  /// @return  the answer, valid until the next call
+  std::string_view answer(std::string_view message, const robot::Meanwhile& meanwhile = {});
+
+  std::size_t robot_count() const { return robots_.size(); }
+
+ private:
+  struct Robot {
+    robot::ProgramRunner* runner = nullptr;
+    robot::ProgramRunner::Member member = 0;
+    const robot::RobotProgram* program = nullptr;
+    bool has_begun = false;
+  };
+  /// Its part of a cycle.
+  struct Part {
+    Robot* robot = nullptr;
+    robot_wire::DecodedPercepts percepts;
+    percept::Action action;
+    std::string fault;
+    std::string failure;
+  };
+  void answer_body(const wire::ToAgent& message, const robot::Meanwhile& meanwhile);
+  void open(const wire::Open& message);
+  void bring(const wire::Bring& message);
+  void enlist(const wire::Enlist& message);
+  void dismiss(const wire::Dismiss& message);
+  void put(const wire::Put& message);
+  void change(const wire::Change& message);
+  void look(const wire::Look& message);
+  void act(const wire::AgentCycle& cycle, const robot::Meanwhile& meanwhile);
+  std::optional<std::string> read(const wire::AgentCycle& cycle);
+  void refuse(std::string why);
+  Robot* known(std::uint32_t number);
+  void put_needs(const Robot& robot, wire::Needs& out) const;
+  static void put_state(const Robot& robot, wire::RobotState& out);
+
+  robot::ProgramSources sources_;
+  std::unique_ptr<robot::ProgramRunners> runners_;  // null: no run has opened
+  std::map<std::uint32_t, std::unique_ptr<const robot::RobotProgram>> programs_;
+  std::map<std::uint32_t, Robot> robots_;
+  std::vector<std::unique_ptr<Part>> parts_;  // the first of them are of this cycle
+  wire::ToAgent message_;
+  wire::FromAgent answer_;
+  std::string bytes_;
+};
+
+}  // namespace mlab::robot_remote
