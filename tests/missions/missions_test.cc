@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "fleet_of_threads.h"
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/lang/mdl/mdl.h"
@@ -37,7 +39,13 @@ const fs::path kMissions = fs::path(base::source_folder()) / "missions";
 const fs::path kCorpus = fs::path(base::source_folder()) / ".." / "shared" / "corpus" / "missions";
 
 // Where robots' programs are computed.
-enum class Home { kRun, kOwnProcesses, kAgents };
+enum class Home { kRun, kOwnProcesses, kAgents, kFleet, kLossyFleet };
+
+// Of whose packets every fifth does not arrive.
+testing::FleetOfThreads& lossy_fleet() {
+  static testing::FleetOfThreads kFleet(200);
+  return kFleet;
+}
 
 // With the standard clock, all questions answered with yes.
 std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads,
@@ -58,6 +66,10 @@ std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t see
   settings.threads = threads;
   settings.executive.proceed_all = true;
   if (home == Home::kAgents) settings.robots_elsewhere = [seed] { return testing::two_agents(seed); };
+  if (home == Home::kFleet)
+    settings.robots_elsewhere = [seed] { return testing::FleetOfThreads::shared().make_runner(seed); };
+  if (home == Home::kLossyFleet)
+    settings.robots_elsewhere = [seed] { return lossy_fleet().make_runner(seed); };
   auto run = simulated::make_run(mission, sources, settings, sink);
   EXPECT_TRUE(run) << text::render(sink);
   return run;
@@ -128,17 +140,27 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
   EXPECT_EQ(one, report_with(8));
 }
 
+std::string report_with(const std::string& mission, Home home, double most_seconds = 3600.0) {
+  const auto run = prepare(kMissions / mission / (mission + ".mdl"), 7, 2, home);
+  carry_out(*run, most_seconds);
+  Json report = Json::parse(run::report_json(*run, {}, run::RunEnd::kByItself));
+  report.erase("performance");
+  return report.dump();
+}
+
 TEST_P(Mission, GivesTheSameReportWhereverItsRobotsAre) {
-  const auto report_with = [&](Home home) {
-    const auto run = prepare(kMissions / GetParam() / (GetParam() + ".mdl"), 7, 2, home);
-    carry_out(*run, 3600.0);
-    Json report = Json::parse(run::report_json(*run, {}, run::RunEnd::kByItself));
-    report.erase("performance");
-    return report.dump();
-  };
-  const std::string embedded = report_with(Home::kRun);
-  EXPECT_EQ(embedded, report_with(Home::kOwnProcesses));
-  EXPECT_EQ(embedded, report_with(Home::kAgents));
+  const std::string embedded = report_with(GetParam(), Home::kRun);
+  EXPECT_EQ(embedded, report_with(GetParam(), Home::kOwnProcesses));
+  EXPECT_EQ(embedded, report_with(GetParam(), Home::kAgents));
+  EXPECT_EQ(embedded, report_with(GetParam(), Home::kFleet));
+}
+
+// Whole missions where somebody wants to wait for them: each packet that is lost costs milliseconds.
+TEST_P(Mission, GivesTheSameReportThoughEveryFifthPacketIsLost) {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing sets variables
+  const double most_seconds = std::getenv("MLAB_WHOLE_LOSSY_MISSIONS") != nullptr ? 3600.0 : 5.0;
+  EXPECT_EQ(report_with(GetParam(), Home::kRun, most_seconds),
+            report_with(GetParam(), Home::kLossyFleet, most_seconds));
 }
 
 // In the order of the alphabet.

@@ -44,6 +44,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"robot/program", {"cell", "percept", "robot/host", "flow", "lang/cnl", "lang/cdl", "library"}},
     {"robot/runner", {"library", "robot/process"}},
     {"robot/remote", {"robot/program", "library"}},
+    {"agents", {"robot/remote", "dds"}},
     {"robot/executable", {"cell", "robot/program", "robot/process"}},
     {"component_test", {"robot/program", "lang/cdl", "percept"}},
     {"fleet", {"robot/program", "mission", "binding"}},
@@ -67,8 +68,10 @@ const std::map<std::string, Modules, std::less<>> kKept = {
 };
 
 /// Whose messages a file of proto/mlab holds, by how its name begins.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kMessages = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMessages = {{
     {"robot", "robot/wire"},
+    {"agent", "robot/remote"},
+    {"presence", "agents"},
     {"percepts_file", "recording"},
     {"console", "console"},
     {"designer", "designer"},

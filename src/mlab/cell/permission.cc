@@ -14,7 +14,9 @@ std::expected<Wall, std::string> Permission::judge(std::string_view code, std::s
   const bool is_known = grounds_.known && grounds_.known->contains(code);
   if (grounds_.people == Grounds::People::kElsewhere && !grounds_.allows_native && !is_known) {
     return std::unexpected(fmt::format(
-        "with --listen, code that was not on disk when mlab started is {} only with --allow-native", what));
+        "where other machines take part, code that was not on disk when mlab started is {} only with "
+        "--allow-native",
+        what));
   }
   return wall_;
 }

@@ -15,6 +15,20 @@ inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kBadInput = 2;
 
+/// Where robots' programs are computed.
+enum class RobotsAt {
+  kRun,           ///< in the process of the run
+  kOwnProcesses,  ///< each in one of its own, on this machine
+  kFleet,         ///< at the agents of a fleet
+};
+
+/// Which fleet, and how it is reached.
+struct NetworkOptions {
+  std::string fleet = "default";
+  std::string interface_name;      ///< or its address; empty: nothing leaves this machine
+  std::vector<std::string> peers;  ///< addresses of other machines
+};
+
 struct RunOptions {
   std::string mission;  ///< file; empty: a console without one
   bool headless = false;
@@ -23,9 +37,10 @@ struct RunOptions {
   bool quiet = false;
   bool allow_native = false;
   bool no_cell = false;
-  bool in_own_processes = false;  ///< the robots, each
-  robot_host::Limits limits;      ///< of robots with code of their own
-  std::string speed;              ///< `real`, `max` or a number; empty: the default of the surface
+  RobotsAt robots = RobotsAt::kRun;
+  NetworkOptions network;     ///< of kFleet
+  robot_host::Limits limits;  ///< of robots with code of their own
+  std::string speed;          ///< `real`, `max` or a number; empty: the default of the surface
   std::uint64_t seed = 1;
   int threads = 1;
   std::string report;              ///< file; empty: none
@@ -56,6 +71,24 @@ int run(const RunOptions& options);
 int run_console(const RunOptions& options);
 /// The designer, and beside it a console without a mission, until it is interrupted.
 int edit(RunOptions options);
+
+struct AgentOptions {
+  NetworkOptions network;
+  std::string name;  ///< in the fleet; empty: the machine's
+  bool allow_native = false;
+  bool no_cell = false;
+  robot_host::Limits limits;  ///< of the robots' processes
+};
+/// Carries robots for runs of a fleet, until it is interrupted.
+int agent(const AgentOptions& options);
+
+struct FleetOptions {
+  NetworkOptions network;
+  bool once = false;
+  bool json = false;
+};
+/// Says who is in a fleet, again and again until it is interrupted.
+int show_fleet(const FleetOptions& options);
 
 struct CheckOptions {
   std::vector<std::string> files;

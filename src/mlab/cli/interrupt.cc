@@ -14,6 +14,10 @@ namespace {
 volatile std::sig_atomic_t interrupts = 0;
 timespec first_interrupt{};
 
+void on_signal(int /*signal*/) {
+  note_interrupt();
+}
+
 }  // namespace
 
 bool was_interrupted() {
@@ -30,6 +34,12 @@ void note_interrupt() {
   const double seconds = static_cast<double>(now.tv_sec - first_interrupt.tv_sec) +
                          1e-9 * static_cast<double>(now.tv_nsec - first_interrupt.tv_nsec);
   if (seconds > 0.5) ::_exit(kFailed);
+}
+
+void note_interrupts() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, SIG_IGN) != SIG_IGN) std::signal(signal, on_signal);  // nohup ignores one
+  }
 }
 
 }  // namespace mlab::cli

@@ -9,4 +9,7 @@ bool was_interrupted();
 /// it again wants out at once: then it does not return.
 void note_interrupt();
 
+/// From here on Ctrl-C, `kill` and the end of the terminal are noted, and end nothing by themselves.
+void note_interrupts();
+
 }  // namespace mlab::cli

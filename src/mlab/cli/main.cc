@@ -54,7 +54,8 @@ void add_no_cell(CLI::App* c, bool& no_cell) {
 }
 
 // What is said of code that files bring.
-void add_cell(CLI::App* c, RunOptions& o) {
+template <class Options>
+void add_cell(CLI::App* c, Options& o) {
   add_no_cell(c, o.no_cell);
   c->add_option_function<std::uint32_t>(
        "--cell-memory",
@@ -76,6 +77,38 @@ void add_cell(CLI::App* c, RunOptions& o) {
       ->type_name("SECONDS");
 }
 
+void add_network(CLI::App* c, NetworkOptions& o) {
+  c->add_option(
+       "--network", o.interface_name,
+       "the network interface, or its address, that the fleet's other machines are reached by; without, "
+       "nothing leaves this machine")
+      ->type_name("INTERFACE|ADDRESS");
+  c->add_option("--peer", o.peers,
+                "address of another machine, where the network carries no multicast; again "
+                "for each")
+      ->type_name("ADDRESS");
+}
+
+void add_robots(CLI::App* c, RunOptions& o) {
+  c->add_option_function<std::string>(
+       "--robots",
+       [&o](const std::string& where) {
+         o.robots = where == "process" ? RobotsAt::kOwnProcesses
+                    : where == "fleet" ? RobotsAt::kFleet
+                                       : RobotsAt::kRun;
+       },
+       "embedded: all in this process; process: each in a process of its own; fleet: on other machines, or "
+       "in "
+       "other processes, whose agents wait for them (docs/robots_of_their_own.md). The result is the same")
+      ->default_str("embedded")
+      ->check(CLI::IsMember({"embedded", "process", "fleet"}))
+      ->type_name("embedded|process|fleet");
+  c->add_option("--fleet", o.network.fleet, "the fleet of --robots fleet")
+      ->capture_default_str()
+      ->type_name("NAME");
+  add_network(c, o.network);
+}
+
 void add_run(CLI::App& app, RunOptions& o) {
   CLI::App* c = app.add_subcommand("run", "Carry out a mission in simulation, watched from a browser.");
   c->add_option("mission", o.mission,
@@ -94,12 +127,7 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->capture_default_str()
       ->check(CLI::Range(1, 256))
       ->type_name("N");
-  c->add_option_function<std::string>(
-       "--robots", [&o](const std::string& where) { o.in_own_processes = where == "process"; },
-       "embedded: all in this process; process: each in a process of its own; the result is the same")
-      ->default_str("embedded")
-      ->check(CLI::IsMember({"embedded", "process"}))
-      ->type_name("embedded|process");
+  add_robots(c, o);
   c->add_option("--report", o.report, "write what happened to a JSON file (docs/report.md)")
       ->type_name("FILE.json");
   c->add_option("--plot", o.plot, "draw the map and the robots' ways as an SVG picture")
@@ -321,6 +349,30 @@ void add_bench(CLI::App& app, BenchOptions& o) {
   c->add_option("--json", o.json, "write the figures to a file")->type_name("FILE");
 }
 
+void add_agent(CLI::App& app, AgentOptions& o) {
+  CLI::App* c = app.add_subcommand(
+      "agent",
+      "Carry robots for runs of a fleet, each in a process of its own (docs/robots_of_their_own.md).");
+  c->add_option("--fleet", o.network.fleet, "the fleet to join")->capture_default_str()->type_name("NAME");
+  c->add_option("--name", o.name,
+                "of this agent in the fleet, which NEW-ROBOT names as host (default: the "
+                "machine's)")
+      ->type_name("NAME");
+  add_network(c, o.network);
+  c->add_flag("--allow-native", o.allow_native,
+              "with --network: compile and run, in cells, C++ that runs on other machines bring");
+  add_cell(c, o);
+}
+
+void add_fleet(CLI::App& app, FleetOptions& o) {
+  CLI::App* c =
+      app.add_subcommand("fleet", "Who is in a fleet: machines, robots, versions; live on a terminal.");
+  c->add_option("fleet", o.network.fleet, "the fleet")->capture_default_str()->type_name("NAME");
+  add_network(c, o.network);
+  c->add_flag("--once", o.once, "say it once, and end");
+  c->add_flag("--json", o.json, "say it once, as JSON");
+}
+
 void add_lsp(CLI::App& app, bool& says_stdio) {
   CLI::App* c = app.add_subcommand(
       "lsp", "Language server for editors: LSP 3.17 over standard input and output (docs/editors.md).");
@@ -426,6 +478,64 @@ std::vector<std::string> words_in(int argc, char** argv) {
   return words;
 }
 
+/// What the command line says, of each command.
+struct AllOptions {
+  RunOptions run;
+  RunOptions edit;
+  CheckOptions check;
+  TestOptions test;
+  FormatOptions format;
+  DiffOptions diff;
+  DescribeOptions describe;
+  BuildOptions build;
+  ImportOptions import;
+  BenchOptions bench;
+  AgentOptions agent;
+  FleetOptions fleet;
+  NewOptions fresh;
+  OwnOptions own;
+  bool says_stdio = false;
+};
+
+void add_all(CLI::App& app, AllOptions& o) {
+  o.run.threads = std::min(hardware_threads(), 8);
+  add_run(app, o.run);
+  add_console(app.get_subcommand("run"), o.run, "Operator console");
+  o.edit = o.run;
+  add_edit(app, o.edit);
+  add_check(app, o.check);
+  add_test_components(app, o.test);
+  add_fmt(app, o.format);
+  add_diff(app, o.diff);
+  add_describe(app, o.describe);
+  add_build(app, o.build);
+  add_import(app, o.import);
+  add_bench(app, o.bench);
+  add_agent(app, o.agent);
+  add_fleet(app, o.fleet);
+  add_lsp(app, o.says_stdio);
+  add_new(app, o.fresh);
+  add_own(app, o.own);
+}
+
+int do_as_told(CLI::App& app, const AllOptions& o) {
+  if (app.got_subcommand("run")) return run(o.run);
+  if (app.got_subcommand("edit")) return edit(o.edit);
+  if (app.got_subcommand("check")) return check(o.check);
+  if (app.got_subcommand("test-components")) return test_components(o.test);
+  if (app.got_subcommand("fmt")) return format(o.format);
+  if (app.got_subcommand("diff")) return diff(o.diff);
+  if (app.got_subcommand("describe")) return describe(o.describe);
+  if (app.got_subcommand("build")) return build(o.build);
+  if (app.got_subcommand("import")) return import(o.import);
+  if (app.got_subcommand("lsp")) return lsp();
+  if (app.got_subcommand("agent")) return agent(o.agent);
+  if (app.got_subcommand("fleet")) return show_fleet(o.fleet);
+  if (app.got_subcommand("new")) return make_new(o.fresh);
+  if (!app.got_subcommand("bench")) return show_own(app, o.own);
+  return bench(o.bench);
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Specify, check and carry out missions of teams of robots.", "mlab");
   app.set_version_flag("--version", fmt::format("mlab {}", kVersion));
@@ -434,34 +544,8 @@ int parse_and_run(int argc, char** argv) {
       "Exit status: 0 done as asked; 1 it ran, but the mission failed or a check found a problem; 2 bad "
       "input or usage.\n"
       "Documentation: docs/README.md");
-  RunOptions run_options;
-  run_options.threads = std::min(hardware_threads(), 8);
-  CheckOptions check_options;
-  FormatOptions format_options;
-  DescribeOptions describe_options;
-  BuildOptions build_options;
-  ImportOptions import_options;
-  BenchOptions bench_options;
-  add_run(app, run_options);
-  add_console(app.get_subcommand("run"), run_options, "Operator console");
-  RunOptions edit_options = run_options;
-  add_edit(app, edit_options);
-  add_check(app, check_options);
-  TestOptions test_options;
-  add_test_components(app, test_options);
-  add_fmt(app, format_options);
-  DiffOptions diff_options;
-  add_diff(app, diff_options);
-  add_describe(app, describe_options);
-  add_build(app, build_options);
-  add_import(app, import_options);
-  add_bench(app, bench_options);
-  bool says_stdio = false;
-  add_lsp(app, says_stdio);
-  NewOptions new_options;
-  add_new(app, new_options);
-  OwnOptions own_options;
-  add_own(app, own_options);
+  AllOptions options;
+  add_all(app, options);
   const std::vector<std::string> words = words_in(argc, argv);
   if (is_unknown_command(app, words) && tell_unknown_word(app, words)) return kBadInput;
   try {
@@ -471,19 +555,7 @@ int parse_and_run(int argc, char** argv) {
     if (!is_success && tell_unknown_word(app, words)) return kBadInput;
     return app.exit(e) == 0 ? kDone : kBadInput;
   }
-  if (app.got_subcommand("run")) return run(run_options);
-  if (app.got_subcommand("edit")) return edit(edit_options);
-  if (app.got_subcommand("check")) return check(check_options);
-  if (app.got_subcommand("test-components")) return test_components(test_options);
-  if (app.got_subcommand("fmt")) return format(format_options);
-  if (app.got_subcommand("diff")) return diff(diff_options);
-  if (app.got_subcommand("describe")) return describe(describe_options);
-  if (app.got_subcommand("build")) return build(build_options);
-  if (app.got_subcommand("import")) return import(import_options);
-  if (app.got_subcommand("lsp")) return lsp();
-  if (app.got_subcommand("new")) return make_new(new_options);
-  if (!app.got_subcommand("bench")) return show_own(app, own_options);
-  return bench(bench_options);
+  return do_as_told(app, options);
 }
 
 }  // namespace

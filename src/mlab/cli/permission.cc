@@ -47,6 +47,17 @@ cell::Permission permission_to_build(const BuildOptions& options) {
   return permission_to_check(true, options.no_cell);
 }
 
+cell::Permission permission_to_carry(const AgentOptions& options) {
+  const bool is_local = options.network.interface_name.empty();
+  return cell::Permission::decide({.purpose = Grounds::Purpose::kRun,
+                                   .people = is_local ? Grounds::People::kHere : Grounds::People::kElsewhere,
+                                   .allows_native = options.allow_native,
+                                   .without_cell = options.no_cell,
+                                   .is_trusted = true,
+                                   .known = nullptr},
+                                  cell::means());
+}
+
 cell::Permission permission_to_run(const RunOptions& options, Grounds::People people,
                                    const std::string& folder) {
   const bool is_open = people == Grounds::People::kElsewhere && !options.allow_native;

@@ -16,6 +16,10 @@ cell::Permission permission_to_check(bool is_trusted, bool without_cell);
 /// Of `build` and exports: the code is what the command line names.
 cell::Permission permission_to_build(const BuildOptions& options);
 
+/// Of `agent`: the code is what runs of its fleet bring. What other machines can reach takes none without
+/// being told to.
+cell::Permission permission_to_carry(const AgentOptions& options);
+
 /// Of `run` and `edit`.
 ///
 /// @param people  who takes part

@@ -8,7 +8,10 @@
 
 #include <fmt/core.h>
 
+#include "mlab/agents/fleet_runner.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/fleet_network.h"
+#include "mlab/cli/version.h"
 #include "mlab/robot/program/configuration_file.h"
 
 namespace mlab::cli {
@@ -76,6 +79,16 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
   out.settings.executive.patience = options.patience;
   out.settings.executive.epoch_seconds = clock->epoch_seconds;
   out.settings.executive.zone_offset = clock->zone_offset;
+  if (options.robots == RobotsAt::kFleet) {
+    const auto roster = agents::Roster::join(network_of(options.network));
+    if (!roster) {
+      usage_error(roster.error());
+      return std::nullopt;
+    }
+    out.settings.robots_elsewhere = [roster = *roster, seed = options.seed] {
+      return agents::make_fleet_runner(roster, seed, kVersion);
+    };
+  }
   return out;
 }
 
@@ -83,7 +96,7 @@ robot::ProgramSources mission_sources(const RunOptions& options, const cell::Per
   const std::string folder = std::filesystem::path(options.mission).parent_path().string();
   robot::ProgramSources out = program_sources(folder, permission);
   out.limits = options.limits;
-  out.in_own_processes = options.in_own_processes;
+  out.in_own_processes = options.robots == RobotsAt::kOwnProcesses;
   out.project = !options.project.empty() ? options.project : folder.empty() ? "." : folder;
   return out;
 }

@@ -1,5 +1,7 @@
 #include "mlab/dds/writer.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -51,7 +53,27 @@ std::expected<void, std::string> Writer::State::begin(const std::string& topic, 
   if (writer < 0)
     return std::unexpected(fmt::format("`{}` can't be written: {}", topic, dds_strretcode(writer)));
   writer_ = Entity(writer);
+  note_those_before();
   return {};
+}
+
+// Readers that matched while the writer was being made: Cyclone tells of them, but says nothing of them then.
+void Writer::State::note_those_before() {
+  std::array<dds_instance_handle_t, 1024> handles{};
+  const dds_return_t count = dds_get_matched_subscriptions(writer_.handle(), handles.data(), handles.size());
+  for (std::size_t i = 0; i < std::min(handles.size(), static_cast<std::size_t>(std::max(count, 0))); ++i) {
+    dds_builtintopic_endpoint_t* const endpoint =
+        dds_get_matched_subscription_data(writer_.handle(), handles[i]);
+    if (endpoint == nullptr) continue;  // it has gone again
+    {
+      const std::lock_guard lock(mutex_);
+      if (!readers_.find(handles[i])) {
+        readers_.add(handles[i], *endpoint);
+        readers_.set_there(handles[i], true);
+      }
+    }
+    dds_builtintopic_free_endpoint(endpoint);
+  }
 }
 
 Writer::State::~State() {

@@ -33,6 +33,7 @@ class Writer::State {
   std::vector<std::string> mismatches() const;
 
  private:
+  void note_those_before();
   static void on_matched(dds_entity_t writer, dds_publication_matched_status_t status, void* state);
   static void on_incompatible(dds_entity_t writer, dds_offered_incompatible_qos_status_t status, void* state);
 

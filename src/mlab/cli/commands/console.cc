@@ -248,7 +248,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.include_root = program_sources("", {}).include_root;
   out.state_folder = state_folder();
   out.limits = options.limits;
-  out.in_own_processes = options.in_own_processes;
+  out.in_own_processes = options.robots == RobotsAt::kOwnProcesses;
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
   return out;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -35,10 +34,6 @@
 
 namespace mlab::cli {
 namespace {
-
-void on_run_interrupt(int) {
-  note_interrupt();
-}
 
 // Until the time is over, or until somebody wants an end.
 void pass_time(double seconds) {
@@ -171,8 +166,7 @@ int run(const RunOptions& options) {
     person.see(effect);
   });
   run.set_meanwhile(was_interrupted);
-  std::signal(SIGINT, on_run_interrupt);
-  std::signal(SIGTERM, on_run_interrupt);
+  note_interrupts();
 
   run::Performance performance;
   performance.started_at = print(wall_clock());

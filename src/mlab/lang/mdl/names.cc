@@ -78,8 +78,9 @@ bool Roster::define_type(const statement::NewRobot& statement) {
   }
   if (statement.host && !statement.host->text.empty()) {
     type.host = statement.host->text;
-    diagnostics_.note("host-without-meaning", place(statement.host->span),
-                      "hosts have no meaning yet: robots of this type run on this machine");
+    diagnostics_.note("host-needs-fleet", place(statement.host->span),
+                      "with `--robots fleet` robots of this type are carried by the agent of this name, else "
+                      "they are computed here");
   }
   type.place = place(statement.program.span);
   for (const Parameter& p : statement.parameters) {

@@ -16,15 +16,18 @@ namespace {
 
 constexpr std::size_t kSentence = 400;  // characters that an agent may say of a robot
 
+// One that does not answer carries nothing any more.
+void dismiss(Agent& agent, std::uint32_t number) {
+  wire::ToAgent message;
+  message.mutable_dismiss()->set_member(number);
+  [[maybe_unused]] const auto answer = agent.ask(message, wire::FromAgent::kDone);
+}
+
 std::span<const std::byte> bytes_of(const flow::Frame& frame) {
   return {frame.data(), frame.size()};
 }
 
 }  // namespace
-
-RemoteRunner::RemoteRunner(std::vector<std::unique_ptr<Agent>> agents) {
-  for (auto& agent : agents) carriers_.push_back({std::move(agent), 0, {}, {}});
-}
 
 robot::ProgramRunner::Member RemoteRunner::add(base::RobotId robot, const robot::RobotProgram& program) {
   Robot added;
@@ -40,16 +43,15 @@ void RemoteRunner::remove(Member member) {
 void RemoteRunner::leave(Robot& robot) {
   if (robot.carrier == nullptr) return;
   --robot.carrier->robots;
-  wire::ToAgent message;
-  message.mutable_dismiss()->set_member(robot.number);
-  // One that does not answer carries nothing any more.
-  static_cast<void>(robot.carrier->agent->ask(message, wire::FromAgent::kDone));
+  dismiss(*robot.carrier->agent, robot.number);
   robot.carrier = nullptr;
 }
 
 std::expected<RemoteRunner::Carrier*, std::string> RemoteRunner::carrier_for(const std::string& host) {
+  Newcomers newcomers = recruit_(host);
+  for (auto& agent : newcomers.agents) carriers_.push_back({std::move(agent), 0, {}, {}});
   Carrier* best = nullptr;
-  std::string failure;
+  std::string failure = std::move(newcomers.why_none);
   for (Carrier& carrier : carriers_) {
     if (!host.empty() && carrier.agent->name() != host) continue;
     if (std::string what = carrier.agent->failure(); !what.empty())
@@ -58,9 +60,7 @@ std::expected<RemoteRunner::Carrier*, std::string> RemoteRunner::carrier_for(con
       best = &carrier;
   }
   if (best != nullptr) return best;
-  if (!failure.empty()) return std::unexpected(fmt::format("has no agent: {}", failure));
-  if (host.empty()) return std::unexpected("has no agent: none has joined the fleet");
-  return std::unexpected(fmt::format("has no agent: none on `{}` has joined the fleet", host));
+  return std::unexpected("has no agent: " + failure);
 }
 
 std::optional<std::string> RemoteRunner::start(Member member) {
@@ -86,7 +86,7 @@ std::optional<std::string> RemoteRunner::start(Member member) {
   return put(robot, true);
 }
 
-std::optional<std::string> RemoteRunner::put(Robot& robot, bool begins) {
+std::optional<std::string> RemoteRunner::put(Robot& robot, bool begins) const {
   wire::ToAgent message;
   wire::Put& put = *message.mutable_put();
   put.set_member(robot.number);

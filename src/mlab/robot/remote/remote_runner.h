@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,8 +22,14 @@ namespace mlab::robot_remote {
 /// One whose agent fails has failed; started again, it goes to another agent.
 class RemoteRunner final : public robot::ProgramRunner {
  public:
-  /// @param agents  opened
-  explicit RemoteRunner(std::vector<std::unique_ptr<Agent>> agents);
+  struct Newcomers {
+    std::vector<std::unique_ptr<Agent>> agents;  ///< opened; each is told once
+    std::string why_none;                        ///< why there may be none, a sentence for a person
+  };
+  /// Says which agents have joined since it was asked last.
+  /// @param host  of the robot that wants one; empty: it does not matter
+  using Recruit = std::function<Newcomers(const std::string& host)>;
+  explicit RemoteRunner(Recruit recruit) : recruit_(std::move(recruit)) {}
 
   Member add(base::RobotId robot, const robot::RobotProgram& program) override;
   void remove(Member member) override;
@@ -62,14 +70,15 @@ class RemoteRunner final : public robot::ProgramRunner {
   };
   std::expected<Carrier*, std::string> carrier_for(const std::string& host);
   void leave(Robot& robot);
-  std::optional<std::string> put(Robot& robot, bool begins);
+  std::optional<std::string> put(Robot& robot, bool begins) const;
   std::optional<std::string> change(Robot& robot, wire::Change::Kind kind, std::string_view path,
                                     std::string_view value);
   const Robot& looked_at(Member member) const;
   void take_answer(Carrier& carrier, const wire::AgentActed& acted);
   std::optional<std::string> take_action(const wire::AgentAction& acted, Robot& robot) const;
 
-  std::vector<Carrier> carriers_;
+  Recruit recruit_;
+  std::deque<Carrier> carriers_;
   mutable robot::Members<Robot> members_;  // who looks makes their values newer
   std::uint32_t next_number_ = 1;
   std::uint64_t cycle_ = 0;  // that have been

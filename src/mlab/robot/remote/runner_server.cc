@@ -149,6 +149,10 @@ void RunnerServer::bring(const wire::Bring& message) {
     refuse(fmt::format("`{}` can't be built: {}", text::shown(message.name(), 200), text::render(sink)));
     return;
   }
+  if (!program->hosted) {
+    refuse("this agent may start no processes for robots");
+    return;
+  }
   if (program->program->layout_hash() != message.frame_layout()) {
     refuse(fmt::format("`{}` becomes another program here", text::shown(message.name(), 200)));
     return;

@@ -1,0 +1,202 @@
+#include "mlab/agents/agent_process.h"
+
+#include <sys/sysinfo.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/agents/conversation.h"
+#include "mlab/agents/roster.h"
+#include "mlab/agents/topics.h"
+#include "mlab/robot/remote/agent.h"
+#include "mlab/robot/wire/shared_cycle.h"
+
+namespace mlab::agents {
+namespace {
+
+constexpr std::chrono::milliseconds kBeat(500);         // between two words that it is there
+constexpr std::chrono::milliseconds kNameGlance(1500);  // in which somebody of the same name is found
+constexpr std::size_t kMostConversations = 64;
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
+}
+
+std::string counted_robots(std::size_t count) {
+  return fmt::format("{} robot{}", count, count == 1 ? "" : "s");
+}
+
+class AgentProcess {
+ public:
+  AgentProcess(const AgentSettings& settings, std::shared_ptr<Roster> roster, dds::Waiter waiter,
+               dds::Reader requests, dds::Writer answers, dds::Writer presence)
+      : settings_(settings),
+        roster_(std::move(roster)),
+        waiter_(std::move(waiter)),
+        requests_(std::move(requests)),
+        answers_(std::move(answers)),
+        presence_(std::move(presence)) {}
+
+  void serve(const std::stop_token& stop) {
+    const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
+    Clock::time_point next_beat = Clock::now();
+    while (!stop.stop_requested()) {
+      if (Clock::now() >= next_beat) {
+        say_presence();
+        next_beat = Clock::now() + kBeat;
+      }
+      waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
+          std::max<Clock::duration>(next_beat - Clock::now(), std::chrono::milliseconds(1))));
+      for (const dds::Arrival& arrival : requests_.take()) take(arrival);
+      std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
+    }
+    conversations_.clear();
+    static_cast<void>(presence_.end(settings_.name));
+  }
+
+ private:
+  /// A run may begin many conversations, and another one the same.
+  using Key = std::pair<dds::Guid, std::string>;
+
+  void take(const dds::Arrival& arrival) {
+    using Kind = dds::Arrival::Kind;
+    if (arrival.kind == Kind::kUnmatched) {
+      end_all_of(arrival.sender);
+    } else if (arrival.kind == Kind::kMessage) {
+      const Key key{arrival.sender, arrival.key};
+      auto at = conversations_.find(key);
+      if (at == conversations_.end()) {
+        if (conversations_.size() >= kMostConversations) return;
+        at = conversations_.emplace(key, begin(key)).first;
+        settings_.tell("a run has begun to talk to this agent");
+      }
+      if (!at->second->add(arrival.body)) at->second->end();
+    } else if (arrival.kind == Kind::kLost) {
+      // Nobody can say what is missing in which of them.
+      settings_.tell("more has arrived than could be kept: all runs have lost their robots here");
+      for (auto& [key, conversation] : conversations_) conversation->end();
+    }
+  }
+
+  std::unique_ptr<Conversation> begin(const Key& key) {
+    return std::make_unique<Conversation>(settings_.sources,
+                                          [this, key, is_met = false](std::string_view message) mutable {
+                                            if (!is_met) is_met = meet(key.first);
+                                            return is_met && write(key.second, message);
+                                          });
+  }
+
+  // What is written before the run hears it would be lost.
+  bool meet(const dds::Guid& run) const {
+    const Clock::time_point last = Clock::now() + kMeetingPatience;
+    for (;;) {
+      const std::vector<dds::Guid> readers = answers_.readers();
+      if (std::ranges::find(readers, run) != readers.end()) return true;
+      if (Clock::now() >= last) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+  bool write(const std::string& key, std::string_view message) {
+    std::string part;
+    for (bool is_last = false; !is_last;) {
+      is_last = message.size() <= kMostInPart;
+      part.assign(1, is_last ? kLastPart : kFirstParts);
+      part.append(message.substr(0, kMostInPart));
+      message.remove_prefix(part.size() - 1);
+      dds::Written written = answers_.write(key, part);
+      const Clock::time_point last = Clock::now() + 2 * kMeetingPatience;
+      while (written == dds::Written::kFull && Clock::now() < last) written = answers_.write(key, part);
+      if (written != dds::Written::kDone) return false;
+    }
+    return true;
+  }
+
+  void end_all_of(const dds::Guid& run) {
+    std::size_t robots = 0;
+    std::size_t count = 0;
+    for (auto& [key, conversation] : conversations_) {
+      if (key.first != run) continue;
+      robots += conversation->robot_count();
+      ++count;
+      conversation->end();
+    }
+    if (count > 0) settings_.tell(fmt::format("a run has gone, and {} with it", counted_robots(robots)));
+  }
+
+  void say_presence() {
+    wire::AgentPresence said;
+    said.set_protocol(robot_remote::kAgentProtocol);
+    said.set_version(settings_.sources.version);
+    said.set_layout(robot_wire::shared_layout());
+    said.set_name(settings_.name);
+    said.set_host(host_name());
+    said.set_process(static_cast<std::uint32_t>(::getpid()));
+    said.set_processors(std::max(1U, std::thread::hardware_concurrency()));
+    double load = 0.0;
+    if (::getloadavg(&load, 1) == 1) said.set_load(load);
+    struct sysinfo about{};
+    if (::sysinfo(&about) == 0)
+      said.set_free_memory(std::uint64_t{about.freeram + about.bufferram} * about.mem_unit);
+    said.set_uptime(std::chrono::duration<double>(Clock::now() - began_).count());
+    std::size_t robots = 0;
+    for (const auto& [key, conversation] : conversations_) robots += conversation->robot_count();
+    said.set_robots(static_cast<std::uint32_t>(robots));
+    said.set_runs(static_cast<std::uint32_t>(conversations_.size()));
+    // One that nobody takes is followed by the next.
+    static_cast<void>(presence_.write(settings_.name, said.SerializeAsString()));
+  }
+
+  const AgentSettings& settings_;
+  std::shared_ptr<Roster> roster_;  // keeps the participant
+  dds::Waiter waiter_;
+  dds::Reader requests_;
+  dds::Writer answers_;
+  dds::Writer presence_;
+  Clock::time_point began_ = Clock::now();
+  std::map<Key, std::unique_ptr<Conversation>> conversations_;
+};
+
+}  // namespace
+
+std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop) {
+  if (!is_agent_name(settings.name))
+    return fmt::format("`{}` can't be the name of an agent: 1 to 64 letters, digits, `-`, `_` and `.`",
+                       settings.name);
+  auto roster = Roster::join(settings.network);
+  if (!roster) return roster.error();
+  const auto is_taken = [&](const std::vector<Member>& members) {
+    return std::ranges::any_of(members, [&](const Member& one) {
+      return one.said.name() == settings.name && one.state == Member::State::kThere;
+    });
+  };
+  if ((*roster)->wait(is_taken, Clock::now() + kNameGlance))
+    return fmt::format("the fleet `{}` has an agent `{}` already, on `{}`: --name says another name",
+                       settings.network.fleet, settings.name, (*roster)->find(settings.name)->said.host());
+  auto waiter = dds::Waiter::make();
+  if (!waiter) return waiter.error();
+  dds::Participant& participant = (*roster)->participant();
+  auto requests =
+      participant.reader(requests_topic(settings.name), dds::ChannelKind::kLockStepPercepts, *waiter);
+  if (!requests) return requests.error();
+  auto answers = participant.writer(answers_topic(settings.name), dds::ChannelKind::kLockStepPercepts);
+  if (!answers) return answers.error();
+  auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
+  if (!presence) return presence.error();
+  AgentProcess process(settings, std::move(*roster), std::move(*waiter), std::move(*requests),
+                       std::move(*answers), std::move(*presence));
+  if (settings.tell_ready) settings.tell_ready();
+  process.serve(stop);
+  return std::nullopt;
+}
+
+}  // namespace mlab::agents

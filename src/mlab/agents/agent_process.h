@@ -1,0 +1,29 @@
+#pragma once
+
+#include <expected>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "mlab/dds/network.h"
+#include "mlab/robot/program/robot_program.h"
+
+namespace mlab::agents {
+
+struct AgentSettings {
+  dds::Network network;
+  std::string name;  ///< in the fleet: is_agent_name
+  /// What of code that runs bring may be compiled and run here, and by what means. `version` is this agent's.
+  robot::ProgramSources sources;
+  /// Called with what a person at this machine is to know, a line each; one thread at a time.
+  std::function<void(const std::string&)> tell;
+  std::function<void()> tell_ready = {};  ///< called once it has joined; empty: nobody wants to know
+};
+
+/// Joins the fleet and carries robots for its runs, until `stop` is requested; then all robots here end. A
+/// run whose process goes away, or is silent for so long that it is given up, loses its robots here.
+/// @errors  a sentence: the network can't be used; the name is taken
+std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop);
+
+}  // namespace mlab::agents

@@ -1,0 +1,122 @@
+#include "mlab/agents/dds_link.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+namespace mlab::agents {
+namespace {
+
+constexpr std::chrono::milliseconds kGlance(100);  // between two looks at how the agent is
+
+// Conversations of one agent are told apart by it, nothing else depends on it.
+std::string any_key() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
+
+bool has(const std::vector<dds::Guid>& all, const dds::Guid& one) {
+  return std::ranges::find(all, one) != all.end();
+}
+
+}  // namespace
+
+std::expected<std::unique_ptr<DdsLink>, std::string> DdsLink::open(std::shared_ptr<Roster> roster,
+                                                                   const Member& agent) {
+  auto waiter = dds::Waiter::make();
+  if (!waiter) return std::unexpected(waiter.error());
+  const std::string& name = agent.said.name();
+  auto answers =
+      roster->participant().reader(answers_topic(name), dds::ChannelKind::kLockStepPercepts, *waiter);
+  if (!answers) return std::unexpected(answers.error());
+  auto requests =
+      roster->participant().writer(requests_topic(name), dds::ChannelKind::kLockStepPercepts, &*waiter);
+  if (!requests) return std::unexpected(requests.error());
+  std::unique_ptr<DdsLink> out(
+      new DdsLink(std::move(roster), agent, std::move(*waiter), std::move(*answers), std::move(*requests)));
+  // What is written before both stand would be lost.
+  const Clock::time_point last = Clock::now() + kMeetingPatience;
+  while (!out->is_met()) {
+    if (Clock::now() >= last) return std::unexpected("is there, but can't be talked to");
+    out->waiter_.wait(kGlance);
+  }
+  return out;
+}
+
+DdsLink::DdsLink(std::shared_ptr<Roster> roster, const Member& agent, dds::Waiter waiter, dds::Reader answers,
+                 dds::Writer requests)
+    : roster_(std::move(roster)),
+      agent_(agent.said.name()),
+      guid_(agent.guid),
+      key_(any_key()),
+      waiter_(std::move(waiter)),
+      answers_(std::move(answers)),
+      requests_(std::move(requests)) {}
+
+bool DdsLink::is_met() const {
+  return has(requests_.readers(), guid_) && has(answers_.senders(), guid_);
+}
+
+void DdsLink::fail(std::string why) {
+  if (failure_.empty()) failure_ = std::move(why);
+}
+
+void DdsLink::send(std::string_view message) {
+  std::string part;
+  bool is_last = false;
+  while (!is_last && failure_.empty()) {
+    is_last = message.size() <= kMostInPart;
+    part.assign(1, is_last ? kLastPart : kFirstParts);
+    part.append(message.substr(0, kMostInPart));
+    message.remove_prefix(part.size() - 1);
+    for (;;) {
+      const dds::Written written = requests_.write(key_, part);
+      if (written == dds::Written::kDone) break;
+      if (written != dds::Written::kFull) fail("can't be written to");
+      look_after_agent();
+      if (!failure_.empty()) return;
+    }
+  }
+}
+
+std::optional<std::string_view> DdsLink::receive(robot_remote::Clock::time_point deadline) {
+  for (;;) {
+    if (!came_.empty()) {
+      last_ = std::move(came_.front());
+      came_.pop_front();
+      return last_;
+    }
+    if (!failure_.empty()) return std::nullopt;
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - robot_remote::Clock::now());
+    if (left.count() <= 0) return std::nullopt;
+    waiter_.wait(std::min(left, kGlance));
+    take_arrivals();
+    look_after_agent();
+  }
+}
+
+void DdsLink::take_arrivals() {
+  for (dds::Arrival& arrival : answers_.take()) {
+    if (arrival.kind == dds::Arrival::Kind::kLost) fail("has said more than could be kept");
+    if (arrival.kind != dds::Arrival::Kind::kMessage || arrival.key != key_ || arrival.sender != guid_)
+      continue;
+    const Assembly::Outcome outcome = assembly_.add(arrival.body);
+    if (outcome == Assembly::Outcome::kWhole) came_.push_back(assembly_.message());
+    if (outcome == Assembly::Outcome::kNonsense) fail("answers what is no message of the agents' protocol");
+  }
+}
+
+void DdsLink::look_after_agent() {
+  const std::optional<Member> agent = roster_->find(agent_);
+  if (!agent || agent->guid != guid_)
+    fail("was started anew, and knows nothing of this run");
+  else if (agent->state == Member::State::kGone)
+    fail(Clock::now() - agent->heard >= kSilencePatience
+             ? fmt::format("was silent for {} s", kSilencePatience.count())
+             : "has left the fleet");
+}
+
+}  // namespace mlab::agents

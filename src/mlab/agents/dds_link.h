@@ -1,0 +1,49 @@
+#pragma once
+
+#include <deque>
+#include <expected>
+#include <memory>
+#include <string>
+
+#include "mlab/agents/roster.h"
+#include "mlab/agents/topics.h"
+#include "mlab/dds/reader.h"
+#include "mlab/dds/writer.h"
+#include "mlab/robot/remote/link.h"
+
+namespace mlab::agents {
+
+/// A conversation with an agent of a fleet.
+class DdsLink final : public robot_remote::Link {
+ public:
+  /// @param agent  one of the roster
+  /// @errors  a sentence without its subject, as `failure`: it does not answer
+  static std::expected<std::unique_ptr<DdsLink>, std::string> open(std::shared_ptr<Roster> roster,
+                                                                   const Member& agent);
+
+  void send(std::string_view message) override;
+  std::optional<std::string_view> receive(robot_remote::Clock::time_point deadline) override;
+  const std::string& failure() const override { return failure_; }
+  void fail(std::string why) override;
+
+ private:
+  DdsLink(std::shared_ptr<Roster> roster, const Member& agent, dds::Waiter waiter, dds::Reader answers,
+          dds::Writer requests);
+  bool is_met() const;
+  void take_arrivals();
+  void look_after_agent();
+
+  std::shared_ptr<Roster> roster_;
+  std::string agent_;
+  dds::Guid guid_;
+  std::string key_;  // of the conversation
+  dds::Waiter waiter_;
+  dds::Reader answers_;
+  dds::Writer requests_;
+  Assembly assembly_;
+  std::deque<std::string> came_;
+  std::string last_;
+  std::string failure_;
+};
+
+}  // namespace mlab::agents

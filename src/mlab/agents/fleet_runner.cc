@@ -1,0 +1,92 @@
+#include "mlab/agents/fleet_runner.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/agents/dds_link.h"
+#include "mlab/robot/remote/remote_runner.h"
+#include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::agents {
+namespace {
+
+constexpr std::chrono::seconds kJoiningPatience(5);  // for an agent that somebody wants and that is not there
+
+bool fits(const wire::AgentPresence& agent, const std::string& version) {
+  return agent.protocol() == robot_remote::kAgentProtocol && agent.version() == version &&
+         agent.layout() == robot_wire::shared_layout();
+}
+
+/// Agents of a fleet, each of which is given out once.
+class Recruits {
+ public:
+  Recruits(std::shared_ptr<Roster> roster, std::uint64_t seed, std::string version)
+      : roster_(std::move(roster)), seed_(seed), version_(std::move(version)) {}
+
+  /// Where no such agent was ever there, the first call waits a while.
+  robot_remote::RemoteRunner::Newcomers find(const std::string& host) {
+    const auto is_wanted = [&](const std::vector<Member>& members) {
+      return std::ranges::any_of(members, [&](const Member& one) {
+        return (host.empty() || one.said.name() == host) && one.state == Member::State::kThere &&
+               fits(one.said, version_);
+      });
+    };
+    if (waited_for_.insert(host).second) roster_->wait(is_wanted, Clock::now() + kJoiningPatience);
+    robot_remote::RemoteRunner::Newcomers out;
+    out.why_none = host.empty()
+                       ? fmt::format("none has joined the fleet `{0}`: `mlab agent --fleet {0}` starts one",
+                                     roster_->fleet())
+                       : fmt::format(
+                             "none of the name `{1}` has joined the fleet `{0}`: there, `mlab agent "
+                             "--fleet {0} --name {1}` starts one",
+                             roster_->fleet(), text::shown(host));
+    for (const Member& one : roster_->members()) {
+      if (one.state != Member::State::kThere || known_.contains(one.guid)) continue;
+      if (!fits(one.said, version_)) {
+        out.why_none = misfit(one.said);
+        continue;
+      }
+      auto link = DdsLink::open(roster_, one);
+      if (!link) {  // it is asked again when somebody is wanted again
+        out.why_none = fmt::format("the agent on `{}` {}", one.said.name(), link.error());
+        continue;
+      }
+      known_.insert(one.guid);
+      auto agent = std::make_unique<robot_remote::Agent>(one.said.name(), std::move(*link));
+      if (auto problem = agent->open(seed_, version_))
+        out.why_none = std::move(*problem);
+      else
+        out.agents.push_back(std::move(agent));
+    }
+    return out;
+  }
+
+ private:
+  std::string misfit(const wire::AgentPresence& agent) const {
+    return fmt::format("the agent on `{}` is missionlab {} (protocol {}), and this is {} (protocol {})",
+                       agent.name(), agent.version(), agent.protocol(), version_,
+                       robot_remote::kAgentProtocol);
+  }
+
+  std::shared_ptr<Roster> roster_;
+  std::uint64_t seed_;
+  std::string version_;
+  std::set<dds::Guid> known_;
+  std::set<std::string> waited_for_;
+};
+
+}  // namespace
+
+std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
+                                                        const std::string& version) {
+  auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version);
+  return std::make_unique<robot_remote::RemoteRunner>(
+      [recruits](const std::string& host) { return recruits->find(host); });
+}
+
+}  // namespace mlab::agents

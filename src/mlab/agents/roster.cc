@@ -1,0 +1,133 @@
+#include "mlab/agents/roster.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "mlab/agents/topics.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::agents {
+namespace {
+
+constexpr std::size_t kMostMembers = 1000;  // names that anybody may make up
+
+// What an agent says of itself, fit for people; nothing where it is none.
+std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
+  wire::AgentPresence out;
+  if (!out.ParseFromString(arrival.body) || out.name() != arrival.key || !is_agent_name(out.name()))
+    return std::nullopt;
+  out.set_host(text::shown(out.host(), 64));
+  out.set_version(text::shown(out.version(), 32));
+  return out;
+}
+
+}  // namespace
+
+bool is_agent_name(std::string_view name) {
+  const auto is_fit = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
+  };
+  return !name.empty() && name.size() <= dds::kMaxKey && std::ranges::all_of(name, is_fit);
+}
+
+std::expected<std::shared_ptr<Roster>, std::string> Roster::join(const dds::Network& network) {
+  auto participant = dds::Participant::open(network);
+  if (!participant) return std::unexpected(participant.error());
+  auto waiter = dds::Waiter::make();
+  if (!waiter) return std::unexpected(waiter.error());
+  auto reader = participant->reader(kPresenceTopic, dds::ChannelKind::kPresence, *waiter);
+  if (!reader) return std::unexpected(reader.error());
+  return std::shared_ptr<Roster>(
+      new Roster(network.fleet, std::move(*participant), std::move(*waiter), std::move(*reader)));
+}
+
+Roster::Roster(std::string fleet, dds::Participant participant, dds::Waiter waiter, dds::Reader reader)
+    : fleet_(std::move(fleet)),
+      participant_(std::move(participant)),
+      waiter_(std::move(waiter)),
+      reader_(std::move(reader)),
+      thread_([this](const std::stop_token& stop) { listen(stop); }) {}
+
+Roster::~Roster() {
+  thread_.request_stop();
+  waiter_.wake();
+}
+
+void Roster::listen(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kGlance(250);  // between two looks at who is silent
+  while (!stop.stop_requested()) {
+    waiter_.wait(kGlance);
+    const std::vector<dds::Arrival> arrivals = reader_.take();
+    const std::scoped_lock lock(mutex_);
+    for (const dds::Arrival& arrival : arrivals) take(arrival);
+    give_up_the_silent();
+    changed_.notify_all();
+  }
+}
+
+Member* Roster::of(const dds::Guid& guid) {
+  const auto at = std::ranges::find_if(members_, [&](const auto& one) { return one.second.guid == guid; });
+  return at == members_.end() ? nullptr : &at->second;
+}
+
+void Roster::set(Member& member, Member::State state) {
+  if (member.state == state) return;
+  member.state = state;
+  member.since = Clock::now();
+}
+
+void Roster::take(const dds::Arrival& arrival) {
+  using Kind = dds::Arrival::Kind;
+  if (arrival.kind == Kind::kMessage) {
+    auto said = checked(arrival);
+    if (!said || (members_.size() >= kMostMembers && !members_.contains(arrival.key))) return;
+    const auto [at, is_new] = members_.try_emplace(arrival.key);
+    Member& member = at->second;
+    // Who has the name keeps it until he has gone.
+    if (!is_new && member.guid != arrival.sender && member.state == Member::State::kThere) return;
+    member.said = std::move(*said);
+    member.heard = arrival.noticed;
+    if (is_new || member.guid != arrival.sender) member.since = Clock::now();
+    member.guid = arrival.sender;
+    set(member, Member::State::kThere);
+    return;
+  }
+  Member* const member = of(arrival.sender);
+  if (member == nullptr) return;
+  if (arrival.kind == Kind::kSilent && member->state == Member::State::kThere)
+    set(*member, Member::State::kSilent);
+  else if (arrival.kind == Kind::kEnded || arrival.kind == Kind::kUnmatched)
+    set(*member, Member::State::kGone);
+}
+
+void Roster::give_up_the_silent() {
+  for (auto& [name, member] : members_) {
+    if (member.state == Member::State::kSilent && Clock::now() - member.since >= kSilencePatience)
+      set(member, Member::State::kGone);
+  }
+}
+
+std::vector<Member> Roster::members() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<Member> out;
+  for (const auto& [name, member] : members_) out.push_back(member);
+  return out;
+}
+
+std::optional<Member> Roster::find(std::string_view name) const {
+  const std::scoped_lock lock(mutex_);
+  const auto at = members_.find(name);
+  return at == members_.end() ? std::nullopt : std::optional(at->second);
+}
+
+bool Roster::wait(const std::function<bool(const std::vector<Member>&)>& holds,
+                  Clock::time_point deadline) const {
+  while (!holds(members())) {
+    std::unique_lock lock(mutex_);
+    if (changed_.wait_until(lock, deadline) == std::cv_status::timeout) return false;
+  }
+  return true;
+}
+
+}  // namespace mlab::agents

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "mlab/dds/participant.h"
+#include "mlab/presence.pb.h"
+
+namespace mlab::agents {
+
+using Clock = std::chrono::steady_clock;
+
+/// What is known of an agent that was there once.
+struct Member {
+  enum class State : std::uint8_t {
+    kThere,
+    kSilent,  ///< nothing is heard of it: it is stopped, killed, or can't be reached
+    kGone,    ///< it has left, or was silent for so long that it is not waited for any more
+  };
+  wire::AgentPresence said;  ///< last, checked: its name is one, text is fit for people
+  dds::Guid guid;
+  State state = State::kThere;
+  Clock::time_point since;  ///< of the state
+  Clock::time_point heard;  ///< when it spoke last
+};
+
+/// How long a silent agent is waited for.
+inline constexpr std::chrono::seconds kSilencePatience(5);
+
+/// What may be the name of an agent: 1 to 64 letters, digits, `-`, `_`, `.`
+bool is_agent_name(std::string_view name);
+
+/// Who is in a fleet, as seen from here. Has a thread of its own; may be used by any.
+class Roster {
+ public:
+  /// @errors  a sentence: the network can't be used
+  static std::expected<std::shared_ptr<Roster>, std::string> join(const dds::Network& network);
+  Roster(const Roster&) = delete;
+  Roster& operator=(const Roster&) = delete;
+  ~Roster();
+
+  const std::string& fleet() const { return fleet_; }
+  dds::Participant& participant() { return participant_; }
+
+  /// By name; those that have gone stand there as long as this does.
+  std::vector<Member> members() const;
+  std::optional<Member> find(std::string_view name) const;
+  /// Waits until something holds of those who are there, and asks again whenever somebody comes, goes or
+  /// speaks.
+  /// @return  whether it came to hold in time
+  bool wait(const std::function<bool(const std::vector<Member>&)>& holds, Clock::time_point deadline) const;
+
+ private:
+  Roster(std::string fleet, dds::Participant participant, dds::Waiter waiter, dds::Reader reader);
+  void listen(const std::stop_token& stop);
+  void take(const dds::Arrival& arrival);
+  void give_up_the_silent();
+  Member* of(const dds::Guid& guid);
+  void set(Member& member, Member::State state);
+
+  std::string fleet_;
+  dds::Participant participant_;
+  dds::Waiter waiter_;
+  dds::Reader reader_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  std::map<std::string, Member, std::less<>> members_;
+  std::jthread thread_;
+};
+
+}  // namespace mlab::agents

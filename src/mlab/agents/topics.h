@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "mlab/dds/message.h"
+
+/// The topics of a fleet, and how messages of any length pass through them.
+
+namespace mlab::agents {
+
+inline constexpr std::string_view kPresenceTopic = "agents";  ///< proto/mlab/presence.proto, by agent
+
+/// Of one agent: proto/mlab/agent.proto, by conversation.
+inline std::string requests_topic(std::string_view agent) {
+  return "agents/" + std::string(agent) + "/requests";
+}
+inline std::string answers_topic(std::string_view agent) {
+  return "agents/" + std::string(agent) + "/answers";
+}
+
+/// A message that is longer than what DDS carries at once goes in parts, each with a byte in front that says
+/// whether more of it follow.
+inline constexpr char kFirstParts = '+';
+inline constexpr char kLastPart = '.';
+inline constexpr std::size_t kMostInPart = dds::kMaxBody - 1;
+
+/// How long both sides of a conversation wait until each hears the other.
+inline constexpr std::chrono::seconds kMeetingPatience(5);
+
+/// Puts messages together again.
+class Assembly {
+ public:
+  /// A longer message is nonsense [bytes].
+  static constexpr std::size_t kMost = std::size_t{64} << 20;
+
+  enum class Outcome { kWhole, kMoreFollows, kNonsense };
+  /// @return  kWhole: `message()` is one, until the next call
+  Outcome add(std::string_view part) {
+    if (is_whole_) message_.clear();
+    is_whole_ = false;
+    const bool is_last = part.starts_with(kLastPart);
+    if (!is_last && !part.starts_with(kFirstParts)) return Outcome::kNonsense;
+    if (message_.size() + part.size() > kMost) return Outcome::kNonsense;
+    message_.append(part.substr(1));
+    is_whole_ = is_last;
+    return is_last ? Outcome::kWhole : Outcome::kMoreFollows;
+  }
+  const std::string& message() const { return message_; }
+
+ private:
+  std::string message_;
+  bool is_whole_ = false;
+};
+
+}  // namespace mlab::agents

@@ -1,0 +1,66 @@
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cstdio>
+#include <stop_token>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include "mlab/agents/agent_process.h"
+#include "mlab/cli/clock.h"
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/fleet_network.h"
+#include "mlab/cli/interrupt.h"
+#include "mlab/cli/output.h"
+#include "mlab/cli/permission.h"
+#include "mlab/cli/version.h"
+
+namespace mlab::cli {
+namespace {
+
+std::string machine_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
+}
+
+// A line of the agent's log, at once.
+void say(const std::string& line) {
+  write_output_now(fmt::format("{}  {}\n", print(wall_clock()), line));
+}
+
+}  // namespace
+
+int agent(const AgentOptions& options) {
+  agents::AgentSettings settings;
+  settings.network = network_of(options.network);
+  settings.name = options.name.empty() ? machine_name() : options.name;
+  settings.sources = program_sources("", permission_to_carry(options));
+  settings.sources.limits = options.limits;
+  settings.tell = say;
+  settings.tell_ready = [&] {
+    say(fmt::format("agent `{}` of fleet `{}`, {}: waits for runs", settings.name, options.network.fleet,
+                    options.network.interface_name.empty()
+                        ? "which nothing outside of this machine can reach"
+                        : fmt::format("reachable over {}", options.network.interface_name)));
+    if (!options.network.interface_name.empty())
+      fmt::print(stderr, "mlab agent: warning: whoever reaches this network can have robots computed here\n");
+  };
+  note_interrupts();
+  std::stop_source stop;
+  const std::jthread watch([&](const std::stop_token& over) {
+    while (!over.stop_requested() && !was_interrupted())
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop.request_stop();
+  });
+  if (const auto problem = agents::serve_as_agent(settings, stop.get_token())) {
+    fmt::print(stderr, "mlab agent: {}\n", *problem);
+    return kBadInput;
+  }
+  say("has left the fleet");
+  return kDone;
+}
+
+}  // namespace mlab::cli
