@@ -107,7 +107,7 @@ std::uint64_t deeds(const flow::Program& program,
 const flow::Program& scout() {
   static const auto kRobot = [] {
     text::Diagnostics sink;
-    auto robot = robot::library_robot("Scout", sink);
+    auto robot = robot::library_robot("Scout", {}, {}, sink);
     EXPECT_TRUE(robot) << text::render(sink);
     return robot;
   }();

@@ -27,7 +27,7 @@ using percept::Task;
 const flow::Program& standard() {
   static const std::shared_ptr<const flow::Program> kProgram = [] {
     text::Diagnostics sink;
-    const auto robot = robot::library_robot("Scout", sink);
+    const auto robot = robot::library_robot("Scout", {}, {}, sink);
     EXPECT_TRUE(robot && sink.items().empty()) << text::render(sink);
     return robot ? robot->built.program : nullptr;
   }();

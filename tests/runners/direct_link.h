@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -38,6 +40,8 @@ class DirectLink final : public robot_remote::Link {
   const std::string& failure() const override { return failure_; }
   void fail(std::string why) override { failure_ = std::move(why); }
 
+  /// From now on it takes so long for each answer.
+  void slow_down(std::chrono::milliseconds by) { slowness_ = by; }
   /// As an agent that is killed.
   void end() {
     asked_.end();
@@ -79,14 +83,18 @@ class DirectLink final : public robot_remote::Link {
   void serve(const robot::ProgramSources& sources) {
     robot_remote::RunnerServer server(sources);
     while (!asked_.has_ended()) {
-      if (const auto message = asked_.pop(robot_remote::Clock::now() + std::chrono::seconds(1)))
-        answers_.push(std::string(server.answer(*message)));
+      if (const auto message = asked_.pop(robot_remote::Clock::now() + std::chrono::seconds(1))) {
+        std::string answer(server.answer(*message));
+        std::this_thread::sleep_for(slowness_.load());
+        answers_.push(std::move(answer));
+      }
     }
     answers_.end();
   }
 
   Queue asked_;
   Queue answers_;
+  std::atomic<std::chrono::milliseconds> slowness_ = std::chrono::milliseconds(0);
   std::string last_;
   std::string failure_;
   std::thread thread_;

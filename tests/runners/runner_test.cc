@@ -370,6 +370,30 @@ TEST(RobotsAtAgents, AreSharedOutAndFailWithTheirAgent) {
   EXPECT_EQ(first.start(), "has no agent: the agent on `birch` ended");
 }
 
+TEST(RobotsAtAgents, CanBeLookedAtWhileTheyAct) {
+  Agents agents;
+  const RobotProgram program = standard_robot(false);
+  ProgramRunner& runner = agents.runner_of(program);
+  Traveller robot(runner, 1, program);
+  ASSERT_EQ(robot.start(), std::nullopt);
+  cycles({&robot}, 2);
+  agents.link(0).slow_down(std::chrono::milliseconds(100));
+  runner.join(robot.member());
+  runner.open();
+  const ProgramRunner::Turn turn = robot.turn();
+  runner.act({&turn, 1});
+  runner.ask();
+  int looks = 0;
+  runner.wait([&] {
+    ++looks;
+    EXPECT_EQ(robot.number("base_velocity"), 0.2);
+    return false;
+  });
+  EXPECT_GT(looks, 0);
+  EXPECT_EQ(robot.failure(), "");
+  EXPECT_EQ(flow::Program::cycle(runner.workings(robot.member()).frame), 3U);
+}
+
 TEST(RobotsAtAgents, GoWhereTheirProgramSays) {
   Agents agents;
   RobotProgram program = standard_robot(false);

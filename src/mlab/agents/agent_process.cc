@@ -26,11 +26,6 @@ constexpr std::chrono::milliseconds kBeat(500);         // between two words tha
 constexpr std::chrono::milliseconds kNameGlance(1500);  // in which somebody of the same name is found
 constexpr std::size_t kMostConversations = 64;
 
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
-}
-
 std::string counted_robots(std::size_t count) {
   return fmt::format("{} robot{}", count, count == 1 ? "" : "s");
 }
@@ -107,18 +102,8 @@ class AgentProcess {
   }
 
   bool write(const std::string& key, std::string_view message) {
-    std::string part;
-    for (bool is_last = false; !is_last;) {
-      is_last = message.size() <= kMostInPart;
-      part.assign(1, is_last ? kLastPart : kFirstParts);
-      part.append(message.substr(0, kMostInPart));
-      message.remove_prefix(part.size() - 1);
-      dds::Written written = answers_.write(key, part);
-      const Clock::time_point last = Clock::now() + 2 * kMeetingPatience;
-      while (written == dds::Written::kFull && Clock::now() < last) written = answers_.write(key, part);
-      if (written != dds::Written::kDone) return false;
-    }
-    return true;
+    const Clock::time_point last = Clock::now() + 2 * kMeetingPatience;
+    return write_in_parts(answers_, key, message, [last] { return Clock::now() < last; });
   }
 
   void end_all_of(const dds::Guid& run) {
@@ -139,7 +124,7 @@ class AgentProcess {
     said.set_version(settings_.sources.version);
     said.set_layout(robot_wire::shared_layout());
     said.set_name(settings_.name);
-    said.set_host(host_name());
+    said.set_host(machine_name());
     said.set_process(static_cast<std::uint32_t>(::getpid()));
     said.set_processors(std::max(1U, std::thread::hardware_concurrency()));
     double load = 0.0;
@@ -167,6 +152,11 @@ class AgentProcess {
 };
 
 }  // namespace
+
+std::string machine_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
+}
 
 std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop) {
   if (!is_agent_name(settings.name))

@@ -11,6 +11,9 @@
 
 namespace mlab::agents {
 
+/// What this machine calls itself; empty: nothing.
+std::string machine_name();
+
 struct AgentSettings {
   dds::Network network;
   std::string name;  ///< in the fleet: is_agent_name

@@ -65,21 +65,12 @@ void DdsLink::fail(std::string why) {
 }
 
 void DdsLink::send(std::string_view message) {
-  std::string part;
-  bool is_last = false;
-  while (!is_last && failure_.empty()) {
-    is_last = message.size() <= kMostInPart;
-    part.assign(1, is_last ? kLastPart : kFirstParts);
-    part.append(message.substr(0, kMostInPart));
-    message.remove_prefix(part.size() - 1);
-    for (;;) {
-      const dds::Written written = requests_.write(key_, part);
-      if (written == dds::Written::kDone) break;
-      if (written != dds::Written::kFull) fail("can't be written to");
-      look_after_agent();
-      if (!failure_.empty()) return;
-    }
-  }
+  if (!failure_.empty()) return;
+  const auto agent_stands = [this] {
+    look_after_agent();
+    return failure_.empty();
+  };
+  if (!write_in_parts(requests_, key_, message, agent_stands)) fail("can't be written to");
 }
 
 std::optional<std::string_view> DdsLink::receive(robot_remote::Clock::time_point deadline) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <string_view>
 
 #include "mlab/dds/message.h"
+#include "mlab/dds/writer.h"
 
 /// The topics of a fleet, and how messages of any length pass through them.
 
@@ -28,6 +30,26 @@ inline constexpr std::size_t kMostInPart = dds::kMaxBody - 1;
 
 /// How long both sides of a conversation wait until each hears the other.
 inline constexpr std::chrono::seconds kMeetingPatience(5);
+
+/// Writes a message, in as many parts as it takes.
+/// @param goes_on  asked where readers don't keep up; false: nobody waits for them any more
+/// @return  false: it was not written, or not whole
+inline bool write_in_parts(dds::Writer& writer, std::string_view key, std::string_view message,
+                           const std::function<bool()>& goes_on) {
+  std::string part;
+  for (bool is_last = false; !is_last;) {
+    is_last = message.size() <= kMostInPart;
+    part.assign(1, is_last ? kLastPart : kFirstParts);
+    part.append(message.substr(0, kMostInPart));
+    message.remove_prefix(part.size() - 1);
+    dds::Written written = dds::Written::kFull;
+    while ((written = writer.write(key, part)) == dds::Written::kFull) {
+      if (!goes_on()) return false;
+    }
+    if (written != dds::Written::kDone) return false;
+  }
+  return true;
+}
 
 /// Puts messages together again.
 class Assembly {

@@ -1,7 +1,3 @@
-#include <unistd.h>
-
-#include <array>
-#include <atomic>
 #include <cstdio>
 #include <stop_token>
 #include <thread>
@@ -21,11 +17,6 @@
 namespace mlab::cli {
 namespace {
 
-std::string machine_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
-}
-
 // A line of the agent's log, at once.
 void say(const std::string& line) {
   write_output_now(fmt::format("{}  {}\n", print(wall_clock()), line));
@@ -36,7 +27,7 @@ void say(const std::string& line) {
 int agent(const AgentOptions& options) {
   agents::AgentSettings settings;
   settings.network = network_of(options.network);
-  settings.name = options.name.empty() ? machine_name() : options.name;
+  settings.name = options.name.empty() ? agents::machine_name() : options.name;
   settings.sources = program_sources("", permission_to_carry(options));
   settings.sources.limits = options.limits;
   settings.tell = say;

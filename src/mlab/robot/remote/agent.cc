@@ -11,6 +11,8 @@
 namespace mlab::robot_remote {
 namespace {
 
+// Whoever wants something of a run waits so long for a machine that may only be cut off for a moment [s].
+constexpr double kLeastPatience = 5.0;
 constexpr std::chrono::milliseconds kGlance(20);  // between two looks whether anybody still waits
 
 Clock::time_point from_now(double seconds) {
@@ -37,6 +39,7 @@ void Agent::send(wire::ToAgent& message) {
 const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double patience,
                                       const robot::Meanwhile& meanwhile) {
   const Clock::time_point last = from_now(patience);
+  const Clock::time_point first = from_now(kLeastPatience);
   while (link_->failure().empty()) {
     if (const auto bytes = link_->receive(std::min(last, Clock::now() + kGlance))) {
       if (!answer_.ParseFromArray(bytes->data(), static_cast<int>(bytes->size())))
@@ -47,7 +50,7 @@ const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double p
         return &answer_;
     } else if (Clock::now() >= last) {
       link_->fail(fmt::format("gave no answer for {} s", patience));
-    } else if (meanwhile && meanwhile()) {
+    } else if (meanwhile && meanwhile() && Clock::now() >= first) {
       link_->fail("was given up, because nobody waits for it any more");
     }
   }
@@ -107,9 +110,9 @@ std::expected<std::uint32_t, std::string> Agent::bring(const robot::RobotProgram
   }
   bring.set_frame_layout(program.program->layout_hash());
   const auto answer = ask(message, wire::FromAgent::kBrought, patience_.program);
-  if (!answer) return std::unexpected(answer.error());
-  brought_[program.program] = number;
-  return number;
+  std::expected<std::uint32_t, std::string> out = number;
+  if (!answer) out = std::unexpected(answer.error());
+  return brought_.emplace(program.program, std::move(out)).first->second;
 }
 
 void Agent::send_cycle(wire::ToAgent& message) {

@@ -38,7 +38,7 @@ class Agent {
   /// Says who asks, for which run. First of all.
   /// @errors  a sentence: it is of another version
   std::optional<std::string> open(std::uint64_t seed, const std::string& version);
-  /// Sees to it that it has the program.
+  /// Sees to it that it has the program; what it has refused once it is not asked again.
   /// @return  how the agent calls it
   /// @errors  a sentence
   std::expected<std::uint32_t, std::string> bring(const robot::RobotProgram& program);
@@ -67,7 +67,7 @@ class Agent {
   Patience patience_;
   std::uint64_t number_ = 0;
   // Kept alive by their keys, so that no other program comes to have the address of one of them.
-  std::map<std::shared_ptr<const flow::Program>, std::uint32_t> brought_;
+  std::map<std::shared_ptr<const flow::Program>, std::expected<std::uint32_t, std::string>> brought_;
   std::string bytes_;
   wire::FromAgent answer_;
 };

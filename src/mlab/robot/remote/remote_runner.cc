@@ -32,6 +32,11 @@ std::span<const std::byte> bytes_of(const flow::Frame& frame) {
 robot::ProgramRunner::Member RemoteRunner::add(base::RobotId robot, const robot::RobotProgram& program) {
   Robot added;
   added.values = {robot, program};
+  welcome(program.host);
+  // Now, so that nobody waits for a compiler once the run is under way; who starts it is told what is wrong.
+  for (Carrier& carrier : carriers_) {
+    if (may_carry(carrier, program.host)) static_cast<void>(carrier.agent->bring(program).has_value());
+  }
   return members_.add(std::move(added));
 }
 
@@ -47,13 +52,22 @@ void RemoteRunner::leave(Robot& robot) {
   robot.carrier = nullptr;
 }
 
-std::expected<RemoteRunner::Carrier*, std::string> RemoteRunner::carrier_for(const std::string& host) {
+bool RemoteRunner::may_carry(const Carrier& carrier, const std::string& host) {
+  return host.empty() || carrier.agent->name() == host;
+}
+
+// Why there may be none.
+std::string RemoteRunner::welcome(const std::string& host) {
   Newcomers newcomers = recruit_(host);
   for (auto& agent : newcomers.agents) carriers_.push_back({std::move(agent), 0, {}, {}});
+  return std::move(newcomers.why_none);
+}
+
+std::expected<RemoteRunner::Carrier*, std::string> RemoteRunner::carrier_for(const std::string& host) {
   Carrier* best = nullptr;
-  std::string failure = std::move(newcomers.why_none);
+  std::string failure = welcome(host);
   for (Carrier& carrier : carriers_) {
-    if (!host.empty() && carrier.agent->name() != host) continue;
+    if (!may_carry(carrier, host)) continue;
     if (std::string what = carrier.agent->failure(); !what.empty())
       failure = std::move(what);
     else if (best == nullptr || carrier.robots < best->robots)
@@ -167,7 +181,7 @@ std::vector<flow::Restart> RemoteRunner::go_on_from(Member member, const robot::
 const RemoteRunner::Robot& RemoteRunner::looked_at(Member member) const {
   Robot& robot = members_[member];
   robot.asked = cycle_;
-  if (robot.carrier == nullptr || robot.known == cycle_) return robot;
+  if (robot.carrier == nullptr || robot.known == cycle_ || is_in_cycle_) return robot;
   wire::ToAgent message;
   message.mutable_look()->set_member(robot.number);
   const auto answer = robot.carrier->agent->ask(message, wire::FromAgent::kSeen);
@@ -227,6 +241,7 @@ void RemoteRunner::act(std::span<const Turn> turns) {
 }
 
 void RemoteRunner::ask() {
+  is_in_cycle_ = true;
   for (Carrier& carrier : carriers_) {
     if (!carrier.joined.empty()) carrier.agent->send_cycle(carrier.cycle);
   }
@@ -248,6 +263,7 @@ void RemoteRunner::wait(const robot::Meanwhile& meanwhile) {
     }
   }
   joined_.clear();
+  is_in_cycle_ = false;
 }
 
 void RemoteRunner::take_answer(Carrier& carrier, const wire::AgentActed& acted) {

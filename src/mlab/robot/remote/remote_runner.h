@@ -68,6 +68,8 @@ class RemoteRunner final : public robot::ProgramRunner {
     std::uint64_t known = 0;         // after which cycle its values were as they are here
     std::uint64_t asked = kLongAgo;  // after which cycle somebody looked last
   };
+  static bool may_carry(const Carrier& carrier, const std::string& host);
+  std::string welcome(const std::string& host);
   std::expected<Carrier*, std::string> carrier_for(const std::string& host);
   void leave(Robot& robot);
   std::optional<std::string> put(Robot& robot, bool begins) const;
@@ -81,7 +83,8 @@ class RemoteRunner final : public robot::ProgramRunner {
   std::deque<Carrier> carriers_;
   mutable robot::Members<Robot> members_;  // who looks makes their values newer
   std::uint32_t next_number_ = 1;
-  std::uint64_t cycle_ = 0;  // that have been
+  std::uint64_t cycle_ = 0;   // that have been
+  bool is_in_cycle_ = false;  // agents are asked for one, and for nothing else until they have answered
 };
 
 }  // namespace mlab::robot_remote
