@@ -89,6 +89,14 @@ describe("lines", () => {
         expect(distance(alongLine(points, lengthOf(points)).point, points.at(-1)!)).toBeLessThan(1e-6);
       }),
     );
+    // What is left of the way, by rounding, is any multiple of a last step that is hardly one.
+    const hooked = [
+      { x: -0.00003095584679568418, y: 0 },
+      { x: 0, y: 612.5952932945156 },
+      { x: 0, y: 0 },
+      { x: 0, y: -5e-324 },
+    ];
+    expect(distance(alongLine(hooked, lengthOf(hooked)).point, hooked.at(-1)!)).toBeLessThan(1e-6);
   });
 
   test("a straight line is moved aside by exactly what was asked", () => {

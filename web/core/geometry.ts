@@ -146,7 +146,7 @@ export function lengthOf(line: readonly Point[]): number {
   return length;
 }
 
-/** Where one is after so much of the way along the line, and which way it goes there. */
+/** Where one is after so much of the way along the line, at most at its end, and which way it goes there. */
 export function alongLine(line: readonly Point[], way: number): { point: Point; direction: Point } {
   let left = way;
   for (let i = 1; i < line.length; ++i) {
@@ -154,7 +154,7 @@ export function alongLine(line: readonly Point[], way: number): { point: Point; 
     const b = line[i]!;
     const step = distance(a, b);
     if (step > 0 && (left <= step || i === line.length - 1)) {
-      return { point: pointBetween(a, b, left / step), direction: direction(a, b) };
+      return { point: pointBetween(a, b, Math.min(1, left / step)), direction: direction(a, b) };
     }
     left -= step;
   }
