@@ -112,7 +112,8 @@ void try_run(const std::vector<std::string>& answers) {
   std::vector<std::unique_ptr<robot_remote::Agent>> agents;
   agents.push_back(std::move(agent));
   robot_remote::RemoteRunner runner(
-      [&](const std::string& /*host*/) -> robot_remote::RemoteRunner::Newcomers {
+      [&](const std::string& /*host*/,
+          const std::vector<std::string>& /*lost*/) -> robot_remote::RemoteRunner::Newcomers {
         return {std::exchange(agents, {}), "it has gone"};
       });
   const auto member = runner.add({1}, standard_robot());

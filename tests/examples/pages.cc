@@ -238,6 +238,7 @@ std::string trial_of(const ShownCommand& shown) {
       (words.size() == 1 && command != "--version"))
     return {};
   if ((command == "run" && !says("--headless")) || command == "edit") words = {"check", words[1]};
+  if (command == "agent") words.emplace_back("--help");  // it would wait for runs for ever
   if (command == "build" && !says("--emit")) words.insert(words.end(), {"--emit", "cnl"});
   return fmt::format("./mlab {}", fmt::join(words, " "));
 }

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -17,7 +18,6 @@
 #include <gtest/gtest.h>
 
 #include "fleet_of_threads.h"
-#include "mlab/cell/sanitized.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/robot/program/program_runners.h"
 #include "mlab/robot/program/robot_values.h"
@@ -275,7 +275,8 @@ TEST_P(EveryRunner, ForgetsARobotThatGoes) {
   ASSERT_EQ(second.start(), std::nullopt);
   cycles({&first, &second}, 3);
   runner().remove(first.member());
-  EXPECT_NE(cycles({&second}, 3), "");
+  cycles({&second}, 3);
+  EXPECT_EQ(flow::Program::cycle(runner().workings(second.member()).frame), 6U);
   Traveller third(runner(), 3, program());
   ASSERT_EQ(third.start(), std::nullopt);
   cycles({&third, &second}, 3);
@@ -301,9 +302,6 @@ std::vector<pid_t> children() {
   return out;
 }
 
-// Another process has taken the place by then [ms].
-constexpr int kBetweenKills = cell::kIsSanitized ? 500 : 50;
-
 TEST(RobotsInOwnProcesses, GoOnExactlyWhenTheirProcessesAreKilled) {
   const auto seed = static_cast<std::uint32_t>(::testing::UnitTest::GetInstance()->random_seed());
   std::cout << "seed " << seed << "\n";
@@ -317,22 +315,26 @@ TEST(RobotsInOwnProcesses, GoOnExactlyWhenTheirProcessesAreKilled) {
     ASSERT_EQ(all.back()->start(), std::nullopt);
   }
   std::string done = cycles(all, 1);
-  int count = 1;
   EXPECT_EQ(children().size(), 3U);
-  int kills = 0;
+  // One strike after the other, each after whole cycles with all three: two in one cycle are more than is
+  // borne.
+  constexpr int kStrikes = 12;
+  std::atomic<int> cycles_done = 1;
+  std::atomic<int> kills = 0;
   std::jthread killer([&](const std::stop_token& stop) {
     std::minstd_rand random(seed);
-    while (!stop.stop_requested()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(kBetweenKills + random() % 20));
+    while (!stop.stop_requested() && kills < kStrikes) {
+      const int before = cycles_done;
+      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 20));
+      while (!stop.stop_requested() && cycles_done < before + 2)
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
       const std::vector<pid_t> those = children();
-      if (!those.empty() && kill(those[random() % those.size()], SIGKILL) == 0) ++kills;
+      if (those.size() == 3 && kill(those[random() % those.size()], SIGKILL) == 0) ++kills;
     }
   });
-  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20 * kBetweenKills);
-  for (; std::chrono::steady_clock::now() < end; ++count) done += cycle(all);
+  for (; kills < kStrikes || cycles_done < 100; ++cycles_done) done += cycle(all);
   killer.request_stop();
   killer.join();
-  EXPECT_GT(kills, 2);
   Local here(false);
   const RobotProgram embedded = standard_robot(false);
   std::vector<std::unique_ptr<Traveller>> known;
@@ -343,7 +345,7 @@ TEST(RobotsInOwnProcesses, GoOnExactlyWhenTheirProcessesAreKilled) {
     one = known.back().get();
     ASSERT_EQ(one->start(), std::nullopt);
   }
-  EXPECT_TRUE(done == cycles(all, count)) << kills << " kills in " << count << " cycles";
+  EXPECT_TRUE(done == cycles(all, cycles_done)) << kills << " kills in " << cycles_done << " cycles";
 }
 
 TEST(RobotsAtAgents, AreSharedOutAndFailWithTheirAgent) {

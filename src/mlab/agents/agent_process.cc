@@ -1,11 +1,12 @@
 #include "mlab/agents/agent_process.h"
 
-#include <sys/sysinfo.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 #include <thread>
@@ -26,6 +27,16 @@ constexpr std::chrono::milliseconds kBeat(500);         // between two words tha
 constexpr std::chrono::milliseconds kNameGlance(1500);  // in which somebody of the same name is found
 constexpr std::size_t kMostConversations = 64;
 
+// What programs could have without anything being swapped out [bytes]; 0: nobody says.
+std::uint64_t available_memory() {
+  std::ifstream about("/proc/meminfo");
+  std::uint64_t kilobytes = 0;
+  for (std::string word; about >> word;) {
+    if (word == "MemAvailable:" && about >> kilobytes) return kilobytes << 10;
+  }
+  return 0;
+}
+
 std::string counted_robots(std::size_t count) {
   return fmt::format("{} robot{}", count, count == 1 ? "" : "s");
 }
@@ -33,12 +44,11 @@ std::string counted_robots(std::size_t count) {
 class AgentProcess {
  public:
   AgentProcess(const AgentSettings& settings, std::shared_ptr<Roster> roster, dds::Waiter waiter,
-               dds::Reader requests, dds::Writer answers, dds::Writer presence)
+               dds::Reader requests, dds::Writer presence)
       : settings_(settings),
         roster_(std::move(roster)),
         waiter_(std::move(waiter)),
         requests_(std::move(requests)),
-        answers_(std::move(answers)),
         presence_(std::move(presence)) {}
 
   void serve(const std::stop_token& stop) {
@@ -54,8 +64,9 @@ class AgentProcess {
       for (const dds::Arrival& arrival : requests_.take()) take(arrival);
       std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
     }
-    conversations_.clear();
     static_cast<void>(presence_.end(settings_.name));
+    for (auto& [key, conversation] : conversations_) conversation->end();
+    conversations_.clear();
   }
 
  private:
@@ -70,8 +81,10 @@ class AgentProcess {
       const Key key{arrival.sender, arrival.key};
       auto at = conversations_.find(key);
       if (at == conversations_.end()) {
-        if (conversations_.size() >= kMostConversations) return;
-        at = conversations_.emplace(key, begin(key)).first;
+        if (!is_conversation(arrival.key) || conversations_.size() >= kMostConversations) return;
+        auto begun = begin(key);
+        if (!begun) return;
+        at = conversations_.emplace(key, std::move(begun)).first;
         settings_.tell("a run has begun to talk to this agent");
       }
       if (!at->second->add(arrival.body)) at->second->end();
@@ -83,27 +96,30 @@ class AgentProcess {
   }
 
   std::unique_ptr<Conversation> begin(const Key& key) {
-    return std::make_unique<Conversation>(settings_.sources,
-                                          [this, key, is_met = false](std::string_view message) mutable {
-                                            if (!is_met) is_met = meet(key.first);
-                                            return is_met && write(key.second, message);
-                                          });
+    auto answers = roster_->participant().writer(answers_topic(settings_.name, key.second),
+                                                 dds::ChannelKind::kLockStepPercepts);
+    if (!answers) return nullptr;
+    const auto writer = std::make_shared<dds::Writer>(std::move(*answers));
+    return std::make_unique<Conversation>(
+        settings_.sources, [writer, key, is_met = false](std::string_view message,
+                                                         const std::function<bool()>& is_awaited) mutable {
+          if (!is_met) is_met = meet(*writer, key.first, is_awaited);
+          const Clock::time_point last = Clock::now() + 2 * kMeetingPatience;
+          return is_met && write_in_parts(*writer, key.second, message,
+                                          [&] { return is_awaited() && Clock::now() < last; });
+        });
   }
 
   // What is written before the run hears it would be lost.
-  bool meet(const dds::Guid& run) const {
+  static bool meet(const dds::Writer& answers, const dds::Guid& run,
+                   const std::function<bool()>& is_awaited) {
     const Clock::time_point last = Clock::now() + kMeetingPatience;
-    for (;;) {
-      const std::vector<dds::Guid> readers = answers_.readers();
+    while (is_awaited() && Clock::now() < last) {
+      const std::vector<dds::Guid> readers = answers.readers();
       if (std::ranges::find(readers, run) != readers.end()) return true;
-      if (Clock::now() >= last) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
-  }
-
-  bool write(const std::string& key, std::string_view message) {
-    const Clock::time_point last = Clock::now() + 2 * kMeetingPatience;
-    return write_in_parts(answers_, key, message, [last] { return Clock::now() < last; });
+    return false;
   }
 
   void end_all_of(const dds::Guid& run) {
@@ -129,9 +145,7 @@ class AgentProcess {
     said.set_processors(std::max(1U, std::thread::hardware_concurrency()));
     double load = 0.0;
     if (::getloadavg(&load, 1) == 1) said.set_load(load);
-    struct sysinfo about{};
-    if (::sysinfo(&about) == 0)
-      said.set_free_memory(std::uint64_t{about.freeram + about.bufferram} * about.mem_unit);
+    said.set_free_memory(available_memory());
     said.set_uptime(std::chrono::duration<double>(Clock::now() - began_).count());
     std::size_t robots = 0;
     for (const auto& [key, conversation] : conversations_) robots += conversation->robot_count();
@@ -145,7 +159,6 @@ class AgentProcess {
   std::shared_ptr<Roster> roster_;  // keeps the participant
   dds::Waiter waiter_;
   dds::Reader requests_;
-  dds::Writer answers_;
   dds::Writer presence_;
   Clock::time_point began_ = Clock::now();
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
@@ -166,7 +179,7 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!roster) return roster.error();
   const auto is_taken = [&](const std::vector<Member>& members) {
     return std::ranges::any_of(members, [&](const Member& one) {
-      return one.said.name() == settings.name && one.state == Member::State::kThere;
+      return one.said.name() == settings.name && one.state != Member::State::kGone;
     });
   };
   if ((*roster)->wait(is_taken, Clock::now() + kNameGlance))
@@ -178,12 +191,10 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   auto requests =
       participant.reader(requests_topic(settings.name), dds::ChannelKind::kLockStepPercepts, *waiter);
   if (!requests) return requests.error();
-  auto answers = participant.writer(answers_topic(settings.name), dds::ChannelKind::kLockStepPercepts);
-  if (!answers) return answers.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
   AgentProcess process(settings, std::move(*roster), std::move(*waiter), std::move(*requests),
-                       std::move(*answers), std::move(*presence));
+                       std::move(*presence));
   if (settings.tell_ready) settings.tell_ready();
   process.serve(stop);
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -18,14 +19,16 @@ namespace mlab::agents {
 class Conversation {
  public:
   /// Writes an answer; called on the conversation's thread. False: it can't be written any more.
-  using Answer = std::function<bool(std::string_view message)>;
+  /// @param is_awaited  false as soon as nobody waits for the answer any more
+  using Answer = std::function<bool(std::string_view message, const std::function<bool()>& is_awaited)>;
 
   Conversation(robot::ProgramSources sources, Answer answer);
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
 
-  /// Takes a part of a message that has arrived. False: it is none, and the conversation is over.
+  /// Takes a part of a message that has arrived. False: it is none, or one too many (each is answered before
+  /// the next is sent), and the conversation is over.
   bool add(std::string_view part);
   /// It ends as soon as it can; nobody waits for its robots.
   void end();
@@ -41,6 +44,7 @@ class Conversation {
   std::condition_variable changed_;
   std::deque<std::string> waiting_;
   std::atomic<bool> is_to_end_ = false;
+  std::stop_source stop_;  // of what is built or started for it
   std::atomic<bool> has_ended_ = false;
   std::atomic<std::size_t> robots_ = 0;
   std::thread thread_;

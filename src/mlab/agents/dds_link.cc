@@ -29,15 +29,16 @@ std::expected<std::unique_ptr<DdsLink>, std::string> DdsLink::open(std::shared_p
   auto waiter = dds::Waiter::make();
   if (!waiter) return std::unexpected(waiter.error());
   const std::string& name = agent.said.name();
+  const std::string key = any_key();
   auto answers =
-      roster->participant().reader(answers_topic(name), dds::ChannelKind::kLockStepPercepts, *waiter);
+      roster->participant().reader(answers_topic(name, key), dds::ChannelKind::kLockStepPercepts, *waiter);
   if (!answers) return std::unexpected(answers.error());
   auto requests =
       roster->participant().writer(requests_topic(name), dds::ChannelKind::kLockStepPercepts, &*waiter);
   if (!requests) return std::unexpected(requests.error());
-  std::unique_ptr<DdsLink> out(
-      new DdsLink(std::move(roster), agent, std::move(*waiter), std::move(*answers), std::move(*requests)));
-  // What is written before both stand would be lost.
+  std::unique_ptr<DdsLink> out(new DdsLink(std::move(roster), agent, key, std::move(*waiter),
+                                           std::move(*answers), std::move(*requests)));
+  // What is written before the agent hears it would be lost. It waits in turn until it is heard.
   const Clock::time_point last = Clock::now() + kMeetingPatience;
   while (!out->is_met()) {
     if (Clock::now() >= last) return std::unexpected("is there, but can't be talked to");
@@ -46,18 +47,18 @@ std::expected<std::unique_ptr<DdsLink>, std::string> DdsLink::open(std::shared_p
   return out;
 }
 
-DdsLink::DdsLink(std::shared_ptr<Roster> roster, const Member& agent, dds::Waiter waiter, dds::Reader answers,
-                 dds::Writer requests)
+DdsLink::DdsLink(std::shared_ptr<Roster> roster, const Member& agent, std::string key, dds::Waiter waiter,
+                 dds::Reader answers, dds::Writer requests)
     : roster_(std::move(roster)),
       agent_(agent.said.name()),
       guid_(agent.guid),
-      key_(any_key()),
+      key_(std::move(key)),
       waiter_(std::move(waiter)),
       answers_(std::move(answers)),
       requests_(std::move(requests)) {}
 
 bool DdsLink::is_met() const {
-  return has(requests_.readers(), guid_) && has(answers_.senders(), guid_);
+  return has(requests_.readers(), guid_);
 }
 
 void DdsLink::fail(std::string why) {

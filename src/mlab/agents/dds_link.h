@@ -23,12 +23,13 @@ class DdsLink final : public robot_remote::Link {
 
   void send(std::string_view message) override;
   std::optional<std::string_view> receive(robot_remote::Clock::time_point deadline) override;
+  void look() override { look_after_agent(); }
   const std::string& failure() const override { return failure_; }
   void fail(std::string why) override;
 
  private:
-  DdsLink(std::shared_ptr<Roster> roster, const Member& agent, dds::Waiter waiter, dds::Reader answers,
-          dds::Writer requests);
+  DdsLink(std::shared_ptr<Roster> roster, const Member& agent, std::string key, dds::Waiter waiter,
+          dds::Reader answers, dds::Writer requests);
   bool is_met() const;
   void take_arrivals();
   void look_after_agent();

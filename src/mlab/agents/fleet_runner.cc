@@ -1,6 +1,7 @@
 #include "mlab/agents/fleet_runner.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -29,7 +30,8 @@ class Recruits {
       : roster_(std::move(roster)), seed_(seed), version_(std::move(version)) {}
 
   /// Where no such agent was ever there, the first call waits a while.
-  robot_remote::RemoteRunner::Newcomers find(const std::string& host) {
+  robot_remote::RemoteRunner::Newcomers find(const std::string& host, const std::vector<std::string>& lost) {
+    for (const std::string& name : lost) known_.erase(name);
     const auto is_wanted = [&](const std::vector<Member>& members) {
       return std::ranges::any_of(members, [&](const Member& one) {
         return (host.empty() || one.said.name() == host) && one.state == Member::State::kThere &&
@@ -46,7 +48,7 @@ class Recruits {
                              "--fleet {0} --name {1}` starts one",
                              roster_->fleet(), text::shown(host));
     for (const Member& one : roster_->members()) {
-      if (one.state != Member::State::kThere || known_.contains(one.guid)) continue;
+      if (one.state != Member::State::kThere || is_known(one)) continue;
       if (!fits(one.said, version_)) {
         out.why_none = misfit(one.said);
         continue;
@@ -56,7 +58,7 @@ class Recruits {
         out.why_none = fmt::format("the agent on `{}` {}", one.said.name(), link.error());
         continue;
       }
-      known_.insert(one.guid);
+      known_[one.said.name()] = one.guid;
       auto agent = std::make_unique<robot_remote::Agent>(one.said.name(), std::move(*link));
       if (auto problem = agent->open(seed_, version_))
         out.why_none = std::move(*problem);
@@ -67,6 +69,10 @@ class Recruits {
   }
 
  private:
+  bool is_known(const Member& member) const {
+    const auto at = known_.find(member.said.name());
+    return at != known_.end() && at->second == member.guid;
+  }
   std::string misfit(const wire::AgentPresence& agent) const {
     return fmt::format("the agent on `{}` is missionlab {} (protocol {}), and this is {} (protocol {})",
                        agent.name(), agent.version(), agent.protocol(), version_,
@@ -76,7 +82,7 @@ class Recruits {
   std::shared_ptr<Roster> roster_;
   std::uint64_t seed_;
   std::string version_;
-  std::set<dds::Guid> known_;
+  std::map<std::string, dds::Guid> known_;  // by name: who was given out last
   std::set<std::string> waited_for_;
 };
 
@@ -86,7 +92,9 @@ std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> 
                                                         const std::string& version) {
   auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version);
   return std::make_unique<robot_remote::RemoteRunner>(
-      [recruits](const std::string& host) { return recruits->find(host); });
+      [recruits](const std::string& host, const std::vector<std::string>& lost) {
+        return recruits->find(host, lost);
+      });
 }
 
 }  // namespace mlab::agents

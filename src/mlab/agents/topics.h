@@ -18,8 +18,13 @@ inline constexpr std::string_view kPresenceTopic = "agents";  ///< proto/mlab/pr
 inline std::string requests_topic(std::string_view agent) {
   return "agents/" + std::string(agent) + "/requests";
 }
-inline std::string answers_topic(std::string_view agent) {
-  return "agents/" + std::string(agent) + "/answers";
+/// Of one conversation, so that a run which does not listen holds up no other.
+inline std::string answers_topic(std::string_view agent, std::string_view conversation) {
+  return "agents/" + std::string(agent) + "/answers/" + std::string(conversation);
+}
+/// What runs call their conversations: 16 hexadecimal digits.
+inline bool is_conversation(std::string_view key) {
+  return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 /// A message that is longer than what DDS carries at once goes in parts, each with a byte in front that says

@@ -24,7 +24,7 @@ enum class RobotsAt {
 
 /// Which fleet, and how it is reached.
 struct NetworkOptions {
-  std::string fleet = "default";
+  std::string fleet;               ///< empty: the one that is called `default`
   std::string interface_name;      ///< or its address; empty: nothing leaves this machine
   std::vector<std::string> peers;  ///< addresses of other machines
 };

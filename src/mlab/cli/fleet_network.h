@@ -6,7 +6,9 @@
 namespace mlab::cli {
 
 inline dds::Network network_of(const NetworkOptions& options) {
-  return {.fleet = options.fleet, .interface_name = options.interface_name, .peers = options.peers};
+  return {.fleet = options.fleet.empty() ? "default" : options.fleet,
+          .interface_name = options.interface_name,
+          .peers = options.peers};
 }
 
 }  // namespace mlab::cli

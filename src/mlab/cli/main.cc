@@ -104,7 +104,7 @@ void add_robots(CLI::App* c, RunOptions& o) {
       ->check(CLI::IsMember({"embedded", "process", "fleet"}))
       ->type_name("embedded|process|fleet");
   c->add_option("--fleet", o.network.fleet, "the fleet of --robots fleet")
-      ->capture_default_str()
+      ->default_str("default")
       ->type_name("NAME");
   add_network(c, o.network);
 }
@@ -353,7 +353,7 @@ void add_agent(CLI::App& app, AgentOptions& o) {
   CLI::App* c = app.add_subcommand(
       "agent",
       "Carry robots for runs of a fleet, each in a process of its own (docs/robots_of_their_own.md).");
-  c->add_option("--fleet", o.network.fleet, "the fleet to join")->capture_default_str()->type_name("NAME");
+  c->add_option("--fleet", o.network.fleet, "the fleet to join")->default_str("default")->type_name("NAME");
   c->add_option("--name", o.name,
                 "of this agent in the fleet, which NEW-ROBOT names as host (default: the "
                 "machine's)")
@@ -367,7 +367,7 @@ void add_agent(CLI::App& app, AgentOptions& o) {
 void add_fleet(CLI::App& app, FleetOptions& o) {
   CLI::App* c =
       app.add_subcommand("fleet", "Who is in a fleet: machines, robots, versions; live on a terminal.");
-  c->add_option("fleet", o.network.fleet, "the fleet")->capture_default_str()->type_name("NAME");
+  c->add_option("fleet", o.network.fleet, "the fleet")->default_str("default")->type_name("NAME");
   add_network(c, o.network);
   c->add_flag("--once", o.once, "say it once, and end");
   c->add_flag("--json", o.json, "say it once, as JSON");

@@ -79,13 +79,19 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
   out.settings.executive.patience = options.patience;
   out.settings.executive.epoch_seconds = clock->epoch_seconds;
   out.settings.executive.zone_offset = clock->zone_offset;
+  const NetworkOptions& network = options.network;
+  if (options.robots != RobotsAt::kFleet &&
+      (!network.fleet.empty() || !network.interface_name.empty() || !network.peers.empty())) {
+    usage_error("--fleet, --network and --peer count with --robots fleet only");
+    return std::nullopt;
+  }
   if (options.robots == RobotsAt::kFleet) {
     const auto roster = agents::Roster::join(network_of(options.network));
     if (!roster) {
       usage_error(roster.error());
       return std::nullopt;
     }
-    out.settings.robots_elsewhere = [roster = *roster, seed = options.seed] {
+    out.settings.robots_elsewhere = [roster = *roster](std::uint64_t seed) {
       return agents::make_fleet_runner(roster, seed, kVersion);
     };
   }

@@ -32,9 +32,9 @@ MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
   const mission::Mission& plan = *state_.mission;
   dt_ = plan.options.cycle_duration.value_or(dt_);
   metrics_.resize(plan.units.size());
-  fleet_ =
-      std::make_unique<fleet::Fleet>(plan, crew->programs, crew->bodies, *binding_, settings_.seed,
-                                     settings_.robots_elsewhere ? settings_.robots_elsewhere() : nullptr);
+  fleet_ = std::make_unique<fleet::Fleet>(
+      plan, crew->programs, crew->bodies, *binding_, settings_.seed,
+      settings_.robots_elsewhere ? settings_.robots_elsewhere(settings_.seed) : nullptr);
   crews_.push_back(std::move(crew));
 }
 

@@ -29,8 +29,9 @@ struct RunSettings {
   bool stands_still_for_operator = true;    ///< time does not pass while nothing but an answer is awaited
   bool goes_on_when_done =
       false;  ///< time passes after the mission is done: robots that act by themselves do so
-  /// Makes what runs the robots' programs elsewhere, for one run; empty: they run on this machine.
-  std::function<std::unique_ptr<robot::ProgramRunner>()> robots_elsewhere = {};
+  /// Makes what runs the robots' programs elsewhere, for one run of this seed; empty: they run on this
+  /// machine.
+  std::function<std::unique_ptr<robot::ProgramRunner>(std::uint64_t seed)> robots_elsewhere = {};
 };
 
 /// How well a unit kept its formations.

@@ -32,7 +32,7 @@ int agent(const AgentOptions& options) {
   settings.sources.limits = options.limits;
   settings.tell = say;
   settings.tell_ready = [&] {
-    say(fmt::format("agent `{}` of fleet `{}`, {}: waits for runs", settings.name, options.network.fleet,
+    say(fmt::format("agent `{}` of fleet `{}`, {}: waits for runs", settings.name, settings.network.fleet,
                     options.network.interface_name.empty()
                         ? "which nothing outside of this machine can reach"
                         : fmt::format("reachable over {}", options.network.interface_name)));

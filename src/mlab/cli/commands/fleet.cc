@@ -22,7 +22,8 @@ namespace {
 using agents::Clock;
 using agents::Member;
 
-constexpr std::chrono::milliseconds kFirstLook(1500);  // in which those who are there are found
+constexpr std::chrono::milliseconds kFirstLook(4000);  // in which somebody is found if somebody is there
+constexpr std::chrono::milliseconds kOthers(1000);
 constexpr std::chrono::milliseconds kBetweenLooks(1000);
 
 double seconds_since(Clock::time_point then) {
@@ -96,17 +97,22 @@ void pass(std::chrono::milliseconds time) {
 }  // namespace
 
 int show_fleet(const FleetOptions& options) {
-  const auto roster = agents::Roster::join(network_of(options.network));
+  const dds::Network network = network_of(options.network);
+  const auto roster = agents::Roster::join(network);
   if (!roster) {
     fmt::print(stderr, "mlab fleet: {}\n", roster.error());
     return kBadInput;
   }
   note_interrupts();
   const bool is_live = ::isatty(STDOUT_FILENO) == 1 && !options.once && !options.json;
-  pass(kFirstLook);
+  const auto is_there = [](const std::vector<Member>& members) {
+    return was_interrupted() || !members.empty();
+  };
+  (*roster)->wait(is_there, Clock::now() + kFirstLook);
+  pass(kOthers);  // who has been found first is hardly alone
   for (;;) {
     const std::vector<Member> members = (*roster)->members();
-    const std::string& fleet = options.network.fleet;
+    const std::string& fleet = network.fleet;
     const std::string text = options.json ? json_of(fleet, members) : table_of(fleet, members);
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
     if (!is_live || !is_read || was_interrupted()) return kDone;

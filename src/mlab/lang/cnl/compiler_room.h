@@ -11,6 +11,7 @@ namespace mlab::cnl {
 /// How much of an author's folder a compiler may read.
 enum class ProjectPart {
   kAll,
+  kNone,     ///< the text came from elsewhere: nothing lies beside it
   kSources,  ///< by their endings. People who take part in a session write none of these (console, designer)
 };
 

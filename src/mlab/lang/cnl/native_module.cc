@@ -70,7 +70,7 @@ class NativeBuild {
               "-fmax-errors=50"};
     std::error_code failure;
     beside_ = fs::absolute(fs::path(tree.source->name()), failure).parent_path().string();
-    flags_.push_back("-iquote" + beside_);
+    if (options.project != ProjectPart::kNone) flags_.push_back("-iquote" + beside_);
     for (const std::string& folder : options.include_folders) flags_.push_back("-I" + folder);
     std::vector<std::string> parts = flags_;
     parts.push_back(text_);
@@ -126,7 +126,9 @@ class NativeBuild {
     std::vector<std::string> words = {options_.compiler};
     words.insert(words.end(), flags_.begin(), flags_.end());
     words.insert(words.end(), last_words.begin(), last_words.end());
-    CompilerRoom room{options_.wall, {options_.include_folders, {beside_}, options_.project}, own_};
+    CompilerFiles files{options_.include_folders, {}, options_.project};
+    if (options_.project != ProjectPart::kNone) files.projects.push_back(beside_);
+    CompilerRoom room{options_.wall, std::move(files), own_};
     const ProcessResult result = run_process(words, room, options_.limits);
     messages_ = result.output;
     const text::Place place{tree_.source, {0, 0}};

@@ -31,7 +31,10 @@ cnl::NativeOptions native_options(const ProgramSources& sources, cell::Wall wall
   options.wall = wall;
   options.include_folders = {sources.include_root};
   options.version = sources.version;
-  if (sources.permission.others_write_files()) options.project = cnl::ProjectPart::kSources;
+  if (sources.came_from_elsewhere)
+    options.project = cnl::ProjectPart::kNone;
+  else if (sources.permission.others_write_files())
+    options.project = cnl::ProjectPart::kSources;
   options.limits.ends = sources.ends;
   return options;
 }

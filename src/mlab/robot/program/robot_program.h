@@ -96,11 +96,13 @@ struct ProgramSources {
   std::string version = {};            ///< of this program: code compiled for another one is not used again
   const text::Files* files = nullptr;  ///< how configurations and networks are read; null: from disk
   bool checks_code = true;             ///< a check gives C++ of procedures to the compiler
-  bool in_own_processes = false;       ///< each robot is computed in a process of its own
-  robot_host::Limits limits = {};      ///< of programs that run in processes of their own
-  std::string project = {};            ///< folder that programs, and what they use, come from; empty: any
-  const Places* places = nullptr;      ///< of the mission; null: there is none, and places lie anywhere
-  std::stop_token ends = {};           ///< stops a C++ compiler that is at work: nobody waits for it any more
+  bool came_from_elsewhere =
+      false;  ///< texts did: files of this machine that lie beside them by name are none of theirs
+  bool in_own_processes = false;   ///< each robot is computed in a process of its own
+  robot_host::Limits limits = {};  ///< of programs that run in processes of their own
+  std::string project = {};        ///< folder that programs, and what they use, come from; empty: any
+  const Places* places = nullptr;  ///< of the mission; null: there is none, and places lie anywhere
+  std::stop_token ends = {};       ///< stops a C++ compiler that is at work: nobody waits for it any more
 };
 
 /// Finds and builds the program of a robot type and sets its parameters.

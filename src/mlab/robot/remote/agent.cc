@@ -25,6 +25,7 @@ Agent::Agent(std::string name, std::unique_ptr<Link> link, Patience patience)
     : name_(std::move(name)), link_(std::move(link)), patience_(patience) {}
 
 std::string Agent::failure() const {
+  link_->look();
   if (link_->failure().empty()) return "";
   return fmt::format("the agent on `{}` {}", name_, link_->failure());
 }
@@ -46,6 +47,8 @@ const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double p
         link_->fail("answers what is no message of the agents' protocol");
       else if (answer_.number() != number_ || (answer_.body_case() != wanted && !answer_.has_refusal()))
         link_->fail("answers something else than it was asked");
+      else if (answer_.refusal().is_unknown())
+        link_->fail("has given this run up: it heard nothing of it for a while");
       else
         return &answer_;
     } else if (Clock::now() >= last) {

@@ -25,6 +25,8 @@ class Link {
   /// failed.
   virtual std::optional<std::string_view> receive(Clock::time_point deadline) = 0;
 
+  /// Sees whether the other side still stands; `failure` says so.
+  virtual void look() {}
   /// What became of the other side, as a sentence without its subject: `ended with exit status 3`, `has been
   /// silent for 5 s`. Empty: it stands. One that failed stays failed.
   virtual const std::string& failure() const = 0;

@@ -58,8 +58,14 @@ bool RemoteRunner::may_carry(const Carrier& carrier, const std::string& host) {
 
 // Why there may be none.
 std::string RemoteRunner::welcome(const std::string& host) {
-  Newcomers newcomers = recruit_(host);
-  for (auto& agent : newcomers.agents) carriers_.push_back({std::move(agent), 0, {}, {}});
+  std::vector<std::string> lost;
+  for (Carrier& carrier : carriers_) {
+    if (carrier.is_given_up || carrier.agent->failure().empty()) continue;
+    carrier.is_given_up = true;
+    lost.push_back(carrier.agent->name());
+  }
+  Newcomers newcomers = recruit_(host, lost);
+  for (auto& agent : newcomers.agents) carriers_.push_back({std::move(agent), 0, {}, {}, false});
   return std::move(newcomers.why_none);
 }
 
@@ -80,24 +86,43 @@ std::expected<RemoteRunner::Carrier*, std::string> RemoteRunner::carrier_for(con
 std::optional<std::string> RemoteRunner::start(Member member) {
   Robot& robot = members_[member];
   if (robot.carrier != nullptr && !robot.carrier->agent->failure().empty()) leave(robot);
-  if (robot.carrier == nullptr) {
-    const robot::RobotProgram& program = robot.values.robot_program();
-    const auto carrier = carrier_for(program.host);
-    if (!carrier) return carrier.error();
-    const auto brought = (*carrier)->agent->bring(program);
-    if (!brought) return fmt::format("can't begin: {}", brought.error());
+  std::optional<std::string> problem;
+  // Where the agent fails meanwhile, another one takes it.
+  for (std::size_t tries = 0; tries <= carriers_.size() + 1; ++tries) {
+    problem = robot.carrier == nullptr ? enlist(robot) : std::nullopt;
+    if (!problem) {
+      robot.values.start();
+      problem = put(robot, true);
+    }
+    if (robot.carrier == nullptr || robot.carrier->agent->failure().empty()) break;
+    leave(robot);
+  }
+  return problem;
+}
+
+// Where it fails together with the agent, the robot has that agent all the same.
+std::optional<std::string> RemoteRunner::enlist(Robot& robot) {
+  const robot::RobotProgram& program = robot.values.robot_program();
+  const auto carrier = carrier_for(program.host);
+  if (!carrier) return carrier.error();
+  Agent& agent = *(*carrier)->agent;
+  const auto brought = agent.bring(program);
+  std::optional<std::string> problem;
+  if (!brought) {
+    problem = fmt::format("can't begin: {}", brought.error());
+  } else {
     wire::ToAgent message;
     message.mutable_enlist()->set_member(next_number_);
     message.mutable_enlist()->set_robot(robot.values.robot().value);
     message.mutable_enlist()->set_program(*brought);
-    const auto answer = (*carrier)->agent->ask(message, wire::FromAgent::kDone);
-    if (!answer) return fmt::format("can't begin: {}", answer.error());
-    robot.carrier = *carrier;
-    robot.number = next_number_++;
-    ++robot.carrier->robots;
+    const auto answer = agent.ask(message, wire::FromAgent::kDone);
+    if (!answer) problem = fmt::format("can't begin: {}", answer.error());
   }
-  robot.values.start();
-  return put(robot, true);
+  if (problem && agent.failure().empty()) return problem;
+  robot.carrier = *carrier;
+  robot.number = next_number_++;
+  ++robot.carrier->robots;
+  return problem;
 }
 
 std::optional<std::string> RemoteRunner::put(Robot& robot, bool begins) const {

@@ -28,7 +28,10 @@ class RemoteRunner final : public robot::ProgramRunner {
   };
   /// Says which agents have joined since it was asked last.
   /// @param host  of the robot that wants one; empty: it does not matter
-  using Recruit = std::function<Newcomers(const std::string& host)>;
+  /// @param lost  names of those that were given out and have failed since it was asked last: if they are
+  /// there,
+  ///              they may be given out again
+  using Recruit = std::function<Newcomers(const std::string& host, const std::vector<std::string>& lost)>;
   explicit RemoteRunner(Recruit recruit) : recruit_(std::move(recruit)) {}
 
   Member add(base::RobotId robot, const robot::RobotProgram& program) override;
@@ -57,6 +60,7 @@ class RemoteRunner final : public robot::ProgramRunner {
     std::uint32_t robots = 0;
     wire::ToAgent cycle;
     std::vector<Member> joined;
+    bool is_given_up = false;  // it has failed, which was told
   };
   struct Robot {
     robot::RobotValues values;   // as they were known last
@@ -72,6 +76,7 @@ class RemoteRunner final : public robot::ProgramRunner {
   std::string welcome(const std::string& host);
   std::expected<Carrier*, std::string> carrier_for(const std::string& host);
   void leave(Robot& robot);
+  std::optional<std::string> enlist(Robot& robot);
   std::optional<std::string> put(Robot& robot, bool begins) const;
   std::optional<std::string> change(Robot& robot, wire::Change::Kind kind, std::string_view path,
                                     std::string_view value);

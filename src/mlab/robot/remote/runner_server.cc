@@ -59,6 +59,7 @@ bool is_built_from_text(const std::string& name) {
 RunnerServer::RunnerServer(robot::ProgramSources sources) : sources_(std::move(sources)) {
   // What arrives may be anything: no frame that came from elsewhere is stepped in this process.
   sources_.in_own_processes = true;
+  sources_.came_from_elsewhere = true;
 }
 
 std::string_view RunnerServer::answer(std::string_view message, const robot::Meanwhile& meanwhile) {
@@ -82,6 +83,7 @@ void RunnerServer::refuse(std::string why) {
 void RunnerServer::answer_body(const wire::ToAgent& message, const robot::Meanwhile& meanwhile) {
   if (!runners_ && !message.has_open()) {
     refuse("no run has opened this conversation");
+    answer_.mutable_refusal()->set_is_unknown(true);
     return;
   }
   switch (message.body_case()) {

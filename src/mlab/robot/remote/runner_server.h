@@ -30,6 +30,8 @@ class RunnerServer {
   /// @return  the answer, valid until the next call
   std::string_view answer(std::string_view message, const robot::Meanwhile& meanwhile = {});
 
+  /// A run has said who it is.
+  bool is_open() const { return runners_ != nullptr; }
   std::size_t robot_count() const { return robots_.size(); }
 
  private:
