@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -332,7 +333,10 @@ TEST(RobotsInOwnProcesses, GoOnExactlyWhenTheirProcessesAreKilled) {
       if (those.size() == 3 && kill(those[random() % those.size()], SIGKILL) == 0) ++kills;
     }
   });
-  for (; kills < kStrikes || cycles_done < 100; ++cycles_done) done += cycle(all);
+  const auto are_all_well = [&] {
+    return std::ranges::all_of(all, [](const Traveller* one) { return one->failure().empty(); });
+  };
+  for (; are_all_well() && (kills < kStrikes || cycles_done < 100); ++cycles_done) done += cycle(all);
   killer.request_stop();
   killer.join();
   Local here(false);
