@@ -18,6 +18,8 @@
 #include <google/protobuf/stubs/logging.h>
 
 #include "mlab/robot/program/robot_values.h"
+#include "mlab/robot/remote/live_robot.h"
+#include "mlab/robot/remote/live_runner.h"
 #include "mlab/robot/remote/remote_runner.h"
 #include "mlab/robot/remote/runner_server.h"
 #include "mlab/robot/wire/shared_cycle.h"
@@ -45,10 +47,34 @@ std::vector<std::string> pieces_of(std::string_view bytes) {
   return out;
 }
 
+/// What such an agent says in real time.
+class LiveScript final : public robot_remote::LiveLine {
+ public:
+  explicit LiveScript(std::vector<std::string> messages) : messages_(std::move(messages)) {}
+  bool meet(robot_remote::Clock::time_point /*deadline*/) override { return true; }
+  void send(std::string_view key, std::string_view body) override {
+    wire::LivePercepts percepts;
+    if (key != robot_remote::kBeatKey && !percepts.ParseFromArray(body.data(), static_cast<int>(body.size())))
+      fail("the run writes no percepts");
+  }
+  std::vector<Message> receive(robot_remote::Clock::time_point /*deadline*/) override {
+    std::vector<Message> out;
+    for (const std::string& body : messages_) {
+      for (const char* key : {"0", "1", "nobody"}) out.push_back({key, body, robot_remote::Clock::now()});
+    }
+    return out;
+  }
+  void wake() override {}
+
+ private:
+  std::vector<std::string> messages_;
+};
+
 /// An agent that answers with what it was made with, under the number that is awaited.
 class Script final : public robot_remote::Link {
  public:
-  explicit Script(std::vector<std::string> answers) : answers_(std::move(answers)) {}
+  explicit Script(std::vector<std::string> answers)
+      : answers_(std::move(answers)), live_(std::make_shared<LiveScript>(answers_)) {}
 
   void send(std::string_view message) override {
     wire::ToAgent sent;
@@ -77,6 +103,7 @@ class Script final : public robot_remote::Link {
   }
   const std::string& failure() const override { return failure_; }
   void fail(std::string why) override { failure_ = std::move(why); }
+  std::shared_ptr<robot_remote::LiveLine> live() override { return live_; }
 
  private:
   static void fail(const char* why) { ::fail(why); }
@@ -87,6 +114,7 @@ class Script final : public robot_remote::Link {
   bool is_opening_ = false;
   std::string bytes_;
   std::string failure_;
+  std::shared_ptr<LiveScript> live_;
 };
 
 const robot::RobotProgram& standard_robot() {
@@ -106,16 +134,16 @@ void look_at(const robot::Workings& workings) {
   workings.program->find_fault(workings.frame);
 }
 
-void try_run(const std::vector<std::string>& answers) {
+template <typename Runner, typename... Arguments>
+void try_run(const std::vector<std::string>& answers, double period, Arguments... arguments) {
   auto agent = std::make_unique<robot_remote::Agent>("fuzz", std::make_unique<Script>(answers));
-  if (agent->open(1, kVersion)) fail("the script does not open");
+  if (agent->open(1, kVersion, period)) fail("the script does not open");
   std::vector<std::unique_ptr<robot_remote::Agent>> agents;
   agents.push_back(std::move(agent));
-  robot_remote::RemoteRunner runner(
-      [&](const std::string& /*host*/,
-          const std::vector<std::string>& /*lost*/) -> robot_remote::RemoteRunner::Newcomers {
-        return {std::exchange(agents, {}), "it has gone"};
-      });
+  Runner runner(
+      [&](const std::string& /*host*/, const std::vector<std::string>& /*lost*/)
+          -> robot_remote::RemoteRunner::Newcomers { return {std::exchange(agents, {}), "it has gone"}; },
+      arguments...);
   const auto member = runner.add({1}, standard_robot());
   if (const auto problem = runner.start(member)) {
     if (problem->empty()) fail("it does not start, and nobody knows why");
@@ -141,6 +169,23 @@ void try_run(const std::vector<std::string>& answers) {
   }
 }
 
+// A robot in real time, at its agent.
+void try_live_robot(const std::vector<std::string>& pieces) {
+  robot_remote::LiveRobot robot;
+  const auto now = robot_remote::Clock::now();
+  for (const std::string& piece : pieces) {
+    wire::LivePercepts percepts;
+    if (!percepts.ParseFromString(piece) || !robot.hear(percepts, now)) continue;
+    if (!(robot.age(now) >= 0.0)) fail("percepts are of the future");
+    static_cast<void>(robot.percepts(now));
+    wire::LiveAction action;
+    robot.answer(now, action);
+    if (robot.is_fresh()) fail("it acts on the same percepts again");
+    static_cast<void>(action.mutable_action()->ParseFromString(piece));
+    robot.keep_requests(action);
+  }
+}
+
 }  // namespace
 
 // libFuzzer's name, not ours.
@@ -154,12 +199,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   robot_remote::RunnerServer server(sources);
   for (const std::string& piece : pieces) {
     wire::FromAgent answer;
+    server.hear({"1", piece, robot_remote::Clock::now()});
     const std::string_view bytes = server.answer(piece);
     if (!answer.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) ||
         answer.body_case() == wire::FromAgent::BODY_NOT_SET)
       fail("a message is not answered");
   }
   if (server.robot_count() != 0) fail("an agent that may run nothing carries robots");
-  try_run(pieces);
+  try_run<robot_remote::RemoteRunner>(pieces, 0.0);
+  try_run<robot_remote::LiveRunner>(pieces, 0.001, 0.001);
+  try_live_robot(pieces);
   return 0;
 }

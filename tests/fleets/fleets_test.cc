@@ -1,99 +1,31 @@
 // Missions whose robots are on other machines: whatever the network does, and whoever is killed, the mission
 // ends as it should, or says why not, and nothing is left behind.
 
+#include "fleets.h"
+
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "mlab/base/testing/source_folder.h"
-#include "network/killer.h"
-#include "network/test_network.h"
-
-namespace mlab {
+namespace mlab::testing {
 namespace {
 
-using namespace std::chrono_literals;
-using network::Host;
 using network::Process;
-using Json = nlohmann::json;
-
-constexpr auto kPatience = 60s;  // for what takes a second on a machine that has nothing else to do
-
-std::string mission(const std::string& name) {
-  return base::source_folder() + "/missions/" + name + "/" + name + ".mdl";
-}
 
 // What a run tells of itself but for how fast it was.
-Json report_in(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  Json out = Json::parse(stream, nullptr, false);
-  if (out.is_object()) out.erase("performance");
-  return out;
+Json but_for_its_cost(Json report) {
+  if (report.is_object()) report.erase("performance");
+  return report;
 }
 
 Json embedded_report(const std::string& name) {
-  const std::string file = testing::TempDir() + "mlab_fleets_" + name + ".json";
+  const std::string file = ::testing::TempDir() + "mlab_fleets_" + name + ".json";
   const std::string line = std::string(MLAB_COMMAND) + " run " + mission(name) +
                            " --headless --proceed --quiet --threads 1 --report " + file + " > /dev/null";
   // NOLINTNEXTLINE(concurrency-mt-unsafe): a test program has one thread
   EXPECT_EQ(std::system(line.c_str()), 0);
-  const Json out = report_in(file);
+  const Json out = but_for_its_cost(report_in(file));
   std::filesystem::remove(file);
   return out;
 }
-
-/// A base, where runs are, and two machines that carry robots.
-class Fleets : public testing::Test {
- protected:
-  void SetUp() override { MLAB_NEEDS_HOSTS(); }
-
-  network::TestNetwork& net() { return *net_; }
-  Host& base() { return net().host("base"); }
-
-  void make_network(std::uint64_t seed) {
-    net_ = std::make_unique<network::TestNetwork>(
-        network::NetworkSetup{.seed = seed, .hosts = {{"base"}, {"north"}, {"south"}}});
-  }
-  Process agent(const std::string& host, const std::string& fleet = "alpha") {
-    Process out = net().host(host).start(
-        {MLAB_COMMAND, "agent", "--fleet", fleet, "--name", host, "--network", net().host(host).address()});
-    EXPECT_TRUE(out.prints("waits for runs", kPatience)) << out.output() << out.errors();
-    return out;
-  }
-  Process run(const std::string& name, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words = {MLAB_COMMAND, "run",       mission(name),     "--headless",
-                                      "--proceed",  "--robots",  "fleet",           "--fleet",
-                                      "alpha",      "--network", base().address(),  "--threads",
-                                      "1",          "--report",  "/tmp/report.json"};
-    words.insert(words.end(), more.begin(), more.end());
-    return base().start(words);
-  }
-  Json report() { return report_in(base().path("/tmp/report.json")); }
-  // Programs of robots that run somewhere.
-  std::size_t robot_processes() {
-    std::size_t out = 0;
-    for (const auto& host : net().hosts()) {
-      for (const network::Seen& one : host->processes()) out += one.name == "mlab-robots" ? 1 : 0;
-    }
-    return out;
-  }
-  bool come_to_be(std::size_t count) {
-    for (const auto end = network::Clock::now() + kPatience; network::Clock::now() < end;) {
-      if (robot_processes() == count) return true;
-      std::this_thread::sleep_for(20ms);
-    }
-    return false;
-  }
-
- private:
-  std::unique_ptr<network::TestNetwork> net_;
-};
 
 TEST_F(Fleets, RobotsOnTwoMachinesGiveTheReportOfTheEmbeddedRunThoughPacketsAreLost) {
   make_network(7);
@@ -105,12 +37,12 @@ TEST_F(Fleets, RobotsOnTwoMachinesGiveTheReportOfTheEmbeddedRunThoughPacketsAreL
              .duplication = 0.05});
   const Process north = agent("north");
   const Process south = agent("south");
-  Process far = run("patrol");
-  const auto ending = far.wait(kPatience);
+  Process far = run(mission("patrol"));
+  const auto ending = far.wait(kFleetPatience);
   ASSERT_TRUE(ending) << far.output() << far.errors();
   EXPECT_EQ(ending->words(), "exit status 0") << far.output() << far.errors();
   Json expected = embedded_report("patrol");
-  EXPECT_EQ(expected.dump(2), report().dump(2));
+  EXPECT_EQ(expected.dump(2), but_for_its_cost(report()).dump(2));
   EXPECT_GT(net().total().lost, 100U);
   EXPECT_TRUE(come_to_be(0)) << "robots end with their run";
 }
@@ -119,25 +51,25 @@ TEST_F(Fleets, AMachineThatIsCutOffForAWhileIsWaitedFor) {
   make_network(8);
   const Process north = agent("north");
   const Process south = agent("south");
-  Process far = run("patrol", {"--speed", "40"});
+  Process far = run(mission("patrol"), {"--speed", "40"});
   ASSERT_TRUE(come_to_be(2));
   net().isolate(net().host("south"));
   std::this_thread::sleep_for(2s);
   net().join(net().host("south"));
-  const auto ending = far.wait(kPatience);
+  const auto ending = far.wait(kFleetPatience);
   ASSERT_TRUE(ending) << far.output() << far.errors();
   EXPECT_EQ(ending->words(), "exit status 0") << far.output() << far.errors();
-  EXPECT_EQ(embedded_report("patrol").dump(2), report().dump(2));
+  EXPECT_EQ(embedded_report("patrol").dump(2), but_for_its_cost(report()).dump(2));
 }
 
 TEST_F(Fleets, RobotsOfAMachineThatIsLostStandAndTheReasonIsTold) {
   make_network(9);
   const Process north = agent("north");
   const Process south = agent("south");
-  Process far = run("patrol", {"--speed", "40", "--patience", "100"});
+  Process far = run(mission("patrol"), {"--speed", "40", "--patience", "100"});
   ASSERT_TRUE(come_to_be(2));
   ASSERT_TRUE(south.signal(SIGKILL));
-  const auto ending = far.wait(kPatience);
+  const auto ending = far.wait(kFleetPatience);
   ASSERT_TRUE(ending) << far.output() << far.errors();
   EXPECT_EQ(ending->words(), "exit status 1");
   EXPECT_NE(far.output().find("can't be reached: the agent on `south` was silent for 5 s"), std::string::npos)
@@ -151,14 +83,14 @@ TEST_F(Fleets, RobotsOfAMachineThatIsLostStandAndTheReasonIsTold) {
 TEST_F(Fleets, RobotsOfARunThatIsKilledEnd) {
   make_network(10);
   const Process north = agent("north");
-  Process far = run("patrol", {"--speed", "40"});
+  Process far = run(mission("patrol"), {"--speed", "40"});
   ASSERT_TRUE(come_to_be(2));
   ASSERT_TRUE(far.signal(SIGKILL));
   EXPECT_TRUE(come_to_be(0));
-  EXPECT_TRUE(north.prints("a run has gone, and 2 robots with it", kPatience)) << north.output();
+  EXPECT_TRUE(north.prints("a run has gone, and 2 robots with it", kFleetPatience)) << north.output();
   EXPECT_TRUE(net().leftovers().empty());
-  Process again = run("patrol");
-  const auto ending = again.wait(kPatience);
+  Process again = run(mission("patrol"));
+  const auto ending = again.wait(kFleetPatience);
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->words(), "exit status 0") << again.output();
 }
@@ -170,7 +102,7 @@ TEST_F(Fleets, OfDifferentNamesDontHearEachOther) {
   for (const auto& [fleet, there, absent] :
        {std::tuple("alpha", "north", "south"), std::tuple("beta", "south", "north")}) {
     Process list = base().start({MLAB_COMMAND, "fleet", fleet, "--network", base().address()});
-    ASSERT_TRUE(list.wait(kPatience));
+    ASSERT_TRUE(list.wait(kFleetPatience));
     EXPECT_NE(list.output().find(there), std::string::npos) << list.output() << list.errors();
     EXPECT_EQ(list.output().find(absent), std::string::npos) << list.output();
   }
@@ -181,7 +113,7 @@ TEST_F(Fleets, ANameIsTakenOnce) {
   const Process north = agent("north");
   Process second = net().host("south").start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north",
                                               "--network", net().host("south").address()});
-  const auto ending = second.wait(kPatience);
+  const auto ending = second.wait(kFleetPatience);
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->words(), "exit status 2");
   EXPECT_NE(second.errors().find("the fleet `alpha` has an agent `north` already, on `north`"),
@@ -191,8 +123,8 @@ TEST_F(Fleets, ANameIsTakenOnce) {
 
 TEST_F(Fleets, WithoutAnAgentTheMissionSaysWhatIsMissing) {
   make_network(13);
-  Process far = run("patrol");
-  const auto ending = far.wait(kPatience);
+  Process far = run(mission("patrol"));
+  const auto ending = far.wait(kFleetPatience);
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->words(), "exit status 1");
   EXPECT_NE(far.output().find(
@@ -202,4 +134,4 @@ TEST_F(Fleets, WithoutAnAgentTheMissionSaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace mlab
+}  // namespace mlab::testing

@@ -66,13 +66,15 @@ std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t see
   settings.threads = threads;
   settings.executive.proceed_all = true;
   if (home == Home::kAgents)
-    settings.robots_elsewhere = [](std::uint64_t seed_of_run) { return testing::two_agents(seed_of_run); };
+    settings.robots_elsewhere = [](std::uint64_t seed_of_run, double /*cycle_duration*/) {
+      return testing::two_agents(seed_of_run);
+    };
   if (home == Home::kFleet)
-    settings.robots_elsewhere = [](std::uint64_t seed_of_run) {
+    settings.robots_elsewhere = [](std::uint64_t seed_of_run, double /*cycle_duration*/) {
       return testing::FleetOfThreads::shared().make_runner(seed_of_run);
     };
   if (home == Home::kLossyFleet)
-    settings.robots_elsewhere = [](std::uint64_t seed_of_run) {
+    settings.robots_elsewhere = [](std::uint64_t seed_of_run, double /*cycle_duration*/) {
       return lossy_fleet().make_runner(seed_of_run);
     };
   auto run = simulated::make_run(mission, sources, settings, sink);

@@ -48,8 +48,9 @@ class FleetOfThreads {
     return kFleet;
   }
 
-  std::unique_ptr<robot::ProgramRunner> make_runner(std::uint64_t seed) const {
-    return agents::make_fleet_runner(roster_, seed, kVersion);
+  /// @param period  of a cycle in real time [s]; 0: in lock-step
+  std::unique_ptr<robot::ProgramRunner> make_runner(std::uint64_t seed, double period = 0.0) const {
+    return agents::make_fleet_runner(roster_, seed, kVersion, period);
   }
   agents::Roster& roster() { return *roster_; }
 

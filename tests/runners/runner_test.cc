@@ -72,6 +72,15 @@ class Fleet : public Place {
   std::unique_ptr<ProgramRunner> runner_ = FleetOfThreads::shared().make_runner(kSeed);
 };
 
+/// The same in real time, with cycles that are so long that no robot is late on any machine.
+class LiveFleet : public Place {
+ public:
+  ProgramRunner& runner_of(const RobotProgram& /*program*/) override { return *runner_; }
+
+ private:
+  std::unique_ptr<ProgramRunner> runner_ = FleetOfThreads::shared().make_runner(kSeed, 10.0);
+};
+
 RobotProgram standard_robot(bool in_own_processes, const std::string& base_velocity = "0.2",
                             const RobotProgram* built = nullptr) {
   text::Diagnostics sink;
@@ -298,7 +307,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Kind{"InThisProcess", [] { return std::unique_ptr<Place>(new Local(false)); }},
                       Kind{"InOwnProcesses", [] { return std::unique_ptr<Place>(new Local(true)); }},
                       Kind{"AtAgents", [] { return std::unique_ptr<Place>(new Agents); }},
-                      Kind{"InAFleet", [] { return std::unique_ptr<Place>(new Fleet); }}),
+                      Kind{"InAFleet", [] { return std::unique_ptr<Place>(new Fleet); }},
+                      Kind{"InAFleetInRealTime", [] { return std::unique_ptr<Place>(new LiveFleet); }}),
     [](const auto& test) { return std::string(test.param.name); });
 
 // Processes that this one has started and that are there.
@@ -421,6 +431,40 @@ TEST(RobotsAtAgents, GoWhereTheirProgramSays) {
   other.host = "cedar";
   Traveller lost(agents.runner_of(other), 2, other);
   EXPECT_EQ(lost.start(), "has no agent: nobody of that name is there");
+}
+
+TEST(RobotsInRealTime, GoTheirWayThoughNobodyWaitsForThem) {
+  constexpr std::chrono::milliseconds kPeriod(20);
+  FleetOfThreads fleet(100);
+  const auto runner = fleet.make_runner(kSeed, 0.02);
+  const RobotProgram program = standard_robot(false);
+  Traveller first(*runner, 1, program);
+  Traveller second(*runner, 2, program);
+  ASSERT_EQ(first.start(), std::nullopt);
+  ASSERT_EQ(second.start(), std::nullopt);
+  const auto drive = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      const auto next = std::chrono::steady_clock::now() + kPeriod;
+      cycle({&first, &second});
+      EXPECT_EQ(first.failure() + second.failure(), "");
+      std::this_thread::sleep_until(next);
+    }
+  };
+  drive(150);
+  EXPECT_TRUE(first.action().drives && second.action().drives);
+  const robot::Punctuality after = *runner->punctuality();
+  EXPECT_EQ(after.asked, 300U);
+  EXPECT_LT(after.late, 300U);
+  EXPECT_LT(after.stood, 100U);
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(700));  // the run rests for longer than an action counts
+  drive(1);
+  EXPECT_EQ(runner->punctuality()->asked, 302U);
+  drive(50);
+  EXPECT_TRUE(first.action().drives && second.action().drives) << "they go on";
+  EXPECT_EQ(runner->set(first.member(), "base_velocity", "0.4"), std::nullopt);
+  drive(10);
+  EXPECT_EQ(first.number("base_velocity"), 0.4);
 }
 
 TEST(RobotsAtAgents, OfAnotherVersionAreRefused) {

@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 
 #include "mlab/agents/conversation.h"
+#include "mlab/agents/dds_live_line.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/topics.h"
 #include "mlab/robot/remote/agent.h"
@@ -26,6 +27,7 @@ namespace {
 constexpr std::chrono::milliseconds kBeat(500);         // between two words that it is there
 constexpr std::chrono::milliseconds kNameGlance(1500);  // in which somebody of the same name is found
 constexpr std::size_t kMostConversations = 64;
+constexpr std::chrono::seconds kRunSilence(2);  // of a run in real time: it did not leave, it can't be heard
 
 // What programs could have without anything being swapped out [bytes]; 0: nobody says.
 std::uint64_t available_memory() {
@@ -62,6 +64,7 @@ class AgentProcess {
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
           std::max<Clock::duration>(next_beat - Clock::now(), std::chrono::milliseconds(1))));
       for (const dds::Arrival& arrival : requests_.take()) take(arrival);
+      give_up_the_lost();
       std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
     }
     static_cast<void>(presence_.end(settings_.name));
@@ -101,12 +104,17 @@ class AgentProcess {
     if (!answers) return nullptr;
     const auto writer = std::make_shared<dds::Writer>(std::move(*answers));
     return std::make_unique<Conversation>(
-        settings_.sources, [writer, key, is_met = false](std::string_view message,
-                                                         const std::function<bool()>& is_awaited) mutable {
+        settings_.sources,
+        [writer, key, is_met = false](std::string_view message,
+                                      const std::function<bool()>& is_awaited) mutable {
           if (!is_met) is_met = meet(*writer, key.first, is_awaited);
           const Clock::time_point last = Clock::now() + 2 * kMeetingPatience;
           return is_met && write_in_parts(*writer, key.second, message,
                                           [&] { return is_awaited() && Clock::now() < last; });
+        },
+        [this, key]() -> std::shared_ptr<robot_remote::LiveLine> {
+          auto live = open_live_line_of_agent(roster_->participant(), settings_.name, key.second, key.first);
+          return live && (*live)->meet(Clock::now() + kMeetingPatience) ? *live : nullptr;
         });
   }
 
@@ -126,12 +134,28 @@ class AgentProcess {
     std::size_t robots = 0;
     std::size_t count = 0;
     for (auto& [key, conversation] : conversations_) {
-      if (key.first != run) continue;
+      if (key.first != run || is_waited_for(*conversation)) continue;
       robots += conversation->robot_count();
       ++count;
       conversation->end();
     }
     if (count > 0) settings_.tell(fmt::format("a run has gone, and {} with it", counted_robots(robots)));
+  }
+
+  // In real time a run that can't be heard may come back; one that left has been heard until then.
+  static bool is_waited_for(const Conversation& conversation) {
+    return conversation.is_live() && Clock::now() - conversation.heard() > kRunSilence;
+  }
+
+  void give_up_the_lost() {
+    for (auto& [key, conversation] : conversations_) {
+      if (!conversation->is_live() || conversation->has_ended()) continue;
+      if (Clock::now() - conversation->heard() < robot_remote::from_seconds(robot_remote::kLivePatience))
+        continue;
+      settings_.tell(fmt::format("nothing was heard of a run for {:.0f} s, and {} end with it",
+                                 robot_remote::kLivePatience, counted_robots(conversation->robot_count())));
+      conversation->end();
+    }
   }
 
   void say_presence() {

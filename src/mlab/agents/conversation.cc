@@ -13,7 +13,8 @@ constexpr std::chrono::seconds kOpeningPatience(10);  // for a run to say who it
 
 }  // namespace
 
-Conversation::Conversation(robot::ProgramSources sources, Answer answer) : answer_(std::move(answer)) {
+Conversation::Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live)
+    : answer_(std::move(answer)), go_live_(std::move(go_live)) {
   sources.ends = stop_.get_token();
   thread_ = std::thread([this, sources = std::move(sources)] { serve(sources); });
 }
@@ -31,6 +32,7 @@ bool Conversation::add(std::string_view part) {
   if (waiting_.size() >= kMostWaiting) return false;
   waiting_.push_back(assembly_.message());
   changed_.notify_one();
+  if (live_) live_->wake();
   return true;
 }
 
@@ -39,26 +41,61 @@ void Conversation::end() {
   is_to_end_ = true;
   stop_.request_stop();
   changed_.notify_one();
+  if (live_) live_->wake();
+}
+
+// Waits for what the run asks. Nothing: it is to end.
+std::optional<std::string> Conversation::next_request(robot_remote::RunnerServer& server) {
+  std::unique_lock lock(mutex_);
+  const auto has_news = [this] { return is_to_end_ || !waiting_.empty(); };
+  if (server.is_open())
+    changed_.wait(lock, has_news);
+  else
+    changed_.wait_for(lock, kOpeningPatience, has_news);
+  if (is_to_end_ || waiting_.empty()) return std::nullopt;
+  std::string out = std::move(waiting_.front());
+  waiting_.pop_front();
+  return out;
+}
+
+// The same in real time: robots act meanwhile.
+std::optional<std::string> Conversation::next_live(robot_remote::RunnerServer& server) {
+  const auto nobody_waits = [this] { return is_to_end_.load(); };
+  for (;;) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (is_to_end_) return std::nullopt;
+      if (!waiting_.empty()) {
+        std::string out = std::move(waiting_.front());
+        waiting_.pop_front();
+        return out;
+      }
+    }
+    for (const robot_remote::LiveLine::Message& message : live_->receive(server.due())) {
+      heard_ = message.arrived;
+      server.hear(message);
+    }
+    if (const auto now = robot_remote::Clock::now(); now >= server.due()) {
+      server.act_live(
+          now, [this](std::string_view key, std::string_view body) { live_->send(key, body); }, nobody_waits);
+    }
+  }
 }
 
 void Conversation::serve(const robot::ProgramSources& sources) {
   robot_remote::RunnerServer server(sources);
   const auto nobody_waits = [this] { return is_to_end_.load(); };
-  for (;;) {
-    std::string message;
-    {
-      std::unique_lock lock(mutex_);
-      const auto has_news = [this] { return is_to_end_ || !waiting_.empty(); };
-      if (server.is_open())
-        changed_.wait(lock, has_news);
-      else
-        changed_.wait_for(lock, kOpeningPatience, has_news);
-      if (is_to_end_ || waiting_.empty()) break;
-      message = std::move(waiting_.front());
-      waiting_.pop_front();
-    }
-    const std::string_view answer = server.answer(message, nobody_waits);
+  while (const auto message = is_live_ ? next_live(server) : next_request(server)) {
+    const std::string_view answer = server.answer(*message, nobody_waits);
     robots_ = server.robot_count();
+    heard_ = robot_remote::Clock::now();
+    if (server.period() > 0.0 && !is_live_) {
+      auto live = go_live_();
+      if (!live) break;
+      const std::scoped_lock lock(mutex_);
+      live_ = std::move(live);
+      is_live_ = true;
+    }
     if (!answer_(answer, [this] { return !is_to_end_.load(); })) break;
   }
   has_ended_ = true;

@@ -4,7 +4,9 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -12,6 +14,11 @@
 
 #include "mlab/agents/topics.h"
 #include "mlab/robot/program/robot_program.h"
+#include "mlab/robot/remote/live_line.h"
+
+namespace mlab::robot_remote {
+class RunnerServer;
+}
 
 namespace mlab::agents {
 
@@ -22,7 +29,11 @@ class Conversation {
   /// @param is_awaited  false as soon as nobody waits for the answer any more
   using Answer = std::function<bool(std::string_view message, const std::function<bool()>& is_awaited)>;
 
-  Conversation(robot::ProgramSources sources, Answer answer);
+  /// Opens what passes in real time; called on the conversation's thread, at most once. Null: it can't be
+  /// opened.
+  using GoLive = std::function<std::shared_ptr<robot_remote::LiveLine>()>;
+
+  Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live);
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
@@ -34,11 +45,19 @@ class Conversation {
   void end();
   bool has_ended() const { return has_ended_.load(); }
   std::size_t robot_count() const { return robots_.load(); }
+  /// It is in real time, and bears that nothing is heard of its run for a while.
+  bool is_live() const { return is_live_.load(); }
+  /// When something of the run was heard last; in real time only.
+  robot_remote::Clock::time_point heard() const { return heard_.load(); }
 
  private:
   void serve(const robot::ProgramSources& sources);
+  std::optional<std::string> next_request(robot_remote::RunnerServer& server);
+  std::optional<std::string> next_live(robot_remote::RunnerServer& server);
 
   Answer answer_;
+  GoLive go_live_;
+  std::shared_ptr<robot_remote::LiveLine> live_;  // null: in lock-step
   Assembly assembly_;
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -47,6 +66,8 @@ class Conversation {
   std::stop_source stop_;  // of what is built or started for it
   std::atomic<bool> has_ended_ = false;
   std::atomic<std::size_t> robots_ = 0;
+  std::atomic<bool> is_live_ = false;
+  std::atomic<robot_remote::Clock::time_point> heard_;
   std::thread thread_;
 };
 

@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/agents/dds_live_line.h"
+
 namespace mlab::agents {
 namespace {
 
@@ -25,7 +27,7 @@ bool has(const std::vector<dds::Guid>& all, const dds::Guid& one) {
 }  // namespace
 
 std::expected<std::unique_ptr<DdsLink>, std::string> DdsLink::open(std::shared_ptr<Roster> roster,
-                                                                   const Member& agent) {
+                                                                   const Member& agent, bool is_live) {
   auto waiter = dds::Waiter::make();
   if (!waiter) return std::unexpected(waiter.error());
   const std::string& name = agent.said.name();
@@ -36,8 +38,15 @@ std::expected<std::unique_ptr<DdsLink>, std::string> DdsLink::open(std::shared_p
   auto requests =
       roster->participant().writer(requests_topic(name), dds::ChannelKind::kLockStepPercepts, &*waiter);
   if (!requests) return std::unexpected(requests.error());
+  std::shared_ptr<robot_remote::LiveLine> live;
+  if (is_live) {
+    auto opened = open_live_line_of_run(roster->participant(), name, key, agent.guid);
+    if (!opened) return std::unexpected(opened.error());
+    live = std::move(*opened);
+  }
   std::unique_ptr<DdsLink> out(new DdsLink(std::move(roster), agent, key, std::move(*waiter),
                                            std::move(*answers), std::move(*requests)));
+  out->live_ = std::move(live);
   // What is written before the agent hears it would be lost. It waits in turn until it is heard.
   const Clock::time_point last = Clock::now() + kMeetingPatience;
   while (!out->is_met()) {
@@ -63,6 +72,10 @@ bool DdsLink::is_met() const {
 
 void DdsLink::fail(std::string why) {
   if (failure_.empty()) failure_ = std::move(why);
+}
+
+bool DdsLink::is_cut() {
+  return live_ && failure_.empty() && !is_met();
 }
 
 void DdsLink::send(std::string_view message) {
@@ -105,10 +118,13 @@ void DdsLink::look_after_agent() {
   const std::optional<Member> agent = roster_->find(agent_);
   if (!agent || agent->guid != guid_)
     fail("was started anew, and knows nothing of this run");
-  else if (agent->state == Member::State::kGone)
-    fail(Clock::now() - agent->heard >= kSilencePatience
-             ? fmt::format("was silent for {} s", kSilencePatience.count())
-             : "has left the fleet");
+  else if (agent->state == Member::State::kGone) {
+    const Clock::duration silence = Clock::now() - agent->heard;
+    if (silence < kSilencePatience)
+      fail("has left the fleet");
+    else if (!live_ || silence >= robot_remote::from_seconds(robot_remote::kLivePatience))
+      fail(fmt::format("was silent for {} s", std::chrono::floor<std::chrono::seconds>(silence).count()));
+  }
 }
 
 }  // namespace mlab::agents

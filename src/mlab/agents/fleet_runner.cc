@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/agents/dds_link.h"
+#include "mlab/robot/remote/live_runner.h"
 #include "mlab/robot/remote/remote_runner.h"
 #include "mlab/robot/wire/shared_cycle.h"
 #include "mlab/text/shown.h"
@@ -26,8 +27,8 @@ bool fits(const wire::AgentPresence& agent, const std::string& version) {
 /// Agents of a fleet, each of which is given out once.
 class Recruits {
  public:
-  Recruits(std::shared_ptr<Roster> roster, std::uint64_t seed, std::string version)
-      : roster_(std::move(roster)), seed_(seed), version_(std::move(version)) {}
+  Recruits(std::shared_ptr<Roster> roster, std::uint64_t seed, std::string version, double period)
+      : roster_(std::move(roster)), seed_(seed), version_(std::move(version)), period_(period) {}
 
   /// Where no such agent was ever there, the first call waits a while.
   robot_remote::RemoteRunner::Newcomers find(const std::string& host, const std::vector<std::string>& lost) {
@@ -53,14 +54,14 @@ class Recruits {
         out.why_none = misfit(one.said);
         continue;
       }
-      auto link = DdsLink::open(roster_, one);
+      auto link = DdsLink::open(roster_, one, period_ > 0.0);
       if (!link) {  // it is asked again when somebody is wanted again
         out.why_none = fmt::format("the agent on `{}` {}", one.said.name(), link.error());
         continue;
       }
       known_[one.said.name()] = one.guid;
       auto agent = std::make_unique<robot_remote::Agent>(one.said.name(), std::move(*link));
-      if (auto problem = agent->open(seed_, version_))
+      if (auto problem = agent->open(seed_, version_, period_))
         out.why_none = std::move(*problem);
       else
         out.agents.push_back(std::move(agent));
@@ -82,6 +83,7 @@ class Recruits {
   std::shared_ptr<Roster> roster_;
   std::uint64_t seed_;
   std::string version_;
+  double period_;                           // [s]; 0: in lock-step
   std::map<std::string, dds::Guid> known_;  // by name: who was given out last
   std::set<std::string> waited_for_;
 };
@@ -89,12 +91,13 @@ class Recruits {
 }  // namespace
 
 std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
-                                                        const std::string& version) {
-  auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version);
-  return std::make_unique<robot_remote::RemoteRunner>(
-      [recruits](const std::string& host, const std::vector<std::string>& lost) {
-        return recruits->find(host, lost);
-      });
+                                                        const std::string& version, double period) {
+  auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version, period);
+  auto recruit = [recruits](const std::string& host, const std::vector<std::string>& lost) {
+    return recruits->find(host, lost);
+  };
+  if (period > 0.0) return std::make_unique<robot_remote::LiveRunner>(std::move(recruit), period);
+  return std::make_unique<robot_remote::RemoteRunner>(std::move(recruit));
 }
 
 }  // namespace mlab::agents

@@ -12,7 +12,8 @@ namespace mlab::agents {
 /// Runs the robots of one run at the agents of a fleet: those that are there, and those that join while it
 /// runs.
 /// @param version  of this program; agents of another one are not asked
+/// @param period   of a cycle in real time [s]; 0: in lock-step
 std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
-                                                        const std::string& version);
+                                                        const std::string& version, double period = 0.0);
 
 }  // namespace mlab::agents

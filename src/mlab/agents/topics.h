@@ -22,6 +22,13 @@ inline std::string requests_topic(std::string_view agent) {
 inline std::string answers_topic(std::string_view agent, std::string_view conversation) {
   return "agents/" + std::string(agent) + "/answers/" + std::string(conversation);
 }
+/// What passes in real time, by number of the robot.
+inline std::string percepts_topic(std::string_view agent, std::string_view conversation) {
+  return "agents/" + std::string(agent) + "/percepts/" + std::string(conversation);
+}
+inline std::string actions_topic(std::string_view agent, std::string_view conversation) {
+  return "agents/" + std::string(agent) + "/actions/" + std::string(conversation);
+}
 /// What runs call their conversations: 16 hexadecimal digits.
 inline bool is_conversation(std::string_view key) {
   return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == std::string_view::npos;

@@ -39,6 +39,7 @@ struct RunOptions {
   bool no_cell = false;
   RobotsAt robots = RobotsAt::kRun;
   NetworkOptions network;     ///< of kFleet
+  bool real_time = false;     ///< its robots are not waited for
   robot_host::Limits limits;  ///< of robots with code of their own
   std::string speed;          ///< `real`, `max` or a number; empty: the default of the surface
   std::uint64_t seed = 1;

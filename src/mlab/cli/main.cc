@@ -106,6 +106,9 @@ void add_robots(CLI::App* c, RunOptions& o) {
   c->add_option("--fleet", o.network.fleet, "the fleet of --robots fleet")
       ->default_str("default")
       ->type_name("NAME");
+  c->add_flag("--real-time", o.real_time,
+              "robots of --robots fleet are not waited for: they act at their own rate on what reaches them, "
+              "and time passes as on the clock");
   add_network(c, o.network);
 }
 

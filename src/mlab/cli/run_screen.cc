@@ -179,6 +179,14 @@ void RunScreen::show_summary(const run::MissionRun& run, const std::string& outc
   fmt::print("\n{} after {:.1f} s simulated, {:.2f} s real ({:.0f} robot-cycles per second)\n",
              colored(outcome, outcome == "done" ? Color::kGood : Color::kBad), run.time(), wall_seconds,
              wall_seconds > 0.0 ? static_cast<double>(run.robot_cycles()) / wall_seconds : 0.0);
+  if (const robot::Punctuality* const robots = run.fleet().punctuality()) {
+    fmt::print(
+        "  in real time: {} of {} robot-cycles came too late ({:.1f} %), robots stood for {} of them\n",
+        robots->late, robots->asked,
+        robots->asked > 0 ? 100.0 * static_cast<double>(robots->late) / static_cast<double>(robots->asked)
+                          : 0.0,
+        robots->stood);
+  }
   std::size_t shown_robots = 0;
   std::uint64_t contacts = 0;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {

@@ -85,14 +85,29 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
     usage_error("--fleet, --network and --peer count with --robots fleet only");
     return std::nullopt;
   }
+  if (options.real_time && options.robots != RobotsAt::kFleet) {
+    usage_error("--real-time counts with --robots fleet only: all other robots are waited for");
+    return std::nullopt;
+  }
+  if (options.real_time && !options.speed.empty() && *speed != 1.0) {
+    usage_error(
+        fmt::format("--speed {} can't be had with --real-time: time passes as on the clock", options.speed));
+    return std::nullopt;
+  }
+  if (options.real_time) {
+    out.speed = 1.0;
+    out.settings.is_in_real_time = true;
+    out.settings.stands_still_for_operator = false;
+  }
   if (options.robots == RobotsAt::kFleet) {
     const auto roster = agents::Roster::join(network_of(options.network));
     if (!roster) {
       usage_error(roster.error());
       return std::nullopt;
     }
-    out.settings.robots_elsewhere = [roster = *roster](std::uint64_t seed) {
-      return agents::make_fleet_runner(roster, seed, kVersion);
+    out.settings.robots_elsewhere = [roster = *roster, is_live = options.real_time](std::uint64_t seed,
+                                                                                    double cycle_duration) {
+      return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0);
     };
   }
   return out;

@@ -320,6 +320,13 @@ std::expected<FleetRobot*, std::string> Fleet::running(base::RobotId id) {
   return &robots_[index_of(*found)];
 }
 
+const robot::Punctuality* Fleet::punctuality() const {
+  for (const auto& runner : runners_) {
+    if (const robot::Punctuality* const out = runner->punctuality()) return out;
+  }
+  return nullptr;
+}
+
 std::optional<std::string> Fleet::force(base::RobotId id, std::string_view sequence, std::string_view state) {
   const auto robot = running(id);
   if (!robot) return robot.error();

@@ -147,6 +147,8 @@ class Fleet {
   Bodies bodies() const;
 
   const std::vector<FleetRobot>& robots() const { return robots_; }
+  /// Of those that nobody waits for; null: all are waited for.
+  const robot::Punctuality* punctuality() const;
   const FleetRobot* find(base::RobotId id) const;
   geom::Pose pose(const FleetRobot& robot) const { return poses_[index_of(robot)]; }
   /// The group under whose order the robot is; null without an order.

@@ -34,7 +34,7 @@ MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
   metrics_.resize(plan.units.size());
   fleet_ = std::make_unique<fleet::Fleet>(
       plan, crew->programs, crew->bodies, *binding_, settings_.seed,
-      settings_.robots_elsewhere ? settings_.robots_elsewhere(settings_.seed) : nullptr);
+      settings_.robots_elsewhere ? settings_.robots_elsewhere(settings_.seed, dt_) : nullptr);
   crews_.push_back(std::move(crew));
 }
 

@@ -31,7 +31,11 @@ struct RunSettings {
       false;  ///< time passes after the mission is done: robots that act by themselves do so
   /// Makes what runs the robots' programs elsewhere, for one run of this seed; empty: they run on this
   /// machine.
-  std::function<std::unique_ptr<robot::ProgramRunner>(std::uint64_t seed)> robots_elsewhere = {};
+  /// @param cycle_duration  of the mission [s]
+  std::function<std::unique_ptr<robot::ProgramRunner>(std::uint64_t seed, double cycle_duration)>
+      robots_elsewhere = {};
+  bool is_in_real_time =
+      false;  ///< robots elsewhere are not waited for: time passes as on the clock, no faster
 };
 
 /// How well a unit kept its formations.
@@ -168,6 +172,7 @@ class MissionRun {
                                         const std::string& value);
   /// @param port  empty: all that are held
   std::optional<std::string> release_value(base::RobotId robot, const std::string& port);
+  bool is_in_real_time() const { return settings_.is_in_real_time; }
   /// As RunSettings::stands_still_for_operator.
   void set_stands_still_for_operator(bool stands_still) {
     settings_.stands_still_for_operator = stands_still;

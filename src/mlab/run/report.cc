@@ -150,6 +150,12 @@ Json performance_json(const MissionRun& run, const Performance& performance) {
   out["robot_cycles"] = run.robot_cycles();
   out["robot_cycles_per_second"] =
       performance.wall_seconds > 0.0 ? std::round(cycles / performance.wall_seconds) : 0.0;
+  if (const robot::Punctuality* const robots = run.fleet().punctuality()) {
+    out["real_time"] = {{"robot_cycles", robots->asked},
+                        {"late", robots->late},
+                        {"stood", robots->stood},
+                        {"worst_percept_age_s", rounded(robots->worst_age)}};
+  }
   return out;
 }
 

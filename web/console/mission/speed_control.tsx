@@ -1,9 +1,10 @@
 import { useState } from "react";
-import { Status_Mode } from "../../core/protocol.ts";
+import { Status_Mode, type Status_RealTime } from "../../core/protocol.ts";
 import { Button, RangeSlider } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { quantity, speedFactor } from "../../ui/words/format.ts";
+import { FactList } from "../selection/robot_facts.tsx";
 import { setSpeed } from "../session/orders.ts";
 import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { kPresets, kSliderEnd, sliderOf, speedOf } from "./speed.ts";
@@ -13,6 +14,7 @@ export function SpeedControl() {
   const status = usePart("status");
   if (!status) return null;
   const isRunning = status.mode === Status_Mode.RUNNING;
+  if (status.realTime) return <Punctuality of={status.realTime} />;
   const isSlow = status.speed > 0 && status.speedReached > 0 && status.speedReached < status.speed * 0.9;
   return (
     <PopoverButton
@@ -30,6 +32,38 @@ export function SpeedControl() {
       }
     >
       <SpeedChoice />
+    </PopoverButton>
+  );
+}
+
+/** Of robots that nobody waits for: time passes as on the clock, whatever they do. */
+function Punctuality({ of }: { of: Status_RealTime }) {
+  const all = Number(of.robotCycles);
+  const late = Number(of.late);
+  const share = all > 0 ? (100 * late) / all : 0;
+  return (
+    <PopoverButton
+      label="Real time"
+      trigger={
+        <Button tone="quiet" className="number">
+          <Icon name="gauge" />
+          Real time
+          {late > 0 && <span className="muted small">{quantity(share, 2)} % late</span>}
+          <Icon name="down" />
+        </Button>
+      }
+    >
+      <div className="rows" style={{ width: 330 }}>
+        <p>The robots are on other machines and are not waited for, so time passes as on the clock.</p>
+        <FactList
+          rows={[
+            ["Robot cycles", all],
+            ["Answered too late", `${late} (${quantity(share, 2)} %)`],
+            ["Of these, the robot stood", Number(of.stood)],
+            ["Oldest percepts acted on", `${quantity(of.worstAge, 3)} s`],
+          ]}
+        />
+      </div>
     </PopoverButton>
   );
 }

@@ -142,6 +142,8 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     if (prepared.speed > 0.0) {
       const double ahead = run.time() / prepared.speed - (steady_seconds() - began - idle);
       if (ahead > 0.0) pass_time(ahead);
+      // Robots that nobody waits for could not follow cycles that are made up for.
+      if (run.is_in_real_time() && ahead < -run.cycle_duration()) idle -= ahead;
     }
   }
   return run::RunEnd::kInterrupted;

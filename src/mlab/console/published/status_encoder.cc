@@ -94,6 +94,12 @@ void encode_run(const run::MissionRun& run, const Estimates& estimates, Status& 
   out.set_outcome(outcome_of(state.outcome));
   out.set_stops_after_step(state.mode == State::Mode::kRunning && state.single);
   out.set_seed(run.seed());
+  if (const robot::Punctuality* const robots = run.fleet().punctuality()) {
+    out.mutable_real_time()->set_robot_cycles(robots->asked);
+    out.mutable_real_time()->set_late(robots->late);
+    out.mutable_real_time()->set_stood(robots->stood);
+    out.mutable_real_time()->set_worst_age(robots->worst_age);
+  }
   out.set_mission_clock(clock_time(state.options, run.time()));
   const std::size_t first = state.steps.size() - std::min(state.steps.size(), kMostSteps);
   for (std::size_t i = 0; i < state.steps.size(); ++i) {

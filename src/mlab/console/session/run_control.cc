@@ -24,6 +24,7 @@ void RunControl::adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<ru
   live_.reset();
   if (run) {
     live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_);
+    if (live_->run().is_in_real_time()) pace_.set_speed(1.0, wall_time(), sim_time());
     live_->run().set_stands_still_for_operator(pace_.speed() == 0.0);
     live_->run().set_emergency_stop(is_stopped_);
   }

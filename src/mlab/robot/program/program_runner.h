@@ -35,6 +35,15 @@ struct Workings {
 /// Asked again and again while a program is waited for; true: nobody has time for it any more, it is ended.
 using Meanwhile = std::function<bool()>;
 
+/// How well robots keep up with a world that does not wait for them.
+struct Punctuality {
+  std::uint64_t asked = 0;  ///< robot-cycles
+  std::uint64_t late = 0;   ///< of these, those whose action was not there in time: an earlier one counted
+  std::uint64_t stood =
+      0;  ///< of the late ones, those in which the earlier one was too old, and the body stood
+  double worst_age = 0.0;  ///< of percepts that were acted on [s]
+};
+
 /// Runs the programs of robots, all at one kind of place: in this process, in cells beside it. They turn
 /// percepts into actions; where percepts come from, and who carries actions out, it does not know.
 ///
@@ -112,6 +121,9 @@ class ProgramRunner {
   /// @param frame  from `save`, of a robot of the same program
   /// @return  false: it is none of this program's
   virtual bool restore(Member member, const flow::Frame& frame) = 0;
+
+  /// Null: nothing here can be late, it is waited for.
+  virtual const Punctuality* punctuality() const { return nullptr; }
 
  protected:
   std::vector<Member> joined_;  // of this cycle

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/robot/remote/live_line.h"
 #include "mlab/robot/wire/shared_cycle.h"
 #include "mlab/text/shown.h"
 
@@ -14,6 +15,8 @@ namespace {
 // Whoever wants something of a run waits so long for a machine that may only be cut off for a moment [s].
 constexpr double kLeastPatience = 5.0;
 constexpr std::chrono::milliseconds kGlance(20);  // between two looks whether anybody still waits
+// What was asked of a machine that is cut off meanwhile is waited for so long [s]: the world goes on.
+constexpr double kCutPatience = 1.0;
 
 Clock::time_point from_now(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -41,10 +44,19 @@ const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double p
                                       const robot::Meanwhile& meanwhile) {
   const Clock::time_point last = from_now(patience);
   const Clock::time_point first = from_now(kLeastPatience);
+  std::optional<Clock::time_point> cut;
   while (link_->failure().empty()) {
+    if (!link_->is_cut())
+      cut.reset();
+    else if (!cut)
+      cut = from_now(kCutPatience);
+    else if (Clock::now() >= *cut)
+      return nullptr;
     if (const auto bytes = link_->receive(std::min(last, Clock::now() + kGlance))) {
       if (!answer_.ParseFromArray(bytes->data(), static_cast<int>(bytes->size())))
         link_->fail("answers what is no message of the agents' protocol");
+      else if (live_ && answer_.number() < number_)
+        continue;  // to what was given up while it was cut off
       else if (answer_.number() != number_ || (answer_.body_case() != wanted && !answer_.has_refusal()))
         link_->fail("answers something else than it was asked");
       else if (answer_.refusal().is_unknown())
@@ -63,9 +75,11 @@ const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double p
 std::expected<const wire::FromAgent*, std::string> Agent::ask(wire::ToAgent& message,
                                                               wire::FromAgent::BodyCase wanted,
                                                               double patience) {
+  const auto cut_off = [this] { return fmt::format("the agent on `{}` is cut off at present", name_); };
+  if (link_->is_cut()) return std::unexpected(cut_off());
   send(message);
   const wire::FromAgent* const answer = receive(wanted, patience, {});
-  if (answer == nullptr) return std::unexpected(failure());
+  if (answer == nullptr) return std::unexpected(link_->failure().empty() ? cut_off() : failure());
   if (answer->has_refusal())
     return std::unexpected(
         fmt::format("the agent on `{}` refuses: {}", name_, text::shown(answer->refusal().text(), 2000)));
@@ -77,19 +91,24 @@ std::expected<const wire::FromAgent*, std::string> Agent::ask(wire::ToAgent& mes
   return ask(message, wanted, patience_.answer);
 }
 
-std::optional<std::string> Agent::open(std::uint64_t seed, const std::string& version) {
+std::optional<std::string> Agent::open(std::uint64_t seed, const std::string& version, double period) {
   wire::ToAgent message;
   wire::Open& open = *message.mutable_open();
   open.set_protocol(kAgentProtocol);
   open.set_version(version);
   open.set_layout(robot_wire::shared_layout());
   open.set_seed(seed);
+  open.set_period(period);
   const auto answer = ask(message, wire::FromAgent::kOpened);
   if (!answer) return answer.error();
   const wire::Opened& opened = (*answer)->opened();
   if (opened.protocol() == kAgentProtocol && opened.version() == version &&
-      opened.layout() == robot_wire::shared_layout())
-    return std::nullopt;
+      opened.layout() == robot_wire::shared_layout()) {
+    if (period > 0.0) live_ = link_->live();
+    if (period == 0.0 || (live_ && live_->meet(from_now(kLeastPatience)))) return std::nullopt;
+    link_->fail("can't be talked to in real time");
+    return failure();
+  }
   link_->fail(fmt::format("is missionlab {} (protocol {}), and this is {} (protocol {}): install the same",
                           text::shown(opened.version()), opened.protocol(), version, kAgentProtocol));
   return failure();
@@ -114,6 +133,7 @@ std::expected<std::uint32_t, std::string> Agent::bring(const robot::RobotProgram
   bring.set_frame_layout(program.program->layout_hash());
   const auto answer = ask(message, wire::FromAgent::kBrought, patience_.program);
   std::expected<std::uint32_t, std::string> out = number;
+  if (!answer && link_->is_cut()) return std::unexpected(answer.error());  // another time
   if (!answer) out = std::unexpected(answer.error());
   return brought_.emplace(program.program, std::move(out)).first->second;
 }

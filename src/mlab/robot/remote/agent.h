@@ -36,8 +36,9 @@ class Agent {
   std::string failure() const;
 
   /// Says who asks, for which run. First of all.
+  /// @param period  of a cycle in real time [s]; 0: in lock-step
   /// @errors  a sentence: it is of another version
-  std::optional<std::string> open(std::uint64_t seed, const std::string& version);
+  std::optional<std::string> open(std::uint64_t seed, const std::string& version, double period = 0.0);
   /// Sees to it that it has the program; what it has refused once it is not asked again.
   /// @return  how the agent calls it
   /// @errors  a sentence
@@ -52,6 +53,8 @@ class Agent {
   void send_cycle(wire::ToAgent& message);
   /// What they do; null where the agent has failed. Valid until the next call.
   const wire::AgentActed* receive_cycle(const robot::Meanwhile& meanwhile);
+  /// What passes beside the conversation in real time; null: it is in lock-step.
+  const std::shared_ptr<LiveLine>& live() const { return live_; }
   /// Gives it up because of something that its owner saw, as a sentence about it without its name.
   void fail(std::string why) { link_->fail(std::move(why)); }
 
@@ -64,6 +67,7 @@ class Agent {
 
   std::string name_;
   std::unique_ptr<Link> link_;
+  std::shared_ptr<LiveLine> live_;
   Patience patience_;
   std::uint64_t number_ = 0;
   // Kept alive by their keys, so that no other program comes to have the address of one of them.

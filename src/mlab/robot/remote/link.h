@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 namespace mlab::robot_remote {
 
 using Clock = std::chrono::steady_clock;
+class LiveLine;
 
 /// Messages there and back between a run and one agent: whole, in order, none lost as long as it stands.
 /// What carries them is behind it. Used by one thread at a time.
@@ -30,8 +32,14 @@ class Link {
   /// What became of the other side, as a sentence without its subject: `ended with exit status 3`, `has been
   /// silent for 5 s`. Empty: it stands. One that failed stays failed.
   virtual const std::string& failure() const = 0;
+  /// Nothing is heard of the other side at present, and yet it has not failed: it may come back, and what is
+  /// sent now would be lost. In real time only.
+  virtual bool is_cut() { return false; }
   /// Gives it up because of something that its owner saw.
   virtual void fail(std::string why) = 0;
+
+  /// What passes beside it in real time; null: it was not made for that.
+  virtual std::shared_ptr<LiveLine> live() { return nullptr; }
 };
 
 }  // namespace mlab::robot_remote

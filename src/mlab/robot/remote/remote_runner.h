@@ -20,7 +20,7 @@ namespace mlab::robot_remote {
 ///
 /// A robot whose program names a host goes to the agent of that name, any other to the one with the fewest.
 /// One whose agent fails has failed; started again, it goes to another agent.
-class RemoteRunner final : public robot::ProgramRunner {
+class RemoteRunner : public robot::ProgramRunner {
  public:
   struct Newcomers {
     std::vector<std::unique_ptr<Agent>> agents;  ///< opened; each is told once
@@ -53,7 +53,7 @@ class RemoteRunner final : public robot::ProgramRunner {
   flow::Frame save(Member member) const override;
   bool restore(Member member, const flow::Frame& frame) override;
 
- private:
+ protected:
   static constexpr std::uint64_t kLongAgo = ~std::uint64_t{0} / 2;
   struct Carrier {
     std::unique_ptr<Agent> agent;
@@ -72,6 +72,14 @@ class RemoteRunner final : public robot::ProgramRunner {
     std::uint64_t known = 0;         // after which cycle its values were as they are here
     std::uint64_t asked = kLongAgo;  // after which cycle somebody looked last
   };
+  std::optional<std::string> take_action(const wire::AgentAction& acted, Robot& robot) const;
+
+  std::deque<Carrier> carriers_;
+  mutable robot::Members<Robot> members_;  // who looks makes their values newer
+  std::uint64_t cycle_ = 0;                // that have been
+  bool is_in_cycle_ = false;  // agents are asked for one, and for nothing else until they have answered
+
+ private:
   static bool may_carry(const Carrier& carrier, const std::string& host);
   std::string welcome(const std::string& host);
   std::expected<Carrier*, std::string> carrier_for(const std::string& host);
@@ -82,14 +90,9 @@ class RemoteRunner final : public robot::ProgramRunner {
                                     std::string_view value);
   const Robot& looked_at(Member member) const;
   void take_answer(Carrier& carrier, const wire::AgentActed& acted);
-  std::optional<std::string> take_action(const wire::AgentAction& acted, Robot& robot) const;
 
   Recruit recruit_;
-  std::deque<Carrier> carriers_;
-  mutable robot::Members<Robot> members_;  // who looks makes their values newer
   std::uint32_t next_number_ = 1;
-  std::uint64_t cycle_ = 0;   // that have been
-  bool is_in_cycle_ = false;  // agents are asked for one, and for nothing else until they have answered
 };
 
 }  // namespace mlab::robot_remote

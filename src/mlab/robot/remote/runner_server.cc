@@ -1,6 +1,7 @@
 #include "mlab/robot/remote/runner_server.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -21,6 +22,8 @@ namespace {
 
 constexpr std::size_t kMostPrograms = 1000;
 constexpr std::size_t kMostRobots = 10'000;
+constexpr double kShortestPeriod = 0.001;  // [s]
+constexpr double kLongestPeriod = 10.0;    // [s]
 
 /// The texts that a run has brought, as the only files that there are.
 class BroughtTexts {
@@ -129,7 +132,14 @@ void RunnerServer::open(const wire::Open& message) {
   // A run of another version is told so by this, and says no more.
   const bool is_same = message.protocol() == kAgentProtocol && message.version() == sources_.version &&
                        message.layout() == robot_wire::shared_layout();
-  if (is_same) runners_ = std::make_unique<robot::ProgramRunners>(message.seed(), 1);
+  if (!is_same) return;
+  if (message.period() != 0.0 &&
+      !(message.period() >= kShortestPeriod && message.period() <= kLongestPeriod)) {
+    refuse("a cycle of that length can't be kept in real time");
+    return;
+  }
+  period_ = message.period();
+  runners_ = std::make_unique<robot::ProgramRunners>(message.seed(), 1);
 }
 
 void RunnerServer::bring(const wire::Bring& message) {
@@ -179,7 +189,10 @@ void RunnerServer::enlist(const wire::Enlist& message) {
     return;
   }
   const base::RobotId id{message.robot()};
-  robots_[message.member()] = {runner, runner->add(id, *program->second), program->second.get(), false};
+  Robot& robot = robots_[message.member()];
+  robot.runner = runner;
+  robot.member = runner->add(id, *program->second);
+  robot.program = program->second.get();
   answer_.mutable_done();
 }
 
@@ -255,6 +268,14 @@ void RunnerServer::look(const wire::Look& message) {
   if (robot != nullptr) put_state(*robot, *answer_.mutable_seen()->mutable_state());
 }
 
+RunnerServer::Part& RunnerServer::part(std::size_t place) {
+  if (parts_.size() == place) parts_.push_back(std::make_unique<Part>());
+  Part& part = *parts_[place];
+  part.fault.clear();
+  part.failure.clear();
+  return part;
+}
+
 // All of it, before any robot acts.
 std::optional<std::string> RunnerServer::read(const wire::AgentCycle& cycle) {
   std::set<std::uint32_t> numbers;
@@ -265,16 +286,40 @@ std::optional<std::string> RunnerServer::read(const wire::AgentCycle& cycle) {
       return fmt::format("robot {} of the cycle has not begun here", turn.member());
     if (!numbers.insert(turn.member()).second)
       return fmt::format("robot {} stands in one cycle twice", turn.member());
-    const auto place = static_cast<std::size_t>(i);
-    if (parts_.size() == place) parts_.push_back(std::make_unique<Part>());
-    Part& part = *parts_[place];
-    part.robot = &at->second;
-    part.fault.clear();
-    part.failure.clear();
-    if (const auto problem = part.percepts.decode(turn.percepts()))
+    Part& read = part(static_cast<std::size_t>(i));
+    read.robot = &at->second;
+    read.number = turn.member();
+    read.wants_state = turn.wants_state();
+    if (const auto problem = read.decoded.decode(turn.percepts()))
       return fmt::format("the percepts of robot {}: {}", turn.member(), *problem);
+    read.percepts = read.decoded.percepts();
   }
   return std::nullopt;
+}
+
+std::span<const std::unique_ptr<RunnerServer::Part>> RunnerServer::run_parts(
+    std::size_t count, const robot::Meanwhile& meanwhile) {
+  const std::span parts(parts_.data(), count);
+  for (const auto& part : parts) part->robot->runner->join(part->robot->member);
+  for (const auto& runner : *runners_) runner->open();
+  for (const auto& part : parts) {
+    const robot::ProgramRunner::Turn turn{part->robot->member, &part->percepts, &part->action, &part->fault,
+                                          &part->failure};
+    part->robot->runner->act({&turn, 1});
+  }
+  for (const auto& runner : *runners_) runner->ask();
+  for (const auto& runner : *runners_) runner->wait(meanwhile);
+  return parts;
+}
+
+void RunnerServer::put_action(const Part& part, wire::AgentAction& out) const {
+  out.set_member(part.number);
+  out.set_failure(part.failure);
+  if (!part.failure.empty()) return;
+  robot_wire::encode(part.action, *out.mutable_action());
+  out.set_fault(part.fault);
+  put_needs(*part.robot, *out.mutable_needs());
+  if (part.wants_state) put_state(*part.robot, *out.mutable_state());
 }
 
 void RunnerServer::act(const wire::AgentCycle& cycle, const robot::Meanwhile& meanwhile) {
@@ -282,27 +327,74 @@ void RunnerServer::act(const wire::AgentCycle& cycle, const robot::Meanwhile& me
     refuse(std::move(*problem));
     return;
   }
-  const std::span parts(parts_.data(), static_cast<std::size_t>(cycle.robots_size()));
-  for (const auto& part : parts) part->robot->runner->join(part->robot->member);
-  for (const auto& runner : *runners_) runner->open();
-  for (const auto& part : parts) {
-    const robot::ProgramRunner::Turn turn{part->robot->member, &part->percepts.percepts(), &part->action,
-                                          &part->fault, &part->failure};
-    part->robot->runner->act({&turn, 1});
-  }
-  for (const auto& runner : *runners_) runner->ask();
-  for (const auto& runner : *runners_) runner->wait(meanwhile);
   wire::AgentActed& acted = *answer_.mutable_acted();
-  for (int i = 0; i < cycle.robots_size(); ++i) {
-    const Part& part = *parts[static_cast<std::size_t>(i)];
-    wire::AgentAction& out = *acted.add_robots();
-    out.set_member(cycle.robots(i).member());
-    out.set_failure(part.failure);
-    if (!part.failure.empty()) continue;
-    robot_wire::encode(part.action, *out.mutable_action());
-    out.set_fault(part.fault);
-    put_needs(*part.robot, *out.mutable_needs());
-    if (cycle.robots(i).wants_state()) put_state(*part.robot, *out.mutable_state());
+  for (const auto& part : run_parts(static_cast<std::size_t>(cycle.robots_size()), meanwhile))
+    put_action(*part, *acted.add_robots());
+}
+
+// -------------------------------------------------------------------------------------------------- real
+// time
+
+void RunnerServer::hear(const LiveLine::Message& message) {
+  if (message.key == kBeatKey) {
+    wire::LiveBeat beat;
+    if (beat.ParseFromString(message.body)) rests_ = beat.rests();
+    return;
+  }
+  std::uint32_t number = 0;
+  const char* const end = message.key.data() + message.key.size();
+  const auto [rest, error] = std::from_chars(message.key.data(), end, number);
+  const auto at = error != std::errc{} || rest != end ? robots_.end() : robots_.find(number);
+  if (at == robots_.end() || !at->second.has_begun) return;
+  wire::LivePercepts percepts;
+  if (!percepts.ParseFromString(message.body) || !at->second.live.hear(percepts, message.arrived)) return;
+  rests_ = false;
+  if (!first_fresh_) first_fresh_ = message.arrived;
+}
+
+// Robots of one cycle act together, which costs less: whose percepts come at nearly the same time. Who hears
+// nothing for a cycle and a half acts on what it knows.
+Clock::time_point RunnerServer::due() const {
+  constexpr Clock::duration kTogether = std::chrono::milliseconds(2);
+  Clock::time_point out = Clock::now() + from_seconds(period_);
+  if (rests_) return out;
+  bool are_all_fresh = true;
+  for (const auto& [number, robot] : robots_) {
+    if (!robot.has_begun || !robot.live.has_percepts()) continue;
+    if (robot.live.is_fresh()) continue;
+    are_all_fresh = false;
+    out = std::min(out, robot.live.acted_at() + from_seconds(1.5 * period_));
+  }
+  if (first_fresh_) out = std::min(out, are_all_fresh ? *first_fresh_ : *first_fresh_ + kTogether);
+  return out;
+}
+
+void RunnerServer::act_live(Clock::time_point now, const Publish& publish,
+                            const robot::Meanwhile& meanwhile) {
+  std::size_t count = 0;
+  for (auto& [number, robot] : robots_) {
+    if (!robot.has_begun || !robot.live.has_percepts()) continue;
+    if (!robot.live.is_fresh() && now < robot.live.acted_at() + from_seconds(1.5 * period_)) continue;
+    // Without percepts there is nothing to act on: its body stands, for want of an action.
+    if (robot.live.age(now) > kActionPatience) continue;
+    Part& acts = part(count++);
+    acts.robot = &robot;
+    acts.number = number;
+    acts.percepts = robot.live.percepts(now);
+    acts.wants_state = robot.live.wants_state();
+  }
+  first_fresh_.reset();
+  if (count == 0) return;
+  wire::LiveAction message;
+  for (const auto& part : run_parts(count, meanwhile)) {
+    message.Clear();
+    part->robot->live.answer(now, message);
+    put_action(*part, *message.mutable_action());
+    message.set_replied(nanoseconds_of(Clock::now()));
+    bytes_.clear();
+    message.AppendToString(&bytes_);
+    publish(std::to_string(part->number), bytes_);
+    part->robot->live.keep_requests(message);
   }
 }
 

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,8 @@
 #include "mlab/agent.pb.h"
 #include "mlab/robot/program/program_runners.h"
 #include "mlab/robot/program/robot_program.h"
+#include "mlab/robot/remote/live_line.h"
+#include "mlab/robot/remote/live_robot.h"
 #include "mlab/robot/wire/percepts_wire.h"
 
 namespace mlab::robot_remote {
@@ -34,17 +38,34 @@ class RunnerServer {
   bool is_open() const { return runners_ != nullptr; }
   std::size_t robot_count() const { return robots_.size(); }
 
+  // ---- in real time, which the run asked for when it opened
+
+  /// Of a robot's cycle [s]; 0: in lock-step, and the rest of this part is not for it.
+  double period() const { return period_; }
+  /// Takes what has come beside the conversation. Anything may.
+  void hear(const LiveLine::Message& message);
+  /// When robots act next, as far as is known; what comes until then may bring that forward.
+  Clock::time_point due() const;
+  /// Writes the action of a robot.
+  using Publish = std::function<void(std::string_view key, std::string_view body)>;
+  /// Lets those act for whom it is time: they have new percepts, or had none for longer than a cycle.
+  void act_live(Clock::time_point now, const Publish& publish, const robot::Meanwhile& meanwhile);
+
  private:
   struct Robot {
     robot::ProgramRunner* runner = nullptr;
     robot::ProgramRunner::Member member = 0;
     const robot::RobotProgram* program = nullptr;
     bool has_begun = false;
+    LiveRobot live;
   };
   /// Its part of a cycle.
   struct Part {
     Robot* robot = nullptr;
-    robot_wire::DecodedPercepts percepts;
+    std::uint32_t number = 0;
+    robot_wire::DecodedPercepts decoded;
+    percept::Percepts percepts;
+    bool wants_state = false;
     percept::Action action;
     std::string fault;
     std::string failure;
@@ -59,6 +80,9 @@ class RunnerServer {
   void look(const wire::Look& message);
   void act(const wire::AgentCycle& cycle, const robot::Meanwhile& meanwhile);
   std::optional<std::string> read(const wire::AgentCycle& cycle);
+  Part& part(std::size_t place);
+  std::span<const std::unique_ptr<Part>> run_parts(std::size_t count, const robot::Meanwhile& meanwhile);
+  void put_action(const Part& part, wire::AgentAction& out) const;
   void refuse(std::string why);
   Robot* known(std::uint32_t number);
   void put_needs(const Robot& robot, wire::Needs& out) const;
@@ -72,6 +96,9 @@ class RunnerServer {
   wire::ToAgent message_;
   wire::FromAgent answer_;
   std::string bytes_;
+  double period_ = 0.0;                           // [s]
+  bool rests_ = true;                             // no cycle goes by at the run
+  std::optional<Clock::time_point> first_fresh_;  // when the first percepts came that nobody acted on
 };
 
 }  // namespace mlab::robot_remote

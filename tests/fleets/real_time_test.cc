@@ -1,0 +1,88 @@
+// Robots on other machines that nobody waits for: the world goes on, whatever the network does.
+
+#include <csignal>
+
+#include "fleets.h"
+
+namespace mlab::testing {
+namespace {
+
+using network::Process;
+
+class RealTime : public Fleets {
+ protected:
+  /// Two robots fetch three objects, in about 20 s.
+  Process errand(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"--real-time"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(base::source_folder() + "/tests/fleets/errand/errand.mdl", words);
+  }
+  /// @return  how well they kept up
+  Json ends_well(Process& far) {
+    const auto ending = far.wait(2 * kFleetPatience);
+    EXPECT_TRUE(ending) << far.output() << far.errors();
+    if (!ending) return {};
+    EXPECT_EQ(ending->words(), "exit status 0") << far.output() << far.errors();
+    const Json told = report();
+    EXPECT_TRUE(told.is_object());
+    if (!told.is_object()) return {};
+    EXPECT_EQ(told["outcome"], "done");
+    EXPECT_EQ(told["deliveries"].size(), 3U) << "what a robot asks for once must not be lost";
+    EXPECT_TRUE(come_to_be(0)) << "robots end with their run";
+    return told["performance"]["real_time"];
+  }
+};
+
+TEST_F(RealTime, AMissionSucceedsThoughPacketsAreLostAndLate) {
+  make_network(21);
+  const Process north = agent("north");
+  const Process south = agent("south");
+  net().set({.loss = 0.2, .delay = 200ms, .jitter = 5ms, .reordering = 0.05, .held_back = 20ms});
+  Process far = errand();
+  const Json kept_up = ends_well(far);
+  EXPECT_GT(kept_up["robot_cycles"], 150) << "cycles of the mission";
+  EXPECT_GT(kept_up["late"], 0) << "a cycle's own action takes two delays";
+  EXPECT_GT(kept_up["worst_percept_age_s"], 0.15);
+  EXPECT_GT(net().total().lost, 100U);
+}
+
+TEST_F(RealTime, ACutOffRobotStandsAndGoesOnWhenItIsBack) {
+  make_network(22);
+  const Process north = agent("north");
+  const Process south = agent("south");
+  Process far = errand();
+  ASSERT_TRUE(come_to_be(2));
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  net().isolate(net().host("south"));
+  std::this_thread::sleep_for(10s);
+  net().join(net().host("south"));
+  const Json kept_up = ends_well(far);
+  EXPECT_GE(kept_up["stood"], 80) << "ten seconds, but for those in which its last action counts";
+}
+
+TEST_F(RealTime, ARunThatIsStoppedForAWhileGoesOn) {
+  make_network(23);
+  const Process north = agent("north");
+  Process far = errand();
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  ASSERT_TRUE(far.signal(SIGSTOP));
+  std::this_thread::sleep_for(4s);
+  ASSERT_TRUE(far.signal(SIGCONT));
+  ends_well(far);
+}
+
+TEST_F(RealTime, AnAgentThatLeavesIsToldAtOnce) {
+  make_network(24);
+  const Process north = agent("north");
+  Process far = errand({"--patience", "5"});
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  ASSERT_TRUE(north.signal(SIGTERM));
+  const auto ending = far.wait(kFleetPatience);
+  ASSERT_TRUE(ending) << far.output() << far.errors();
+  EXPECT_EQ(ending->words(), "exit status 1");
+  EXPECT_NE(far.output().find("can't be reached: the agent on `north` has left the fleet"), std::string::npos)
+      << far.output();
+}
+
+}  // namespace
+}  // namespace mlab::testing
