@@ -17,6 +17,7 @@
 #include "mlab/agents/conversation.h"
 #include "mlab/agents/dds_live_line.h"
 #include "mlab/agents/roster.h"
+#include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
 #include "mlab/robot/remote/agent.h"
 #include "mlab/robot/wire/shared_cycle.h"
@@ -46,16 +47,19 @@ std::string counted_robots(std::size_t count) {
 class AgentProcess {
  public:
   AgentProcess(const AgentSettings& settings, std::shared_ptr<Roster> roster, dds::Waiter waiter,
-               dds::Reader requests, dds::Writer presence)
+               dds::Reader requests, dds::Reader stops, dds::Writer presence)
       : settings_(settings),
         roster_(std::move(roster)),
         waiter_(std::move(waiter)),
         requests_(std::move(requests)),
+        stops_(std::move(stops)),
         presence_(std::move(presence)) {}
 
   void serve(const std::stop_token& stop) {
     const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
     Clock::time_point next_beat = Clock::now();
+    if (stop_.is_engaged)
+      settings_.tell(fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by));
     while (!stop.stop_requested()) {
       if (Clock::now() >= next_beat) {
         say_presence();
@@ -63,6 +67,7 @@ class AgentProcess {
       }
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
           std::max<Clock::duration>(next_beat - Clock::now(), std::chrono::milliseconds(1))));
+      listen_for_stop();
       for (const dds::Arrival& arrival : requests_.take()) take(arrival);
       give_up_the_lost();
       std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
@@ -115,7 +120,8 @@ class AgentProcess {
         [this, key]() -> std::shared_ptr<robot_remote::LiveLine> {
           auto live = open_live_line_of_agent(roster_->participant(), settings_.name, key.second, key.first);
           return live && (*live)->meet(Clock::now() + kMeetingPatience) ? *live : nullptr;
-        });
+        },
+        [this] { return is_stopped_.load(); });
   }
 
   // What is written before the run hears it would be lost.
@@ -147,6 +153,33 @@ class AgentProcess {
     return conversation.is_live() && Clock::now() - conversation.heard() > kRunSilence;
   }
 
+  // From whoever may pull the stop, and from other agents: who was cut off when it was pulled hears of it
+  // here.
+  void listen_for_stop() {
+    std::optional<StopState> newest;
+    const auto hear = [&](std::optional<StopState> state) {
+      if (state && state->overrides(newest ? *newest : stop_)) newest = std::move(state);
+    };
+    for (const dds::Arrival& arrival : stops_.take()) {
+      if (arrival.kind == dds::Arrival::Kind::kMessage) hear(decode(arrival.body));
+    }
+    for (const Member& one : roster_->members()) {
+      if (one.state != Member::State::kGone) hear(decode(one.said.stop()));
+    }
+    if (!newest) return;
+    const bool was_stopped = stop_.is_engaged;
+    stop_ = std::move(*newest);
+    is_stopped_ = stop_.is_engaged;
+    for (auto& [key, conversation] : conversations_) conversation->look_at_stop();
+    if (const auto problem = stop_file_.write(stop_))
+      settings_.tell(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
+    say_presence();
+    if (stop_.is_engaged)
+      settings_.tell(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by));
+    else if (was_stopped)
+      settings_.tell(fmt::format("the emergency stop was released by {}", stop_.by));
+  }
+
   void give_up_the_lost() {
     for (auto& [key, conversation] : conversations_) {
       if (!conversation->is_live() || conversation->has_ended()) continue;
@@ -160,6 +193,7 @@ class AgentProcess {
 
   void say_presence() {
     wire::AgentPresence said;
+    encode(stop_, *said.mutable_stop());
     said.set_protocol(robot_remote::kAgentProtocol);
     said.set_version(settings_.sources.version);
     said.set_layout(robot_wire::shared_layout());
@@ -183,7 +217,11 @@ class AgentProcess {
   std::shared_ptr<Roster> roster_;  // keeps the participant
   dds::Waiter waiter_;
   dds::Reader requests_;
+  dds::Reader stops_;
   dds::Writer presence_;
+  StopFile stop_file_{settings_.stop_file};
+  StopState stop_ = stop_file_.read();
+  std::atomic<bool> is_stopped_ = stop_.is_engaged;
   Clock::time_point began_ = Clock::now();
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
 };
@@ -215,10 +253,12 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   auto requests =
       participant.reader(requests_topic(settings.name), dds::ChannelKind::kLockStepPercepts, *waiter);
   if (!requests) return requests.error();
+  auto stops = participant.reader(kStopTopic, dds::ChannelKind::kEmergencyStop, *waiter);
+  if (!stops) return stops.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
   AgentProcess process(settings, std::move(*roster), std::move(*waiter), std::move(*requests),
-                       std::move(*presence));
+                       std::move(*stops), std::move(*presence));
   if (settings.tell_ready) settings.tell_ready();
   process.serve(stop);
   return std::nullopt;

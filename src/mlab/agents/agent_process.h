@@ -19,6 +19,9 @@ struct AgentSettings {
   std::string name;  ///< in the fleet: is_agent_name
   /// What of code that runs bring may be compiled and run here, and by what means. `version` is this agent's.
   robot::ProgramSources sources;
+  /// File that an emergency stop is kept in, so that the agent still stands when it is started again; empty:
+  /// it is not kept.
+  std::string stop_file = {};
   /// Called with what a person at this machine is to know, a line each; one thread at a time.
   std::function<void(const std::string&)> tell;
   std::function<void()> tell_ready = {};  ///< called once it has joined; empty: nobody wants to know

@@ -13,8 +13,9 @@ constexpr std::chrono::seconds kOpeningPatience(10);  // for a run to say who it
 
 }  // namespace
 
-Conversation::Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live)
-    : answer_(std::move(answer)), go_live_(std::move(go_live)) {
+Conversation::Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live,
+                           std::function<bool()> is_stopped)
+    : answer_(std::move(answer)), go_live_(std::move(go_live)), is_stopped_(std::move(is_stopped)) {
   sources.ends = stop_.get_token();
   thread_ = std::thread([this, sources = std::move(sources)] { serve(sources); });
 }
@@ -44,6 +45,11 @@ void Conversation::end() {
   if (live_) live_->wake();
 }
 
+void Conversation::look_at_stop() {
+  const std::scoped_lock lock(mutex_);
+  if (live_) live_->wake();
+}
+
 // Waits for what the run asks. Nothing: it is to end.
 std::optional<std::string> Conversation::next_request(robot_remote::RunnerServer& server) {
   std::unique_lock lock(mutex_);
@@ -61,7 +67,12 @@ std::optional<std::string> Conversation::next_request(robot_remote::RunnerServer
 // The same in real time: robots act meanwhile.
 std::optional<std::string> Conversation::next_live(robot_remote::RunnerServer& server) {
   const auto nobody_waits = [this] { return is_to_end_.load(); };
+  const auto publish = [this](std::string_view key, std::string_view body) { live_->send(key, body); };
   for (;;) {
+    if (const bool is_stopped = is_stopped_(); is_stopped != stands_) {
+      stands_ = is_stopped;
+      if (is_stopped) server.stand(robot_remote::Clock::now(), publish);
+    }
     {
       const std::scoped_lock lock(mutex_);
       if (is_to_end_) return std::nullopt;
@@ -75,15 +86,13 @@ std::optional<std::string> Conversation::next_live(robot_remote::RunnerServer& s
       heard_ = message.arrived;
       server.hear(message);
     }
-    if (const auto now = robot_remote::Clock::now(); now >= server.due()) {
-      server.act_live(
-          now, [this](std::string_view key, std::string_view body) { live_->send(key, body); }, nobody_waits);
-    }
+    if (const auto now = robot_remote::Clock::now(); now >= server.due())
+      server.act_live(now, publish, nobody_waits);
   }
 }
 
 void Conversation::serve(const robot::ProgramSources& sources) {
-  robot_remote::RunnerServer server(sources);
+  robot_remote::RunnerServer server(sources, is_stopped_);
   const auto nobody_waits = [this] { return is_to_end_.load(); };
   while (const auto message = is_live_ ? next_live(server) : next_request(server)) {
     const std::string_view answer = server.answer(*message, nobody_waits);

@@ -33,7 +33,9 @@ class Conversation {
   /// opened.
   using GoLive = std::function<std::shared_ptr<robot_remote::LiveLine>()>;
 
-  Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live);
+  /// @param is_stopped  an emergency stop holds; may be asked by any thread, as long as this stands
+  Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live,
+               std::function<bool()> is_stopped);
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
@@ -43,6 +45,8 @@ class Conversation {
   bool add(std::string_view part);
   /// It ends as soon as it can; nobody waits for its robots.
   void end();
+  /// Whether an emergency stop holds has changed: it is heeded at once.
+  void look_at_stop();
   bool has_ended() const { return has_ended_.load(); }
   std::size_t robot_count() const { return robots_.load(); }
   /// It is in real time, and bears that nothing is heard of its run for a while.
@@ -57,6 +61,7 @@ class Conversation {
 
   Answer answer_;
   GoLive go_live_;
+  std::function<bool()> is_stopped_;
   std::shared_ptr<robot_remote::LiveLine> live_;  // null: in lock-step
   Assembly assembly_;
   std::mutex mutex_;
@@ -68,6 +73,7 @@ class Conversation {
   std::atomic<std::size_t> robots_ = 0;
   std::atomic<bool> is_live_ = false;
   std::atomic<robot_remote::Clock::time_point> heard_;
+  bool stands_ = false;  // of the conversation's thread: all have been told to stand
   std::thread thread_;
 };
 

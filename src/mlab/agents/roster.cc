@@ -4,6 +4,7 @@
 #include <cctype>
 #include <utility>
 
+#include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
 #include "mlab/text/shown.h"
 
@@ -19,6 +20,7 @@ std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
     return std::nullopt;
   out.set_host(text::shown(out.host(), 64));
   out.set_version(text::shown(out.version(), 32));
+  if (!decode(out.stop())) return std::nullopt;
   return out;
 }
 
@@ -90,6 +92,7 @@ void Roster::take(const dds::Arrival& arrival) {
     member.heard = arrival.noticed;
     if (is_new || member.guid != arrival.sender) member.since = Clock::now();
     member.guid = arrival.sender;
+    member.has_left = false;
     set(member, Member::State::kThere);
     return;
   }
@@ -97,8 +100,10 @@ void Roster::take(const dds::Arrival& arrival) {
   if (member == nullptr) return;
   if (arrival.kind == Kind::kSilent && member->state == Member::State::kThere)
     set(*member, Member::State::kSilent);
-  else if (arrival.kind == Kind::kEnded || arrival.kind == Kind::kUnmatched)
+  else if (arrival.kind == Kind::kEnded || arrival.kind == Kind::kUnmatched) {
+    member->has_left |= arrival.kind == Kind::kEnded;
     set(*member, Member::State::kGone);
+  }
 }
 
 void Roster::give_up_the_silent() {

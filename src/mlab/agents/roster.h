@@ -30,6 +30,7 @@ struct Member {
   wire::AgentPresence said;  ///< last, checked: its name is one, text is fit for people
   dds::Guid guid;
   State state = State::kThere;
+  bool has_left = false;    ///< in order: nobody there is commanded any more
   Clock::time_point since;  ///< of the state
   Clock::time_point heard;  ///< when it spoke last
 };

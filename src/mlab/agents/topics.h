@@ -14,6 +14,9 @@ namespace mlab::agents {
 
 inline constexpr std::string_view kPresenceTopic = "agents";  ///< proto/mlab/presence.proto, by agent
 
+inline constexpr std::string_view kStopTopic = "stop";  ///< EmergencyStop of that file, by kStopKey
+inline constexpr std::string_view kStopKey = "fleet";
+
 /// Of one agent: proto/mlab/agent.proto, by conversation.
 inline std::string requests_topic(std::string_view agent) {
   return "agents/" + std::string(agent) + "/requests";

@@ -86,6 +86,8 @@ int agent(const AgentOptions& options);
 struct FleetOptions {
   NetworkOptions network;
   bool once = false;
+  bool stop = false;     ///< pull the emergency stop
+  bool release = false;  ///< release it
   bool json = false;
 };
 /// Says who is in a fleet, again and again until it is interrupted.

@@ -368,12 +368,15 @@ void add_agent(CLI::App& app, AgentOptions& o) {
 }
 
 void add_fleet(CLI::App& app, FleetOptions& o) {
-  CLI::App* c =
-      app.add_subcommand("fleet", "Who is in a fleet: machines, robots, versions; live on a terminal.");
+  CLI::App* c = app.add_subcommand(
+      "fleet", "Who is in a fleet: machines, robots, versions; live on a terminal. Its emergency stop.");
   c->add_option("fleet", o.network.fleet, "the fleet")->default_str("default")->type_name("NAME");
   add_network(c, o.network);
   c->add_flag("--once", o.once, "say it once, and end");
   c->add_flag("--json", o.json, "say it once, as JSON");
+  auto* const stop = c->add_flag("--stop", o.stop,
+                                 "EMERGENCY STOP: all robots of the fleet stand, until somebody releases it");
+  c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop);
 }
 
 void add_lsp(CLI::App& app, bool& says_stdio) {

@@ -11,6 +11,7 @@
 #include "mlab/agents/fleet_runner.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/fleet_network.h"
+#include "mlab/cli/fleet_stop.h"
 #include "mlab/cli/version.h"
 #include "mlab/robot/program/configuration_file.h"
 
@@ -105,6 +106,12 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
       usage_error(roster.error());
       return std::nullopt;
     }
+    auto stop_line = fleet_stop_line(*roster);
+    if (!stop_line) {
+      usage_error(stop_line.error());
+      return std::nullopt;
+    }
+    out.settings.stop_line = std::move(*stop_line);
     out.settings.robots_elsewhere = [roster = *roster, is_live = options.real_time](std::uint64_t seed,
                                                                                     double cycle_duration) {
       return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <thread>
@@ -13,6 +16,7 @@
 
 #include "mlab/console/published/frame_encoder.h"
 #include "mlab/console/testing/browser.h"
+#include "mlab/run/stop_line.h"
 
 namespace mlab::console {
 namespace {
@@ -227,6 +231,53 @@ TEST(Session, TheEmergencyStopIsConfirmedRobotByRobotOnceTheyStand) {
   EXPECT_EQ(anna.status().stop().robots(), 4U);
   EXPECT_EQ(anna.control(Control::RELEASE_STOP), "");
   ASSERT_TRUE(anna.wait([&] { return !anna.status().has_stop(); }));
+}
+
+/// A stop that two consoles share, and a machine that has not confirmed it.
+class SharedStop final : public run::StopLine {
+ public:
+  State state() const override {
+    const std::scoped_lock lock(mutex_);
+    return state_;
+  }
+  void engage() override { change({true, "here"}); }
+  void release() override { change({false, "here"}); }
+  std::vector<std::string> unreached() const override { return {"south"}; }
+  void tell(std::function<void()> changed) override {
+    const std::scoped_lock lock(mutex_);
+    changed_ = std::move(changed);
+  }
+  void change(State state) {
+    const std::scoped_lock lock(mutex_);
+    state_ = std::move(state);
+    if (changed_) changed_();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  State state_;
+  std::function<void()> changed_;
+};
+
+TEST(Session, AnEmergencyStopThatOthersShareIsFollowedAndSaid) {
+  const auto line = std::make_shared<SharedStop>();
+  TestSession session(kDemo, 10.0, [&](SessionSettings& s) { s.run.stop_line = line; });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 1.0; }));
+  line->change({true, "the other console"});
+  ASSERT_TRUE(wait_for(anna, Status::STOPPED));
+  ASSERT_EQ(anna.status().stop().unreached_size(), 1);
+  EXPECT_EQ(anna.status().stop().unreached(0), "south");
+  line->change({false, "the other console"});
+  ASSERT_TRUE(wait_for(anna, Status::PAUSED)) << "it does not go on by itself";
+  session->emergency_stop();
+  EXPECT_TRUE(line->state().is_engaged) << "the session's thread need not look at it";
+  ASSERT_TRUE(wait_for(anna, Status::STOPPED));
+  EXPECT_EQ(anna.control(Control::RELEASE_STOP), "");
+  EXPECT_FALSE(line->state().is_engaged);
+  ASSERT_TRUE(wait_for(anna, Status::PAUSED));
 }
 
 TEST(Session, AfterAnAbortAJumpIsRefusedAndWithARewindTrailsAndAlertsOfBeforeGo) {

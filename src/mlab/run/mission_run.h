@@ -17,6 +17,7 @@
 #include "mlab/overlay/environment_change.h"
 #include "mlab/robot/program/robot_program.h"
 #include "mlab/run/crew.h"
+#include "mlab/run/stop_line.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::run {
@@ -34,6 +35,7 @@ struct RunSettings {
   /// @param cycle_duration  of the mission [s]
   std::function<std::unique_ptr<robot::ProgramRunner>(std::uint64_t seed, double cycle_duration)>
       robots_elsewhere = {};
+  std::shared_ptr<StopLine> stop_line = {};  ///< null: the emergency stop is this run's own
   bool is_in_real_time =
       false;  ///< robots elsewhere are not waited for: time passes as on the clock, no faster
 };

@@ -1,10 +1,10 @@
 import { useState } from "react";
 import { Status_Mode, type Status_RealTime } from "../../core/protocol.ts";
 import { Button, RangeSlider } from "../../ui/controls/controls.tsx";
+import { FactList } from "../../ui/controls/fact_list.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { quantity, speedFactor } from "../../ui/words/format.ts";
-import { FactList } from "../selection/robot_facts.tsx";
 import { setSpeed } from "../session/orders.ts";
 import { useIsOperator, usePart, useSession } from "../session/session.ts";
 import { kPresets, kSliderEnd, sliderOf, speedOf } from "./speed.ts";
@@ -58,9 +58,9 @@ function Punctuality({ of }: { of: Status_RealTime }) {
         <FactList
           rows={[
             ["Robot cycles", all],
-            ["Answered too late", `${late} (${quantity(share, 2)} %)`],
-            ["Of these, the robot stood", Number(of.stood)],
-            ["Oldest percepts acted on", `${quantity(of.worstAge, 3)} s`],
+            ["Too late", `${late} (${quantity(share, 2)} %)`],
+            ["Robot stood for", `${Number(of.stood)} of these`],
+            ["Oldest percepts", `${quantity(of.worstAge, 3)} s`],
           ]}
         />
       </div>

@@ -3,7 +3,7 @@ import type { MapItem } from "../../core/selection.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { distance } from "../../ui/words/format.ts";
 import { usePart, useSession } from "../session/session.ts";
-import { FactList } from "./robot_facts.tsx";
+import { FactList } from "../../ui/controls/fact_list.tsx";
 
 /** A control measure, an obstacle or an object. */
 export function MapItemFacts({ item, others }: { item: MapItem; others: number }) {

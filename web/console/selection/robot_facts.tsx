@@ -1,5 +1,5 @@
-import type { ReactNode } from "react";
 import { kNotStarted } from "../../core/model.ts";
+import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance, duration, headingDegrees } from "../../ui/words/format.ts";
 import { robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
@@ -54,17 +54,4 @@ export function RobotFacts({ id }: { id: number }) {
 /** `ROBOT · program robot` */
 function typeText(type: string, program: string): string {
   return [type, program && `program ${program}`].filter((word) => word !== "").join(" · ");
-}
-
-export function FactList({ rows }: { rows: readonly (readonly [string, ReactNode])[] }) {
-  return (
-    <dl className="facts">
-      {rows.map(([name, value]) => (
-        <div key={name}>
-          <dt>{name}</dt>
-          <dd className="number">{value}</dd>
-        </div>
-      ))}
-    </dl>
-  );
 }

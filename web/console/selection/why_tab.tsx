@@ -3,7 +3,7 @@
 import { Bar } from "../../ui/controls/controls.tsx";
 import { quantity, readableMessage } from "../../ui/words/format.ts";
 import { usePart } from "../session/session.ts";
-import { FactList } from "./robot_facts.tsx";
+import { FactList } from "../../ui/controls/fact_list.tsx";
 import { direction, type Member, type VectorSum, vectorSums } from "./why.ts";
 
 export function WhyTab({ id }: { id: number }) {

@@ -51,11 +51,13 @@ function StopBanner() {
   );
 }
 
-function stopSentence({ kind, standing, robots }: StopState, isConnected: boolean): string {
+function stopSentence({ kind, standing, robots, unreached }: StopState, isConnected: boolean): string {
   if (kind === "sent")
     return "EMERGENCY STOP sent, not confirmed. Until it is, take it that robots move, and stop them by other means.";
   if (!isConnected)
     return "EMERGENCY STOP when the connection was lost: all robots stood. It may have been released since.";
+  if (kind === "stopping" && unreached.length > 0)
+    return `EMERGENCY STOP: not confirmed by ${unreached.join(", ")}. Until it is, take it that robots there move, and stop them by other means.`;
   if (kind === "stopping")
     return `EMERGENCY STOP: ${standing} of ${count(robots, "robot")} stand, the rest is being stopped.`;
   return "EMERGENCY STOP: all robots stand and take no orders.";

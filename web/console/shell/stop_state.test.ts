@@ -7,6 +7,13 @@ const running = create(StatusSchema, { mode: Status_Mode.RUNNING });
 const stopped = (standing: number, robots = 4) =>
   create(StatusSchema, { mode: Status_Mode.STOPPED, stop: { standing, robots } });
 
+test("a stop that a machine has not confirmed names it", () => {
+  const stop = { standing: 4, robots: 4, unreached: ["south"] };
+  const state = stopState(create(StatusSchema, { mode: Status_Mode.STOPPED, stop }), false, false);
+  expect(state.kind).toBe("stopping");
+  expect(stopWords(state)).toBe("not confirmed by south");
+});
+
 test("a stop that was sent is not confirmed before the run says so, robot by robot", () => {
   expect(stopState(running, false, false).kind).toBe("none");
   expect(stopWords(stopState(running, true, false))).toBe("sent, not confirmed");

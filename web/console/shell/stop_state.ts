@@ -6,27 +6,30 @@ export interface StopState {
   kind: "none" | "sent" | "stopping" | "confirmed";
   standing: number;
   robots: number;
+  /** Machines that have not said that their robots stand. */
+  unreached: readonly string[];
 }
 
 /** `isSilent`: the server does not answer, so that its last word proves nothing about a stop that was sent since. */
 export function stopState(status: Status | null, isSent: boolean, isSilent: boolean): StopState {
-  const { standing = 0, robots = 0 } = status?.stop ?? {};
+  const { standing = 0, robots = 0, unreached = [] } = status?.stop ?? {};
   if (status?.mode !== Status_Mode.STOPPED || !status.stop) {
-    return { kind: isSent ? "sent" : "none", standing: 0, robots: 0 };
+    return { kind: isSent ? "sent" : "none", standing: 0, robots: 0, unreached: [] };
   }
-  if (isSent && isSilent) return { kind: "sent", standing, robots };
-  return { kind: standing < robots ? "stopping" : "confirmed", standing, robots };
+  if (isSent && isSilent) return { kind: "sent", standing, robots, unreached };
+  const isConfirmed = standing >= robots && unreached.length === 0;
+  return { kind: isConfirmed ? "confirmed" : "stopping", standing, robots, unreached };
 }
 
 /** On the button itself. */
-export function stopWords({ kind, standing, robots }: StopState): string {
+export function stopWords({ kind, standing, robots, unreached }: StopState): string {
   switch (kind) {
     case "none":
       return "";
     case "sent":
       return "sent, not confirmed";
     case "stopping":
-      return `${standing} of ${robots} stand`;
+      return standing < robots ? `${standing} of ${robots} stand` : `not confirmed by ${unreached.join(", ")}`;
     case "confirmed":
       return robots === 0 ? "confirmed" : robots === 1 ? "confirmed: it stands" : `confirmed: all ${robots} stand`;
   }

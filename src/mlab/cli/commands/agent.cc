@@ -22,6 +22,12 @@ void say(const std::string& line) {
   write_output_now(fmt::format("{}  {}\n", print(wall_clock()), line));
 }
 
+// One for each name in each fleet on this machine.
+std::string stop_file(const std::string& fleet, const std::string& name) {
+  const std::string folder = state_folder();
+  return folder.empty() ? "" : fmt::format("{}/agents/{}/{}.stop", folder, fleet, name);
+}
+
 }  // namespace
 
 int agent(const AgentOptions& options) {
@@ -30,6 +36,7 @@ int agent(const AgentOptions& options) {
   settings.name = options.name.empty() ? agents::machine_name() : options.name;
   settings.sources = program_sources("", permission_to_carry(options));
   settings.sources.limits = options.limits;
+  settings.stop_file = stop_file(settings.network.fleet, settings.name);
   settings.tell = say;
   settings.tell_ready = [&] {
     say(fmt::format("agent `{}` of fleet `{}`, {}: waits for runs", settings.name, settings.network.fleet,

@@ -10,8 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "mlab/agents/roster.h"
+#include "mlab/agents/stop_switch.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/fleet_network.h"
+#include "mlab/cli/fleet_stop.h"
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/terminal.h"
@@ -39,7 +41,7 @@ std::string age(double seconds) {
 std::string state_of(const Member& member) {
   switch (member.state) {
     case Member::State::kThere:
-      return "there";
+      return member.said.stop().is_engaged() ? "STOPPED" : "there";
     case Member::State::kSilent:
       return "silent for " + age(seconds_since(member.heard));
     case Member::State::kGone:
@@ -48,7 +50,9 @@ std::string state_of(const Member& member) {
   return "";
 }
 
-Color color_of(Member::State state) {
+Color color_of(const Member& member) {
+  const Member::State state = member.state;
+  if (member.said.stop().is_engaged()) return Color::kBad;
   return state == Member::State::kThere    ? Color::kGood
          : state == Member::State::kSilent ? Color::kWarning
                                            : Color::kBad;
@@ -62,8 +66,8 @@ std::string table_of(const std::string& fleet, const std::vector<Member>& member
   for (const Member& one : members) {
     const std::string state = fmt::format("{:<18}", state_of(one));
     out += fmt::format("{:<16} {:<16} {} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n", one.said.name(),
-                       one.said.host(), colored(state, color_of(one.state)), one.said.robots(),
-                       one.said.runs(), fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
+                       one.said.host(), colored(state, color_of(one)), one.said.robots(), one.said.runs(),
+                       fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
                        fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
                        one.said.version());
   }
@@ -77,6 +81,7 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
     agents.push_back({{"name", one.said.name()},
                       {"machine", one.said.host()},
                       {"state", kStates[static_cast<std::size_t>(one.state)]},
+                      {"is_stopped", one.said.stop().is_engaged()},
                       {"heard_s_ago", seconds_since(one.heard)},
                       {"robots", one.said.robots()},
                       {"runs", one.said.runs()},
@@ -87,6 +92,67 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
                       {"version", one.said.version()}});
   }
   return nlohmann::json{{"fleet", fleet}, {"agents", agents}}.dump(2) + "\n";
+}
+
+constexpr std::chrono::seconds kStopPatience(6);  // for agents to say that they have stopped
+constexpr std::chrono::seconds kAllFound(
+    2);  // in which those are found who are there, though packets are lost
+
+void wait_for_agents(const agents::Roster& roster) {
+  const auto is_there = [](const std::vector<Member>& members) {
+    return was_interrupted() || !members.empty();
+  };
+  roster.wait(is_there, Clock::now() + kFirstLook);
+}
+
+std::string listed(const std::vector<agents::StopSwitch::Unreached>& agents) {
+  std::string out;
+  for (const agents::StopSwitch::Unreached& one : agents)
+    out += fmt::format("{}`{}`{}", out.empty() ? "" : ", ", one.name,
+                       one.silent > 2.0 ? fmt::format(" (silent for {})", age(one.silent)) : "");
+  return out;
+}
+
+// Says it until all have heard. Who has not been found when this begins hears it as soon as he is.
+int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> roster) {
+  const std::shared_ptr<agents::Roster> all = roster;
+  auto stop = agents::StopSwitch::open(std::move(roster));
+  if (!stop) {
+    fmt::print(stderr, "mlab fleet: {}\n", stop.error());
+    return kFailed;
+  }
+  if (options.stop) (*stop)->engage(stopping_person());
+  wait_for_agents(*all);
+  const Clock::time_point first = Clock::now() + kAllFound;
+  const Clock::time_point last = Clock::now() + kStopPatience;
+  bool is_said = options.stop;
+  while (!was_interrupted() && Clock::now() < last) {
+    // Its number is known from those who hold it.
+    if (!is_said && (*stop)->state().is_engaged) {
+      (*stop)->release(stopping_person());
+      is_said = true;
+    }
+    if (Clock::now() >= first && (!is_said || (*stop)->unreached().empty())) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const std::string& fleet = all->fleet();
+  const std::size_t count = (*stop)->agent_count();
+  const auto unreached = (*stop)->unreached();
+  if (count == 0) {
+    fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`\n", fleet);
+    return kFailed;
+  }
+  if (!is_said) {
+    fmt::print("the fleet `{}` is not stopped\n", fleet);
+    return kDone;
+  }
+  fmt::print("{}: {} of {} agents of the fleet `{}` have confirmed\n",
+             options.stop ? "EMERGENCY STOP" : "the emergency stop is released", count - unreached.size(),
+             count, fleet);
+  if (unreached.empty()) return kDone;
+  fmt::print(stderr, "mlab fleet: not confirmed by {}; each hears of it from the others when it is back\n",
+             listed(unreached));
+  return kFailed;
 }
 
 void pass(std::chrono::milliseconds time) {
@@ -104,11 +170,9 @@ int show_fleet(const FleetOptions& options) {
     return kBadInput;
   }
   note_interrupts();
+  if (options.stop || options.release) return switch_stop(options, *roster);
   const bool is_live = ::isatty(STDOUT_FILENO) == 1 && !options.once && !options.json;
-  const auto is_there = [](const std::vector<Member>& members) {
-    return was_interrupted() || !members.empty();
-  };
-  (*roster)->wait(is_there, Clock::now() + kFirstLook);
+  wait_for_agents(**roster);
   pass(kOthers);  // who has been found first is hardly alone
   for (;;) {
     const std::vector<Member> members = (*roster)->members();

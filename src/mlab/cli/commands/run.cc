@@ -10,6 +10,7 @@
 #include <thread>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "mlab/base/counted.h"
 #include "mlab/cli/clock.h"
@@ -47,7 +48,8 @@ struct Prepared {
   std::unique_ptr<run::MissionRun> run;
   MissionClock clock;
   double speed = 0.0;
-  text::Diagnostics warnings;  // of loading
+  std::shared_ptr<run::StopLine> stop_line;  // null: there is none
+  text::Diagnostics warnings;                // of loading
 };
 
 std::shared_ptr<const mission::Mission> load(const RunOptions& options, const robot::ProgramSources& sources,
@@ -69,6 +71,7 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
   if (!manner) return std::nullopt;
   out.clock = manner->clock;
   out.speed = manner->speed;
+  out.stop_line = manner->settings.stop_line;
   text::Diagnostics& sink = out.warnings;
   const std::string folder = std::filesystem::path(options.mission).parent_path().string();
   const robot::ProgramSources sources =
@@ -97,11 +100,55 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
   return out;
 }
 
+/// Follows the emergency stop that the run shares with its fleet.
+class SharedStop {
+ public:
+  SharedStop(run::MissionRun& run, RunScreen& screen, const run::StopLine* line)
+      : run_(run), screen_(screen), line_(line) {}
+
+  void follow() {
+    if (line_ == nullptr) return;
+    const run::StopLine::State state = line_->state();
+    if (state.is_engaged != run_.is_stopped()) change(state);
+    if (state.is_engaged && steady_seconds() - since_ > kConfirming) tell_unreached();
+  }
+
+ private:
+  static constexpr double kConfirming = 1.0;  // who has not said by then that his robots stand is named [s]
+
+  void change(const run::StopLine::State& state) {
+    run_.set_emergency_stop(state.is_engaged);
+    since_ = steady_seconds();
+    told_.clear();
+    say(state.is_engaged ? fmt::format("EMERGENCY STOP by {}: all robots stand; `mlab fleet` with --release "
+                                       "releases it",
+                                       state.by)
+                         : fmt::format("the emergency stop was released by {}", state.by));
+  }
+  void tell_unreached() {
+    std::vector<std::string> names = line_->unreached();
+    if (names == told_) return;
+    told_ = std::move(names);
+    say(told_.empty()
+            ? "the emergency stop is confirmed by all"
+            : fmt::format("the emergency stop is not confirmed by `{}`: stop those robots by other means",
+                          fmt::join(told_, "`, `")));
+  }
+  void say(const std::string& text) { screen_.line(fmt::format("[{:9.1f} s] {}", run_.time(), text)); }
+
+  run::MissionRun& run_;
+  RunScreen& screen_;
+  const run::StopLine* line_;
+  double since_ = 0.0;
+  std::vector<std::string> told_;
+};
+
 // Steps until the mission has ended, its time is up or somebody ends it.
 run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
                       TerminalOperator& person, Plot& plot) {
   run::MissionRun& run = *prepared.run;
   const double began = steady_seconds();
+  SharedStop stop(run, screen, prepared.stop_line.get());
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
   run.post(mission::event::Execute{});
   while (!was_interrupted()) {
@@ -119,7 +166,14 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
       screen.line(fmt::format("[{:9.1f} s] the time is up (--for)", run.time()));
       return run::RunEnd::kTimeIsUp;
     }
+    stop.follow();
     const run::MissionRun::Progress progress = run.step();
+    if (run.is_stopped()) {
+      const double before = steady_seconds();
+      if (progress == run::MissionRun::Progress::kWaits) pass_time(0.05);
+      idle += steady_seconds() - before;
+      continue;
+    }
     if (progress == run::MissionRun::Progress::kOver) return run::RunEnd::kByItself;
     screen.show_progress(run);
     if (!options.plot.empty()) plot.note(run);

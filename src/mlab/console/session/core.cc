@@ -66,7 +66,7 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
       project_({settings_.project_folder, settings_.example_folder}),
       documents_(project_, load_options(), settings_.state_folder),
       people_(welcome_of(settings_), std::move(send)),
-      run_(log_, settings_.speed),
+      run_(log_, settings_.speed, settings_.run.stop_line, [this] { inbox_.wake(); }),
       parameters_(run_, documents_, log_),
       maker_({settings_, documents_, run_, parameters_, log_, inbox_},
              [this] { return attend_during_cycle(); }),

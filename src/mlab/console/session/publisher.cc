@@ -194,6 +194,7 @@ void Publisher::tell_status(ToBrowser& out) const {
     status.set_mode(Status::STOPPED);
     status.mutable_stop()->set_robots(live != nullptr ? count_of(live->run().robots_in_world()) : 0);
     status.mutable_stop()->set_standing(live != nullptr ? count_of(live->run().robots_stopped()) : 0);
+    for (std::string& name : run_.not_known_to_stand()) status.mutable_stop()->add_unreached(std::move(name));
   }
   status.set_speed(run_.pace().speed());
   status.set_speed_reached(run_.meter().speed(wall));

@@ -15,6 +15,20 @@ constexpr double kSlice = 0.008;
 
 }  // namespace
 
+RunControl::RunControl(EventLog& log, double speed, std::shared_ptr<run::StopLine> stop_line,
+                       std::function<void()> wake)
+    : log_(log), pace_(speed), stop_line_(std::move(stop_line)) {
+  if (!stop_line_) return;
+  stop_line_->tell([this, wake = std::move(wake)] {
+    stop_line_changed_ = true;
+    wake();
+  });
+}
+
+RunControl::~RunControl() {
+  if (stop_line_) stop_line_->tell({});
+}
+
 // ---- which run
 
 void RunControl::adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run) {
@@ -157,11 +171,34 @@ void RunControl::set_speed(double speed) {
 
 // ---- the emergency stop
 
-void RunControl::heed_stop() {
-  if (stop_wanted_.exchange(false)) engage_stop();
+void RunControl::want_stop() {
+  // Not by way of the session's thread, which may be waiting for something.
+  if (stop_line_) stop_line_->engage();
+  stop_wanted_ = true;
 }
 
-void RunControl::engage_stop() {
+void RunControl::heed_stop() {
+  if (stop_wanted_.exchange(false)) engage_stop("");
+  if (stop_line_changed_.exchange(false) && stop_line_) follow_stop_line();
+}
+
+// Somebody else may have pulled or released it.
+void RunControl::follow_stop_line() {
+  ++state_revision_;
+  const run::StopLine::State state = stop_line_->state();
+  if (state.is_engaged) {
+    engage_stop(state.by);
+  } else if (is_stopped_) {
+    note(state.by, "release the emergency stop");
+    end_stop();
+  }
+}
+
+std::vector<std::string> RunControl::not_known_to_stand() const {
+  return stop_line_ && is_stopped_ ? stop_line_->unreached() : std::vector<std::string>();
+}
+
+void RunControl::engage_stop(const std::string& by) {
   if (is_stopped_) return;
   is_stopped_ = true;
   if (live_) {
@@ -170,14 +207,25 @@ void RunControl::engage_stop() {
   }
   has_nothing_to_do_ = false;
   time_runs_ = false;
-  log_.add(sim_time(), {Log::OPERATOR, "emergency stop: all robots stand", 0, "", {}, true});
+  log_.add(sim_time(), {Log::OPERATOR,
+                        by.empty() ? "emergency stop: all robots stand"
+                                   : fmt::format("emergency stop by {}: all robots stand", by),
+                        0,
+                        "",
+                        {},
+                        true});
   ++state_revision_;
   ++world_version_;
 }
 
 void RunControl::release_stop(const std::string& who) {
-  is_stopped_ = false;
+  if (stop_line_) stop_line_->release();
   note(who, "release the emergency stop");
+  end_stop();
+}
+
+void RunControl::end_stop() {
+  is_stopped_ = false;
   ++state_revision_;
   if (!live_) return;
   pause();

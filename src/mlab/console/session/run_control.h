@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mlab/console/run/breakpoints.h"
 #include "mlab/console/run/event_log.h"
@@ -22,7 +23,13 @@ class RunControl {
  public:
   /// @param log    outlives it
   /// @param speed  simulated seconds per second; 0: as fast as it goes
-  RunControl(EventLog& log, double speed) : log_(log), pace_(speed) {}
+  /// @param stop_line  what the emergency stop is shared by; null: it is this one's own
+  /// @param wake       called, by any thread, when something of it has changed; the session then looks again
+  RunControl(EventLog& log, double speed, std::shared_ptr<run::StopLine> stop_line,
+             std::function<void()> wake);
+  RunControl(const RunControl&) = delete;
+  RunControl& operator=(const RunControl&) = delete;
+  ~RunControl();
 
   // ---- which run
 
@@ -67,9 +74,11 @@ class RunControl {
   // ---- the emergency stop
 
   /// From any thread: all robots stand from the next cycle on.
-  void want_stop() { stop_wanted_ = true; }
+  void want_stop();
   void heed_stop();
   bool is_stopped() const { return is_stopped_; }
+  /// Machines that have not said that their robots stand.
+  std::vector<std::string> not_known_to_stand() const;
   void release_stop(const std::string& who);
 
   // ---- sticks and breakpoints
@@ -99,7 +108,9 @@ class RunControl {
 
  private:
   bool is_active() const;
-  void engage_stop();
+  void engage_stop(const std::string& by);
+  void end_stop();
+  void follow_stop_line();
   void follow_exchange();
   void release_held();
   void look_at_breakpoints();
@@ -110,6 +121,8 @@ class RunControl {
   bool is_expected_ = false;
   Pace pace_;
   SpeedMeter meter_;
+  std::shared_ptr<run::StopLine> stop_line_;  // null: there is none
+  std::atomic<bool> stop_line_changed_ = true;
   std::atomic<bool> stop_wanted_ = false;
   bool is_stopped_ = false;         // emergency stop
   bool time_runs_ = false;          // cycles are being run, paced from when this began

@@ -59,7 +59,8 @@ bool is_built_from_text(const std::string& name) {
 
 }  // namespace
 
-RunnerServer::RunnerServer(robot::ProgramSources sources) : sources_(std::move(sources)) {
+RunnerServer::RunnerServer(robot::ProgramSources sources, std::function<bool()> is_stopped)
+    : sources_(std::move(sources)), is_stopped_(std::move(is_stopped)) {
   // What arrives may be anything: no frame that came from elsewhere is stepped in this process.
   sources_.in_own_processes = true;
   sources_.came_from_elsewhere = true;
@@ -300,6 +301,11 @@ std::optional<std::string> RunnerServer::read(const wire::AgentCycle& cycle) {
 std::span<const std::unique_ptr<RunnerServer::Part>> RunnerServer::run_parts(
     std::size_t count, const robot::Meanwhile& meanwhile) {
   const std::span parts(parts_.data(), count);
+  const auto let_stand = [&] {
+    for (const auto& part : parts) part->action = percept::Action{};
+    return parts;
+  };
+  if (is_stopped()) return let_stand();
   for (const auto& part : parts) part->robot->runner->join(part->robot->member);
   for (const auto& runner : *runners_) runner->open();
   for (const auto& part : parts) {
@@ -309,7 +315,7 @@ std::span<const std::unique_ptr<RunnerServer::Part>> RunnerServer::run_parts(
   }
   for (const auto& runner : *runners_) runner->ask();
   for (const auto& runner : *runners_) runner->wait(meanwhile);
-  return parts;
+  return is_stopped() ? let_stand() : parts;
 }
 
 void RunnerServer::put_action(const Part& part, wire::AgentAction& out) const {
@@ -385,16 +391,29 @@ void RunnerServer::act_live(Clock::time_point now, const Publish& publish,
   }
   first_fresh_.reset();
   if (count == 0) return;
-  wire::LiveAction message;
-  for (const auto& part : run_parts(count, meanwhile)) {
-    message.Clear();
-    part->robot->live.answer(now, message);
-    put_action(*part, *message.mutable_action());
-    message.set_replied(nanoseconds_of(Clock::now()));
-    bytes_.clear();
-    message.AppendToString(&bytes_);
-    publish(std::to_string(part->number), bytes_);
-    part->robot->live.keep_requests(message);
+  for (const auto& part : run_parts(count, meanwhile)) publish_live(*part, now, publish);
+}
+
+void RunnerServer::publish_live(const Part& part, Clock::time_point now, const Publish& publish) {
+  live_.Clear();
+  part.robot->live.answer(now, live_);
+  put_action(part, *live_.mutable_action());
+  live_.set_replied(nanoseconds_of(Clock::now()));
+  bytes_.clear();
+  live_.AppendToString(&bytes_);
+  publish(std::to_string(part.number), bytes_);
+  part.robot->live.keep_requests(live_);
+}
+
+void RunnerServer::stand(Clock::time_point now, const Publish& publish) {
+  for (auto& [number, robot] : robots_) {
+    if (!robot.has_begun) continue;
+    Part& stands = part(0);
+    stands.robot = &robot;
+    stands.number = number;
+    stands.action = {};
+    stands.wants_state = false;
+    publish_live(stands, now, publish);
   }
 }
 

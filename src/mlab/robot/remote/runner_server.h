@@ -24,8 +24,10 @@ namespace mlab::robot_remote {
 /// robots computed, each in a process of its own. All of them end with this object.
 class RunnerServer {
  public:
-  /// @param sources  what of code that a run brings may be compiled and run here, and by what means
-  explicit RunnerServer(robot::ProgramSources sources);
+  /// @param sources     what of code that a run brings may be compiled and run here, and by what means
+  /// @param is_stopped  an emergency stop holds: no robot drives, whatever its program says; by any thread.
+  ///                    Empty: none ever does
+  explicit RunnerServer(robot::ProgramSources sources, std::function<bool()> is_stopped = {});
 
   /// Does what a message asks for. Anything may arrive.
   /// @param meanwhile  asked again and again while robots are waited for, may be empty; true: nobody waits
@@ -50,6 +52,8 @@ class RunnerServer {
   using Publish = std::function<void(std::string_view key, std::string_view body)>;
   /// Lets those act for whom it is time: they have new percepts, or had none for longer than a cycle.
   void act_live(Clock::time_point now, const Publish& publish, const robot::Meanwhile& meanwhile);
+  /// Says for all robots at once that they stand, without asking their programs.
+  void stand(Clock::time_point now, const Publish& publish);
 
  private:
   struct Robot {
@@ -83,18 +87,22 @@ class RunnerServer {
   Part& part(std::size_t place);
   std::span<const std::unique_ptr<Part>> run_parts(std::size_t count, const robot::Meanwhile& meanwhile);
   void put_action(const Part& part, wire::AgentAction& out) const;
+  bool is_stopped() const { return is_stopped_ && is_stopped_(); }
+  void publish_live(const Part& part, Clock::time_point now, const Publish& publish);
   void refuse(std::string why);
   Robot* known(std::uint32_t number);
   void put_needs(const Robot& robot, wire::Needs& out) const;
   static void put_state(const Robot& robot, wire::RobotState& out);
 
   robot::ProgramSources sources_;
+  std::function<bool()> is_stopped_;
   std::unique_ptr<robot::ProgramRunners> runners_;  // null: no run has opened
   std::map<std::uint32_t, std::unique_ptr<const robot::RobotProgram>> programs_;
   std::map<std::uint32_t, Robot> robots_;
   std::vector<std::unique_ptr<Part>> parts_;  // the first of them are of this cycle
   wire::ToAgent message_;
   wire::FromAgent answer_;
+  wire::LiveAction live_;
   std::string bytes_;
   double period_ = 0.0;                           // [s]
   bool rests_ = true;                             // no cycle goes by at the run

@@ -1,0 +1,126 @@
+// The emergency stop of a fleet: it reaches every machine that can be reached, stays in force whatever is
+// started anew, and only a person releases it.
+
+#include <csignal>
+
+#include "fleets.h"
+
+namespace mlab::testing {
+namespace {
+
+using network::Process;
+
+class EmergencyStop : public Fleets {
+ protected:
+  struct Said {
+    std::string ending;
+    std::string output;
+    std::string errors;
+  };
+  Said fleet(const std::vector<std::string>& more) {
+    std::vector<std::string> words = {MLAB_COMMAND, "fleet", "alpha", "--network", base().address()};
+    words.insert(words.end(), more.begin(), more.end());
+    Process out = base().start(words);
+    const auto ending = out.wait(kFleetPatience);
+    return {ending ? ending->words() : "none", out.output(), out.errors()};
+  }
+  Process errand(const std::vector<std::string>& more) {
+    return run(base::source_folder() + "/tests/fleets/errand/errand.mdl", more);
+  }
+};
+
+TEST_F(EmergencyStop, HoldsARunInRealTimeUntilItIsReleased) {
+  make_network(31);
+  const Process north = agent("north");
+  const Process south = agent("south");
+  net().set({.loss = 0.2});
+  Process far = errand({"--real-time"});
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  const Said stopped = fleet({"--stop"});
+  EXPECT_EQ(stopped.ending, "exit status 0") << stopped.errors;
+  EXPECT_NE(stopped.output.find("agents of the fleet `alpha` have confirmed"), std::string::npos)
+      << stopped.output;
+  EXPECT_TRUE(north.prints("EMERGENCY STOP by base: all robots here stand", kFleetPatience))
+      << north.output();
+  EXPECT_TRUE(south.prints("EMERGENCY STOP by base: all robots here stand", kFleetPatience))
+      << south.output();
+  EXPECT_TRUE(far.prints("EMERGENCY STOP by base: all robots stand", kFleetPatience)) << far.output();
+  EXPECT_NE(fleet({"--once"}).output.find("STOPPED"), std::string::npos);
+  EXPECT_FALSE(far.wait(3s)) << "the mission stands, too: " << far.output();
+  const Said released = fleet({"--release"});
+  EXPECT_EQ(released.ending, "exit status 0") << released.errors;
+  EXPECT_TRUE(far.prints("the emergency stop was released by base", kFleetPatience));
+  const auto ending = far.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << far.output();
+  EXPECT_EQ(ending->words(), "exit status 0") << far.output();
+  EXPECT_EQ(report()["deliveries"].size(), 3U);
+}
+
+TEST_F(EmergencyStop, HoldsARunInLockStep) {
+  make_network(32);
+  const Process north = agent("north");
+  Process far = errand({"--speed", "real"});
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
+  EXPECT_TRUE(far.prints("EMERGENCY STOP by base: all robots stand", kFleetPatience)) << far.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+  const auto ending = far.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << far.output();
+  EXPECT_EQ(ending->words(), "exit status 0") << far.output();
+}
+
+TEST_F(EmergencyStop, OutlivesAgentsAndRuns) {
+  make_network(33);
+  const auto stopped_agent = [&](const std::string& host) {
+    Process out = agent(host);
+    EXPECT_TRUE(out.prints("EMERGENCY STOP by base: it still holds", kFleetPatience)) << out.output();
+    return out;
+  };
+  {
+    const Process north = agent("north");
+    EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
+    EXPECT_TRUE(north.signal(SIGKILL));
+  }
+  const Process north = stopped_agent("north");
+  const Process south = agent("south");
+  EXPECT_TRUE(south.prints("EMERGENCY STOP by base: all robots here stand", kFleetPatience))
+      << "it hears of it from the other agent: " << south.output();
+  Process far = errand({"--real-time"});
+  EXPECT_TRUE(far.prints("EMERGENCY STOP by base: all robots stand", kFleetPatience)) << far.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+  EXPECT_TRUE(south.prints("the emergency stop was released by base", kFleetPatience));
+  const auto ending = far.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << far.output();
+  EXPECT_EQ(ending->words(), "exit status 0") << far.output();
+}
+
+TEST_F(EmergencyStop, NamesWhomItCannotReachAndReachesHimLater) {
+  make_network(34);
+  const Process north = agent("north");
+  const Process south = agent("south");
+  Process far = errand({"--real-time"});
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  net().isolate(net().host("south"));
+  fleet({"--stop"});
+  EXPECT_TRUE(north.prints("EMERGENCY STOP", kFleetPatience));
+  EXPECT_TRUE(far.prints("the emergency stop is not confirmed by `south`", kFleetPatience)) << far.output();
+  net().join(net().host("south"));
+  EXPECT_TRUE(south.prints("EMERGENCY STOP", kFleetPatience)) << south.output();
+  EXPECT_TRUE(far.prints("the emergency stop is confirmed by all", kFleetPatience)) << far.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+  EXPECT_TRUE(far.prints("the emergency stop was released by base", kFleetPatience)) << far.output();
+}
+
+TEST_F(EmergencyStop, OfNobodyIsSaidToBeSo) {
+  make_network(35);
+  const Said nobody = fleet({"--stop"});
+  EXPECT_EQ(nobody.ending, "exit status 1");
+  EXPECT_NE(nobody.errors.find("nobody is there in the fleet `alpha`"), std::string::npos) << nobody.errors;
+  const Process north = agent("north");
+  const Said nothing = fleet({"--release"});
+  EXPECT_EQ(nothing.ending, "exit status 0");
+  EXPECT_NE(nothing.output.find("the fleet `alpha` is not stopped"), std::string::npos) << nothing.output;
+}
+
+}  // namespace
+}  // namespace mlab::testing
