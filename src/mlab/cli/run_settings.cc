@@ -53,6 +53,36 @@ bool outputs_are_usable(const RunOptions& options) {
   return false;
 }
 
+// Where the robots of the run are, and whether they are waited for.
+std::optional<std::string> settle_robots(const RunOptions& options, RunManner& out) {
+  const NetworkOptions& network = options.network;
+  if (options.robots != RobotsAt::kFleet) {
+    if (!network.fleet.empty() || !network.interface_name.empty() || !network.peers.empty())
+      return "--fleet, --network and --peer count with --robots fleet only";
+    if (options.real_time)
+      return "--real-time counts with --robots fleet only: all other robots are waited for";
+    return std::nullopt;
+  }
+  if (options.real_time) {
+    if (!options.speed.empty() && out.speed != 1.0)
+      return fmt::format("--speed {} can't be had with --real-time: time passes as on the clock",
+                         options.speed);
+    out.speed = 1.0;
+    out.settings.is_in_real_time = true;
+    out.settings.stands_still_for_operator = false;
+  }
+  const auto roster = agents::Roster::join(network_of(network));
+  if (!roster) return roster.error();
+  auto stop_line = fleet_stop_line(*roster);
+  if (!stop_line) return stop_line.error();
+  out.settings.stop_line = std::move(*stop_line);
+  out.settings.robots_elsewhere = [roster = *roster, is_live = options.real_time](std::uint64_t seed,
+                                                                                  double cycle_duration) {
+    return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0);
+  };
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<RunManner> run_manner(const RunOptions& options, double default_speed) {
@@ -80,42 +110,9 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
   out.settings.executive.patience = options.patience;
   out.settings.executive.epoch_seconds = clock->epoch_seconds;
   out.settings.executive.zone_offset = clock->zone_offset;
-  const NetworkOptions& network = options.network;
-  if (options.robots != RobotsAt::kFleet &&
-      (!network.fleet.empty() || !network.interface_name.empty() || !network.peers.empty())) {
-    usage_error("--fleet, --network and --peer count with --robots fleet only");
+  if (auto problem = settle_robots(options, out)) {
+    usage_error(*problem);
     return std::nullopt;
-  }
-  if (options.real_time && options.robots != RobotsAt::kFleet) {
-    usage_error("--real-time counts with --robots fleet only: all other robots are waited for");
-    return std::nullopt;
-  }
-  if (options.real_time && !options.speed.empty() && *speed != 1.0) {
-    usage_error(
-        fmt::format("--speed {} can't be had with --real-time: time passes as on the clock", options.speed));
-    return std::nullopt;
-  }
-  if (options.real_time) {
-    out.speed = 1.0;
-    out.settings.is_in_real_time = true;
-    out.settings.stands_still_for_operator = false;
-  }
-  if (options.robots == RobotsAt::kFleet) {
-    const auto roster = agents::Roster::join(network_of(options.network));
-    if (!roster) {
-      usage_error(roster.error());
-      return std::nullopt;
-    }
-    auto stop_line = fleet_stop_line(*roster);
-    if (!stop_line) {
-      usage_error(stop_line.error());
-      return std::nullopt;
-    }
-    out.settings.stop_line = std::move(*stop_line);
-    out.settings.robots_elsewhere = [roster = *roster, is_live = options.real_time](std::uint64_t seed,
-                                                                                    double cycle_duration) {
-      return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0);
-    };
   }
   return out;
 }

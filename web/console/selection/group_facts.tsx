@@ -1,10 +1,10 @@
 import { selectRobots } from "../../core/selection.ts";
 import { Button } from "../../ui/controls/controls.tsx";
+import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance, duration } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { groupNumbers } from "./group.ts";
-import { FactList } from "../../ui/controls/fact_list.tsx";
 
 /** A unit, or several robots, in short. */
 export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: string }) {

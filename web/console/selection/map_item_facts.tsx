@@ -1,9 +1,9 @@
 import { Measure_Kind, WorldObject_Style } from "../../core/protocol.ts";
 import type { MapItem } from "../../core/selection.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
+import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance } from "../../ui/words/format.ts";
 import { usePart, useSession } from "../session/session.ts";
-import { FactList } from "../../ui/controls/fact_list.tsx";
 
 /** A control measure, an obstacle or an object. */
 export function MapItemFacts({ item, others }: { item: MapItem; others: number }) {

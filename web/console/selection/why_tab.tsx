@@ -1,9 +1,9 @@
 // Why it moves as it does: what it follows, what each schema contributes, what it waits for.
 
 import { Bar } from "../../ui/controls/controls.tsx";
+import { FactList } from "../../ui/controls/fact_list.tsx";
 import { quantity, readableMessage } from "../../ui/words/format.ts";
 import { usePart } from "../session/session.ts";
-import { FactList } from "../../ui/controls/fact_list.tsx";
 import { direction, type Member, type VectorSum, vectorSums } from "./why.ts";
 
 export function WhyTab({ id }: { id: number }) {
