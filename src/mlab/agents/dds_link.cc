@@ -75,7 +75,17 @@ void DdsLink::fail(std::string why) {
 }
 
 bool DdsLink::is_cut() {
-  return live_ && failure_.empty() && !is_met();
+  return live_ && failure_.empty() && (!is_met() || silence() > 0.0);
+}
+
+double DdsLink::silence() const {
+  const std::optional<Member> agent = roster_->find(agent_);
+  if (!agent || agent->guid != guid_ || agent->state == Member::State::kThere) return 0.0;
+  return std::chrono::duration<double>(Clock::now() - agent->heard).count();
+}
+
+double DdsLink::patience_with_silence() const {
+  return live_ ? robot_remote::kLivePatience : std::chrono::duration<double>(kSilencePatience).count();
 }
 
 void DdsLink::send(std::string_view message) {

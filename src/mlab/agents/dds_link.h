@@ -29,6 +29,8 @@ class DdsLink final : public robot_remote::Link {
   const std::string& failure() const override { return failure_; }
   void fail(std::string why) override;
   bool is_cut() override;
+  double silence() const override;
+  double patience_with_silence() const override;
   std::shared_ptr<robot_remote::LiveLine> live() override { return live_; }
 
  private:

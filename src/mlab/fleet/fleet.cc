@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -318,6 +319,12 @@ std::expected<FleetRobot*, std::string> Fleet::running(base::RobotId id) {
   if (found->life != RobotLife::kRunning)
     return std::unexpected(fmt::format("robot {} does not run: {}", id.value, name(found->life)));
   return &robots_[index_of(*found)];
+}
+
+std::vector<robot::SilentMachine> Fleet::silent_machines() const {
+  std::vector<robot::SilentMachine> out;
+  for (const auto& runner : runners_) std::ranges::move(runner->silent_machines(), std::back_inserter(out));
+  return out;
 }
 
 const robot::Punctuality* Fleet::punctuality() const {

@@ -147,6 +147,8 @@ class Fleet {
   Bodies bodies() const;
 
   const std::vector<FleetRobot>& robots() const { return robots_; }
+  /// That carry some of the robots.
+  std::vector<robot::SilentMachine> silent_machines() const;
   /// Of those that nobody waits for; null: all are waited for.
   const robot::Punctuality* punctuality() const;
   const FleetRobot* find(base::RobotId id) const;

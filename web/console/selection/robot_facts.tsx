@@ -1,4 +1,5 @@
 import { kNotStarted } from "../../core/model.ts";
+import type { Status_SilentMachine } from "../../core/protocol.ts";
 import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance, duration, headingDegrees } from "../../ui/words/format.ts";
 import { robotState } from "../robots/robot_state.ts";
@@ -12,6 +13,7 @@ export function RobotFacts({ id }: { id: number }) {
   const row = model.robots.rowOf(id);
   const state = robotState(row < 0 ? 0 : model.robots.flags(row));
   const roster = usePart("roster");
+  const silent = usePart("status")?.silentMachines.find((one) => one.name === detail?.machine);
   if (!detail || detail.life === kNotStarted) {
     return (
       <div className="rows tab-body">
@@ -34,6 +36,7 @@ export function RobotFacts({ id }: { id: number }) {
       <FactList
         rows={[
           ["Command", detail.command || "none"],
+          ...(detail.machine ? [["Machine", machineText(detail.machine, silent)] as const] : []),
           ["Assemblage", detail.task || "–"],
           ["State", detail.states.length > 0 ? detail.states.join(", ") : "–"],
           ["To the goal", distance(detail.remaining)],
@@ -49,6 +52,10 @@ export function RobotFacts({ id }: { id: number }) {
       />
     </div>
   );
+}
+
+function machineText(name: string, silent: Status_SilentMachine | undefined): string {
+  return silent ? `${name}, silent for ${Math.floor(silent.silent)} s: values are as old` : name;
 }
 
 /** `ROBOT · program robot` */

@@ -1,6 +1,6 @@
 // What has to be known before anything else.
 import { useEffect } from "react";
-import { Control_Action } from "../../core/protocol.ts";
+import { Control_Action, type Status_SilentMachine } from "../../core/protocol.ts";
 import { Banner } from "../../ui/controls/banner.tsx";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
@@ -20,6 +20,7 @@ export function Banners() {
     <div className="banners">
       <StopBanner />
       <LinkBanner />
+      <MachinesBanner />
       <RequestBanner />
       <WatchingBanner />
       <OlderTextBanner />
@@ -86,6 +87,24 @@ function LinkBanner() {
       )}
     </Banner>
   );
+}
+
+/** Machines that carry robots and can't be heard. */
+function MachinesBanner() {
+  const machines = usePart("status")?.silentMachines ?? [];
+  if (machines.length === 0) return null;
+  return (
+    <Banner tone="hold" role="status">
+      <Icon name="warning" />
+      <span className="grow">{machines.map(silenceSentence).join(" ")}</span>
+    </Banner>
+  );
+}
+
+function silenceSentence({ name, silent, patience, isWaitedFor }: Status_SilentMachine): string {
+  const since = `Nothing has been heard of machine ${name} for ${Math.floor(silent)} s`;
+  const until = `after ${Math.round(patience)} s it is given up.`;
+  return isWaitedFor ? `${since}: the run waits, ${until}` : `${since}: its robots stand, the run goes on; ${until}`;
 }
 
 function RequestBanner() {

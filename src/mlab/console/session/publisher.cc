@@ -151,6 +151,7 @@ double Publisher::next() const {
 
 std::uint64_t Publisher::news_revision() {
   const double wall = wall_time();
+  run_.look_at_machines();
   const std::uint64_t state = run_.state_revision();
   if (state == told_state_ || wall < last_status_ + kStatusApart) return told_state_;
   told_state_ = state;
@@ -195,6 +196,13 @@ void Publisher::tell_status(ToBrowser& out) const {
     status.mutable_stop()->set_robots(live != nullptr ? count_of(live->run().robots_in_world()) : 0);
     status.mutable_stop()->set_standing(live != nullptr ? count_of(live->run().robots_stopped()) : 0);
     for (std::string& name : run_.not_known_to_stand()) status.mutable_stop()->add_unreached(std::move(name));
+  }
+  for (const robot::SilentMachine& one : run_.silent_machines()) {
+    Status::SilentMachine& told = *status.add_silent_machines();
+    told.set_name(one.name);
+    told.set_silent(one.silent);
+    told.set_patience(one.patience);
+    told.set_is_waited_for(one.is_waited_for);
   }
   status.set_speed(run_.pace().speed());
   status.set_speed_reached(run_.meter().speed(wall));

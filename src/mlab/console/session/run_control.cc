@@ -232,6 +232,18 @@ void RunControl::end_stop() {
   live_->run().set_emergency_stop(false);
 }
 
+void RunControl::look_at_machines() {
+  constexpr double kApart = 0.5;  // between two looks [s]
+  if (const double wall = wall_time(); wall >= looked_at_machines_ + kApart)
+    looked_at_machines_ = wall;
+  else
+    return;
+  std::vector<robot::SilentMachine> silent;
+  if (live_) silent = live_->run().fleet().silent_machines();
+  if (!silent.empty() || !silent_machines_.empty()) ++state_revision_;
+  silent_machines_ = std::move(silent);
+}
+
 // ---- sticks and breakpoints
 
 void RunControl::update_teleoperations() {

@@ -97,6 +97,10 @@ class RunControl {
   std::uint64_t plan_revision() const { return plan_revision_; }      ///< its mission and robots
   std::uint64_t trails_revision() const { return trails_revision_; }  ///< trails that are of before
   std::uint64_t run_number() const { return run_number_; }            ///< another run
+  /// Machines that carry robots and are silent, as `look_at_machines` has found them.
+  const std::vector<robot::SilentMachine>& silent_machines() const { return silent_machines_; }
+  /// Where some are silent, that is news each second.
+  void look_at_machines();
   /// Where it stands: mode, steps, speed, what it waits for.
   std::uint64_t state_revision();
   void world_changed() { ++world_version_; }
@@ -130,6 +134,8 @@ class RunControl {
   Teleoperations teleoperations_;
   BreakpointTable breakpoints_;
   Halted halted_;
+  std::vector<robot::SilentMachine> silent_machines_;
+  double looked_at_machines_ = 0.0;  // [s]
   std::uint64_t world_version_ = 1;
   std::uint64_t plan_revision_ = 0;
   std::uint64_t trails_revision_ = 0;

@@ -44,6 +44,14 @@ struct Punctuality {
   double worst_age = 0.0;  ///< of percepts that were acted on [s]
 };
 
+/// A machine that carries robots, of which nothing is heard at present.
+struct SilentMachine {
+  std::string name;
+  double silent = 0.0;        ///< since it was heard last [s]
+  double patience = 0.0;      ///< after so long it is given up [s]
+  bool is_waited_for = true;  ///< the run stands until it is back
+};
+
 /// Runs the programs of robots, all at one kind of place: in this process, in cells beside it. They turn
 /// percepts into actions; where percepts come from, and who carries actions out, it does not know.
 ///
@@ -122,6 +130,10 @@ class ProgramRunner {
   /// @return  false: it is none of this program's
   virtual bool restore(Member member, const flow::Frame& frame) = 0;
 
+  /// The machine that carries the robot; empty: this one.
+  virtual std::string machine(Member /*member*/) const { return ""; }
+  /// By any call of the thread that the runner belongs to, also while it waits.
+  virtual std::vector<SilentMachine> silent_machines() const { return {}; }
   /// Null: nothing here can be late, it is waited for.
   virtual const Punctuality* punctuality() const { return nullptr; }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastPatience = 5.0;
 constexpr std::chrono::milliseconds kGlance(20);  // between two looks whether anybody still waits
 // What was asked of a machine that is cut off meanwhile is waited for so long [s]: the world goes on.
-constexpr double kCutPatience = 1.0;
+constexpr double kCutPatience = 0.3;
 
 Clock::time_point from_now(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));

@@ -32,6 +32,9 @@ class Agent {
   Agent(std::string name, std::unique_ptr<Link> link, Patience patience = {});
 
   const std::string& name() const { return name_; }
+  /// As Link::silence.
+  double silence() const { return link_->silence(); }
+  double patience_with_silence() const { return link_->patience_with_silence(); }
   /// What became of it, as a sentence about it. Empty: it stands.
   std::string failure() const;
 

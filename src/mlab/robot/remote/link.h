@@ -32,6 +32,11 @@ class Link {
   /// What became of the other side, as a sentence without its subject: `ended with exit status 3`, `has been
   /// silent for 5 s`. Empty: it stands. One that failed stays failed.
   virtual const std::string& failure() const = 0;
+  /// For how long nothing has been heard of the other side [s], where that is longer than it should be; else
+  /// 0.
+  virtual double silence() const { return 0.0; }
+  /// After so long a silence it is given up [s].
+  virtual double patience_with_silence() const { return 0.0; }
   /// Nothing is heard of the other side at present, and yet it has not failed: it may come back, and what is
   /// sent now would be lost. In real time only.
   virtual bool is_cut() { return false; }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMostRequests = 256;  // of a robot that were not handed on
 constexpr std::chrono::milliseconds kBeat(100);
+constexpr std::uint64_t kLookingCycles = 10;  // for which somebody who looked is taken to look on
 
 // The part of a cycle in which its own actions are waited for: what comes later counts in the next one.
 constexpr double kSettling = 0.25;
@@ -91,6 +92,15 @@ double RoundTrip::shortest() const {
 LiveRunner::LiveRunner(Recruit recruit, double period)
     : RemoteRunner(std::move(recruit)), period_(period), beats_(period) {}
 
+// Who looks again and again gets it with actions, and waits for nobody.
+bool LiveRunner::is_known_well(const Robot& robot) const {
+  return robot.known == cycle_ || (is_looked_at(robot) && robot.known != kLongAgo);
+}
+
+bool LiveRunner::is_looked_at(const Robot& robot) const {
+  return robot.asked != kLongAgo && robot.asked + kLookingCycles >= cycle_;
+}
+
 void LiveRunner::open() {
   follow_lines();
   by_number_.clear();
@@ -148,7 +158,7 @@ void LiveRunner::ask() {
     live.percepts.set_sent(nanoseconds_of(Clock::now()));
     live.percepts.set_transit(trips_[line.get()].shortest() / 2.0);
     live.percepts.set_taken(live.taken);
-    live.percepts.set_wants_state(robot.asked + 1 >= cycle_ && robot.asked != kLongAgo);
+    live.percepts.set_wants_state(is_looked_at(robot));
     bytes_.clear();
     live.percepts.AppendToString(&bytes_);
     line->send(std::to_string(robot.number), bytes_);

@@ -69,6 +69,10 @@ class LiveRunner final : public RemoteRunner {
   void wait(const robot::Meanwhile& meanwhile) override;
   const robot::Punctuality* punctuality() const override { return &punctuality_; }
 
+ protected:
+  bool waits_for_silent() const override { return false; }
+  bool is_known_well(const Robot& robot) const override;
+
  private:
   /// What is known of a robot besides its values.
   struct Live {
@@ -82,6 +86,7 @@ class LiveRunner final : public RemoteRunner {
     std::deque<percept::Request> requests;  // that have come and were not handed on
     bool has_ended = false;                 // with a failure or fault, which the turn holds
   };
+  bool is_looked_at(const Robot& robot) const;
   void follow_lines();
   bool gather(Carrier& carrier, Clock::time_point last);
   void take(const LiveLine::Message& message, Carrier& carrier);

@@ -205,8 +205,9 @@ std::vector<flow::Restart> RemoteRunner::go_on_from(Member member, const robot::
 // Its values as they are now, or, where it can't be reached, as they were known last.
 const RemoteRunner::Robot& RemoteRunner::looked_at(Member member) const {
   Robot& robot = members_[member];
+  const bool is_known = is_known_well(robot);
   robot.asked = cycle_;
-  if (robot.carrier == nullptr || robot.known == cycle_ || is_in_cycle_) return robot;
+  if (robot.carrier == nullptr || is_known || is_in_cycle_) return robot;
   wire::ToAgent message;
   message.mutable_look()->set_member(robot.number);
   const auto answer = robot.carrier->agent->ask(message, wire::FromAgent::kSeen);
@@ -235,6 +236,22 @@ bool RemoteRunner::restore(Member member, const flow::Frame& frame) {
   Robot& robot = members_[member];
   if (!robot.values.restore(frame)) return false;
   return robot.carrier == nullptr || !put(robot, false);
+}
+
+std::string RemoteRunner::machine(Member member) const {
+  const Carrier* const carrier = members_[member].carrier;
+  return carrier != nullptr ? carrier->agent->name() : std::string();
+}
+
+std::vector<robot::SilentMachine> RemoteRunner::silent_machines() const {
+  std::vector<robot::SilentMachine> out;
+  for (const Carrier& carrier : carriers_) {
+    if (carrier.is_given_up || carrier.robots == 0 || !carrier.agent->failure().empty()) continue;
+    if (const double silent = carrier.agent->silence(); silent > 0.0)
+      out.push_back(
+          {carrier.agent->name(), silent, carrier.agent->patience_with_silence(), waits_for_silent()});
+  }
+  return out;
 }
 
 void RemoteRunner::open() {

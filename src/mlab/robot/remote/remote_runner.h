@@ -47,6 +47,8 @@ class RemoteRunner : public robot::ProgramRunner {
   void act(std::span<const Turn> turns) override;
   void ask() override;
   void wait(const robot::Meanwhile& meanwhile) override;
+  std::string machine(Member member) const override;
+  std::vector<robot::SilentMachine> silent_machines() const override;
   robot::Workings workings(Member member) const override;
   robot::RobotValues* values(Member member) override;
   std::vector<flow::Restart> go_on_from(Member member, const robot::RobotValues& before) override;
@@ -54,6 +56,8 @@ class RemoteRunner : public robot::ProgramRunner {
   bool restore(Member member, const flow::Frame& frame) override;
 
  protected:
+  /// Of silent agents: cycles wait for them.
+  virtual bool waits_for_silent() const { return true; }
   static constexpr std::uint64_t kLongAgo = ~std::uint64_t{0} / 2;
   struct Carrier {
     std::unique_ptr<Agent> agent;
@@ -72,6 +76,8 @@ class RemoteRunner : public robot::ProgramRunner {
     std::uint64_t known = 0;         // after which cycle its values were as they are here
     std::uint64_t asked = kLongAgo;  // after which cycle somebody looked last
   };
+  /// What is known of its values is what they are now, as far as that can be.
+  virtual bool is_known_well(const Robot& robot) const { return robot.known == cycle_; }
   std::optional<std::string> take_action(const wire::AgentAction& acted, Robot& robot) const;
 
   std::deque<Carrier> carriers_;

@@ -1,0 +1,54 @@
+import { type ChildProcess, spawn } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { onTestFinished } from "vitest";
+
+/** A running `mlab agent`, which ends with the test. */
+export class Agent {
+  private readonly process: ChildProcess;
+  private readonly state = mkdtempSync(join(tmpdir(), "mlab-agent-"));
+  output = "";
+
+  private constructor(fleet: string, name: string) {
+    this.process = spawn(process.env.MLAB_COMMAND ?? "mlab", ["agent", "--fleet", fleet, "--name", name], {
+      stdio: ["ignore", "pipe", "pipe"],
+      env: { ...process.env, XDG_STATE_HOME: this.state },
+    });
+    for (const stream of [this.process.stdout, this.process.stderr]) {
+      stream?.on("data", (bytes: Buffer) => {
+        this.output += bytes.toString();
+      });
+    }
+  }
+
+  static async start(fleet: string, name: string): Promise<Agent> {
+    const agent = new Agent(fleet, name);
+    onTestFinished(() => agent.stop());
+    await agent.says("waits for runs");
+    return agent;
+  }
+
+  async says(text: string): Promise<void> {
+    for (let tries = 0; !this.output.includes(text); tries++) {
+      if (tries > 1500 || this.process.exitCode !== null) throw new Error(`not said: ${text}\n${this.output}`);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+  }
+
+  /** It is there, and does nothing, until `thaw`. */
+  freeze(): void {
+    this.process.kill("SIGSTOP");
+  }
+
+  thaw(): void {
+    this.process.kill("SIGCONT");
+  }
+
+  private async stop(): Promise<void> {
+    const ended = new Promise((resolve) => this.process.on("exit", resolve));
+    this.thaw();
+    if (this.process.exitCode === null && this.process.kill("SIGINT")) await ended;
+    rmSync(this.state, { recursive: true, force: true });
+  }
+}
