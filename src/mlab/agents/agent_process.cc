@@ -63,6 +63,7 @@ class AgentProcess {
     while (!stop.stop_requested()) {
       if (Clock::now() >= next_beat) {
         say_presence();
+        hear_of_stop_from_others();
         next_beat = Clock::now() + kBeat;
       }
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
@@ -153,22 +154,23 @@ class AgentProcess {
     return conversation.is_live() && Clock::now() - conversation.heard() > kRunSilence;
   }
 
-  // From whoever may pull the stop, and from other agents: who was cut off when it was pulled hears of it
-  // here.
   void listen_for_stop() {
-    std::optional<StopState> newest;
-    const auto hear = [&](std::optional<StopState> state) {
-      if (state && state->overrides(newest ? *newest : stop_)) newest = std::move(state);
-    };
     for (const dds::Arrival& arrival : stops_.take()) {
-      if (arrival.kind == dds::Arrival::Kind::kMessage) hear(decode(arrival.body));
+      if (arrival.kind == dds::Arrival::Kind::kMessage) heed(decode(arrival.body));
     }
+  }
+
+  // Who was cut off when it was pulled hears of it here.
+  void hear_of_stop_from_others() {
     for (const Member& one : roster_->members()) {
-      if (one.state != Member::State::kGone) hear(decode(one.said.stop()));
+      if (one.state != Member::State::kGone) heed(decode(one.said.stop()));
     }
-    if (!newest) return;
+  }
+
+  void heed(std::optional<StopState> state) {
+    if (!state || !state->overrides(stop_)) return;
     const bool was_stopped = stop_.is_engaged;
-    stop_ = std::move(*newest);
+    stop_ = std::move(*state);
     is_stopped_ = stop_.is_engaged;
     for (auto& [key, conversation] : conversations_) conversation->look_at_stop();
     if (const auto problem = stop_file_.write(stop_))

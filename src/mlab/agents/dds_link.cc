@@ -79,7 +79,7 @@ bool DdsLink::is_cut() {
 }
 
 double DdsLink::silence() const {
-  const std::optional<Member> agent = roster_->find(agent_);
+  const auto agent = roster_->sight(agent_);
   if (!agent || agent->guid != guid_ || agent->state == Member::State::kThere) return 0.0;
   return std::chrono::duration<double>(Clock::now() - agent->heard).count();
 }
@@ -125,7 +125,7 @@ void DdsLink::take_arrivals() {
 }
 
 void DdsLink::look_after_agent() {
-  const std::optional<Member> agent = roster_->find(agent_);
+  const auto agent = roster_->sight(agent_);
   if (!agent || agent->guid != guid_)
     fail("was started anew, and knows nothing of this run");
   else if (agent->state == Member::State::kGone) {

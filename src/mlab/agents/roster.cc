@@ -126,6 +126,13 @@ std::optional<Member> Roster::find(std::string_view name) const {
   return at == members_.end() ? std::nullopt : std::optional(at->second);
 }
 
+std::optional<Roster::Sighting> Roster::sight(std::string_view name) const {
+  const std::scoped_lock lock(mutex_);
+  const auto at = members_.find(name);
+  if (at == members_.end()) return std::nullopt;
+  return Sighting{at->second.guid, at->second.state, at->second.heard};
+}
+
 bool Roster::wait(const std::function<bool(const std::vector<Member>&)>& holds,
                   Clock::time_point deadline) const {
   while (!holds(members())) {

@@ -56,6 +56,13 @@ class Roster {
   /// By name; those that have gone stand there as long as this does.
   std::vector<Member> members() const;
   std::optional<Member> find(std::string_view name) const;
+  /// Of a member what changes all the time.
+  struct Sighting {
+    dds::Guid guid;
+    Member::State state = Member::State::kThere;
+    Clock::time_point heard;
+  };
+  std::optional<Sighting> sight(std::string_view name) const;
   /// Waits until something holds of those who are there, and asks again whenever somebody comes, goes or
   /// speaks.
   /// @return  whether it came to hold in time
