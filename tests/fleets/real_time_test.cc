@@ -1,6 +1,10 @@
 // Robots on other machines that nobody waits for: the world goes on, whatever the network does.
 
+#include <unistd.h>
+
 #include <csignal>
+#include <fstream>
+#include <sstream>
 
 #include "fleets.h"
 
@@ -8,6 +12,21 @@ namespace mlab::testing {
 namespace {
 
 using network::Process;
+
+// What a process has taken of processors until now [s].
+double processor_time(const Process& process) {
+  std::ifstream file("/proc/" + std::to_string(process.id()) + "/stat");
+  std::string line;
+  std::getline(file, line);
+  // After the name, which may hold blanks: the 12th and 13th word, proc(5).
+  std::istringstream words(line.substr(line.rfind(')') + 2));
+  std::string word;
+  for (int i = 0; i < 11; ++i) words >> word;
+  double user = 0.0;
+  double system = 0.0;
+  words >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
 
 class RealTime : public Fleets {
  protected:
@@ -54,7 +73,9 @@ TEST_F(RealTime, ACutOffRobotStandsAndGoesOnWhenItIsBack) {
   ASSERT_TRUE(come_to_be(2));
   ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
   net().isolate(net().host("south"));
+  const double before = processor_time(south);
   std::this_thread::sleep_for(10s);
+  EXPECT_LT(processor_time(south) - before, 3.0) << "an agent that waits does not spin";
   net().join(net().host("south"));
   const Json kept_up = ends_well(far);
   EXPECT_GE(kept_up["stood"], 80) << "ten seconds, but for those in which its last action counts";

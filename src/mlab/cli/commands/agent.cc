@@ -25,7 +25,7 @@ void say(const std::string& line) {
 // One for each name in each fleet on this machine.
 std::string stop_file(const std::string& fleet, const std::string& name) {
   const std::string folder = state_folder();
-  return folder.empty() ? "" : fmt::format("{}/agents/{}/{}.stop", folder, fleet, name);
+  return folder.empty() ? "" : fmt::format("{}/agents/{}@{}.stop", folder, fleet, name);
 }
 
 }  // namespace

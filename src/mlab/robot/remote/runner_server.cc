@@ -362,13 +362,16 @@ void RunnerServer::hear(const LiveLine::Message& message) {
 // nothing for a cycle and a half acts on what it knows.
 Clock::time_point RunnerServer::due() const {
   constexpr Clock::duration kTogether = std::chrono::milliseconds(2);
-  Clock::time_point out = Clock::now() + from_seconds(period_);
+  const Clock::time_point now = Clock::now();
+  Clock::time_point out = now + from_seconds(period_);
   if (rests_) return out;
   bool are_all_fresh = true;
   for (const auto& [number, robot] : robots_) {
     if (!robot.has_begun || !robot.live.has_percepts()) continue;
     if (robot.live.is_fresh()) continue;
     are_all_fresh = false;
+    // Nothing but newer ones would make it act.
+    if (robot.live.age(now) > kActionPatience) continue;
     out = std::min(out, robot.live.acted_at() + from_seconds(1.5 * period_));
   }
   if (first_fresh_) out = std::min(out, are_all_fresh ? *first_fresh_ : *first_fresh_ + kTogether);
