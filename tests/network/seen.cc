@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -30,7 +29,10 @@ std::optional<Seen> look_at(pid_t process) {
   out.name = text.substr(open + 1, close - open - 1);
   std::istringstream(text.substr(close + 1)) >> out.state >> out.parent;
   std::ifstream words(folder + "/cmdline");
-  out.command_line.assign(std::istreambuf_iterator<char>(words), {});
+  // A stream takes what fails in between for an end; iterators throw it, and a process may end at any moment.
+  std::ostringstream read;
+  read << words.rdbuf();
+  out.command_line = std::move(read).str();
   while (out.command_line.ends_with('\0')) out.command_line.pop_back();
   std::ranges::replace(out.command_line, '\0', ' ');
   return out;

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <random>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -86,8 +86,9 @@ StopState StopFile::read() const {
   std::error_code unreadable;
   if (path_.empty() || !fs::exists(path_, unreadable)) return {};
   std::ifstream stream(path_, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  auto state = stream.good() || stream.eof() ? decode(bytes) : std::nullopt;
+  std::ostringstream read;
+  read << stream.rdbuf();
+  auto state = stream.is_open() ? decode(std::move(read).str()) : std::nullopt;
   if (state && state->number > 0) return std::move(*state);
   // Somebody may have stopped this machine; better it stands for nothing.
   return {1, true, fmt::format("nobody that is known: {} can't be read", path_), 0};

@@ -100,6 +100,11 @@ TEST_F(StopFiles, ThatCannotBeReadStopAMachine) {
   }
 }
 
+TEST_F(StopFiles, ThatAreNoFilesStopAMachine) {
+  std::filesystem::create_directories(path());
+  EXPECT_TRUE(StopFile(path()).read().is_engaged);
+}
+
 TEST_F(StopFiles, ThatCannotBeWrittenSaySo) {
   ASSERT_EQ(StopFile(path()).write(pulled({}, "anna")), std::nullopt);
   const auto problem = StopFile(path() + "/below").write(pulled({}, "anna"));
