@@ -17,8 +17,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "mlab/cli/agent_options.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/commands/export.h"
+#include "mlab/cli/option_groups.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
@@ -27,66 +29,8 @@
 namespace mlab::cli {
 namespace {
 
-// What CLI11 lets through otherwise: -1 and 1e30 as seeds, `nan` as seconds.
-std::string refuse_unless_whole(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size()
-             ? ""
-             : fmt::format("{}: expected a whole number from 0 to {}", text,
-                           std::numeric_limits<std::uint64_t>::max());
-}
-std::string refuse_unless_positive(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value) && value > 0.0
-             ? ""
-             : fmt::format("{}: expected a number above 0", text);
-}
-
 int hardware_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-void add_no_cell(CLI::App* c, bool& no_cell) {
-  c->add_flag("--no-cell", no_cell,
-              "let code that files bring do all that you may do: for machines that can't make cells");
-}
-
-// What is said of code that files bring.
-template <class Options>
-void add_cell(CLI::App* c, Options& o) {
-  add_no_cell(c, o.no_cell);
-  c->add_option_function<std::uint32_t>(
-       "--cell-memory",
-       [&o](const std::uint32_t& megabytes) { o.limits.memory = std::uint64_t{megabytes} << 20; },
-       "megabytes that a process with robots of such code may use")
-      ->default_str(std::to_string(o.limits.memory >> 20))
-      ->check(CLI::Range(64U, 1U << 24))
-      ->type_name("MB");
-  c->add_option("--cell-time", o.limits.cycle, "processor time that such a robot may take for a cycle")
-      ->capture_default_str()
-      ->check(refuse_unless_positive)
-      ->check(CLI::Range(0.01, 86'400.0))
-      ->type_name("SECONDS");
-  c->add_option("--cell-wait", o.limits.cycle_wall,
-                "time on the clock after which one that sleeps, or an executable, is not waited for any more")
-      ->capture_default_str()
-      ->check(refuse_unless_positive)
-      ->check(CLI::Range(0.01, 86'400.0))
-      ->type_name("SECONDS");
-}
-
-void add_network(CLI::App* c, NetworkOptions& o) {
-  c->add_option(
-       "--network", o.interface_name,
-       "the network interface, or its address, that the fleet's other machines are reached by; without, "
-       "nothing leaves this machine")
-      ->type_name("INTERFACE|ADDRESS");
-  c->add_option("--peer", o.peers,
-                "address of another machine, where the network carries no multicast; again "
-                "for each")
-      ->type_name("ADDRESS");
 }
 
 void add_robots(CLI::App* c, RunOptions& o) {
@@ -352,21 +296,6 @@ void add_bench(CLI::App& app, BenchOptions& o) {
   c->add_option("--json", o.json, "write the figures to a file")->type_name("FILE");
 }
 
-void add_agent(CLI::App& app, AgentOptions& o) {
-  CLI::App* c = app.add_subcommand(
-      "agent",
-      "Carry robots for runs of a fleet, each in a process of its own (docs/robots_of_their_own.md).");
-  c->add_option("--fleet", o.network.fleet, "the fleet to join")->default_str("default")->type_name("NAME");
-  c->add_option("--name", o.name,
-                "of this agent in the fleet, which NEW-ROBOT names as host (default: the "
-                "machine's)")
-      ->type_name("NAME");
-  add_network(c, o.network);
-  c->add_flag("--allow-native", o.allow_native,
-              "with --network: compile and run, in cells, C++ that runs on other machines bring");
-  add_cell(c, o);
-}
-
 void add_fleet(CLI::App& app, FleetOptions& o) {
   CLI::App* c = app.add_subcommand(
       "fleet", "Who is in a fleet: machines, robots, versions; live on a terminal. Its emergency stop.");
@@ -517,7 +446,7 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_build(app, o.build);
   add_import(app, o.import);
   add_bench(app, o.bench);
-  add_agent(app, o.agent);
+  add_agent_options(app.add_subcommand("agent", kAgentDescription), o.agent);
   add_fleet(app, o.fleet);
   add_lsp(app, o.says_stdio);
   add_new(app, o.fresh);

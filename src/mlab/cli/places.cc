@@ -1,0 +1,72 @@
+#include "mlab/cli/places.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "mlab/cli/version.h"
+
+namespace mlab::cli {
+namespace fs = std::filesystem;
+
+std::string environment_variable(const char* name) {
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets variables
+  return value == nullptr ? "" : value;
+}
+
+std::string prefix() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path().parent_path().string();
+}
+
+std::string include_root() {
+  std::error_code error;
+  for (const fs::path& root : {fs::path(prefix()) / "include", fs::path(MLAB_SOURCE_INCLUDE)}) {
+    if (fs::exists(root / "mlab" / "schema" / "procedure.h", error)) return root.string();
+  }
+  return "";
+}
+
+robot::ProgramSources program_sources(const std::string& folder, const cell::Permission& permission) {
+  return {permission, folder, include_root(), kVersion};
+}
+
+std::string state_folder() {
+  fs::path folder = environment_variable("XDG_STATE_HOME");
+  if (folder.empty() && !environment_variable("HOME").empty())
+    folder = fs::path(environment_variable("HOME")) / ".local" / "state";
+  if (!folder.is_absolute()) return "";
+  return (folder / "mlab").string();
+}
+
+bool is_writable(const std::string& path) {
+  std::error_code error;
+  if (fs::exists(path, error)) return !fs::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0;
+  const fs::path folder = fs::path(path).parent_path();
+  return ::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+}
+
+bool write_file(const std::string& path, const std::string& text) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {  // /dev/stdout, a pipe
+    std::ofstream file(path, std::ios::binary);
+    return static_cast<bool>(file.write(text.data(), static_cast<std::streamsize>(text.size())).flush());
+  }
+  const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
+  const fs::path fresh = target.string() + ".new";
+  {
+    std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
+    if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush()) {
+      fs::remove(fresh, error);
+      return false;
+    }
+  }
+  if (fs::exists(target, error)) fs::permissions(fresh, fs::status(target).permissions(), error);
+  fs::rename(fresh, target, error);
+  return !error;
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "mlab/cell/permission.h"
+#include "mlab/robot/program/robot_program.h"
+
+// What the programs of a command line read and keep, and where.
+namespace mlab::cli {
+
+/// Empty where it is not set.
+std::string environment_variable(const char* name);
+/// Of the installation, or of the build folder: both have the program in bin/.
+std::string prefix();
+/// The headers for procedures that a mission brings: of the installation, or of the source tree that this was
+/// built from. Empty: there are none.
+std::string include_root();
+/// Where robot programs come from that a file in `folder` names.
+robot::ProgramSources program_sources(const std::string& folder, const cell::Permission& permission);
+/// Where is kept what is remembered from one start to the next, by the rules of XDG; it may be missing. Empty
+/// where there is no such place.
+std::string state_folder();
+
+/// True where the file exists and may be written, or could be made.
+bool is_writable(const std::string& path);
+/// Writes the whole file, or leaves what was there: the text goes to a new file beside it, which then takes
+/// its name.
+bool write_file(const std::string& path, const std::string& text);
+
+}  // namespace mlab::cli
