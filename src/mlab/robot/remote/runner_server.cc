@@ -384,8 +384,11 @@ void RunnerServer::act_live(Clock::time_point now, const Publish& publish,
   for (auto& [number, robot] : robots_) {
     if (!robot.has_begun || !robot.live.has_percepts()) continue;
     if (!robot.live.is_fresh() && now < robot.live.acted_at() + from_seconds(1.5 * period_)) continue;
-    // Without percepts there is nothing to act on: its body stands, for want of an action.
-    if (robot.live.age(now) > kActionPatience) continue;
+    if (robot.live.age(now) > kActionPatience) {
+      // There is nothing to act on any more. Who has sent it hears so, and how long it was on its way.
+      if (robot.live.is_fresh()) let_stand(number, robot, now, publish);
+      continue;
+    }
     Part& acts = part(count++);
     acts.robot = &robot;
     acts.number = number;
@@ -408,15 +411,17 @@ void RunnerServer::publish_live(const Part& part, Clock::time_point now, const P
   part.robot->live.keep_requests(live_);
 }
 
+void RunnerServer::let_stand(std::uint32_t number, Robot& robot, Clock::time_point now,
+                             const Publish& publish) {
+  Part stands;
+  stands.robot = &robot;
+  stands.number = number;
+  publish_live(stands, now, publish);
+}
+
 void RunnerServer::stand(Clock::time_point now, const Publish& publish) {
   for (auto& [number, robot] : robots_) {
-    if (!robot.has_begun) continue;
-    Part& stands = part(0);
-    stands.robot = &robot;
-    stands.number = number;
-    stands.action = {};
-    stands.wants_state = false;
-    publish_live(stands, now, publish);
+    if (robot.has_begun) let_stand(number, robot, now, publish);
   }
 }
 

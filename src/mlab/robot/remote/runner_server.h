@@ -88,6 +88,7 @@ class RunnerServer {
   std::span<const std::unique_ptr<Part>> run_parts(std::size_t count, const robot::Meanwhile& meanwhile);
   void put_action(const Part& part, wire::AgentAction& out) const;
   bool is_stopped() const { return is_stopped_ && is_stopped_(); }
+  void let_stand(std::uint32_t number, Robot& robot, Clock::time_point now, const Publish& publish);
   void publish_live(const Part& part, Clock::time_point now, const Publish& publish);
   void refuse(std::string why);
   Robot* known(std::uint32_t number);
