@@ -93,6 +93,18 @@ TEST_F(RealTime, ARunThatIsStoppedForAWhileGoesOn) {
   EXPECT_LT(kept_up["stood"], 60) << "they go on at once";
 }
 
+TEST_F(RealTime, AnAgentThatIsStoppedForAWhileGoesOn) {
+  make_network(26);
+  const Process north = agent("north");
+  Process far = errand();
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  ASSERT_TRUE(north.signal(SIGSTOP));
+  std::this_thread::sleep_for(5700ms);  // its endpoints are just forgotten there, and the run's not here
+  ASSERT_TRUE(north.signal(SIGCONT));
+  ends_well(far);
+  EXPECT_TRUE(north.prints("a run has gone, and 2 robots with it", kFleetPatience)) << north.output();
+}
+
 TEST_F(RealTime, AnAgentThatLeavesIsToldAtOnce) {
   make_network(24);
   const Process north = agent("north");

@@ -28,7 +28,6 @@ namespace {
 constexpr std::chrono::milliseconds kBeat(500);         // between two words that it is there
 constexpr std::chrono::milliseconds kNameGlance(1500);  // in which somebody of the same name is found
 constexpr std::size_t kMostConversations = 64;
-constexpr std::chrono::seconds kRunSilence(2);  // of a run in real time: it did not leave, it can't be heard
 
 // What programs could have without anything being swapped out [bytes]; 0: nobody says.
 std::uint64_t available_memory() {
@@ -71,7 +70,7 @@ class AgentProcess {
       listen_for_stop();
       for (const dds::Arrival& arrival : requests_.take()) take(arrival);
       give_up_the_lost();
-      std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
+      forget_the_ended();
     }
     static_cast<void>(presence_.end(settings_.name));
     for (auto& [key, conversation] : conversations_) conversation->end();
@@ -141,7 +140,8 @@ class AgentProcess {
     std::size_t robots = 0;
     std::size_t count = 0;
     for (auto& [key, conversation] : conversations_) {
-      if (key.first != run || is_waited_for(*conversation)) continue;
+      // In real time a run says that it leaves; one that can't be heard may come back.
+      if (key.first != run || conversation->is_live()) continue;
       robots += conversation->robot_count();
       ++count;
       conversation->end();
@@ -149,9 +149,12 @@ class AgentProcess {
     if (count > 0) settings_.tell(fmt::format("a run has gone, and {} with it", counted_robots(robots)));
   }
 
-  // In real time a run that can't be heard may come back; one that left has been heard until then.
-  static bool is_waited_for(const Conversation& conversation) {
-    return conversation.is_live() && Clock::now() - conversation.heard() > kRunSilence;
+  void forget_the_ended() {
+    for (const auto& [key, one] : conversations_) {
+      if (one->has_ended() && one->has_left())
+        settings_.tell(fmt::format("a run has gone, and {} with it", counted_robots(one->robot_count())));
+    }
+    std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
   }
 
   void listen_for_stop() {

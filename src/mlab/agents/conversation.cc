@@ -97,6 +97,7 @@ void Conversation::serve(const robot::ProgramSources& sources) {
   while (const auto message = is_live_ ? next_live(server) : next_request(server)) {
     const std::string_view answer = server.answer(*message, nobody_waits);
     robots_ = server.robot_count();
+    has_left_ = server.has_left();
     heard_ = robot_remote::Clock::now();
     if (server.period() > 0.0 && !is_live_) {
       auto live = go_live_();
@@ -105,7 +106,7 @@ void Conversation::serve(const robot::ProgramSources& sources) {
       live_ = std::move(live);
       is_live_ = true;
     }
-    if (!answer_(answer, [this] { return !is_to_end_.load(); })) break;
+    if (!answer_(answer, [this] { return !is_to_end_.load(); }) || server.has_left()) break;
   }
   has_ended_ = true;
 }

@@ -48,6 +48,8 @@ class Conversation {
   /// Whether an emergency stop holds has changed: it is heeded at once.
   void look_at_stop();
   bool has_ended() const { return has_ended_.load(); }
+  /// Its run has said that it ends.
+  bool has_left() const { return has_left_.load(); }
   std::size_t robot_count() const { return robots_.load(); }
   /// It is in real time, and bears that nothing is heard of its run for a while.
   bool is_live() const { return is_live_.load(); }
@@ -71,6 +73,7 @@ class Conversation {
   std::stop_source stop_;  // of what is built or started for it
   std::atomic<bool> has_ended_ = false;
   std::atomic<std::size_t> robots_ = 0;
+  std::atomic<bool> has_left_ = false;
   std::atomic<bool> is_live_ = false;
   std::atomic<robot_remote::Clock::time_point> heard_;
   bool stands_ = false;  // of the conversation's thread: all have been told to stand

@@ -130,7 +130,7 @@ void DdsLink::look_after_agent() {
     fail("was started anew, and knows nothing of this run");
   else if (agent->state == Member::State::kGone) {
     const Clock::duration silence = Clock::now() - agent->heard;
-    if (silence < kSilencePatience)
+    if (agent->has_left || (!live_ && silence < kSilencePatience))
       fail("has left the fleet");
     else if (!live_ || silence >= robot_remote::from_seconds(robot_remote::kLivePatience))
       fail(fmt::format("was silent for {} s", std::chrono::floor<std::chrono::seconds>(silence).count()));

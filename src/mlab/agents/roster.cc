@@ -130,7 +130,7 @@ std::optional<Roster::Sighting> Roster::sight(std::string_view name) const {
   const std::scoped_lock lock(mutex_);
   const auto at = members_.find(name);
   if (at == members_.end()) return std::nullopt;
-  return Sighting{at->second.guid, at->second.state, at->second.heard};
+  return Sighting{at->second.guid, at->second.state, at->second.has_left, at->second.heard};
 }
 
 bool Roster::wait(const std::function<bool(const std::vector<Member>&)>& holds,

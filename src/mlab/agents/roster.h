@@ -60,6 +60,7 @@ class Roster {
   struct Sighting {
     dds::Guid guid;
     Member::State state = Member::State::kThere;
+    bool has_left = false;
     Clock::time_point heard;
   };
   std::optional<Sighting> sight(std::string_view name) const;

@@ -27,6 +27,14 @@ Clock::time_point from_now(double seconds) {
 Agent::Agent(std::string name, std::unique_ptr<Link> link, Patience patience)
     : name_(std::move(name)), link_(std::move(link)), patience_(patience) {}
 
+Agent::~Agent() {
+  constexpr double kPatience = 1.0;  // an agent that does not hear it gives the run up by itself [s]
+  if (!live_ || !link_->failure().empty()) return;
+  wire::ToAgent message;
+  message.mutable_leave();
+  static_cast<void>(ask(message, wire::FromAgent::kDone, kPatience));
+}
+
 std::string Agent::failure() const {
   link_->look();
   if (link_->failure().empty()) return "";

@@ -30,6 +30,10 @@ class Agent {
  public:
   /// @param name  of its machine, for people
   Agent(std::string name, std::unique_ptr<Link> link, Patience patience = {});
+  Agent(const Agent&) = delete;
+  Agent& operator=(const Agent&) = delete;
+  /// In real time it is told, where it can be heard.
+  ~Agent();
 
   const std::string& name() const { return name_; }
   /// As Link::silence.

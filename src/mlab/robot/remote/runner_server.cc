@@ -115,6 +115,10 @@ void RunnerServer::answer_body(const wire::ToAgent& message, const robot::Meanwh
     case wire::ToAgent::kCycle:
       act(message.cycle(), meanwhile);
       break;
+    case wire::ToAgent::kLeave:
+      has_left_ = true;
+      answer_.mutable_done();
+      break;
     case wire::ToAgent::BODY_NOT_SET:
       refuse("a message of a kind that this agent does not know");
       break;

@@ -38,6 +38,8 @@ class RunnerServer {
 
   /// A run has said who it is.
   bool is_open() const { return runners_ != nullptr; }
+  /// It has said that it ends.
+  bool has_left() const { return has_left_; }
   std::size_t robot_count() const { return robots_.size(); }
 
   // ---- in real time, which the run asked for when it opened
@@ -105,7 +107,8 @@ class RunnerServer {
   wire::FromAgent answer_;
   wire::LiveAction live_;
   std::string bytes_;
-  double period_ = 0.0;                           // [s]
+  double period_ = 0.0;  // [s]
+  bool has_left_ = false;
   bool rests_ = true;                             // no cycle goes by at the run
   std::optional<Clock::time_point> first_fresh_;  // when the first percepts came that nobody acted on
 };
