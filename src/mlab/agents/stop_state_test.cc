@@ -1,5 +1,7 @@
 #include "mlab/agents/stop_state.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -76,7 +78,8 @@ class StopFiles : public ::testing::Test {
   std::string path() const { return (folder_ / "alpha" / "north.stop").string(); }
 
  private:
-  std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) / "mlab_stop_file";
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) / ("mlab_stop_file_" + std::to_string(::getpid()));
 };
 
 TEST_F(StopFiles, KeepWhatWasWrittenLast) {
