@@ -22,6 +22,9 @@ using Json = nlohmann::json;
 inline constexpr auto kFleetPatience =
     60s;  // for what takes a second on a machine that has nothing else to do
 
+/// Where agents keep what outlives them: a folder of each host of its own.
+inline constexpr const char* kAgentState = "/tmp/state";
+
 inline std::string mission(const std::string& name) {
   return base::source_folder() + "/missions/" + name + "/" + name + ".mdl";
 }
@@ -43,9 +46,11 @@ class Fleets : public ::testing::Test {
     net_ = std::make_unique<network::TestNetwork>(
         network::NetworkSetup{.seed = seed, .hosts = {{"base"}, {"north"}, {"south"}}});
   }
+  /// What it keeps is on its host: another test's agents have the same names.
   network::Process agent(const std::string& host, const std::string& fleet = "alpha") {
     network::Process out = net().host(host).start(
-        {MLAB_COMMAND, "agent", "--fleet", fleet, "--name", host, "--network", net().host(host).address()});
+        {MLAB_COMMAND, "agent", "--fleet", fleet, "--name", host, "--network", net().host(host).address()},
+        {.environment = {{"XDG_STATE_HOME", kAgentState}}});
     EXPECT_TRUE(out.prints("waits for runs", kFleetPatience)) << out.output() << out.errors();
     return out;
   }

@@ -32,7 +32,7 @@ Agent::~Agent() {
   if (!live_ || !link_->failure().empty()) return;
   wire::ToAgent message;
   message.mutable_leave();
-  static_cast<void>(ask(message, wire::FromAgent::kDone, kPatience));
+  [[maybe_unused]] const auto answer = ask(message, wire::FromAgent::kDone, kPatience);
 }
 
 std::string Agent::failure() const {
