@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mlab/percept/percepts.h"
-#include "mlab/sim/kinematics.h"
+#include "mlab/sim/body.h"
 
 namespace mlab::sim {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mlab/binding/body.h"
+#include "mlab/binding/kinematics.h"
 
 namespace mlab::sim {
 
@@ -12,7 +13,9 @@ using binding::CameraSpec;
 using binding::Drive;
 using binding::Kinematics;
 using binding::kSameContact;
+using binding::Momentum;
 using binding::Placement;
 using binding::RangeRing;
+using binding::WantedMotion;
 
 }  // namespace mlab::sim

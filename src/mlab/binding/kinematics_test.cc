@@ -1,11 +1,11 @@
-#include "mlab/sim/kinematics.h"
+#include "mlab/binding/kinematics.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-namespace mlab::sim {
+namespace mlab::binding {
 namespace {
 
 using geom::Offset;
@@ -157,4 +157,4 @@ TEST(Kinematics, AHeadingStaysWithinHalfATurn) {
 }
 
 }  // namespace
-}  // namespace mlab::sim
+}  // namespace mlab::binding

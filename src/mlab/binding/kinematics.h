@@ -1,10 +1,10 @@
 #pragma once
 
+#include "mlab/binding/body.h"
 #include "mlab/geom/pose.h"
 #include "mlab/percept/action.h"
-#include "mlab/sim/body.h"
 
-namespace mlab::sim {
+namespace mlab::binding {
 
 /// How a body moves at the end of a cycle: what limits of acceleration start from.
 struct Momentum {
@@ -28,4 +28,4 @@ struct WantedMotion {
 WantedMotion drive(const Kinematics& kinematics, const percept::Action& action, double heading,
                    geom::Offset ahead, const Momentum& momentum, double dt);
 
-}  // namespace mlab::sim
+}  // namespace mlab::binding

@@ -1,4 +1,4 @@
-#include "mlab/sim/kinematics.h"
+#include "mlab/binding/kinematics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "mlab/base/angle.h"
 
-namespace mlab::sim {
+namespace mlab::binding {
 namespace {
 
 using geom::Offset;
@@ -119,4 +119,4 @@ WantedMotion drive(const Kinematics& kinematics, const percept::Action& action, 
              : drive_steered(kinematics, wish, heading, ahead, momentum, dt);
 }
 
-}  // namespace mlab::sim
+}  // namespace mlab::binding
