@@ -81,6 +81,23 @@ TEST_F(RealTime, ACutOffRobotStandsAndGoesOnWhenItIsBack) {
   EXPECT_GE(kept_up["stood"], 80) << "ten seconds, but for those in which its last action counts";
 }
 
+TEST_F(RealTime, ACutOffRobotDoesWhatItsFailsafeSays) {
+  make_network(27);
+  const Process north = agent("north");
+  Process far =
+      run(base::source_folder() + "/tests/fleets/errand/returning.mdl", {"--real-time", "--patience", "20"});
+  ASSERT_TRUE(come_to_be(1));
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  net().isolate(net().host("north"));
+  EXPECT_TRUE(far.prints("robot 1: `FAILSAFE LINK-LOST AFTER 2 RETURN` acts", kFleetPatience))
+      << far.output();
+  net().join(net().host("north"));
+  const auto ending = far.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << far.output() << far.errors();
+  EXPECT_EQ(ending->words(), "exit status 1") << "it is back where it began, and does not go on by itself";
+  EXPECT_NEAR(report()["robots"][0]["end"]["x_m"].get<double>(), 20.0, 1.0) << report();
+}
+
 TEST_F(RealTime, ARunThatIsStoppedForAWhileGoesOn) {
   make_network(23);
   const Process north = agent("north");

@@ -136,6 +136,8 @@ class MdlNames {
       add(NameKind::kPlace, start->name.span, true);
     if (const auto* robot = std::get_if<mdl::statement::NewRobot>(&one.what)) new_robot(*robot);
     if (const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&one.what)) unit_definition(*unit);
+    if (const auto* failsafe = std::get_if<mdl::statement::Failsafe>(&one.what); failsafe && failsafe->fence)
+      place(*failsafe->fence);
     if (const auto* action = std::get_if<mdl::statement::UnitAction>(&one.what)) unit_action(*action);
   }
 

@@ -78,6 +78,7 @@ class MissionCompleter {
       out_.add("ROBOT-INFO", "keyword", "what is known of the robots");
       return;
     }
+    if (is(0, Word::kFailsafe) && failsafe()) return;
     if (is(0, Word::kInjectTrack) && count() == 1) {
       out_.add("RED", "keyword");
       out_.add("YELLOW", "keyword");
@@ -117,6 +118,7 @@ class MissionCompleter {
       case Word::kObstacle:
       case Word::kSet:
       case Word::kPrint:
+      case Word::kFailsafe:
         return true;
       default:
         return false;
@@ -153,6 +155,7 @@ class MissionCompleter {
               {"UNIT", "<name> robots: a group of robots"},
               {"SET", "option value"},
               {"PRINT", "what is known"},
+              {"FAILSAFE", "condition action: what holds below all programs"},
               {"COMMAND LIST:", "the steps follow"}})) {
       out_.add(word, "keyword", help);
     }
@@ -171,12 +174,38 @@ class MissionCompleter {
     out_.add("INJECTTRACK", "keyword", "has no effect");
   }
 
+  // What may come next in one; false: it is whole.
+  bool failsafe() {
+    if (count() == 1) {
+      for (const mission::FailsafeConditionInfo& one : mission::kFailsafeConditions)
+        out_.add(std::string(one.word), "keyword", std::string(one.help));
+      return true;
+    }
+    const auto is_written = [&](std::size_t i, std::string_view word) {
+      return i < count() && mdl::equal_without_case(source_->text(token(i).span), word);
+    };
+    const bool has_fence = is_written(1, mission::info(mission::FailsafeCondition::kOutside).word);
+    if (has_fence && count() == 2) {
+      places(false);
+      return true;
+    }
+    if (is_written(count() - 1, "AFTER")) return true;
+    if (count() > 2 && !has_fence && !is_written(count() - 2, "AFTER")) return false;
+    if (has_fence && count() > 3) return false;
+    if (!has_fence && count() == 2) out_.add("AFTER", "keyword", "seconds for which it has to hold");
+    for (const mission::FailsafeActionInfo& one : mission::kFailsafeActions) {
+      if (!one.needs_fence || has_fence) out_.add(std::string(one.word), "keyword", std::string(one.help));
+    }
+    return true;
+  }
+
   bool is_whole_preamble_statement() const {
     const bool is_named = is(0, Word::kOverlay) || is(0, Word::kScenario) || is(0, Word::kLoadMap) ||
                           token(0).kind == TokenKind::kMissionName || is(0, Word::kPrint);
     if (is_named) return count() == 2;
     if (is(0, Word::kMissionArea)) return count() == 3;
     if (is(0, Word::kSp) || is(0, Word::kObstacle)) return count() == 4;
+    if (is(0, Word::kFailsafe)) return true;  // of one that isn't whole more was said already
     return is(0, Word::kCreateObstacles) ? count() == 1 : is(0, Word::kNewRobot) && count() >= 3;
   }
 

@@ -65,9 +65,12 @@ class ServiceTest : public ::testing::Test {
         "/// Turns on the spot.\nprocedure Vector Spin with\n  double [rad/s] rate = 1 in 0 .. 3;  ///< how "
         "fast\nheader\nbody\n  output = Vector{};\npend\n"
         "node a is Spin with rate = 2; nend\nnode b is WeightedSum with members = a; nend\n");
-    folder_.put("map.odl", "CONTROL MEASURES:\nPP Charlie 10 10\nPL \"red line\" 0 0 20 20\n");
+    folder_.put("map.odl",
+                "CONTROL MEASURES:\nPP Charlie 10 10\nPL \"red line\" 0 0 20 20\n"
+                "BOUNDARY Field 0 0 99 0 99 99\n");
     folder_.put("m.mdl",
-                "OVERLAY map.odl\nSP Home 5 5\nNEW-ROBOT scout \"robots.cdl#Scout\" (urge = 0.7)\n"
+                "OVERLAY map.odl\nSP Home 5 5\nFAILSAFE OUTSIDE Field HOLD\nNEW-ROBOT scout "
+                "\"robots.cdl#Scout\" (urge = 0.7)\n"
                 "UNIT <pair> (<left> scout) (<right> ROBOT)\nCOMMAND LIST:\n"
                 " 1. UNIT pair START Home\n 2. UNIT left MOVETO PP-Charlie PHASE-LINE \"red line\"\n"
                 " 3. ROBOTS 2 1 STOP\n");
@@ -95,6 +98,7 @@ TEST_F(ServiceTest, LeadsFromFileToFile) {
   EXPECT_EQ(declared("robots.cdl", "Spin()")->source->name(), "mine.cnl");
   EXPECT_EQ(declared("m.mdl", "Charlie")->source->name(), "map.odl");
   EXPECT_EQ(declared("m.mdl", "red line")->source->text(declared("m.mdl", "red line")->span), "red line");
+  EXPECT_EQ(declared("m.mdl", "Field")->source->name(), "map.odl");
   EXPECT_EQ(declared("m.mdl", "map.odl")->source->name(), "map.odl");
   EXPECT_EQ(declared("m.mdl", "urge")->source->name(), "robots.cdl");
   EXPECT_EQ(declared("mine.cnl", "rate = 2")->span, declared("mine.cnl", "rate = 1")->span);
@@ -111,6 +115,8 @@ TEST_F(ServiceTest, TellsWhatThingsAre) {
   EXPECT_NE(hovered("m.mdl", "urge").find("range 0 .. 1"), std::string::npos);
   EXPECT_EQ(hovered("m.mdl", " 2 "), "robot 2, a `ROBOT` of unit `right`");
   EXPECT_NE(hovered("m.mdl", "ROBOTS").find("a unit as long as the command lasts"), std::string::npos);
+  EXPECT_NE(hovered("m.mdl", "OUTSIDE").find("about to leave"), std::string::npos);
+  EXPECT_NE(hovered("m.mdl", "HOLD").find("it stands until"), std::string::npos);
   EXPECT_NE(hovered("map.odl", "PP").find("passage point"), std::string::npos);
 }
 
@@ -139,7 +145,8 @@ TEST_F(ServiceTest, KnowsWhoASocietyIs) {
 TEST_F(ServiceTest, CompletesMissionsWithWhatOverlaysAndConfigurationsDeclare) {
   const std::string head =
       "OVERLAY map.odl\nNEW-ROBOT scout \"robots.cdl\" (urge = 1)\nUNIT <pair> scout ROBOT\nCOMMAND LIST:\n";
-  EXPECT_EQ(offered("n.mdl", head + " 1. UNIT pair MOVETO |"), (Strings{"PP-Charlie", "\"PL-red line\""}));
+  EXPECT_EQ(offered("n.mdl", head + " 1. UNIT pair MOVETO |"),
+            (Strings{"PP-Charlie", "\"PL-red line\"", "BOUNDARY-Field"}));
   EXPECT_EQ(offered("n.mdl", head + " 1. UNIT |"), (Strings{"pair"}));
   EXPECT_TRUE(contains(offered("n.mdl", "OVERLAY |"), "\"map.odl\""));
   const Strings keys = offered("n.mdl", "NEW-ROBOT scout \"robots.cdl\" (|");
@@ -260,7 +267,7 @@ TEST_F(ServiceTest, GivesTheOutlineOfAText) {
   EXPECT_EQ(outline[0].parts.size(), 2U);
   EXPECT_EQ(symbols(folder_.text("mine.cnl"), folder_.around()).size(), 3U);
   EXPECT_EQ(symbols(folder_.text("m.mdl"), folder_.around()).size(), 8U);
-  EXPECT_EQ(symbols(folder_.text("map.odl"), folder_.around()).size(), 2U);
+  EXPECT_EQ(symbols(folder_.text("map.odl"), folder_.around()).size(), 3U);
 }
 
 const std::vector<fs::path>& examples() {

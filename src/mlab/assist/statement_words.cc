@@ -9,6 +9,7 @@
 #include "mlab/assist/words.h"
 #include "mlab/lang/mdl/token.h"
 #include "mlab/lang/odl/token.h"
+#include "mlab/mission/failsafe.h"
 #include "mlab/mission/tasks.h"
 
 namespace mlab::assist {
@@ -68,6 +69,8 @@ constexpr Entry kMdl[] = {
     {"UNIT", "in the preamble `UNIT <name> robots`: a group of robots; in a step `UNIT name action`"},
     {"SET", "`SET option value`"},
     {"PRINT", "prints what is known of the map or of the robots"},
+    {"FAILSAFE",
+     "`FAILSAFE condition action`: what a robot does when something is wrong, whatever its program says"},
     {"COMMAND LIST:", "the steps follow"},
     {"QUIT", "ends the run"},
     {"AND", "another command that begins together with this one"},
@@ -98,6 +101,12 @@ std::string mdl_word_help(std::string_view word) {
   }
   for (const mission::ClauseInfo& clause : mission::kClauses) {
     if (mdl::equal_without_case(clause.word, word)) return std::string(clause.help);
+  }
+  for (const mission::FailsafeConditionInfo& condition : mission::kFailsafeConditions) {
+    if (mdl::equal_without_case(condition.word, word)) return std::string(condition.help);
+  }
+  for (const mission::FailsafeActionInfo& action : mission::kFailsafeActions) {
+    if (mdl::equal_without_case(action.word, word)) return std::string(action.help);
   }
   return std::string(found(kMdl, word, false));
 }

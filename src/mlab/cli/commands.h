@@ -97,6 +97,7 @@ struct CheckOptions {
   std::vector<std::string> files;
   std::string format = "text";  ///< or `json`
   bool strict = false;
+  bool failsafes = false;  ///< of missions, as they are in force
   bool no_cell = false;
 };
 int check(const CheckOptions& options);

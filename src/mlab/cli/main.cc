@@ -166,6 +166,9 @@ void add_check(CLI::App& app, CheckOptions& o) {
       ->capture_default_str()
       ->check(CLI::IsMember({"text", "json"}));
   c->add_flag("--strict", o.strict, "warnings count as problems (exit status 1)");
+  c->add_flag(
+      "--failsafes", o.failsafes,
+      "print what is in force below the programs of a mission's robots (FAILSAFE), the highest rank first");
   add_no_cell(c, o.no_cell);
 }
 

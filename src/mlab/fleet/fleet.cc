@@ -37,6 +37,7 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
              const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed,
              std::unique_ptr<robot::ProgramRunner> elsewhere)
     : binding_(binding),
+      failsafes_(mission.failsafes),
       workers_(static_cast<std::size_t>(binding.workers().count())),
       runners_(seed, binding.workers().count(), std::move(elsewhere)) {
   for (const mission::Robot& declared : mission.robots) {
@@ -114,6 +115,7 @@ std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, ge
   robot.body = bodies_[index] = placement->body;
   robot.capabilities = binding_.capabilities(robot.body);
   robot.start = placement->pose;
+  robot.failsafe = {};
   start_program(robot);
   poses_[index] = placement->pose;
   actions_.resize(std::max<std::size_t>(actions_.size(), robot.body.value + std::size_t{1}));
@@ -233,7 +235,10 @@ void Fleet::step(double dt) {
   run_programs(dt);
   for (percept::Action& action : actions_) action = {};
   for (FleetRobot& robot : robots_) {
-    if (robot.life == RobotLife::kRunning) collect(robot);
+    if (robot.life == RobotLife::kRunning)
+      collect(robot, dt);
+    else if (robot.life == RobotLife::kFaulted && failsafes_.drives(robot.failsafe))
+      go_on_by_failsafe(robot, dt);
   }
   messages_.resolve(robots_, binding_.time());
   binding_.carry_out(actions_, dt);
@@ -272,13 +277,14 @@ void Fleet::run_programs(double dt) {
 }
 
 // Takes up what the robot's program answered.
-void Fleet::collect(FleetRobot& robot) {
+void Fleet::collect(FleetRobot& robot, double dt) {
   if (!robot.failure.empty() || !robot::is_number(robot.action)) {
     robot.life = RobotLife::kFaulted;
     robot.action = {};
     new_faults_.push_back(robot.id);
     return;
   }
+  if (!failsafes_.empty() && !guard(robot, dt)) return;
   actions_[robot.body.value] = robot.action;
   note_calls(robot);
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "mlab/binding/binding.h"
+#include "mlab/fleet/failsafes.h"
 #include "mlab/fleet/group.h"
 #include "mlab/fleet/messages.h"
 #include "mlab/flow/carry_over.h"
@@ -44,6 +45,7 @@ struct RobotCall {
     kProceed,     ///< asks whether it may go on
     kHalt,        ///< its program has ended
     kEndMission,  ///< the mission is to end for all
+    kFailsafe,    ///< `text` says which failsafe acts, or no longer
   };
   base::RobotId robot;
   Kind kind = Kind::kAlert;
@@ -67,6 +69,7 @@ struct FleetRobot {
   std::vector<std::uint64_t> notifications;  ///< its inbox, ascending
   std::uint32_t team = 0;                    ///< robots of the same number are one team
   geom::Pose start;
+  FailsafeState failsafe;
   std::string fault;    ///< path of the port that went wrong; empty: none
   std::string failure;  ///< what the process of its program did instead of acting: `ended with exit status 3`
   std::string ailment;  ///< why its body could not be counted on any more: `has no more percepts`
@@ -153,6 +156,8 @@ class Fleet {
   const robot::Punctuality* punctuality() const;
   const FleetRobot* find(base::RobotId id) const;
   geom::Pose pose(const FleetRobot& robot) const { return poses_[index_of(robot)]; }
+  /// The failsafe that the robot is under, as the mission's language writes it; empty: none.
+  std::string failsafe(const FleetRobot& robot) const;
   /// The group under whose order the robot is; null without an order.
   const Group* group(const FleetRobot& robot) const;
   /// Distance of the robot from its station [m]; 0 without a formation.
@@ -213,13 +218,20 @@ class Fleet {
   void add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const;
   void run_programs(double dt);
   void run_piece(std::size_t begin, std::size_t end, double dt, int worker);
-  void collect(FleetRobot& robot);
+  void collect(FleetRobot& robot, double dt);
+  /// What the program wants passes through the failsafes. @return  false: it is stopped
+  bool guard(FleetRobot& robot, double dt);
+  /// Its program is gone, its body goes on.
+  void go_on_by_failsafe(FleetRobot& robot, double dt);
+  void exchange_failsafes(const mission::Mission& mission);
+  Situation situation_of(const FleetRobot& robot) const;
 
   binding::Binding& binding_;
   std::vector<FleetRobot> robots_;          // by id, ascending
   std::vector<binding::BodyIndex> bodies_;  // of robots_
   std::vector<geom::Pose> poses_;           // at the start of the cycle
   Messages messages_;
+  Failsafes failsafes_;
   std::vector<Group> groups_;  // slots are used again
   std::vector<std::uint32_t> free_groups_;
   std::vector<percept::Action> actions_;  // by body

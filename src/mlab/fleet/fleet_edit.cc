@@ -104,6 +104,15 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
   poses_.assign(robots_.size(), {});
   update_poses();
   form_teams(mission);
+  exchange_failsafes(mission);
+}
+
+// Where the table is another one nothing has happened yet.
+void Fleet::exchange_failsafes(const mission::Mission& mission) {
+  const auto is_same = [](const mission::Failsafe& a, const mission::Failsafe& b) { return a.is_same(b); };
+  if (std::ranges::equal(failsafes_.rows(), mission.failsafes, is_same)) return;
+  failsafes_ = Failsafes(mission.failsafes);
+  for (FleetRobot& robot : robots_) robot.failsafe = {};
 }
 
 bool Fleet::uses(const std::vector<robot::RobotProgram>& programs) const {

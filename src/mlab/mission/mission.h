@@ -10,6 +10,7 @@
 
 #include "mlab/base/id.h"
 #include "mlab/geom/pose.h"
+#include "mlab/mission/failsafe.h"
 #include "mlab/mission/tasks.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/percept/formation.h"
@@ -188,7 +189,8 @@ struct Mission {
   std::vector<Robot> robots;  ///< by id, ascending
   std::vector<Unit> units;
   Options options;
-  std::vector<Print> prints;  ///< of the preamble: to be printed once when the mission is loaded
+  std::vector<Failsafe> failsafes;  ///< of all robots, the highest rank first
+  std::vector<Print> prints;        ///< of the preamble: to be printed once when the mission is loaded
   std::vector<Step> steps;
   text::SourcePtr source;
 };

@@ -112,6 +112,9 @@ std::vector<std::string> MissionRun::explain(const fleet::FleetRobot& robot) con
   if (robot.life != fleet::RobotLife::kRunning) return {fmt::format("{} is {}", who, name(robot.life))};
 
   std::vector<std::string> out = {fmt::format("{}: {}", who, what_moves(robot))};
+  if (const std::string failsafe = fleet_->failsafe(robot); !failsafe.empty())
+    out.front() = fmt::format("{}: `{}` acts, until another order or the stick; its program wants: {}", who,
+                              failsafe, what_moves(robot));
   add_nearest_disc(world(), at, robot.capabilities.radius, out);
   add_nearest_wall(world(), at, out);
   add_edges(mission().overlay.mission_area(), at, out);

@@ -176,6 +176,9 @@ void MissionRun::answer_calls() {
       case fleet::RobotCall::Kind::kAlert:
         tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
         break;
+      case fleet::RobotCall::Kind::kFailsafe:
+        tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
+        break;
       case fleet::RobotCall::Kind::kProceed:
         post(mission::event::RobotAsks{call.robot});
         break;

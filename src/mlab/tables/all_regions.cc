@@ -2,6 +2,7 @@
 
 #include "mlab/tables/channel_tables.h"
 #include "mlab/tables/class_tables.h"
+#include "mlab/tables/failsafe_tables.h"
 #include "mlab/tables/measure_tables.h"
 #include "mlab/tables/regions.h"
 #include "mlab/tables/sensor_tables.h"
@@ -27,6 +28,8 @@ std::span<const Region> all_regions() {
       Region{"task_ends", task_ends},
       Region{"task_grammar", task_grammar},
       Region{"formation_documentation", formation_documentation},
+      Region{"failsafe_condition_documentation", failsafe_condition_documentation},
+      Region{"failsafe_action_documentation", failsafe_action_documentation},
       Region{"mdl_placed_words", mdl_placed_words},
       Region{"mdl_task_words", mdl_task_words},
       Region{"mdl_task_string", mdl_task_string},

@@ -33,6 +33,11 @@ export function RobotFacts({ id }: { id: number }) {
         <span className="small muted">{typeText(roster.robot(id)?.type ?? "", roster.programOf(id))}</span>
       </div>
       {detail.fault && <p className="notice danger">{detail.fault}</p>}
+      {detail.failsafe && (
+        <p className="notice hold" data-testid="failsafe">
+          <code>{detail.failsafe}</code> acts, whatever its program wants. Another order or the stick takes over.
+        </p>
+      )}
       <FactList
         rows={[
           ["Command", detail.command || "none"],

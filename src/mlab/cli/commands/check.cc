@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "mlab/assist/service.h"
 #include "mlab/base/counted.h"
 #include "mlab/cli/commands.h"
+#include "mlab/cli/failsafe_table.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
 #include "mlab/cli/permission.h"
@@ -25,6 +27,7 @@ struct Checked {
   std::string file;
   std::optional<Language> language;
   text::Diagnostics sink;
+  std::vector<FailsafeRow> failsafes;  ///< where they were asked for
 };
 
 void check_source(const text::SourcePtr& source, const CheckOptions& options, Checked& out) {
@@ -37,6 +40,7 @@ void check_source(const text::SourcePtr& source, const CheckOptions& options, Ch
   }
   out.sink =
       assist::problems({source, *out.language}, surroundings(permission_to_check(true, options.no_cell)));
+  if (options.failsafes && out.language == Language::kMission) out.failsafes = failsafe_rows(source);
 }
 
 Json place_json(const text::Place& place) {
@@ -72,6 +76,13 @@ Json checked_json(const Checked& checked) {
   out["warnings"] = checked.sink.warning_count();
   out["diagnostics"] = Json::array();
   for (const text::Diagnostic& d : checked.sink.items()) out["diagnostics"].push_back(diagnostic_json(d));
+  for (const FailsafeRow& row : checked.failsafes) {
+    out["failsafes"].push_back({{"rank", row.rank},
+                                {"condition", row.condition},
+                                {"after", row.after},
+                                {"action", row.action},
+                                {"stated", row.stated}});
+  }
   return out;
 }
 
@@ -105,6 +116,7 @@ int check(const CheckOptions& options) {
           base::counted(checked.sink.warning_count(), "warning"),
           checked.sink.note_count() == 0 ? "" : ", " + base::counted(checked.sink.note_count(), "note"));
     }
+    fmt::print("{}", table_of(checked.failsafes));
   }
   if (options.format == "json") {
     const Json out = {{"version", 1}, {"files", files}};

@@ -103,6 +103,19 @@ TEST_F(CompletionTest, FollowsATypedCommandFromWordToWord) {
   EXPECT_TRUE(typed("UNIT left MOVETO 3 4 SPEED |").empty());
 }
 
+TEST_F(CompletionTest, FollowsAFailsafeFromWordToWord) {
+  EXPECT_EQ(in_mission("OVERLAY x.odl\nFAILS|"), Strings{"FAILSAFE"});
+  EXPECT_EQ(in_mission("FAILSAFE |"), (Strings{"OUTSIDE", "IN-CONTACT", "STUCK", "LINK-LOST"}));
+  EXPECT_TRUE(has(in_mission("OVERLAY x.odl\nFAILSAFE OUTSIDE |"), "PL-Red"));
+  EXPECT_TRUE(has(in_mission("FAILSAFE OUTSIDE Field |"), "REVERSE INSIDE"));
+  EXPECT_TRUE(has(in_mission("FAILSAFE STUCK |"), "AFTER"));
+  EXPECT_FALSE(has(in_mission("FAILSAFE STUCK |"), "REVERSE INSIDE"));
+  EXPECT_EQ(in_mission("FAILSAFE STUCK AFTER |"), Strings{});
+  EXPECT_EQ(in_mission("FAILSAFE STUCK AFTER 3 |"), (Strings{"HOLD", "STOP", "RETURN", "CONTINUE"}));
+  EXPECT_TRUE(has(in_mission("FAILSAFE STUCK AFTER 3 HOLD\n|"), "UNIT"));
+  EXPECT_TRUE(has(in_mission("FAILSAFE OUTSIDE Field REVERSE INSIDE\n|"), "UNIT"));
+}
+
 TEST_F(CompletionTest, KnowsWhereInAMissionItIs) {
   EXPECT_TRUE(has(in_mission("|"), "OVERLAY"));
   EXPECT_EQ(in_mission("OVERLAY |"), (Strings{"\"democ.odl\"", "\"my map.odl\""}));

@@ -15,6 +15,10 @@ std::vector<PlaceReference> place_references(const mdl::Tree& mission, const ove
     if (found == nullptr) return;
     out.push_back({name.span, name.text, static_cast<std::uint32_t>(found - map.measures.data())});
   };
+  for (const mdl::Statement& statement : mission.preamble) {
+    const auto* failsafe = std::get_if<mdl::statement::Failsafe>(&statement.what);
+    if (failsafe != nullptr && failsafe->fence) add(*failsafe->fence);
+  }
   for (const mdl::LabelledStep& step : mission.steps) {
     for (const mdl::Statement& statement : step.commands) {
       const auto* action = std::get_if<mdl::statement::UnitAction>(&statement.what);

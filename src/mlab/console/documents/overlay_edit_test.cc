@@ -282,21 +282,27 @@ TEST(OverlayEdit, RemovesAStatementAndNothingElse) {
 
 TEST(OverlayEdit, RenamesTheReferencesOfTheMissionToo) {
   MapOfTexts texts(
-      "OVERLAY o.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n 0. UNIT u START aa-home -- from aa-home\n 1. UNIT u "
+      "OVERLAY o.odl\nFAILSAFE OUTSIDE Fence HOLD\nUNIT <u> ROBOT\nCOMMAND LIST:\n 0. UNIT u START aa-home "
+      "-- "
+      "from aa-home\n 1. UNIT u "
       "MOVETO "
       "CHARLIE PHASE-LINE \"Red\" ACK \"Red\"\n 2. UNIT u MOVETO PP-Charlie\n",
-      {{"o.odl", kHeader + "AA Home 1 2\nPP Charlie* 3 4\nPL Red 1 1 2 2\n"}});
+      {{"o.odl", kHeader + "AA Home 1 2\nPP Charlie* 3 4\nPL Red 1 1 2 2\nBOUNDARY Fence 0 0 9 0 9 9\n"}});
   EXPECT_EQ(texts.said(), "");
+  Measure fence = texts.scene().measures(3);
+  fence.set_name("Limit");
   Measure home = texts.scene().measures(0);
   home.set_name("new home");
   Measure charlie = texts.scene().measures(1);
   charlie.set_name("Column");
   Measure red = texts.scene().measures(2);
   red.set_name("PL7");
-  ASSERT_EQ(texts.change({replace(0, home), replace(1, charlie), replace(2, red)}), "");
-  EXPECT_EQ(texts.overlay(), kHeader + "AA \"new home\" 1 2\nPP Column* 3 4\nPL PL7 1 1 2 2\n");
+  ASSERT_EQ(texts.change({replace(0, home), replace(1, charlie), replace(2, red), replace(3, fence)}), "");
+  EXPECT_EQ(texts.overlay(),
+            kHeader + "AA \"new home\" 1 2\nPP Column* 3 4\nPL PL7 1 1 2 2\nBOUNDARY Limit 0 0 9 0 9 9\n");
   EXPECT_EQ(texts.mission(),
-            "OVERLAY o.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n 0. UNIT u START \"AA-new home\" -- from "
+            "OVERLAY o.odl\nFAILSAFE OUTSIDE Limit HOLD\nUNIT <u> ROBOT\nCOMMAND LIST:\n 0. UNIT u START "
+            "\"AA-new home\" -- from "
             "aa-home\n 1. UNIT "
             "u MOVETO \"Column\" PHASE-LINE PL7 ACK \"Red\"\n 2. UNIT u MOVETO PP-Column\n");
   EXPECT_EQ(texts.said(), "");

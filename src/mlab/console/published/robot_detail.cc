@@ -181,6 +181,7 @@ void encode_detail(const run::MissionRun& run, const Estimates& estimates, const
   out.set_id(robot.id.value);
   out.set_life(std::string(name(robot.life)));
   out.set_fault(clean(robot.fault));
+  out.set_failsafe(clean(run.fleet().failsafe(robot)));
   if (robot.runner != nullptr) out.set_machine(clean(robot.runner->machine(robot.member)));
   if (robot.workings().program) encode_program(run, robot, wishes, out);
   if (robot.life == RobotLife::kNotStarted) {

@@ -12,6 +12,7 @@
 #include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/mdl/token.h"
+#include "mlab/lang/mdl/unknown_measure.h"
 
 namespace mlab::mdl {
 namespace {
@@ -21,18 +22,6 @@ constexpr double kRadiusOfAPoint = 25.0;    // where no place says another [m]
 constexpr std::size_t kMaxPhaseLines = 50;  // of one command
 // Of all FOLLOW commands and phase lines together; each has points of its own.
 constexpr std::size_t kMaxPoints = 4'000'000;
-
-// A place's name as one writes it in a mission.
-std::string reference(const overlay::ControlMeasure& measure, bool with_prefix) {
-  const std::string name =
-      (with_prefix ? std::string(overlay::keyword(measure.kind)) + "-" : "") + measure.name;
-  const auto is_plain = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-';
-  };
-  const bool starts_with_letter =
-      !name.empty() && !(name[0] >= '0' && name[0] <= '9') && name[0] != '-' && name[0] != '_';
-  return starts_with_letter && std::ranges::all_of(name, is_plain) ? name : "\"" + name + "\"";
-}
 
 // How far from the centre of a place one still is there [m].
 double radius_of(const overlay::ControlMeasure& measure) {
@@ -256,31 +245,10 @@ std::optional<mission::MissionTime> CommandReader::read_time(const Moment& momen
 
 const overlay::ControlMeasure* CommandReader::find_place(const Name& name) {
   const overlay::ControlMeasure* found = scope_.places.find(name.text);
-  if (found != nullptr || scope_.damage.places) return found;
-  auto& error = diagnostics_.error("unknown-control-measure", place(name.span),
-                                   fmt::format("unknown control measure {}", in_backticks(name.text)));
-  if (diagnostics_.error_count() > text::Diagnostics::kMaxErrors) return nullptr;
-  if (scope_.overlays.empty()) {
-    error.label = scope_.mission.overlay.measures.empty() ? "the mission has no overlay" : "not on the map";
-  }
-  if (scope_.overlays.size() == 1)
-    error.label = fmt::format("not in overlay {}", in_backticks(scope_.overlays.front()));
-  if (scope_.overlays.size() > 1)
-    error.label = fmt::format("in none of the {} overlays", scope_.overlays.size());
-  if (!name.quoted && find_keyword(name.text) != nullptr) {
-    error.hints.emplace_back("this is a word of the language; the name of a place is expected here");
-    return nullptr;
-  }
-  if (name.text.size() > kLongestNameForHints) return nullptr;
-  const std::string near = overlay::nearest_measure_name(scope_.mission.overlay, name.text);
-  if (near.empty()) return nullptr;
-  const overlay::ControlMeasure* meant = scope_.places.find(near);
-  if (meant == nullptr) return nullptr;
-  const bool with_prefix = overlay::spellings(name.text)[1] != name.text;
-  const std::string better = in_backticks(reference(*meant, with_prefix));
-  error.hints.push_back(fmt::format("did you mean {}?", better));
-  error.notes.push_back({fmt::format("{} declared here", better), meant->place});
-  return nullptr;
+  if (found == nullptr && !scope_.damage.places)
+    report_unknown_measure(name, scope_.mission.overlay, scope_.overlays, scope_.places, source_,
+                           diagnostics_);
+  return found;
 }
 
 }  // namespace mlab::mdl

@@ -35,6 +35,7 @@ constexpr auto kOwn = std::to_array<Keyword>({
     word("QUIT", Word::kQuit),
     word("SET", Word::kSet),
     word("PRINT", Word::kPrint),
+    word("FAILSAFE", Word::kFailsafe),
     word("CONSOLE-DATABASE", Word::kConsoleDatabase),
     word("CONSOLE-DB", Word::kConsoleDatabase),
     word("ROBOT-INFO", Word::kRobotInfo),

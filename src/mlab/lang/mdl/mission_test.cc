@@ -353,5 +353,19 @@ TEST(MdlDetect, TellsMissionsFromOtherTexts) {
   EXPECT_FALSE(looks_like_mdl(""));
 }
 
+TEST(MdlFailsafes, AreAtTheirRankWithTheFenceOfTheOverlay) {
+  const auto mission = checked(std::string("OVERLAY farm.odl\nfailsafe outside Field reverse inside\n"
+                                           "FAILSAFE LINK-LOST AFTER 2.5 RETURN FAILSAFE STUCK STOP\n") +
+                               kQuit);
+  ASSERT_EQ(mission->failsafes.size(), 3U);
+  const auto& rows = mission->failsafes;
+  EXPECT_EQ(rows[0].action, mission::FailsafeAction::kReverseInside);
+  EXPECT_EQ(rows[0].fence.size(), 4U);
+  EXPECT_EQ(mission::words_of(rows[0]), "FAILSAFE OUTSIDE Field REVERSE INSIDE");
+  EXPECT_EQ(mission::words_of(rows[1]), "FAILSAFE LINK-LOST AFTER 2.5 RETURN");
+  EXPECT_EQ(mission::words_of(rows[2]), "FAILSAFE STUCK AFTER 30 STOP");
+  EXPECT_EQ(rows[2].place.span.begin, mission->source->text().rfind("FAILSAFE"));
+}
+
 }  // namespace
 }  // namespace mlab::mdl

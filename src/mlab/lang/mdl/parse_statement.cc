@@ -42,8 +42,8 @@ constexpr auto kOptions = std::to_array<OptionWord>({
 
 const std::vector<std::string>& statement_words(Section section) {
   static const std::vector<std::string> kPreamble = {
-      "MISSION NAME",     "SCENARIO",  "OVERLAY", "MISSION-AREA", "LOAD-MAP", "SP",           "OBSTACLE",
-      "CREATE-OBSTACLES", "NEW-ROBOT", "UNIT",    "SET",          "PRINT",    "COMMAND LIST:"};
+      "MISSION NAME",     "SCENARIO",  "OVERLAY", "MISSION-AREA", "LOAD-MAP", "SP",       "OBSTACLE",
+      "CREATE-OBSTACLES", "NEW-ROBOT", "UNIT",    "SET",          "PRINT",    "FAILSAFE", "COMMAND LIST:"};
   static const std::vector<std::string> kStep = {"UNIT", "ROBOT", "ROBOTS", "SET", "PRINT", "QUIT"};
   static const std::vector<std::string> kTyped = {
       "UNIT", "ROBOT", "ROBOTS", "SET", "PRINT", "QUIT", "OBSTACLE", "CREATE-OBSTACLES", "INJECTTRACK"};
@@ -70,6 +70,7 @@ bool is_allowed(Word word, Section section) {
     case Word::kLoadMap:
     case Word::kSp:
     case Word::kNewRobot:
+    case Word::kFailsafe:
       return section == Section::kPreamble;
     default:
       return false;
@@ -170,6 +171,9 @@ void Parser::statement_by_word(Section section, Statement& out, Damage& damage) 
       break;
     case Word::kPrint:
       out.what = print();
+      break;
+    case Word::kFailsafe:
+      out.what = failsafe();
       break;
     case Word::kInjectTrack:
       out.what = inject_track();

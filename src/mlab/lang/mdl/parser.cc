@@ -178,9 +178,10 @@ Number Parser::number(std::string_view what) {
 // The words that begin a statement of the preamble.
 bool Parser::starts_statement(const Token& t) const {
   if (t.kind == TokenKind::kMissionName || t.kind == TokenKind::kCommandList) return true;
-  static constexpr std::array kStatements = {
-      Word::kScenario, Word::kOverlay, Word::kMissionArea,     Word::kLoadMap,  Word::kSp,   Word::kUnit,
-      Word::kNewRobot, Word::kSet,     Word::kCreateObstacles, Word::kObstacle, Word::kPrint};
+  static constexpr std::array kStatements = {Word::kScenario, Word::kOverlay, Word::kMissionArea,
+                                             Word::kLoadMap,  Word::kSp,      Word::kUnit,
+                                             Word::kNewRobot, Word::kSet,     Word::kCreateObstacles,
+                                             Word::kObstacle, Word::kPrint,   Word::kFailsafe};
   return t.kind == TokenKind::kWord && std::ranges::find(kStatements, t.word) != kStatements.end();
 }
 

@@ -101,6 +101,10 @@ class Parser {
   Name group_name();
   statement::Set set(Section section);
   statement::Print print();
+  statement::Failsafe failsafe();
+  mission::FailsafeCondition failsafe_condition();
+  mission::FailsafeAction failsafe_action();
+  bool at_written(std::string_view word) const;
   statement::InjectTrack inject_track();
 
   // parse_command.cc

@@ -8,6 +8,7 @@
 
 #include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/lang/mdl/unknown_measure.h"
 #include "mlab/lang/odl/odl.h"
 #include "mlab/overlay/random_obstacles.h"
 
@@ -19,6 +20,8 @@ namespace fs = std::filesystem;
 // Files are read one by one, so a mission that names endless many must not keep the machine busy.
 constexpr std::size_t kMaxOverlays = 100;
 constexpr std::size_t kMaxMaps = 100;
+constexpr std::size_t kMaxFenceCorners = 1000;
+constexpr double kMaxFailsafeSeconds = 86'400.0;
 
 }  // namespace
 
@@ -80,6 +83,8 @@ void Preamble::execute(const Statement& statement) {
     if (command) apply_set(*command, mission_.options);
   } else if (const auto* print = std::get_if<statement::Print>(&statement.what)) {
     mission_.prints.push_back({print->robot_info});
+  } else if (const auto* failsafe = std::get_if<statement::Failsafe>(&statement.what)) {
+    add_failsafe(*failsafe, statement.span);
   }
 }
 
@@ -180,6 +185,80 @@ void Preamble::add_obstacle(const statement::Obstacle& obstacle) {
   if (const auto read = read_obstacle(obstacle, mission_.overlay.origin, source_, diagnostics_)) {
     mission_.overlay.obstacles.push_back(*read);
   }
+}
+
+void Preamble::add_failsafe(const statement::Failsafe& failsafe, text::Span span) {
+  const mission::FailsafeConditionInfo& condition = mission::info(failsafe.condition);
+  mission::Failsafe out{.condition = failsafe.condition,
+                        .action = failsafe.action,
+                        .seconds = failsafe.seconds ? failsafe.seconds->value : condition.default_seconds,
+                        .fence_name = failsafe.fence ? failsafe.fence->text : "",
+                        .fence = {},
+                        .place = place(span)};
+  if (mission_.failsafes.size() == mission::kMostFailsafes) {
+    diagnostics_.error("too-many-failsafes", place(span),
+                       fmt::format("a mission has at most {} failsafes", mission::kMostFailsafes));
+    return;
+  }
+  if (!(out.seconds >= 0.0) || out.seconds > kMaxFailsafeSeconds) {
+    diagnostics_.error("number-out-of-range", place(failsafe.seconds->span),
+                       fmt::format("AFTER goes from 0 to {:g} seconds, found {}", kMaxFailsafeSeconds,
+                                   in_backticks(failsafe.seconds->text)));
+    return;
+  }
+  if (mission::info(failsafe.action).needs_fence && !condition.has_fence) {
+    diagnostics_
+        .error("failsafe-without-fence", place(failsafe.action_span),
+               fmt::format("{} has no line to drive back from", condition.word))
+        .hints.emplace_back("`REVERSE INSIDE` goes with OUTSIDE");
+    return;
+  }
+  if (failsafe.fence) {
+    auto fence = read_fence(*failsafe.fence);
+    if (!fence) return;
+    out.fence = std::move(*fence);
+  }
+  if (!check_that_it_acts(out)) return;
+  mission_.failsafes.push_back(std::move(out));
+}
+
+// One that an earlier row always is before would never act.
+bool Preamble::check_that_it_acts(const mission::Failsafe& failsafe) {
+  for (const mission::Failsafe& before : mission_.failsafes) {
+    if (before.condition != failsafe.condition || before.fence != failsafe.fence ||
+        before.seconds > failsafe.seconds)
+      continue;
+    diagnostics_
+        .error("failsafe-never-acts", failsafe.place,
+               fmt::format("{} stands above it, is never later, and has the higher rank",
+                           in_backticks(mission::words_of(before))))
+        .notes.push_back({"it stands here", before.place});
+    return false;
+  }
+  return true;
+}
+
+std::optional<std::vector<geom::Point>> Preamble::read_fence(const Name& name) {
+  const overlay::ControlMeasure* found = overlay::find_measure(mission_.overlay, name.text);
+  if (found == nullptr) {
+    if (!damage_.places)
+      report_unknown_measure(name, mission_.overlay, overlays_, PlaceIndex(mission_.overlay), source_,
+                             diagnostics_);
+    return std::nullopt;
+  }
+  std::vector<geom::Point> out = found->points;
+  if (out.size() > 1 && out.front() == out.back()) out.pop_back();
+  if (found->kind == overlay::MeasureKind::kBoundary && out.size() >= 3 && out.size() <= kMaxFenceCorners)
+    return out;
+  auto& error = diagnostics_.error(
+      "no-fence", place(name.span),
+      out.size() > kMaxFenceCorners
+          ? fmt::format("a fence has at most {} corners, {} has {}", kMaxFenceCorners,
+                        in_backticks(name.text), out.size())
+          : fmt::format("{} encloses nothing: a fence is a BOUNDARY of three points or more",
+                        in_backticks(name.text)));
+  error.notes.push_back({"it is declared here", found->place});
+  return std::nullopt;
 }
 
 void Preamble::request_obstacles(text::Span span) {

@@ -38,6 +38,10 @@ class Preamble {
   void add_start_place(const statement::StartPlace& start);
   void add_obstacle(const statement::Obstacle& obstacle);
   void request_obstacles(text::Span span);
+  void add_failsafe(const statement::Failsafe& failsafe, text::Span span);
+  bool check_that_it_acts(const mission::Failsafe& failsafe);
+  /// The corners of what OUTSIDE names; reports what has none.
+  std::optional<std::vector<geom::Point>> read_fence(const Name& name);
   /// Runs `change` on the overlay and puts the options back that hang on an area or zoom stated by it.
   template <class Change>
   void with_overlay_changes(Change change);

@@ -196,6 +196,12 @@ struct StatementPrinter {
   std::string operator()(const statement::Print& s) const {
     return s.robot_info ? "PRINT ROBOT-INFO" : "PRINT CONSOLE-DATABASE";
   }
+  std::string operator()(const statement::Failsafe& s) const {
+    std::string out = fmt::format("FAILSAFE {}", mission::info(s.condition).word);
+    if (s.fence) out += " " + text_of(*s.fence);
+    if (s.seconds) out += " AFTER " + s.seconds->text;
+    return out + fmt::format(" {}", mission::info(s.action).word);
+  }
   std::string operator()(const statement::Quit&) const { return "QUIT"; }
   std::string operator()(const statement::InjectTrack& s) const {
     return s.is_red ? "INJECTTRACK RED" : "INJECTTRACK YELLOW";

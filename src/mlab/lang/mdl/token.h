@@ -29,6 +29,7 @@ enum class Word : std::uint8_t {
   kObstacle,
   kSet,
   kPrint,
+  kFailsafe,
   kQuit,
   kInjectTrack,
   // clauses

@@ -155,6 +155,13 @@ struct Set {
 struct Print {
   bool robot_info = false;
 };
+struct Failsafe {
+  mission::FailsafeCondition condition = mission::FailsafeCondition::kOutside;
+  std::optional<Name> fence;      ///< OUTSIDE
+  std::optional<Number> seconds;  ///< AFTER
+  mission::FailsafeAction action = mission::FailsafeAction::kHold;
+  text::Span action_span;
+};
 struct Quit {};
 struct InjectTrack {
   bool is_red = true;
@@ -177,7 +184,7 @@ struct Statement {
   std::variant<statement::MissionName, statement::Scenario, statement::OverlayFile, statement::MissionArea,
                statement::LoadMap, statement::StartPlace, statement::Obstacle, statement::CreateObstacles,
                statement::NewRobot, statement::UnitDefinition, statement::Set, statement::Print,
-               statement::Quit, statement::InjectTrack, statement::UnitAction>
+               statement::Failsafe, statement::Quit, statement::InjectTrack, statement::UnitAction>
       what;
 };
 

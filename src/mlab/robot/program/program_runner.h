@@ -134,6 +134,8 @@ class ProgramRunner {
   virtual std::string machine(Member /*member*/) const { return ""; }
   /// By any call of the thread that the runner belongs to, also while it waits.
   virtual std::vector<SilentMachine> silent_machines() const { return {}; }
+  /// So long nothing has been heard of the robot's program [s]; 0: it is waited for, or was heard in time.
+  virtual double silence(Member /*member*/) const { return 0.0; }
   /// Null: nothing here can be late, it is waited for.
   virtual const Punctuality* punctuality() const { return nullptr; }
 

@@ -248,6 +248,13 @@ std::optional<std::string> LiveRunner::take(const wire::LiveAction& message, Rob
 }
 
 // What the robot does in this cycle.
+double LiveRunner::silence(Member member) const {
+  const Live* const live = member < live_.size() ? live_[member].get() : nullptr;
+  if (live == nullptr || live->taken == 0) return 0.0;
+  const Clock::duration age = Clock::now() - live->came;
+  return age > from_seconds(kActionPatience) ? in_seconds(age) : 0.0;
+}
+
 void LiveRunner::finish(const Robot& robot, Live& live, Clock::time_point now) {
   if (live.has_ended) {
     live.has_ended = false;  // a new start

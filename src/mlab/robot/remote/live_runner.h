@@ -67,6 +67,7 @@ class LiveRunner final : public RemoteRunner {
   void act(std::span<const Turn> turns) override;
   void ask() override;
   void wait(const robot::Meanwhile& meanwhile) override;
+  double silence(Member member) const override;
   const robot::Punctuality* punctuality() const override { return &punctuality_; }
 
  protected:

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mlab/binding/body.h"
+#include "mlab/fleet/fence.h"
+#include "mlab/geom/pose.h"
+#include "mlab/mission/failsafe.h"
+#include "mlab/percept/action.h"
+
+namespace mlab::fleet {
+
+/// What of a robot its failsafes look at in a cycle.
+struct Situation {
+  static constexpr double kSight = 5.0;  ///< how far a robot that returns has to see [m]
+  Motion motion;
+  geom::Point home;  ///< where it was started [m, world]
+  const binding::Kinematics* kinematics = nullptr;
+  double radius = 0.0;        ///< of its body [m]
+  double cruise_speed = 1.0;  ///< with which it returns [m/s]
+  bool is_in_contact = false;
+  double silence = 0.0;     ///< so long nothing has been heard of its program [s]
+  std::uint32_t order = 0;  ///< number of the order that it carries out
+  bool is_steered = false;  ///< a person steers it
+  /// What it senses around it; only a robot that returns has to know.
+  std::span<const percept::Obstacle> obstacles;
+  std::span<const percept::RobotReading> others;
+};
+
+/// What failsafes keep of a robot from one cycle to the next. Plain data: a copy is a checkpoint.
+struct FailsafeState {
+  static constexpr std::uint8_t kNone = 0xff;
+  std::array<double, mission::kMostFailsafes> held{};  ///< by row: for how long its condition has held [s]
+  std::array<bool, mission::kMostFailsafes> is_met{};  ///< by row: it has held for long enough
+  std::uint8_t active = kNone;                         ///< the row whose action is carried out
+  std::uint32_t order = 0;                             ///< the order that the robot had when that began
+  bool has_anchor = false;
+  geom::Point anchor;  ///< from where it came no half metre further
+};
+
+/// The ranked table of failsafes, below the behaviors: what a robot's program wants passes through here. A
+/// row is triggered by the transition into its condition, not by its duration: who has been given another
+/// order, or is steered, is not held again until the condition was over. Fences hold in any case.
+class Failsafes {
+ public:
+  /// @param rows  the highest rank first, at most kMostFailsafes
+  explicit Failsafes(std::span<const mission::Failsafe> rows);
+  bool empty() const { return rows_.empty(); }
+  const std::vector<mission::Failsafe>& rows() const { return rows_; }
+
+  /// Whether the robot finds its way by what it senses.
+  bool returns(const FailsafeState& state) const {
+    return state.active < rows_.size() && rows_[state.active].action == mission::FailsafeAction::kReturn;
+  }
+
+  /// Whether the body does what a failsafe says, also where there is no program any more.
+  bool drives(const FailsafeState& state) const {
+    return state.active < rows_.size() &&
+           (returns(state) || rows_[state.active].action == mission::FailsafeAction::kReverseInside);
+  }
+
+  /// What began in a cycle.
+  struct Outcome {
+    std::optional<std::size_t> triggered;  ///< the row that has come into force
+    bool is_over = false;                  ///< the one that was in force is no longer
+  };
+  /// One robot's cycle.
+  ///
+  /// @param action  as its program wants it, and then as it may be
+  Outcome guard(const Situation& situation, double dt, FailsafeState& state, percept::Action& action) const;
+
+ private:
+  bool holds(std::size_t row, const Situation& situation, const percept::Action& wanted, double dt,
+             FailsafeState& state) const;
+  std::optional<std::size_t> newly_met(const Situation& situation, const percept::Action& wanted, double dt,
+                                       FailsafeState& state) const;
+  bool is_over(const Situation& situation, const FailsafeState& state) const;
+  void act(const mission::Failsafe& row, const Situation& situation, percept::Action& action) const;
+  void reverse(const Fence& fence, const Situation& situation, percept::Action& action) const;
+
+  std::vector<mission::Failsafe> rows_;
+  std::vector<Fence> fences_;  // by row; of those without one an empty one
+};
+
+}  // namespace mlab::fleet

@@ -1,0 +1,75 @@
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/parser.h"
+#include "mlab/lang/mdl/quoted.h"
+#include "mlab/mission/failsafe.h"
+
+namespace mlab::mdl {
+namespace {
+
+constexpr std::string_view kReverse = "REVERSE";
+constexpr std::string_view kInside = "INSIDE";
+
+template <class Rows>
+std::vector<std::string> words_in(const Rows& rows) {
+  std::vector<std::string> out;
+  for (const auto& row : rows) out.emplace_back(row.word);
+  return out;
+}
+
+}  // namespace
+
+// The words of a failsafe are no reserved ones: they are told by where they stand.
+bool Parser::at_written(std::string_view word) const {
+  return !stuck_ && token().kind != TokenKind::kString && equal_without_case(written(token()), word);
+}
+
+mission::FailsafeCondition Parser::failsafe_condition() {
+  for (const mission::FailsafeConditionInfo& one : mission::kFailsafeConditions) {
+    if (!at_written(one.word)) continue;
+    advance();
+    return one.condition;
+  }
+  fail_unknown("unknown-failsafe", "what a failsafe looks for", words_in(mission::kFailsafeConditions));
+  return {};
+}
+
+mission::FailsafeAction Parser::failsafe_action() {
+  for (const mission::FailsafeActionInfo& one : mission::kFailsafeActions) {
+    if (!at_written(one.word)) continue;
+    advance();
+    return one.action;
+  }
+  if (at_written(kReverse)) {
+    advance();
+    if (!at_written(kInside)) fail_expected(fmt::format("`{}`", kInside));
+    advance();
+    return mission::FailsafeAction::kReverseInside;
+  }
+  fail_unknown("unknown-failsafe", "what the robot does then", words_in(mission::kFailsafeActions));
+  return {};
+}
+
+statement::Failsafe Parser::failsafe() {
+  statement::Failsafe out;
+  out.condition = failsafe_condition();
+  const mission::FailsafeConditionInfo& condition = mission::info(out.condition);
+  if (!stuck_ && condition.has_fence) out.fence = name("the name of a closed BOUNDARY");
+  if (at_written("AFTER")) {
+    if (!condition.may_last) {
+      fail("clause-not-allowed", token().span,
+           fmt::format("{} has no AFTER: the robot must not get there", condition.word));
+    }
+    advance();
+    out.seconds = number("seconds");
+  }
+  const std::uint32_t begin = token().span.begin;
+  out.action = failsafe_action();
+  out.action_span = {begin, stuck_ || next_ == 0 ? begin : tokens_.tokens[next_ - 1].span.end};
+  return out;
+}
+
+}  // namespace mlab::mdl

@@ -1,0 +1,15 @@
+#include "mlab/mission/failsafe.h"
+
+#include <fmt/core.h>
+
+namespace mlab::mission {
+
+std::string words_of(const Failsafe& failsafe) {
+  const FailsafeConditionInfo& condition = info(failsafe.condition);
+  std::string out = fmt::format("FAILSAFE {}", condition.word);
+  if (condition.has_fence) out += fmt::format(" {}", failsafe.fence_name);
+  if (condition.may_last) out += fmt::format(" AFTER {:g}", failsafe.seconds);
+  return out + fmt::format(" {}", info(failsafe.action).word);
+}
+
+}  // namespace mlab::mission
