@@ -110,6 +110,7 @@ void LiveRunner::open() {
     if (!live_[member] || live_[member]->number != robot.number) {
       live_[member] = std::make_unique<Live>();
       live_[member]->number = robot.number;
+      live_[member]->came = Clock::now();  // as if it had been heard when it was started
       live_[member]->headings.resize(kKnownHeadings);
     }
     by_number_[robot.number] = member;
@@ -250,7 +251,7 @@ std::optional<std::string> LiveRunner::take(const wire::LiveAction& message, Rob
 // What the robot does in this cycle.
 double LiveRunner::silence(Member member) const {
   const Live* const live = member < live_.size() ? live_[member].get() : nullptr;
-  if (live == nullptr || live->taken == 0) return 0.0;
+  if (live == nullptr) return 0.0;
   const Clock::duration age = Clock::now() - live->came;
   return age > from_seconds(kActionPatience) ? in_seconds(age) : 0.0;
 }
