@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -71,6 +71,11 @@ class Fleets : public ::testing::Test {
       for (const network::Seen& one : host->processes()) out += one.name == "mlab-robots" ? 1 : 0;
     }
     return out;
+  }
+  /// What was left behind anywhere, in words; what agents keep is meant to stay.
+  std::string leftovers() {
+    for (const auto& host : net().hosts()) std::filesystem::remove_all(host->path(kAgentState));
+    return fmt::format("{}", fmt::join(net().leftovers(), "\n"));
   }
   bool come_to_be(std::size_t count) {
     for (const auto end = network::Clock::now() + kFleetPatience; network::Clock::now() < end;) {

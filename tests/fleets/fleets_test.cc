@@ -88,7 +88,7 @@ TEST_F(Fleets, RobotsOfARunThatIsKilledEnd) {
   ASSERT_TRUE(far.signal(SIGKILL));
   EXPECT_TRUE(come_to_be(0));
   EXPECT_TRUE(north.prints("a run has gone, and 2 robots with it", kFleetPatience)) << north.output();
-  EXPECT_TRUE(net().leftovers().empty());
+  EXPECT_EQ(leftovers(), "");
   Process again = run(mission("patrol"));
   const auto ending = again.wait(kFleetPatience);
   ASSERT_TRUE(ending);
