@@ -20,6 +20,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"documents", {"base", "text"}},
     {"cell", {"base", "text"}},
     {"dds", {"base", "text"}},
+    {"keys", {"dds"}},
     {"percept", {"geom"}},
     {"flow", {"percept", "text"}},
     {"robot/wire", {"flow"}},

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <expected>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "mlab/dds/security.h"
 
 namespace mlab::dds {
 
@@ -19,6 +22,8 @@ struct Network {
   std::vector<std::string> peers;
   /// For trials: of a thousand packets that this participant sends, so many are dropped by chance.
   int lost_of_thousand = 0;
+  /// By what it proves who it is; then it talks to those only who prove it, too, and all is encrypted.
+  std::optional<Security> security = std::nullopt;
 };
 
 /// How many participants of one fleet (and of those whose domain is the same) have place on one machine.

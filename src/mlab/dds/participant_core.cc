@@ -1,13 +1,13 @@
 #include "mlab/dds/participant_core.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 
 #include <fmt/format.h>
 
 #include "envelope.h"
 #include "mlab/dds/loopback_only.h"
+#include "mlab/dds/security_settings.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::dds {
@@ -43,11 +43,6 @@ std::string sentence(std::string_view failed, dds_return_t code, Complaints& com
   return words;
 }
 
-std::uint32_t next_domain() {
-  static std::atomic<std::uint32_t> next = 1000;
-  return next++;
-}
-
 /// Publisher and subscriber: both in the fleet's partition.
 Qos qos_in(const std::string& partition) {
   Qos qos(dds_create_qos());
@@ -74,8 +69,11 @@ void Entity::reset() {
 std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::open(const Network& network) {
   const auto configuration = configuration_of(network);
   if (!configuration) return std::unexpected(configuration.error());
-  const std::uint32_t number = next_domain();
-  auto core = std::make_shared<ParticipantCore>(number);
+  const auto identity = identity_of(network);
+  if (!identity) return std::unexpected(identity.error());
+  auto core = std::make_shared<ParticipantCore>(network.security.has_value());
+  const std::uint32_t number = core->number.value();
+  if (number == 0) return std::unexpected("this process takes part in too many secured fleets");
   const auto failed = [&](std::string_view what, dds_entity_t code) {
     return std::unexpected(
         sentence(fmt::format("{} of the fleet `{}`", what, network.fleet), code, core->complaints));
@@ -89,7 +87,7 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
     const auto closed = hear_loopback_only(domain_of(network.fleet));
     if (!closed) return std::unexpected(closed.error());
   }
-  const dds_entity_t participant = dds_create_participant(number, nullptr, nullptr);
+  const dds_entity_t participant = dds_create_participant(number, identity->get(), nullptr);
   if (participant < 0) return failed("no participant", participant);
   core->participant = Entity(participant);
   const Qos qos = qos_in(partition_of(network.fleet));

@@ -10,6 +10,7 @@
 
 #include "mlab/dds/channel.h"
 #include "mlab/dds/complaints.h"
+#include "mlab/dds/domain_number.h"
 #include "mlab/dds/message.h"
 #include "mlab/dds/network.h"
 
@@ -50,11 +51,12 @@ class ParticipantCore {
 
   /// Every participant has a domain of its own, whose number means something to this process only: one
   /// configuration for each, and nothing shared with others of the process.
-  explicit ParticipantCore(std::uint32_t number) : complaints(number) {}
+  explicit ParticipantCore(bool is_secured) : number(is_secured), complaints(number.value()) {}
 
   /// @errors  a sentence
   std::expected<Entity, std::string> topic(std::string_view name) const;
 
+  DomainNumber number;
   /// First to come, last to go: what Cyclone says while all else ends is heard.
   Complaints complaints;
   Entity domain;

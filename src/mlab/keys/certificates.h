@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <vector>
+
+// Keys, certificates, signatures and lists of certificates that were withdrawn: values in PEM, by libcrypto.
+// Keys are of the curve P-256, the one that DDS Security names. Errors are sentences.
+namespace mlab::keys {
+
+/// A certificate with its private key. Secret.
+struct KeyPair {
+  std::string certificate;
+  std::string key;
+};
+
+/// From a day ago on, so that machines whose clock is behind accept what was just made.
+struct Validity {
+  std::int64_t begin = 0;  ///< [s since 1970]
+  std::int64_t end = 0;    ///< [s since 1970]
+};
+Validity valid_for_days(int days);
+
+/// Signs itself, and others.
+std::expected<KeyPair, std::string> make_authority(const std::string& name, const Validity& validity);
+
+std::expected<KeyPair, std::string> make_identity(const KeyPair& authority, const std::string& name,
+                                                  const Validity& validity);
+
+/// What DDS Security calls a signed document: S/MIME, the text in the clear.
+std::expected<std::string, std::string> sign_document(const KeyPair& authority, const std::string& text);
+
+/// The list of certificates that are no longer good, signed.
+/// @param withdrawn  certificates of this authority
+std::expected<std::string, std::string> make_withdrawal_list(const KeyPair& authority,
+                                                             const std::vector<std::string>& withdrawn,
+                                                             const Validity& validity);
+
+/// The common name; empty: it is no certificate.
+std::string name_in(const std::string& certificate);
+
+/// The name as permissions have to name it.
+std::string subject_in(const std::string& certificate);
+
+/// Till when it is good.
+/// @return  [s since 1970]; 0: it is no certificate
+std::int64_t end_of(const std::string& certificate);
+
+/// Why a certificate is not good now, whatever list there is.
+/// @errors  half a sentence: `is no certificate`, `expired 3 days ago`
+std::expected<void, std::string> check_certificate(const std::string& certificate,
+                                                   const std::string& authority);
+
+/// @errors  half a sentence
+std::expected<void, std::string> check_key(const std::string& certificate, const std::string& key);
+
+/// @return  the document's text
+/// @errors  half a sentence: it is none, or somebody else has signed it
+std::expected<std::string, std::string> check_document(const std::string& document,
+                                                       const std::string& authority);
+
+/// Whether the list holds the certificate.
+/// @errors  half a sentence: it is no list, or somebody else's
+std::expected<bool, std::string> is_withdrawn(const std::string& list, const std::string& certificate,
+                                              const std::string& authority);
+
+}  // namespace mlab::keys

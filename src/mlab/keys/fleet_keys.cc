@@ -1,0 +1,194 @@
+#include "mlab/keys/fleet_keys.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mlab/keys/documents.h"
+#include "mlab/keys/identity.h"
+#include "mlab/keys/private_files.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::keys {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kAuthorityDays = 3650;
+constexpr int kIdentityDays = 730;
+constexpr std::size_t kLongestName = 40;
+constexpr const char* kAuthorityKeyFile = "authority.key";
+constexpr const char* kEnding = ".crt";
+
+bool is_name_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+         c == '.';
+}
+
+/// The certificates in a folder, by the names of their files.
+std::vector<fs::path> certificates_in(const fs::path& folder) {
+  std::vector<fs::path> out;
+  std::error_code failure;
+  for (const fs::directory_entry& one : fs::directory_iterator(folder, failure)) {
+    if (one.path().extension() == kEnding) out.push_back(one.path());
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+/// A place that nothing has yet: a name may be withdrawn again and again.
+fs::path free_place(const fs::path& folder, const std::string& name) {
+  std::error_code failure;
+  for (int i = 1;; ++i) {
+    fs::path place = folder / fmt::format("{}_{}{}", name, i, kEnding);
+    if (!fs::exists(place, failure)) return place;
+  }
+}
+
+}  // namespace
+
+bool is_identity_name(std::string_view name) {
+  return !name.empty() && name.size() <= kLongestName && name.front() != '.' && name != "authority" &&
+         std::ranges::all_of(name, is_name_letter);
+}
+
+fs::path FleetKeys::issued(const std::string& name) const {
+  return authority() / "issued" / (name + kEnding);
+}
+
+fs::path FleetKeys::withdrawn_file() const {
+  return authority() / kWithdrawnFile;
+}
+
+bool FleetKeys::are_there(const fs::path& folder) {
+  std::error_code failure;
+  return fs::exists(folder / "authority" / kAuthorityKeyFile, failure);
+}
+
+std::expected<FleetKeys, std::string> FleetKeys::open(const fs::path& folder, const std::string& fleet) {
+  FleetKeys out(folder, fleet);
+  for (const fs::path& one :
+       {folder, out.authority(), out.authority() / "issued", out.authority() / "withdrawn"}) {
+    if (const auto made = make_private_folder(one); !made) return std::unexpected(made.error());
+  }
+  const auto known = are_there(folder) ? out.read_authority() : out.make_authority();
+  if (!known) return std::unexpected(known.error());
+  std::error_code failure;
+  if (!fs::exists(out.withdrawn_file(), failure)) {
+    if (const auto written = out.write_list(); !written) return std::unexpected(written.error());
+  }
+  return out;
+}
+
+std::expected<void, std::string> FleetKeys::make_authority() {
+  auto made = keys::make_authority("authority@" + fleet_, valid_for_days(kAuthorityDays));
+  if (!made) return std::unexpected(made.error());
+  authority_ = std::move(*made);
+  auto document = sign_document(authority_, governance());
+  if (!document) return std::unexpected(document.error());
+  governance_ = std::move(*document);
+  // The key last: where it is, all is.
+  for (const auto& [name, text] :
+       {std::pair(kAuthorityFile, &authority_.certificate), std::pair(kGovernanceFile, &governance_),
+        std::pair(kAuthorityKeyFile, &authority_.key)}) {
+    if (const auto written = write_private(authority() / name, *text); !written) return written;
+  }
+  return {};
+}
+
+std::expected<void, std::string> FleetKeys::read_authority() {
+  for (const auto& [name, text] :
+       {std::pair(kAuthorityFile, &authority_.certificate), std::pair(kGovernanceFile, &governance_),
+        std::pair(kAuthorityKeyFile, &authority_.key)}) {
+    auto read = read_file(authority() / name);
+    if (!read) return std::unexpected(read.error());
+    *text = std::move(*read);
+  }
+  const auto complaint = [&](const char* file, const std::string& what) {
+    return std::unexpected(
+        fmt::format("`{}` {}", text::shown((authority() / file).string(), 1000), what));
+  };
+  if (const auto good = check_certificate(authority_.certificate, authority_.certificate); !good)
+    return complaint(kAuthorityFile, good.error());
+  if (const auto good = check_key(authority_.certificate, authority_.key); !good)
+    return complaint(kAuthorityKeyFile, good.error());
+  return {};
+}
+
+std::expected<fs::path, std::string> FleetKeys::add(const std::string& name) {
+  if (!is_identity_name(name))
+    return std::unexpected(
+        fmt::format("`{}` can't be the name of an identity: 1 to {} letters, digits, `-`, `_` and `.`, not "
+                    "`authority`",
+                    text::shown(name), kLongestName));
+  std::error_code failure;
+  if (fs::exists(issued(name), failure))
+    return std::unexpected(fmt::format(
+        "the fleet `{}` has an identity `{}` already: --withdraw {} makes place for another", fleet_, name,
+        name));
+  const Validity validity = valid_for_days(kIdentityDays);
+  const auto pair = make_identity(authority_, certified_name(name, fleet_), validity);
+  if (!pair) return std::unexpected(pair.error());
+  const auto document =
+      sign_document(authority_, permissions(subject_in(pair->certificate), fleet_, validity));
+  const auto list = read_file(withdrawn_file());
+  if (!document) return std::unexpected(document.error());
+  if (!list) return std::unexpected(list.error());
+  const fs::path folder = folder_ / name;
+  if (const auto made = make_private_folder(folder); !made) return std::unexpected(made.error());
+  const std::vector<std::pair<fs::path, const std::string*>> files = {
+      {issued(name), &pair->certificate},  // first: what was handed out can be withdrawn
+      {folder / kAuthorityFile, &authority_.certificate},
+      {folder / kGovernanceFile, &governance_},
+      {folder / kPermissionsFile, &*document},
+      {folder / kWithdrawnFile, &*list},
+      {folder / kKeyFile, &pair->key},
+      {folder / kCertificateFile, &pair->certificate}};
+  for (const auto& [file, text] : files) {
+    if (const auto written = write_private(file, *text); !written) return std::unexpected(written.error());
+  }
+  return folder;
+}
+
+std::expected<void, std::string> FleetKeys::withdraw(const std::string& name) {
+  std::error_code failure;
+  if (!is_identity_name(name) || !fs::exists(issued(name), failure)) {
+    std::string known;
+    for (const std::string& one : names()) known += fmt::format("{}`{}`", known.empty() ? "" : ", ", one);
+    return std::unexpected(fmt::format("the fleet `{}` has no identity `{}`: there is {}", fleet_,
+                                       text::shown(name), known.empty() ? "none" : known));
+  }
+  fs::rename(issued(name), free_place(authority() / "withdrawn", name), failure);
+  if (failure)
+    return std::unexpected(fmt::format("`{}` can't be withdrawn: {}", name, failure.message()));
+  const auto written = write_list();
+  fs::remove_all(folder_ / name, failure);
+  return written;
+}
+
+std::expected<void, std::string> FleetKeys::write_list() const {
+  std::vector<std::string> withdrawn;
+  for (const fs::path& file : certificates_in(authority() / "withdrawn")) {
+    auto read = read_file(file);
+    if (!read) return std::unexpected(read.error());
+    withdrawn.push_back(std::move(*read));
+  }
+  const auto list = make_withdrawal_list(authority_, withdrawn, valid_for_days(kAuthorityDays));
+  if (!list) return std::unexpected(list.error());
+  if (const auto written = write_private(withdrawn_file(), *list); !written) return written;
+  std::error_code failure;
+  for (const std::string& name : names()) {
+    if (!fs::is_directory(folder_ / name, failure)) continue;  // moved to its machine
+    if (const auto written = write_private(folder_ / name / kWithdrawnFile, *list); !written) return written;
+  }
+  return {};
+}
+
+std::vector<std::string> FleetKeys::names() const {
+  std::vector<std::string> out;
+  for (const fs::path& file : certificates_in(authority() / "issued")) out.push_back(file.stem().string());
+  return out;
+}
+
+}  // namespace mlab::keys

@@ -1,0 +1,159 @@
+// Participants of a secured fleet: who proves that he belongs to it is heard, nobody else.
+
+#include <unistd.h>
+
+#include <chrono>
+#include <optional>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "mlab/dds/participant.h"
+#include "mlab/keys/fleet_keys.h"
+#include "mlab/keys/identity.h"
+#include "mlab/keys/private_files.h"
+#include "mlab/keys/testing/temporary_folder.h"
+
+namespace mlab::keys {
+namespace {
+namespace fs = std::filesystem;
+
+using namespace std::chrono_literals;
+using dds::ChannelKind;
+
+constexpr auto kPatience = 60s;  // for what takes a second on a machine that has nothing else to do
+
+class SecuredParticipant : public ::testing::Test {
+ protected:
+  /// Tests run side by side.
+  const std::string fleet_ = fmt::format("secured-{}", ::getpid());
+
+  FleetKeys keys(const std::string& authority = "ours") {
+    auto made = FleetKeys::open(temporary_.path() / authority, fleet_);
+    EXPECT_TRUE(made) << made.error();
+    return std::move(*made);
+  }
+  std::expected<dds::Participant, std::string> open(const std::optional<fs::path>& identity) {
+    dds::Network network{.fleet = fleet_, .interface_name = {}, .peers = {}};
+    if (identity) network.security = security_in(*identity);
+    return dds::Participant::open(network);
+  }
+  dds::Participant participant(const std::optional<fs::path>& identity) {
+    auto made = open(identity);
+    EXPECT_TRUE(made) << made.error();
+    return std::move(*made);
+  }
+
+  TemporaryFolder temporary_;
+};
+
+/// Who is heard here on one topic.
+class Listener {
+ public:
+  explicit Listener(dds::Participant participant)
+      : participant_(std::move(participant)),
+        reader_(participant_.reader("agents", ChannelKind::kPresence, waiter_).value()) {}
+
+  /// Waits until somebody has said `body`.
+  bool hears(const std::string& body) {
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    while (std::chrono::steady_clock::now() < until) {
+      for (const dds::Arrival& one : reader_.take()) {
+        if (one.kind == dds::Arrival::Kind::kMessage) all_ += one.body + " ";
+      }
+      if (all_.contains(body)) return true;
+      waiter_.wait(50ms);
+    }
+    return false;
+  }
+  const std::string& all() const { return all_; }
+  std::vector<std::string> complaints() { return participant_.complaints(); }
+
+ private:
+  dds::Waiter waiter_ = dds::Waiter::make().value();
+  dds::Participant participant_;
+  dds::Reader reader_;
+  std::string all_;
+};
+
+/// Somebody who says one thing, to whoever comes.
+struct Speaker {
+  Speaker(dds::Participant own, const std::string& body)
+      : participant(std::move(own)), writer(participant.writer("agents", ChannelKind::kPresence).value()) {
+    EXPECT_EQ(writer.write(body, body), dds::Written::kDone);
+  }
+  dds::Participant participant;
+  dds::Writer writer;
+};
+
+TEST_F(SecuredParticipant, HearsWhoBelongsToTheFleetAndNobodyElse) {
+  const fs::path north = keys().add("north").value();
+  const fs::path south = keys().add("south").value();
+  const fs::path strange = keys("theirs").add("south").value();
+  // Those who must not be heard come first.
+  const Speaker unsecured(participant(std::nullopt), "unsecured");
+  const Speaker stranger(participant(strange), "strange");
+  Listener without(participant(std::nullopt));
+  ASSERT_TRUE(without.hears("unsecured"));
+  Listener theirs(participant(strange));
+  ASSERT_TRUE(theirs.hears("strange"));
+  Listener ours(participant(south));
+  const Speaker member(participant(north), "member");
+  EXPECT_TRUE(ours.hears("member")) << fmt::format("{}", fmt::join(ours.complaints(), "\n"));
+  EXPECT_EQ(ours.all(), "member ");
+  // Another one that they hear is later than what they must not hear.
+  const Speaker last_unsecured(participant(std::nullopt), "later");
+  EXPECT_TRUE(without.hears("later"));
+  EXPECT_EQ(without.all(), "unsecured later ");
+  const Speaker last_stranger(participant(strange), "late");
+  EXPECT_TRUE(theirs.hears("late"));
+  EXPECT_EQ(theirs.all(), "strange late ");
+}
+
+TEST_F(SecuredParticipant, DoesNotHearWhoWasWithdrawn) {
+  FleetKeys all = keys();
+  const fs::path north = all.add("north").value();
+  const fs::path south = all.add("south").value();
+  const fs::path east = all.add("east").value();
+  const fs::path stolen = temporary_.path() / "stolen";
+  const fs::path unaware = temporary_.path() / "unaware";
+  fs::copy(north, stolen);  // both with the list of before
+  fs::copy(south, unaware);
+  ASSERT_TRUE(all.withdraw("north"));
+  const Speaker withdrawn(participant(stolen), "withdrawn");
+  Listener listener(participant(south));
+  Listener old(participant(unaware));
+  ASSERT_TRUE(old.hears("withdrawn")) << "who has not heard of it";
+  const Speaker member(participant(east), "member");
+  EXPECT_TRUE(listener.hears("member"));
+  const Speaker later(participant(east), "later");
+  EXPECT_TRUE(listener.hears("later"));
+  EXPECT_EQ(listener.all(), "member later ");
+}
+
+TEST_F(SecuredParticipant, IsRefusedTopicsThatItHasNoPermissionFor) {
+  const fs::path north = keys().add("north").value();
+  dds::Network other{.fleet = "other-" + fleet_, .interface_name = {}, .peers = {}};
+  other.security = security_in(north);
+  auto lost = dds::Participant::open(other);
+  ASSERT_TRUE(lost) << lost.error();
+  EXPECT_FALSE(lost->writer("agents", ChannelKind::kPresence)) << "the partition of another fleet";
+}
+
+TEST_F(SecuredParticipant, IsRefusedWithASentenceThatNamesTheFile) {
+  const fs::path north = keys().add("north").value();
+  const std::string was = read_file(north / kPermissionsFile).value();
+  fs::remove(north / kPermissionsFile);
+  EXPECT_TRUE(open(north).error().contains("permissions.p7s`, the signed permissions, is missing"));
+  ASSERT_TRUE(write_private(north / kPermissionsFile, "nothing"));
+  EXPECT_TRUE(open(north).error().contains("permissions.p7s` is not the signed permissions"));
+  ASSERT_TRUE(write_private(north / kPermissionsFile, was));
+  fs::copy_file(keys("theirs").add("north").value() / kPermissionsFile, north / kPermissionsFile,
+                fs::copy_options::overwrite_existing);
+  const auto refused = open(north);
+  ASSERT_FALSE(refused) << "signed by somebody else";
+  EXPECT_TRUE(refused.error().contains("no participant of the fleet")) << refused.error();
+}
+
+}  // namespace
+}  // namespace mlab::keys
