@@ -27,6 +27,8 @@ struct NetworkOptions {
   std::string fleet;               ///< empty: the one that is called `default`
   std::string interface_name;      ///< or its address; empty: nothing leaves this machine
   std::vector<std::string> peers;  ///< addresses of other machines
+  bool is_secure = false;          ///< members prove who they are, and all is encrypted
+  std::string identity;            ///< folder of the identity; empty: this machine's own
 };
 
 struct RunOptions {
@@ -92,6 +94,14 @@ struct FleetOptions {
 };
 /// Says who is in a fleet, again and again until it is interrupted.
 int show_fleet(const FleetOptions& options);
+
+struct KeysOptions {
+  std::string fleet;     ///< empty: the one that is called `default`
+  std::string add;       ///< name of an identity to make; empty: none
+  std::string withdraw;  ///< name of one that is good no longer; empty: none
+};
+/// Makes the keys of a secured fleet, and says where they are.
+int keys(const KeysOptions& options);
 
 struct CheckOptions {
   std::vector<std::string> files;

@@ -311,6 +311,20 @@ void add_fleet(CLI::App& app, FleetOptions& o) {
   c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop);
 }
 
+void add_keys(CLI::App& app, KeysOptions& o) {
+  CLI::App* c = app.add_subcommand(
+      "keys",
+      "Make the keys of a secured fleet where there are none, and say where they are. Members take part with\n"
+      "--secure (docs/robots_of_their_own.md).");
+  c->add_option("fleet", o.fleet, "the fleet")->default_str("default")->type_name("NAME");
+  auto* const added =
+      c->add_option("--add", o.add, "make the identity of another machine, to be brought there; own: this one's")
+          ->type_name("NAME");
+  c->add_option("--withdraw", o.withdraw, "that identity belongs to the fleet no more")
+      ->excludes(added)
+      ->type_name("NAME");
+}
+
 void add_lsp(CLI::App& app, bool& says_stdio) {
   CLI::App* c = app.add_subcommand(
       "lsp", "Language server for editors: LSP 3.17 over standard input and output (docs/editors.md).");
@@ -430,6 +444,7 @@ struct AllOptions {
   BenchOptions bench;
   AgentOptions agent;
   FleetOptions fleet;
+  KeysOptions keys;
   NewOptions fresh;
   OwnOptions own;
   bool says_stdio = false;
@@ -451,6 +466,7 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_bench(app, o.bench);
   add_agent_options(app.add_subcommand("agent", kAgentDescription), o.agent);
   add_fleet(app, o.fleet);
+  add_keys(app, o.keys);
   add_lsp(app, o.says_stdio);
   add_new(app, o.fresh);
   add_own(app, o.own);
@@ -469,6 +485,7 @@ int do_as_told(CLI::App& app, const AllOptions& o) {
   if (app.got_subcommand("lsp")) return lsp();
   if (app.got_subcommand("agent")) return agent(o.agent);
   if (app.got_subcommand("fleet")) return show_fleet(o.fleet);
+  if (app.got_subcommand("keys")) return keys(o.keys);
   if (app.got_subcommand("new")) return make_new(o.fresh);
   if (!app.got_subcommand("bench")) return show_own(app, o.own);
   return bench(o.bench);

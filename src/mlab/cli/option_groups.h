@@ -72,6 +72,16 @@ inline void add_network(CLI::App* c, NetworkOptions& o) {
                 "address of another machine, where the network carries no multicast; again "
                 "for each")
       ->type_name("ADDRESS");
+  c->add_option_function<std::string>(
+       "--secure",
+       [&o](const std::string& folder) {
+         o.is_secure = true;
+         o.identity = folder;
+       },
+       "take part in a secured fleet: who can't prove that he belongs to it is neither heard nor told "
+       "anything (mlab keys makes the folder; default: this machine's own)")
+      ->expected(0, 1)
+      ->type_name("FOLDER");
 }
 
 }  // namespace mlab::cli

@@ -57,8 +57,9 @@ bool outputs_are_usable(const RunOptions& options) {
 std::optional<std::string> settle_robots(const RunOptions& options, RunManner& out) {
   const NetworkOptions& network = options.network;
   if (options.robots != RobotsAt::kFleet) {
-    if (!network.fleet.empty() || !network.interface_name.empty() || !network.peers.empty())
-      return "--fleet, --network and --peer count with --robots fleet only";
+    if (!network.fleet.empty() || !network.interface_name.empty() || !network.peers.empty() ||
+        network.is_secure)
+      return "--fleet, --network, --peer and --secure count with --robots fleet only";
     if (options.real_time)
       return "--real-time counts with --robots fleet only: all other robots are waited for";
     return std::nullopt;
@@ -71,7 +72,9 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
     out.settings.is_in_real_time = true;
     out.settings.stands_still_for_operator = false;
   }
-  const auto roster = agents::Roster::join(network_of(network));
+  const auto reached = network_of(network);
+  if (!reached) return reached.error();
+  const auto roster = agents::Roster::join(*reached);
   if (!roster) return roster.error();
   auto stop_line = fleet_stop_line(*roster);
   if (!stop_line) return stop_line.error();

@@ -10,6 +10,7 @@
 #include <openssl/x509.h>
 #include <openssl/x509v3.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <ctime>
@@ -107,10 +108,23 @@ bool set_number(X509* certificate) {
   return number && BN_to_ASN1_INTEGER(number.get(), X509_get_serialNumber(certificate)) != nullptr;
 }
 
-bool set_name(X509* certificate, const std::string& name) {
-  return X509_NAME_add_entry_by_NID(X509_get_subject_name(certificate), NID_commonName, MBSTRING_UTF8,
-                                    reinterpret_cast<const unsigned char*>(name.data()),
-                                    static_cast<int>(name.size()), -1, 0) == 1;
+bool add_to_name(X509* certificate, int what, std::string_view words) {
+  return X509_NAME_add_entry_by_NID(X509_get_subject_name(certificate), what, MBSTRING_UTF8,
+                                    reinterpret_cast<const unsigned char*>(words.data()),
+                                    static_cast<int>(words.size()), -1, 0) == 1;
+}
+
+bool set_name(X509* certificate, std::string_view name) {
+  const std::size_t at = std::min(name.find('@'), name.size() - 1);
+  return add_to_name(certificate, NID_organizationName, name.substr(at + 1)) &&
+         add_to_name(certificate, NID_commonName, name.substr(0, at));
+}
+
+std::string part_of_name(const X509* certificate, int what) {
+  std::array<char, 256> part{};
+  const int size =
+      X509_NAME_get_text_by_NID(X509_get_subject_name(certificate), what, part.data(), part.size());
+  return size > 0 ? std::string(part.data(), static_cast<std::size_t>(size)) : std::string();
 }
 
 bool extend(X509* certificate, X509* issuer, int what, const char* value) {
@@ -232,11 +246,8 @@ std::expected<std::string, std::string> make_withdrawal_list(const KeyPair& auth
 
 std::string name_in(const std::string& certificate) {
   const Certificate read = certificate_in(certificate);
-  std::array<char, 256> name{};
   if (!read) return {};
-  const int size = X509_NAME_get_text_by_NID(X509_get_subject_name(read.get()), NID_commonName, name.data(),
-                                             name.size());
-  return size > 0 ? std::string(name.data(), static_cast<std::size_t>(size)) : std::string();
+  return part_of_name(read.get(), NID_commonName) + "@" + part_of_name(read.get(), NID_organizationName);
 }
 
 std::string subject_in(const std::string& certificate) {
@@ -303,20 +314,25 @@ std::expected<std::string, std::string> check_document(const std::string& docume
   return text_in(text.get());
 }
 
-std::expected<bool, std::string> is_withdrawn(const std::string& list, const std::string& certificate,
-                                              const std::string& authority) {
+std::expected<void, std::string> check_list(const std::string& list, const std::string& authority) {
   const List read = list_in(list);
   const Certificate issuer = certificate_in(authority);
-  const Certificate one = certificate_in(certificate);
   if (!read) return std::unexpected("is no list of withdrawn certificates (PEM)");
   const Key key(issuer ? X509_get_pubkey(issuer.get()) : nullptr);
-  if (!one || !key || X509_CRL_verify(read.get(), key.get()) != 1) {
-    ERR_clear_error();
-    return std::unexpected("was not signed by this authority, or was changed since");
-  }
-  if (seconds_of(X509_CRL_get0_nextUpdate(read.get())) <= now()) return std::unexpected("is out of date");
+  const bool is_good = key && X509_CRL_verify(read.get(), key.get()) == 1;
+  ERR_clear_error();
+  if (!is_good) return std::unexpected("was not signed by this authority, or was changed since");
+  if (seconds_of(X509_CRL_get0_nextUpdate(read.get())) > now()) return {};
+  return std::unexpected("is out of date");
+}
+
+std::expected<bool, std::string> is_withdrawn(const std::string& list, const std::string& certificate,
+                                              const std::string& authority) {
+  if (const auto good = check_list(list, authority); !good) return std::unexpected(good.error());
+  const Certificate one = certificate_in(certificate);
+  if (!one) return std::unexpected("can't be held against what is no certificate");
   X509_REVOKED* found = nullptr;
-  return X509_CRL_get0_by_cert(read.get(), &found, one.get()) == 1;
+  return X509_CRL_get0_by_cert(list_in(list).get(), &found, one.get()) == 1;
 }
 
 }  // namespace mlab::keys

@@ -22,6 +22,8 @@ struct Validity {
 };
 Validity valid_for_days(int days);
 
+/// Names are `NAME@FLEET`, each of at most 64 letters: a certificate's common name and organization.
+///
 /// Signs itself, and others.
 std::expected<KeyPair, std::string> make_authority(const std::string& name, const Validity& validity);
 
@@ -37,7 +39,7 @@ std::expected<std::string, std::string> make_withdrawal_list(const KeyPair& auth
                                                              const std::vector<std::string>& withdrawn,
                                                              const Validity& validity);
 
-/// The common name; empty: it is no certificate.
+/// As it was given; empty: it is no certificate of ours.
 std::string name_in(const std::string& certificate);
 
 /// The name as permissions have to name it.
@@ -60,8 +62,11 @@ std::expected<void, std::string> check_key(const std::string& certificate, const
 std::expected<std::string, std::string> check_document(const std::string& document,
                                                        const std::string& authority);
 
+/// @errors  half a sentence: it is no list, or somebody else's, or out of date
+std::expected<void, std::string> check_list(const std::string& list, const std::string& authority);
+
 /// Whether the list holds the certificate.
-/// @errors  half a sentence: it is no list, or somebody else's
+/// @errors  as of `check_list`
 std::expected<bool, std::string> is_withdrawn(const std::string& list, const std::string& certificate,
                                               const std::string& authority);
 

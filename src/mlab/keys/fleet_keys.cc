@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kAuthorityDays = 3650;
 constexpr int kIdentityDays = 730;
-constexpr std::size_t kLongestName = 40;
+constexpr std::size_t kLongestName = 64;
 constexpr const char* kAuthorityKeyFile = "authority.key";
 constexpr const char* kEnding = ".crt";
 
@@ -67,6 +67,11 @@ bool FleetKeys::are_there(const fs::path& folder) {
 }
 
 std::expected<FleetKeys, std::string> FleetKeys::open(const fs::path& folder, const std::string& fleet) {
+  std::error_code failure;
+  if (!are_there(folder) && fs::exists(folder / kOwnIdentity, failure))
+    return std::unexpected(fmt::format(
+        "`{}` holds an identity that was made on another machine: the fleet's keys are there, and not here",
+        text::shown((folder / kOwnIdentity).string(), 1000)));
   FleetKeys out(folder, fleet);
   for (const fs::path& one :
        {folder, out.authority(), out.authority() / "issued", out.authority() / "withdrawn"}) {
@@ -74,7 +79,6 @@ std::expected<FleetKeys, std::string> FleetKeys::open(const fs::path& folder, co
   }
   const auto known = are_there(folder) ? out.read_authority() : out.make_authority();
   if (!known) return std::unexpected(known.error());
-  std::error_code failure;
   if (!fs::exists(out.withdrawn_file(), failure)) {
     if (const auto written = out.write_list(); !written) return std::unexpected(written.error());
   }

@@ -15,7 +15,7 @@ namespace mlab::keys {
 /// that an identity is put into on another machine.
 inline constexpr const char* kOwnIdentity = "own";
 
-/// What may be the name of an identity: 1 to 40 letters, digits, `-`, `_` and `.`, and no dot in front.
+/// What may be the name of an identity: 1 to 64 letters, digits, `-`, `_` and `.`, and no dot in front.
 bool is_identity_name(std::string_view name);
 
 /// The authority of a fleet, and all identities that it has made. In its folder:
@@ -30,7 +30,8 @@ class FleetKeys {
  public:
   /// Makes the authority where there is none, and the folder.
   /// @param folder  of the fleet's keys
-  /// @errors  a sentence: what can't be read or written; an authority of which a part is missing
+  /// @errors  a sentence: what can't be read or written; an authority of which a part is missing; an own
+  ///          identity that was made elsewhere
   static std::expected<FleetKeys, std::string> open(const std::filesystem::path& folder,
                                                     const std::string& fleet);
 

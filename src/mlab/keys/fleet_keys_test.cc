@@ -73,7 +73,21 @@ TEST(FleetKeys, RefuseNamesThatAreTakenUnknownOrNone) {
   EXPECT_EQ(keys.withdraw("south").error(), "the fleet `alpha` has no identity `south`: there is `north`");
   for (const char* name : {"", ".", "..", "a/b", "authority", "a b", "<a>", "a,CN=b", "a@b"})
     EXPECT_FALSE(keys.add(name)) << name;
-  EXPECT_FALSE(keys.add(std::string(41, 'a')));
+  EXPECT_FALSE(keys.add(std::string(65, 'a')));
+}
+
+TEST(FleetKeys, AreMadeForTheLongestNames) {
+  const TemporaryFolder temporary;
+  const std::string fleet(64, 'f');
+  const auto made = FleetKeys::open(temporary.path(), fleet).value().add(std::string(64, 'n'));
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_EQ(check_identity(*made, fleet).value().name, std::string(64, 'n'));
+}
+
+TEST(FleetKeys, AreNotMadeBesideAnIdentityThatWasBrought) {
+  const TemporaryFolder temporary;
+  fs::create_directories(temporary.path() / "alpha" / kOwnIdentity);
+  EXPECT_TRUE(FleetKeys::open(temporary.path() / "alpha", "alpha").error().contains("on another machine"));
 }
 
 TEST(FleetKeys, AreNotMadeAnewWhereAPartIsMissing) {

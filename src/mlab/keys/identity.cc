@@ -86,8 +86,8 @@ std::expected<Identity, std::string> check_identity(const fs::path& folder, cons
 bool WithdrawalWatch::has_changed() {
   if (folder_.empty()) return false;
   auto now = read_file(folder_ / kWithdrawnFile);
-  // While it is being replaced it may be missing.
-  if (!now || *now == seen_) return false;
+  const auto authority = read_file(folder_ / kAuthorityFile);
+  if (!now || !authority || *now == seen_ || !check_list(*now, *authority)) return false;
   seen_ = std::move(*now);
   return true;
 }

@@ -41,13 +41,14 @@ struct Identity {
 std::expected<Identity, std::string> check_identity(const std::filesystem::path& folder,
                                                     const std::string& fleet);
 
-/// Notices that the list of those who were withdrawn is another one.
+/// Notices that the list of those who were withdrawn is another one. One that the authority has not signed,
+/// or not yet whole, is none.
 class WithdrawalWatch {
  public:
   /// @param folder  of an identity; empty: nothing is watched
   explicit WithdrawalWatch(std::filesystem::path folder) : folder_(std::move(folder)) { has_changed(); }
 
-  /// Whether it has changed since the last call, or the begin. Reads a file of some hundred bytes.
+  /// Whether it has changed since the last call, or the begin. Reads two small files.
   bool has_changed();
 
  private:

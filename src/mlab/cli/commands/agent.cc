@@ -1,4 +1,5 @@
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include "mlab/cli/permission.h"
 #include "mlab/cli/places.h"
 #include "mlab/cli/version.h"
+#include "mlab/keys/identity.h"
 
 namespace mlab::cli {
 namespace {
@@ -72,44 +74,89 @@ class LastSeen {
   double next_ = 0.0;
 };
 
+// How others reach it, and who they may be.
+std::string reach_of(const NetworkOptions& network) {
+  if (network.interface_name.empty()) return "which nothing outside of this machine can reach";
+  return fmt::format("reachable over {}{}", network.interface_name,
+                     network.is_secure ? " by those who have a key of the fleet" : "");
+}
+
+void tell_ready(const agents::AgentSettings& settings, const NetworkOptions& network) {
+  say(fmt::format("agent `{}` of {}fleet `{}`, {}: waits for runs", settings.name,
+                  network.is_secure ? "the secured " : "", settings.network.fleet, reach_of(network)));
+  if (!network.interface_name.empty() && !network.is_secure)
+    fmt::print(stderr, "mlab agent: warning: whoever reaches this network can have robots computed here\n");
+}
+
+/// Ends what an agent does when it is interrupted, or when somebody was withdrawn from its fleet: who has
+/// joined knows only of those who were withdrawn before.
+class Watch {
+ public:
+  Watch(LastSeen& last_seen, keys::WithdrawalWatch& withdrawals)
+      : last_seen_(last_seen), withdrawals_(withdrawals), thread_([this](const std::stop_token& over) {
+          while (!over.stop_requested() && !is_over())
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          stop_.request_stop();
+        }) {}
+
+  std::stop_token token() const { return stop_.get_token(); }
+  /// The name is this agent's.
+  void joined() { is_ready_ = true; }
+
+ private:
+  static constexpr double kApart = 1.0;  // [s]
+
+  bool is_over() {
+    if (is_ready_) last_seen_.note();
+    const double now = steady_seconds();
+    if (was_interrupted() || now < next_) return was_interrupted();
+    next_ = now + kApart;
+    return withdrawals_.has_changed();
+  }
+
+  LastSeen& last_seen_;
+  keys::WithdrawalWatch& withdrawals_;
+  std::stop_source stop_;
+  std::atomic<bool> is_ready_ = false;
+  double next_ = 0.0;
+  std::jthread thread_;
+};
+
+agents::AgentSettings settings_of(const AgentOptions& options) {
+  agents::AgentSettings out;
+  out.name = options.name.empty() ? agents::machine_name() : options.name;
+  out.sources = program_sources("", permission_to_carry(options));
+  out.sources.limits = options.limits;
+  out.stop_file = kept_file(fleet_of(options.network.fleet), out.name, "stop");
+  out.tell = say;
+  return out;
+}
+
 }  // namespace
 
 int agent(const AgentOptions& options) {
-  agents::AgentSettings settings;
-  settings.network = network_of(options.network);
-  settings.name = options.name.empty() ? agents::machine_name() : options.name;
-  settings.sources = program_sources("", permission_to_carry(options));
-  settings.sources.limits = options.limits;
-  settings.stop_file = kept_file(settings.network.fleet, settings.name, "stop");
-  settings.tell = say;
-  settings.tell_ready = [&] {
-    say(fmt::format("agent `{}` of fleet `{}`, {}: waits for runs", settings.name, settings.network.fleet,
-                    options.network.interface_name.empty()
-                        ? "which nothing outside of this machine can reach"
-                        : fmt::format("reachable over {}", options.network.interface_name)));
-    if (!options.network.interface_name.empty())
-      fmt::print(stderr, "mlab agent: warning: whoever reaches this network can have robots computed here\n");
-  };
+  agents::AgentSettings settings = settings_of(options);
   note_interrupts();
-  std::stop_source stop;
-  LastSeen last_seen(kept_file(settings.network.fleet, settings.name, "seen"));
-  std::atomic<bool> is_ready = false;
-  const auto tell_ready = settings.tell_ready;
-  settings.tell_ready = [&] {
-    tell_ready();
-    last_seen.tell_gap();
-    is_ready = true;  // the name is this one's
-  };
-  const std::jthread watch([&](const std::stop_token& over) {
-    while (!over.stop_requested() && !was_interrupted()) {
-      if (is_ready) last_seen.note();
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  LastSeen last_seen(kept_file(fleet_of(options.network.fleet), settings.name, "seen"));
+  keys::WithdrawalWatch withdrawals(identity_folder(options.network));
+  for (bool is_first = true; !was_interrupted(); is_first = false) {
+    if (!is_first) say("somebody was withdrawn from the fleet: joins it anew");
+    const auto network = network_of(options.network);
+    if (!network) {
+      fmt::print(stderr, "mlab agent: {}\n", network.error());
+      return kBadInput;
     }
-    stop.request_stop();
-  });
-  if (const auto problem = agents::serve_as_agent(settings, stop.get_token())) {
-    fmt::print(stderr, "mlab agent: {}\n", *problem);
-    return kBadInput;
+    settings.network = *network;
+    Watch watch(last_seen, withdrawals);
+    settings.tell_ready = [&] {
+      tell_ready(settings, options.network);
+      if (is_first) last_seen.tell_gap();
+      watch.joined();
+    };
+    if (const auto problem = agents::serve_as_agent(settings, watch.token())) {
+      fmt::print(stderr, "mlab agent: {}\n", *problem);
+      return kBadInput;
+    }
   }
   say("has left the fleet");
   last_seen.end();

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cstdio>
+#include <expected>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,6 +19,7 @@
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/terminal.h"
+#include "mlab/keys/identity.h"
 
 namespace mlab::cli {
 namespace {
@@ -160,23 +163,37 @@ void pass(std::chrono::milliseconds time) {
   while (!was_interrupted() && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
+std::expected<std::shared_ptr<agents::Roster>, std::string> join(const FleetOptions& options) {
+  const auto network = network_of(options.network);
+  if (!network) return std::unexpected(network.error());
+  return agents::Roster::join(*network);
+}
+
+int tell_problem(const std::string& problem) {
+  fmt::print(stderr, "mlab fleet: {}\n", problem);
+  return kBadInput;
+}
+
 }  // namespace
 
 int show_fleet(const FleetOptions& options) {
-  const dds::Network network = network_of(options.network);
-  const auto roster = agents::Roster::join(network);
-  if (!roster) {
-    fmt::print(stderr, "mlab fleet: {}\n", roster.error());
-    return kBadInput;
-  }
+  keys::WithdrawalWatch withdrawals(identity_folder(options.network));
+  auto roster = join(options);
+  if (!roster) return tell_problem(roster.error());
   note_interrupts();
   if (options.stop || options.release) return switch_stop(options, *roster);
   const bool is_live = ::isatty(STDOUT_FILENO) == 1 && !options.once && !options.json;
   wait_for_agents(**roster);
   pass(kOthers);  // who has been found first is hardly alone
   for (;;) {
+    if (withdrawals.has_changed()) {
+      *roster = nullptr;  // who was withdrawn hears nothing from here on
+      roster = join(options);
+      if (!roster) return tell_problem(roster.error());
+      wait_for_agents(**roster);
+    }
     const std::vector<Member> members = (*roster)->members();
-    const std::string& fleet = network.fleet;
+    const std::string& fleet = (*roster)->fleet();
     const std::string text = options.json ? json_of(fleet, members) : table_of(fleet, members);
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
     if (!is_live || !is_read || was_interrupted()) return kDone;

@@ -1,0 +1,80 @@
+// `mlab keys`: who belongs to a secured fleet.
+
+#include <algorithm>
+#include <cstdio>
+#include <expected>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/commands.h"
+#include "mlab/cli/fleet_network.h"
+#include "mlab/dds/network.h"
+#include "mlab/keys/fleet_keys.h"
+#include "mlab/keys/identity.h"
+
+namespace mlab::cli {
+namespace {
+
+int refuse(const std::string& problem) {
+  fmt::print(stderr, "mlab keys: {}\n", problem);
+  return kBadInput;
+}
+
+int show(const keys::FleetKeys& keys, const std::string& fleet, const std::string& folder) {
+  std::string names;
+  for (const std::string& one : keys.names()) names += fmt::format("{}`{}`", names.empty() ? "" : ", ", one);
+  fmt::print(
+      "The keys of the fleet `{0}` are in {1}\n"
+      "  authority/  makes members: whoever has it has the fleet. It stays here; keep a copy in a safe place\n"
+      "  own/        this machine's identity, which --secure uses\n"
+      "Members: {2}\n"
+      "`mlab keys {0} --add NAME` makes the identity of another machine.\n",
+      fleet, folder, names);
+  return kDone;
+}
+
+int add(keys::FleetKeys& keys, const std::string& fleet, const std::string& name) {
+  const auto folder = keys.add(name);
+  if (!folder) return refuse(folder.error());
+  fmt::print(
+      "The identity `{0}` of the fleet `{1}` is in {2}\n"
+      "Move that folder to its machine, as ~/.local/state/mlab/keys/{1}/{3}, by a way that nobody reads along.\n"
+      "There `mlab agent --fleet {1} --secure` uses it; in another place, `--secure FOLDER`.\n",
+      name, fleet, folder->string(), keys::kOwnIdentity);
+  return kDone;
+}
+
+int withdraw(keys::FleetKeys& keys, const std::string& fleet, const std::string& name) {
+  if (const auto done = keys.withdraw(name); !done) return refuse(done.error());
+  fmt::print(
+      "`{}` belongs to the fleet `{}` no more. Machines know that by {}\n"
+      "Copy that file into the identity's folder of each other machine. Agents there take it over within 5 s.\n",
+      name, fleet, keys.withdrawn_file().string());
+  return kDone;
+}
+
+}  // namespace
+
+int keys(const KeysOptions& options) {
+  const std::string fleet = fleet_of(options.fleet);
+  if (const auto usable = dds::configuration_of({.fleet = fleet, .interface_name = {}, .peers = {}}); !usable)
+    return refuse(usable.error());
+  if (fleet.find_first_not_of('.') == std::string::npos)
+    return refuse(fmt::format("the fleet's name `{}` can't be that of a folder", fleet));
+  const std::string folder = keys_folder(fleet);
+  if (folder.empty()) return refuse("there is no folder for keys: neither XDG_STATE_HOME nor HOME is set");
+  const bool are_new = !keys::FleetKeys::are_there(folder);
+  if (are_new && !options.withdraw.empty())
+    return refuse(fmt::format("there are no keys of the fleet `{}` in {}", fleet, folder));
+  auto keys = keys::FleetKeys::open(folder, fleet);
+  if (!keys) return refuse(keys.error());
+  if (!options.withdraw.empty()) return withdraw(*keys, fleet, options.withdraw);
+  // Only at first: an own one that was withdrawn does not come back by itself.
+  if (are_new) {
+    if (const auto own = keys->add(keys::kOwnIdentity); !own) return refuse(own.error());
+  }
+  return options.add.empty() ? show(*keys, fleet, folder) : add(*keys, fleet, options.add);
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,45 @@
+#include "mlab/cli/fleet_network.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/places.h"
+#include "mlab/keys/fleet_keys.h"
+#include "mlab/keys/identity.h"
+
+namespace mlab::cli {
+
+std::string keys_folder(const std::string& fleet) {
+  const std::string folder = state_folder();
+  return folder.empty() ? "" : fmt::format("{}/keys/{}", folder, fleet);
+}
+
+std::string identity_folder(const NetworkOptions& options) {
+  if (!options.is_secure || !options.identity.empty()) return options.identity;
+  const std::string folder = keys_folder(fleet_of(options.fleet));
+  return folder.empty() ? "" : fmt::format("{}/{}", folder, keys::kOwnIdentity);
+}
+
+std::expected<dds::Network, std::string> network_of(const NetworkOptions& options) {
+  dds::Network out{.fleet = fleet_of(options.fleet),
+                   .interface_name = options.interface_name,
+                   .peers = options.peers};
+  if (!options.is_secure) return out;
+  const std::string folder = identity_folder(options);
+  std::error_code failure;
+  if (folder.empty())
+    return std::unexpected("--secure: there is no folder for keys, since HOME is not set: --secure FOLDER names one");
+  if (!std::filesystem::is_directory(folder, failure))
+    return std::unexpected(fmt::format(
+        "--secure: there is no folder `{}`: `mlab keys {}` makes one, or `mlab keys {} --add NAME` on the machine "
+        "that has the fleet's keys",
+        folder, out.fleet, out.fleet));
+  if (const auto identity = keys::check_identity(folder, out.fleet); !identity)
+    return std::unexpected(fmt::format("--secure: {}", identity.error()));
+  out.security = keys::security_in(folder);
+  return out;
+}
+
+}  // namespace mlab::cli

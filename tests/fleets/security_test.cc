@@ -1,0 +1,151 @@
+// Secured fleets: members work together as others do, and nobody else sees them or stops them.
+
+#include "fleets.h"
+
+namespace mlab::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using network::Host;
+using network::Process;
+
+const char* const kKeys = "/tmp/state/mlab/keys/alpha";
+const char* const kOwn = "/tmp/state/mlab/keys/alpha/own";
+
+class SecuredFleet : public Fleets {
+ protected:
+  struct Said {
+    std::string ending;
+    std::string output;
+    std::string errors;
+  };
+  /// The command on a host, until it ends.
+  Said mlab(Host& host, std::vector<std::string> words) {
+    words.insert(words.begin(), MLAB_COMMAND);
+    Process out = host.start(words, {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+    const auto ending = out.wait(kFleetPatience);
+    return {ending ? ending->words() : "none", out.output(), out.errors()};
+  }
+  Said fleet(Host& host, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"fleet", "alpha", "--network", host.address()};
+    words.insert(words.end(), more.begin(), more.end());
+    return mlab(host, words);
+  }
+  void make_keys(Host& host) {
+    const Said made = mlab(host, {"keys", "alpha"});
+    ASSERT_EQ(made.ending, "exit status 0") << made.errors;
+  }
+  /// A new identity, made on one host and brought to another.
+  void bring(const std::string& name, Host& from, Host& to) {
+    const Said made = mlab(from, {"keys", "alpha", "--add", name});
+    ASSERT_EQ(made.ending, "exit status 0") << made.errors;
+    fs::create_directories(to.path(kOwn));
+    for (const fs::directory_entry& one : fs::directory_iterator(from.path(std::string(kKeys) + "/" + name)))
+      fs::copy_file(one.path(), fs::path(to.path(kOwn)) / one.path().filename());
+  }
+  /// What `base` has withdrawn, told to another host.
+  void bring_withdrawals(Host& to) {
+    fs::copy_file(base().path(std::string(kKeys) + "/authority/withdrawn.crl"),
+                  fs::path(to.path(kOwn)) / "withdrawn.crl", fs::copy_options::overwrite_existing);
+  }
+  Process secured_agent(const std::string& host) {
+    Process out = net().host(host).start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", host, "--network",
+                                          net().host(host).address(), "--secure"},
+                                         {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+    EXPECT_TRUE(out.prints("waits for runs", kFleetPatience)) << out.output() << out.errors();
+    return out;
+  }
+  bool sees(Host& host, const std::string& agent) {
+    for (const auto end = network::Clock::now() + kFleetPatience; network::Clock::now() < end;) {
+      if (fleet(host, {"--once", "--secure"}).output.contains(agent)) return true;
+    }
+    return false;
+  }
+  /// A fleet of two agents, with keys of `base`.
+  void make_members(std::uint64_t seed) {
+    make_network(seed);
+    ASSERT_NO_FATAL_FAILURE(make_keys(base()));
+    ASSERT_NO_FATAL_FAILURE(bring("north", base(), net().host("north")));
+    ASSERT_NO_FATAL_FAILURE(bring("south", base(), net().host("south")));
+  }
+};
+
+// What a run tells of itself but for how fast it was.
+Json outcome_in(Json report) {
+  if (report.is_object()) report.erase("performance");
+  return report;
+}
+
+TEST_F(SecuredFleet, GivesTheReportOfTheEmbeddedRunThoughPacketsAreLost) {
+  ASSERT_NO_FATAL_FAILURE(make_members(41));
+  net().set({.loss = 0.05, .delay = 1ms, .jitter = 500us});
+  const Process north = secured_agent("north");
+  const Process south = secured_agent("south");
+  EXPECT_EQ(north.errors(), "") << "nobody else can have robots computed there";
+  const std::string errand = base::source_folder() + "/tests/fleets/errand/errand.mdl";
+  Process far = run(errand, {"--secure", kOwn});
+  const auto ending = far.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << far.output() << far.errors();
+  EXPECT_EQ(ending->words(), "exit status 0") << far.output() << far.errors();
+  const Said embedded = mlab(base(), {"run", errand, "--headless", "--proceed", "--quiet", "--threads", "1",
+                                      "--report", "/tmp/embedded.json"});
+  ASSERT_EQ(embedded.ending, "exit status 0") << embedded.errors;
+  const Json expected = outcome_in(report_in(base().path("/tmp/embedded.json")));
+  EXPECT_TRUE(expected.is_object());
+  EXPECT_EQ(expected.dump(2), outcome_in(report()).dump(2));
+}
+
+TEST_F(SecuredFleet, IsNeitherSeenNorStoppedByStrangers) {
+  make_network(42);
+  Host& north_host = net().host("north");
+  Host& stranger = net().host("south");
+  ASSERT_NO_FATAL_FAILURE(make_keys(base()));
+  ASSERT_NO_FATAL_FAILURE(bring("north", base(), north_host));
+  ASSERT_NO_FATAL_FAILURE(make_keys(stranger));  // of the same fleet's name, by another authority
+  const Process north = secured_agent("north");
+  ASSERT_TRUE(sees(base(), "north"));
+  for (const std::vector<std::string>& secure : {std::vector<std::string>{}, {"--secure"}}) {
+    std::vector<std::string> words = secure;
+    words.emplace_back("--once");
+    const Said looked = fleet(stranger, words);
+    EXPECT_TRUE(looked.output.contains("nobody is there")) << looked.output << looked.errors;
+    words.back() = "--stop";
+    const Said stopped = fleet(stranger, words);
+    EXPECT_EQ(stopped.ending, "exit status 1") << stopped.output;
+    EXPECT_TRUE(stopped.errors.contains("nobody is there in the fleet `alpha`")) << stopped.errors;
+  }
+  EXPECT_FALSE(fleet(base(), {"--once", "--secure"}).output.contains("STOPPED"));
+  EXPECT_FALSE(north.output().contains("EMERGENCY STOP")) << north.output();
+  EXPECT_EQ(fleet(base(), {"--stop", "--secure"}).ending, "exit status 0") << "members can stop it";
+  EXPECT_TRUE(north.prints("EMERGENCY STOP by base", kFleetPatience)) << north.output();
+}
+
+TEST_F(SecuredFleet, RefusesAMemberThatWasWithdrawn) {
+  ASSERT_NO_FATAL_FAILURE(make_members(43));
+  Host& south = net().host("south");
+  const Process north = secured_agent("north");
+  ASSERT_TRUE(sees(south, "north"));
+  const Said withdrawn = mlab(base(), {"keys", "alpha", "--withdraw", "south"});
+  ASSERT_EQ(withdrawn.ending, "exit status 0") << withdrawn.errors;
+  bring_withdrawals(net().host("north"));
+  EXPECT_TRUE(north.prints("somebody was withdrawn from the fleet: joins it anew", kFleetPatience))
+      << north.output() << north.errors();
+  EXPECT_TRUE(sees(base(), "north")) << "it is back";
+  const Said looked = fleet(south, {"--once", "--secure"});
+  EXPECT_TRUE(looked.output.contains("nobody is there")) << looked.output << looked.errors;
+  bring_withdrawals(south);
+  const Said told = fleet(south, {"--once", "--secure"});
+  EXPECT_EQ(told.ending, "exit status 2");
+  EXPECT_TRUE(told.errors.contains("was withdrawn: it takes part no more")) << told.errors;
+}
+
+TEST_F(SecuredFleet, IsNotJoinedWithoutAnIdentity) {
+  make_network(44);
+  const Said joined = mlab(base(), {"agent", "--fleet", "alpha", "--secure"});
+  EXPECT_EQ(joined.ending, "exit status 2");
+  EXPECT_TRUE(joined.errors.contains("there is no folder `/tmp/state/mlab/keys/alpha/own`: `mlab keys alpha`"))
+      << joined.errors;
+}
+
+}  // namespace
+}  // namespace mlab::testing
