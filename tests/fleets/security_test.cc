@@ -49,8 +49,8 @@ class SecuredFleet : public Fleets {
                   fs::path(to.path(kOwn)) / "withdrawn.crl", fs::copy_options::overwrite_existing);
   }
   Process secured_agent(const std::string& host) {
-    Process out = net().host(host).start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", host, "--network",
-                                          net().host(host).address(), "--secure"},
+    Process out = net().host(host).start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", host,
+                                          "--network", net().host(host).address(), "--secure"},
                                          {.environment = {{"XDG_STATE_HOME", kAgentState}}});
     EXPECT_TRUE(out.prints("waits for runs", kFleetPatience)) << out.output() << out.errors();
     return out;
@@ -143,7 +143,8 @@ TEST_F(SecuredFleet, IsNotJoinedWithoutAnIdentity) {
   make_network(44);
   const Said joined = mlab(base(), {"agent", "--fleet", "alpha", "--secure"});
   EXPECT_EQ(joined.ending, "exit status 2");
-  EXPECT_TRUE(joined.errors.contains("there is no folder `/tmp/state/mlab/keys/alpha/own`: `mlab keys alpha`"))
+  EXPECT_TRUE(
+      joined.errors.contains("there is no folder `/tmp/state/mlab/keys/alpha/own`: `mlab keys alpha`"))
       << joined.errors;
 }
 

@@ -23,19 +23,20 @@ std::string identity_folder(const NetworkOptions& options) {
 }
 
 std::expected<dds::Network, std::string> network_of(const NetworkOptions& options) {
-  dds::Network out{.fleet = fleet_of(options.fleet),
-                   .interface_name = options.interface_name,
-                   .peers = options.peers};
+  dds::Network out{
+      .fleet = fleet_of(options.fleet), .interface_name = options.interface_name, .peers = options.peers};
   if (!options.is_secure) return out;
   const std::string folder = identity_folder(options);
   std::error_code failure;
   if (folder.empty())
-    return std::unexpected("--secure: there is no folder for keys, since HOME is not set: --secure FOLDER names one");
+    return std::unexpected(
+        "--secure: there is no folder for keys, since HOME is not set: --secure FOLDER names one");
   if (!std::filesystem::is_directory(folder, failure))
-    return std::unexpected(fmt::format(
-        "--secure: there is no folder `{}`: `mlab keys {}` makes one, or `mlab keys {} --add NAME` on the machine "
-        "that has the fleet's keys",
-        folder, out.fleet, out.fleet));
+    return std::unexpected(
+        fmt::format("--secure: there is no folder `{}`: `mlab keys {}` makes one, or `mlab keys {} --add "
+                    "NAME` on the machine "
+                    "that has the fleet's keys",
+                    folder, out.fleet, out.fleet));
   if (const auto identity = keys::check_identity(folder, out.fleet); !identity)
     return std::unexpected(fmt::format("--secure: {}", identity.error()));
   out.security = keys::security_in(folder);

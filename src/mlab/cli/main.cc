@@ -312,13 +312,14 @@ void add_fleet(CLI::App& app, FleetOptions& o) {
 }
 
 void add_keys(CLI::App& app, KeysOptions& o) {
-  CLI::App* c = app.add_subcommand(
-      "keys",
-      "Make the keys of a secured fleet where there are none, and say where they are. Members take part with\n"
-      "--secure (docs/robots_of_their_own.md).");
+  CLI::App* c = app.add_subcommand("keys",
+                                   "Make the keys of a secured fleet where there are none, and say where "
+                                   "they are. Members take part with\n"
+                                   "--secure (docs/robots_of_their_own.md).");
   c->add_option("fleet", o.fleet, "the fleet")->default_str("default")->type_name("NAME");
   auto* const added =
-      c->add_option("--add", o.add, "make the identity of another machine, to be brought there; own: this one's")
+      c->add_option("--add", o.add,
+                    "make the identity of another machine, to be brought there; own: this one's")
           ->type_name("NAME");
   c->add_option("--withdraw", o.withdraw, "that identity belongs to the fleet no more")
       ->excludes(added)

@@ -304,11 +304,10 @@ std::expected<std::string, std::string> check_document(const std::string& docume
   X509_STORE_add_cert(store.get(), issuer.get());
   // Nobody else's certificate counts, whatever stands in the document.
   const std::unique_ptr<STACK_OF(X509), void (*)(STACK_OF(X509)*)> only(
-      sk_X509_new_null(), [](STACK_OF(X509)* stack) { sk_X509_free(stack); });
+      sk_X509_new_null(), [](STACK_OF(X509) * stack) { sk_X509_free(stack); });
   sk_X509_push(only.get(), issuer.get());
   const int how = PKCS7_TEXT | PKCS7_NOVERIFY | PKCS7_NOINTERN;
-  const bool is_good =
-      PKCS7_verify(read.get(), only.get(), store.get(), content.get(), text.get(), how) == 1;
+  const bool is_good = PKCS7_verify(read.get(), only.get(), store.get(), content.get(), text.get(), how) == 1;
   ERR_clear_error();
   if (!is_good) return std::unexpected("was not signed by this authority, or was changed since");
   return text_in(text.get());

@@ -13,8 +13,7 @@ namespace {
 
 /// All that Cyclone can name: a participant is a domain of its own in its process, whose number means nothing
 /// outside. What keeps fleets apart is their authority, and the partition.
-constexpr const char* kAllDomains =
-    "<domains><id_range><min>0</min><max>230</max></id_range></domains>";
+constexpr const char* kAllDomains = "<domains><id_range><min>0</min><max>230</max></id_range></domains>";
 
 /// UTC, as XML has it.
 std::string time_of(std::int64_t seconds) {

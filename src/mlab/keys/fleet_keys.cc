@@ -110,8 +110,7 @@ std::expected<void, std::string> FleetKeys::read_authority() {
     *text = std::move(*read);
   }
   const auto complaint = [&](const char* file, const std::string& what) {
-    return std::unexpected(
-        fmt::format("`{}` {}", text::shown((authority() / file).string(), 1000), what));
+    return std::unexpected(fmt::format("`{}` {}", text::shown((authority() / file).string(), 1000), what));
   };
   if (const auto good = check_certificate(authority_.certificate, authority_.certificate); !good)
     return complaint(kAuthorityFile, good.error());
@@ -128,9 +127,9 @@ std::expected<fs::path, std::string> FleetKeys::add(const std::string& name) {
                     text::shown(name), kLongestName));
   std::error_code failure;
   if (fs::exists(issued(name), failure))
-    return std::unexpected(fmt::format(
-        "the fleet `{}` has an identity `{}` already: --withdraw {} makes place for another", fleet_, name,
-        name));
+    return std::unexpected(
+        fmt::format("the fleet `{}` has an identity `{}` already: --withdraw {} makes place for another",
+                    fleet_, name, name));
   const Validity validity = valid_for_days(kIdentityDays);
   const auto pair = make_identity(authority_, certified_name(name, fleet_), validity);
   if (!pair) return std::unexpected(pair.error());
@@ -164,8 +163,7 @@ std::expected<void, std::string> FleetKeys::withdraw(const std::string& name) {
                                        text::shown(name), known.empty() ? "none" : known));
   }
   fs::rename(issued(name), free_place(authority() / "withdrawn", name), failure);
-  if (failure)
-    return std::unexpected(fmt::format("`{}` can't be withdrawn: {}", name, failure.message()));
+  if (failure) return std::unexpected(fmt::format("`{}` can't be withdrawn: {}", name, failure.message()));
   const auto written = write_list();
   fs::remove_all(folder_ / name, failure);
   return written;

@@ -32,8 +32,8 @@ TEST(FleetKeys, CanBeReadByNobodyElse) {
   const TemporaryFolder temporary;
   ASSERT_TRUE(opened(temporary.path() / "alpha").add("north"));
   for (const fs::directory_entry& one : fs::recursive_directory_iterator(temporary.path() / "alpha"))
-    EXPECT_EQ(one.status().permissions(), one.is_directory() ? fs::perms::owner_all
-                                                             : fs::perms::owner_read | fs::perms::owner_write)
+    EXPECT_EQ(one.status().permissions(),
+              one.is_directory() ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write)
         << one.path();
 }
 

@@ -17,7 +17,7 @@ inline constexpr const char* kCertificateFile = "identity.crt";     ///< PEM
 inline constexpr const char* kKeyFile = "identity.key";             ///< PEM, secret: mode 0600
 inline constexpr const char* kGovernanceFile = "governance.p7s";    ///< S/MIME: what is protected
 inline constexpr const char* kPermissionsFile = "permissions.p7s";  ///< S/MIME: what the identity may do
-inline constexpr const char* kWithdrawnFile = "withdrawn.crl";      ///< PEM: who doesn't belong to it any more
+inline constexpr const char* kWithdrawnFile = "withdrawn.crl";  ///< PEM: who doesn't belong to it any more
 
 /// The same for a participant of the fleet, which reads them when it is opened.
 dds::Security security_in(const std::filesystem::path& folder);
@@ -36,7 +36,8 @@ struct Identity {
 /// Looks whether an identity can be used now.
 /// @param folder  its files
 /// @param fleet   whose it has to be
-/// @errors  a sentence for a person: a file that is missing, somebody else's, out of date, readable by others;
+/// @errors  a sentence for a person: a file that is missing, somebody else's, out of date, readable by
+/// others;
 ///          another fleet's; withdrawn
 std::expected<Identity, std::string> check_identity(const std::filesystem::path& folder,
                                                     const std::string& fleet);

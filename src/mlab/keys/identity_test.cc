@@ -49,9 +49,10 @@ TEST_F(IdentityFolder, OfAnotherFleetIsRefused) {
 }
 
 TEST_F(IdentityFolder, IsRefusedWhereAFileIsMissingEmptyOrSomethingElse) {
-  for (const char* file : {kAuthorityFile, kCertificateFile, kKeyFile, kGovernanceFile, kPermissionsFile,
-                           kWithdrawnFile}) {
-    const fs::path north = add(fs::path(file).extension().string().substr(1) + fs::path(file).stem().string());
+  for (const char* file :
+       {kAuthorityFile, kCertificateFile, kKeyFile, kGovernanceFile, kPermissionsFile, kWithdrawnFile}) {
+    const fs::path north =
+        add(fs::path(file).extension().string().substr(1) + fs::path(file).stem().string());
     const std::string was = read_file(north / file).value();
     fs::remove(north / file);
     EXPECT_TRUE(complains(problem(north), file, "is missing")) << problem(north);
@@ -68,7 +69,8 @@ TEST_F(IdentityFolder, IsRefusedWhereAFileIsMissingEmptyOrSomethingElse) {
 TEST_F(IdentityFolder, IsRefusedWhereAFileIsAnotherAuthoritys) {
   const fs::path strange = add("north", "beta");
   for (const char* file : {kCertificateFile, kGovernanceFile, kPermissionsFile, kWithdrawnFile, kKeyFile}) {
-    const fs::path north = add(fs::path(file).extension().string().substr(1) + fs::path(file).stem().string());
+    const fs::path north =
+        add(fs::path(file).extension().string().substr(1) + fs::path(file).stem().string());
     fs::copy_file(strange / file, north / file, fs::copy_options::overwrite_existing);
     EXPECT_TRUE(problem(north).contains(file)) << problem(north);
   }

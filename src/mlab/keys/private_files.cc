@@ -47,8 +47,7 @@ std::expected<void, std::string> make_private_folder(const fs::path& folder) {
   fs::create_directories(folder, failure);
   if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
   if (!failure) return {};
-  return std::unexpected(
-      fmt::format("the folder `{}` can't be made: {}", shown(folder), failure.message()));
+  return std::unexpected(fmt::format("the folder `{}` can't be made: {}", shown(folder), failure.message()));
 }
 
 std::expected<void, std::string> write_private(const fs::path& file, const std::string& text) {
@@ -79,14 +78,14 @@ std::expected<std::string, std::string> read_file(const fs::path& file) {
 }
 
 std::expected<void, std::string> check_private(const fs::path& file) {
-  struct stat status {};
+  struct stat status{};
   if (::stat(file.c_str(), &status) != 0)
     return std::unexpected(fmt::format("`{}` can't be looked at: {}", shown(file), reason(errno)));
   if (status.st_uid != ::geteuid() && status.st_uid != 0)
     return std::unexpected(fmt::format("`{}` belongs to somebody else", shown(file)));
   if ((status.st_mode & 077U) == 0) return {};
-  return std::unexpected(fmt::format("`{0}` can be read or changed by others: `chmod 600 {0}` mends that",
-                                     shown(file)));
+  return std::unexpected(
+      fmt::format("`{0}` can be read or changed by others: `chmod 600 {0}` mends that", shown(file)));
 }
 
 }  // namespace mlab::keys

@@ -26,7 +26,8 @@ int show(const keys::FleetKeys& keys, const std::string& fleet, const std::strin
   for (const std::string& one : keys.names()) names += fmt::format("{}`{}`", names.empty() ? "" : ", ", one);
   fmt::print(
       "The keys of the fleet `{0}` are in {1}\n"
-      "  authority/  makes members: whoever has it has the fleet. It stays here; keep a copy in a safe place\n"
+      "  authority/  makes members: whoever has it has the fleet. It stays here; keep a copy in a safe "
+      "place\n"
       "  own/        this machine's identity, which --secure uses\n"
       "Members: {2}\n"
       "`mlab keys {0} --add NAME` makes the identity of another machine.\n",
@@ -39,7 +40,8 @@ int add(keys::FleetKeys& keys, const std::string& fleet, const std::string& name
   if (!folder) return refuse(folder.error());
   fmt::print(
       "The identity `{0}` of the fleet `{1}` is in {2}\n"
-      "Move that folder to its machine, as ~/.local/state/mlab/keys/{1}/{3}, by a way that nobody reads along.\n"
+      "Move that folder to its machine, as ~/.local/state/mlab/keys/{1}/{3}, by a way that nobody reads "
+      "along.\n"
       "There `mlab agent --fleet {1} --secure` uses it; in another place, `--secure FOLDER`.\n",
       name, fleet, folder->string(), keys::kOwnIdentity);
   return kDone;
@@ -49,7 +51,8 @@ int withdraw(keys::FleetKeys& keys, const std::string& fleet, const std::string&
   if (const auto done = keys.withdraw(name); !done) return refuse(done.error());
   fmt::print(
       "`{}` belongs to the fleet `{}` no more. Machines know that by {}\n"
-      "Copy that file into the identity's folder of each other machine. Agents there take it over within 5 s.\n",
+      "Copy that file into the identity's folder of each other machine. Agents there take it over within 5 "
+      "s.\n",
       name, fleet, keys.withdrawn_file().string());
   return kDone;
 }
