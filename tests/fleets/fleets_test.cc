@@ -95,6 +95,22 @@ TEST_F(Fleets, RobotsOfARunThatIsKilledEnd) {
   EXPECT_EQ(ending->words(), "exit status 0") << again.output();
 }
 
+TEST_F(Fleets, TellHowLongTheWayIsAndWhatClocksSay) {
+  make_network(13);
+  const Process north = agent("north");
+  net().set({.delay = 20ms});
+  Process list = base().start({MLAB_COMMAND, "fleet", "alpha", "--json", "--network", base().address()});
+  ASSERT_TRUE(list.wait(kFleetPatience));
+  const Json told = Json::parse(list.output(), nullptr, false);
+  ASSERT_TRUE(told.is_object()) << list.output() << list.errors();
+  ASSERT_EQ(told["agents"].size(), 1U) << told;
+  const Json link = told["agents"][0]["link"];
+  ASSERT_TRUE(link.is_object()) << told;
+  EXPECT_GE(link["round_trip_s"], 0.04);
+  EXPECT_LT(std::abs(link["clock_offset_s"].get<double>()), link["round_trip_s"].get<double>() / 2.0 + 0.001)
+      << "it is the same machine's clock";
+}
+
 TEST_F(Fleets, OfDifferentNamesDontHearEachOther) {
   make_network(11);
   const Process north = agent("north", "alpha");

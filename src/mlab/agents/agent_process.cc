@@ -16,6 +16,7 @@
 
 #include "mlab/agents/conversation.h"
 #include "mlab/agents/dds_live_line.h"
+#include "mlab/agents/echo.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
@@ -46,12 +47,13 @@ std::string counted_robots(std::size_t count) {
 class AgentProcess {
  public:
   AgentProcess(const AgentSettings& settings, std::shared_ptr<Roster> roster, dds::Waiter waiter,
-               dds::Reader requests, dds::Reader stops, dds::Writer presence)
+               dds::Reader requests, dds::Reader stops, EchoAnswerer echoes, dds::Writer presence)
       : settings_(settings),
         roster_(std::move(roster)),
         waiter_(std::move(waiter)),
         requests_(std::move(requests)),
         stops_(std::move(stops)),
+        echoes_(std::move(echoes)),
         presence_(std::move(presence)) {}
 
   void serve(const std::stop_token& stop) {
@@ -68,6 +70,7 @@ class AgentProcess {
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
           std::max<Clock::duration>(next_beat - Clock::now(), std::chrono::milliseconds(1))));
       listen_for_stop();
+      echoes_.answer();
       for (const dds::Arrival& arrival : requests_.take()) take(arrival);
       give_up_the_lost();
       forget_the_ended();
@@ -223,6 +226,7 @@ class AgentProcess {
   dds::Waiter waiter_;
   dds::Reader requests_;
   dds::Reader stops_;
+  EchoAnswerer echoes_;
   dds::Writer presence_;
   StopFile stop_file_{settings_.stop_file};
   StopState stop_ = stop_file_.read();
@@ -260,10 +264,12 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!requests) return requests.error();
   auto stops = participant.reader(kStopTopic, dds::ChannelKind::kEmergencyStop, *waiter);
   if (!stops) return stops.error();
+  auto echoes = EchoAnswerer::open(participant, *waiter, settings.name);
+  if (!echoes) return echoes.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
   AgentProcess process(settings, std::move(*roster), std::move(*waiter), std::move(*requests),
-                       std::move(*stops), std::move(*presence));
+                       std::move(*stops), std::move(*echoes), std::move(*presence));
   if (settings.tell_ready) settings.tell_ready();
   process.serve(stop);
   return std::nullopt;

@@ -17,6 +17,9 @@ inline constexpr std::string_view kPresenceTopic = "agents";  ///< proto/mlab/pr
 inline constexpr std::string_view kStopTopic = "stop";  ///< EmergencyStop of that file, by kStopKey
 inline constexpr std::string_view kStopKey = "fleet";
 
+inline constexpr std::string_view kEchoQuestionTopic = "echo/asked";  ///< EchoQuestion, by asker
+inline constexpr std::string_view kEchoTopic = "echo/answered";       ///< Echo, by agent
+
 /// Of one agent: proto/mlab/agent.proto, by conversation.
 inline std::string requests_topic(std::string_view agent) {
   return "agents/" + std::string(agent) + "/requests";

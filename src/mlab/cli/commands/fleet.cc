@@ -1,9 +1,11 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <expected>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -11,6 +13,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/agents/echo.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/stop_switch.h"
 #include "mlab/cli/commands.h"
@@ -30,6 +33,7 @@ using agents::Member;
 constexpr std::chrono::milliseconds kFirstLook(4000);  // in which somebody is found if somebody is there
 constexpr std::chrono::milliseconds kOthers(1000);
 constexpr std::chrono::milliseconds kBetweenLooks(1000);
+constexpr int kFirstEchoes = 5;  // measurements of links before the first look
 
 double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
@@ -61,23 +65,49 @@ Color color_of(const Member& member) {
                                            : Color::kBad;
 }
 
-std::string table_of(const std::string& fleet, const std::vector<Member>& members) {
+// `1.2 ms`, and what is lost of it.
+std::string link_of(const std::optional<agents::LinkQuality>& link) {
+  if (!link) return "-";
+  return fmt::format("{:.1f} ms{}", link->round_trip * 1000.0,
+                     link->lost > 0.0 ? fmt::format(", {:.0f} % lost", link->lost * 100.0) : "");
+}
+
+// How far an agent's clock is ahead, where that is more than the measurement can be wrong by.
+std::string clock_of(const std::optional<agents::LinkQuality>& link) {
+  if (!link) return "-";
+  const double offset = link->clock_offset;
+  if (std::abs(offset) <= link->round_trip / 2.0 || std::abs(offset) < 0.0005) return "the same";
+  if (std::abs(offset) < 1.0) return fmt::format("{:+.1f} ms", offset * 1000.0);
+  return fmt::format("{}{}", offset < 0.0 ? "-" : "+", age(std::abs(offset)));
+}
+
+std::string table_of(const std::string& fleet, const std::vector<Member>& members,
+                     const agents::EchoProbe& links) {
   if (members.empty())
     return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}` starts an agent\n", fleet);
-  std::string out = fmt::format("{:<16} {:<16} {:<18} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n", "AGENT",
-                                "MACHINE", "STATE", "ROBOTS", "RUNS", "LOAD", "FREE MEMORY", "UP", "VERSION");
+  std::string out = fmt::format("{:<16} {:<16} {:<18} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n",
+                                "AGENT", "MACHINE", "STATE", "ROUND TRIP", "CLOCK", "ROBOTS", "RUNS", "LOAD",
+                                "FREE MEMORY", "UP", "VERSION");
   for (const Member& one : members) {
     const std::string state = fmt::format("{:<18}", state_of(one));
-    out += fmt::format("{:<16} {:<16} {} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n", one.said.name(),
-                       one.said.host(), colored(state, color_of(one)), one.said.robots(), one.said.runs(),
-                       fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
-                       fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
-                       one.said.version());
+    const auto link = one.state == Member::State::kThere ? links.quality(one.said.name()) : std::nullopt;
+    out += fmt::format(
+        "{:<16} {:<16} {} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n", one.said.name(),
+        one.said.host(), colored(state, color_of(one)), link_of(link), clock_of(link), one.said.robots(),
+        one.said.runs(), fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
+        fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()), one.said.version());
   }
   return out;
 }
 
-std::string json_of(const std::string& fleet, const std::vector<Member>& members) {
+nlohmann::json json_of(const std::optional<agents::LinkQuality>& link) {
+  if (!link) return nullptr;
+  return {
+      {"round_trip_s", link->round_trip}, {"clock_offset_s", link->clock_offset}, {"lost_share", link->lost}};
+}
+
+std::string json_of(const std::string& fleet, const std::vector<Member>& members,
+                    const agents::EchoProbe& links) {
   nlohmann::json agents = nlohmann::json::array();
   for (const Member& one : members) {
     constexpr const char* kStates[] = {"there", "silent", "gone"};
@@ -86,6 +116,7 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
                       {"state", kStates[static_cast<std::size_t>(one.state)]},
                       {"is_stopped", one.said.stop().is_engaged()},
                       {"heard_s_ago", seconds_since(one.heard)},
+                      {"link", json_of(links.quality(one.said.name()))},
                       {"robots", one.said.robots()},
                       {"runs", one.said.runs()},
                       {"load", one.said.load()},
@@ -158,15 +189,28 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
   return kFailed;
 }
 
-void pass(std::chrono::milliseconds time) {
-  const Clock::time_point end = Clock::now() + time;
-  while (!was_interrupted() && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-}
+/// The fleet as seen from here.
+struct View {
+  std::shared_ptr<agents::Roster> roster;
+  std::unique_ptr<agents::EchoProbe> links;
+};
 
 std::expected<std::shared_ptr<agents::Roster>, std::string> join(const FleetOptions& options) {
   const auto network = network_of(options.network);
   if (!network) return std::unexpected(network.error());
   return agents::Roster::join(*network);
+}
+
+// With those who are there, and the links to them.
+std::expected<View, std::string> look(const FleetOptions& options) {
+  auto roster = join(options);
+  if (!roster) return std::unexpected(roster.error());
+  auto links = agents::EchoProbe::open(*roster);
+  if (!links) return std::unexpected(links.error());
+  wait_for_agents(**roster);
+  // Who has been found first is hardly alone.
+  for (int i = 0; i < kFirstEchoes && !was_interrupted(); ++i) (*links)->measure(kOthers / kFirstEchoes);
+  return View{std::move(*roster), std::move(*links)};
 }
 
 int tell_problem(const std::string& problem) {
@@ -177,27 +221,26 @@ int tell_problem(const std::string& problem) {
 }  // namespace
 
 int show_fleet(const FleetOptions& options) {
-  keys::WithdrawalWatch withdrawals(identity_folder(options.network));
-  auto roster = join(options);
-  if (!roster) return tell_problem(roster.error());
   note_interrupts();
-  if (options.stop || options.release) return switch_stop(options, *roster);
+  if (options.stop || options.release) {
+    auto roster = join(options);
+    return roster ? switch_stop(options, *roster) : tell_problem(roster.error());
+  }
+  keys::WithdrawalWatch withdrawals(identity_folder(options.network));
+  auto view = look(options);
   const bool is_live = ::isatty(STDOUT_FILENO) == 1 && !options.once && !options.json;
-  wait_for_agents(**roster);
-  pass(kOthers);  // who has been found first is hardly alone
   for (;;) {
-    if (withdrawals.has_changed()) {
-      *roster = nullptr;  // who was withdrawn hears nothing from here on
-      roster = join(options);
-      if (!roster) return tell_problem(roster.error());
-      wait_for_agents(**roster);
-    }
-    const std::vector<Member> members = (*roster)->members();
-    const std::string& fleet = (*roster)->fleet();
-    const std::string text = options.json ? json_of(fleet, members) : table_of(fleet, members);
+    if (!view) return tell_problem(view.error());
+    const std::vector<Member> members = view->roster->members();
+    const std::string& fleet = view->roster->fleet();
+    const std::string text =
+        options.json ? json_of(fleet, members, *view->links) : table_of(fleet, members, *view->links);
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
     if (!is_live || !is_read || was_interrupted()) return kDone;
-    pass(kBetweenLooks);
+    view->links->measure(kBetweenLooks);
+    if (!withdrawals.has_changed()) continue;
+    view = View{};  // who was withdrawn hears nothing from here on
+    view = look(options);
   }
 }
 
