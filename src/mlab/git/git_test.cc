@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 class Repository : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              fmt::format("a repository {}", ::testing::UnitTest::GetInstance()->random_seed() + ::getpid());
+    folder_ = fs::path(::testing::TempDir()) / fmt::format("a repository {}", ::getpid());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     ::setenv("GIT_CONFIG_GLOBAL", "/dev/null", 1);
