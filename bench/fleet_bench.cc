@@ -5,6 +5,8 @@
 //     fleet_bench real-time [ROBOTS] [AGENTS] [SECONDS] [HZ]  from percepts to the action that answers them
 //     fleet_bench stop [ROBOTS] [AGENTS] [PULLS] [LOST_OF_THOUSAND]  from the emergency stop to `stand`
 //     fleet_bench join [AGENTS]                               until all have found each other
+//
+// With --secure as the last word the fleet is a secured one, and all agents have the same identity.
 
 #include <unistd.h>
 
@@ -12,10 +14,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -28,6 +32,8 @@
 #include "mlab/agents/fleet_runner.h"
 #include "mlab/agents/stop_switch.h"
 #include "mlab/cell/testing/permission.h"
+#include "mlab/keys/fleet_keys.h"
+#include "mlab/keys/identity.h"
 #include "mlab/robot/program/robot_values.h"
 #include "mlab/robot/remote/agent.h"
 #include "mlab/robot/remote/states.h"
@@ -49,6 +55,32 @@ constexpr std::uint64_t kSeed = 1;
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
+
+std::string fleet_name() {
+  return "bench-" + std::to_string(::getpid());
+}
+
+/// The keys of a secured fleet, in a folder that goes with this.
+class Keys {
+ public:
+  Keys() {
+    const auto made = keys::FleetKeys::open(folder_, fleet_name());
+    if (!made) give_up(made.error());
+  }
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+  ~Keys() {
+    std::error_code failure;
+    std::filesystem::remove_all(folder_, failure);
+  }
+  dds::Security identity() const { return keys::security_in(folder_ / keys::kOwnIdentity); }
+
+ private:
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("mlab-" + fleet_name());
+};
+
+/// Those that main has made; null: the fleet is not secured.
+const Keys* keys_in_use = nullptr;
 
 robot::ProgramSources sources() {
   robot::ProgramSources out;
@@ -78,10 +110,9 @@ percept::Percepts on_its_way(double time) {
 class Fleet {
  public:
   Fleet(std::size_t agents, int lost_of_thousand)
-      : network_{.fleet = "bench-" + std::to_string(::getpid()),
-                 .interface_name = {},
-                 .peers = {},
-                 .lost_of_thousand = lost_of_thousand} {
+      : network_{
+            .fleet = fleet_name(), .interface_name = {}, .peers = {}, .lost_of_thousand = lost_of_thousand} {
+    if (keys_in_use != nullptr) network_.security = keys_in_use->identity();
     auto roster = agents::Roster::join(network_);
     if (!roster) give_up(roster.error());
     roster_ = std::move(*roster);
@@ -365,7 +396,12 @@ void join(std::size_t agents) {
 }  // namespace mlab
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
+  std::vector<std::string> words(argv + 1, argv + argc);
+  std::optional<mlab::Keys> keys;
+  if (!words.empty() && words.back() == "--secure") {
+    mlab::keys_in_use = &keys.emplace();
+    words.pop_back();
+  }
   const auto number = [&](std::size_t place, double otherwise) {
     return words.size() > place ? std::strtod(words[place].c_str(), nullptr) : otherwise;
   };
@@ -382,7 +418,8 @@ int main(int argc, char** argv) {
   else if (what == "join")
     mlab::join(count(1, 50));
   else {
-    fmt::print(stderr, "fleet_bench lock-step|real-time|stop|join [NUMBERS]: see bench/fleet_bench.cc\n");
+    fmt::print(stderr,
+               "fleet_bench lock-step|real-time|stop|join [NUMBERS] [--secure]: see bench/fleet_bench.cc\n");
     return 2;
   }
   return 0;
