@@ -98,7 +98,9 @@ bool Fence::allows(const binding::Kinematics& kinematics, const percept::Action&
   body.step(action, dt);
   const Point first = body.place();
   if (depth(first) - radius < least) return false;
-  for (int i = 0; i < kMostStepsToStand && body.speed() > kStands; ++i) {
+  for (int i = 0; body.speed() > kStands; ++i) {
+    // Nobody knows where one comes to stand that brakes for longer.
+    if (i == kMostStepsToStand) return false;
     body.step({}, dt);
     if (depth(body.place()) - radius < least) return false;
   }
