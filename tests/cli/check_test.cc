@@ -39,17 +39,20 @@ TEST_F(Command, CheckPrintsTheFailsafesThatAreInForce) {
   write("map.odl", std::string(kMap) + "BOUNDARY Field 0 0 99 0 99 99 0 99\n");
   const std::string rest = "UNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u MOVETO There\n";
   write("mission.mdl",
-        "OVERLAY map.odl\nFAILSAFE OUTSIDE Field REVERSE INSIDE\nFAILSAFE LINK-LOST AFTER 5 RETURN\n" + rest);
+        "OVERLAY map.odl\nFAILSAFE OUTSIDE Field REVERSE INSIDE\nFAILSAFE FOR ROBOT LINK-LOST AFTER 5 "
+        "RETURN\n" +
+            rest);
   const Outcome told = mlab("check --failsafes mission.mdl");
   EXPECT_EQ(told.status, 0) << told.err;
-  EXPECT_EQ(told.out,
-            "mission.mdl: mission, ok\n"
-            "  rank  condition                after   action          stated\n"
-            "  -     emergency stop                   stands          always\n"
-            "  1     OUTSIDE Field                    REVERSE INSIDE  2:1\n"
-            "  2     LINK-LOST                5 s     RETURN          3:1\n"
-            "  -     program fails                    stands          always\n"
-            "  -     LINK-LOST                0.5 s   stands          always, with --real-time\n");
+  EXPECT_EQ(
+      told.out,
+      "mission.mdl: mission, ok\n"
+      "  rank  robots       condition                after   action          stated\n"
+      "  -     all          emergency stop                   stands          always\n"
+      "  1     all          OUTSIDE Field                    REVERSE INSIDE  2:1\n"
+      "  2     ROBOT        LINK-LOST                5 s     RETURN          3:1\n"
+      "  -     all          program fails                    stands          always\n"
+      "  -     all          LINK-LOST                0.5 s   stands          always, with --real-time\n");
   const Json json = Json::parse(mlab("check --failsafes --format json mission.mdl").out);
   EXPECT_EQ(json.at("files").at(0).at("failsafes").at(1).at("action"), "REVERSE INSIDE");
   write("mission.mdl", "OVERLAY map.odl\nFAILSAFE STUCK REVERSE INSIDE\n" + rest);

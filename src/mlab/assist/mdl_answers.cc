@@ -136,8 +136,10 @@ class MdlNames {
       add(NameKind::kPlace, start->name.span, true);
     if (const auto* robot = std::get_if<mdl::statement::NewRobot>(&one.what)) new_robot(*robot);
     if (const auto* unit = std::get_if<mdl::statement::UnitDefinition>(&one.what)) unit_definition(*unit);
-    if (const auto* failsafe = std::get_if<mdl::statement::Failsafe>(&one.what); failsafe && failsafe->fence)
-      place(*failsafe->fence);
+    if (const auto* failsafe = std::get_if<mdl::statement::Failsafe>(&one.what)) {
+      if (failsafe->type) robot_type(*failsafe->type);
+      if (failsafe->fence) place(*failsafe->fence);
+    }
     if (const auto* action = std::get_if<mdl::statement::UnitAction>(&one.what)) unit_action(*action);
   }
 
@@ -187,12 +189,14 @@ class MdlNames {
   void unit_definition(const mdl::statement::UnitDefinition& unit) {
     for (const mdl::Group& group : unit.groups) {
       if (group.name) add(NameKind::kTeam, group.name->span, true);
-      for (const mdl::Name& robot : group.robots) {
-        Name& name = add(NameKind::kRobotType, robot.span);
-        if (const auto* type = world_.type(robot.text))
-          name.target = {source(), bare_name(source(), type->name.span)};
-      }
+      for (const mdl::Name& robot : group.robots) robot_type(robot);
     }
+  }
+
+  void robot_type(const mdl::Name& written) {
+    Name& name = add(NameKind::kRobotType, written.span);
+    if (const auto* type = world_.type(written.text))
+      name.target = {source(), bare_name(source(), type->name.span)};
   }
 
   void unit_action(const mdl::statement::UnitAction& action) {

@@ -176,23 +176,30 @@ class MissionCompleter {
 
   // What may come next in one; false: it is whole.
   bool failsafe() {
-    if (count() == 1) {
-      for (const mission::FailsafeConditionInfo& one : mission::kFailsafeConditions)
-        out_.add(std::string(one.word), "keyword", std::string(one.help));
-      return true;
-    }
     const auto is_written = [&](std::size_t i, std::string_view word) {
       return i < count() && mdl::equal_without_case(source_->text(token(i).span), word);
     };
-    const bool has_fence = is_written(1, mission::info(mission::FailsafeCondition::kOutside).word);
-    if (has_fence && count() == 2) {
+    const bool has_type = is_written(1, "FOR");
+    if (has_type && count() == 2) {
+      robot_types();
+      return true;
+    }
+    const std::size_t begin = has_type ? 3 : 1;  // of the condition
+    if (count() <= begin) {
+      for (const mission::FailsafeConditionInfo& one : mission::kFailsafeConditions)
+        out_.add(std::string(one.word), "keyword", std::string(one.help));
+      if (!has_type) out_.add("FOR", "keyword", "type of robots that it holds for; without, all");
+      return true;
+    }
+    const bool has_fence = is_written(begin, mission::info(mission::FailsafeCondition::kOutside).word);
+    if (has_fence && count() == begin + 1) {
       places(false);
       return true;
     }
     if (is_written(count() - 1, "AFTER")) return true;
-    if (count() > 2 && !has_fence && !is_written(count() - 2, "AFTER")) return false;
-    if (has_fence && count() > 3) return false;
-    if (!has_fence && count() == 2) out_.add("AFTER", "keyword", "seconds for which it has to hold");
+    if (count() > begin + 1 && !has_fence && !is_written(count() - 2, "AFTER")) return false;
+    if (has_fence && count() > begin + 2) return false;
+    if (!has_fence && count() == begin + 1) out_.add("AFTER", "keyword", "seconds for which it has to hold");
     for (const mission::FailsafeActionInfo& one : mission::kFailsafeActions) {
       if (!one.needs_fence || has_fence) out_.add(std::string(one.word), "keyword", std::string(one.help));
     }

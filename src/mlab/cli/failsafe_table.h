@@ -11,6 +11,7 @@ namespace mlab::cli {
 /// A row of what is in force below the programs of a mission's robots.
 struct FailsafeRow {
   std::size_t rank = 0;   ///< of what the mission states, from 1; 0: always in force
+  std::string robots;     ///< name of their type; empty: all
   std::string condition;  ///< `OUTSIDE Field`
   std::string after;      ///< `5 s`; empty: at once
   std::string action;     ///< `RETURN`

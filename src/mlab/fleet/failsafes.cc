@@ -19,6 +19,12 @@ constexpr double kPassingSphere = Situation::kSight;
 constexpr double kMostPush = 2.0;  // against one step towards the goal
 constexpr double kClear = 0.5;     // between its body and what it passes [m]
 
+static_assert(mission::kMostFailsafes <= 16, "Situation::rows has a bit for each");
+
+bool is_own(const Situation& situation, std::size_t row) {
+  return (situation.rows >> row & 1U) != 0;
+}
+
 // It brakes. What it asks for, and what it says of its order, are not motion.
 void stand(percept::Action& action) {
   action.velocity = {};
@@ -61,6 +67,12 @@ Failsafes::Failsafes(std::span<const mission::Failsafe> rows)
   for (const mission::Failsafe& row : rows_) fences_.emplace_back(row.fence);
 }
 
+std::uint16_t Failsafes::rows_of(std::string_view type) const {
+  unsigned out = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) out |= rows_[i].is_of(type) ? 1U << i : 0U;
+  return static_cast<std::uint16_t>(out);
+}
+
 bool Failsafes::holds(std::size_t row, const Situation& situation, const percept::Action& wanted, double dt,
                       FailsafeState& state) const {
   switch (rows_[row].condition) {
@@ -93,6 +105,7 @@ std::optional<std::size_t> Failsafes::newly_met(const Situation& situation, cons
                                                 double dt, FailsafeState& state) const {
   std::optional<std::size_t> out;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!is_own(situation, i)) continue;
     const bool is_true = holds(i, situation, wanted, dt, state);
     const double before = state.held[i];
     state.held[i] = !is_true                                             ? 0.0
@@ -158,7 +171,7 @@ Failsafes::Outcome Failsafes::guard(const Situation& situation, double dt, Fails
   }
   if (state.active != FailsafeState::kNone) act(rows_[state.active], situation, action);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].condition == FailsafeCondition::kOutside &&
+    if (rows_[i].condition == FailsafeCondition::kOutside && is_own(situation, i) &&
         !fences_[i].allows(*situation.kinematics, action, situation.motion, situation.radius, dt))
       stand(action);
   }

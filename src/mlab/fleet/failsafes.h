@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "mlab/binding/body.h"
@@ -17,6 +18,7 @@ namespace mlab::fleet {
 
 /// What of a robot its failsafes look at in a cycle.
 struct Situation {
+  std::uint16_t rows = 0xffff;           ///< those of the table that are the robot's, a bit for each
   static constexpr double kSight = 5.0;  ///< how far a robot that returns has to see [m]
   Motion motion;
   geom::Point home;  ///< where it was started [m, world]
@@ -53,6 +55,8 @@ class Failsafes {
   bool empty() const { return rows_.empty(); }
   const std::vector<mission::Failsafe>& rows() const { return rows_; }
 
+  /// The rows of a type of robots, a bit for each.
+  std::uint16_t rows_of(std::string_view type) const;
   /// Whether the robot finds its way by what it senses.
   bool returns(const FailsafeState& state) const {
     return state.active < rows_.size() && rows_[state.active].action == mission::FailsafeAction::kReturn;

@@ -103,6 +103,18 @@ TEST(Failsafes, OfSeveralTheHighestRankActs) {
   EXPECT_FALSE(robot.step().is_over) << "it goes home all the same";
 }
 
+TEST(Failsafes, OfOtherRobotsAreNotTheirs) {
+  Failsafe of_scouts = row(FailsafeCondition::kInContact, FailsafeAction::kStop);
+  of_scouts.types = {"scout"};
+  Robot robot({of_scouts, row(FailsafeCondition::kInContact, FailsafeAction::kHold)});
+  robot.situation.is_in_contact = true;
+  robot.situation.rows = robot.failsafes.rows_of("ROBOT");
+  EXPECT_EQ(robot.step().triggered, 1U);
+  robot.state = {};
+  robot.situation.rows = robot.failsafes.rows_of("scout");
+  EXPECT_EQ(robot.step().triggered, 0U);
+}
+
 TEST(Failsafes, AreStuckWhereTheyWantToDriveAndCantGetOn) {
   Robot robot({row(FailsafeCondition::kStuck, FailsafeAction::kHold, 2.0)});
   for (int i = 0; i < 100; ++i) EXPECT_FALSE(robot.step(0.0).triggered) << "it does not want to";

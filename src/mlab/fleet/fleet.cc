@@ -49,6 +49,7 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
   poses_.resize(robots_.size());
   bodies_.resize(robots_.size(), binding::kNoBody);
   form_teams(mission);
+  for (FleetRobot& robot : robots_) robot.failsafes = failsafes_.rows_of(robot.type);
 }
 
 /// A team is the outermost unit that a robot belongs to; a robot of no unit is a team of its own.
@@ -284,7 +285,7 @@ void Fleet::collect(FleetRobot& robot, double dt) {
     new_faults_.push_back(robot.id);
     return;
   }
-  if (!failsafes_.empty() && !guard(robot, dt)) return;
+  if (robot.failsafes != 0 && !guard(robot, dt)) return;
   actions_[robot.body.value] = robot.action;
   note_calls(robot);
 }

@@ -69,6 +69,7 @@ struct FleetRobot {
   std::vector<std::uint64_t> notifications;  ///< its inbox, ascending
   std::uint32_t team = 0;                    ///< robots of the same number are one team
   geom::Pose start;
+  std::uint16_t failsafes = 0;  ///< rows of the mission's table that are its own, a bit for each
   FailsafeState failsafe;
   std::string fault;    ///< path of the port that went wrong; empty: none
   std::string failure;  ///< what the process of its program did instead of acting: `ended with exit status 3`

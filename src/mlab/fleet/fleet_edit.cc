@@ -110,9 +110,12 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
 // Where the table is another one nothing has happened yet.
 void Fleet::exchange_failsafes(const mission::Mission& mission) {
   const auto is_same = [](const mission::Failsafe& a, const mission::Failsafe& b) { return a.is_same(b); };
-  if (std::ranges::equal(failsafes_.rows(), mission.failsafes, is_same)) return;
-  failsafes_ = Failsafes(mission.failsafes);
-  for (FleetRobot& robot : robots_) robot.failsafe = {};
+  const bool has_changed = !std::ranges::equal(failsafes_.rows(), mission.failsafes, is_same);
+  if (has_changed) failsafes_ = Failsafes(mission.failsafes);
+  for (FleetRobot& robot : robots_) {
+    robot.failsafes = failsafes_.rows_of(robot.type);
+    if (has_changed) robot.failsafe = {};
+  }
 }
 
 bool Fleet::uses(const std::vector<robot::RobotProgram>& programs) const {

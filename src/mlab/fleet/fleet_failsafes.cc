@@ -13,6 +13,7 @@ Situation Fleet::situation_of(const FleetRobot& robot) const {
   const binding::WorldView& view = binding_.view();
   const binding::BodyState body = view.body(robot.body);
   Situation out;
+  out.rows = robot.failsafes;
   out.motion = {poses_[index_of(robot)], body.velocity, body.turn_rate};
   out.home = robot.start.position;
   out.kinematics = &robot.body_spec.kinematics;

@@ -6,7 +6,9 @@ namespace mlab::mission {
 
 std::string words_of(const Failsafe& failsafe) {
   const FailsafeConditionInfo& condition = info(failsafe.condition);
-  std::string out = fmt::format("FAILSAFE {}", condition.word);
+  std::string out = "FAILSAFE ";
+  if (!failsafe.type_name.empty()) out += fmt::format("FOR {} ", failsafe.type_name);
+  out += condition.word;
   if (condition.has_fence) out += fmt::format(" {}", failsafe.fence_name);
   if (condition.may_last) out += fmt::format(" AFTER {:g}", failsafe.seconds);
   return out + fmt::format(" {}", info(failsafe.action).word);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -90,6 +91,8 @@ inline constexpr std::size_t kMostFailsafes = 16;
 struct Failsafe {
   FailsafeCondition condition = FailsafeCondition::kOutside;
   FailsafeAction action = FailsafeAction::kHold;
+  std::string type_name;           ///< whose it is, as written; empty: of all robots
+  std::vector<std::string> types;  ///< the same, by the names of robot types: a society has several
   double seconds = 0.0;            ///< for how long the condition has to hold [s]
   std::string fence_name;          ///< OUTSIDE: as written
   std::vector<geom::Point> fence;  ///< OUTSIDE: its corners, closed by itself, at least three [m, world]
@@ -98,7 +101,10 @@ struct Failsafe {
   /// They do the same, wherever they stand.
   bool is_same(const Failsafe& other) const {
     return condition == other.condition && action == other.action && seconds == other.seconds &&
-           fence == other.fence;
+           fence == other.fence && types == other.types;
+  }
+  bool is_of(std::string_view type) const {
+    return types.empty() || std::ranges::find(types, type) != types.end();
   }
 };
 

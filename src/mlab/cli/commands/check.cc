@@ -78,6 +78,7 @@ Json checked_json(const Checked& checked) {
   for (const text::Diagnostic& d : checked.sink.items()) out["diagnostics"].push_back(diagnostic_json(d));
   for (const FailsafeRow& row : checked.failsafes) {
     out["failsafes"].push_back({{"rank", row.rank},
+                                {"robots", row.robots.empty() ? Json(nullptr) : Json(row.robots)},
                                 {"condition", row.condition},
                                 {"after", row.after},
                                 {"action", row.action},

@@ -367,5 +367,17 @@ TEST(MdlFailsafes, AreAtTheirRankWithTheFenceOfTheOverlay) {
   EXPECT_EQ(rows[2].place.span.begin, mission->source->text().rfind("FAILSAFE"));
 }
 
+TEST(MdlFailsafes, AreOfTheTypesThatTheyName) {
+  const auto mission = checked(std::string("NEW-ROBOT scout robot\nFAILSAFE FOR Scout STUCK HOLD\n"
+                                           "FAILSAFE FOR ROBOT STUCK HOLD\nFAILSAFE STUCK HOLD\n") +
+                               kQuit);
+  ASSERT_EQ(mission->failsafes.size(), 3U);
+  EXPECT_TRUE(mission->failsafes[0].is_of("scout"));
+  EXPECT_FALSE(mission->failsafes[0].is_of("ROBOT"));
+  EXPECT_TRUE(mission->failsafes[1].is_of("ROBOT"));
+  EXPECT_TRUE(mission->failsafes[2].is_of("scout"));
+  EXPECT_EQ(mission::words_of(mission->failsafes[0]), "FAILSAFE FOR Scout STUCK AFTER 30 HOLD");
+}
+
 }  // namespace
 }  // namespace mlab::mdl

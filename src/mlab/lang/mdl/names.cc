@@ -168,6 +168,19 @@ std::optional<std::uint32_t> Roster::find_type(const Name& name) {
   return std::nullopt;
 }
 
+std::optional<std::vector<std::string>> Roster::types_named(const Name& name) {
+  std::vector<std::string> out;
+  if (const auto society = societies_.find(lower_case(name.text)); society != societies_.end()) {
+    for (const mission::Society::Part& part : mission_.societies[society->second].parts)
+      out.push_back(mission_.types[part.type].name);
+    return out;
+  }
+  const std::optional<std::uint32_t> type = find_type(name);
+  if (!type) return std::nullopt;
+  out.push_back(mission_.types[*type].name);
+  return out;
+}
+
 void Roster::report_unknown_type(const Name& name) {
   auto& error = diagnostics_.error("unknown-robot-type", place(name.span),
                                    fmt::format("unknown robot type {}", in_backticks(name.text)));

@@ -40,6 +40,8 @@ class Roster {
   void define_unit(const statement::UnitDefinition& statement);
   /// A society that stands in no unit becomes one of its own name. To be called behind all definitions.
   void define_units_of_societies();
+  /// The names of the robot types that a name stands for: one, or those of a society. Reports an unknown one.
+  std::optional<std::vector<std::string>> types_named(const Name& name);
   /// Reports an unknown unit, with the name that may have been meant.
   std::optional<std::uint32_t> find_unit(const Name& name);
   /// Reports a number that no robot has.

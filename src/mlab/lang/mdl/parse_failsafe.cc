@@ -55,6 +55,10 @@ mission::FailsafeAction Parser::failsafe_action() {
 
 statement::Failsafe Parser::failsafe() {
   statement::Failsafe out;
+  if (at_written("FOR")) {
+    advance();
+    out.type = at_robot() ? take_name() : name("the name of a robot type");
+  }
   out.condition = failsafe_condition();
   const mission::FailsafeConditionInfo& condition = mission::info(out.condition);
   if (!stuck_ && condition.has_fence) out.fence = name("the name of a closed BOUNDARY");

@@ -1,5 +1,6 @@
 #include "mlab/lang/mdl/preamble.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -191,6 +192,8 @@ void Preamble::add_failsafe(const statement::Failsafe& failsafe, text::Span span
   const mission::FailsafeConditionInfo& condition = mission::info(failsafe.condition);
   mission::Failsafe out{.condition = failsafe.condition,
                         .action = failsafe.action,
+                        .type_name = failsafe.type ? failsafe.type->text : "",
+                        .types = {},
                         .seconds = failsafe.seconds ? failsafe.seconds->value : condition.default_seconds,
                         .fence_name = failsafe.fence ? failsafe.fence->text : "",
                         .fence = {},
@@ -213,6 +216,11 @@ void Preamble::add_failsafe(const statement::Failsafe& failsafe, text::Span span
         .hints.emplace_back("`REVERSE INSIDE` goes with OUTSIDE");
     return;
   }
+  if (failsafe.type) {
+    auto types = roster_.types_named(*failsafe.type);
+    if (!types) return;
+    out.types = std::move(*types);
+  }
   if (failsafe.fence) {
     auto fence = read_fence(*failsafe.fence);
     if (!fence) return;
@@ -225,7 +233,11 @@ void Preamble::add_failsafe(const statement::Failsafe& failsafe, text::Span span
 // One that an earlier row always is before would never act.
 bool Preamble::check_that_it_acts(const mission::Failsafe& failsafe) {
   for (const mission::Failsafe& before : mission_.failsafes) {
-    if (before.condition != failsafe.condition || before.fence != failsafe.fence ||
+    const bool has_same_robots =
+        before.types.empty() ||
+        (!failsafe.types.empty() &&
+         std::ranges::all_of(failsafe.types, [&](const std::string& type) { return before.is_of(type); }));
+    if (before.condition != failsafe.condition || before.fence != failsafe.fence || !has_same_robots ||
         before.seconds > failsafe.seconds)
       continue;
     diagnostics_

@@ -197,7 +197,8 @@ struct StatementPrinter {
     return s.robot_info ? "PRINT ROBOT-INFO" : "PRINT CONSOLE-DATABASE";
   }
   std::string operator()(const statement::Failsafe& s) const {
-    std::string out = fmt::format("FAILSAFE {}", mission::info(s.condition).word);
+    std::string out = s.type ? "FAILSAFE FOR " + text_of(*s.type) + " " : "FAILSAFE ";
+    out += mission::info(s.condition).word;
     if (s.fence) out += " " + text_of(*s.fence);
     if (s.seconds) out += " AFTER " + s.seconds->text;
     return out + fmt::format(" {}", mission::info(s.action).word);

@@ -156,6 +156,7 @@ struct Print {
   bool robot_info = false;
 };
 struct Failsafe {
+  std::optional<Name> type;  ///< FOR
   mission::FailsafeCondition condition = mission::FailsafeCondition::kOutside;
   std::optional<Name> fence;      ///< OUTSIDE
   std::optional<Number> seconds;  ///< AFTER
