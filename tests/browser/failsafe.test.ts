@@ -27,11 +27,14 @@ test("a robot that is held before a fence says so, and drives back by an order",
   const { page } = console;
   await console.main.click();
   await console.reaches("Running");
+  await (await console.panel("Log")).getByText(/Robot 1: .FAILSAFE OUTSIDE Field HOLD. acts/).waitFor();
   await console.select("Robot 1");
-  const held = (await console.panel("Selection")).getByTestId("failsafe");
+  const selection = await console.panel("Selection");
+  const held = selection.getByTestId("failsafe");
   await held.getByText("FAILSAFE OUTSIDE Field HOLD").waitFor();
-  await (await console.panel("Log")).getByText(/robot 1: `FAILSAFE OUTSIDE Field HOLD` acts/).waitFor();
   await console.type("UNIT a MOVETO 60 100");
   await held.waitFor({ state: "detached" });
-  expect(await page.getByText("is over").count()).toBeGreaterThan(0);
+  await selection.getByText(/MOVETO 60 100/).waitFor();
+  await (await console.panel("Log")).getByText(/Robot 1: .FAILSAFE OUTSIDE Field HOLD. is over/).waitFor();
+  expect(await page.getByText("no progress").count()).toBe(0);
 });
