@@ -145,14 +145,17 @@ void Failsafes::reverse(const Fence& fence, const Situation& situation, percept:
 void Failsafes::act(const mission::Failsafe& row, const Situation& situation, percept::Action& action) const {
   switch (row.action) {
     case FailsafeAction::kContinue:
-      return;
+      break;
     case FailsafeAction::kHold:
     case FailsafeAction::kStop:
-      return stand(action);
+      stand(action);
+      break;
     case FailsafeAction::kReturn:
-      return drive_towards(situation.home, situation, action);
+      drive_towards(situation.home, situation, action);
+      break;
     case FailsafeAction::kReverseInside:
-      return reverse(fences_[static_cast<std::size_t>(&row - rows_.data())], situation, action);
+      reverse(fences_[static_cast<std::size_t>(&row - rows_.data())], situation, action);
+      break;
   }
 }
 

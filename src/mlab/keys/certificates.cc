@@ -169,7 +169,7 @@ bool add_to(X509_CRL* list, X509* certificate, std::int64_t when) {
       X509_REVOKED_set_serialNumber(entry.get(), X509_get_serialNumber(certificate)) != 1 ||
       X509_CRL_add0_revoked(list, entry.get()) != 1)
     return false;
-  static_cast<void>(entry.release());  // the list's now
+  [[maybe_unused]] X509_REVOKED* const given = entry.release();  // the list's now
   return true;
 }
 

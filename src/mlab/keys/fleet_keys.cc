@@ -138,7 +138,7 @@ std::expected<fs::path, std::string> FleetKeys::add(const std::string& name) {
   const auto list = read_file(withdrawn_file());
   if (!document) return std::unexpected(document.error());
   if (!list) return std::unexpected(list.error());
-  const fs::path folder = folder_ / name;
+  fs::path folder = folder_ / name;
   if (const auto made = make_private_folder(folder); !made) return std::unexpected(made.error());
   const std::vector<std::pair<fs::path, const std::string*>> files = {
       {issued(name), &pair->certificate},  // first: what was handed out can be withdrawn

@@ -174,8 +174,6 @@ void MissionRun::answer_calls() {
     const std::uint32_t id = call.robot.value;
     switch (call.kind) {
       case fleet::RobotCall::Kind::kAlert:
-        tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
-        break;
       case fleet::RobotCall::Kind::kFailsafe:
         tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
         break;
