@@ -232,22 +232,21 @@ void Preamble::add_failsafe(const statement::Failsafe& failsafe, text::Span span
 
 // One that an earlier row always is before would never act.
 bool Preamble::check_that_it_acts(const mission::Failsafe& failsafe) {
-  for (const mission::Failsafe& before : mission_.failsafes) {
+  const auto is_always_before = [&](const mission::Failsafe& before) {
+    const auto is_of = [&](const std::string& type) { return before.is_of(type); };
     const bool has_same_robots =
-        before.types.empty() ||
-        (!failsafe.types.empty() &&
-         std::ranges::all_of(failsafe.types, [&](const std::string& type) { return before.is_of(type); }));
-    if (before.condition != failsafe.condition || before.fence != failsafe.fence || !has_same_robots ||
-        before.seconds > failsafe.seconds)
-      continue;
-    diagnostics_
-        .error("failsafe-never-acts", failsafe.place,
-               fmt::format("{} stands above it, is never later, and has the higher rank",
-                           in_backticks(mission::words_of(before))))
-        .notes.push_back({"it stands here", before.place});
-    return false;
-  }
-  return true;
+        before.types.empty() || (!failsafe.types.empty() && std::ranges::all_of(failsafe.types, is_of));
+    return has_same_robots && before.condition == failsafe.condition && before.fence == failsafe.fence &&
+           before.seconds <= failsafe.seconds;
+  };
+  const auto before = std::ranges::find_if(mission_.failsafes, is_always_before);
+  if (before == mission_.failsafes.end()) return true;
+  diagnostics_
+      .error("failsafe-never-acts", failsafe.place,
+             fmt::format("{} stands above it, is never later, and has the higher rank",
+                         in_backticks(mission::words_of(*before))))
+      .notes.push_back({"it stands here", before->place});
+  return false;
 }
 
 std::optional<std::vector<geom::Point>> Preamble::read_fence(const Name& name) {
