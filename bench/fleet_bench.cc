@@ -64,8 +64,9 @@ std::string fleet_name() {
 class Keys {
  public:
   Keys() {
-    const auto made = keys::FleetKeys::open(folder_, fleet_name());
-    if (!made) give_up(made.error());
+    auto all = keys::FleetKeys::open(folder_, fleet_name());
+    if (!all) give_up(all.error());
+    if (const auto own = all->add(keys::kOwnIdentity); !own) give_up(own.error());
   }
   Keys(const Keys&) = delete;
   Keys& operator=(const Keys&) = delete;
