@@ -63,7 +63,7 @@ void run(const Standing& standing, double reach, int cycles) {
   for (int cycle = 0; cycle < cycles; ++cycle) {
     for (std::uint32_t i = 0; i < standing.robots; ++i) {
       percept::Percepts percepts;
-      simulator.sense({i}, {.robot_range = reach}, buffer, percepts);
+      simulator.sense({i}, {{percept::Sensor::kRobots, reach}}, buffer, percepts);
       actions[i] = act(percepts);
     }
     simulator.step(actions, kCycle);

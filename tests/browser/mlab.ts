@@ -78,12 +78,14 @@ export class Mlab {
     return this.state;
   }
 
-  /** As Ctrl-C. @returns the exit status */
+  /** As Ctrl-C. @returns the exit status. @throws where it had crashed, with what it printed */
   async stop(): Promise<number | null> {
+    const crash = this.process.signalCode;
     this.thaw();
     if (this.process.exitCode === null) this.process.kill("SIGINT");
     const status = await this.ended;
     rmSync(this.state, { recursive: true, force: true });
+    if (crash && crash !== "SIGKILL") throw new Error(`mlab ended by ${crash}:\n${this.output}`);
     return status;
   }
 }

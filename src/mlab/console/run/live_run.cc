@@ -23,12 +23,14 @@ LiveRun::LiveRun(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::Mis
 void LiveRun::edit(std::shared_ptr<const run::Crew> crew) {
   crew_ = std::move(crew);
   run_->edit(crew_);
+  transitions_.change(*run_);
   has_news_ = true;
 }
 
 std::expected<run::Takeover, std::string> LiveRun::take_over(std::shared_ptr<const run::Crew> crew) {
   auto out = run_->take_over(crew);
   if (out) crew_ = std::move(crew);
+  transitions_.change(*run_);
   has_news_ = true;
   return out;
 }

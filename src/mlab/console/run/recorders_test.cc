@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/source_folder.h"
+#include "mlab/console/run/live_run.h"
 #include "mlab/console/run/measure_series.h"
 #include "mlab/console/run/series_recorder.h"
 #include "mlab/console/run/trail_recorder.h"
@@ -110,6 +112,34 @@ TEST(TrailRecorder, KeepsWhereRobotsHaveBeen) {
     EXPECT_GE(std::hypot(values[3 * i] - values[3 * i - 3], values[3 * i + 1] - values[3 * i - 2]), 0.49F);
     EXPECT_GT(values[3 * i + 2], values[3 * i - 1]) << "time goes on";
   }
+}
+
+TEST(TransitionRecorder, KnowsNothingOfAProgramThatIsGone) {
+  text::Diagnostics sink;
+  const std::string folder = base::source_folder() + "/missions/herd";
+  const auto mission = mdl::load_mission(folder + "/herd.mdl", sink);
+  ASSERT_NE(mission, nullptr) << text::render(sink);
+  const auto crew = [&] { return run::make_crew(mission, {{}, folder}, sink); };
+  std::shared_ptr<const run::Crew> first = crew();
+  ASSERT_NE(first, nullptr) << text::render(sink);
+  auto run = simulated::make_run(first, {});
+  EventLog log;
+  LiveRun live(std::exchange(first, nullptr), std::move(run), log);
+  live.transitions().watch(std::vector<std::uint32_t>{1});
+  live.run().post(mission::event::Execute{});
+  const auto told = [&] {
+    RobotDetail out;
+    live.transitions().encode(1, out);
+    return out.transitions_size();
+  };
+  for (int i = 0; i < 5000 && told() == 0; ++i) live.step();
+  ASSERT_GT(told(), 0) << "no wolf came near";
+  ASSERT_TRUE(live.take_over(crew()));
+  EXPECT_EQ(told(), 0);
+  EXPECT_TRUE(live.transitions().before(1).empty());
+  // From then on it is looked at again.
+  live.step();
+  EXPECT_FALSE(live.transitions().before(1).empty());
 }
 
 }  // namespace

@@ -13,6 +13,14 @@ void TransitionRecorder::watch(std::span<const std::uint32_t> robots) {
   for (const std::uint32_t id : robots) robots_.try_emplace(id);
 }
 
+// An address tells whose it is as long as both exist, and the new ones were made beside the old.
+void TransitionRecorder::change(const run::MissionRun& run) {
+  for (auto& [id, watched] : robots_) {
+    const fleet::FleetRobot* const robot = run.fleet().find({id});
+    if (robot == nullptr || robot->workings().program != watched.program) watched = {};
+  }
+}
+
 void TransitionRecorder::look(const run::MissionRun& run) {
   for (auto& [id, watched] : robots_) {
     const fleet::FleetRobot* robot = run.fleet().find({id});

@@ -16,6 +16,8 @@ class TransitionRecorder {
  public:
   /// Whose, by id. Of a robot that is new here nothing is known yet.
   void watch(std::span<const std::uint32_t> robots);
+  /// Programs of the run were exchanged, and those that no robot has any more are gone.
+  void change(const run::MissionRun& run);
   /// Once per cycle.
   void look(const run::MissionRun& run);
   /// Of a robot's sequences, those that made any.
