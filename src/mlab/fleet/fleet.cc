@@ -107,33 +107,55 @@ std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, ge
   if (found == nullptr) return std::unexpected("can't start: there is no such robot");
   if (found->life == RobotLife::kRunning || found->life == RobotLife::kParked)
     return std::unexpected("is started already");
-  const std::size_t index = index_of(*found);
-  FleetRobot& robot = robots_[index];
+  FleetRobot& robot = robots_[index_of(*found)];
+  const auto placement = embody(robot, pose);
+  if (!placement) return placement;
+  robot.start = placement->pose;
+  if (!start_program(robot)) new_faults_.push_back(id);
+  return placement;
+}
+
+std::expected<binding::Placement, std::string> Fleet::embody(FleetRobot& robot, geom::Pose pose) {
   if (robot.life != RobotLife::kNotStarted) binding_.release(robot.body);  // started anew
-  const std::expected<binding::Placement, std::string> placement =
-      binding_.embody({robot.body_spec, pose, id, unit_of_team(robot), robot.seen_as});
+  const auto placement =
+      binding_.embody({robot.body_spec, pose, robot.id, unit_of_team(robot), robot.seen_as});
   if (!placement) return std::unexpected(fmt::format("can't start: {}", placement.error()));
+  const std::size_t index = index_of(robot);
   robot.body = bodies_[index] = placement->body;
   robot.capabilities = binding_.capabilities(robot.body);
-  robot.start = placement->pose;
-  robot.failsafe = {};
-  start_program(robot);
   poses_[index] = placement->pose;
   actions_.resize(std::max<std::size_t>(actions_.size(), robot.body.value + std::size_t{1}));
   return placement;
 }
 
-void Fleet::start_program(FleetRobot& robot) {
+std::optional<std::string> Fleet::replace(base::RobotId id) {
+  const FleetRobot* found = find(id);
+  if (found == nullptr) return fmt::format("there is no robot {}", id.value);
+  if (found->life != RobotLife::kFaulted)
+    return fmt::format("robot {} has no fault that another one would be needed for: {}", id.value,
+                       name(found->life));
+  const std::size_t index = index_of(*found);
+  FleetRobot& robot = robots_[index];
+  if (!robot.ailment.empty()) {
+    if (const auto placement = embody(robot, poses_[index]); !placement)
+      return fmt::format("robot {} {}", id.value, placement.error());
+  }
+  if (start_program(robot)) return std::nullopt;
+  return fmt::format("robot {} can't be replaced: {}", id.value, failure_of(robot));
+}
+
+bool Fleet::start_program(FleetRobot& robot) {
+  robot.failsafe = {};
   robot.life = robot.runner != nullptr ? RobotLife::kRunning : RobotLife::kParked;
   robot.fault.clear();
   robot.failure.clear();
   robot.ailment.clear();
   robot.notifications.clear();
   const auto problem = robot.runner != nullptr ? robot.runner->start(robot.member) : std::nullopt;
-  if (!problem) return;
+  if (!problem) return true;
   robot.failure = *problem;
   robot.life = RobotLife::kFaulted;
-  new_faults_.push_back(robot.id);
+  return false;
 }
 
 // All members may come out of one group: it is told once, not by each.

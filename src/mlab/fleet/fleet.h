@@ -104,6 +104,11 @@ class Fleet {
   /// @return  where it stands
   /// @errors  a sentence about the robot: `is started already`
   std::expected<binding::Placement, std::string> start(base::RobotId robot, geom::Pose pose);
+  /// Another robot of its type takes the place of one that stands because of a fault: its program begins anew
+  /// where it stands, wherever programs can be run now, under the order that the robot has. A body that is gone
+  /// gives way to another one.
+  /// @errors  a sentence that says why not; the robot stands as before
+  std::optional<std::string> replace(base::RobotId robot);
   void order(const mission::effect::Order& order);
   /// Ends the robot's program; its body keeps standing.
   void stop(base::RobotId robot);
@@ -204,6 +209,8 @@ class Fleet {
   void form_teams(const mission::Mission& mission);
   void note_calls(const FleetRobot& robot);
   void leave_groups(std::span<const std::uint32_t> members);
+  /// @errors  as Fleet::start
+  std::expected<binding::Placement, std::string> embody(FleetRobot& robot, geom::Pose pose);
   void update_poses();
   void look_after_bodies();
   /// Gives the robot's program to who runs it, and takes it from there.
@@ -214,7 +221,8 @@ class Fleet {
             const std::vector<binding::BodySpec>& bodies,
             const std::function<void(FleetRobot&, const robot::RobotProgram&)>& exchange);
   std::vector<flow::Restart> exchange_program(FleetRobot& robot, const robot::RobotProgram& after);
-  void start_program(FleetRobot& robot);
+  /// @return  false: it has failed at once, and why stands in the robot
+  bool start_program(FleetRobot& robot);
   /// All that is not sensed: orders, the unit, what people and robots say.
   void add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const;
   void run_programs(double dt);

@@ -71,6 +71,7 @@ void take_report(State& state, const RobotReport& report) {
   take_pose(state, *robot, report.pose);
   robot->radius = report.radius;
   robot->is_running = report.is_running;
+  if (report.is_running) robot->warned = false;
   robot->reported = report.sequence;
   robot->seen = state.cycle;
   if (robot->run == kNoRun) return;

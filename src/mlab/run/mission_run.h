@@ -60,9 +60,9 @@ struct AnswerRecord {
   bool proceed = false;
 };
 
-/// What a person made a robot's program do.
+/// What a person made a robot, or its program, do.
 struct InterventionRecord {
-  enum class Kind : std::uint8_t { kForce, kHold, kRelease };
+  enum class Kind : std::uint8_t { kForce, kHold, kRelease, kReplace };
   std::uint64_t cycle = 0;  ///< that had run; it counts from the next one on
   base::RobotId robot;
   Kind kind = Kind::kForce;
@@ -174,6 +174,9 @@ class MissionRun {
                                         const std::string& value);
   /// @param port  empty: all that are held
   std::optional<std::string> release_value(base::RobotId robot, const std::string& port);
+  /// As fleet::Fleet::replace.
+  /// @errors  likewise
+  std::optional<std::string> replace_robot(base::RobotId robot);
   bool is_in_real_time() const { return settings_.is_in_real_time; }
   /// As RunSettings::stands_still_for_operator.
   void set_stands_still_for_operator(bool stands_still) {

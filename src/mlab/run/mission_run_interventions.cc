@@ -9,7 +9,7 @@
 namespace mlab::run {
 
 std::string_view name(InterventionRecord::Kind kind) {
-  constexpr std::array<std::string_view, 3> kNames = {"force", "hold", "release"};
+  constexpr std::array<std::string_view, 4> kNames = {"force", "hold", "release", "replace"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -36,6 +36,12 @@ std::optional<std::string> MissionRun::release_value(base::RobotId robot, const 
   if (auto problem = fleet_->release(robot, port)) return problem;
   if (!holds_something) return std::nullopt;
   interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kRelease, port, ""});
+  return std::nullopt;
+}
+
+std::optional<std::string> MissionRun::replace_robot(base::RobotId robot) {
+  if (auto problem = fleet_->replace(robot)) return problem;
+  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kReplace, "", ""});
   return std::nullopt;
 }
 

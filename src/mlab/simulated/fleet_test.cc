@@ -116,6 +116,32 @@ TEST(Fleet, ARobotWhoseProgramGoesWrongStandsAndTheOthersGoOn) {
   EXPECT_TRUE(t.fleet.take_new_faults().empty()) << "told once";
 }
 
+TEST(Fleet, AnotherRobotTakesThePlaceOfOneThatStandsBecauseOfAFault) {
+  TestFleet t(3);
+  mission::effect::Order order;
+  order.members = {{1}, {2}, {3}};
+  order.order.sequence = 7;
+  t.fleet.order(order);
+  t.fleet.step(0.1);
+  t.set_speed(2, 1e308);
+  t.fleet.step(0.1);
+  const double where = t.fleet.pose(*t.fleet.find({2})).position.x;
+  EXPECT_EQ(t.fleet.take_new_faults().size(), 1U);
+
+  ASSERT_EQ(t.fleet.replace({2}), std::nullopt);
+  EXPECT_EQ(t.fleet.find({2})->life, fleet::RobotLife::kRunning);
+  EXPECT_EQ(t.fleet.find({2})->fault, "");
+  ASSERT_NE(t.fleet.group(*t.fleet.find({2})), nullptr);
+  EXPECT_EQ(t.fleet.group(*t.fleet.find({2}))->order.sequence, 7U) << "the order of its unit";
+  t.fleet.step(0.1);
+  EXPECT_NEAR(t.fleet.pose(*t.fleet.find({2})).position.x, where + 0.2, 1e-12);
+
+  EXPECT_EQ(t.fleet.replace({2}), "robot 2 has no fault that another one would be needed for: running");
+  t.fleet.stop({3});
+  EXPECT_EQ(t.fleet.replace({3}), "robot 3 has no fault that another one would be needed for: stopped");
+  EXPECT_EQ(t.fleet.replace({9}), "there is no robot 9");
+}
+
 TEST(Fleet, AStoppedRobotKeepsStanding) {
   TestFleet t(1);
   t.fleet.stop({1});

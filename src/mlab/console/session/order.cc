@@ -74,6 +74,8 @@ Order Order::of(ToServer::BodyCase body) {
       return {kOperator, kAfterCycle, T::taken<&Run::hold_value, &M::hold_value, kRun>};
     case M::kReleaseValue:
       return {kOperator, kAfterCycle, T::taken<&Run::release_value, &M::release_value, kRun>};
+    case M::kReplaceRobot:
+      return {kOperator, kAfterCycle, T::taken<&Run::replace_robot, &M::replace_robot, kRun>};
     case M::kTyped:
       return {kOperator, kAfterCycle, T::taken<&RunMaker::typed, &M::typed, kMaker>};
     case M::kSetOption:

@@ -299,4 +299,17 @@ Answered RunOrders::release_value(const Sender& sender, const ReleaseValue& rele
   return error;
 }
 
+Answered RunOrders::replace_robot(const Sender& sender, const ReplaceRobot& replace) {
+  if (auto refused = run_.why_not_now()) return refused;
+  const base::RobotId robot{replace.robot()};
+  if (auto error = run_.live()->run().replace_robot(robot)) return clean(*error);
+  run_.world_changed();
+  const fleet::FleetRobot& replaced = *run_.live()->run().fleet().find(robot);
+  const std::string machine = clean(replaced.runner->machine(replaced.member));
+  note_of(robot.value, fmt::format("{}: robot {} is replaced by another {}{}: its program begins anew",
+                                   sender.client.name, robot.value, clean(replaced.type),
+                                   machine.empty() ? "" : ", on " + machine));
+  return std::nullopt;
+}
+
 }  // namespace mlab::console

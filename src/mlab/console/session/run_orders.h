@@ -29,6 +29,7 @@ class RunOrders {
   Answered force_state(const Sender& sender, const ForceState& force);
   Answered hold_value(const Sender& sender, const HoldValue& hold);
   Answered release_value(const Sender& sender, const ReleaseValue& release);
+  Answered replace_robot(const Sender& sender, const ReplaceRobot& replace);
 
  private:
   Answered why_not(const Control& control) const;
